@@ -1,0 +1,31 @@
+# The short way in. What each word means is in CMakePresets.json; what it needs, in packages/.
+MODEL ?= benchmarks/corpus/scenes/house.glb
+DEMO := build/demo
+FOREDRAW := build/release/hosts/cli/foredraw
+
+.PHONY: help demo build test asan tsan clean
+help:
+	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
+	@echo 'make build    build the program: $(FOREDRAW)'
+	@echo 'make test     build everything, run every test'
+	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
+	@echo 'make clean    remove build/'
+
+demo: build
+	@mkdir -p $(DEMO)
+	$(FOREDRAW) optimize $(MODEL) -o $(DEMO)/$(notdir $(MODEL)) --report $(DEMO)/report.json
+	@echo 'The model that was made: $(DEMO)/$(notdir $(MODEL)); all figures: $(DEMO)/report.json'
+
+build:
+	packages/install build
+	cmake --preset release && cmake --build --preset release --target foredraw
+
+test: TESTS = release-tests
+asan: TESTS = asan
+tsan: TESTS = tsan
+test asan tsan:
+	packages/install build test
+	cmake --preset $(TESTS) && cmake --build --preset $(TESTS) && ctest --preset $(TESTS)
+
+clean:
+	rm -rf build

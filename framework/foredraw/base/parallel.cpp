@@ -1,0 +1,69 @@
+#include <foredraw/base/parallel.h>
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace foredraw {
+
+struct Executor::Arena {
+  // The arena alone would let TBB's default (the processors) cap what the caller asked for.
+  tbb::global_control allow;
+  tbb::task_arena arena;
+  explicit Arena(int threads)
+      : allow(tbb::global_control::max_allowed_parallelism,
+              static_cast<std::size_t>(std::max(threads, tbb::info::default_concurrency()))),
+        arena(threads) {}
+};
+
+Executor::Executor(int threads)
+    : threads_(threads > 0 ? threads : tbb::info::default_concurrency()), arena_(std::make_unique<Arena>(threads_)) {}
+
+Executor::~Executor() = default;
+
+#ifdef __SANITIZE_THREAD__
+
+// ThreadSanitizer sees nothing of TBB's library and calls every hand-over in it a race. Under it, plain threads keep the
+// same promise, so that what it reports is ours.
+void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& task) const {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr first;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        task(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!first) first = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads_; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+  if (first) std::rethrow_exception(first);
+}
+
+#else
+
+void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& task) const {
+  arena_->arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) task(i);
+    }, tbb::simple_partitioner());
+  });
+}
+
+#endif
+
+}  // namespace foredraw

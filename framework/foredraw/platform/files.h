@@ -1,0 +1,31 @@
+#pragma once
+// Files read whole, and written so that nothing is ever half there. Paths are UTF-8.
+
+#include <foredraw/base/diagnostics.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace foredraw {
+
+/// The whole file. nullopt, with a diagnostic that says why, where it can not be read.
+std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+/// All of standard input.
+std::optional<std::vector<std::byte>> read_standard_input(Diagnostics& diagnostics);
+
+bool write_standard_output(std::span<const std::byte> bytes, Diagnostics& diagnostics);
+
+struct OutputFile {
+  std::filesystem::path path;
+  std::vector<std::byte> bytes;
+};
+
+/// Writes every file beside its place, then renames them one after the other into it. Where one can not be written, none
+/// is changed, and what was begun is removed.
+bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics);
+
+}  // namespace foredraw

@@ -1,0 +1,19 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace foredraw {
+
+/// Contiguous ranges of the triangle order: cluster c holds the triangles offsets[c] to offsets[c + 1] - 1. The first
+/// offset is 0, the last is the number of triangles, and none is empty.
+struct Clusters {
+  std::vector<std::uint32_t> offsets;
+
+  std::size_t count() const { return offsets.empty() ? 0 : offsets.size() - 1; }
+  friend bool operator==(const Clusters&, const Clusters&) = default;
+};
+
+/// Whether the offsets are a partition of `triangles` triangles as described above.
+bool is_partition(const Clusters& clusters, std::size_t triangles);
+
+}  // namespace foredraw

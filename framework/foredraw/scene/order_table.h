@@ -1,0 +1,32 @@
+#pragma once
+// Which of the k orders to draw: the table that a subject orderer answers with and an engine looks up each frame.
+
+#include <foredraw/scene/draw.h>
+
+#include <string>
+#include <vector>
+
+namespace foredraw {
+
+/// For every (clip, keyframe, theta, phi) the number of an order, the same number for all draws of the subject.
+/// theta is the angle from +Y in [0, pi], phi = atan2(z, x) in [-pi, pi), both in equal steps.
+struct OrderTable {
+  struct Clip {
+    std::string name;
+    std::vector<float> times;  ///< of the keyframes, seconds
+  };
+  std::vector<DrawId> draws;
+  std::vector<Clip> clips;  ///< none: the pose does not matter
+  std::uint32_t theta_steps = 1;
+  std::uint32_t phi_steps = 1;
+  std::vector<std::uint8_t> order;  ///< [keyframe of all clips in turn][theta][phi]
+
+  std::size_t keyframes() const {
+    std::size_t n = 0;
+    for (const Clip& clip : clips) n += clip.times.size();
+    return n == 0 ? 1 : n;
+  }
+  std::size_t cells() const { return keyframes() * theta_steps * phi_steps; }
+};
+
+}  // namespace foredraw

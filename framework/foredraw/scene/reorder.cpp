@@ -1,0 +1,148 @@
+#include <foredraw/scene/reorder.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace foredraw {
+
+bool is_permutation(std::span<const std::uint32_t> order, std::size_t count) {
+  if (order.size() != count) return false;
+  std::vector<bool> seen(count, false);
+  for (std::uint32_t old : order) {
+    if (old >= count || seen[old]) return false;
+    seen[old] = true;
+  }
+  return true;
+}
+
+namespace {
+
+std::vector<std::uint32_t> inverse(std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> result(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) result[order[i]] = i;
+  return result;
+}
+
+std::optional<Clusters> moved_clusters(const Clusters& clusters, std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> cluster_of(order.size());
+  for (std::uint32_t c = 0; c < clusters.count(); ++c) {
+    std::fill(cluster_of.begin() + clusters.offsets[c], cluster_of.begin() + clusters.offsets[c + 1], c);
+  }
+  Clusters moved{{0}};
+  for (std::uint32_t i = 1; i < order.size(); ++i) {
+    if (cluster_of[order[i]] != cluster_of[order[i - 1]]) moved.offsets.push_back(i);
+  }
+  if (!order.empty()) moved.offsets.push_back(static_cast<std::uint32_t>(order.size()));
+  if (moved.count() != clusters.count()) return std::nullopt;  // some cluster starts twice: torn
+  return moved;
+}
+
+/// Rows gathered from where they were: result row i is row from[i].
+Shared<std::byte> gathered(const VertexStream& stream, std::span<const std::uint32_t> from) {
+  const std::size_t row = stream.format.bytes;
+  const std::span<const std::byte> bytes = stream.bytes.view();
+  std::vector<std::byte> result(from.size() * row);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::memcpy(result.data() + i * row, bytes.data() + from[i] * row, row);
+  }
+  return Shared<std::byte>(std::move(result));
+}
+
+Shared<std::byte> renumbered(const VertexStream& stream, std::span<const std::uint32_t> destination) {
+  std::vector<std::byte> result(stream.bytes.view().begin(), stream.bytes.view().end());
+  for (std::size_t at = 0; at + 4 <= result.size(); at += 4) {
+    std::uint32_t value;
+    std::memcpy(&value, result.data() + at, 4);
+    if (value < destination.size()) std::memcpy(result.data() + at, &destination[value], 4);
+  }
+  return Shared<std::byte>(std::move(result));
+}
+
+void move_extensions(std::vector<Extension>& extensions, ExtensionStream::Rows rows, ExtensionStream::Values values,
+                     std::span<const std::uint32_t> from, std::span<const std::uint32_t> destination) {
+  for (Extension& extension : extensions) {
+    for (ExtensionStream& stream : extension.streams) {
+      if (stream.rows == rows) stream.stream.bytes = gathered(stream.stream, from);
+      if (stream.values == values) stream.stream.bytes = renumbered(stream.stream, destination);
+    }
+  }
+}
+
+/// For each new vertex an old one that goes there.
+std::vector<std::uint32_t> sources(std::span<const std::uint32_t> destination, std::uint32_t count) {
+  std::vector<std::uint32_t> from(count, 0);
+  for (std::uint32_t v = static_cast<std::uint32_t>(destination.size()); v-- > 0;) {
+    if (destination[v] != no_vertex) from[destination[v]] = v;
+  }
+  return from;
+}
+
+}  // namespace
+
+IndexStream with_triangle_order(const IndexStream& stream, std::span<const std::uint32_t> order) {
+  const std::span<const std::uint32_t> old = stream.indices.view();
+  const std::span<const std::uint32_t> old_origin = stream.triangle_origin.view();
+  std::vector<std::uint32_t> indices(old.size());
+  std::vector<std::uint32_t> origin(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    std::copy_n(old.begin() + 3 * std::size_t{order[i]}, 3, indices.begin() + 3 * i);
+    origin[i] = old_origin.empty() ? order[i] : old_origin[order[i]];
+  }
+  IndexStream result = stream;
+  result.indices = Shared<std::uint32_t>(std::move(indices));
+  result.triangle_origin = Shared<std::uint32_t>(std::move(origin));
+  if (stream.clusters) result.clusters = moved_clusters(*stream.clusters, order);
+  return result;
+}
+
+Draw with_triangle_order(const Draw& draw, std::span<const std::uint32_t> order) {
+  Draw result = draw;
+  IndexStream& stream = result.levels[0].orders[0];
+  const bool had_clusters = stream.clusters.has_value();
+  stream = with_triangle_order(stream, order);
+  if (had_clusters && !stream.clusters) result.traits.remove(traits::clustered);
+  if (!result.extensions.empty()) {
+    const std::vector<std::uint32_t> destination = inverse(order);
+    move_extensions(result.extensions, ExtensionStream::Rows::triangles, ExtensionStream::Values::triangles, order,
+                    destination);
+  }
+  return result;
+}
+
+VertexStreams with_vertices_moved(const VertexStreams& streams, std::span<const std::uint32_t> destination,
+                                  std::uint32_t count) {
+  const std::vector<std::uint32_t> from = sources(destination, count);
+  VertexStreams moved = streams;
+  moved.count = count;
+  for (VertexStream& stream : moved.base) stream.bytes = gathered(stream, from);
+  for (auto& target : moved.morph_targets) {
+    for (VertexStream& stream : target) stream.bytes = gathered(stream, from);
+  }
+  return moved;
+}
+
+Draw with_vertices_moved(const Draw& draw, std::size_t level, std::shared_ptr<const VertexStreams> moved,
+                         std::span<const std::uint32_t> destination) {
+  Draw result = draw;
+  Level& changed = result.levels[level];
+  for (IndexStream& stream : changed.orders) {
+    std::vector<std::uint32_t> indices(stream.indices.view().begin(), stream.indices.view().end());
+    for (std::uint32_t& index : indices) index = destination[index];
+    stream.indices = Shared<std::uint32_t>(std::move(indices));
+  }
+  if (level == 0 && !result.extensions.empty()) {
+    move_extensions(result.extensions, ExtensionStream::Rows::vertices, ExtensionStream::Values::vertices,
+                    sources(destination, moved->count), destination);
+  }
+  const std::span<const std::uint32_t> before = changed.vertex_destination.view();
+  std::vector<std::uint32_t> whole(destination.begin(), destination.end());
+  if (!before.empty()) {
+    whole.assign(before.begin(), before.end());
+    for (std::uint32_t& v : whole) v = v == no_vertex ? no_vertex : destination[v];
+  }
+  changed.vertex_destination = Shared<std::uint32_t>(std::move(whole));
+  changed.vertices = std::move(moved);
+  return result;
+}
+
+}  // namespace foredraw

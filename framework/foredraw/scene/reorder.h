@@ -1,0 +1,35 @@
+#pragma once
+// Orders applied. Whatever belongs to triangles or vertices moves with them; nothing else changes.
+
+#include <foredraw/scene/draw.h>
+
+#include <span>
+#include <vector>
+
+namespace foredraw {
+
+/// order[new] = old triangle. A permutation of all triangles.
+using IndexOrder = std::vector<std::uint32_t>;
+/// order[new] = old vertex. A permutation of all vertices.
+using VertexOrder = std::vector<std::uint32_t>;
+
+bool is_permutation(std::span<const std::uint32_t> order, std::size_t count);
+
+/// The index stream in the new order; corners are not rotated. Clusters stay where each is still contiguous in it, in
+/// their new sequence, and are lost where one is torn.
+IndexStream with_triangle_order(const IndexStream& stream, std::span<const std::uint32_t> order);
+
+/// The draw with orders[0] of level 0 put in the new order, rows of triangle extensions moved along.
+Draw with_triangle_order(const Draw& draw, std::span<const std::uint32_t> order);
+
+/// The streams with vertex v at destination[v]; several may share one (their bytes must then be equal), and no_vertex
+/// leaves one out. `count` is the number of vertices afterwards.
+VertexStreams with_vertices_moved(const VertexStreams& streams, std::span<const std::uint32_t> destination,
+                                  std::uint32_t count);
+
+/// The draw drawing from `moved`, which came from its own vertices by `destination`: indices renumbered in every order
+/// of the level, vertex rows of extensions moved along. Level `level` alone.
+Draw with_vertices_moved(const Draw& draw, std::size_t level, std::shared_ptr<const VertexStreams> moved,
+                         std::span<const std::uint32_t> destination);
+
+}  // namespace foredraw

@@ -1,0 +1,36 @@
+#include <foredraw/scene/scene.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace foredraw {
+
+glm::mat4 Node::local() const {
+  if (matrix) return *matrix;
+  return glm::translate(glm::mat4(1), transform.translation) * glm::mat4_cast(transform.rotation) *
+         glm::scale(glm::mat4(1), transform.scale);
+}
+
+std::vector<glm::mat4> world_transforms(const Scene& scene) {
+  std::vector<char> has_parent(scene.nodes.size(), 0);
+  for (const Node& node : scene.nodes) {
+    for (NodeId child : node.children) has_parent[child] = 1;
+  }
+  std::vector<glm::mat4> world(scene.nodes.size(), glm::mat4(1));
+  std::vector<NodeId> open;
+  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+    if (has_parent[i]) continue;
+    world[i] = scene.nodes[i].local();
+    open.push_back(i);
+  }
+  while (!open.empty()) {
+    const NodeId parent = open.back();
+    open.pop_back();
+    for (NodeId child : scene.nodes[parent].children) {
+      world[child] = world[parent] * scene.nodes[child].local();
+      open.push_back(child);
+    }
+  }
+  return world;
+}
+
+}  // namespace foredraw

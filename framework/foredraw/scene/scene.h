@@ -1,0 +1,91 @@
+#pragma once
+// A scene is a value: a copy is a copy of handles. Images alone are a scene too.
+
+#include <foredraw/scene/draw.h>
+#include <foredraw/scene/image.h>
+#include <foredraw/scene/order_table.h>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <optional>
+
+namespace foredraw {
+
+using MeshId = std::uint32_t;
+using NodeId = std::uint32_t;
+using SkinId = std::uint32_t;
+
+struct Mesh {
+  std::string name;
+  std::vector<DrawId> draws;
+  std::vector<float> weights;  ///< of the morph targets, at rest
+};
+
+struct Transform {
+  glm::vec3 translation{0};
+  glm::quat rotation{1, 0, 0, 0};
+  glm::vec3 scale{1};
+};
+
+struct Node {
+  std::string name;
+  Transform transform;
+  std::optional<glm::mat4> matrix;  ///< stands for the transform where the file gives one
+  std::optional<MeshId> mesh;
+  std::optional<SkinId> skin;
+  std::vector<float> weights;
+  std::vector<NodeId> children;
+
+  glm::mat4 local() const;
+};
+
+struct Skin {
+  std::string name;
+  std::vector<NodeId> joints;
+  std::vector<glm::mat4> inverse_bind_matrices;  ///< as many as joints; identity where the file gives none
+};
+
+enum class AnimatedPath : std::uint8_t { translation, rotation, scale, weights };
+enum class Interpolation : std::uint8_t { linear, step, cubic_spline };
+
+struct AnimationChannel {
+  NodeId node = 0;
+  AnimatedPath path = AnimatedPath::translation;
+  Interpolation interpolation = Interpolation::linear;
+  Shared<float> times;   ///< seconds
+  Shared<float> values;  ///< decoded; for cubic splines in-tangent, value, out-tangent a key
+};
+
+struct Animation {
+  std::string name;
+  std::vector<AnimationChannel> channels;
+};
+
+/// The file that a scene came from, kept by the reader for the writer, so that what no stage touched comes out as it was.
+class SceneSource {
+ public:
+  virtual ~SceneSource() = default;
+};
+
+struct Scene {
+  std::string name;  ///< the file's, for messages
+  std::vector<Draw> draws;
+  std::vector<Mesh> meshes;
+  std::vector<Node> nodes;
+  std::vector<Skin> skins;
+  std::vector<Animation> animations;
+  std::vector<Material> materials;
+  std::vector<Image> images;
+  std::vector<OrderTable> order_tables;
+  std::shared_ptr<const SceneSource> source;
+
+  const Material* material_of(const Draw& draw) const {
+    return draw.material && *draw.material < materials.size() ? &materials[*draw.material] : nullptr;
+  }
+};
+
+/// Each node's transform to the world. Nodes without a parent are roots.
+std::vector<glm::mat4> world_transforms(const Scene& scene);
+
+}  // namespace foredraw

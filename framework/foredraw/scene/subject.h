@@ -1,0 +1,27 @@
+#pragma once
+// Draws that are seen and judged together.
+
+#include <foredraw/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace foredraw {
+
+/// A draw as one node shows it. Without a node: in its own space.
+struct SubjectPart {
+  DrawId draw = 0;
+  std::optional<NodeId> node;
+};
+
+/// One draw, a mesh, a character, or the scene. Parts are in draw order.
+struct Subject {
+  std::string name;
+  std::vector<SubjectPart> parts;
+};
+
+/// The default subjects of a scene: a character (every mesh that shares a skin or hangs below one of its joints) where
+/// there is a skin, else each mesh. Every draw that a mesh holds is in one subject at least.
+std::vector<Subject> subjects_of(const Scene& scene);
+
+}  // namespace foredraw

@@ -1,0 +1,26 @@
+#pragma once
+#include <foredraw/scene/scene.h>
+
+namespace foredraw {
+
+/// One VertexStreams and everybody who draws from it. Whoever moves its vertices has to renumber all of them.
+struct VertexGroup {
+  struct User {
+    DrawId draw = 0;
+    std::size_t level = 0;
+  };
+  std::shared_ptr<const VertexStreams> vertices;
+  std::vector<User> users;  ///< in draw order
+};
+
+/// The groups of a scene, by first user.
+std::vector<VertexGroup> vertex_groups(const Scene& scene);
+
+/// Every index stream of a group, in draw, level and order.
+std::vector<std::span<const std::uint32_t>> index_streams_of(const Scene& scene, const VertexGroup& group);
+
+/// Moves the group's vertices as with_vertices_moved() does, for all of its users. The certificate is the caller's.
+void move_vertices(Scene& scene, const VertexGroup& group, std::span<const std::uint32_t> destination,
+                   std::uint32_t count);
+
+}  // namespace foredraw

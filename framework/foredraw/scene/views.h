@@ -1,0 +1,23 @@
+#pragma once
+// From where a subject is looked at.
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace foredraw {
+
+/// One way to look at a subject, in the subject's own space.
+struct View {
+  glm::dvec3 direction{0, 0, 1};  ///< unit length, from the bounding sphere's centre to the camera
+  double weight = 1;
+};
+
+/// A set of views. `distance` is from the centre to the camera in bounding-sphere radii; 0: orthographic.
+struct Views {
+  std::vector<View> views;
+  double distance = 0;
+  int size = 256;  ///< pixels along each edge of the square picture that just holds the bounding sphere
+};
+
+}  // namespace foredraw

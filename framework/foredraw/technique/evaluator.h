@@ -1,0 +1,30 @@
+#pragma once
+// Evaluators measure, and take everything const. Figures go to run.measure.
+
+#include <foredraw/scene/scene.h>
+#include <foredraw/technique/draw_view.h>
+#include <foredraw/technique/run.h>
+
+namespace foredraw {
+
+class Evaluator {
+ public:
+  virtual ~Evaluator() = default;
+  virtual void evaluate(const Scene&, Run&) = 0;
+};
+
+/// The framework loops over the draws, many at once.
+class DrawEvaluator {
+ public:
+  virtual ~DrawEvaluator() = default;
+  virtual void evaluate(const DrawView&, Run&) = 0;
+};
+
+/// The framework loops over the images, many at once.
+class ImageEvaluator {
+ public:
+  virtual ~ImageEvaluator() = default;
+  virtual void evaluate(const Image&, Run&) = 0;
+};
+
+}  // namespace foredraw

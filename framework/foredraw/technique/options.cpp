@@ -1,0 +1,111 @@
+#include <foredraw/technique/options.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+/// As a basic string of TOML, which has no control characters as they are.
+std::string in_quotes(const std::string& text) {
+  std::string escaped = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      escaped += {'\\', c};
+    } else if (c == '\n') {
+      escaped += "\\n";
+    } else if (c == '\t') {
+      escaped += "\\t";
+    } else if ((c >= 0 && c < 0x20) || c == 0x7F) {
+      escaped += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped + '"';
+}
+
+}  // namespace
+
+std::string to_text(const OptionValue& value, bool quoted) {
+  if (std::holds_alternative<bool>(value)) return std::get<bool>(value) ? "true" : "false";
+  if (std::holds_alternative<std::int64_t>(value)) return std::to_string(std::get<std::int64_t>(value));
+  if (std::holds_alternative<double>(value)) {
+    const double number = std::get<double>(value);
+    const std::string text = fmt::format("{}", number);  // the shortest that reads back equal
+    return text.find_first_of(".enf") == std::string::npos ? text + ".0" : text;
+  }
+  if (std::holds_alternative<std::string>(value)) {
+    const std::string& text = std::get<std::string>(value);
+    return quoted ? in_quotes(text) : text;
+  }
+  return "unset";
+}
+
+namespace {
+
+std::string range_text(const OptionSpec& spec) {
+  const bool whole = spec.type == OptionType::integer;
+  const auto number = [whole](double x) { return whole ? fmt::format("{:.0f}", x) : fmt::format("{}", x); };
+  std::string text;
+  if (std::isinf(spec.least)) {
+    text = "at most " + number(spec.most);
+  } else if (std::isinf(spec.most)) {
+    text = "at least " + number(spec.least);
+  } else {
+    text = number(spec.least) + " to " + number(spec.most);
+  }
+  return spec.unit.empty() ? text : text + ' ' + spec.unit;
+}
+
+std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+std::variant<OptionValue, std::string> in_range(const OptionSpec& spec, double number, OptionValue value) {
+  if (number >= spec.least && number <= spec.most) return value;
+  return fmt::format("'{}' is {}, but must be {}", spec.name, to_text(value), range_text(spec));
+}
+
+std::string wants(const OptionSpec& spec, std::string_view what, const OptionValue& value) {
+  return fmt::format("'{}' must be {}, not {}", spec.name, what, to_text(value, true));
+}
+
+}  // namespace
+
+std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionValue& value) {
+  switch (spec.type) {
+    case OptionType::boolean:
+      if (std::holds_alternative<bool>(value)) return value;
+      return wants(spec, "true or false", value);
+    case OptionType::integer:
+      if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+        return in_range(spec, static_cast<double>(*whole), value);
+      }
+      return wants(spec, "a whole number", value);
+    case OptionType::number:
+      if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+        return in_range(spec, static_cast<double>(*whole), static_cast<double>(*whole));
+      }
+      if (const auto* number = std::get_if<double>(&value)) {
+        if (std::isfinite(*number)) return in_range(spec, *number, value);
+      }
+      return wants(spec, "a finite number", value);
+    case OptionType::text:
+      if (std::holds_alternative<std::string>(value)) return value;
+      return wants(spec, "a text", value);
+    case OptionType::number_or_text:
+      if (std::holds_alternative<std::string>(value)) return value;
+      if (std::holds_alternative<std::int64_t>(value)) return OptionValue(to_text(value));
+      return wants(spec, "a whole number or a text", value);
+    case OptionType::choice:
+      if (const auto* word = std::get_if<std::string>(&value)) {
+        if (std::find(spec.choices.begin(), spec.choices.end(), *word) != spec.choices.end()) return value;
+      }
+      return fmt::format("'{}' is {}, but must be one of {}", spec.name, to_text(value), joined(spec.choices));
+  }
+  return value;
+}
+
+}  // namespace foredraw

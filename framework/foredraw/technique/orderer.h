@@ -1,0 +1,63 @@
+#pragma once
+// Orderers answer with an order; the framework checks it, applies it and certifies what came out. Three shapes of one
+// kind: of a draw's triangles, of the draws of a subject together, of the vertices that draws share.
+
+#include <foredraw/scene/order_table.h>
+#include <foredraw/scene/reorder.h>
+#include <foredraw/scene/subject.h>
+#include <foredraw/technique/draw_view.h>
+#include <foredraw/technique/run.h>
+
+#include <optional>
+
+namespace foredraw {
+
+/// A reason, with its figure, why nothing can be gained here; nothing: go ahead. Asked before the work, and must be cheap.
+using NothingToGain = std::optional<std::string>;
+
+/// Orders the triangles of one draw. Called for many draws at once.
+class DrawOrderer {
+ public:
+  virtual ~DrawOrderer() = default;
+  virtual NothingToGain nothing_to_gain(const DrawView&, Run&) { return std::nullopt; }
+  virtual IndexOrder order(const DrawView&, Run&) = 0;
+  /// The vertex cache that the order is made for, in entries; 0: the draw's own stays. Kept with the index stream.
+  virtual int cache_size() const { return 0; }
+};
+
+struct SubjectView {
+  const Scene& scene;
+  const Subject& subject;
+  std::vector<DrawId> draws;  ///< those of the subject's draws that may be ordered anew
+};
+
+/// k orders for each draw of a subject, and the table that says which to draw when.
+struct SubjectOrders {
+  /// [i][j]: order j of draw table.draws[i], which is one of the view's draws. orders[i][0] stands alone.
+  std::vector<std::vector<IndexOrder>> orders;
+  OrderTable table;
+};
+
+/// Orders the draws of one subject together.
+class SubjectOrderer {
+ public:
+  virtual ~SubjectOrderer() = default;
+  virtual NothingToGain nothing_to_gain(const SubjectView&, Run&) { return std::nullopt; }
+  virtual SubjectOrders order(const SubjectView&, Run&) = 0;
+};
+
+/// Vertices and every index stream that uses them, in draw order.
+struct VertexUse {
+  const VertexStreams& vertices;
+  std::vector<std::span<const std::uint32_t>> index_streams;
+};
+
+/// Numbers the vertices of one VertexStreams anew; the framework moves all attributes, targets and indices.
+class VertexOrderer {
+ public:
+  virtual ~VertexOrderer() = default;
+  virtual NothingToGain nothing_to_gain(const VertexUse&, Run&) { return std::nullopt; }
+  virtual VertexOrder order(const VertexUse&, Run&) = 0;
+};
+
+}  // namespace foredraw

@@ -1,0 +1,69 @@
+#pragma once
+// A plugin: a card, an option table, and a maker of the technique.
+
+#include <foredraw/technique/clusterer.h>
+#include <foredraw/technique/evaluator.h>
+#include <foredraw/technique/options.h>
+#include <foredraw/technique/orderer.h>
+#include <foredraw/technique/overdraw_service.h>
+#include <foredraw/technique/processor.h>
+
+#include <functional>
+#include <memory>
+#include <variant>
+
+namespace foredraw {
+
+enum class Kind { orderer, clusterer, processor, evaluator };
+std::string_view to_text(Kind kind);
+
+/// A technique of any shape.
+using Technique =
+    std::variant<std::unique_ptr<DrawOrderer>, std::unique_ptr<SubjectOrderer>, std::unique_ptr<VertexOrderer>,
+                 std::unique_ptr<Clusterer>, std::unique_ptr<Processor>, std::unique_ptr<DrawProcessor>,
+                 std::unique_ptr<ImageProcessor>, std::unique_ptr<Evaluator>, std::unique_ptr<DrawEvaluator>,
+                 std::unique_ptr<ImageEvaluator>>;
+
+struct Metric {
+  std::string name;  ///< "acmr"
+  std::string unit;  ///< "misses per triangle"
+  std::string doc;
+  bool lower_is_better = true;
+};
+
+/// What a plugin says of itself before it is made.
+struct Card {
+  std::string name;       ///< "dot-rule"
+  std::string summary;    ///< one sentence
+  std::string reference;  ///< paper and section; "own" where it is ours
+  Traits acts_on;         ///< a draw without these is skipped
+  Traits needs;           ///< a plan without these is refused
+  Traits provides;        ///< hold afterwards
+  Traits breaks;          ///< no longer hold afterwards
+  std::string pays_if;    ///< where it asks at run time whether anything can be gained: when that is; else empty
+  bool uses_overdraw = false;  ///< asks run.overdraw
+  bool lossless = false;       ///< a processor that promises the same triangles with the same vertex data: certified
+  std::vector<Metric> metrics;
+};
+
+struct Plugin {
+  Card card;
+  Kind kind = Kind::orderer;
+  std::vector<OptionSpec> options;
+  std::function<Technique(const Settings&)> create;
+  /// Why this machine can not run it ("no Vulkan device"); nothing, or no function: it can.
+  std::function<std::optional<std::string>()> unavailable = {};
+  /// An evaluator that can answer for measured overdraw makes its service here.
+  std::function<std::unique_ptr<OverdrawService>(const Settings&)> overdraw_service = {};
+};
+
+/// An option table bound to a maker: plugin.create reads the settings into Options and calls make(options).
+template <class Options, class Make>
+void bind_options(Plugin& plugin, OptionTable<Options> table, Make make) {
+  plugin.options = table.specs();
+  plugin.create = [table = std::move(table), make = std::move(make)](const Settings& settings) -> Technique {
+    return make(table.read(settings));
+  };
+}
+
+}  // namespace foredraw

@@ -1,0 +1,31 @@
+#pragma once
+// Processors alone make new geometry and new images.
+
+#include <foredraw/scene/scene.h>
+#include <foredraw/technique/draw_view.h>
+#include <foredraw/technique/run.h>
+
+namespace foredraw {
+
+class Processor {
+ public:
+  virtual ~Processor() = default;
+  /// Changes the scene. `draws` are those that the stage may change; it leaves the others alone.
+  virtual void process(Scene&, const std::vector<DrawId>& draws, Run&) = 0;
+};
+
+/// The framework loops over the draws, many at once. The answer stands in the draw's place.
+class DrawProcessor {
+ public:
+  virtual ~DrawProcessor() = default;
+  virtual Draw process(const DrawView&, Run&) = 0;
+};
+
+/// The framework loops over the images, many at once. The answer stands in the image's place.
+class ImageProcessor {
+ public:
+  virtual ~ImageProcessor() = default;
+  virtual Image process(const Image&, Run&) = 0;
+};
+
+}  // namespace foredraw

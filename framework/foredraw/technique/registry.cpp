@@ -1,0 +1,53 @@
+#include <foredraw/technique/registry.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace foredraw {
+
+namespace {
+
+bool is_name(std::string_view name) {
+  return !name.empty() && name.front() >= 'a' && name.front() <= 'z' &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+         });
+}
+
+}  // namespace
+
+void Registry::add(Plugin plugin) {
+  const std::string name = plugin.card.name;
+  if (!is_name(name)) {
+    throw std::invalid_argument("plugin name '" + name + "': expected lower-case letters, digits and hyphens");
+  }
+  if (plugins_.contains(name)) throw std::invalid_argument("there is a plugin '" + name + "' already");
+  for (const OptionSpec& option : plugin.options) {
+    if (!is_name(option.name)) throw std::invalid_argument(name + ": option name '" + option.name + "'");
+    if (std::holds_alternative<std::monostate>(option.default_value)) continue;
+    const auto fitted = fit(option, option.default_value);
+    if (const auto* why = std::get_if<std::string>(&fitted)) {
+      throw std::invalid_argument(name + ": default of " + *why);
+    }
+  }
+  plugins_.emplace(name, std::move(plugin));
+}
+
+const Plugin* Registry::find(std::string_view name) const {
+  const auto it = plugins_.find(name);
+  return it == plugins_.end() ? nullptr : &it->second;
+}
+
+std::vector<const Plugin*> Registry::all() const {
+  std::vector<const Plugin*> result;
+  for (const auto& [name, plugin] : plugins_) result.push_back(&plugin);
+  return result;
+}
+
+std::vector<std::string> Registry::names() const {
+  std::vector<std::string> result;
+  for (const auto& [name, plugin] : plugins_) result.push_back(name);
+  return result;
+}
+
+}  // namespace foredraw

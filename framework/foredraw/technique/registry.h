@@ -1,0 +1,23 @@
+#pragma once
+#include <foredraw/technique/plugin.h>
+
+#include <map>
+#include <string_view>
+
+namespace foredraw {
+
+/// The plugins that a host has put together. A value; there is no other.
+class Registry {
+ public:
+  /// Throws std::invalid_argument where the name is taken, is not in lower case with hyphens, or an option's default does
+  /// not fit its own row: mistakes of whoever wrote the plugin.
+  void add(Plugin plugin);
+  const Plugin* find(std::string_view name) const;
+  std::vector<const Plugin*> all() const;  ///< by name
+  std::vector<std::string> names() const;
+
+ private:
+  std::map<std::string, Plugin, std::less<>> plugins_;
+};
+
+}  // namespace foredraw

@@ -1,0 +1,86 @@
+#pragma once
+// All that a technique may ask of its surroundings. There are no globals.
+
+#include <foredraw/analysis/analyses.h>
+#include <foredraw/base/parallel.h>
+#include <foredraw/scene/draw.h>
+#include <foredraw/scene/image.h>
+#include <foredraw/scene/views.h>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foredraw {
+
+class OverdrawService;
+
+/// What a figure or a note is about: a draw, an image, or, with neither, the scene.
+struct Place {
+  std::optional<DrawId> draw;
+  std::optional<ImageId> image;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// A measured figure: numerator / denominator, and over several places sum / sum. A count has no denominator: over several
+/// places it is the sum.
+struct Measured {
+  std::string metric;  ///< as on the card: "acmr", or under a group: "models.fifo-32.acmr"
+  double numerator = 0;
+  std::optional<double> denominator;
+  double error = 0;  ///< of the figure: one standard deviation; 0: exact
+  Place place;
+};
+
+struct Note {
+  std::string code;
+  std::string message;
+  Place place;
+};
+
+struct Attachment {
+  std::string path;  ///< a name for the file, relative
+  std::string media_type;
+  std::vector<std::byte> bytes;
+};
+
+/// What one call of a technique found out. Each call has its own, so nothing needs a lock and the order never depends on
+/// the threads.
+struct Findings {
+  std::vector<Measured> measured;
+  std::vector<Note> notes;
+  std::vector<Attachment> attachments;
+};
+
+struct Run {
+  Analyses& analyses;
+  const Executor& executor;
+  Findings& findings;
+  const Views& views;                          ///< what orders are optimised for: the pipeline's [views]
+  OverdrawService* overdraw = nullptr;         ///< who answers for measured overdraw, where the card asks for it
+  std::uint64_t seed = 0;                      ///< from the pipeline's seed, the stage and the draw
+  Place place;                                 ///< what figures and notes are about unless they say otherwise
+  const std::atomic<bool>* cancel = nullptr;
+  std::function<void(double)> progress = {};   ///< may be empty; the part done, 0 to 1
+
+  void measure(std::string metric, double numerator, double denominator, double error = 0) const {
+    measure_at(place, std::move(metric), numerator, denominator, error);
+  }
+  void measure_at(Place where, std::string metric, double numerator, double denominator, double error = 0) const {
+    findings.measured.push_back({std::move(metric), numerator, denominator, error, where});
+  }
+  void count(std::string metric, double number) const { count_at(place, std::move(metric), number); }
+  void count_at(Place where, std::string metric, double number) const {
+    findings.measured.push_back({std::move(metric), number, std::nullopt, 0, where});
+  }
+  void note(std::string code, std::string message) const {
+    findings.notes.push_back({std::move(code), std::move(message), place});
+  }
+  void attach(Attachment attachment) const { findings.attachments.push_back(std::move(attachment)); }
+  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+};
+
+}  // namespace foredraw

@@ -1,0 +1,25 @@
+#pragma once
+#include <foredraw/analysis/view_sphere.h>
+#include <foredraw/technique/options.h>
+
+#include <concepts>
+
+namespace foredraw {
+
+/// The rows of a view set, for options that derive from ViewSet.
+template <class Options>
+  requires std::derived_from<Options, ViewSet>
+void add_view_rows(OptionTable<Options>& table) {
+  table.number_or_text(&ViewSet::views, "views",
+                       "Where to look from: icosphere, fibonacci, axes or random; a bare number means that icosphere");
+  table.template row<std::optional<int>>(&ViewSet::count, "count",
+                                         "How many views; by default 162 of an icosphere, else 100", {1, 100000, "views"});
+  table.template row<std::int64_t>(&ViewSet::seed, "seed", "Seed of random views", {0, 9007199254740992.0});
+  table.template row<std::optional<double>>(
+      &ViewSet::distance, "distance", "Distance of the camera from the centre; without it the view is orthographic",
+      {1.01, 1e6, "bounding-sphere radii"});
+  table.template row<int>(&ViewSet::size, "size", "Width and height of the picture that the subject fills",
+                          {16, 4096, "pixels"});
+}
+
+}  // namespace foredraw

@@ -1,0 +1,133 @@
+// CLI11 is slow to compile, so it is included here alone.
+#include "commands.h"
+
+#include <foredraw/pipeline/presets.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <functional>
+
+namespace foredraw::cli {
+
+namespace {
+
+using Command = std::function<Exit()>;
+
+std::string presets_text() {
+  std::string text = "Presets:";
+  for (const Preset& preset : presets()) text += fmt::format(" @{}", preset.name);
+  return text;
+}
+
+class CommandLine {
+ public:
+  explicit CommandLine(const Registry& registry) : registry_(registry) {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", std::string("foredraw ") + FOREDRAW_VERSION);
+    app_.footer("Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed.\n"
+                "A first try: foredraw optimize in.glb -o out.glb");
+
+    auto& optimize_app = add("optimize", "Make a scene cheaper to draw", [this] { return optimize(arguments_, registry_); });
+    input(optimize_app);
+    optimize_app.add_option("-o,--output", arguments_.output, "Where to write the scene: .glb, .gltf, or - for standard output")
+        ->required();
+    pipeline(optimize_app);
+    with(optimize_app);
+    optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
+    optimize_app.add_option("--remap", arguments_.remap, "Write the triangle and vertex remap tables, as JSON, to this file");
+    json(optimize_app, "Print the record of the run, as JSON, to standard output");
+    threads(optimize_app);
+
+    auto& plan_app = add("plan", "Say what would run, what would be skipped and why", [this] { return plan(arguments_, registry_); });
+    input(plan_app);
+    pipeline(plan_app);
+    json(plan_app);
+
+    auto& measure_app = add("measure", "Measure a scene as it is", [this] { return measure(arguments_, registry_); });
+    input(measure_app);
+    with(measure_app);
+    json(measure_app);
+    threads(measure_app);
+
+    auto& compare_app = add("compare", "Run several pipelines on the same scenes and compare them",
+                            [this] { return compare(arguments_, registry_); });
+    compare_app.add_option("inputs", arguments_.inputs, "Scenes: .glb or .gltf")->required();
+    pipeline(compare_app, "; give it once for each pipeline");
+    with(compare_app);
+    compare_app.add_option("--report", arguments_.report, "Write the comparison, as JSON, to this file");
+    json(compare_app);
+    threads(compare_app);
+
+    auto& inspect_app = add("inspect", "Show what a scene holds", [this] { return inspect(arguments_); });
+    input(inspect_app);
+    json(inspect_app);
+
+    auto& list_app = add("list", "List the plugins", [this] { return list(arguments_, registry_); });
+    list_app.add_option("--kind", arguments_.kind, "Only orderer, clusterer, processor or evaluator");
+    json(list_app);
+
+    auto& show_app = add("show", "Show a plugin's options, or a preset's text", [this] { return show(arguments_, registry_); });
+    show_app.add_option("name", arguments_.name, "A plugin's name, or @preset")->required();
+    json(show_app);
+
+    add("schema", "Print a JSON Schema of the pipeline format, for editors", [this] { return schema(registry_); });
+  }
+
+  int run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::Success& asked) {  // --help, --version
+      app_.exit(asked);
+      return done;
+    } catch (const CLI::ParseError& mistake) {
+      const CLI::App* asked = app_.get_subcommands().empty() ? &app_ : app_.get_subcommands().front();
+      fmt::print(stderr, "foredraw: error: {}\n    hint: foredraw {}--help lists what there is\n", mistake.what(),
+                 asked == &app_ ? "" : asked->get_name() + ' ');
+      return users_mistake;
+    }
+    return command_();
+  }
+
+ private:
+  CLI::App& add(const std::string& name, const std::string& what, Command command) {
+    CLI::App* app = app_.add_subcommand(name, what);
+    app->callback([this, command = std::move(command)] { command_ = command; });
+    return *app;
+  }
+
+  void input(CLI::App& app) {
+    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, or - for standard input")->required()->expected(1);
+  }
+  void pipeline(CLI::App& app, const std::string& more = "") {
+    app.add_option("-p,--pipeline", arguments_.pipelines,
+                   "A .toml file, a @preset, or stages on one line such as \"weld, tipsify(cache-size=24)\"" + more +
+                       " (default: @default). " + presets_text())
+        ->expected(1)
+        ->take_all();
+    app.add_option("--set", arguments_.set, "Set an option of the pipeline: stage.option=value")->expected(1)->take_all();
+  }
+  void with(CLI::App& app) {
+    app.add_option("--with", arguments_.with,
+                   "Evaluators to measure with, such as \"vertex-cache, overdraw-raster(views=162)\" (default: the "
+                   "pipeline's, else those of @default)");
+  }
+  void json(CLI::App& app, const std::string& what = "Print JSON to standard output") {
+    app.add_flag("--json", arguments_.json, what);
+  }
+  void threads(CLI::App& app) {
+    app.add_option("--threads", arguments_.threads, "Threads to work with (default: one for each processor)")
+        ->check(CLI::Range(1, 1024));
+  }
+
+  const Registry& registry_;
+  Arguments arguments_;
+  Command command_;
+  CLI::App app_{"Foredraw makes real-time scenes cheaper to draw before they are drawn.", "foredraw"};
+};
+
+}  // namespace
+
+int main(int argc, char** argv, const Registry& registry) { return CommandLine(registry).run(argc, argv); }
+
+}  // namespace foredraw::cli

@@ -1,0 +1,42 @@
+#pragma once
+// The commands: arguments in, framework call, text out.
+
+#include <foredraw/technique/registry.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foredraw::cli {
+
+/// What a program ends with.
+enum Exit { done = 0, users_mistake = 1, something_failed = 2 };
+
+/// What was typed.
+struct Arguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::vector<std::string> pipelines;  ///< none: @default
+  std::vector<std::string> set;
+  std::string with;                    ///< evaluators to measure with instead of the pipeline's
+  std::string report;
+  std::string remap;
+  std::string kind;
+  std::string name;
+  int threads = 0;
+  bool json = false;
+};
+
+Exit optimize(const Arguments& arguments, const Registry& registry);
+Exit plan(const Arguments& arguments, const Registry& registry);
+Exit measure(const Arguments& arguments, const Registry& registry);
+Exit compare(const Arguments& arguments, const Registry& registry);
+Exit inspect(const Arguments& arguments);
+Exit list(const Arguments& arguments, const Registry& registry);
+Exit show(const Arguments& arguments, const Registry& registry);
+Exit schema(const Registry& registry);
+
+/// Reads the arguments and calls the command.
+int main(int argc, char** argv, const Registry& registry);
+
+}  // namespace foredraw::cli

@@ -1,0 +1,62 @@
+// The commands that only tell: what a scene holds, which plugins there are, what they take.
+
+#include "session.h"
+
+#include <foredraw/pipeline/presets.h>
+#include <foredraw/pipeline/schema.h>
+#include <foredraw/report/inspection.h>
+#include <foredraw/report/reference.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foredraw::cli {
+
+Exit inspect(const Arguments& arguments) {
+  Diagnostics diagnostics;
+  const auto file = read_scene(arguments.inputs[0], diagnostics);
+  if (!file) return refuse_file(diagnostics);
+  tell(diagnostics);
+  Analyses analyses;
+  fmt::print("{}", arguments.json ? inspection_json(file->scene, analyses) : inspection_text(file->scene, analyses));
+  return done;
+}
+
+Exit list(const Arguments& arguments, const Registry& registry) {
+  std::optional<Kind> kind;
+  for (Kind each : {Kind::orderer, Kind::clusterer, Kind::processor, Kind::evaluator}) {
+    if (arguments.kind == to_text(each)) kind = each;
+  }
+  if (!arguments.kind.empty() && !kind) {
+    fmt::print(stderr, "foredraw: error: --kind is '{}', but must be orderer, clusterer, processor or evaluator\n", arguments.kind);
+    return users_mistake;
+  }
+  fmt::print("{}", arguments.json ? list_json(registry, kind) : list_text(registry, kind));
+  return done;
+}
+
+Exit show(const Arguments& arguments, const Registry& registry) {
+  std::vector<std::string> names = registry.names();
+  for (const Preset& preset : presets()) {
+    names.push_back(fmt::format("@{}", preset.name));
+    if (arguments.name != names.back()) continue;
+    fmt::print("{}", preset.text);
+    return done;
+  }
+  if (const Plugin* plugin = registry.find(arguments.name)) {
+    fmt::print("{}", arguments.json ? reference_json(*plugin) : reference_page(*plugin));
+    return done;
+  }
+  const std::string_view near = nearest(arguments.name, names);
+  fmt::print(stderr, "foredraw: error: there is no plugin or preset '{}'\n    hint: {}\n", arguments.name,
+             near.empty() ? "foredraw list shows all plugins" : fmt::format("did you mean '{}'?", near));
+  return users_mistake;
+}
+
+Exit schema(const Registry& registry) {
+  fmt::print("{}", pipeline_schema(registry));
+  return done;
+}
+
+}  // namespace foredraw::cli

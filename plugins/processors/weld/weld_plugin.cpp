@@ -1,0 +1,71 @@
+#include "weld.h"
+
+#include <foredraw/scene/vertex_groups.h>
+#include <foredraw/technique/plugin.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+/// Rows that an extension keeps for each vertex are not compared, so such vertices stay as they are.
+bool has_vertex_rows(const Draw& draw) {
+  return std::ranges::any_of(draw.extensions, [](const Extension& extension) {
+    return std::ranges::any_of(extension.streams, [](const ExtensionStream& stream) {
+      return stream.rows == ExtensionStream::Rows::vertices;
+    });
+  });
+}
+
+class WeldVertices final : public Processor {
+ public:
+  explicit WeldVertices(WeldOptions options) : options_(options) {}
+
+  void process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+    const auto may_change = [&](const VertexGroup::User& user) {
+      return std::ranges::binary_search(draws, user.draw) && !has_vertex_rows(scene.draws[user.draw]);
+    };
+    std::vector<VertexGroup> groups = vertex_groups(scene);
+    std::erase_if(groups, [&](const VertexGroup& group) { return !std::ranges::all_of(group.users, may_change); });
+
+    std::vector<Weld> welds(groups.size());
+    run.executor.for_each(groups.size(), [&](std::size_t i) {
+      welds[i] = weld(*groups[i].vertices, index_streams_of(scene, groups[i]), options_);
+    });
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const Place first_user{.draw = groups[i].users.front().draw, .image = {}};
+      run.count_at(first_user, "merged", welds[i].merged);
+      run.count_at(first_user, "unused", welds[i].unused);
+      if (welds[i].count < groups[i].vertices->count) {
+        move_vertices(scene, groups[i], welds[i].destination, welds[i].count);
+      }
+    }
+  }
+
+ private:
+  WeldOptions options_;
+};
+
+}  // namespace
+
+Plugin weld_plugin() {
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {
+      .name = "weld",
+      .summary = "Merges vertices that are equal in every bit of every attribute and morph target",
+      .reference = "common practice",
+      .acts_on = {traits::triangles},
+      .provides = {traits::welded},
+      .lossless = true,
+      .metrics = {{"merged", "vertices", "Vertices that were equal to an earlier one", false},
+                  {"unused", "vertices", "Vertices that were left out, as no triangle uses them", false}},
+  };
+  OptionTable<WeldOptions> table;
+  table.row(&WeldOptions::keep_unused, "keep-unused", "Keep vertices that no triangle uses");
+  bind_options(plugin, table, [](const WeldOptions& options) { return std::make_unique<WeldVertices>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw
