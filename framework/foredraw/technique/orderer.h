@@ -1,6 +1,7 @@
 #pragma once
 // Orderers answer with an order; the framework checks it, applies it and certifies what came out. Three shapes of one
-// kind: of a draw's triangles, of the draws of a subject together, of the vertices that draws share.
+// kind: of a draw's triangles, of the draws of a subject together, of the vertices that draws share. An orderer that finds
+// that nothing can be gained says so by run.keep(reason) and may answer with anything.
 
 #include <foredraw/scene/order_table.h>
 #include <foredraw/scene/reorder.h>
@@ -8,18 +9,12 @@
 #include <foredraw/technique/draw_view.h>
 #include <foredraw/technique/run.h>
 
-#include <optional>
-
 namespace foredraw {
-
-/// A reason, with its figure, why nothing can be gained here; nothing: go ahead. Asked before the work, and must be cheap.
-using NothingToGain = std::optional<std::string>;
 
 /// Orders the triangles of one draw. Called for many draws at once.
 class DrawOrderer {
  public:
   virtual ~DrawOrderer() = default;
-  virtual NothingToGain nothing_to_gain(const DrawView&, Run&) { return std::nullopt; }
   virtual IndexOrder order(const DrawView&, Run&) = 0;
   /// The vertex cache that the order is made for, in entries; 0: the draw's own stays. Kept with the index stream.
   virtual int cache_size() const { return 0; }
@@ -42,7 +37,6 @@ struct SubjectOrders {
 class SubjectOrderer {
  public:
   virtual ~SubjectOrderer() = default;
-  virtual NothingToGain nothing_to_gain(const SubjectView&, Run&) { return std::nullopt; }
   virtual SubjectOrders order(const SubjectView&, Run&) = 0;
 };
 
@@ -56,7 +50,6 @@ struct VertexUse {
 class VertexOrderer {
  public:
   virtual ~VertexOrderer() = default;
-  virtual NothingToGain nothing_to_gain(const VertexUse&, Run&) { return std::nullopt; }
   virtual VertexOrder order(const VertexUse&, Run&) = 0;
 };
 

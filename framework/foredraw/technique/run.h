@@ -53,6 +53,7 @@ struct Findings {
   std::vector<Measured> measured;
   std::vector<Note> notes;
   std::vector<Attachment> attachments;
+  std::optional<std::string> nothing_to_gain;  ///< why what there is stays
 };
 
 struct Run {
@@ -79,6 +80,10 @@ struct Run {
   void note(std::string code, std::string message) const {
     findings.notes.push_back({std::move(code), std::move(message), place});
   }
+  /// Says that nothing can be gained here, and why, with the figure: what there is stays, whatever the technique answers,
+  /// and counts as what the technique would have made of it.
+  void keep(std::string reason) const { findings.nothing_to_gain = std::move(reason); }
+  bool keeps() const { return findings.nothing_to_gain.has_value(); }
   void attach(Attachment attachment) const { findings.attachments.push_back(std::move(attachment)); }
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
 };

@@ -1,0 +1,11 @@
+#pragma once
+// The peers that Foredraw is measured against, as plugins, so that one run compares like with like.
+
+#include <foredraw/technique/registry.h>
+
+namespace foredraw {
+
+/// meshopt-cache, meshopt-cache-fifo, meshopt-overdraw: meshoptimizer's orders, from Debian's libmeshoptimizer.
+void add_peers(Registry& registry);
+
+}  // namespace foredraw

@@ -1,0 +1,96 @@
+#pragma once
+// From positions to corners in the picture, and from corners' depths to fragments'.
+
+#include "coverage.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <cmath>
+
+namespace foredraw {
+
+/// Depth steps in one radius of the bounding sphere.
+inline constexpr double depth_steps = 0x1p23;
+
+/// Looks at the centre of a sphere of radius 1, which just fits into the picture. Only + - * / sqrt and rounding to
+/// whole numbers, so that corners are the same on every machine.
+class Camera {
+ public:
+  /// `towards`: unit length, from the centre to the camera. `distance`: of the camera from the centre; 0: orthographic.
+  Camera(const glm::dvec3& towards, double distance, int size)
+      : towards_(towards), distance_(distance), extent_(size * subpixels), half_(extent_ / 2.0) {
+    // +Y is up, but for views along it.
+    const glm::dvec3 up = std::abs(towards.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 right = glm::cross(up, towards);
+    right_ = right / std::sqrt(glm::dot(right, right));
+    up_ = glm::cross(towards, right_);
+    // The sphere's outline is where lines from the camera touch it.
+    if (is_perspective()) focal_ = std::sqrt(distance * distance - 1);
+  }
+
+  bool is_perspective() const { return distance_ > 0; }
+
+  /// Depth steps from the eye to depth 0; perspective only.
+  double steps_before_sphere() const { return (distance_ - 1) * depth_steps; }
+
+  Corner project(const glm::dvec3& position) const {
+    const double near = glm::dot(position, towards_);
+    const double scale = is_perspective() ? half_ * focal_ / (distance_ - near) : half_;
+    // Inside of the sphere nothing but rounding leaves the picture.
+    return {static_cast<std::int32_t>(rounded(half_ + glm::dot(position, right_) * scale, extent_)),
+            static_cast<std::int32_t>(rounded(half_ + glm::dot(position, up_) * scale, extent_)),
+            static_cast<std::uint32_t>(rounded((1 - near) * depth_steps, 2 * depth_steps - 1))};
+  }
+
+ private:
+  static double rounded(double value, double most) { return std::clamp(std::floor(value + 0.5), 0.0, most); }
+
+  glm::dvec3 towards_;
+  glm::dvec3 right_;
+  glm::dvec3 up_;
+  double distance_;
+  double extent_;
+  double half_;
+  double focal_ = 1;
+};
+
+/// The fragment's depth between three corners, rounded down. Exact: the sum stays below 2^64.
+class OrthographicDepth {
+ public:
+  OrthographicDepth(const Camera&, const Corner& a, const Corner& b, const Corner& c, std::int64_t area)
+      : a_(a.depth), b_(b.depth), c_(c.depth), area_(static_cast<std::uint64_t>(area)) {}
+
+  std::uint32_t at(const std::array<std::int64_t, 3>& weights) const {
+    return static_cast<std::uint32_t>((static_cast<std::uint64_t>(weights[0]) * a_ +
+                                       static_cast<std::uint64_t>(weights[1]) * b_ +
+                                       static_cast<std::uint64_t>(weights[2]) * c_) /
+                                      area_);
+  }
+
+ private:
+  std::uint64_t a_, b_, c_, area_;
+};
+
+/// The same where what runs evenly over the picture is 1 / distance from the eye. Rounded to the nearest step, so that
+/// triangles that face the camera keep their corners' depth.
+class PerspectiveDepth {
+ public:
+  PerspectiveDepth(const Camera& camera, const Corner& a, const Corner& b, const Corner& c, std::int64_t area)
+      : before_(camera.steps_before_sphere()),
+        a_(1 / (before_ + a.depth)),
+        b_(1 / (before_ + b.depth)),
+        c_(1 / (before_ + c.depth)),
+        area_(static_cast<double>(area)) {}
+
+  std::uint32_t at(const std::array<std::int64_t, 3>& weights) const {
+    const double inverse = static_cast<double>(weights[0]) * a_ + static_cast<double>(weights[1]) * b_ +
+                           static_cast<double>(weights[2]) * c_;
+    return static_cast<std::uint32_t>(std::max(0.0, area_ / inverse - before_ + 0.5));
+  }
+
+ private:
+  double before_, a_, b_, c_, area_;
+};
+
+}  // namespace foredraw

@@ -1,0 +1,97 @@
+#pragma once
+// Which pixels a triangle covers: exactly, in integers.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace foredraw {
+
+/// A corner in the picture. x to the right and y upwards in 1/256 pixel from the lower left corner, at most 2^20; depth
+/// below 2^24.
+struct Corner {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::uint32_t depth = 0;
+};
+
+inline constexpr std::int32_t subpixels = 256;
+
+/// Twice the area; positive where the corners turn counter-clockwise.
+inline std::int64_t doubled_area(const Corner& a, const Corner& b, const Corner& c) {
+  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+}
+
+/// The pixels whose centres lie in the box of three corners; empty where last < first.
+struct PixelBox {
+  std::int32_t first_x, last_x, first_y, last_y;
+
+  PixelBox(const Corner& a, const Corner& b, const Corner& c)
+      : first_x(first_centre(std::min({a.x, b.x, c.x}))),
+        last_x(last_centre(std::max({a.x, b.x, c.x}))),
+        first_y(first_centre(std::min({a.y, b.y, c.y}))),
+        last_y(last_centre(std::max({a.y, b.y, c.y}))) {}
+
+  bool is_empty() const { return last_x < first_x || last_y < first_y; }
+
+ private:
+  static std::int32_t first_centre(std::int32_t from) { return (from + subpixels / 2 - 1) >> 8; }
+  static std::int32_t last_centre(std::int32_t to) { return (to - subpixels / 2) >> 8; }
+};
+
+/// The line through p and q as a function of the pixel: positive to the left of it, and at every centre twice the area
+/// of p, q and the centre.
+class EdgeFunction {
+ public:
+  EdgeFunction(const Corner& p, const Corner& q)
+      : per_column_(std::int64_t{subpixels} * (p.y - q.y)), per_row_(std::int64_t{subpixels} * (q.x - p.x)) {
+    constexpr std::int32_t centre = subpixels / 2;
+    at_origin_ = std::int64_t{q.x - p.x} * (centre - p.y) - std::int64_t{q.y - p.y} * (centre - p.x);
+    // Of two triangles that share an edge, the one to its right or below owns the centres on it: the top-left rule.
+    const bool is_top_or_left = p.y > q.y || (p.y == q.y && p.x > q.x);
+    least_inside_ = is_top_or_left ? 0 : 1;
+  }
+
+  std::int64_t at(std::int32_t x, std::int32_t y) const { return at_origin_ + x * per_column_ + y * per_row_; }
+  std::int64_t per_column() const { return per_column_; }
+
+  /// Narrows [begin, end) to the columns of row y that are inside.
+  void narrow(std::int32_t y, std::int32_t& begin, std::int32_t& end) const {
+    const std::int64_t above = at(begin, y) - least_inside_;
+    if (per_column_ > 0 && above < 0) {
+      begin = column(std::min<std::int64_t>(end, begin + (per_column_ - 1 - above) / per_column_));
+    } else if (per_column_ < 0 && above >= 0) {
+      end = column(std::min<std::int64_t>(end, begin + above / -per_column_ + 1));
+    } else if (above < 0) {
+      end = begin;
+    }
+  }
+
+ private:
+  static std::int32_t column(std::int64_t x) { return static_cast<std::int32_t>(x); }
+
+  std::int64_t per_column_;
+  std::int64_t per_row_;
+  std::int64_t at_origin_;
+  std::int64_t least_inside_;
+};
+
+/// Calls visit(x, y, weights) for every pixel that the counter-clockwise triangle covers, row by row. A corner's weight
+/// is the edge function of the edge across from it; the three sum to the doubled area.
+template <class Visit>
+void for_each_covered(const Corner& a, const Corner& b, const Corner& c, const PixelBox& box, Visit visit) {
+  const std::array<EdgeFunction, 3> edges = {EdgeFunction(b, c), EdgeFunction(c, a), EdgeFunction(a, b)};
+  for (std::int32_t y = box.first_y; y <= box.last_y; ++y) {
+    std::int32_t begin = box.first_x;
+    std::int32_t end = box.last_x + 1;
+    for (const EdgeFunction& edge : edges) edge.narrow(y, begin, end);
+    if (begin >= end) continue;
+    std::array<std::int64_t, 3> weights = {edges[0].at(begin, y), edges[1].at(begin, y), edges[2].at(begin, y)};
+    for (std::int32_t x = begin; x < end; ++x) {
+      visit(x, y, weights);
+      for (std::size_t i = 0; i < 3; ++i) weights[i] += edges[i].per_column();
+    }
+  }
+}
+
+}  // namespace foredraw

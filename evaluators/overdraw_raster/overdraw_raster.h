@@ -1,0 +1,48 @@
+#pragma once
+// Overdraw counted by drawing: an exact rasteriser on the processor, whose figures are the same on every machine.
+
+#include <foredraw/analysis/overdraw_count.h>
+#include <foredraw/analysis/view_sphere.h>
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foredraw {
+
+/// Which back faces are culled: those of single-sided materials, or all.
+enum class Faces { material, front };
+
+/// Looks from Fibonacci points by default, since orders are commonly optimised for an icosphere.
+struct OverdrawRasterOptions : ViewSet {
+  OverdrawRasterOptions() { views = "fibonacci"; }
+  Faces faces = Faces::material;
+};
+
+/// The triangles of one draw call, in the order in which they are drawn. Front faces turn counter-clockwise.
+struct RasterPart {
+  std::span<const glm::vec3> positions;
+  std::span<const std::uint32_t> indices;  ///< three a triangle, each below the number of positions
+  bool culls_back_faces = true;
+  bool is_mirrored = false;  ///< positions were moved by a transform that turns front faces clockwise
+};
+
+/// Draws the parts one after the other from every view, with depth test `less`, into pictures of views.size x
+/// views.size pixels that just hold the bounding sphere of all parts. Size 1 to 4096; distance 0 (orthographic) or more
+/// than 1.
+///
+/// A pixel is covered where its centre is inside of the triangle (top-left rule), exactly, once the corners are snapped
+/// to 1/256 pixel. Depth is along the axis of view; that of the corners, and then of the fragment, is quantised to
+/// 2^-24 of the sphere's diameter. Triangles that repeat a corner or have no area in the picture cover nothing, nor do
+/// those with a position that is not finite. O(views * (triangles + fragments)).
+OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& views);
+
+/// How many triangles of the part have a position that is not finite.
+std::size_t count_non_finite_triangles(const RasterPart& part);
+
+struct Plugin;
+Plugin overdraw_raster_plugin();
+
+}  // namespace foredraw

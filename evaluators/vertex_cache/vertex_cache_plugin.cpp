@@ -1,0 +1,62 @@
+#include "vertex_cache.h"
+
+#include <foredraw/technique/plugin.h>
+
+namespace foredraw {
+
+namespace {
+
+class VertexCache final : public DrawEvaluator {
+ public:
+  explicit VertexCache(const VertexCacheOptions& options) : options_(options) {}
+
+  void evaluate(const DrawView& draw, Run& run) override {
+    const std::size_t vertex_size =
+        options_.vertex_size ? static_cast<std::size_t>(*options_.vertex_size) : draw.vertices().bytes_per_vertex();
+    const VertexCacheFigures figures =
+        vertex_cache(draw.indices(), draw.vertex_count(), vertex_size, options_.cache_size);
+    measure(run, "", figures.count);
+    run.measure("overfetch", static_cast<double>(figures.fetch.fetched), static_cast<double>(figures.fetch.referenced));
+    for (const auto& [name, count] : figures.models) measure(run, "models." + name + ".", count);
+  }
+
+ private:
+  static void measure(const Run& run, const std::string& group, const CacheCount& count) {
+    const auto misses = static_cast<double>(count.misses);
+    run.measure(group + "acmr", misses, static_cast<double>(count.triangles));
+    run.measure(group + "atvr", misses, static_cast<double>(count.referenced));
+  }
+
+  VertexCacheOptions options_;
+};
+
+}  // namespace
+
+Plugin vertex_cache_plugin() {
+  OptionTable<VertexCacheOptions> table;
+  table.row(&VertexCacheOptions::cache_size, "cache-size",
+            "Size of the FIFO cache that acmr and atvr are measured with", {3, 65535, "entries"});
+  table.row(&VertexCacheOptions::vertex_size, "vertex-size",
+            "Size of a vertex for overfetch; by default what the draw's attributes take together", {1, 1024, "bytes"});
+
+  Plugin plugin;
+  plugin.kind = Kind::evaluator;
+  plugin.card = {
+      .name = "vertex-cache",
+      .summary = "Counts how often vertices are shaded and fetched, with models of GPU caches",
+      .reference = "Hoppe 1999 (ACMR); Kerbl et al. 2018 (batches); meshoptimizer (overfetch)",
+      .acts_on = {traits::triangles},
+      .metrics =
+          {
+              {"acmr", "misses per triangle",
+               "Vertices shaded for each triangle; 0.5 is the limit of large regular meshes"},
+              {"atvr", "misses per vertex", "Vertices shaded for each vertex that is drawn; 1 is the limit"},
+              {"overfetch", "bytes per byte", "Bytes read from the vertex buffer for each byte drawn; 1 is the limit"},
+          },
+  };
+  bind_options(plugin, std::move(table),
+               [](const VertexCacheOptions& options) { return std::make_unique<VertexCache>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw

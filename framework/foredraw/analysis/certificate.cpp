@@ -1,0 +1,48 @@
+#include <foredraw/analysis/certificate.h>
+
+#include <foredraw/analysis/vertex_rows.h>
+
+namespace foredraw {
+
+namespace {
+
+/// The content of each vertex.
+struct VertexContent {
+  std::vector<Stamp> stamps;
+};
+
+VertexContent content_of(const VertexStreams& vertices) {
+  const VertexRows rows(vertices);
+  VertexContent content;
+  content.stamps.resize(vertices.count);
+  for (std::uint32_t v = 0; v < vertices.count; ++v) content.stamps[v] = content_hash(rows[v]);
+  return content;
+}
+
+}  // namespace
+
+Certificate certificate_of(const VertexStreams& vertices, std::span<const std::uint32_t> indices, Analyses& analyses) {
+  const auto held = analyses.get<VertexContent>(vertices.stamp(), [&] { return content_of(vertices); });
+  const std::vector<Stamp>& content = held->stamps;
+  Certificate certificate;
+  for (std::size_t i = 0; i + 3 <= indices.size(); i += 3) {
+    const Stamp corners[] = {content[indices[i]], content[indices[i + 1]], content[indices[i + 2]]};
+    const Stamp triangle = content_hash(std::span<const Stamp>(corners));
+    certificate.sum.high += triangle.high;
+    certificate.sum.low += triangle.low;
+    ++certificate.triangles;
+  }
+  return certificate;
+}
+
+std::vector<Certificate> certificates_of(const Draw& draw, Analyses& analyses) {
+  std::vector<Certificate> all;
+  for (const Level& level : draw.levels) {
+    for (const IndexStream& stream : level.orders) {
+      all.push_back(certificate_of(*level.vertices, stream.indices.view(), analyses));
+    }
+  }
+  return all;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,85 @@
+#pragma once
+// Models of the caches that a vertex passes on its way through the GPU: the post-transform cache, which saves shading a
+// vertex twice, and the memory cache in front of the vertex buffer. Indices are of triangle lists, and below
+// `vertex_count`.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace foredraw {
+
+/// A first-in-first-out cache of vertex numbers. A vertex that hits stays where it is in the queue. O(1) each call.
+class FifoCache {
+ public:
+  /// `size` entries, at least 1.
+  FifoCache(std::size_t vertex_count, std::uint32_t size) : entered_(vertex_count, 0), size_(size), now_(size + 1) {}
+
+  bool holds(std::uint32_t vertex) const { return now_ - entered_[vertex] <= size_; }
+
+  /// Draws the vertex: true where it missed and so was shaded and entered.
+  bool misses(std::uint32_t vertex) {
+    if (holds(vertex)) return false;
+    entered_[vertex] = now_++;
+    return true;
+  }
+
+  /// Empties the cache.
+  void flush() { now_ += size_ + 1; }
+
+ private:
+  // The clock counts the vertices that entered; who entered at most `size` ticks ago is still inside. 64 bits, so that
+  // flushes can not wrap it.
+  std::vector<std::uint64_t> entered_;
+  std::uint64_t size_;
+  std::uint64_t now_;
+};
+
+struct CacheCount {
+  std::uint64_t misses = 0;  ///< vertices shaded
+  std::uint64_t triangles = 0;
+  std::uint64_t referenced = 0;  ///< different vertices
+  friend bool operator==(const CacheCount&, const CacheCount&) = default;
+};
+
+/// Misses of a FIFO cache of `size` entries. O(indices + vertices).
+CacheCount count_fifo(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::uint32_t size);
+
+/// Misses of each triangle, 0 to 3, the cache empty before the first.
+std::vector<std::uint8_t> fifo_misses_of_triangles(std::span<const std::uint32_t> indices, std::size_t vertex_count,
+                                                   std::uint32_t size);
+
+/// Misses of a cache of `size` entries that drops the vertex least recently drawn. O(indices + vertices) for any size.
+CacheCount count_lru(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::uint32_t size);
+
+/// GPUs that shade vertices in batches (Kerbl et al., "Revisiting the Vertex Cache", HPG 2018): a FIFO that starts
+/// empty again whenever the next triangle does not fit.
+struct BatchModel {
+  std::string_view name;
+  std::uint32_t cache_size;       ///< entries
+  std::uint32_t warp_size;        ///< vertices shaded together; 0: any number
+  std::uint32_t primitive_group;  ///< triangles in a batch; 0: any number
+};
+
+/// The three that meshoptimizer's statistics use.
+inline constexpr std::array<BatchModel, 3> batch_models = {
+    {{"nvidia", 32, 32, 32}, {"amd", 14, 64, 128}, {"intel", 128, 0, 0}}};
+
+/// A batch ends before a triangle that would exceed its triangles, or its vertices by the triangle's corners that the
+/// cache does not hold. The figures are those of meshoptimizer's meshopt_analyzeVertexCache.
+CacheCount count_batches(std::span<const std::uint32_t> indices, std::size_t vertex_count, const BatchModel& model);
+
+struct FetchCount {
+  std::uint64_t fetched = 0;     ///< bytes read from memory, whole lines
+  std::uint64_t referenced = 0;  ///< bytes of the different vertices drawn
+  friend bool operator==(const FetchCount&, const FetchCount&) = default;
+};
+
+/// Vertices of `vertex_size` bytes one behind the other, read in the order of the indices through a direct-mapped cache
+/// of 128 KiB in lines of 64 bytes. The figures are those of meshoptimizer's meshopt_analyzeVertexFetch.
+FetchCount count_fetches(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::size_t vertex_size);
+
+}  // namespace foredraw

@@ -1,0 +1,102 @@
+#include <foredraw/pipeline/answers.h>
+
+#include <foredraw/analysis/certificate.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace foredraw {
+
+namespace {
+
+template <class... Arguments>
+void require(bool good, fmt::format_string<Arguments...> message, Arguments&&... arguments) {
+  if (!good) throw std::runtime_error(fmt::format(message, std::forward<Arguments>(arguments)...));
+}
+
+void require_permutation(std::span<const std::uint32_t> order, std::size_t count, std::string_view what) {
+  require(is_permutation(order, count), "its order of {} entries is no permutation of {} {}", order.size(), count, what);
+}
+
+}  // namespace
+
+void certify(const Draw& before, const Draw& after, Analyses& analyses) {
+  require(before.levels.size() == after.levels.size(), "the certificate does not hold: levels were added or lost");
+  for (std::size_t level = 0; level < before.levels.size(); ++level) {
+    const Level& old = before.levels[level];
+    const Certificate whole = certificate_of(*old.vertices, old.orders[0].indices.view(), analyses);
+    for (const IndexStream& stream : after.levels[level].orders) {
+      require(certificate_of(*after.levels[level].vertices, stream.indices.view(), analyses) == whole,
+              "the certificate does not hold: it would draw other triangles than before");
+    }
+  }
+}
+
+Draw ordered(const DrawView& draw, const IndexOrder& order, int cache_size, Analyses& analyses) {
+  require_permutation(order, draw.triangle_count(), "triangles");
+  Draw result = with_triangle_order(draw.draw(), order);
+  if (cache_size > 0) result.levels[0].orders[0].cache_size = static_cast<std::uint16_t>(cache_size);
+  certify(draw.draw(), result, analyses);
+  return result;
+}
+
+Draw clustered(const DrawView& draw, Clusters clusters) {
+  require(is_partition(clusters, draw.triangle_count()), "its clusters are no partition of {} triangles",
+          draw.triangle_count());
+  Draw result = draw.draw();
+  result.levels[0].orders[0].clusters = std::move(clusters);
+  return result;
+}
+
+OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyses& analyses) {
+  const OrderTable& table = answer.table;
+  require(answer.orders.size() == table.draws.size(), "it answers for {} draws, but its table names {}",
+          answer.orders.size(), table.draws.size());
+  require(!table.draws.empty(), "its table names no draw");
+  const std::size_t k = answer.orders.front().size();
+  require(k > 0, "it answers with no order");
+  require(table.order.size() == table.cells(), "its table has {} cells, but {} were expected", table.order.size(),
+          table.cells());
+  require(std::ranges::all_of(table.order, [k](std::size_t order) { return order < k; }),
+          "its table names an order beyond the {} there are", k);
+
+  OrderedSubject result;
+  for (std::size_t i = 0; i < table.draws.size(); ++i) {
+    const DrawId id = table.draws[i];
+    require(std::ranges::find(subject.draws, id) != subject.draws.end(), "it orders draw {}, which it was not given", id);
+    require(answer.orders[i].size() == k, "it answers with {} orders for one draw and {} for another", k,
+            answer.orders[i].size());
+    const Draw& before = subject.scene.draws[id];
+    const IndexStream stream = before.levels[0].orders[0];
+    for (const IndexOrder& order : answer.orders[i]) require_permutation(order, stream.triangle_count(), "triangles");
+    Draw draw = with_triangle_order(before, answer.orders[i][0]);
+    for (std::size_t j = 1; j < k; ++j) {
+      draw.levels[0].orders.push_back(with_triangle_order(stream, answer.orders[i][j]));
+    }
+    certify(before, draw, analyses);
+    result.draws.emplace_back(id, std::move(draw));
+  }
+  result.table = std::move(answer.table);
+  return result;
+}
+
+std::vector<std::pair<VertexGroup::User, Draw>> renumbered(const Scene& scene, const VertexGroup& group,
+                                                           const VertexOrder& order, Analyses& analyses) {
+  require_permutation(order, group.vertices->count, "vertices");
+  std::vector<std::uint32_t> destination(order.size());
+  for (std::uint32_t v = 0; v < order.size(); ++v) destination[order[v]] = v;
+  const auto moved = std::make_shared<const VertexStreams>(
+      with_vertices_moved(*group.vertices, destination, group.vertices->count));
+
+  std::vector<std::pair<VertexGroup::User, Draw>> result;
+  for (const VertexGroup::User& user : group.users) {
+    const Draw& before = scene.draws[user.draw];
+    result.emplace_back(user, with_vertices_moved(before, user.level, moved, destination));
+    certify(before, result.back().second, analyses);
+  }
+  return result;
+}
+
+}  // namespace foredraw

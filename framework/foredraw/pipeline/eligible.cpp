@@ -1,0 +1,87 @@
+#include <foredraw/pipeline/eligible.h>
+
+#include <optional>
+
+namespace foredraw {
+
+bool matches(std::string_view pattern, std::string_view name) {
+  // Where the last * stood, to come back to with one character more when what follows it does not fit.
+  std::size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++resume;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+std::string missing(const Traits& wanted, const Traits& held) {
+  std::string text;
+  for (const std::string& name : wanted) {
+    if (held.has(name)) continue;
+    if (!text.empty()) text += " and ";
+    text += name;
+  }
+  return text;
+}
+
+Traits after_stage(const Card& card, Traits traits) {
+  traits.remove(card.breaks);
+  traits.add(card.provides);
+  return traits;
+}
+
+namespace {
+
+bool orders_triangles(const PlannedStage& stage) {
+  return std::holds_alternative<std::unique_ptr<DrawOrderer>>(*stage.technique) ||
+         std::holds_alternative<std::unique_ptr<SubjectOrderer>>(*stage.technique);
+}
+
+std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits) {
+  const Draw& draw = scene.draws[id];
+  const Card& card = stage.plugin->card;
+  if (!stage.stage.only.empty() && !matches(stage.stage.only, draw.name)) {
+    return Skip{id, "only", "not named by only = \"" + stage.stage.only + '"'};
+  }
+  if (const std::string lacks = missing(card.acts_on, traits); !lacks.empty()) {
+    return Skip{id, "does-not-apply", "not " + lacks};
+  }
+  if (stage.plugin->kind == Kind::evaluator) return std::nullopt;
+  if (traits.has(traits::extended)) {
+    return Skip{id, "extended", "has an extension that may refer to its triangles or vertices by number"};
+  }
+  if (orders_triangles(stage) && traits.has(traits::blended) && !stage.stage.blended) {
+    return Skip{id, "blended", "alpha-blended, where order may show (blended = true reorders it all the same)"};
+  }
+  if (const std::string lacks = missing(card.needs, traits); !lacks.empty()) {
+    return Skip{id, "needs", "not " + lacks};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Choice choose(const PlannedStage& stage, const Scene& scene, const std::vector<Traits>& traits) {
+  Choice choice;
+  for (DrawId id = 0; id < scene.draws.size(); ++id) {
+    if (auto skip = why_not(stage, scene, id, traits[id])) {
+      choice.skips.push_back(std::move(*skip));
+    } else {
+      choice.draws.push_back(id);
+    }
+  }
+  return choice;
+}
+
+}  // namespace foredraw

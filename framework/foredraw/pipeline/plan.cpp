@@ -1,0 +1,235 @@
+#include <foredraw/pipeline/plan.h>
+
+#include <foredraw/pipeline/eligible.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+class Planner {
+ public:
+  Planner(const Registry& registry, const Scene& scene, Diagnostics& diagnostics)
+      : registry_(registry), scene_(scene), diagnostics_(diagnostics) {
+    for (const Draw& draw : scene.draws) traits_.push_back(draw.traits);
+  }
+
+  Plan plan(const Pipeline& pipeline) {
+    Plan plan;
+    plan.pipeline = pipeline;
+    if (const auto mistake = mistake_in(pipeline.views)) {
+      error({.file = {}, .inside = "views"}, "bad-views", *mistake);
+    } else {
+      plan.views = make_views(pipeline.views);
+    }
+    add_stages(pipeline.stages, false, plan.stages);
+    add_stages(pipeline.measure, true, plan.measures);
+    plan.overdraw = overdraw_service(pipeline, plan.stages);
+    return plan;
+  }
+
+ private:
+  void error(Where where, std::string code, std::string message, std::string hint = {}) {
+    diagnostics_.error(std::move(where), std::move(code), std::move(message), std::move(hint));
+  }
+
+  void add_stages(const std::vector<Stage>& stages, bool measure, std::vector<PlannedStage>& planned) {
+    for (const Stage& stage : stages) {
+      if (!stage.enabled) continue;
+      if (auto checked = check(stage, measure)) {
+        choose_draws(*checked);
+        planned.push_back(std::move(*checked));
+      }
+    }
+  }
+
+  std::string label_of(const std::string& use) {
+    const int uses = ++uses_[use];
+    return uses == 1 ? use : fmt::format("{}#{}", use, uses);
+  }
+
+  const Plugin* find(const Stage& stage) {
+    if (const Plugin* plugin = registry_.find(stage.use)) return plugin;
+    const std::string_view near = nearest(stage.use, registry_.names());
+    error(stage.where, "unknown-plugin", fmt::format("there is no plugin '{}'", stage.use),
+          near.empty() ? "foredraw list shows all there are" : fmt::format("did you mean '{}'?", near));
+    return nullptr;
+  }
+
+  std::optional<Settings> fitted(const Plugin& plugin, const Stage& stage) {
+    Settings settings;
+    bool good = true;
+    for (const auto& [name, value] : stage.settings) {
+      const auto at = stage.option_where.find(name);
+      const Where where = at == stage.option_where.end() ? stage.where : at->second;
+      const auto spec = std::ranges::find(plugin.options, name, &OptionSpec::name);
+      if (spec == plugin.options.end()) {
+        std::vector<std::string> names{"only", "required", "enabled", "blended"};
+        for (const OptionSpec& option : plugin.options) names.push_back(option.name);
+        const std::string_view near = nearest(name, names);
+        error(where, "unknown-option", fmt::format("'{}' has no option '{}'", stage.use, name),
+              near.empty() ? fmt::format("foredraw show {} lists its options", stage.use)
+                           : fmt::format("did you mean '{}'?", near));
+        good = false;
+        continue;
+      }
+      auto result = fit(*spec, value);
+      if (auto* why = std::get_if<std::string>(&result)) {
+        error(where, "bad-option", *why);
+        good = false;
+      } else {
+        settings[name] = std::get<OptionValue>(std::move(result));
+      }
+    }
+    if (!good) return std::nullopt;
+    return settings;
+  }
+
+  std::optional<PlannedStage> check(const Stage& stage, bool measure) {
+    const Plugin* plugin = find(stage);
+    if (plugin == nullptr) return std::nullopt;
+    if ((plugin->kind == Kind::evaluator) != measure) {
+      error(stage.where, "wrong-list",
+            measure ? fmt::format("'{}' changes the scene; only evaluators measure", stage.use)
+                    : fmt::format("'{}' is an evaluator; stages arrange or change", stage.use),
+            measure ? "list it under stages" : "list it under measure");
+      return std::nullopt;
+    }
+    auto settings = fitted(*plugin, stage);
+    if (!settings) return std::nullopt;
+    try {
+      PlannedStage planned{plugin, label_of(stage.use), stage, *settings, nullptr, {}, {}, std::nullopt};
+      planned.technique = std::make_shared<const Technique>(plugin->create(*settings));
+      if (plugin->unavailable) planned.left_out = plugin->unavailable();
+      return planned;
+    } catch (const std::exception& problem) {
+      error(stage.where, "bad-option", fmt::format("'{}': {}", stage.use, problem.what()));
+      return std::nullopt;
+    }
+  }
+
+  void choose_draws(PlannedStage& planned) {
+    const Card& card = planned.plugin->card;
+    if (planned.left_out) {
+      refuse_where_required(planned, *planned.left_out);
+      return;
+    }
+    if (planned.places() == "scene" && !planned.stage.only.empty() && planned.plugin->kind == Kind::evaluator) {
+      error(planned.stage.where, "bad-option", fmt::format("'{}' measures the scene as a whole; it takes no 'only'", card.name));
+    }
+    Choice choice = choose(planned, scene_, traits_);
+    planned.draws = std::move(choice.draws);
+    planned.skips = std::move(choice.skips);
+    if (planned.plugin->kind != Kind::evaluator) follow(planned);
+    if (planned.draws.empty() && !planned.skips.empty() && planned.places() != "images") {
+      refuse_where_required(planned, planned.skips.front().reason);
+    }
+  }
+
+  /// A need that no earlier stage was to provide is a mistake in the pipeline; one that was not met for some draws alone is
+  /// a reason to skip those.
+  void check_needs(const PlannedStage& planned) {
+    const Card& card = planned.plugin->card;
+    const bool unmet = std::ranges::any_of(planned.skips, [](const Skip& skip) { return skip.code == "needs"; });
+    const bool made = std::ranges::all_of(card.needs, [&](const std::string& need) { return provider_.contains(need); });
+    if (!unmet || made) return;
+    std::vector<std::string> providers;
+    for (const Plugin* plugin : registry_.all()) {
+      const Traits& provides = plugin->card.provides;
+      if (std::ranges::any_of(card.needs, [&](const std::string& need) { return provides.has(need); })) {
+        providers.push_back(fmt::format("'{}'", plugin->card.name));
+      }
+    }
+    error(planned.stage.where, "needs",
+          fmt::format("'{}' needs draws that are {}, and no stage before it makes them so", card.name,
+                      missing(card.needs, {})),
+          providers.empty() ? "no plugin of this build provides that"
+                            : fmt::format("put {} before it", fmt::join(providers, " or ")));
+  }
+
+  void refuse_where_required(const PlannedStage& planned, const std::string& reason) {
+    if (!planned.stage.required) return;
+    error(planned.stage.where, "required", fmt::format("'{}' is required but would be skipped: {}", planned.stage.use, reason),
+          "leave out required = true, or give it what it acts on");
+  }
+
+  /// Keeps the books: who made what, and what this stage undoes.
+  void follow(PlannedStage& planned) {
+    const Card& card = planned.plugin->card;
+    check_needs(planned);
+    for (DrawId id : planned.draws) traits_[id] = after_stage(card, traits_[id]);
+    for (const std::string& trait : card.breaks) {
+      const auto made = provider_.find(trait);
+      if (made == provider_.end() || made->second == card.name || card.provides.has(trait)) continue;
+      diagnostics_.warning(planned.stage.where, "undoes",
+                           fmt::format("'{}' undoes what '{}' made ({})", card.name, made->second, trait),
+                           fmt::format("put '{}' before '{}'", card.name, made->second));
+      provider_.erase(made);
+    }
+    for (const std::string& trait : card.provides) provider_[trait] = card.name;
+  }
+
+  std::shared_ptr<OverdrawService> overdraw_service(const Pipeline& pipeline, const std::vector<PlannedStage>& stages) {
+    if (pipeline.overdraw) return service_of(*pipeline.overdraw);
+    const auto user = std::ranges::find_if(stages, [](const PlannedStage& s) { return s.plugin->card.uses_overdraw; });
+    if (user == stages.end()) return nullptr;
+    for (const Plugin* plugin : registry_.all()) {
+      if (plugin->overdraw_service && !(plugin->unavailable && plugin->unavailable())) {
+        return plugin->overdraw_service({});
+      }
+    }
+    error(user->stage.where, "no-service", fmt::format("'{}' asks for measured overdraw, and no evaluator here gives it", user->stage.use),
+          "build with 'overdraw-raster'");
+    return nullptr;
+  }
+
+  std::shared_ptr<OverdrawService> service_of(const Stage& stage) {
+    const Plugin* plugin = find(stage);
+    if (plugin == nullptr) return nullptr;
+    if (!plugin->overdraw_service) {
+      error(stage.where, "no-service", fmt::format("'{}' does not measure overdraw", stage.use));
+      return nullptr;
+    }
+    const auto settings = fitted(*plugin, stage);
+    return settings ? plugin->overdraw_service(*settings) : nullptr;
+  }
+
+  const Registry& registry_;
+  const Scene& scene_;
+  Diagnostics& diagnostics_;
+  std::vector<Traits> traits_;                                 // of each draw, as the stages so far leave them
+  std::map<std::string, int> uses_;
+  std::map<std::string, std::string, std::less<>> provider_;   // trait -> stage that made it
+};
+
+}  // namespace
+
+std::string_view PlannedStage::places() const {
+  struct Name {
+    std::string_view operator()(const std::unique_ptr<DrawOrderer>&) const { return "draws"; }
+    std::string_view operator()(const std::unique_ptr<SubjectOrderer>&) const { return "subjects"; }
+    std::string_view operator()(const std::unique_ptr<VertexOrderer>&) const { return "vertex streams"; }
+    std::string_view operator()(const std::unique_ptr<Clusterer>&) const { return "draws"; }
+    std::string_view operator()(const std::unique_ptr<Processor>&) const { return "scene"; }
+    std::string_view operator()(const std::unique_ptr<DrawProcessor>&) const { return "draws"; }
+    std::string_view operator()(const std::unique_ptr<ImageProcessor>&) const { return "images"; }
+    std::string_view operator()(const std::unique_ptr<Evaluator>&) const { return "scene"; }
+    std::string_view operator()(const std::unique_ptr<DrawEvaluator>&) const { return "draws"; }
+    std::string_view operator()(const std::unique_ptr<ImageEvaluator>&) const { return "images"; }
+  };
+  return std::visit(Name(), *technique);
+}
+
+std::optional<Plan> plan(const Pipeline& pipeline, const Registry& registry, const Scene& scene,
+                         Diagnostics& diagnostics) {
+  Diagnostics found;
+  Plan plan = Planner(registry, scene, found).plan(pipeline);
+  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
+  if (found.has_errors()) return std::nullopt;
+  return plan;
+}
+
+}  // namespace foredraw

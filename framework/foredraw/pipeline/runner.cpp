@@ -1,0 +1,178 @@
+#include <foredraw/pipeline/runner.h>
+
+#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/pipeline/parse.h>
+#include <foredraw/pipeline/stage_runner.h>
+#include <foredraw/platform/memory.h>
+
+#include <chrono>
+
+namespace foredraw {
+
+namespace {
+
+class Clock {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Every option of an evaluator as it was, defaults included: a figure without them can not be measured again.
+std::map<std::string, OptionValue> whole_settings(const PlannedStage& stage) {
+  std::map<std::string, OptionValue> whole;
+  for (const OptionSpec& option : stage.plugin->options) whole[option.name] = option.default_value;
+  for (const auto& [name, value] : stage.settings) whole[name] = value;
+  return whole;
+}
+
+class PlanRunner {
+ public:
+  PlanRunner(const Plan& plan, Scene scene, const Surroundings& surroundings)
+      : plan_(plan), surroundings_(surroundings) {
+    result_.scene = std::move(scene);
+    steps_ = plan.stages.size() + plan.measures.size() * (plan.stages.empty() ? 1 : 2);
+  }
+
+  Result run() {
+    const Clock clock;
+    Report& report = result_.report;
+    report.pipeline = print_file(plan_.pipeline);
+    report.seed = plan_.pipeline.seed;
+    report.threads = surroundings_.executor.threads();
+    report.optimized = !plan_.stages.empty();
+    describe_input();
+
+    if (report.optimized) {
+      measure(&DrawRecord::before, &ImageRecord::before, report.before, "measuring the input: ");
+      for (std::size_t i = 0; i < plan_.stages.size(); ++i) {
+        report.stages.push_back(run_one(plan_.stages[i], i + 1, "", [&](const Measured& measured) {
+          book(measured, plan_.stages[i], &DrawRecord::after, &ImageRecord::after, report.after);
+        }));
+      }
+    }
+    describe_output();
+    report.measures.clear();
+    measure(&DrawRecord::after, &ImageRecord::after, report.after,
+            report.optimized ? "measuring the output: " : "measuring: ");
+
+    report.diagnostics = diagnostics_.all();
+    result_.failed = diagnostics_.has_errors();
+    report.seconds = clock.seconds();
+    report.peak_memory = peak_memory();
+    return std::move(result_);
+  }
+
+ private:
+  using DrawState = StateRecord DrawRecord::*;
+  using ImageState = Metrics ImageRecord::*;
+
+  void describe_input() {
+    const Scene& scene = result_.scene;
+    Report& report = result_.report;
+    report.draws.resize(scene.draws.size());
+    surroundings_.executor.for_each(scene.draws.size(), [&](std::size_t i) {
+      const Draw& draw = scene.draws[i];
+      DrawRecord& record = report.draws[i];
+      record.name = draw.name;
+      record.before = state_of(draw);
+      if (draw.topology == Topology::triangles) {
+        const auto positions = positions_of(surroundings_.analyses, *draw.levels[0].vertices);
+        record.facts = mesh_facts(positions->values, draw.levels[0].orders[0].indices.view());
+      }
+    });
+    for (const DrawRecord& record : report.draws) add_counts(report.before, record.before);
+    for (const Image& image : scene.images) report.images.push_back({image.name, {}, {}});
+  }
+
+  void describe_output() {
+    Report& report = result_.report;
+    report.draws.resize(result_.scene.draws.size());
+    for (std::size_t i = 0; i < report.draws.size(); ++i) {
+      const Draw& draw = result_.scene.draws[i];
+      report.draws[i].name = draw.name;
+      report.draws[i].traits = draw.traits;
+      const StateRecord state = state_of(draw);
+      report.draws[i].after.triangles = state.triangles;
+      report.draws[i].after.vertices = state.vertices;
+      add_counts(report.after, state);
+    }
+    report.images.resize(result_.scene.images.size());
+    for (std::size_t i = 0; i < report.images.size(); ++i) report.images[i].name = result_.scene.images[i].name;
+  }
+
+  static StateRecord state_of(const Draw& draw) {
+    StateRecord state;
+    state.vertices = draw.levels[0].vertices->count;
+    if (draw.topology == Topology::triangles) state.triangles = draw.levels[0].orders[0].triangle_count();
+    return state;
+  }
+
+  static void add_counts(StateRecord& total, const StateRecord& state) {
+    total.triangles += state.triangles;
+    total.vertices += state.vertices;
+  }
+
+  void measure(DrawState draw_state, ImageState image_state, StateRecord& total, std::string_view what) {
+    for (std::size_t i = 0; i < plan_.measures.size(); ++i) {
+      const PlannedStage& stage = plan_.measures[i];
+      StageRecord record =
+          run_one(stage, plan_.stages.size() + i + 1, what, [&](const Measured& measured) {
+            book(measured, stage, draw_state, image_state, total);
+          });
+      result_.report.measures.push_back(std::move(record));
+      result_.report.evaluator_options[stage.label] = whole_settings(stage);
+    }
+  }
+
+  template <class Book>
+  StageRecord run_one(const PlannedStage& stage, std::size_t number, std::string_view what, Book book) {
+    if (surroundings_.progress) {
+      surroundings_.progress(std::string(what) + stage.label, static_cast<double>(done_) / static_cast<double>(steps_));
+    }
+    StageRecord record;
+    record.use = stage.label;
+    record.text = print_stage(stage.stage);
+    record.kind = stage.plugin->kind;
+    record.places = stage.places();
+    const Clock clock;
+    if (stage.left_out) {
+      record.skipped.push_back({"unavailable", *stage.left_out, {}});
+    } else {
+      const auto measured = run_stage(stage, number, result_.scene, plan_, surroundings_, record, diagnostics_);
+      for (const Measured& figure : measured) book(figure);
+    }
+    record.seconds = clock.seconds();
+    ++done_;
+    return record;
+  }
+
+  void book(const Measured& measured, const PlannedStage& stage, DrawState draw_state, ImageState image_state,
+            StateRecord& total) {
+    Report& report = result_.report;
+    const Figure figure = figure_of(measured, stage.plugin->card);
+    total.metrics.add(stage.label, measured.metric, figure);
+    if (measured.place.draw && *measured.place.draw < report.draws.size()) {
+      (report.draws[*measured.place.draw].*draw_state).metrics.add(stage.label, measured.metric, figure);
+    }
+    if (measured.place.image && *measured.place.image < report.images.size()) {
+      (report.images[*measured.place.image].*image_state).add(stage.label, measured.metric, figure);
+    }
+  }
+
+  const Plan& plan_;
+  const Surroundings& surroundings_;
+  Diagnostics diagnostics_;
+  Result result_;
+  std::size_t steps_ = 0;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+Result run(const Plan& plan, Scene scene, const Surroundings& surroundings) {
+  return PlanRunner(plan, std::move(scene), surroundings).run();
+}
+
+}  // namespace foredraw

@@ -1,0 +1,30 @@
+#pragma once
+// Runs a plan. Draws are worked on in parallel; a stage that fails on a draw leaves it as it was; the result is the same
+// at any thread count.
+
+#include <foredraw/pipeline/plan.h>
+
+#include <atomic>
+#include <functional>
+
+namespace foredraw {
+
+/// What a run lives on. Analyses may be shared between runs.
+struct Surroundings {
+  const Executor& executor;
+  Analyses& analyses;
+  const std::atomic<bool>* cancel = nullptr;
+  /// Called as stages begin and end: what is going on, and which part of the whole is done, 0 to 1. May be empty.
+  std::function<void(std::string_view, double)> progress = {};
+};
+
+struct Result {
+  Scene scene;
+  Report report;
+  bool failed = false;  ///< some stage failed somewhere; the report says where
+};
+
+/// Measures, runs the stages, measures again. A plan without stages measures once.
+Result run(const Plan& plan, Scene scene, const Surroundings& surroundings);
+
+}  // namespace foredraw

@@ -1,0 +1,25 @@
+#pragma once
+// Several pipelines on the same scene, side by side.
+
+#include <foredraw/report/report.h>
+
+namespace foredraw {
+
+struct Branch {
+  std::string name;  ///< the pipeline as it was named or written
+  Report report;
+};
+
+/// All branches on one file. The first is the baseline.
+struct Comparison {
+  FileRecord input;
+  std::vector<Branch> branches;
+};
+
+/// The JSON form: for each file and branch the whole report, and a table of every total metric over the branches.
+std::string to_json(const std::vector<Comparison>& comparisons);
+
+/// A table for each file: a row a metric and one for each stage's time, a column a branch, the best of a row marked.
+std::string to_text(const std::vector<Comparison>& comparisons);
+
+}  // namespace foredraw

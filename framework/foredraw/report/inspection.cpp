@@ -1,0 +1,123 @@
+#include <foredraw/report/inspection.h>
+
+#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/report/table.h>
+#include <foredraw/scene/subject.h>
+#include <foredraw/scene/vertex_groups.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace foredraw {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+MeshFacts facts_of(const Draw& draw, Analyses& analyses) {
+  if (draw.topology != Topology::triangles) return {};
+  const auto positions = positions_of(analyses, *draw.levels[0].vertices);
+  return mesh_facts(positions->values, draw.levels[0].orders[0].indices.view());
+}
+
+std::string_view text_of(Topology topology) {
+  switch (topology) {
+    case Topology::triangles: return "triangles";
+    case Topology::lines: return "lines";
+    case Topology::points: return "points";
+  }
+  return "triangles";
+}
+
+std::size_t elements(const Draw& draw) {
+  const std::size_t indices = draw.levels[0].orders[0].indices.size();
+  switch (draw.topology) {
+    case Topology::triangles: return indices / 3;
+    case Topology::lines: return indices / 2;
+    case Topology::points: return indices;
+  }
+  return indices;
+}
+
+std::string attributes_text(const VertexStreams& vertices) {
+  std::string text;
+  for (const VertexStream& stream : vertices.base) text += (text.empty() ? "" : " ") + stream.semantic;
+  if (!vertices.morph_targets.empty()) text += fmt::format(" + {} morph targets", vertices.morph_targets.size());
+  return text;
+}
+
+std::string odd_text(const MeshFacts& facts) {
+  std::string text;
+  for (const auto& [name, count] : named_counts(facts)) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string inspection_text(const Scene& scene, Analyses& analyses) {
+  std::string text = fmt::format(
+      "{}: {} draws in {} meshes on {} nodes, {} vertex streams, {} materials, {} skins, {} animations, {} images\n\n",
+      scene.name, scene.draws.size(), scene.meshes.size(), scene.nodes.size(), vertex_groups(scene).size(),
+      scene.materials.size(), scene.skins.size(), scene.animations.size(), scene.images.size());
+  Table table({"draw", "", "", "vertices", "bytes/vertex", "attributes", "traits"});
+  std::string odd;
+  for (const Draw& draw : scene.draws) {
+    const VertexStreams& vertices = *draw.levels[0].vertices;
+    table.add({draw.name, std::to_string(elements(draw)), std::string(text_of(draw.topology)),
+               std::to_string(vertices.count), std::to_string(vertices.bytes_per_vertex()), attributes_text(vertices),
+               fmt::format("{}", fmt::join(draw.traits, " "))});
+    if (const std::string what = odd_text(facts_of(draw, analyses)); !what.empty()) {
+      odd += fmt::format("  {}: {}\n", draw.name, what);
+    }
+  }
+  text += table.text();
+  if (!odd.empty()) text += "\nodd:\n" + odd;
+  text += "\nsubjects (seen and judged together):\n";
+  for (const Subject& subject : subjects_of(scene)) {
+    text += fmt::format("  {}: {} draws\n", subject.name, subject.parts.size());
+  }
+  return text;
+}
+
+std::string inspection_json(const Scene& scene, Analyses& analyses) {
+  Json json{{"inspection", 1},
+            {"file", scene.name},
+            {"meshes", scene.meshes.size()},
+            {"nodes", scene.nodes.size()},
+            {"materials", scene.materials.size()},
+            {"skins", scene.skins.size()},
+            {"images", scene.images.size()},
+            {"vertex-streams", vertex_groups(scene).size()}};
+  json["animations"] = Json::array();
+  for (const Animation& animation : scene.animations) {
+    json["animations"].push_back({{"name", animation.name}, {"channels", animation.channels.size()}});
+  }
+  json["draws"] = Json::array();
+  for (const Draw& draw : scene.draws) {
+    const VertexStreams& vertices = *draw.levels[0].vertices;
+    Json facts = Json::object();
+    for (const auto& [name, count] : named_counts(facts_of(draw, analyses))) facts[std::string(name)] = count;
+    Json attributes = Json::array();
+    for (const VertexStream& stream : vertices.base) attributes.push_back(stream.semantic);
+    json["draws"].push_back({{"name", draw.name},
+                             {"topology", text_of(draw.topology)},
+                             {"elements", elements(draw)},
+                             {"vertices", vertices.count},
+                             {"bytes-per-vertex", vertices.bytes_per_vertex()},
+                             {"attributes", attributes},
+                             {"morph-targets", vertices.morph_targets.size()},
+                             {"traits", std::vector<std::string>(draw.traits.begin(), draw.traits.end())},
+                             {"facts", facts}});
+  }
+  json["subjects"] = Json::array();
+  for (const Subject& subject : subjects_of(scene)) {
+    Json draws = Json::array();
+    for (const SubjectPart& part : subject.parts) draws.push_back(scene.draws[part.draw].name);
+    json["subjects"].push_back({{"name", subject.name}, {"draws", draws}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace foredraw

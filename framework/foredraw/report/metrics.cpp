@@ -1,0 +1,43 @@
+#include <foredraw/report/metrics.h>
+
+namespace foredraw {
+
+void Metrics::add(const std::string& plugin, const std::string& metric, const Figure& figure) {
+  const auto [at, is_new] = by_plugin_[plugin].emplace(metric, figure);
+  if (is_new) return;
+  Figure& sum = at->second;
+  if (sum.denominator && figure.denominator) {
+    const double whole = *sum.denominator + *figure.denominator;
+    if (whole > 0) sum.error = (sum.error * *sum.denominator + figure.error * *figure.denominator) / whole;
+    sum.denominator = whole;
+  }
+  sum.numerator += figure.numerator;
+}
+
+void Metrics::add(const Metrics& others) {
+  for (const auto& [plugin, metrics] : others.by_plugin_) {
+    for (const auto& [metric, figure] : metrics) add(plugin, metric, figure);
+  }
+}
+
+const Figure* Metrics::find(const std::string& plugin, const std::string& metric) const {
+  const auto by_metric = by_plugin_.find(plugin);
+  if (by_metric == by_plugin_.end()) return nullptr;
+  const auto at = by_metric->second.find(metric);
+  return at == by_metric->second.end() ? nullptr : &at->second;
+}
+
+Figure figure_of(const Measured& measured, const Card& card) {
+  Figure figure{measured.numerator, measured.denominator, measured.error, {}, true};
+  const std::string& name = measured.metric;
+  const std::string last = name.substr(name.rfind('.') + 1);
+  for (const Metric& metric : card.metrics) {
+    if (metric.name != name && metric.name != last) continue;
+    figure.unit = metric.unit;
+    figure.lower_is_better = metric.lower_is_better;
+    if (metric.name == name) break;
+  }
+  return figure;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,42 @@
+#pragma once
+// Figures gathered: by plugin, then by metric, each with its unit and error.
+
+#include <foredraw/technique/plugin.h>
+
+#include <map>
+#include <string>
+
+namespace foredraw {
+
+/// A figure, or the sum of several that were measured in several places.
+struct Figure {
+  double numerator = 0;
+  std::optional<double> denominator;  ///< none: a count
+  double error = 0;                   ///< one standard deviation; 0: exact
+  std::string unit;
+  bool lower_is_better = true;
+
+  /// Not a number where the denominator is 0.
+  double value() const { return denominator ? numerator / *denominator : numerator; }
+};
+
+class Metrics {
+ public:
+  /// Adds to what is there: numerators and denominators add up; errors are averaged by their denominators, which is never
+  /// too low, however the errors are correlated.
+  void add(const std::string& plugin, const std::string& metric, const Figure& figure);
+  void add(const Metrics& others);
+
+  const Figure* find(const std::string& plugin, const std::string& metric) const;
+  const std::map<std::string, std::map<std::string, Figure>>& all() const { return by_plugin_; }
+  bool empty() const { return by_plugin_.empty(); }
+
+ private:
+  std::map<std::string, std::map<std::string, Figure>> by_plugin_;
+};
+
+/// The figure for what a plugin measured. Unit and direction are those of the card's metric of that name, or of the name
+/// behind the last dot ("models.fifo-32.acmr" is an acmr).
+Figure figure_of(const Measured& measured, const Card& card);
+
+}  // namespace foredraw

@@ -1,0 +1,144 @@
+#include <foredraw/report/reference.h>
+
+#include <foredraw/report/table.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view text_of(OptionType type) {
+  switch (type) {
+    case OptionType::boolean: return "true or false";
+    case OptionType::integer: return "whole number";
+    case OptionType::number: return "number";
+    case OptionType::text: return "text";
+    case OptionType::choice: return "choice";
+    case OptionType::number_or_text: return "text or whole number";
+  }
+  return "text";
+}
+
+std::string range_of(const OptionSpec& option) {
+  if (option.type == OptionType::choice) return fmt::format("{}", fmt::join(option.choices, ", "));
+  std::string text(text_of(option.type));
+  if (std::isfinite(option.least) && std::isfinite(option.most)) {
+    text += fmt::format(", {:g} to {:g}", option.least, option.most);
+  } else if (std::isfinite(option.least)) {
+    text += fmt::format(", at least {:g}", option.least);
+  } else if (std::isfinite(option.most)) {
+    text += fmt::format(", at most {:g}", option.most);
+  }
+  return option.unit.empty() ? text : text + ' ' + option.unit;
+}
+
+std::string names_of(const Traits& traits) { return fmt::format("{}", fmt::join(traits, ", ")); }
+
+Json json_of(const OptionValue& value) {
+  if (std::holds_alternative<std::monostate>(value)) return nullptr;
+  return std::visit([](const auto& v) -> Json {
+    if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>) {
+      return nullptr;
+    } else {
+      return v;
+    }
+  }, value);
+}
+
+Json json_of(const OptionSpec& option) {
+  Json json{{"name", option.name},
+            {"type", text_of(option.type)},
+            {"default", json_of(option.default_value)},
+            {"doc", option.doc},
+            {"unit", option.unit}};
+  if (std::isfinite(option.least)) json["least"] = option.least;
+  if (std::isfinite(option.most)) json["most"] = option.most;
+  if (!option.choices.empty()) json["choices"] = option.choices;
+  return json;
+}
+
+Json list_of(const Traits& traits) { return std::vector<std::string>(traits.begin(), traits.end()); }
+
+}  // namespace
+
+std::string reference_page(const Plugin& plugin) {
+  const Card& card = plugin.card;
+  std::string page = fmt::format("# {}\n\n{}: {}.\n\nSource: {}.\n", card.name, to_text(plugin.kind), card.summary, card.reference);
+  const auto fact = [&](std::string_view what, const std::string& text) {
+    if (!text.empty()) page += fmt::format("- {}: {}\n", what, text);
+  };
+  page += '\n';
+  fact("acts on draws that are", names_of(card.acts_on));
+  fact("needs draws to be", names_of(card.needs));
+  fact("makes them", names_of(card.provides));
+  fact("undoes", names_of(card.breaks));
+  fact("pays if", card.pays_if);
+  if (card.uses_overdraw) page += "- asks for measured overdraw\n";
+  if (plugin.overdraw_service) page += "- can answer for measured overdraw ([services])\n";
+  if (plugin.options.empty()) {
+    page += "\nIt has no options.\n";
+  } else {
+    page += "\n| option | default | may be | meaning |\n|---|---|---|---|\n";
+    for (const OptionSpec& option : plugin.options) {
+      page += fmt::format("| `{}` | {} | {} | {} |\n", option.name, to_text(option.default_value), range_of(option), option.doc);
+    }
+  }
+  if (!card.metrics.empty()) {
+    page += "\n| metric | unit | meaning |\n|---|---|---|\n";
+    for (const Metric& metric : card.metrics) page += fmt::format("| `{}` | {} | {} |\n", metric.name, metric.unit, metric.doc);
+  }
+  return page;
+}
+
+std::string reference_json(const Plugin& plugin) {
+  const Card& card = plugin.card;
+  Json json{{"name", card.name},
+            {"kind", to_text(plugin.kind)},
+            {"summary", card.summary},
+            {"reference", card.reference},
+            {"acts-on", list_of(card.acts_on)},
+            {"needs", list_of(card.needs)},
+            {"provides", list_of(card.provides)},
+            {"breaks", list_of(card.breaks)},
+            {"pays-if", card.pays_if}};
+  json["options"] = Json::array();
+  for (const OptionSpec& option : plugin.options) json["options"].push_back(json_of(option));
+  json["metrics"] = Json::array();
+  for (const Metric& metric : card.metrics) {
+    json["metrics"].push_back({{"name", metric.name}, {"unit", metric.unit}, {"doc", metric.doc},
+                               {"lower-is-better", metric.lower_is_better}});
+  }
+  return json.dump(2) + '\n';
+}
+
+std::string list_text(const Registry& registry, std::optional<Kind> kind) {
+  Table table({"kind", "name", "what it does"});
+  for (Kind each : {Kind::orderer, Kind::clusterer, Kind::processor, Kind::evaluator}) {
+    if (kind && *kind != each) continue;
+    for (const Plugin* plugin : registry.all()) {
+      if (plugin->kind != each) continue;
+      std::string summary = plugin->card.summary;
+      if (plugin->unavailable) {
+        if (const auto why = plugin->unavailable()) summary += " (not on this machine: " + *why + ")";
+      }
+      table.add({std::string(to_text(each)), plugin->card.name, summary});
+    }
+  }
+  return table.text();
+}
+
+std::string list_json(const Registry& registry, std::optional<Kind> kind) {
+  Json json{{"plugins", Json::array()}};
+  for (const Plugin* plugin : registry.all()) {
+    if (!kind || plugin->kind == *kind) json["plugins"].push_back(Json::parse(reference_json(*plugin)));
+  }
+  return json.dump(2) + '\n';
+}
+
+}  // namespace foredraw

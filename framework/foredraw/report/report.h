@@ -1,0 +1,93 @@
+#pragma once
+// The one record of a run: what `--report` and `--json` hold, and what the tables on the terminal are made from.
+
+#include <foredraw/base/diagnostics.h>
+#include <foredraw/report/metrics.h>
+#include <foredraw/analysis/mesh_facts.h>
+
+#include <string>
+#include <vector>
+
+namespace foredraw {
+
+/// The version of the JSON form. It grows by one when a program that read the old form would read the new one wrong.
+inline constexpr int report_version = 1;
+
+struct FileRecord {
+  std::string path;
+  std::uint64_t bytes = 0;
+};
+
+/// What is drawn: counts and figures, before or after.
+struct StateRecord {
+  std::uint64_t triangles = 0;
+  std::uint64_t vertices = 0;  ///< stored, whether used or not
+  Metrics metrics;
+};
+
+struct DrawRecord {
+  std::string name;
+  Traits traits;      ///< afterwards
+  MeshFacts facts;    ///< of the input: what was odd about it
+  StateRecord before;
+  StateRecord after;
+};
+
+struct ImageRecord {
+  std::string name;
+  Metrics before;
+  Metrics after;
+};
+
+/// Why a stage left something alone: one reason for all the places that share it.
+struct SkipRecord {
+  std::string code;
+  std::string reason;
+  std::vector<std::string> places;  ///< names of draws or subjects; none: the whole stage
+};
+
+struct NoteRecord {
+  std::string place;  ///< the draw's or image's name; empty: the scene
+  std::string code;
+  std::string message;
+};
+
+struct StageRecord {
+  std::string use;
+  std::string text;  ///< as in the one-line form
+  Kind kind = Kind::orderer;
+  double seconds = 0;
+  std::size_t changed = 0;     ///< places that it worked on with success
+  std::size_t candidates = 0;  ///< places there were
+  std::string places;          ///< what these are: "draws", "vertex streams"
+  std::vector<SkipRecord> skipped;
+  std::vector<NoteRecord> notes;
+};
+
+struct Report {
+  std::string command;
+  FileRecord input;
+  FileRecord output;
+  std::string pipeline;  ///< TOML; parses back
+  std::int64_t seed = 0;
+  int threads = 1;
+  bool optimized = false;  ///< there is a before and an after; else only an after
+  std::vector<StageRecord> stages;
+  std::vector<StageRecord> measures;
+  std::map<std::string, std::map<std::string, OptionValue>> evaluator_options;  ///< whole, defaults included
+  std::vector<DrawRecord> draws;
+  std::vector<ImageRecord> images;
+  StateRecord before;  ///< totals
+  StateRecord after;
+  std::vector<Diagnostic> diagnostics;
+  double seconds = 0;
+  std::uint64_t peak_memory = 0;  ///< bytes
+};
+
+/// The JSON form, described in docs/report.md.
+std::string to_json(const Report& report);
+
+/// The tables for people: figures before and after, stages with what they skipped and why.
+std::string to_text(const Report& report);
+
+}  // namespace foredraw

@@ -1,0 +1,136 @@
+#include <foredraw/report/report.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json to_json(const OptionValue& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* real = std::get_if<double>(&value)) return number(*real);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return nullptr;
+}
+
+Json to_json(const Figure& figure) {
+  Json json{{"value", number(figure.value())}, {"unit", figure.unit}, {"error", number(figure.error)}};
+  if (figure.denominator) {
+    json["numerator"] = number(figure.numerator);
+    json["denominator"] = number(*figure.denominator);
+  }
+  return json;
+}
+
+/// "models.fifo-32.acmr" lies in the objects models, fifo-32.
+Json to_json(const Metrics& metrics) {
+  Json json = Json::object();
+  for (const auto& [plugin, by_metric] : metrics.all()) {
+    for (const auto& [metric, figure] : by_metric) {
+      Json* at = &json[plugin];
+      std::size_t begin = 0;
+      for (std::size_t dot; (dot = metric.find('.', begin)) != std::string::npos; begin = dot + 1) {
+        at = &(*at)[metric.substr(begin, dot - begin)];
+      }
+      (*at)[metric.substr(begin)] = to_json(figure);
+    }
+  }
+  return json;
+}
+
+Json to_json(const StateRecord& state) {
+  return {{"triangles", state.triangles}, {"vertices", state.vertices}, {"metrics", to_json(state.metrics)}};
+}
+
+Json with_before(const StateRecord& after, const StateRecord& before, bool optimized) {
+  Json json = to_json(after);
+  if (optimized) json["before"] = to_json(before);
+  return json;
+}
+
+Json to_json(const MeshFacts& facts) {
+  Json json = Json::object();
+  for (const auto& [name, count] : named_counts(facts)) json[std::string(name)] = count;
+  return json;
+}
+
+Json to_json(const DrawRecord& draw, bool optimized) {
+  Json json{{"name", draw.name}, {"traits", std::vector<std::string>(draw.traits.begin(), draw.traits.end())}};
+  json["facts"] = to_json(draw.facts);
+  json.update(with_before(draw.after, draw.before, optimized));
+  return json;
+}
+
+Json to_json(const StageRecord& stage) {
+  Json skipped = Json::array();
+  for (const SkipRecord& skip : stage.skipped) {
+    skipped.push_back({{"code", skip.code}, {"reason", skip.reason}, {"places", skip.places}});
+  }
+  Json notes = Json::array();
+  for (const NoteRecord& note : stage.notes) {
+    notes.push_back({{"place", note.place}, {"code", note.code}, {"message", note.message}});
+  }
+  return {{"use", stage.use},         {"text", stage.text},       {"kind", to_text(stage.kind)},
+          {"seconds", stage.seconds}, {"places", stage.places},   {"changed", stage.changed},
+          {"candidates", stage.candidates}, {"skipped", skipped}, {"notes", notes}};
+}
+
+Json to_json(const std::vector<StageRecord>& stages) {
+  Json json = Json::array();
+  for (const StageRecord& stage : stages) json.push_back(to_json(stage));
+  return json;
+}
+
+Json to_json(const Diagnostic& diagnostic) {
+  return {{"severity", to_text(diagnostic.severity)},
+          {"code", diagnostic.code},
+          {"message", diagnostic.message},
+          {"hint", diagnostic.hint},
+          {"file", diagnostic.where.file},
+          {"line", diagnostic.where.line},
+          {"column", diagnostic.where.column},
+          {"inside", diagnostic.where.inside}};
+}
+
+Json to_json(const FileRecord& file) { return {{"path", file.path}, {"bytes", file.bytes}}; }
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  Json json{{"report", report_version}, {"command", report.command}, {"input", to_json(report.input)}};
+  if (!report.output.path.empty()) json["output"] = to_json(report.output);
+  json["pipeline"] = report.pipeline;
+  json["seed"] = report.seed;
+  json["threads"] = report.threads;
+  json["seconds"] = report.seconds;
+  json["peak-memory"] = report.peak_memory;
+
+  json["totals"] = with_before(report.after, report.before, report.optimized);
+  json["evaluators"] = Json::object();
+  for (const auto& [name, options] : report.evaluator_options) {
+    Json& values = json["evaluators"][name]["options"] = Json::object();
+    for (const auto& [option, value] : options) values[option] = to_json(value);
+  }
+  json["draws"] = Json::array();
+  for (const DrawRecord& draw : report.draws) json["draws"].push_back(to_json(draw, report.optimized));
+  json["images"] = Json::array();
+  for (const ImageRecord& image : report.images) {
+    Json entry{{"name", image.name}, {"metrics", to_json(image.after)}};
+    if (report.optimized) entry["before"] = {{"metrics", to_json(image.before)}};
+    json["images"].push_back(std::move(entry));
+  }
+  json["stages"] = to_json(report.stages);
+  json["measures"] = to_json(report.measures);
+  json["diagnostics"] = Json::array();
+  for (const Diagnostic& diagnostic : report.diagnostics) json["diagnostics"].push_back(to_json(diagnostic));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace foredraw

@@ -1,0 +1,132 @@
+#include <foredraw/report/report.h>
+#include <foredraw/report/table.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+std::string counted(std::uint64_t count) {
+  std::string digits = std::to_string(count);
+  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(static_cast<std::size_t>(at), ",");
+  return digits;
+}
+
+std::string figure_text(const Figure* figure) {
+  if (figure == nullptr || !std::isfinite(figure->value())) return "-";
+  if (!figure->denominator) return fmt::format("{:.0f}", figure->numerator);
+  const std::string text = fmt::format("{:.4f}", figure->value());
+  return figure->error > 0 ? fmt::format("{} ±{:.4f}", text, figure->error) : text;
+}
+
+std::string change_text(const Figure* before, const Figure& after) {
+  if (before == nullptr || before->value() == 0 || !std::isfinite(before->value())) return "";
+  const double change = 100 * (after.value() / before->value() - 1);
+  return std::abs(change) < 0.05 ? "same" : fmt::format("{:+.1f} %", change);
+}
+
+std::string time_text(double seconds) {
+  return seconds < 1 ? fmt::format("{:.1f} ms", seconds * 1000) : fmt::format("{:.2f} s", seconds);
+}
+
+std::string file_text(const FileRecord& file) {
+  return file.bytes == 0 ? file.path : fmt::format("{} ({} bytes)", file.path, counted(file.bytes));
+}
+
+std::string changed_count(std::string_view what, std::uint64_t before, std::uint64_t after) {
+  return before == after ? fmt::format("{} {}", counted(after), what)
+                         : fmt::format("{} {} (before: {})", counted(after), what, counted(before));
+}
+
+/// A table with a row a metric; "models.…" are left to the JSON form.
+std::string metrics_text(const Report& report) {
+  Table table = report.optimized ? Table({"", "metric", "before", "after", "change", "unit"})
+                                 : Table({"", "metric", "value", "unit"});
+  for (const auto& [plugin, by_metric] : report.after.metrics.all()) {
+    std::string shown = plugin;
+    for (const auto& [metric, figure] : by_metric) {
+      if (metric.find('.') != std::string::npos) continue;
+      const Figure* before = report.before.metrics.find(plugin, metric);
+      if (report.optimized) {
+        table.add({shown, metric, figure_text(before), figure_text(&figure), change_text(before, figure), figure.unit});
+      } else {
+        table.add({shown, metric, figure_text(&figure), figure.unit});
+      }
+      shown.clear();
+    }
+  }
+  return table.empty() ? "" : '\n' + table.text();
+}
+
+std::string places_text(const std::vector<std::string>& places) {
+  constexpr std::size_t shown = 4;
+  std::string text;
+  for (std::size_t i = 0; i < places.size() && i < shown; ++i) {
+    if (i > 0) text += ", ";
+    text += places[i];
+  }
+  if (places.size() > shown) text += fmt::format(" and {} more", places.size() - shown);
+  return text;
+}
+
+std::string stage_text(const StageRecord& stage) {
+  std::string text;
+  for (const SkipRecord& skip : stage.skipped) {
+    text += fmt::format("  {} left alone", stage.use);
+    if (const std::string places = places_text(skip.places); !places.empty()) text += ' ' + places;
+    text += ": " + skip.reason + '\n';
+  }
+  for (const NoteRecord& note : stage.notes) {
+    text += fmt::format("  {}{}{}: {}\n", stage.use, note.place.empty() ? "" : " on ", note.place, note.message);
+  }
+  return text;
+}
+
+std::string stages_text(const Report& report) {
+  if (report.stages.empty()) return "";
+  Table table({"stage", "changed", "time"});
+  for (const StageRecord& stage : report.stages) {
+    const std::string changed = stage.places == "scene" ? (stage.changed > 0 ? "the scene" : "nothing")
+                                                        : fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.places);
+    table.add({stage.text, changed, time_text(stage.seconds)});
+  }
+  std::string text = '\n' + table.text();
+  for (const StageRecord& stage : report.stages) text += stage_text(stage);
+  return text;
+}
+
+/// What was odd about the input, summed over the draws.
+std::string facts_text(const Report& report) {
+  std::vector<std::pair<std::string_view, std::size_t>> sums = named_counts({});
+  for (const DrawRecord& draw : report.draws) {
+    const auto counts = named_counts(draw.facts);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i].second += counts[i].second;
+  }
+  std::string text;
+  for (const auto& [name, count] : sums) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "\nodd in the input, kept: " : ", ", name, counted(count));
+  }
+  return text.empty() ? text : text + '\n';
+}
+
+}  // namespace
+
+std::string to_text(const Report& report) {
+  std::string text = file_text(report.input);
+  if (!report.output.path.empty()) text += " -> " + file_text(report.output);
+  text += '\n' + fmt::format("{} draws, {}, {}\n", counted(report.draws.size()),
+                             changed_count("triangles", report.optimized ? report.before.triangles : report.after.triangles,
+                                           report.after.triangles),
+                             changed_count("vertices", report.optimized ? report.before.vertices : report.after.vertices,
+                                           report.after.vertices));
+  text += metrics_text(report);
+  text += stages_text(report);
+  for (const StageRecord& measure : report.measures) text += stage_text(measure);
+  text += facts_text(report);
+  return text;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,128 @@
+#include "include_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+#include <sstream>
+
+namespace foredraw::architecture {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> layers = {"base",   "scene",    "analysis", "technique",
+                                                    "report", "pipeline", "io"};
+
+/// The place in the order of layers; past its end for platform, runtime and whatever is no layer.
+std::size_t rank(std::string_view layer) {
+  return static_cast<std::size_t>(std::find(layers.begin(), layers.end(), layer) - layers.begin());
+}
+
+constexpr std::array<std::string_view, 29> c_headers = {
+    "assert.h",  "complex.h", "ctype.h",  "errno.h",  "fenv.h",   "float.h",       "inttypes.h", "iso646.h",
+    "limits.h",  "locale.h",  "math.h",   "setjmp.h", "signal.h", "stdalign.h",    "stdarg.h",   "stdatomic.h",
+    "stdbool.h", "stddef.h",  "stdint.h", "stdio.h",  "stdlib.h", "stdnoreturn.h", "string.h",   "tgmath.h",
+    "threads.h", "time.h",    "uchar.h",  "wchar.h",  "wctype.h"};
+
+constexpr std::array<std::string_view, 14> posix_headers = {
+    "unistd.h", "fcntl.h",   "dirent.h", "dlfcn.h", "fnmatch.h", "ftw.h",     "glob.h",
+    "poll.h",   "pthread.h", "pwd.h",    "sched.h", "spawn.h",   "termios.h", "syslog.h"};
+
+template <std::size_t count>
+bool is_one_of(const std::array<std::string_view, count>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+struct Include {
+  int line = 0;
+  std::string target;
+  bool quoted = false;
+
+  bool is_c() const { return is_one_of(c_headers, target); }
+  bool is_cpp_standard() const { return !quoted && target.find_first_of("./") == std::string::npos; }
+  bool is_standard() const { return is_c() || is_cpp_standard(); }
+  bool is_posix() const { return is_one_of(posix_headers, target) || target.starts_with("sys/"); }
+  bool is_glm() const { return target.starts_with("glm/"); }
+  bool is_tinygltf() const { return target.find("tiny_gltf") != std::string::npos; }
+  bool is_private() const { return target.find("/private/") != std::string::npos; }
+  bool is_own_folder() const { return quoted && target.find("..") == std::string::npos; }
+  std::string layer() const { return target.starts_with("foredraw/") ? parts_of(target).at(1) : std::string(); }
+};
+
+std::vector<Include> includes_of(const std::string& text) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+  std::vector<Include> includes;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    std::smatch match;
+    if (std::regex_match(line, match, pattern)) includes.push_back({number, match[2], match[1] == "\""});
+  }
+  return includes;
+}
+
+/// Why a file of a framework layer may not include this; empty: it may.
+std::string refused_in_framework(const std::string& layer, bool is_public_header, const Include& include) {
+  if (layer == "runtime") return include.is_c() ? "" : "runtime/ is C for frame loops: only C's own headers";
+  const std::string other = include.layer();
+  if (other == layer || other == "runtime") return "";
+  if (other == "platform") {
+    return layer == "pipeline" || layer == "io" ? "" : "of the layers only pipeline and io include platform";
+  }
+  if (layer == "platform" && !other.empty() && other != "base") return "platform includes only base";
+  if (!other.empty() && rank(other) >= rank(layer)) {
+    return "the order is base <- scene <- analysis <- technique <- report <- pipeline <- io, only leftwards";
+  }
+  if (is_public_header && other.empty() && !include.is_standard() && !include.is_glm()) {
+    return "headers of the framework include the standard library, GLM and the framework; move it into the .cpp";
+  }
+  return "";
+}
+
+/// The same for a file of a plugin or evaluator.
+std::string refused_in_plugin(const std::string& file, const Include& include) {
+  const std::string layer = include.layer();
+  if (layer.empty()) {
+    if (include.is_standard() || include.is_glm() || include.is_own_folder()) return "";
+    if (include.quoted || include.target.starts_with("plugins/") || include.target.starts_with("evaluators/")) {
+      return "plugins and evaluators include only their own folder; what two need goes to framework/foredraw/analysis";
+    }
+  }
+  if (!layer.empty() && rank(layer) > rank("technique")) {
+    return "plugins and evaluators include the framework up to technique only";
+  }
+  const bool is_plain = file.find("_plugin.") == std::string::npos;
+  if (is_plain && (layer.empty() || rank(layer) > rank("analysis"))) {
+    return "a technique's plain files include the standard library, GLM, their own folder and foredraw/{base,scene,"
+           "analysis}; what dresses it goes to its _plugin.cpp";
+  }
+  return "";
+}
+
+std::string refused(const std::vector<std::string>& place, const Include& include) {
+  const bool in_framework = place.size() > 3 && place[0] == "framework" && place[1] == "foredraw";
+  if (include.is_posix() && !(in_framework && place[2] == "platform")) return "POSIX calls live in platform/ alone";
+  if (include.is_tinygltf() && !(in_framework && place[2] == "io")) return "tinygltf is used by io/ alone";
+  if (include.is_private() && !(in_framework && place[2] == include.layer())) return "private/ is for its own layer";
+  if (in_framework) {
+    const bool is_public_header = place.back().ends_with(".h") && place[3] != "private";
+    return refused_in_framework(place[2], is_public_header, include);
+  }
+  if (place[0] == "plugins" || place[0] == "evaluators") return refused_in_plugin(place.back(), include);
+  return "";
+}
+
+}  // namespace
+
+Breaches include_breaches(const std::string& path, const std::string& text) {
+  Breaches breaches;
+  const std::vector<std::string> place = parts_of(path);
+  if (!is_cpp(path) || place[0] == "tests" || place[0] == "benchmarks" || place[0] == "docs") return breaches;
+  for (const Include& include : includes_of(text)) {
+    const std::string reason = refused(place, include);
+    if (reason.empty()) continue;
+    breaches.push_back(path + ':' + std::to_string(include.line) + ": includes " + include.target + ", but " + reason);
+  }
+  return breaches;
+}
+
+}  // namespace foredraw::architecture

@@ -1,0 +1,166 @@
+// The rules of the source tree can fail: each is shown made-up files, good and bad.
+
+#include <gtest/gtest.h>
+
+#include "include_rules.h"
+#include "name_rules.h"
+#include "shape_rules.h"
+#include "text_rules.h"
+
+namespace foredraw::architecture {
+namespace {
+
+bool may_include(const std::string& path, const std::string& target) {
+  return include_breaches(path, "#pragma once\n#include " + target + "\n").empty();
+}
+
+TEST(IncludeRules, layers_point_leftwards) {
+  EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<foredraw/base/random.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<foredraw/scene/traits.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf.cpp", "<foredraw/pipeline/plan.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/base/random.h", "<foredraw/scene/draw.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/analysis/analyses.cpp", "<foredraw/technique/run.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<foredraw/io/gltf.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/scene/draw.h", "<foredraw/nowhere/x.h>"));
+}
+
+TEST(IncludeRules, platform_includes_base_and_alone_calls_posix) {
+  EXPECT_TRUE(may_include("framework/foredraw/platform/files.cpp", "<foredraw/base/diagnostics.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/platform/files.cpp", "<sys/stat.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf.h", "<foredraw/platform/files.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/platform/files.cpp", "<foredraw/scene/draw.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/scene/draw.cpp", "<foredraw/platform/files.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf.cpp", "<unistd.h>"));
+  EXPECT_FALSE(may_include("hosts/cli/main.cpp", "<sys/stat.h>"));
+  EXPECT_FALSE(may_include("plugins/orderers/x/x_plugin.cpp", "<fcntl.h>"));
+}
+
+TEST(IncludeRules, framework_headers_show_glm_alone) {
+  EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<glm/vec3.hpp>"));
+  EXPECT_TRUE(may_include("framework/foredraw/report/report.cpp", "<nlohmann/json.hpp>"));
+  EXPECT_FALSE(may_include("framework/foredraw/report/report.h", "<nlohmann/json.hpp>"));
+  EXPECT_FALSE(may_include("framework/foredraw/base/parallel.h", "<tbb/parallel_for.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf.cpp", "<tiny_gltf.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf.h", "<tiny_gltf.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<tiny_gltf.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/private/gltf_document.h", "<tiny_gltf.h>"));
+  EXPECT_FALSE(may_include("hosts/cli/main.cpp", "<foredraw/io/private/gltf_document.h>"));
+}
+
+TEST(IncludeRules, runtime_is_c) {
+  EXPECT_TRUE(may_include("framework/foredraw/runtime/order_table.h", "<stdint.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/runtime/order_table.h", "<cstdint>"));
+  EXPECT_FALSE(may_include("framework/foredraw/runtime/order_table.h", "<foredraw/base/random.h>"));
+}
+
+TEST(IncludeRules, plugins_know_the_framework_up_to_technique_and_no_one_else) {
+  const std::string dress = "plugins/orderers/x/x_plugin.cpp";
+  EXPECT_TRUE(may_include(dress, "\"x.h\""));
+  EXPECT_TRUE(may_include(dress, "<foredraw/technique/plugin.h>"));
+  EXPECT_TRUE(may_include(dress, "<fmt/format.h>"));
+  for (const char* target : {"<foredraw/report/report.h>", "<foredraw/pipeline/plan.h>", "<foredraw/io/gltf.h>",
+                             "<foredraw/platform/files.h>", "\"../weld/weld.h\"", "<plugins/processors/weld/weld.h>"}) {
+    EXPECT_FALSE(may_include(dress, target)) << target;
+    EXPECT_FALSE(may_include("evaluators/x/x_plugin.cpp", target)) << target;
+  }
+}
+
+TEST(IncludeRules, techniques_are_plain) {
+  for (const std::string plain : {"plugins/orderers/x/x.cpp", "plugins/orderers/x/x.h", "evaluators/x/x.cpp"}) {
+    EXPECT_TRUE(may_include(plain, "\"x.h\""));
+    EXPECT_TRUE(may_include(plain, "<vector>"));
+    EXPECT_TRUE(may_include(plain, "<glm/vec3.hpp>"));
+    EXPECT_TRUE(may_include(plain, "<foredraw/analysis/vertex_triangles.h>"));
+    EXPECT_FALSE(may_include(plain, "<foredraw/technique/run.h>")) << plain;
+    EXPECT_FALSE(may_include(plain, "<fmt/format.h>")) << plain;
+  }
+}
+
+TEST(IncludeRules, name_the_line) {
+  const Breaches breaches = include_breaches("plugins/orderers/x/x.cpp", "\n\n  #  include <fmt/format.h> // why\n");
+  ASSERT_EQ(breaches.size(), 1u);
+  EXPECT_EQ(breaches[0].find("plugins/orderers/x/x.cpp:3: includes fmt/format.h"), 0u) << breaches[0];
+  EXPECT_TRUE(include_breaches("tests/x_test.cpp", "#include <unistd.h>\n").empty());
+}
+
+TEST(ShapeRules, name_what_a_plugin_lacks) {
+  std::set<std::string> paths = {
+      "evaluators/CMakeLists.txt",       "plugins/CMakeLists.txt",           "plugins/orderers/x/CMakeLists.txt",
+      "plugins/orderers/x/README.md",    "plugins/orderers/x/x.h",           "plugins/orderers/x/x.cpp",
+      "plugins/orderers/x/x_plugin.cpp", "tests/plugins/orderers/x_test.cpp"};
+  EXPECT_TRUE(plugin_shape_breaches(paths).empty());
+  for (const std::string& path : std::set<std::string>(paths)) {
+    if (!path.starts_with("plugins/orderers") && !path.starts_with("tests")) continue;
+    paths.erase(path);
+    const Breaches breaches = plugin_shape_breaches(paths);
+    ASSERT_EQ(breaches.size(), 1u) << path;
+    EXPECT_NE(breaches[0].find(path), std::string::npos) << breaches[0];
+    paths.insert(path);
+  }
+  EXPECT_EQ(plugin_shape_breaches({"evaluators/y/y.h"}).size(), 5u);
+  EXPECT_EQ(plugin_shape_breaches({"plugins/sorters/y/y.h"}).size(), 1u);
+  EXPECT_EQ(plugin_shape_breaches({"plugins/orderers/y.h"}).size(), 1u);
+}
+
+TEST(ShapeRules, corpus) {
+  const std::string credits = "| `spot.glb` | ...";
+  const std::string folder = "benchmarks/corpus/static/";
+  EXPECT_TRUE(corpus_breaches({{folder + "spot.glb", 25'000'000, false}}, credits).empty());
+  EXPECT_EQ(corpus_breaches({{folder + "spot.glb", 25'000'001, false}}, credits).size(), 1u);
+  EXPECT_EQ(corpus_breaches({{folder + "spot.glb", 0, true}}, credits).size(), 1u);
+  EXPECT_EQ(corpus_breaches({{folder + "pot.glb", 1, false}}, credits).size(), 1u);
+  EXPECT_EQ(corpus_breaches({{folder + "sp\xc3\xb6t.bin", 1, false}}, credits).size(), 1u);
+  EXPECT_TRUE(corpus_breaches({{"docs/elsewhere.glb", 99'000'000, true}}, credits).empty());
+}
+
+TEST(NameRules, empty_names_are_refused) {
+  for (const char* path : {"framework/foredraw/base/utils.h", "framework/common/x.h", "hosts/cli/file_manager.cpp",
+                           "tests/support/test_helper.h", "docs/misc.md", "framework/foredraw/base/Random.h"}) {
+    EXPECT_EQ(name_breaches(path).size(), 1u) << path;
+  }
+  for (const char* path : {"framework/foredraw/base/random.h", "framework/cmake/ForedrawPlugin.cmake", "README.md",
+                           "docs/commonplace.md", "plugins/orderers/dot_rule/dot_rule_plugin.cpp"}) {
+    EXPECT_TRUE(name_breaches(path).empty()) << path;
+  }
+}
+
+TEST(NameRules, long_files_are_found) {
+  const std::string text(301, '\n');
+  EXPECT_EQ(length_breaches("a.cpp", text, 300).size(), 1u);
+  EXPECT_TRUE(length_breaches("a.cpp", text, 301).empty());
+  EXPECT_TRUE(length_breaches("a.md", text, 300).empty());
+}
+
+TEST(TextRules, unfinished_work_and_machine_paths_are_found) {
+  for (const char* text : {"// TO"
+                           "DO later",
+                           "FIX"
+                           "ME: x",
+                           "cd /ho"
+                           "me/me",
+                           "\"/tm"
+                           "p/x\"",
+                           "see ../sha"
+                           "red/x",
+                           "/wo"
+                           "rk/main"}) {
+    EXPECT_EQ(text_breaches("a.md", std::string("fine\n") + text).size(), 1u) << text;
+  }
+  for (const char* text : {"framework/foredraw",
+                           "build/tm"
+                           "p/x",
+                           "https://example.org/ho"
+                           "me",
+                           "a mastodon"}) {
+    EXPECT_TRUE(text_breaches("a.md", text).empty()) << text;
+  }
+  EXPECT_EQ(text_breaches("a.md",
+                          "one\n// TO"
+                          "DO")
+                .front()
+                .find("a.md:2: "),
+            0u);
+}
+
+}  // namespace
+}  // namespace foredraw::architecture

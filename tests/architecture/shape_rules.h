@@ -1,0 +1,18 @@
+#pragma once
+// The folder is the declaration: which files belong to a plugin, and what the corpus may hold.
+
+#include <set>
+
+#include "source_tree.h"
+
+namespace foredraw::architecture {
+
+/// What is missing of plugins/{orderers,clusterers,processors}/<name>/ and evaluators/<name>/: CMakeLists.txt,
+/// <name>.h, <name>.cpp, <name>_plugin.cpp, README.md, and tests/<the same place>_test.cpp.
+Breaches plugin_shape_breaches(const std::set<std::string>& paths);
+
+/// benchmarks/corpus/: at most 25 MB (25,000,000 bytes) in all, no links, names in plain ASCII, every model named in
+/// `credits`, the text of its CREDITS.md.
+Breaches corpus_breaches(const std::vector<SourceFile>& files, const std::string& credits);
+
+}  // namespace foredraw::architecture

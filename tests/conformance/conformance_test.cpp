@@ -1,0 +1,195 @@
+// What every plugin has to do, tested once over the registry. The runner checks each answer (permutation, partition,
+// certificate) and reports a failure where it is none, so a run that did not fail is a run with right answers.
+
+#include "odd_scenes.h"
+
+#include <foredraw/pipeline/parse.h>
+#include <foredraw/pipeline/runner.h>
+#include <foredraw/technique/built_in_plugins.h>
+#include <peers.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace foredraw {
+namespace {
+
+const Registry& registry() {
+  static const Registry all = [] {
+    Registry registry;
+    add_built_in_plugins(registry);
+    add_peers(registry);
+    return registry;
+  }();
+  return all;
+}
+
+/// A pipeline with the plugin as its last stage, behind whatever provides what it needs.
+Pipeline pipeline_for(const Plugin& plugin, const Settings& settings) {
+  Pipeline pipeline;
+  Stage stage;
+  stage.use = plugin.card.name;
+  stage.settings = settings;
+  if (plugin.kind == Kind::evaluator) {
+    pipeline.measure.push_back(stage);
+    return pipeline;
+  }
+  for (const std::string& need : plugin.card.needs) {
+    for (const Plugin* other : registry().all()) {
+      if (!other->card.provides.has(need)) continue;
+      pipeline.stages.push_back({.use = other->card.name});
+      break;
+    }
+  }
+  pipeline.stages.push_back(stage);
+  return pipeline;
+}
+
+struct Outcome {
+  Result result;
+  Plan plan;
+};
+
+Outcome run(const Pipeline& pipeline, int threads) {
+  Diagnostics diagnostics;
+  const Scene scene = testing::odd_scene();
+  auto plan = foredraw::plan(pipeline, registry(), scene, diagnostics);
+  if (!plan) throw std::runtime_error(to_text(diagnostics));
+  const Executor executor(threads);
+  Analyses analyses;
+  Result result = foredraw::run(*plan, scene, {executor, analyses});
+  return {std::move(result), std::move(*plan)};
+}
+
+std::string problems(const Result& result) {
+  std::string text;
+  for (const Diagnostic& diagnostic : result.report.diagnostics) text += to_text(diagnostic) + '\n';
+  return text;
+}
+
+/// Stamps of all that a scene draws.
+std::vector<Stamp> content(const Scene& scene) {
+  std::vector<Stamp> stamps;
+  for (const Draw& draw : scene.draws) {
+    for (const Level& level : draw.levels) {
+      stamps.push_back(level.vertices->stamp());
+      for (const IndexStream& stream : level.orders) stamps.push_back(stream.indices.stamp());
+    }
+  }
+  return stamps;
+}
+
+std::vector<double> figures(const Result& result) {
+  std::vector<double> values;
+  for (const auto& [plugin, metrics] : result.report.after.metrics.all()) {
+    for (const auto& [metric, figure] : metrics) {
+      values.push_back(figure.numerator);
+      values.push_back(figure.denominator.value_or(-1));
+      values.push_back(figure.error);
+    }
+  }
+  return values;
+}
+
+std::optional<OptionValue> extreme(const OptionSpec& option, bool most) {
+  const double bound = most ? option.most : option.least;
+  if (option.type == OptionType::boolean) return most;
+  if (option.type == OptionType::choice) return most ? option.choices.back() : option.choices.front();
+  if (!std::isfinite(bound)) return std::nullopt;
+  if (option.type == OptionType::integer) return static_cast<std::int64_t>(bound);
+  if (option.type == OptionType::number) return bound;
+  return std::nullopt;
+}
+
+/// The defaults; everything at its least; and each option at its most with the others at their least.
+std::vector<Settings> settings_of(const Plugin& plugin) {
+  Settings least;
+  for (const OptionSpec& option : plugin.options) {
+    if (const auto value = extreme(option, false)) least[option.name] = *value;
+  }
+  std::vector<Settings> all{{}, least};
+  for (const OptionSpec& option : plugin.options) {
+    if (const auto value = extreme(option, true)) {
+      all.push_back(least);
+      all.back()[option.name] = *value;
+    }
+  }
+  return all;
+}
+
+class EveryPlugin : public ::testing::TestWithParam<std::string> {
+ protected:
+  const Plugin& plugin() const { return *registry().find(GetParam()); }
+};
+
+TEST_P(EveryPlugin, AnswersRightOnOddDrawsAtEveryOption) {
+  for (const Settings& settings : settings_of(plugin())) {
+    const Pipeline pipeline = pipeline_for(plugin(), settings);
+    const Outcome outcome = run(pipeline, 2);
+    EXPECT_FALSE(outcome.result.failed) << print_file(pipeline) << problems(outcome.result);
+  }
+}
+
+TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
+  const Pipeline pipeline = pipeline_for(plugin(), {});
+  const Result first = run(pipeline, 1).result;
+  for (int threads : {1, 5}) {
+    const Result again = run(pipeline, threads).result;
+    EXPECT_EQ(content(first.scene), content(again.scene));
+    EXPECT_EQ(figures(first), figures(again));
+  }
+}
+
+TEST_P(EveryPlugin, ProvidesWhatItsCardSays) {
+  if (plugin().kind == Kind::evaluator) return;
+  const Outcome outcome = run(pipeline_for(plugin(), {}), 2);
+  const PlannedStage& stage = outcome.plan.stages.back();
+  for (DrawId id : stage.draws) {
+    const Draw& draw = outcome.result.scene.draws[id];
+    for (const std::string& trait : plugin().card.provides) EXPECT_TRUE(draw.traits.has(trait)) << draw.name << ' ' << trait;
+    EXPECT_EQ(draw.traits.has(traits::clustered), draw.levels[0].orders[0].clusters.has_value()) << draw.name;
+  }
+}
+
+TEST_P(EveryPlugin, PrintsAndParsesBackAtEveryOption) {
+  for (const Settings& settings : settings_of(plugin())) {
+    const Pipeline pipeline = pipeline_for(plugin(), settings);
+    Diagnostics diagnostics;
+    const auto from_file = parse_file(print_file(pipeline), "printed", diagnostics);
+    ASSERT_TRUE(from_file) << to_text(diagnostics);
+    EXPECT_TRUE(same_pipeline(pipeline, *from_file)) << print_file(pipeline);
+    if (const auto line = print_line(pipeline)) {
+      const auto from_line = parse_line(*line, diagnostics);
+      ASSERT_TRUE(from_line) << to_text(diagnostics);
+      EXPECT_TRUE(same_pipeline(pipeline, *from_line)) << *line;
+    }
+  }
+}
+
+TEST_P(EveryPlugin, SaysWhatItIs) {
+  const Card& card = plugin().card;
+  EXPECT_FALSE(card.summary.empty());
+  EXPECT_FALSE(card.reference.empty());
+  EXPECT_NE(card.summary.back(), '.');
+  for (const OptionSpec& option : plugin().options) EXPECT_FALSE(option.doc.empty()) << option.name;
+  EXPECT_TRUE(plugin().kind != Kind::evaluator || !card.metrics.empty());
+}
+
+TEST_P(EveryPlugin, MeasuresWhatItsCardLists) {
+  const Result result = run(pipeline_for(plugin(), {}), 2).result;
+  for (const auto& [name, metrics] : result.report.after.metrics.all()) {
+    for (const auto& [metric, figure] : metrics) EXPECT_FALSE(figure.unit.empty()) << metric << " is not on the card";
+  }
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPlugin, ::testing::ValuesIn(registry().names()), test_name);
+
+}  // namespace
+}  // namespace foredraw

@@ -1,0 +1,131 @@
+#include "odd_scenes.h"
+
+#include "support/meshes.h"
+
+#include <limits>
+
+namespace foredraw::testing {
+
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+TestMesh one_triangle() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}}; }
+
+TestMesh degenerate() {
+  TestMesh mesh = grid(3, 3);
+  mesh.indices.insert(mesh.indices.end(), {0, 0, 0, 1, 1, 2, 0, 1, 2, 3, 2, 3});
+  return mesh;
+}
+
+TestMesh fan_on_one_edge(std::uint32_t triangles) {
+  TestMesh mesh{{{0, 0, 0}, {0, 1, 0}}, {}};
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    mesh.positions.emplace_back(1, 0, static_cast<float>(i));
+    mesh.indices.insert(mesh.indices.end(), {0, 1, i + 2});
+  }
+  return mesh;
+}
+
+TestMesh not_finite() {
+  TestMesh mesh = sphere(8, 6);
+  mesh.positions[5].x = nan;
+  mesh.positions[20].y = infinity;
+  mesh.positions[33] = {-infinity, nan, infinity};
+  return mesh;
+}
+
+TestMesh nowhere_finite() { return {{{nan, nan, nan}, {infinity, 0, 0}, {nan, 0, 0}}, {0, 1, 2, 2, 1, 0}}; }
+
+TestMesh all_in_one_point() { return {std::vector<glm::vec3>(9, glm::vec3(2, 3, 4)), {0, 1, 2, 3, 4, 5, 6, 7, 8}}; }
+
+TestMesh huge_and_tiny() {
+  return {{{3e38f, 3e38f, 3e38f}, {-3e38f, 0, 0}, {0, -3e38f, 0}, {1e-40f, 0, 0}, {0, 1e-40f, 0}}, {0, 1, 2, 2, 3, 4, 0, 3, 4}};
+}
+
+TestMesh with_duplicates() {
+  TestMesh mesh = torus(6, 5);
+  const std::vector<std::uint32_t> again(mesh.indices.begin(), mesh.indices.begin() + 30);
+  mesh.indices.insert(mesh.indices.end(), again.begin(), again.end());
+  return mesh;
+}
+
+TestMesh with_unused_vertices() {
+  TestMesh mesh = soup(20, 3);
+  mesh.positions.resize(mesh.positions.size() + 50, glm::vec3(9));
+  return mesh;
+}
+
+Draw quantized() {
+  const std::int16_t values[] = {-32767, 0, 0, 0, 32767, 0, 0, 0, 0, 0, 32767, 0, 1, 2, 3, 0};
+  const auto bytes = std::as_bytes(std::span(values));
+  VertexStreams streams;
+  streams.count = 4;
+  streams.base.push_back({"POSITION", Format{Component::int16, 4, true, 8}, Shared<std::byte>({bytes.begin(), bytes.end()})});
+  Draw draw = draw_of({{}, {0, 1, 2, 1, 2, 3}}, "quantized");
+  draw.levels[0].vertices = std::make_shared<const VertexStreams>(std::move(streams));
+  draw.traits.add(traits::quantized);
+  return draw;
+}
+
+Draw morphed() {
+  const TestMesh mesh = grid(4, 4);
+  Draw draw = draw_of(mesh, "morphed");
+  VertexStreams streams = *draw.levels[0].vertices;
+  streams.morph_targets.push_back({streams.base});
+  draw.levels[0].vertices = std::make_shared<const VertexStreams>(std::move(streams));
+  draw.traits.add(traits::morphed);
+  return draw;
+}
+
+Draw points() {
+  Draw draw = draw_of({{{0, 0, 0}, {1, 1, 1}}, {0, 1}}, "points");
+  draw.topology = Topology::points;
+  draw.traits = {};
+  return draw;
+}
+
+Draw without_positions() {
+  Draw draw = draw_of({{}, {}}, "without positions");
+  draw.levels[0].vertices = std::make_shared<const VertexStreams>();
+  return draw;
+}
+
+}  // namespace
+
+Scene odd_scene() {
+  std::vector<Draw> draws{draw_of({{}, {}}, "empty"),
+                          draw_of({{{1, 2, 3}}, {}}, "no triangle"),
+                          draw_of(one_triangle(), "one triangle"),
+                          draw_of(degenerate(), "degenerate"),
+                          draw_of(fan_on_one_edge(12), "non-manifold"),
+                          draw_of(not_finite(), "not finite"),
+                          draw_of(nowhere_finite(), "nowhere finite"),
+                          draw_of(all_in_one_point(), "one point"),
+                          draw_of(huge_and_tiny(), "huge and tiny"),
+                          draw_of(with_duplicates(), "duplicates"),
+                          draw_of(with_unused_vertices(), "unused vertices"),
+                          draw_of(shuffled(sphere(16, 12), 1), "shuffled sphere"),
+                          draw_of(soup(60, 2), "soup"),
+                          quantized(),
+                          morphed(),
+                          points(),
+                          without_positions()};
+  // Two more that share the sphere's vertices.
+  for (const char* name : {"first half", "second half"}) {
+    Draw half = draws[11];
+    half.name = name;
+    const auto all = half.levels[0].orders[0].indices.view();
+    const std::size_t middle = all.size() / 6 * 3;
+    const auto part = half.name == "first half" ? all.first(middle) : all.subspan(middle);
+    half.levels[0].orders[0].indices = Shared<std::uint32_t>({part.begin(), part.end()});
+    draws.push_back(std::move(half));
+  }
+  Draw glass = draw_of(torus(5, 4), "glass");
+  glass.traits.add(traits::blended);
+  draws.push_back(std::move(glass));
+  return scene_of(std::move(draws));
+}
+
+}  // namespace foredraw::testing

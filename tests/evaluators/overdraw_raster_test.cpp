@@ -1,0 +1,442 @@
+#include "../../evaluators/overdraw_raster/overdraw_raster.h"
+#include "../../evaluators/overdraw_raster/coverage.h"
+#include "../../evaluators/overdraw_raster/overdraw_figures.h"
+
+#include "overdraw_reference.h"
+#include "support/meshes.h"
+
+#include <foredraw/technique/plugin.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace foredraw {
+namespace {
+
+using testing::TestMesh;
+
+Views views_of(std::vector<glm::dvec3> directions, int size = 64, double distance = 0) {
+  Views views{{}, distance, size};
+  for (const glm::dvec3& direction : directions) views.views.push_back({direction, 1});
+  return views;
+}
+
+Views all_sides(int size = 64, double distance = 0) {
+  ViewSet set;
+  set.views = "fibonacci";
+  set.count = 20;
+  set.size = size;
+  if (distance > 0) set.distance = distance;
+  return make_views(set);
+}
+
+RasterPart part_of(const TestMesh& mesh, bool culls_back_faces = true) {
+  return {mesh.positions, mesh.indices, culls_back_faces, false};
+}
+
+/// Of all parts and views.
+OverdrawCount total(const OverdrawCounts& counts) {
+  OverdrawCount sum;
+  for (const auto& part : counts) {
+    for (const OverdrawCount& count : part) sum += count;
+  }
+  return sum;
+}
+
+OverdrawCount total(const TestMesh& mesh, const Views& views, bool culls_back_faces = true) {
+  const RasterPart part = part_of(mesh, culls_back_faces);
+  return total(overdraw_raster({&part, 1}, views));
+}
+
+/// A square that faces +Z.
+TestMesh quad(float z, float half = 1) {
+  return {{{-half, -half, z}, {half, -half, z}, {-half, half, z}, {half, half, z}}, {0, 1, 2, 2, 1, 3}};
+}
+
+// --- what is counted
+// ---------------------------------------------------------------------------------------------------
+
+TEST(OverdrawRaster, the_farther_quad_costs_only_when_drawn_first) {
+  const Views front = views_of({{0, 0, 1}});
+  const OverdrawCount near_first = total(testing::joined(quad(0.1f), quad(-0.1f)), front);
+  EXPECT_GT(near_first.visible, 1500u);  // the square in a circle of 64 pixels
+  EXPECT_EQ(near_first.shaded, near_first.visible);
+  const OverdrawCount far_first = total(testing::joined(quad(-0.1f), quad(0.1f)), front);
+  EXPECT_EQ(far_first.visible, near_first.visible);
+  EXPECT_EQ(far_first.shaded, 2 * far_first.visible);
+  EXPECT_EQ(far_first.ties, 0u);
+}
+
+TEST(OverdrawRaster, each_part_has_its_own_fragments) {
+  const TestMesh far = quad(-0.1f);
+  const TestMesh near = quad(0.1f);
+  const std::vector<RasterPart> parts = {part_of(far), part_of(near)};
+  const OverdrawCounts overdraw = overdraw_raster(parts, views_of({{0, 0, 1}, {0, 0, -1}}));
+  ASSERT_EQ(overdraw[0].size(), 2u);
+  EXPECT_EQ(overdraw[0][0].visible, 0u);
+  EXPECT_EQ(overdraw[0][0].shaded, overdraw[1][0].visible);
+  EXPECT_EQ(overdraw[1][0].shaded, overdraw[1][0].visible);
+  // From behind, both are culled.
+  EXPECT_EQ(overdraw[0][1], OverdrawCount());
+  EXPECT_EQ(overdraw[1][1], OverdrawCount());
+}
+
+TEST(OverdrawRaster, equally_near_fragments_do_not_pass_and_are_ties) {
+  const OverdrawCount once = total(quad(0), views_of({{0, 0, 1}}));
+  TestMesh other_diagonal = quad(0);
+  other_diagonal.indices = {0, 1, 3, 0, 3, 2};
+  const OverdrawCount twice = total(testing::joined(quad(0), other_diagonal), views_of({{0, 0, 1}}));
+  EXPECT_EQ(twice.shaded, once.visible);
+  EXPECT_EQ(twice.visible, once.visible);
+  EXPECT_EQ(twice.ties, once.visible);
+}
+
+TEST(OverdrawRaster, a_triangle_drawn_twice_ties_however_its_corners_are_numbered) {
+  for (const double distance : {0.0, 1.5, 1e6}) {  // from afar, the last bits of 1 / distance are worth a step of depth
+    const TestMesh once = testing::soup(1, 3);
+    TestMesh turned = once;
+    turned.indices = {1, 2, 0};
+    TestMesh flipped = once;
+    flipped.indices = {0, 2, 1};
+    for (const TestMesh& other : {turned, flipped}) {
+      const OverdrawCount count = total(testing::joined(once, other), all_sides(200, distance), false);
+      EXPECT_EQ(count.shaded, count.visible);
+      EXPECT_EQ(count.ties, count.visible);
+    }
+  }
+}
+
+TEST(OverdrawRaster, a_convex_mesh_has_none_once_back_faces_are_culled) {
+  const TestMesh ball = testing::shuffled(testing::sphere(24, 16), 1);
+  for (const double distance : {0.0, 1.01, 3.0}) {
+    // The sphere's rim may cross itself by the 1/256 pixel that its corners are snapped to.
+    const OverdrawCount count = total(ball, all_sides(128, distance));
+    EXPECT_LE(count.shaded, count.visible + count.visible / 10000) << distance;
+    EXPECT_GT(total(ball, all_sides(128, distance), false).shaded, count.visible) << distance;
+  }
+}
+
+TEST(OverdrawRaster, a_mirrored_part_shows_its_other_faces) {
+  const TestMesh mesh = quad(0);
+  RasterPart part = part_of(mesh);
+  part.is_mirrored = true;
+  EXPECT_EQ(total(overdraw_raster({&part, 1}, views_of({{0, 0, 1}}))).visible, 0u);
+  EXPECT_GT(total(overdraw_raster({&part, 1}, views_of({{0, 0, -1}}))).visible, 0u);
+}
+
+TEST(OverdrawRaster, perspective_sees_the_near_quad_larger) {
+  const TestMesh near = quad(0.5f, 0.5f);
+  const TestMesh far = quad(-0.5f, 0.5f);
+  const std::vector<RasterPart> parts = {part_of(far), part_of(near)};
+  const OverdrawCounts close = overdraw_raster(parts, views_of({{0, 0, 1}}, 2048, 2));
+  // Centre at the origin, radius r = sqrt(0.75): the camera is 2 r - 0.5 and 2 r + 0.5 away.
+  const double r = std::sqrt(0.75);
+  const double expected = std::pow((2 * r + 0.5) / (2 * r - 0.5), 2);
+  const auto ratio = static_cast<double>(close[1][0].visible) / static_cast<double>(close[0][0].shaded);
+  EXPECT_NEAR(ratio, expected, 0.02);
+  EXPECT_EQ(close[0][0].visible, 0u);
+}
+
+TEST(OverdrawRaster, perspective_depth_is_along_the_axis_and_interpolated_right) {
+  // Two slanted quads that cross along x = 0: from far away and from near, half of each is seen.
+  const TestMesh up = {{{-1, -1, -1}, {1, -1, 1}, {-1, 1, -1}, {1, 1, 1}}, {0, 1, 2, 2, 1, 3}};
+  const TestMesh down = {{{-1, -1, 1}, {1, -1, -1}, {-1, 1, 1}, {1, 1, -1}}, {0, 1, 2, 2, 1, 3}};
+  const std::vector<RasterPart> parts = {part_of(up), part_of(down)};
+  for (const double distance : {1.2, 2.0, 1000.0}) {
+    const OverdrawCounts overdraw = overdraw_raster(parts, views_of({{0, 0, 1}}, 255, distance));
+    // 255 pixels: the middle column lies on the crossing, where the first one drawn stays.
+    const auto first = static_cast<double>(overdraw[0][0].visible);
+    const auto second = static_cast<double>(overdraw[1][0].visible);
+    EXPECT_LT(std::abs(first - second), 256) << distance;
+    EXPECT_GT(first, 5000) << distance;
+  }
+}
+
+TEST(OverdrawRaster, triangles_without_area_or_numbers_cover_nothing) {
+  TestMesh mesh = quad(0);
+  const OverdrawCount before = total(mesh, views_of({{0, 0, 1}}), false);
+  mesh.positions.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0, 0);
+  mesh.positions.emplace_back(0, std::numeric_limits<float>::infinity(), 0);
+  mesh.indices.insert(mesh.indices.begin(), {0, 1, 4, 5, 0, 1, 0, 0, 1, 0, 3, 3});
+  EXPECT_EQ(total(mesh, views_of({{0, 0, 1}}), false), before);
+  EXPECT_EQ(count_non_finite_triangles(part_of(mesh)), 2u);
+  EXPECT_EQ(total({{{1, 1, 1}}, {0, 0, 0}}, views_of({{0, 0, 1}})), OverdrawCount());
+  EXPECT_EQ(total(TestMesh(), views_of({{0, 0, 1}})), OverdrawCount());
+}
+
+TEST(OverdrawRaster, the_extremes_stay_in_the_picture) {
+  const float most = std::numeric_limits<float>::max();
+  const float least = std::numeric_limits<float>::denorm_min();
+  for (const float scale : {most, least * 1000}) {
+    TestMesh mesh = testing::sphere(16, 8);
+    for (glm::vec3& position : mesh.positions) position *= scale;
+    for (const double distance : {0.0, 1.01, 1e6}) EXPECT_GT(total(mesh, all_sides(64, distance)).visible, 20u * 1000);
+  }
+  EXPECT_GT(total(testing::sphere(16, 8), views_of({{0, 1, 0}}, 4096, 1.01)).visible, 4'000'000u);
+}
+
+// --- coverage
+// ----------------------------------------------------------------------------------------------------------
+
+TEST(OverdrawRaster, a_grid_covers_exactly_what_its_outline_covers) {
+  TestMesh fine = testing::grid(37, 23);
+  for (glm::vec3& position : fine.positions) position = {position.x / 37 * 2 - 1, position.y / 23 * 2 - 1, 0};
+  for (const double distance : {0.0, 2.0}) {
+    for (const int size : {16, 97, 256}) {
+      const OverdrawCount whole = total(quad(0), views_of({{0, 0, 1}}, size, distance), false);
+      const OverdrawCount parts = total(fine, views_of({{0, 0, 1}}, size, distance), false);
+      EXPECT_EQ(parts.shaded, whole.shaded);
+      EXPECT_EQ(parts.ties, 0u);
+    }
+  }
+}
+
+Corner random_corner(int most) {
+  const auto coordinate = [most] { return *rc::gen::inRange(0, most + 1); };
+  return {coordinate(), coordinate(), static_cast<std::uint32_t>(*rc::gen::inRange(0, 1 << 24))};
+}
+
+RC_GTEST_PROP(OverdrawRaster, coverage_is_exact, ()) {
+  const int size = *rc::gen::element(3, 17);
+  const int step = *rc::gen::element(1, 128);  // multiples of 128 lie on centres
+  Corner a = random_corner(size * 256 / step);
+  Corner b = random_corner(size * 256 / step);
+  Corner c = random_corner(size * 256 / step);
+  for (Corner* corner : {&a, &b, &c}) {
+    corner->x *= step;
+    corner->y *= step;
+  }
+  if (doubled_area(a, b, c) < 0) std::swap(b, c);
+  const std::int64_t area = doubled_area(a, b, c);
+  RC_PRE(area != 0);
+
+  std::set<std::pair<int, int>> expected;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      if (covers_pixel(a, b, c, x, y)) expected.emplace(x, y);
+    }
+  }
+  std::set<std::pair<int, int>> covered;
+  for_each_covered(a, b, c, PixelBox(a, b, c), [&](int x, int y, const std::array<std::int64_t, 3>& weights) {
+    RC_ASSERT(covered.emplace(x, y).second);
+    RC_ASSERT(weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0);
+    RC_ASSERT(weights[0] + weights[1] + weights[2] == area);
+  });
+  RC_ASSERT(covered == expected);
+}
+
+// --- against a reference
+// -----------------------------------------------------------------------------------------------
+
+/// Random triangles large enough to hide one another, each there twice so that there are ties.
+TestMesh crowd(std::uint64_t seed) {
+  Random random(seed);
+  const auto coordinate = [&] { return static_cast<float>(random.unit()); };
+  TestMesh mesh;
+  for (std::uint32_t corner = 0; corner < 3 * 40; ++corner) {
+    mesh.indices.push_back(corner);
+    mesh.positions.push_back(glm::vec3{coordinate(), coordinate(), coordinate()});  // braces: one after the other
+  }
+  return testing::shuffled(testing::joined(mesh, mesh), seed);
+}
+
+TEST(OverdrawRaster, equals_the_reference) {
+  const auto directions = all_sides().views;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const TestMesh mesh = crowd(seed);
+    const glm::dvec3 direction = directions[seed].direction;
+    for (const int size : {16, 61}) {
+      const OverdrawCount expected = overdraw_by_asking(mesh, direction, size);
+      const OverdrawCount counted = total(mesh, views_of({direction}, size));
+      EXPECT_EQ(counted, expected);
+      EXPECT_GT(expected.ties, 0u);
+      EXPECT_GT(expected.shaded, expected.visible);
+    }
+  }
+}
+
+TEST(OverdrawRaster, the_same_counts_everywhere) {
+  EXPECT_EQ(total(crowd(1), all_sides(256)), (OverdrawCount{519425, 347932, 402737}));
+  EXPECT_EQ(total(crowd(1), all_sides(256, 1.5)), (OverdrawCount{343572, 237522, 272953}));
+}
+
+// --- figures
+// -----------------------------------------------------------------------------------------------------------
+
+TEST(OverdrawFigures, ratio_and_mean_of_views) {
+  const std::vector<OverdrawCount> views = {{30, 10, 0}, {10, 10, 0}, {5, 0, 0}, {20, 20, 0}};
+  const Estimate ratio = overdraw_ratio(views);
+  EXPECT_EQ(ratio.numerator, 65);
+  EXPECT_EQ(ratio.denominator, 40);
+  // Deviations from 1.625 times visible: 13.75, -6.25, 5, -12.5.
+  EXPECT_NEAR(ratio.error, std::sqrt((13.75 * 13.75 + 6.25 * 6.25 + 25 + 12.5 * 12.5) / 12) / 10, 1e-12);
+  const Estimate mean = overdraw_view_mean(views);
+  EXPECT_EQ(mean.numerator, 5);  // 3 + 1 + 1
+  EXPECT_EQ(mean.denominator, 3);
+  EXPECT_NEAR(mean.error, 2.0 / 3, 1e-12);
+}
+
+TEST(OverdrawFigures, the_error_is_what_samples_of_views_scatter_by) {
+  const TestMesh mesh = testing::joined(testing::torus(24, 12), testing::sphere(16, 8, 0.8f, {0, 0.5f, 0}));
+  std::vector<double> ratios;
+  double claimed = 0;
+  constexpr int samples = 200;
+  for (int seed = 0; seed < samples; ++seed) {
+    ViewSet set;
+    set.views = "random";
+    set.count = 30;
+    set.seed = seed;
+    set.size = 32;
+    const RasterPart part = part_of(mesh);
+    const Estimate ratio = overdraw_ratio(overdraw_raster({&part, 1}, make_views(set))[0]);
+    ratios.push_back(ratio.numerator / ratio.denominator);
+    claimed += ratio.error / samples;
+  }
+  double mean = 0;
+  for (const double ratio : ratios) mean += ratio / samples;
+  double variance = 0;
+  for (const double ratio : ratios) variance += (ratio - mean) * (ratio - mean) / (samples - 1);
+  EXPECT_NEAR(claimed / std::sqrt(variance), 1, 0.15);
+}
+
+TEST(OverdrawFigures, one_view_or_none_has_no_error) {
+  EXPECT_EQ(overdraw_ratio({}).error, 0);
+  EXPECT_EQ(overdraw_view_mean({}).denominator, 0);
+  const OverdrawCount view{3, 2, 0};
+  EXPECT_EQ(overdraw_ratio({&view, 1}).error, 0);
+  EXPECT_EQ(overdraw_view_mean({&view, 1}).numerator, 1.5);
+}
+
+// --- the plugin
+// --------------------------------------------------------------------------------------------------------
+
+Findings evaluate(const Scene& scene, const Settings& settings, int threads = 2) {
+  const Plugin plugin = overdraw_raster_plugin();
+  const Technique technique = plugin.create(settings);
+  testing::RunFixture fixture;
+  const Executor executor(threads);
+  Run run{fixture.analyses, executor, fixture.findings, fixture.views};
+  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, run);
+  return fixture.findings;
+}
+
+const Measured* find(const Findings& findings, const std::string& metric, std::optional<DrawId> draw) {
+  for (const Measured& measured : findings.measured) {
+    if (measured.metric == metric && measured.place.draw == draw) return &measured;
+  }
+  return nullptr;
+}
+
+const Settings few_views = {
+    {"views", std::string("fibonacci")}, {"count", std::int64_t{10}}, {"size", std::int64_t{64}}};
+
+TEST(OverdrawRasterPlugin, measures_each_draw_inside_its_mesh) {
+  const TestMesh inner = testing::sphere(16, 8, 0.5f);
+  const TestMesh outer = testing::sphere(16, 8, 1.0f);
+  Scene scene = testing::scene_of({testing::draw_of(inner, "inner"), testing::draw_of(outer, "outer")});
+  const Findings apart = evaluate(scene, few_views);
+  EXPECT_NEAR(find(apart, "ratio", 0)->numerator / *find(apart, "ratio", 0)->denominator, 1, 0.001);
+
+  scene.meshes[0].draws = {0, 1};
+  scene.meshes.pop_back();
+  scene.nodes.pop_back();
+  const Findings together = evaluate(scene, few_views);
+  EXPECT_GT(find(together, "ratio", 0)->numerator, 1000);
+  EXPECT_EQ(find(together, "ratio", 0)->denominator, 0);  // hidden, but its fragments are paid for
+  EXPECT_EQ(find(together, "view-mean", 0)->denominator, 0);
+  EXPECT_EQ(find(together, "view-mean", 1)->denominator, 10);
+}
+
+TEST(OverdrawRasterPlugin, one_thread_counts_as_many_do) {
+  const Scene scene = testing::scene_of(testing::shuffled(testing::torus(40, 20), 2));
+  const Findings one = evaluate(scene, few_views, 1);
+  for (const int threads : {2, 3, 8}) {
+    const Findings several = evaluate(scene, few_views, threads);
+    ASSERT_EQ(several.measured.size(), one.measured.size());
+    for (std::size_t i = 0; i < one.measured.size(); ++i) {
+      EXPECT_EQ(several.measured[i].numerator, one.measured[i].numerator);
+      EXPECT_EQ(several.measured[i].denominator, one.measured[i].denominator);
+      EXPECT_EQ(several.measured[i].error, one.measured[i].error);
+    }
+  }
+}
+
+TEST(OverdrawRasterPlugin, materials_decide_about_back_faces_and_blending) {
+  Scene scene = testing::scene_of({testing::draw_of(testing::sphere(16, 8), "Shell"),
+                                   testing::draw_of(quad(0), "Glass"), testing::draw_of(quad(0), "Leaves")});
+  scene.materials.resize(3);
+  scene.materials[0].double_sided = true;
+  scene.materials[1].alpha_mode = AlphaMode::blend;
+  scene.materials[2].alpha_mode = AlphaMode::mask;
+  for (DrawId draw = 0; draw < 3; ++draw) scene.draws[draw].material = draw;
+  const Findings findings = evaluate(scene, few_views);
+  EXPECT_GT(find(findings, "ratio", 0)->numerator / *find(findings, "ratio", 0)->denominator, 1.1);
+  EXPECT_EQ(find(findings, "ratio", 1), nullptr);
+  EXPECT_NE(find(findings, "ratio", 2), nullptr);
+  EXPECT_EQ(find(findings, "blended-left-out", {})->numerator, 1);
+  ASSERT_EQ(findings.notes.size(), 2u);
+  EXPECT_EQ(findings.notes[0].message, "left out as blended: 1 draw (Glass)");
+  EXPECT_EQ(findings.notes[1].message, "drawn as if opaque, though masked: 1 draw (Leaves)");
+
+  Settings front = few_views;
+  front["faces"] = std::string("front");
+  const Findings culled = evaluate(scene, front);
+  EXPECT_NEAR(find(culled, "ratio", 0)->numerator / *find(culled, "ratio", 0)->denominator, 1, 0.001);
+}
+
+TEST(OverdrawRasterPlugin, parts_of_one_draw_are_summed_and_mirrored_ones_turned) {
+  // A character whose two joints carry the same quad one above the other, both facing +Z.
+  Scene scene = testing::scene_of(quad(0));
+  scene.nodes.assign(2, Node());
+  scene.nodes[0].mesh = 0;
+  scene.nodes[1].mesh = 0;
+  scene.nodes[1].transform.translation = {0, 2, 0};
+  scene.nodes[1].transform.scale = {-1, 1, 1};
+  scene.skins.resize(1);
+  scene.skins[0].joints = {0, 1};
+  const Findings findings = evaluate(scene, {{"views", std::string("axes")}, {"size", std::int64_t{512}}});
+  EXPECT_EQ(find(findings, "view-mean", 0)->denominator, 1);  // +Z alone of the 6
+  const double pixels = 2 * std::pow(2 * 256 / std::sqrt(5.0), 2);
+  EXPECT_NEAR(*find(findings, "ratio", 0)->denominator / pixels, 1, 0.01);
+}
+
+TEST(OverdrawRasterPlugin, answers_for_measured_overdraw) {
+  const Scene scene = testing::scene_of(testing::torus(24, 12));
+  const Plugin plugin = overdraw_raster_plugin();
+  const auto service = plugin.overdraw_service({});
+  testing::RunFixture fixture;
+  const OverdrawCounts overdraw = service->count(scene, subjects_of(scene)[0], all_sides(), fixture.run);
+  const TestMesh torus = testing::torus(24, 12);
+  const RasterPart part = part_of(torus);
+  const OverdrawCounts expected = overdraw_raster({&part, 1}, all_sides());
+  EXPECT_EQ(overdraw, expected);
+}
+
+TEST(OverdrawRasterPlugin, says_where_it_looks_from_where_orders_were_optimised_for) {
+  const Scene scene = testing::scene_of(quad(0));
+  testing::RunFixture fixture;
+  ViewSet axes;
+  axes.views = "axes";
+  fixture.views = make_views(axes);
+  const Technique technique = overdraw_raster_plugin().create({{"views", std::string("axes")}});
+  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, fixture.run);
+  ASSERT_EQ(fixture.findings.notes.size(), 1u);
+  EXPECT_EQ(fixture.findings.notes[0].code, "same-views");
+  EXPECT_TRUE(evaluate(scene, few_views).notes.empty());
+}
+
+TEST(OverdrawRasterPlugin, a_view_set_that_can_not_be_made_is_refused) {
+  const Plugin plugin = overdraw_raster_plugin();
+  EXPECT_THROW(plugin.create({{"views", std::string("icosphere")}, {"count", std::int64_t{100}}}),
+               std::invalid_argument);
+  EXPECT_NO_THROW(plugin.create({{"views", std::string("42")}}));
+  EXPECT_NO_THROW(plugin.create({{"views", std::string("axes")}}));
+}
+
+}  // namespace
+}  // namespace foredraw

@@ -1,0 +1,103 @@
+#include "../../evaluators/vertex_cache/vertex_cache.h"
+
+#include "support/meshes.h"
+
+#include <foredraw/technique/plugin.h>
+
+#include <gtest/gtest.h>
+#include <meshoptimizer.h>
+#include <rapidcheck/gtest.h>
+
+namespace foredraw {
+namespace {
+
+using testing::TestMesh;
+
+/// Triangle lists with much reuse, repeated corners among them.
+rc::Gen<std::vector<std::uint32_t>> index_lists(std::uint32_t vertices) {
+  return rc::gen::map(rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange<std::uint32_t>(0, vertices)),
+                      [](std::vector<std::uint32_t> indices) {
+                        indices.resize(indices.size() / 3 * 3);
+                        return indices;
+                      });
+}
+
+void expect_equal_to_peer(std::span<const std::uint32_t> indices, std::size_t vertices, const BatchModel& model) {
+  const CacheCount ours = count_batches(indices, vertices, model);
+  const meshopt_VertexCacheStatistics theirs = meshopt_analyzeVertexCache(
+      indices.data(), indices.size(), vertices, model.cache_size, model.warp_size, model.primitive_group);
+  ASSERT_EQ(ours.misses, theirs.vertices_transformed);
+  if (!indices.empty()) {
+    ASSERT_EQ(static_cast<float>(ours.misses) / static_cast<float>(ours.referenced), theirs.atvr);
+  }
+}
+
+RC_GTEST_PROP(VertexCache, batches_count_as_meshoptimizer_does, ()) {
+  const auto indices = *rc::gen::scale(10, index_lists(60));
+  const BatchModel model{"any", *rc::gen::inRange(3u, 40u), *rc::gen::element(0u, 6u, 32u, 64u),
+                         *rc::gen::element(0u, 1u, 7u, 32u)};
+  const CacheCount ours = count_batches(indices, 60, model);
+  const auto theirs = meshopt_analyzeVertexCache(indices.data(), indices.size(), 60, model.cache_size, model.warp_size,
+                                                 model.primitive_group);
+  RC_ASSERT(ours.misses == theirs.vertices_transformed);
+}
+
+TEST(VertexCache, vendor_models_count_as_meshoptimizer_does) {
+  for (const TestMesh& mesh :
+       {testing::torus(60, 40), testing::shuffled(testing::grid(50, 30), 5), testing::soup(90, 1)}) {
+    for (const BatchModel& model : batch_models) expect_equal_to_peer(mesh.indices, mesh.positions.size(), model);
+    for (const std::uint32_t size : {3u, 16u, 1000u}) {
+      expect_equal_to_peer(mesh.indices, mesh.positions.size(), {"fifo", size, 0, 0});
+    }
+  }
+}
+
+TEST(VertexCache, fetches_as_meshoptimizer_does) {
+  // 200 x 200 vertices of 48 bytes are more than the 128 KiB that the cache holds.
+  for (const TestMesh& mesh :
+       {testing::grid(200, 200), testing::shuffled(testing::grid(200, 200), 5), testing::soup(90, 1)}) {
+    for (const std::size_t vertex_size : {1, 12, 32, 48, 100, 256}) {
+      const std::size_t vertices = mesh.positions.size();
+      const FetchCount ours = count_fetches(mesh.indices, vertices, vertex_size);
+      const auto theirs = meshopt_analyzeVertexFetch(mesh.indices.data(), mesh.indices.size(), vertices, vertex_size);
+      EXPECT_EQ(ours.fetched, theirs.bytes_fetched);
+      EXPECT_EQ(static_cast<float>(ours.fetched) / static_cast<float>(ours.referenced), theirs.overfetch);
+    }
+  }
+}
+
+TEST(VertexCache, figures_of_a_draw) {
+  const Plugin plugin = vertex_cache_plugin();
+  const Technique technique = plugin.create({{"cache-size", std::int64_t{3}}, {"vertex-size", std::int64_t{64}}});
+  // Two triangles that share an edge, and a third one of which a cache of three has lost one corner.
+  TestMesh mesh = testing::grid(1, 1);
+  mesh.positions.emplace_back(9, 9, 9);  // never drawn
+  mesh.indices.insert(mesh.indices.end(), {0, 1, 2});
+  const Scene scene = testing::scene_of(mesh);
+  testing::RunFixture fixture;
+  std::get<std::unique_ptr<DrawEvaluator>>(technique)->evaluate({scene, 0}, fixture.run);
+
+  std::map<std::string, std::pair<double, double>> figures;
+  for (const Measured& measured : fixture.findings.measured) {
+    EXPECT_TRUE(figures.emplace(measured.metric, std::pair(measured.numerator, measured.denominator.value())).second);
+  }
+  // 0 1 2 miss; 2 1 hit, 3 misses and drives out 0; then 0 misses and drives out 1, which misses and drives out 2.
+  EXPECT_EQ(figures.at("acmr"), std::pair(7.0, 3.0));
+  EXPECT_EQ(figures.at("atvr"), std::pair(7.0, 4.0));
+  EXPECT_EQ(figures.at("overfetch"), std::pair(256.0, 256.0));
+  for (const char* model :
+       {"fifo-12", "fifo-16", "fifo-20", "fifo-24", "fifo-32", "lru-16", "nvidia", "amd", "intel"}) {
+    EXPECT_EQ(figures.at("models." + std::string(model) + ".acmr"), std::pair(4.0, 3.0)) << model;
+    EXPECT_EQ(figures.at("models." + std::string(model) + ".atvr"), std::pair(4.0, 4.0)) << model;
+  }
+  EXPECT_EQ(figures.size(), 3 + 2 * 9u);
+}
+
+TEST(VertexCache, a_draw_without_triangles_has_figures_without_denominator) {
+  const VertexCacheFigures figures = vertex_cache({}, 0, 12);
+  EXPECT_EQ(figures.count, CacheCount{});
+  EXPECT_EQ(figures.fetch, FetchCount{});
+}
+
+}  // namespace
+}  // namespace foredraw

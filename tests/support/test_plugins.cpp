@@ -1,0 +1,207 @@
+#include "support/test_plugins.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace foredraw::testing {
+
+namespace {
+
+struct NoOptions {};
+
+template <class T>
+Plugin plugin_of(Kind kind, Card card) {
+  Plugin plugin;
+  plugin.kind = kind;
+  if (card.summary.empty()) card.summary = "For tests";
+  card.reference = "own";
+  plugin.card = std::move(card);
+  bind_options(plugin, OptionTable<NoOptions>(), [](const NoOptions&) { return std::make_unique<T>(); });
+  return plugin;
+}
+
+std::vector<std::uint32_t> falling(std::size_t count) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.rbegin(), order.rend(), 0u);
+  return order;
+}
+
+std::vector<std::uint32_t> rising(std::size_t count) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  return order;
+}
+
+struct ReverseDraw final : DrawOrderer {
+  IndexOrder order(const DrawView& draw, Run&) override { return falling(draw.triangle_count()); }
+  int cache_size() const override { return 24; }
+};
+
+struct TwoOrders final : SubjectOrderer {
+  SubjectOrders order(const SubjectView& subject, Run&) override {
+    SubjectOrders answer;
+    answer.table.draws = subject.draws;
+    answer.table.theta_steps = 2;
+    answer.table.order = {0, 1};
+    for (DrawId id : subject.draws) {
+      const std::size_t triangles = subject.scene.draws[id].levels[0].orders[0].triangle_count();
+      answer.orders.push_back({rising(triangles), falling(triangles)});
+    }
+    return answer;
+  }
+};
+
+struct ReverseVertices final : VertexOrderer {
+  VertexOrder order(const VertexUse& use, Run&) override { return falling(use.vertices.count); }
+};
+
+struct Pairs final : Clusterer {
+  Clusters cluster(const DrawView& draw, Run&) override {
+    Clusters clusters;
+    for (std::uint32_t t = 0; t < draw.triangle_count(); t += 2) clusters.offsets.push_back(t);
+    clusters.offsets.push_back(static_cast<std::uint32_t>(draw.triangle_count()));
+    return clusters;
+  }
+};
+
+struct AddDraw final : Processor {
+  void process(Scene& scene, const std::vector<DrawId>& draws, Run&) override {
+    if (draws.empty()) return;
+    Draw copy = scene.draws[draws.front()];
+    copy.name += " again";
+    copy.origin.reset();
+    const auto id = static_cast<DrawId>(scene.draws.size());
+    scene.draws.push_back(std::move(copy));
+    scene.meshes.front().draws.push_back(id);
+  }
+};
+
+struct DoubleTriangles final : DrawProcessor {
+  Draw process(const DrawView& draw, Run&) override {
+    Draw result = draw.draw();
+    std::vector<std::uint32_t> indices(draw.indices().begin(), draw.indices().end());
+    indices.insert(indices.end(), draw.indices().begin(), draw.indices().end());
+    result.levels[0].orders = {{.indices = Shared<std::uint32_t>(std::move(indices))}};
+    return result;
+  }
+};
+
+struct EmptyImages final : ImageProcessor {
+  Image process(const Image& image, Run&) override {
+    Image result = image;
+    result.bytes = {};
+    return result;
+  }
+};
+
+struct CountDraws final : Evaluator {
+  void evaluate(const Scene& scene, Run& run) override { run.count("draws", static_cast<double>(scene.draws.size())); }
+};
+
+struct CountTriangles final : DrawEvaluator {
+  void evaluate(const DrawView& draw, Run& run) override {
+    run.count("triangles", static_cast<double>(draw.triangle_count()));
+    run.measure("corners-per-vertex", static_cast<double>(draw.indices().size()), static_cast<double>(draw.vertex_count()));
+  }
+};
+
+struct CountBytes final : ImageEvaluator {
+  void evaluate(const Image& image, Run& run) override { run.count("bytes", static_cast<double>(image.bytes.size())); }
+};
+
+struct AskOverdraw final : DrawOrderer {
+  IndexOrder order(const DrawView& draw, Run& run) override {
+    if (run.overdraw == nullptr) throw std::runtime_error("nobody measures overdraw");
+    const Subject subject{draw.draw().name, {{draw.id, {}}}};
+    const OverdrawCount count = run.overdraw->count(draw.scene, subject, run.views, run)[0][0];
+    return count.shaded > count.visible ? falling(draw.triangle_count()) : rising(draw.triangle_count());
+  }
+};
+
+struct FixedOverdraw final : OverdrawService {
+  OverdrawCounts count(const Scene&, const Subject& subject, const Views&, Run&) override {
+    return OverdrawCounts(subject.parts.size(), {{3, 2, 0}});
+  }
+};
+
+struct Faulty final : DrawOrderer {
+  explicit Faulty(FaultyOptions o) : options(std::move(o)) {}
+  IndexOrder order(const DrawView& draw, Run&) override {
+    IndexOrder order = rising(draw.triangle_count());
+    if (options.on != "*" && options.on != draw.draw().name) return order;
+    if (options.fault == "throw") throw std::runtime_error("something went wrong");
+    if (options.fault == "odd-throw") throw 42;
+    if (options.fault == "short") order.pop_back();
+    if (options.fault == "repeat") order.front() = order.back();
+    return order;
+  }
+  FaultyOptions options;
+};
+
+}  // namespace
+
+Plugin reverse_draw() {
+  return plugin_of<ReverseDraw>(Kind::orderer, {.name = "reverse-draw", .acts_on = {traits::triangles}, .provides = {traits::cache_ordered}});
+}
+Plugin two_orders() { return plugin_of<TwoOrders>(Kind::orderer, {.name = "two-orders", .acts_on = {traits::triangles}}); }
+Plugin reverse_vertices() { return plugin_of<ReverseVertices>(Kind::orderer, {.name = "reverse-vertices"}); }
+Plugin pairs() {
+  return plugin_of<Pairs>(Kind::clusterer, {.name = "pairs", .acts_on = {traits::triangles}, .provides = {traits::clustered}});
+}
+Plugin add_draw() { return plugin_of<AddDraw>(Kind::processor, {.name = "add-draw", .acts_on = {traits::triangles}}); }
+Plugin double_triangles() {
+  return plugin_of<DoubleTriangles>(Kind::processor, {.name = "double-triangles", .acts_on = {traits::triangles}, .breaks = {traits::clustered}});
+}
+Plugin empty_images() { return plugin_of<EmptyImages>(Kind::processor, {.name = "empty-images"}); }
+Plugin count_draws() {
+  return plugin_of<CountDraws>(Kind::evaluator, {.name = "count-draws", .metrics = {{"draws", "draws", "How many"}}});
+}
+Plugin count_triangles() {
+  return plugin_of<CountTriangles>(Kind::evaluator, {.name = "count-triangles",
+                                                     .acts_on = {traits::triangles},
+                                                     .metrics = {{"triangles", "triangles", "How many"},
+                                                                 {"corners-per-vertex", "corners per vertex", "Sharing"}}});
+}
+Plugin count_bytes() {
+  return plugin_of<CountBytes>(Kind::evaluator, {.name = "count-bytes", .metrics = {{"bytes", "bytes", "How many"}}});
+}
+Plugin ask_overdraw() {
+  return plugin_of<AskOverdraw>(Kind::orderer, {.name = "ask-overdraw", .acts_on = {traits::triangles}, .uses_overdraw = true});
+}
+Plugin answer_overdraw() {
+  Plugin plugin = plugin_of<CountDraws>(Kind::evaluator, {.name = "answer-overdraw", .metrics = {{"draws", "draws", "How many"}}});
+  plugin.overdraw_service = [](const Settings&) { return std::make_unique<FixedOverdraw>(); };
+  return plugin;
+}
+
+Plugin faulty() {
+  Plugin plugin = plugin_of<ReverseDraw>(Kind::orderer, {.name = "faulty", .acts_on = {traits::triangles}});
+  OptionTable<FaultyOptions> table;
+  table.row(&FaultyOptions::fault, "fault", "What goes wrong").row(&FaultyOptions::on, "on", "Where");
+  bind_options(plugin, table, [](const FaultyOptions& options) { return std::make_unique<Faulty>(options); });
+  return plugin;
+}
+
+Plugin unavailable() {
+  Plugin plugin = plugin_of<ReverseDraw>(Kind::orderer, {.name = "unavailable", .acts_on = {traits::triangles}});
+  plugin.unavailable = [] { return std::optional<std::string>("no such device"); };
+  return plugin;
+}
+
+Plugin needs_clusters() {
+  return plugin_of<ReverseDraw>(Kind::orderer, {.name = "needs-clusters",
+                                                .acts_on = {traits::triangles},
+                                                .needs = {traits::clustered},
+                                                .breaks = {traits::cache_ordered}});
+}
+
+void add_test_plugins(Registry& registry) {
+  for (const auto& make : {reverse_draw, two_orders, reverse_vertices, pairs, add_draw, double_triangles, empty_images,
+                           count_draws, count_triangles, count_bytes, ask_overdraw, answer_overdraw, faulty, unavailable,
+                           needs_clusters}) {
+    registry.add(make());
+  }
+}
+
+}  // namespace foredraw::testing

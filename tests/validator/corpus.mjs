@@ -1,0 +1,37 @@
+// Every model of a folder goes through the program, and what comes out must be as valid as what went in:
+//   node corpus.mjs PROGRAM FOLDER OUTPUT_FOLDER
+// Exit 1 where the program failed, or wrote a file with an error that its input did not have.
+
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import { new_errors, validate } from './validate.mjs';
+
+function models_below(folder) {
+  return readdirSync(folder, { withFileTypes: true })
+    .sort((a, b) => (a.name < b.name ? -1 : 1))
+    .flatMap((entry) => {
+      const place = path.join(folder, entry.name);
+      if (entry.isDirectory()) return models_below(place);
+      return /\.(glb|gltf)$/.test(entry.name) ? [place] : [];
+    });
+}
+
+const [program, folder, output_folder] = process.argv.slice(2);
+const models = models_below(folder);
+let failures = 0;
+for (const model of models) {
+  const name = path.relative(folder, model);
+  const output = path.join(output_folder, name);
+  mkdirSync(path.dirname(output), { recursive: true });
+
+  const run = spawnSync(program, ['optimize', model, '-o', output], { encoding: 'utf8' });
+  const faults =
+    run.status === 0
+      ? new_errors(await validate(model), await validate(output))
+      : [`the program ended with ${run.status ?? run.signal ?? run.error?.message}\n${run.stderr ?? ''}`];
+  if (faults.length > 0) ++failures;
+  console.log(faults.length === 0 ? `ok    ${name}` : `FAIL  ${name}: ${faults.join(', ')}`);
+}
+console.log(`${models.length} models, ${failures} failed`);
+process.exit(models.length > 0 && failures === 0 ? 0 : 1);
