@@ -49,29 +49,39 @@ class OverdrawRaster final : public Evaluator {
   void evaluate(const Scene& scene, Run& run) override {
     const std::vector<Subject> subjects = subjects_of(scene);
     OverdrawCounts by_draw(scene.draws.size(), std::vector<OverdrawCount>(views_.views.size()));
+    std::vector<OverdrawCount> by_subject;  // [subject * views + view]
     std::size_t non_finite = 0;
     for (std::size_t i = 0; i < subjects.size(); ++i) {
       if (run.cancelled()) throw std::runtime_error("cancelled");
       if (run.progress) run.progress(static_cast<double>(i) / static_cast<double>(subjects.size()));
       const DrawnSubject drawn = drawn_subject(scene, subjects[i], faces_);
       const OverdrawCounts counts = overdraw_raster(drawn, views_, run.executor);
+      by_subject.resize((i + 1) * views_.views.size());
       for (std::size_t part = 0; part < counts.size(); ++part) {
         std::vector<OverdrawCount>& sums = by_draw[subjects[i].parts[part].draw];
-        for (std::size_t view = 0; view < sums.size(); ++view) sums[view] += counts[part][view];
+        for (std::size_t view = 0; view < sums.size(); ++view) {
+          sums[view] += counts[part][view];
+          by_subject[i * sums.size() + view] += counts[part][view];
+        }
         non_finite += count_non_finite_triangles(drawn.parts[part]);
       }
     }
-    for (DrawId draw = 0; draw < by_draw.size(); ++draw) measure(run, {draw, {}}, by_draw[draw]);
+    for (DrawId draw = 0; draw < by_draw.size(); ++draw) measure(run, {draw, {}}, by_draw[draw], by_draw[draw]);
+    std::vector<OverdrawCount> by_view(views_.views.size());
+    for (std::size_t i = 0; i < by_subject.size(); ++i) by_view[i % by_view.size()] += by_subject[i];
+    measure(run, {}, by_view, by_subject);
     tell_what_is_not_as_drawn(scene, run, non_finite);
   }
 
  private:
-  static void measure(const Run& run, Place place, std::span<const OverdrawCount> views) {
+  /// `views`: summed over whatever the place holds; `pictures`: each picture that somebody sees, for the mean.
+  static void measure(const Run& run, Place place, std::span<const OverdrawCount> views,
+                      std::span<const OverdrawCount> pictures) {
     OverdrawCount sum;
     for (const OverdrawCount& count : views) sum += count;
     if (sum.shaded + sum.ties == 0) return;  // never seen
     const Estimate ratio = overdraw_ratio(views);
-    const Estimate mean = overdraw_view_mean(views);
+    const Estimate mean = overdraw_view_mean(pictures);
     run.measure_at(place, "ratio", ratio.numerator, ratio.denominator, ratio.error);
     run.measure_at(place, "view-mean", mean.numerator, mean.denominator, mean.error);
     run.measure_at(place, "tie-share", static_cast<double>(sum.ties), static_cast<double>(sum.visible));

@@ -79,7 +79,8 @@ std::string_view nearest(std::string_view word, const std::vector<std::string>& 
   std::string_view best;
   std::size_t best_distance = word.size() / 3 + 2;
   for (const std::string& candidate : candidates) {
-    const std::size_t distance = is_part_of(word, candidate) ? 1 : edit_distance(word, candidate);
+    std::size_t distance = edit_distance(word, candidate);
+    if (is_part_of(word, candidate)) distance = std::min<std::size_t>(distance, 1);
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;

@@ -48,5 +48,6 @@ std::string_view to_text(Severity severity);
 
 /// The candidate nearest to `word` by edit distance, or nothing where none is near enough to be what was meant.
 std::string_view nearest(std::string_view word, const std::vector<std::string>& candidates);
+std::string_view nearest(std::string_view word, const std::vector<std::string>&& candidates) = delete;  // would dangle
 
 }  // namespace foredraw

@@ -1,10 +1,10 @@
 #include <foredraw/base/parallel.h>
 
-#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -14,17 +14,13 @@
 namespace foredraw {
 
 struct Executor::Arena {
-  // The arena alone would let TBB's default (the processors) cap what the caller asked for.
-  tbb::global_control allow;
   tbb::task_arena arena;
-  explicit Arena(int threads)
-      : allow(tbb::global_control::max_allowed_parallelism,
-              static_cast<std::size_t>(std::max(threads, tbb::info::default_concurrency()))),
-        arena(threads) {}
 };
 
 Executor::Executor(int threads)
-    : threads_(threads > 0 ? threads : tbb::info::default_concurrency()), arena_(std::make_unique<Arena>(threads_)) {}
+    : threads_(threads > 0 ? threads : tbb::info::default_concurrency()),
+      // More than there are processors would gain nothing, and TBB complains of it on standard error.
+      arena_(new Arena{tbb::task_arena(std::min(threads_, tbb::info::default_concurrency()))}) {}
 
 Executor::~Executor() = default;
 

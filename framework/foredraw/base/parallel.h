@@ -10,7 +10,7 @@ namespace foredraw {
 
 class Executor {
  public:
-  /// `threads` = 0: one for each processor.
+  /// At most `threads` at once, and never more than there are processors; 0: one for each processor.
   explicit Executor(int threads = 0);
   ~Executor();
   Executor(const Executor&) = delete;

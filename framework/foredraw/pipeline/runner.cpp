@@ -5,6 +5,7 @@
 #include <foredraw/pipeline/stage_runner.h>
 #include <foredraw/platform/memory.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace foredraw {
@@ -140,7 +141,9 @@ class PlanRunner {
     if (stage.left_out) {
       record.skipped.push_back({"unavailable", *stage.left_out, {}});
     } else {
-      const auto measured = run_stage(stage, number, result_.scene, plan_, surroundings_, record, diagnostics_);
+      auto measured = run_stage(stage, number, result_.scene, plan_, surroundings_, record, diagnostics_);
+      // Figures of the whole scene last: they stand in place of the sum over its parts.
+      std::ranges::stable_partition(measured, [](const Measured& figure) { return figure.place != Place{}; });
       for (const Measured& figure : measured) book(figure);
     }
     record.seconds = clock.seconds();
@@ -152,12 +155,16 @@ class PlanRunner {
             StateRecord& total) {
     Report& report = result_.report;
     const Figure figure = figure_of(measured, stage.plugin->card);
-    total.metrics.add(stage.label, measured.metric, figure);
     if (measured.place.draw && *measured.place.draw < report.draws.size()) {
       (report.draws[*measured.place.draw].*draw_state).metrics.add(stage.label, measured.metric, figure);
     }
     if (measured.place.image && *measured.place.image < report.images.size()) {
       (report.images[*measured.place.image].*image_state).add(stage.label, measured.metric, figure);
+    }
+    if (measured.place == Place{}) {
+      total.metrics.set(stage.label, measured.metric, figure);
+    } else {
+      total.metrics.add(stage.label, measured.metric, figure);
     }
   }
 

@@ -60,8 +60,10 @@ class StageRunner {
 
   void run(DrawProcessor& technique) {
     accept_draws(over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
-      outcome.answer = technique.process(draw, run);
-      if (stage_.plugin->card.lossless) certify(draw.draw(), *outcome.answer, run.analyses);
+      Draw changed = technique.process(draw, run);
+      if (run.keeps()) return;
+      if (stage_.plugin->card.lossless) certify(draw.draw(), changed, run.analyses);
+      outcome.answer = std::move(changed);
     }));
   }
 
@@ -118,10 +120,10 @@ class StageRunner {
         if (changed.draws.size() != scene_.draws.size()) throw std::runtime_error("it promised the same draws");
         for (DrawId id : choice_.draws) certify(scene_.draws[id], changed.draws[id], run.analyses);
       }
-      outcome.answer = std::move(changed);
+      if (!run.keeps()) outcome.answer = std::move(changed);
     });
-    if (!accept(outcomes[0], "")) return;
-    scene_ = std::move(*outcomes[0].answer);
+    if (accept(outcomes[0], "")) scene_ = std::move(*outcomes[0].answer);
+    if (outcomes[0].failed()) return;
     for (DrawId id : choice_.draws) {
       if (id < scene_.draws.size()) update_traits(scene_.draws[id]);
     }
@@ -129,7 +131,8 @@ class StageRunner {
 
   void run(ImageProcessor& technique) {
     auto outcomes = over_images<Image>([&](const Image& image, Run& run, Outcome<Image>& outcome) {
-      outcome.answer = technique.process(image, run);
+      Image changed = technique.process(image, run);
+      if (!run.keeps()) outcome.answer = std::move(changed);
     });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       if (accept(outcomes[i], scene_.images[i].name)) scene_.images[i] = std::move(*outcomes[i].answer);

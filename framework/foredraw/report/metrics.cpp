@@ -14,10 +14,8 @@ void Metrics::add(const std::string& plugin, const std::string& metric, const Fi
   sum.numerator += figure.numerator;
 }
 
-void Metrics::add(const Metrics& others) {
-  for (const auto& [plugin, metrics] : others.by_plugin_) {
-    for (const auto& [metric, figure] : metrics) add(plugin, metric, figure);
-  }
+void Metrics::set(const std::string& plugin, const std::string& metric, const Figure& figure) {
+  by_plugin_[plugin][metric] = figure;
 }
 
 const Figure* Metrics::find(const std::string& plugin, const std::string& metric) const {

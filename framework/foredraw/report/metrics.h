@@ -25,7 +25,8 @@ class Metrics {
   /// Adds to what is there: numerators and denominators add up; errors are averaged by their denominators, which is never
   /// too low, however the errors are correlated.
   void add(const std::string& plugin, const std::string& metric, const Figure& figure);
-  void add(const Metrics& others);
+  /// Puts the figure in the place of what is there.
+  void set(const std::string& plugin, const std::string& metric, const Figure& figure);
 
   const Figure* find(const std::string& plugin, const std::string& metric) const;
   const std::map<std::string, std::map<std::string, Figure>>& all() const { return by_plugin_; }

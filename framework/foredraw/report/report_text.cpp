@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 namespace foredraw {
 
@@ -66,19 +67,33 @@ std::string places_text(const std::vector<std::string>& places) {
   std::string text;
   for (std::size_t i = 0; i < places.size() && i < shown; ++i) {
     if (i > 0) text += ", ";
-    text += places[i];
+    text += places[i].empty() ? "the scene" : places[i];
   }
   if (places.size() > shown) text += fmt::format(" and {} more", places.size() - shown);
   return text;
 }
 
-std::string stage_text(const StageRecord& stage) {
+std::string skip_text(const StageRecord& stage, const SkipRecord& skip) {
+  const std::string places = places_text(skip.places);
+  return fmt::format("  {} left {} alone: {}\n", stage.use, places.empty() ? "all" : places, skip.reason);
+}
+
+/// Reasons with figures in them differ from draw to draw: of each kind the first few, and how many more there are.
+std::string skips_text(const StageRecord& stage) {
+  constexpr std::size_t shown = 3;
+  std::map<std::string, std::size_t> of_code;
   std::string text;
   for (const SkipRecord& skip : stage.skipped) {
-    text += fmt::format("  {} left alone", stage.use);
-    if (const std::string places = places_text(skip.places); !places.empty()) text += ' ' + places;
-    text += ": " + skip.reason + '\n';
+    if (++of_code[skip.code] <= shown) text += skip_text(stage, skip);
   }
+  for (const auto& [code, count] : of_code) {
+    if (count > shown) text += fmt::format("  {} left {} more alone ({}); the record has them all\n", stage.use, count - shown, code);
+  }
+  return text;
+}
+
+std::string stage_text(const StageRecord& stage) {
+  std::string text = skips_text(stage);
   for (const NoteRecord& note : stage.notes) {
     text += fmt::format("  {}{}{}: {}\n", stage.use, note.place.empty() ? "" : " on ", note.place, note.message);
   }

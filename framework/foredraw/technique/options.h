@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -19,6 +20,9 @@ using OptionValue = std::variant<std::monostate, bool, std::int64_t, double, std
 
 /// By option name, checked against the table.
 using Settings = std::map<std::string, OptionValue>;
+
+/// Words of a pipeline's stage, which no option may be called.
+inline constexpr std::string_view reserved_words[] = {"use", "only", "required", "enabled", "blended"};
 
 enum class OptionType { boolean, integer, number, text, choice, number_or_text };
 

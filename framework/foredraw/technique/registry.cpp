@@ -1,6 +1,7 @@
 #include <foredraw/technique/registry.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 namespace foredraw {
@@ -22,8 +23,12 @@ void Registry::add(Plugin plugin) {
     throw std::invalid_argument("plugin name '" + name + "': expected lower-case letters, digits and hyphens");
   }
   if (plugins_.contains(name)) throw std::invalid_argument("there is a plugin '" + name + "' already");
+  std::set<std::string> seen(std::begin(reserved_words), std::end(reserved_words));
   for (const OptionSpec& option : plugin.options) {
     if (!is_name(option.name)) throw std::invalid_argument(name + ": option name '" + option.name + "'");
+    if (!seen.insert(option.name).second) {
+      throw std::invalid_argument(name + ": option name '" + option.name + "' is reserved, or there twice");
+    }
     if (std::holds_alternative<std::monostate>(option.default_value)) continue;
     const auto fitted = fit(option, option.default_value);
     if (const auto* why = std::get_if<std::string>(&fitted)) {

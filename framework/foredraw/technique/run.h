@@ -18,7 +18,8 @@ namespace foredraw {
 
 class OverdrawService;
 
-/// What a figure or a note is about: a draw, an image, or, with neither, the scene.
+/// What a figure or a note is about: a draw, an image, or, with neither, the scene. A figure of the scene stands in place of
+/// the sum over its draws and images.
 struct Place {
   std::optional<DrawId> draw;
   std::optional<ImageId> image;

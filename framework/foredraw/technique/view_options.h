@@ -14,7 +14,7 @@ void add_view_rows(OptionTable<Options>& table) {
                        "Where to look from: icosphere, fibonacci, axes or random; a bare number means that icosphere");
   table.template row<std::optional<int>>(&ViewSet::count, "count",
                                          "How many views; by default 162 of an icosphere, else 100", {1, 100000, "views"});
-  table.template row<std::int64_t>(&ViewSet::seed, "seed", "Seed of random views", {0, 9007199254740992.0});
+  table.template row<std::int64_t>(&ViewSet::seed, "seed", "Seed of random views", {.least = 0});
   table.template row<std::optional<double>>(
       &ViewSet::distance, "distance", "Distance of the camera from the centre; without it the view is orthographic",
       {1.01, 1e6, "bounding-sphere radii"});

@@ -14,24 +14,25 @@ class Tipsify final : public DrawOrderer {
   explicit Tipsify(TipsifyOptions options) : options_(options) {}
 
   IndexOrder order(const DrawView& draw, Run& run) override {
+    const CacheCount before = count(draw.indices(), draw.vertex_count());
+    if (before.misses == before.referenced) {
+      run.keep("each of its vertices is shaded once, and no order does with less");
+      return {};
+    }
     IndexOrder order = tipsify(draw.indices(), draw.vertex_count(), options_);
-    keep_if_no_better(draw, order, run);
+    const CacheCount after = count(with_triangle_order(draw.stream(), order).indices.view(), draw.vertex_count());
+    if (after.misses >= before.misses) {
+      run.keep(fmt::format("in tipsify's order {} vertices would miss the cache, and in its own {} do", after.misses,
+                           before.misses));
+    }
     return order;
   }
 
   int cache_size() const override { return options_.cache_size; }
 
  private:
-  /// Some files come in an order that a greedy walk can not beat.
-  void keep_if_no_better(const DrawView& draw, const IndexOrder& order, Run& run) const {
-    const std::uint64_t before = misses(draw.indices(), draw.vertex_count());
-    const std::uint64_t after = misses(with_triangle_order(draw.stream(), order).indices.view(), draw.vertex_count());
-    if (after < before) return;
-    run.keep(fmt::format("tipsify's order would have {} vertex cache misses, and the one there is has {}", after, before));
-  }
-
-  std::uint64_t misses(std::span<const std::uint32_t> indices, std::size_t vertex_count) const {
-    return count_fifo(indices, vertex_count, static_cast<std::uint32_t>(options_.cache_size)).misses;
+  CacheCount count(std::span<const std::uint32_t> indices, std::size_t vertex_count) const {
+    return count_fifo(indices, vertex_count, static_cast<std::uint32_t>(options_.cache_size));
   }
 
   TipsifyOptions options_;

@@ -33,14 +33,16 @@ class WeldVertices final : public Processor {
     run.executor.for_each(groups.size(), [&](std::size_t i) {
       welds[i] = weld(*groups[i].vertices, index_streams_of(scene, groups[i]), options_);
     });
+    bool any = false;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       const Place first_user{.draw = groups[i].users.front().draw, .image = {}};
       run.count_at(first_user, "merged", welds[i].merged);
       run.count_at(first_user, "unused", welds[i].unused);
-      if (welds[i].count < groups[i].vertices->count) {
-        move_vertices(scene, groups[i], welds[i].destination, welds[i].count);
-      }
+      if (welds[i].count == groups[i].vertices->count) continue;
+      move_vertices(scene, groups[i], welds[i].destination, welds[i].count);
+      any = true;
     }
+    if (!any) run.keep("no two of its vertices are equal, and each is used");
   }
 
  private:

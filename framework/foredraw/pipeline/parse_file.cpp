@@ -1,0 +1,227 @@
+#include <foredraw/pipeline/parse.h>
+#include <foredraw/pipeline/private/line_scanner.h>
+#include <foredraw/pipeline/private/words.h>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace foredraw {
+
+namespace {
+
+constexpr std::int64_t format_version = 1;
+
+// toml++ goes as deep into the stack as a dotted key has names, and knows no limit there.
+constexpr std::ptrdiff_t most_dots = 4096;
+
+std::string_view kind_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table: return "a table";
+    case toml::node_type::array: return "a list";
+    case toml::node_type::string: return "a text";
+    case toml::node_type::integer: return "a whole number";
+    case toml::node_type::floating_point: return "a number";
+    case toml::node_type::boolean: return "true or false";
+    default: return "a date or time";
+  }
+}
+
+class FileReader {
+ public:
+  FileReader(const std::string& name, Diagnostics& diagnostics) : name_(name), diagnostics_(diagnostics) {}
+
+  Pipeline read(const toml::table& root) {
+    check_version(root);
+    const auto words = pipeline_words();
+    Pipeline pipeline =
+        words.read(fitted(root, words.specs(), {"pipeline", "stages", "measure", "views", "services"}, ""));
+    pipeline.stages = read_list(root, "stages");
+    pipeline.measure = read_list(root, "measure");
+    if (const toml::table* table = table_in(root, "views")) pipeline.views = read_views(*table);
+    if (const toml::table* table = table_in(root, "services")) pipeline.overdraw = read_services(*table);
+    return pipeline;
+  }
+
+ private:
+  Where at(const toml::source_region& region, std::string inside) const {
+    return {name_, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), std::move(inside)};
+  }
+
+  void error(Where where, std::string code, std::string message, std::string hint = {}) {
+    diagnostics_.error(std::move(where), std::move(code), std::move(message), std::move(hint));
+  }
+
+  void wrong_kind(const toml::node& node, std::string inside, std::string_view what, std::string_view wanted,
+                  std::string hint = {}) {
+    error(at(node.source(), std::move(inside)), "bad-value",
+          fmt::format("{} must be {}, not {}", what, wanted, kind_of(node)), std::move(hint));
+  }
+
+  void check_version(const toml::table& root) {
+    const toml::node* node = root.get("pipeline");
+    if (node == nullptr) {
+      error({name_, 1, 1, {}}, "missing-version", "the file does not say that it is a pipeline",
+            fmt::format("add pipeline = {} as its first line", format_version));
+    } else if (!node->is_integer()) {
+      wrong_kind(*node, "", "'pipeline'", fmt::format("the format's version, {}", format_version));
+    } else if (node->as_integer()->get() != format_version) {
+      error(at(node->source(), ""), "unknown-version",
+            fmt::format("'pipeline' is {}, but this program knows version {} of the format alone",
+                        node->as_integer()->get(), format_version),
+            fmt::format("write pipeline = {}", format_version));
+    }
+  }
+
+  std::optional<OptionValue> value_of(const toml::node& node, std::string_view key, const std::string& inside) {
+    if (const auto* truth = node.as_boolean()) return truth->get();
+    if (const auto* whole = node.as_integer()) return whole->get();
+    if (const auto* number = node.as_floating_point()) return number->get();
+    if (const auto* text = node.as_string()) return text->get();
+    wrong_kind(node, inside, fmt::format("'{}'", key), "a text, a number, true or false");
+    return std::nullopt;
+  }
+
+  void unknown_key(const toml::key& key, const std::string& inside, std::vector<std::string> known) {
+    const std::string_view near = nearest(key.str(), known);
+    error(at(key.source(), inside), "unknown-key", fmt::format("there is no '{}' here", key.str()),
+          near.empty() ? fmt::format("there are {}", fmt::join(known, ", ")) : fmt::format("did you mean '{}'?", near));
+  }
+
+  /// The values that the rows ask for; whatever is neither in a row nor in `others` is unknown.
+  Settings fitted(const toml::table& table, const std::vector<OptionSpec>& rows, const std::vector<std::string>& others,
+                  const std::string& inside) {
+    std::vector<std::string> known = others;
+    for (const OptionSpec& row : rows) known.push_back(row.name);
+    Settings settings;
+    for (const auto& [key, node] : table) {
+      const std::string name(key.str());
+      const auto row = std::ranges::find(rows, name, &OptionSpec::name);
+      if (row == rows.end()) {
+        if (std::ranges::find(others, name) == others.end()) unknown_key(key, inside, known);
+        continue;
+      }
+      const auto value = value_of(node, name, inside);
+      if (!value) continue;
+      auto result = fit(*row, *value);
+      if (const auto* why = std::get_if<std::string>(&result)) {
+        error(at(node.source(), inside), "bad-value", *why);
+      } else {
+        settings[name] = std::get<OptionValue>(std::move(result));
+      }
+    }
+    return settings;
+  }
+
+  const toml::table* table_in(const toml::table& root, std::string_view name) {
+    const toml::node* node = root.get(name);
+    if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
+    wrong_kind(*node, "", fmt::format("'{}'", name), "a table", fmt::format("begin it with [{}]", name));
+    return nullptr;
+  }
+
+  std::vector<Stage> read_list(const toml::table& root, const std::string& name) {
+    std::vector<Stage> stages;
+    const toml::node* node = root.get(name);
+    if (node == nullptr) return stages;
+    if (!node->is_array()) {
+      wrong_kind(*node, "", fmt::format("'{}'", name), "a list", fmt::format("write {} = [ ... ]", name));
+      return stages;
+    }
+    const toml::array& list = *node->as_array();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (auto stage = read_stage(list[i], fmt::format("{}[{}]", name, i))) stages.push_back(std::move(*stage));
+    }
+    return stages;
+  }
+
+  std::optional<Stage> read_stage(const toml::node& node, const std::string& inside) {
+    if (const auto* text = node.as_string()) return read_stage_text(text->get(), node.source(), inside);
+    if (const auto* table = node.as_table()) return read_stage_table(*table, inside);
+    wrong_kind(node, inside, "a stage", "a text or a table",
+               "such as \"weld\" or { use = \"tipsify\", cache-size = 16 }");
+    return std::nullopt;
+  }
+
+  std::optional<Stage> read_stage_table(const toml::table& table, const std::string& inside) {
+    StageWords words;
+    bool good = true;
+    for (const auto& [key, node] : table) {
+      const std::string name(key.str());
+      if (auto value = value_of(node, name, inside)) {
+        words.values[name] = std::move(*value);
+        words.where[name] = at(node.source(), inside);
+      } else {
+        good = false;
+      }
+    }
+    auto stage = stage_of(words, at(table.source(), inside), diagnostics_);
+    return good ? stage : std::nullopt;
+  }
+
+  /// A text is a stage in the one-line form, with options or without.
+  std::optional<Stage> read_stage_text(const std::string& text, const toml::source_region& region,
+                                       const std::string& inside) {
+    // Between plain quotes every character is as far from the beginning as it looks.
+    const auto characters =
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    const bool exact = region.begin.line == region.end.line &&
+                       region.begin.column + static_cast<std::size_t>(characters) + 2 == region.end.column;
+    TextPlace place{at(region, inside), exact};
+    if (exact) ++place.start.column;
+    auto stages = scan_stages(text, place, diagnostics_);
+    if (!stages) return std::nullopt;
+    if (stages->size() == 1) return std::move(stages->front());
+    error(at(region, inside), "bad-value", fmt::format("expected one stage, found {}", stages->size()),
+          "give each stage a text of its own");
+    return std::nullopt;
+  }
+
+  ViewSet read_views(const toml::table& table) {
+    const auto words = view_words();
+    const ViewSet views = words.read(fitted(table, words.specs(), {}, "views"));
+    if (const auto mistake = mistake_in(views)) error(at(table.source(), "views"), "bad-views", *mistake);
+    return views;
+  }
+
+  std::optional<Stage> read_services(const toml::table& table) {
+    fitted(table, {}, {"overdraw"}, "services");
+    const toml::node* node = table.get("overdraw");
+    return node == nullptr ? std::nullopt : read_stage(*node, "services.overdraw");
+  }
+
+  const std::string& name_;
+  Diagnostics& diagnostics_;
+};
+
+/// toml++ walks a table by its keys' names; people read a file from its top.
+std::vector<Diagnostic> from_the_top(std::vector<Diagnostic> found) {
+  std::ranges::stable_sort(found, {}, [](const Diagnostic& d) { return std::tuple(d.where.line, d.where.column); });
+  return found;
+}
+
+}  // namespace
+
+std::optional<Pipeline> parse_file(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
+  if (std::ranges::count(text, '.') > most_dots) {
+    diagnostics.error({.file = name}, "too-large",
+                      fmt::format("the file has more than {} dots, as no pipeline has", most_dots));
+    return std::nullopt;
+  }
+  Diagnostics found;
+  std::optional<Pipeline> pipeline;
+  try {
+    pipeline = FileReader(name, found).read(toml::parse(text, std::string_view(name)));
+  } catch (const toml::parse_error& problem) {
+    const toml::source_position place = problem.source().begin;
+    found.error({name, static_cast<int>(place.line), static_cast<int>(place.column), {}}, "syntax",
+                std::string(problem.description()), "the file is no TOML; see https://toml.io");
+  }
+  for (const Diagnostic& diagnostic : from_the_top(found.all())) diagnostics.add(diagnostic);
+  if (found.has_errors()) return std::nullopt;
+  return pipeline;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,42 @@
+#pragma once
+// A pipeline as it was written: what to run, in which sequence, with which options. A value that says nothing yet of
+// whether it can run; plan() does.
+
+#include <foredraw/analysis/view_sphere.h>
+#include <foredraw/base/diagnostics.h>
+#include <foredraw/technique/options.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foredraw {
+
+/// One stage: a plugin's name, its options as written, and the reserved words.
+struct Stage {
+  std::string use;
+  Settings settings;       ///< as written; checked against the plugin's table by the planner
+  std::string only;        ///< names of draws, with * and ?; empty: all
+  bool required = false;   ///< an error where it would be skipped
+  bool enabled = true;
+  bool blended = false;    ///< also reorder blended draws
+
+  Where where;                              ///< of the stage in the text
+  std::map<std::string, Where> option_where;  ///< of each option's value
+};
+
+struct Pipeline {
+  std::string about;
+  std::vector<Stage> stages;
+  std::vector<Stage> measure;
+  ViewSet views;                  ///< what orders are optimised for
+  std::optional<Stage> overdraw;  ///< [services]: who answers for measured overdraw
+  std::int64_t seed = 0;
+};
+
+/// Equal in all that decides what runs; places in the text are not compared.
+bool same_pipeline(const Pipeline& a, const Pipeline& b);
+
+}  // namespace foredraw

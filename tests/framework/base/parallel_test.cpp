@@ -1,0 +1,103 @@
+#include <foredraw/base/parallel.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace foredraw {
+namespace {
+
+TEST(Executor, CallsEveryIndexOnce) {
+  for (const int threads : {1, 2, 7}) {
+    const Executor executor(threads);
+    EXPECT_EQ(executor.threads(), threads);
+    for (const std::size_t count : {0, 1, 2, 1000}) {
+      std::vector<std::atomic<int>> calls(count);
+      executor.for_each(count, [&](std::size_t i) { ++calls.at(i); });
+      for (const auto& each : calls) EXPECT_EQ(each, 1);
+    }
+  }
+}
+
+TEST(Executor, TakesAThreadForEachProcessorUnlessTold) {
+  EXPECT_GE(Executor().threads(), 1);
+  EXPECT_EQ(Executor(0).threads(), Executor().threads());
+}
+
+TEST(Executor, NeverUsesMoreThreadsThanAsked) {
+  const Executor executor(2);
+  std::atomic<int> running{0}, most{0};
+  executor.for_each(64, [&](std::size_t) {
+    const int now = ++running;
+    for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) continue;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    --running;
+  });
+  EXPECT_LE(most, 2);
+}
+
+TEST(Executor, OneThreadGoesInOrder) {
+  std::vector<std::size_t> seen;
+  std::set<std::thread::id> threads;
+  Executor(1).for_each(100, [&](std::size_t i) {
+    seen.push_back(i);
+    threads.insert(std::this_thread::get_id());
+  });
+  EXPECT_EQ(threads.size(), 1u);
+  for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], i);
+}
+
+TEST(Executor, ThreadsWorkAtTheSameTime) {
+  // Each of two tasks waits for the other: with one thread alone this would time out.
+  std::atomic<int> arrived{0};
+  std::atomic<bool> met{true};
+  Executor(2).for_each(2, [&](std::size_t) {
+    ++arrived;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (arrived < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    if (arrived < 2) met = false;
+  });
+  EXPECT_TRUE(met);
+}
+
+TEST(Executor, PassesAnExceptionOnAfterAllHaveEnded) {
+  const Executor executor(4);
+  std::atomic<int> running{0};
+  try {
+    executor.for_each(100, [&](std::size_t i) {
+      ++running;
+      if (i == 13) {
+        --running;
+        throw std::runtime_error("thirteen");
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+      --running;
+    });
+    FAIL() << "the exception was lost";
+  } catch (const std::runtime_error& problem) {
+    EXPECT_STREQ(problem.what(), "thirteen");
+    EXPECT_EQ(running, 0);
+  }
+  std::atomic<int> after{0};
+  executor.for_each(10, [&](std::size_t) { ++after; });
+  EXPECT_EQ(after, 10) << "an executor works on after an exception";
+}
+
+TEST(Executor, MayBeNested) {
+  for (const int threads : {1, 3}) {
+    const Executor executor(threads);
+    std::vector<std::vector<int>> calls(20, std::vector<int>(30, 0));
+    executor.for_each(
+        20, [&](std::size_t outer) { executor.for_each(30, [&](std::size_t inner) { ++calls[outer][inner]; }); });
+    EXPECT_EQ(calls, std::vector<std::vector<int>>(20, std::vector<int>(30, 1)));
+  }
+}
+
+}  // namespace
+}  // namespace foredraw

@@ -1,0 +1,122 @@
+#include <foredraw/pipeline/plan.h>
+
+#include "support/meshes.h"
+#include "support/test_plugins.h"
+
+#include <foredraw/pipeline/parse.h>
+
+#include <gtest/gtest.h>
+
+namespace foredraw {
+namespace {
+
+Registry registry() {
+  Registry registry;
+  testing::add_test_plugins(registry);
+  return registry;
+}
+
+/// Two draws: a plain one, and one that is blended.
+Scene scene() {
+  Draw glass = testing::draw_of(testing::grid(2, 2), "Glass");
+  glass.traits.add(traits::blended);
+  return testing::scene_of({testing::draw_of(testing::grid(3, 3), "Rock"), std::move(glass)});
+}
+
+struct Planned {
+  std::optional<Plan> plan;
+  Diagnostics diagnostics;
+  const Registry plugins = registry();
+
+  Planned(const std::string& stages, const Scene& scene, const std::string& measure = "") {
+    auto pipeline = parse_line(stages, diagnostics);
+    if (pipeline && !measure.empty()) pipeline->measure = *parse_stages(measure, "measure", diagnostics);
+    if (pipeline) plan = foredraw::plan(*pipeline, plugins, scene, diagnostics);
+  }
+  std::vector<std::string> codes() const {
+    std::vector<std::string> codes;
+    for (const Diagnostic& diagnostic : diagnostics.all()) codes.push_back(diagnostic.code);
+    return codes;
+  }
+};
+
+using Codes = std::vector<std::string>;
+
+TEST(Plan, TellsEveryMistakeAtOnce) {
+  const Planned planned("reverse-drow, faulty(fualt=\"throw\"), count-draws, faulty(fault=3)", scene(), "reverse-draw");
+  EXPECT_FALSE(planned.plan);
+  EXPECT_EQ(planned.codes(), (Codes{"unknown-plugin", "unknown-option", "wrong-list", "bad-option", "wrong-list"}));
+  const auto& all = planned.diagnostics.all();
+  EXPECT_EQ(all[0].hint, "did you mean 'reverse-draw'?");
+  EXPECT_EQ(all[1].hint, "did you mean 'fault'?");
+  EXPECT_EQ(all[0].where.column, 1);
+  EXPECT_GT(all[1].where.column, 15);
+}
+
+TEST(Plan, KeepsTheOrderOfBlendedDrawsUnlessAsked) {
+  const Planned planned("reverse-draw", scene());
+  ASSERT_TRUE(planned.plan);
+  EXPECT_EQ(planned.plan->stages[0].draws, (std::vector<DrawId>{0}));
+  ASSERT_EQ(planned.plan->stages[0].skips.size(), 1u);
+  EXPECT_EQ(planned.plan->stages[0].skips[0].code, "blended");
+  const Planned asked("reverse-draw(blended=true)", scene());
+  EXPECT_EQ(asked.plan->stages[0].draws, (std::vector<DrawId>{0, 1}));
+}
+
+TEST(Plan, LeavesDrawsWithUnknownExtensionsAlone) {
+  Scene extended = scene();
+  extended.draws[0].traits.add(traits::extended);
+  const Planned planned("reverse-draw, reverse-vertices, pairs", extended);
+  for (const PlannedStage& stage : planned.plan->stages) EXPECT_EQ(stage.skips.front().code, "extended");
+}
+
+TEST(Plan, RefusesANeedThatNoStageMeetsAndNamesWhoWould) {
+  const Planned planned("needs-clusters, pairs", scene());
+  EXPECT_FALSE(planned.plan);
+  ASSERT_EQ(planned.codes(), (Codes{"needs"}));
+  EXPECT_EQ(planned.diagnostics.all()[0].hint, "put 'pairs' before it");
+}
+
+TEST(Plan, SkipsDrawsForWhichTheNeedWasNotMet) {
+  const Planned planned("pairs(only=\"Rock\"), needs-clusters(blended=true)", scene());
+  ASSERT_TRUE(planned.plan);
+  EXPECT_EQ(planned.plan->stages[1].draws, (std::vector<DrawId>{0}));
+  EXPECT_EQ(planned.plan->stages[1].skips[0].reason, "not clustered");
+}
+
+TEST(Plan, WarnsWhereAStageUndoesAnother) {
+  const Planned planned("pairs, reverse-draw, needs-clusters", scene());
+  ASSERT_TRUE(planned.plan);
+  EXPECT_EQ(planned.codes(), (Codes{"undoes"}));
+}
+
+TEST(Plan, SkipsWithAReasonUnlessRequired) {
+  Scene points = scene();
+  for (Draw& draw : points.draws) draw.traits.remove(traits::triangles);
+  EXPECT_TRUE(Planned("reverse-draw", points).plan);
+  EXPECT_EQ(Planned("reverse-draw(required=true)", points).codes(), (Codes{"required"}));
+  EXPECT_EQ(Planned("unavailable(required=true)", scene()).codes(), (Codes{"required"}));
+  EXPECT_EQ(Planned("unavailable", scene()).plan->stages[0].left_out, "no such device");
+}
+
+TEST(Plan, FollowsOnlyAndEnabled) {
+  const Planned planned("reverse-draw(only=\"R*k\"), reverse-draw(enabled=false)", scene());
+  ASSERT_EQ(planned.plan->stages.size(), 1u);
+  EXPECT_EQ(planned.plan->stages[0].draws, (std::vector<DrawId>{0}));
+}
+
+TEST(Plan, FindsAServiceForWhoAsks) {
+  EXPECT_TRUE(Planned("ask-overdraw", scene()).plan->overdraw);
+  EXPECT_FALSE(Planned("reverse-draw", scene()).plan->overdraw);
+}
+
+TEST(Plan, TellsPeopleWhatRunsAndWhatDoesNot) {
+  const Scene held = scene();
+  const std::string text = to_text(*Planned("pairs, reverse-draw", held, "count-draws").plan, held);
+  EXPECT_NE(text.find("pairs: 2 of 2 draws"), std::string::npos) << text;
+  EXPECT_NE(text.find("leaves Glass alone: alpha-blended"), std::string::npos) << text;
+  EXPECT_NE(text.find("count-draws"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace foredraw

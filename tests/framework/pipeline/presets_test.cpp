@@ -1,0 +1,41 @@
+#include <foredraw/pipeline/parse.h>
+#include <foredraw/pipeline/presets.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace foredraw {
+namespace {
+
+TEST(Presets, AreThoseThatTheDocumentsName) {
+  std::vector<std::string_view> names;
+  for (const Preset& preset : presets()) names.push_back(preset.name);
+  EXPECT_EQ(names, (std::vector<std::string_view>{"cache-only", "default", "static-prop"}));
+}
+
+TEST(Presets, ParseSayWhatTheyAreForAndMeasure) {
+  for (const Preset& preset : presets()) {
+    Diagnostics diagnostics;
+    const auto pipeline = load_pipeline("@" + std::string(preset.name), diagnostics);
+    ASSERT_TRUE(pipeline) << to_text(diagnostics);
+    EXPECT_TRUE(diagnostics.empty());
+    EXPECT_FALSE(pipeline->about.empty()) << preset.name;
+    EXPECT_FALSE(pipeline->stages.empty()) << preset.name;
+    EXPECT_FALSE(pipeline->measure.empty()) << preset.name;
+  }
+}
+
+TEST(Presets, DifferFromEachOther) {
+  std::vector<Pipeline> pipelines;
+  for (const Preset& preset : presets()) {
+    Diagnostics diagnostics;
+    pipelines.push_back(parse_file(preset.text, std::string(preset.name), diagnostics).value());
+  }
+  for (std::size_t i = 0; i < pipelines.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(same_pipeline(pipelines[i], pipelines[j]));
+  }
+}
+
+}  // namespace
+}  // namespace foredraw

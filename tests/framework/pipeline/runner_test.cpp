@@ -1,0 +1,155 @@
+#include <foredraw/pipeline/runner.h>
+
+#include "support/meshes.h"
+#include "support/test_plugins.h"
+
+#include <foredraw/pipeline/parse.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace foredraw {
+namespace {
+
+class Runner : public ::testing::Test {
+ protected:
+  Runner() { testing::add_test_plugins(registry_); }
+
+  Result run(const std::string& stages, const Scene& scene, const std::string& measure = "", int threads = 2) {
+    Diagnostics diagnostics;
+    auto pipeline = parse_line(stages, diagnostics);
+    if (!measure.empty()) pipeline->measure = *parse_stages(measure, "measure", diagnostics);
+    const auto plan = foredraw::plan(*pipeline, registry_, scene, diagnostics);
+    if (!plan) throw std::runtime_error(to_text(diagnostics));
+    const Executor executor(threads);
+    Analyses analyses;
+    return foredraw::run(*plan, scene, {executor, analyses});
+  }
+
+  static std::vector<std::uint32_t> indices(const Scene& scene, DrawId id, std::size_t order = 0) {
+    const auto view = scene.draws[id].levels[0].orders[order].indices.view();
+    return {view.begin(), view.end()};
+  }
+
+  Registry registry_;
+  Scene two_ = testing::scene_of({testing::draw_of(testing::grid(2, 1), "A"), testing::draw_of(testing::grid(1, 1), "B")});
+};
+
+TEST_F(Runner, AppliesAnOrderAndBooksIt) {
+  const Result result = run("reverse-draw", two_);
+  EXPECT_EQ(indices(result.scene, 1), (std::vector<std::uint32_t>{2, 1, 3, 0, 1, 2}));
+  const IndexStream& stream = result.scene.draws[1].levels[0].orders[0];
+  EXPECT_EQ(stream.cache_size, 24);
+  EXPECT_EQ(stream.triangle_origin.view()[0], 1u);
+  EXPECT_TRUE(result.scene.draws[1].traits.has(traits::cache_ordered));
+  ASSERT_EQ(result.report.stages.size(), 1u);
+  EXPECT_EQ(result.report.stages[0].changed, 2u);
+}
+
+TEST_F(Runner, AppliesClustersAndKeepsThemWhereTheyHold) {
+  const Result kept = run("pairs", two_);
+  EXPECT_EQ(kept.scene.draws[0].levels[0].orders[0].clusters->offsets, (std::vector<std::uint32_t>{0, 2, 4}));
+  // The last triangle first turns each cluster round but keeps it in one piece.
+  const Result turned = run("pairs, reverse-draw", two_);
+  EXPECT_TRUE(turned.scene.draws[0].traits.has(traits::clustered));
+  EXPECT_EQ(turned.scene.draws[0].levels[0].orders[0].clusters->offsets, (std::vector<std::uint32_t>{0, 2, 4}));
+}
+
+TEST_F(Runner, NumbersVerticesForEveryDrawThatSharesThem) {
+  Scene shared = two_;
+  shared.draws[1].levels[0].vertices = shared.draws[0].levels[0].vertices;
+  const Result result = run("reverse-vertices", shared);
+  EXPECT_EQ(result.report.stages[0].candidates, 1u);
+  EXPECT_EQ(result.scene.draws[0].levels[0].vertices, result.scene.draws[1].levels[0].vertices);
+  EXPECT_EQ(indices(result.scene, 1), (std::vector<std::uint32_t>{5, 4, 3, 3, 4, 2}));
+  EXPECT_EQ(decode_vec3(*result.scene.draws[0].levels[0].vertices->find("POSITION"))[0], glm::vec3(2, 1, 0));
+}
+
+TEST_F(Runner, AppliesTheOrdersOfASubject) {
+  const Result result = run("two-orders", two_);
+  ASSERT_EQ(result.scene.order_tables.size(), 2u);
+  ASSERT_EQ(result.scene.draws[1].levels[0].orders.size(), 2u);
+  EXPECT_EQ(indices(result.scene, 1, 0), indices(two_, 1));
+  EXPECT_EQ(indices(result.scene, 1, 1), (std::vector<std::uint32_t>{2, 1, 3, 0, 1, 2}));
+}
+
+TEST_F(Runner, RunsProcessorsOfEveryShape) {
+  Scene scene = two_;
+  scene.images.push_back({"picture", "image/png", "", Shared<std::byte>({std::byte{1}, std::byte{2}})});
+  const Result result = run("add-draw, double-triangles(only=\"B\"), empty-images", scene, "count-draws, count-triangles, count-bytes");
+  EXPECT_FALSE(result.failed);
+  EXPECT_EQ(result.scene.draws.size(), 3u);
+  EXPECT_EQ(result.scene.draws[1].levels[0].orders[0].triangle_count(), 4u);
+  EXPECT_TRUE(result.scene.images[0].bytes.empty());
+  const Report& report = result.report;
+  EXPECT_EQ(report.before.metrics.find("count-draws", "draws")->value(), 2);
+  EXPECT_EQ(report.after.metrics.find("count-draws", "draws")->value(), 3);
+  EXPECT_EQ(report.before.metrics.find("count-triangles", "triangles")->value(), 6);
+  EXPECT_EQ(report.after.metrics.find("count-triangles", "triangles")->value(), 12);
+  EXPECT_EQ(report.before.metrics.find("count-bytes", "bytes")->value(), 2);
+  EXPECT_EQ(report.after.metrics.find("count-bytes", "bytes")->value(), 0);
+}
+
+TEST_F(Runner, TotalsAreSumsOfNumeratorsOverSumsOfDenominators) {
+  const Result result = run("", two_, "count-triangles");
+  const Figure* total = result.report.after.metrics.find("count-triangles", "corners-per-vertex");
+  ASSERT_NE(total, nullptr);
+  EXPECT_DOUBLE_EQ(total->value(), (12.0 + 6.0) / (6.0 + 4.0));
+  EXPECT_EQ(total->unit, "corners per vertex");
+}
+
+TEST_F(Runner, TwoUsesOfAnEvaluatorAreKeptApart) {
+  const Result result = run("", two_, "count-draws, count-draws");
+  EXPECT_EQ(result.report.after.metrics.find("count-draws", "draws")->value(), 2);
+  EXPECT_EQ(result.report.after.metrics.find("count-draws#2", "draws")->value(), 2);
+}
+
+class Fault : public Runner, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(Fault, KeepsTheDrawAsItWasAndGoesOn) {
+  const Result result = run(std::string("faulty(on=\"A\", fault=\"") + GetParam() + "\"), reverse-draw(only=\"B\")", two_);
+  EXPECT_TRUE(result.failed);
+  EXPECT_EQ(indices(result.scene, 0), indices(two_, 0));
+  EXPECT_NE(indices(result.scene, 1), indices(two_, 1));
+  ASSERT_EQ(result.report.diagnostics.size(), 1u);
+  EXPECT_EQ(result.report.diagnostics[0].code, "stage-failed");
+  EXPECT_EQ(result.report.diagnostics[0].where.inside, "A");
+  EXPECT_EQ(result.report.stages[0].changed, 1u);
+}
+INSTANTIATE_TEST_SUITE_P(EveryKind, Fault, ::testing::Values("throw", "odd-throw", "short", "repeat"));
+
+TEST_F(Runner, AsksTheServiceThatThePipelineNames) {
+  const Result result = run("ask-overdraw", two_);
+  EXPECT_FALSE(result.failed);
+  EXPECT_EQ(indices(result.scene, 1), (std::vector<std::uint32_t>{2, 1, 3, 0, 1, 2}));  // reversed: 3 > 2
+}
+
+TEST_F(Runner, GivesTheSameAtAnyThreadCount) {
+  std::vector<Draw> draws;
+  for (std::uint32_t i = 1; i < 40; ++i) draws.push_back(testing::draw_of(testing::soup(i * 5, i), "Soup " + std::to_string(i)));
+  const Scene scene = testing::scene_of(std::move(draws));
+  const std::string stages = "pairs, reverse-draw, two-orders, reverse-vertices";
+  const Result one = run(stages, scene, "count-triangles", 1);
+  const Result many = run(stages, scene, "count-triangles", 7);
+  for (DrawId id = 0; id < scene.draws.size(); ++id) {
+    EXPECT_EQ(indices(one.scene, id), indices(many.scene, id));
+    EXPECT_EQ(one.scene.draws[id].levels[0].vertices->stamp(), many.scene.draws[id].levels[0].vertices->stamp());
+  }
+}
+
+TEST_F(Runner, ReportsAsJson) {
+  Result result = run("reverse-draw", two_, "count-triangles");
+  result.report.command = "optimize";
+  const auto json = nlohmann::json::parse(to_json(result.report));
+  EXPECT_EQ(json["report"], report_version);
+  EXPECT_EQ(json["totals"]["metrics"]["count-triangles"]["triangles"]["value"], 6);
+  EXPECT_EQ(json["totals"]["before"]["metrics"]["count-triangles"]["triangles"]["unit"], "triangles");
+  EXPECT_EQ(json["draws"][1]["metrics"]["count-triangles"]["triangles"]["value"], 2);
+  EXPECT_EQ(json["stages"][0]["use"], "reverse-draw");
+  // The pipeline in the report runs again.
+  Diagnostics diagnostics;
+  EXPECT_TRUE(parse_file(json["pipeline"].get<std::string>(), "report", diagnostics));
+}
+
+}  // namespace
+}  // namespace foredraw

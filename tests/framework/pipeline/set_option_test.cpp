@@ -1,0 +1,75 @@
+#include <foredraw/pipeline/parse.h>
+
+#include <gtest/gtest.h>
+
+namespace foredraw {
+namespace {
+
+Pipeline example() {
+  Diagnostics diagnostics;
+  return parse_file(R"toml(pipeline = 1
+stages = [
+  "weld",
+  { use = "tipsify", cache-size = 16 },
+  { use = "linear-clusters", growth = 1.05, enabled = false },
+  "dot-rule(only='Rock_*', required=true)",
+]
+measure = [{ use = "overdraw-raster", views = "random", count = 300, seed = 7, distance = 3 }]
+services.overdraw = { use = "overdraw-raster", faces = "front" }
+)toml",
+                    "props.toml", diagnostics)
+      .value();
+}
+
+TEST(SetOption, SetsEveryStageOfTheName) {
+  Pipeline pipeline = example();
+  Diagnostics diagnostics;
+  EXPECT_TRUE(set_option(pipeline, "overdraw-raster.faces=material", diagnostics));
+  EXPECT_EQ(pipeline.measure[0].settings.at("faces"), OptionValue(std::string("material")));
+  EXPECT_EQ(pipeline.measure[0].settings.size(), 5u);
+  EXPECT_EQ(pipeline.overdraw->settings.at("faces"), OptionValue(std::string("material")));
+  EXPECT_TRUE(set_option(pipeline, "tipsify.cache-size=24", diagnostics));
+  EXPECT_EQ(pipeline.stages[1].settings, (Settings{{"cache-size", std::int64_t{24}}}));
+  EXPECT_EQ(pipeline.stages[1].option_where.at("cache-size").file, "--set");
+  EXPECT_EQ(pipeline.stages[1].option_where.at("cache-size").column, 20);
+  EXPECT_EQ(pipeline.stages[1].where.line, 4);
+  EXPECT_TRUE(diagnostics.empty());
+}
+
+TEST(SetOption, SetsReservedWords) {
+  Pipeline pipeline = example();
+  Diagnostics diagnostics;
+  EXPECT_TRUE(set_option(pipeline, "dot-rule.enabled=false", diagnostics));
+  EXPECT_TRUE(set_option(pipeline, "linear-clusters.enabled=true", diagnostics));
+  EXPECT_TRUE(set_option(pipeline, "weld.only=\"a = b.c\"", diagnostics));
+  EXPECT_FALSE(pipeline.stages[3].enabled);
+  EXPECT_EQ(pipeline.stages[3].only, "Rock_*");
+  EXPECT_TRUE(pipeline.stages[3].required);
+  EXPECT_TRUE(pipeline.stages[2].enabled);
+  EXPECT_EQ(pipeline.stages[0].only, "a = b.c");
+}
+
+TEST(SetOption, RefusesWithoutChange) {
+  const Pipeline before = example();
+  const auto refusal = [&before](std::string_view assignment) {
+    Pipeline pipeline = before;
+    Diagnostics diagnostics;
+    EXPECT_FALSE(set_option(pipeline, assignment, diagnostics));
+    EXPECT_TRUE(same_pipeline(pipeline, before));
+    return to_text(diagnostics);
+  };
+  EXPECT_EQ(refusal("tipsfy.cache-size=24"),
+            "--set:1:1: error: the pipeline has no stage 'tipsfy'\n    hint: did you mean 'tipsify'?\n");
+  for (const std::string_view odd : {"", "tipsify", "tipsify=3", "tipsify.cache-size", ".a=1", "a.=1", "=a.b"}) {
+    EXPECT_TRUE(refusal(odd).starts_with("--set:1:1: error: expected stage.option=value, found")) << odd;
+  }
+  EXPECT_EQ(refusal("weld.enabled=maybe"), "--set:1:14: error: 'enabled' must be true or false, not \"maybe\"\n");
+  EXPECT_EQ(refusal("weld.only=a b"),
+            "--set:1:13: error: expected nothing after the value, found 'b'\n"
+            "    hint: put a text with spaces or signs in quotes\n");
+  EXPECT_EQ(refusal("weld.only="), "--set:1:11: error: expected a value, found the end\n");
+  EXPECT_NE(refusal("weld.only=\"a\\").find("has no end"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace foredraw

@@ -1,0 +1,218 @@
+// The program as its users run it: arguments, exit codes, what lands on which stream, what lands on disk.
+
+#include "support/meshes.h"
+
+#include <foredraw/io/gltf.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace foredraw {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class Cli : public ::testing::Test {
+ protected:
+  struct Ended {
+    int code = 0;
+    std::string out;
+    std::string err;
+  };
+
+  Cli() {
+    folder_ = fs::temp_directory_path() / ("foredraw-cli-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~Cli() override { fs::remove_all(folder_); }
+
+  /// Runs the program in the folder with a shell's quoting.
+  Ended run(const std::string& arguments) {
+    const std::string command = "cd '" + folder_.string() + "' && '" FOREDRAW_PROGRAM "' " + arguments + " >out.txt 2>err.txt";
+    const int status = std::system(command.c_str());
+    Ended ended{WEXITSTATUS(status), content(folder_ / "out.txt"), content(folder_ / "err.txt")};
+    fs::remove(folder_ / "out.txt");
+    fs::remove(folder_ / "err.txt");
+    return ended;
+  }
+
+  std::string model(const std::string& name) { return "'" + testing::project_file("benchmarks/corpus/" + name).string() + "'"; }
+  std::string spot() { return model("static/spot.glb"); }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
+    return names;
+  }
+
+  fs::path folder_;
+};
+
+double metric(const Json& state, const char* plugin, const char* name) { return state["metrics"][plugin][name]["value"]; }
+
+TEST_F(Cli, OptimizesAndMeasuresTheGain) {
+  const Ended made = run("optimize " + spot() + " -o out.glb --report r.json");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_TRUE(made.out.empty());
+  EXPECT_NE(made.err.find("acmr"), std::string::npos);
+  const Json report = Json::parse(content(folder_ / "r.json"));
+  EXPECT_EQ(report["report"], 1);
+  const Json& totals = report["totals"];
+  EXPECT_LT(metric(totals, "vertex-cache", "acmr"), 0.75 * metric(totals["before"], "vertex-cache", "acmr"));
+  EXPECT_LT(metric(totals, "overdraw-raster", "ratio"), metric(totals["before"], "overdraw-raster", "ratio"));
+  EXPECT_EQ(totals["metrics"]["vertex-cache"]["acmr"]["unit"], "misses per triangle");
+  EXPECT_GT(totals["metrics"]["overdraw-raster"]["ratio"]["error"].get<double>(), 0);
+  EXPECT_TRUE(totals["metrics"]["vertex-cache"]["models"].contains("fifo-32"));
+  EXPECT_EQ(report["evaluators"]["vertex-cache"]["options"]["cache-size"], 16);
+
+  const Ended measured = run("measure out.glb --json");
+  ASSERT_EQ(measured.code, 0) << measured.err;
+  const Json again = Json::parse(measured.out);
+  EXPECT_EQ(metric(again["totals"], "vertex-cache", "acmr"), metric(totals, "vertex-cache", "acmr"));
+  EXPECT_EQ(metric(again["totals"], "overdraw-raster", "ratio"), metric(totals, "overdraw-raster", "ratio"));
+  EXPECT_EQ(again["draws"].size(), 1u);
+}
+
+TEST_F(Cli, WritesTheSameBytesAtAnyThreadCount) {
+  ASSERT_EQ(run("optimize " + model("animated/robot_expressive.glb") + " -o one.glb --threads 1").code, 0);
+  ASSERT_EQ(run("optimize " + model("animated/robot_expressive.glb") + " -o many.glb --threads 6").code, 0);
+  EXPECT_EQ(content(folder_ / "one.glb"), content(folder_ / "many.glb"));
+}
+
+TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {
+  const Ended piped = run("optimize - -o - -p weld,tipsify --with vertex-cache <" + spot());
+  ASSERT_EQ(piped.code, 0) << piped.err;
+  EXPECT_EQ(piped.out.substr(0, 4), "glTF");
+  ASSERT_EQ(run("optimize " + spot() + " -o file.glb -p weld,tipsify --with vertex-cache").code, 0);
+  EXPECT_EQ(piped.out, content(folder_ / "file.glb"));
+}
+
+TEST_F(Cli, WritesTheRemapTables) {
+  ASSERT_EQ(run("optimize " + spot() + " -o out.glb --remap remap.json --with vertex-cache").code, 0);
+  const Json remap = Json::parse(content(folder_ / "remap.json"));
+  const auto triangles = remap["draws"][0]["triangles"]["new-to-old"].get<std::vector<std::uint32_t>>();
+  const auto vertices = remap["draws"][0]["vertices"]["old-to-new"].get<std::vector<std::uint32_t>>();
+
+  Diagnostics diagnostics;
+  const auto before = read_gltf(testing::project_file("benchmarks/corpus/static/spot.glb"), diagnostics);
+  const auto after = read_gltf(folder_ / "out.glb", diagnostics);
+  ASSERT_TRUE(before && after);
+  const auto old = before->draws[0].levels[0].orders[0].indices.view();
+  const auto now = after->draws[0].levels[0].orders[0].indices.view();
+  ASSERT_EQ(triangles.size(), now.size() / 3);
+  for (std::size_t i = 0; i < now.size(); ++i) EXPECT_EQ(now[i], vertices[old[3 * triangles[i / 3] + i % 3]]);
+}
+
+TEST_F(Cli, TellsThePlanWithoutRunningIt) {
+  const Ended plan = run("plan " + model("static/flight_helmet_notex.glb"));
+  EXPECT_EQ(plan.code, 0);
+  EXPECT_NE(plan.out.find("alpha-blended"), std::string::npos) << plan.out;
+  EXPECT_EQ(Json::parse(run("plan " + spot() + " --json").out)["stages"].size(), 5u);
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Cli, ComparesPipelines) {
+  const Ended compared = run("compare " + spot() + " -p weld -p weld,tipsify --json");
+  ASSERT_EQ(compared.code, 0) << compared.err;
+  const Json json = Json::parse(compared.out);
+  const Json& branches = json["files"][0]["branches"];
+  ASSERT_EQ(branches.size(), 2u);
+  EXPECT_GT(metric(branches[0]["report"]["totals"], "vertex-cache", "acmr"), metric(branches[1]["report"]["totals"], "vertex-cache", "acmr"));
+  EXPECT_EQ(branches[1]["report"]["stages"][1]["use"], "tipsify");
+  EXPECT_NE(run("compare " + spot() + " -p weld -p weld,tipsify").out.find("acmr"), std::string::npos);
+}
+
+TEST_F(Cli, ShowsWhatThereIs) {
+  EXPECT_NE(run("list").out.find("tipsify"), std::string::npos);
+  EXPECT_EQ(run("list --kind evaluator").out.find("tipsify"), std::string::npos);
+  EXPECT_NE(run("show tipsify").out.find("cache-size"), std::string::npos);
+  EXPECT_EQ(Json::parse(run("show tipsify --json").out)["options"][0]["default"], 16);
+  EXPECT_NE(run("show @default").out.find("stages"), std::string::npos);
+  EXPECT_TRUE(Json::parse(run("schema").out).contains("$schema"));
+  EXPECT_NE(run("inspect " + model("animated/fox.glb")).out.find("576"), std::string::npos);
+  EXPECT_EQ(Json::parse(run("inspect --json " + model("animated/fox.glb")).out)["animations"].size(), 3u);
+  EXPECT_EQ(run("--help").code, 0);
+  EXPECT_NE(run("--version").out.find("foredraw"), std::string::npos);
+}
+
+struct Mistake {
+  const char* what;
+  std::string arguments;
+  int code;
+  std::string says;
+};
+
+class Mistakes : public Cli, public ::testing::WithParamInterface<Mistake> {};
+
+TEST_P(Mistakes, AreToldInOneClearLineAndNothingIsWritten) {
+  std::ofstream(folder_ / "bad.glb") << "glTF but not really";
+  std::ofstream(folder_ / "typo.toml") << "pipeline = 1\nstages = [\n  \"weld\",\n  { use = \"tipsify\", cache = 16 },\n]\n";
+  const auto before = files();
+  std::string arguments = GetParam().arguments;
+  if (const auto at = arguments.find("SPOT"); at != std::string::npos) arguments.replace(at, 4, spot());
+  const Ended ended = run(arguments);
+  EXPECT_EQ(ended.code, GetParam().code) << ended.err;
+  EXPECT_NE(ended.err.find(GetParam().says), std::string::npos) << ended.err;
+  EXPECT_TRUE(ended.out.empty()) << ended.out;
+  EXPECT_EQ(files(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Every, Mistakes,
+    ::testing::Values(
+        Mistake{"missing_file", "optimize nowhere.glb -o out.glb", 1, "nowhere.glb: error: there is no such file"},
+        Mistake{"damaged_file", "optimize bad.glb -o out.glb", 2, "bad.glb: error:"},
+        Mistake{"unknown_stage", "optimize SPOT -o out.glb -p tipsfy", 1, "did you mean 'tipsify'?"},
+        Mistake{"unknown_option", "optimize SPOT -o out.glb -p typo.toml", 1, "typo.toml:4:"},
+        Mistake{"option_out_of_range", "optimize SPOT -o out.glb -p 'tipsify(cache-size=2)'", 1, "3 to 1024 entries"},
+        Mistake{"unmet_need", "optimize SPOT -o out.glb -p dot-rule", 1, "put 'linear-clusters' before it"},
+        Mistake{"unknown_preset", "optimize SPOT -o out.glb -p @defualt", 1, "@default"},
+        Mistake{"unknown_set", "optimize SPOT -o out.glb --set tipsify.cach-size=3", 1, "cache-size"},
+        Mistake{"unknown_kind_of_output", "optimize SPOT -o out.xyz", 1, ".glb or .gltf"},
+        Mistake{"missing_folder", "optimize SPOT -o no/such/folder/out.glb -p weld --with vertex-cache", 2, "can not be written"},
+        Mistake{"no_output", "optimize SPOT", 1, "--output"},
+        Mistake{"no_command", "", 1, "hint"},
+        Mistake{"unknown_plugin_shown", "show tipsfy", 1, "did you mean 'tipsify'?"},
+        Mistake{"unknown_kind_listed", "list --kind things", 1, "orderer"},
+        Mistake{"bad_views", "measure SPOT --with 'overdraw-raster(views=100)'", 1, "162"},
+        Mistake{"json_and_scene_on_one_stream", "optimize SPOT -o - --json", 1, "--report"}),
+    [](const auto& info) { return std::string(info.param.what); });
+
+TEST_F(Cli, TellsEveryMistakeOfAPipelineAtOnce) {
+  const Ended ended = run("plan " + spot() + " -p 'weld(x=1), tipsfy, dot-rule'");
+  EXPECT_EQ(ended.code, 1);
+  for (const char* part : {"no option 'x'", "'tipsfy'", "'dot-rule' needs"}) EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+}
+
+/// The reference pages in docs/ are what the program says of itself. FOREDRAW_UPDATE_GOLDEN=1 writes them anew.
+TEST_F(Cli, ItsReferencePagesAreTheCommittedOnes) {
+  const Json list = Json::parse(run("list --json").out);
+  std::vector<std::string> expected;
+  for (const Json& plugin : list["plugins"]) {
+    const std::string name = plugin["name"];
+    const fs::path page = testing::project_file("docs/reference/" + name + ".md");
+    const std::string text = run("show " + name).out;
+    if (std::getenv("FOREDRAW_UPDATE_GOLDEN") != nullptr) std::ofstream(page) << text;
+    EXPECT_EQ(content(page), text) << name << ": FOREDRAW_UPDATE_GOLDEN=1 writes the page anew";
+    expected.push_back(name + ".md");
+  }
+  std::vector<std::string> there;
+  for (const auto& entry : fs::directory_iterator(testing::project_file("docs/reference"))) there.push_back(entry.path().filename().string());
+  std::sort(there.begin(), there.end());
+  EXPECT_EQ(there, expected);
+}
+
+}  // namespace
+}  // namespace foredraw
