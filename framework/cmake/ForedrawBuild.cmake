@@ -11,14 +11,13 @@ if(FOREDRAW_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_C_COMPILER_LAUNCHER "${FOREDRAW_CCACHE}")
 endif()
 
-# The flags of our own targets. No contraction and no fast-math: the same asset bytes from every compiler.
+# How our own targets are compiled; who links them inherits none of it. No contraction and no fast-math: the same asset
+# bytes from every compiler.
 add_library(foredraw_flags INTERFACE)
-target_compile_features(foredraw_flags INTERFACE cxx_std_20)
-target_compile_options(foredraw_flags INTERFACE -ffp-contract=off $<BUILD_INTERFACE:-Wall>
-                       $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wno-missing-field-initializers>
-                       $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>>)  # gcc 12 sees overlaps in std::string that are none
+target_compile_options(foredraw_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wno-missing-field-initializers
+                       $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # gcc 12 sees overlaps in std::string that are none
 if(FOREDRAW_WARNINGS_AS_ERRORS)
-  target_compile_options(foredraw_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
+  target_compile_options(foredraw_flags INTERFACE -Werror)
 endif()
 if(FOREDRAW_SANITIZE)
   add_compile_options(-fsanitize=${FOREDRAW_SANITIZE} -fno-omit-frame-pointer)
@@ -34,7 +33,8 @@ function(foredraw_add_library name)
   add_library(foredraw_${name} STATIC ${ARG_SOURCES})
   add_library(foredraw::${name} ALIAS foredraw_${name})
   set_target_properties(foredraw_${name} PROPERTIES CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
-  target_link_libraries(foredraw_${name} PUBLIC foredraw_flags ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  target_compile_features(foredraw_${name} PUBLIC cxx_std_20)
+  target_link_libraries(foredraw_${name} PUBLIC ${ARG_LINK} PRIVATE foredraw_flags ${ARG_PRIVATE_LINK})
   target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework>)
 endfunction()
 

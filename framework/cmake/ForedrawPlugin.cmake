@@ -41,6 +41,7 @@ function(_foredraw_add_plugin folder)
 
   file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
   foredraw_add_library(${name} SOURCES ${sources} LINK foredraw::technique ${ARG_LINK} PRIVATE_LINK fmt::fmt)
+  target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)  # <plugins/.../name.h>
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_BUILT_IN ${name})
   if(ARG_GPL)
     set_property(GLOBAL APPEND PROPERTY FOREDRAW_GPL ${config_name})

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -24,16 +25,28 @@ std::set<MetricName> metrics_of(const Comparison& comparison) {
   return names;
 }
 
-/// The best value of a metric over the input and the branches; not a number where nobody measured it.
-double best_of(const Comparison& comparison, const MetricName& name) {
-  double best = std::nan("");
+const Figure* before(const Comparison& comparison, const MetricName& name) {
   for (const Branch& branch : comparison.branches) {
-    const Figure* figure = branch.report.after.metrics.find(name.first, name.second);
-    if (figure == nullptr || !std::isfinite(figure->value())) continue;
-    const bool better = figure->lower_is_better ? figure->value() < best : figure->value() > best;
-    if (std::isnan(best) || better) best = figure->value();
+    if (const Figure* figure = branch.report.before.metrics.find(name.first, name.second)) return figure;
   }
-  return best;
+  return nullptr;
+}
+
+/// The best value of a metric over the input and the branches; not a number where all are equal or nobody measured it.
+double best_of(const Comparison& comparison, const MetricName& name) {
+  std::vector<double> values;
+  bool lower_is_better = true;
+  const auto consider = [&](const Figure* figure) {
+    if (figure == nullptr || !std::isfinite(figure->value())) return;
+    values.push_back(figure->value());
+    lower_is_better = figure->lower_is_better;
+  };
+  consider(before(comparison, name));
+  for (const Branch& branch : comparison.branches) consider(branch.report.after.metrics.find(name.first, name.second));
+  if (values.empty()) return std::nan("");
+  const auto [least, most] = std::ranges::minmax(values);
+  if (least == most) return std::nan("");
+  return lower_is_better ? least : most;
 }
 
 double stages_seconds(const Report& report) {
@@ -42,11 +55,9 @@ double stages_seconds(const Report& report) {
   return seconds;
 }
 
-const Figure* before(const Comparison& comparison, const MetricName& name) {
-  for (const Branch& branch : comparison.branches) {
-    if (const Figure* figure = branch.report.before.metrics.find(name.first, name.second)) return figure;
-  }
-  return nullptr;
+std::string shown(const Figure* figure, double best) {
+  if (figure == nullptr || !std::isfinite(figure->value())) return "-";
+  return fmt::format("{:.4f}{}", figure->value(), figure->value() == best ? " *" : "");
 }
 
 std::string text_of(const Comparison& comparison) {
@@ -63,11 +74,10 @@ std::string text_of(const Comparison& comparison) {
     const double best = best_of(comparison, name);
     const Figure* input = before(comparison, name);
     std::vector<std::string> row{name.first == last_plugin ? "" : name.first, name.second,
-                                 input != nullptr ? fmt::format("{:.4f}", input->value()) : "-"};
+                                 shown(input, best)};
     for (const Branch& branch : comparison.branches) {
       const Figure* figure = branch.report.after.metrics.find(name.first, name.second);
-      row.push_back(figure == nullptr ? "-"
-                                      : fmt::format("{:.4f}{}", figure->value(), figure->value() == best ? " *" : ""));
+      row.push_back(shown(figure, best));
     }
     table.add(row);
     last_plugin = name.first;

@@ -19,7 +19,7 @@ struct Comparison {
 /// The JSON form: for each file and branch the whole report, and a table of every total metric over the branches.
 std::string to_json(const std::vector<Comparison>& comparisons);
 
-/// A table for each file: a row a metric and one for each stage's time, a column a branch, the best of a row marked.
+/// A table for each file: a row a metric, a column a branch, the best of a row marked; below it the stages' times.
 std::string to_text(const std::vector<Comparison>& comparisons);
 
 }  // namespace foredraw

@@ -134,7 +134,7 @@ std::string list_text(const Registry& registry, std::optional<Kind> kind) {
 }
 
 std::string list_json(const Registry& registry, std::optional<Kind> kind) {
-  Json json{{"plugins", Json::array()}};
+  Json json{{"list", 1}, {"plugins", Json::array()}};
   for (const Plugin* plugin : registry.all()) {
     if (!kind || plugin->kind == *kind) json["plugins"].push_back(Json::parse(reference_json(*plugin)));
   }
