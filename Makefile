@@ -3,11 +3,12 @@ MODEL ?= benchmarks/corpus/scenes/house.glb
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test asan tsan clean
+.PHONY: help demo build test bench asan tsan clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
 	@echo 'make test     build everything, run every test'
+	@echo 'make bench    build build/release/benchmarks/foredraw-bench: the program with the peers beside our plugins'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make clean    remove build/'
 
@@ -26,6 +27,10 @@ tsan: TESTS = tsan
 test asan tsan:
 	packages/install build test
 	cmake --preset $(TESTS) && cmake --build --preset $(TESTS) && ctest --preset $(TESTS)
+
+bench:
+	packages/install build bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench
 
 clean:
 	rm -rf build

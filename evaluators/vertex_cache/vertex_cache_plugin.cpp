@@ -2,22 +2,43 @@
 
 #include <foredraw/technique/plugin.h>
 
+#include <fmt/format.h>
+
+#include <sstream>
+#include <stdexcept>
+
 namespace foredraw {
 
 namespace {
 
+/// The models that the text names. Throws std::invalid_argument where it names none.
+std::vector<CacheModel> models_of(const std::string& names) {
+  std::vector<CacheModel> models;
+  std::istringstream words(names);
+  for (std::string name; words >> name;) {
+    const auto model = cache_model(name);
+    if (!model) {
+      throw std::invalid_argument(fmt::format(
+          "'{}' is no cache model; there are fifo-N, lru-N, batches-CACHE-WARP-GROUP, nvidia, amd and intel", name));
+    }
+    models.push_back(*model);
+  }
+  return models;
+}
+
 class VertexCache final : public DrawEvaluator {
  public:
-  explicit VertexCache(const VertexCacheOptions& options) : options_(options) {}
+  explicit VertexCache(const VertexCacheOptions& options) : options_(options), models_(models_of(options.models)) {}
 
   void evaluate(const DrawView& draw, Run& run) override {
+    const auto indices = draw.indices();
+    const std::size_t vertices = draw.vertex_count();
+    measure(run, "", count_fifo(indices, vertices, static_cast<std::uint32_t>(options_.cache_size)));
     const std::size_t vertex_size =
         options_.vertex_size ? static_cast<std::size_t>(*options_.vertex_size) : draw.vertices().bytes_per_vertex();
-    const VertexCacheFigures figures =
-        vertex_cache(draw.indices(), draw.vertex_count(), vertex_size, options_.cache_size);
-    measure(run, "", figures.count);
-    run.measure("overfetch", static_cast<double>(figures.fetch.fetched), static_cast<double>(figures.fetch.referenced));
-    for (const auto& [name, count] : figures.models) measure(run, "models." + name + ".", count);
+    const FetchCount fetch = count_fetches(indices, vertices, vertex_size);
+    run.measure("overfetch", static_cast<double>(fetch.fetched), static_cast<double>(fetch.referenced));
+    for (const CacheModel& model : models_) measure(run, "models." + model.name + ".", count(indices, vertices, model));
   }
 
  private:
@@ -28,6 +49,7 @@ class VertexCache final : public DrawEvaluator {
   }
 
   VertexCacheOptions options_;
+  std::vector<CacheModel> models_;
 };
 
 }  // namespace
@@ -38,6 +60,8 @@ Plugin vertex_cache_plugin() {
             "Size of the FIFO cache that acmr and atvr are measured with", {3, 65535, "entries"});
   table.row(&VertexCacheOptions::vertex_size, "vertex-size",
             "Size of a vertex for overfetch; by default what the draw's attributes take together", {1, 1024, "bytes"});
+  table.row(&VertexCacheOptions::models, "models",
+            "Further caches to measure with, spaces between: fifo-N, lru-N, batches-CACHE-WARP-GROUP, nvidia, amd, intel");
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;

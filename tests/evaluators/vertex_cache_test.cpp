@@ -93,10 +93,23 @@ TEST(VertexCache, figures_of_a_draw) {
   EXPECT_EQ(figures.size(), 3 + 2 * 9u);
 }
 
-TEST(VertexCache, a_draw_without_triangles_has_figures_without_denominator) {
-  const VertexCacheFigures figures = vertex_cache({}, 0, 12);
-  EXPECT_EQ(figures.count, CacheCount{});
-  EXPECT_EQ(figures.fetch, FetchCount{});
+TEST(VertexCache, a_model_is_what_its_name_says) {
+  const TestMesh mesh = testing::shuffled(testing::grid(30, 30), 2);
+  const std::size_t vertices = mesh.positions.size();
+  const auto of = [&](const char* name) { return count(mesh.indices, vertices, cache_model(name).value()); };
+  EXPECT_EQ(of("fifo-7"), count_fifo(mesh.indices, vertices, 7));
+  EXPECT_EQ(of("lru-300"), count_lru(mesh.indices, vertices, 300));
+  EXPECT_EQ(of("batches-32-32-32"), of("nvidia"));
+  EXPECT_EQ(of("batches-9-0-5"), count_batches(mesh.indices, vertices, {"", 9, 0, 5}));
+  for (const char* name : {"", "fifo", "fifo-", "fifo-0", "fifo-x", "fifo-16-2", "lru--1", "lru-65536", "batches-1-2",
+                           "batches-1-2-3-4", "voodoo", "fifo-16 "}) {
+    EXPECT_FALSE(cache_model(name)) << name;
+  }
+}
+
+TEST(VertexCache, an_unknown_model_is_a_mistake_that_names_the_known_ones) {
+  const Plugin plugin = vertex_cache_plugin();
+  EXPECT_THROW(plugin.create({{"models", std::string("fifo-16 lifo-16")}}), std::invalid_argument);
 }
 
 }  // namespace
