@@ -32,8 +32,7 @@ bool is_blended(const Scene& scene, const Draw& draw) {
   return material != nullptr && material->alpha_mode == AlphaMode::blend;
 }
 
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces) {
-  const std::vector<glm::mat4> world = world_transforms(scene);
+DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, std::span<const glm::mat4> world) {
   DrawnSubject drawn;
   for (const SubjectPart& part : subject.parts) drawn.positions.push_back(rest_positions(scene, part, world));
   for (std::size_t i = 0; i < subject.parts.size(); ++i) {

@@ -4,6 +4,9 @@
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/subject.h>
 
+#include <glm/mat4x4.hpp>
+
+#include <span>
 #include <vector>
 
 namespace foredraw {
@@ -15,7 +18,7 @@ struct DrawnSubject {
 };
 
 /// Triangle lists alone are drawn, and no blended draws; masked ones as if they were opaque.
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces);
+DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, std::span<const glm::mat4> world);
 
 bool is_blended(const Scene& scene, const Draw& draw);
 

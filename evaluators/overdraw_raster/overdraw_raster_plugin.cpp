@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <numeric>
 #include <stdexcept>
 
 namespace foredraw {
@@ -20,7 +22,7 @@ class OverdrawRasterService final : public OverdrawService {
   explicit OverdrawRasterService(Faces faces) : faces_(faces) {}
 
   OverdrawCounts count(const Scene& scene, const Subject& subject, const Views& views, Run& run) override {
-    return overdraw_raster(drawn_subject(scene, subject, faces_), views, run.executor);
+    return overdraw_raster(drawn_subject(scene, subject, faces_, world_transforms(scene)), views, run.executor);
   }
 
  private:
@@ -48,29 +50,34 @@ class OverdrawRaster final : public Evaluator {
 
   void evaluate(const Scene& scene, Run& run) override {
     const std::vector<Subject> subjects = subjects_of(scene);
+    const std::vector<glm::mat4> world = world_transforms(scene);
     OverdrawCounts by_draw(scene.draws.size(), std::vector<OverdrawCount>(views_.views.size()));
     std::vector<OverdrawCount> by_subject;  // [subject * views + view]
-    std::size_t non_finite = 0;
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
+    std::vector<OverdrawCounts> of_subject(subjects.size());  // [subject][part][view]
+    std::vector<std::size_t> non_finite(subjects.size(), 0);
+    std::atomic<std::size_t> done = 0;
+    run.executor.for_each(subjects.size(), [&](std::size_t i) {
       if (run.cancelled()) throw std::runtime_error("cancelled");
-      if (run.progress) run.progress(static_cast<double>(i) / static_cast<double>(subjects.size()));
-      const DrawnSubject drawn = drawn_subject(scene, subjects[i], faces_);
-      const OverdrawCounts counts = overdraw_raster(drawn, views_, run.executor);
+      const DrawnSubject drawn = drawn_subject(scene, subjects[i], faces_, world);
+      of_subject[i] = overdraw_raster(drawn, views_, run.executor);
+      for (const RasterPart& part : drawn.parts) non_finite[i] += count_non_finite_triangles(part);
+      if (run.progress) run.progress(static_cast<double>(++done) / static_cast<double>(subjects.size()));
+    });
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
       by_subject.resize((i + 1) * views_.views.size());
-      for (std::size_t part = 0; part < counts.size(); ++part) {
+      for (std::size_t part = 0; part < of_subject[i].size(); ++part) {
         std::vector<OverdrawCount>& sums = by_draw[subjects[i].parts[part].draw];
         for (std::size_t view = 0; view < sums.size(); ++view) {
-          sums[view] += counts[part][view];
-          by_subject[i * sums.size() + view] += counts[part][view];
+          sums[view] += of_subject[i][part][view];
+          by_subject[i * sums.size() + view] += of_subject[i][part][view];
         }
-        non_finite += count_non_finite_triangles(drawn.parts[part]);
       }
     }
     for (DrawId draw = 0; draw < by_draw.size(); ++draw) measure(run, {draw, {}}, by_draw[draw], by_draw[draw]);
     std::vector<OverdrawCount> by_view(views_.views.size());
     for (std::size_t i = 0; i < by_subject.size(); ++i) by_view[i % by_view.size()] += by_subject[i];
     measure(run, {}, by_view, by_subject);
-    tell_what_is_not_as_drawn(scene, run, non_finite);
+    tell_what_is_not_as_drawn(scene, run, std::reduce(non_finite.begin(), non_finite.end()));
   }
 
  private:
@@ -114,13 +121,10 @@ class OverdrawRaster final : public Evaluator {
   Views views_;
 };
 
-OptionTable<OverdrawRasterOptions> option_table() {
-  OptionTable<OverdrawRasterOptions> table;
-  add_view_rows(table);
+void add_faces_row(OptionTable<OverdrawRasterOptions>& table) {
   table.choice(&OverdrawRasterOptions::faces, "faces",
                "Which faces are drawn: as the material culls, or front faces alone as in published figures",
                {{"material", Faces::material}, {"front", Faces::front}});
-  return table;
 }
 
 }  // namespace
@@ -144,12 +148,18 @@ Plugin overdraw_raster_plugin() {
               {"triangles-left-out", "triangles", "Triangles with positions that are not finite, which are left out"},
           },
   };
-  bind_options(plugin, option_table(), [](const OverdrawRasterOptions& options) {
+  OptionTable<OverdrawRasterOptions> table;
+  add_view_rows(table);
+  add_faces_row(table);
+  bind_options(plugin, std::move(table), [](const OverdrawRasterOptions& options) {
     if (const auto mistake = mistake_in(options)) throw std::invalid_argument(*mistake);
     return std::make_unique<OverdrawRaster>(options);
   });
-  plugin.overdraw_service = [table = option_table()](const Settings& settings) {
-    return std::make_unique<OverdrawRasterService>(table.read(settings).faces);
+  OptionTable<OverdrawRasterOptions> service_table;
+  add_faces_row(service_table);
+  plugin.service_options = service_table.specs();
+  plugin.overdraw_service = [service_table](const Settings& settings) {
+    return std::make_unique<OverdrawRasterService>(service_table.read(settings).faces);
   };
   return plugin;
 }

@@ -1,12 +1,15 @@
 // CLI11 is slow to compile, so it is included here alone.
 #include "commands.h"
 
+#include <foredraw/base/diagnostics.h>
 #include <foredraw/pipeline/presets.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
+#include <stdexcept>
 
 namespace foredraw::cli {
 
@@ -75,6 +78,7 @@ class CommandLine {
   }
 
   int run(int argc, char** argv) {
+    if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) return no_such_command(argv[1]);
     try {
       app_.parse(argc, argv);
     } catch (const CLI::Success& asked) {  // --help, --version
@@ -90,6 +94,25 @@ class CommandLine {
   }
 
  private:
+  std::vector<std::string> commands() const {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
+    return names;
+  }
+
+  bool is_command(const std::string& word) const {
+    const std::vector<std::string> names = commands();
+    return std::find(names.begin(), names.end(), word) != names.end();
+  }
+
+  int no_such_command(const std::string& word) const {
+    const std::vector<std::string> names = commands();
+    const std::string_view near = nearest(word, names);
+    fmt::print(stderr, "foredraw: error: there is no command '{}'\n    hint: {}\n", word,
+               near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+    return users_mistake;
+  }
+
   CLI::App& add(const std::string& name, const std::string& what, Command command) {
     CLI::App* app = app_.add_subcommand(name, what);
     app->callback([this, command = std::move(command)] { command_ = command; });
@@ -128,6 +151,13 @@ class CommandLine {
 
 }  // namespace
 
-int main(int argc, char** argv, const Registry& registry) { return CommandLine(registry).run(argc, argv); }
+int main(int argc, char** argv, const Registry& registry) {
+  try {
+    return CommandLine(registry).run(argc, argv);
+  } catch (const std::exception& problem) {  // no memory, most likely
+    fmt::print(stderr, "foredraw: error: {}\n", problem.what());
+    return something_failed;
+  }
+}
 
 }  // namespace foredraw::cli

@@ -7,61 +7,87 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foredraw::cli {
 
 namespace {
 
-constexpr const char* default_pipeline = "@default";
+/// A scene read and a pipeline planned for it.
+struct Job {
+  SceneFile file;
+  Plan plan;
+};
 
-std::string first_pipeline(const Arguments& arguments) {
-  return arguments.pipelines.empty() ? default_pipeline : arguments.pipelines.back();
-}
-
-Exit print(const std::string& text) {
+/// The exit code, with all told, where there is no job.
+std::variant<Job, Exit> job_for(const std::string& input, const Pipeline& pipeline, const Registry& registry) {
   Diagnostics diagnostics;
-  const bool printed = write_standard_output(std::as_bytes(std::span(text)), diagnostics);
-  return printed ? done : refuse_file(diagnostics);
+  auto file = read_scene(input, diagnostics);
+  if (!file) return refuse_file(diagnostics);
+  auto plan = foredraw::plan(pipeline, registry, file->scene, diagnostics);
+  if (!plan) return refuse(diagnostics);
+  tell(diagnostics);
+  return Job{std::move(*file), std::move(*plan)};
 }
 
-Result run_plan(const foredraw::Plan& plan, Scene scene, const Executor& executor, Analyses& analyses) {
-  Result result = foredraw::run(plan, std::move(scene), {executor, analyses, nullptr, progress_line()});
-  end_progress();
-  return result;
+std::optional<Pipeline> one_pipeline(const Arguments& arguments, Diagnostics& diagnostics) {
+  if (arguments.pipelines.size() > 1) {
+    diagnostics.error({}, "bad-arguments", "--pipeline is given more than once", "foredraw compare runs several");
+    return std::nullopt;
+  }
+  const std::string text = arguments.pipelines.empty() ? "@default" : arguments.pipelines.front();
+  auto pipelines = pipelines_for(arguments, {text}, diagnostics);
+  return pipelines ? std::optional(std::move(pipelines->front())) : std::nullopt;
 }
 
-/// The report, the remap tables and the scene, all or an explanation.
+/// Reports and scene would stand in each other's way.
+bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
+  if (arguments.json && arguments.output == "-") {
+    diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output", "use --report FILE for the record");
+  }
+  for (const std::string& text : {arguments.report, arguments.remap}) {
+    if (text.empty()) continue;
+    if (text == "-") diagnostics.error({}, "bad-arguments", "--report and --remap take the name of a file", "--json prints the record");
+    if (text == arguments.output || (text == arguments.report && text == arguments.remap)) {
+      diagnostics.error({.file = text}, "bad-arguments", "is to hold two outputs", "give each a file of its own");
+      return true;
+    }
+  }
+  return diagnostics.has_errors();
+}
+
+/// The scene, the report and the remap tables: all of them, or none and an explanation.
 bool write_outputs(const Arguments& arguments, Result& result, Diagnostics& diagnostics) {
-  const auto bytes = write_scene(result.scene, arguments.output, diagnostics);
-  if (!bytes) return false;
+  auto files = encode_scene(result.scene, arguments.output, diagnostics);
+  if (!files) return false;
   Report& report = result.report;
-  report.output = {arguments.output, *bytes};
+  report.output = {arguments.output, files->front().bytes.size()};
   for (const Diagnostic& diagnostic : diagnostics.all()) report.diagnostics.push_back(diagnostic);
-  bool written = true;
-  if (!arguments.report.empty()) written = write_text(arguments.report, to_json(report), diagnostics);
-  if (!arguments.remap.empty()) written = write_text(arguments.remap, remap_json(result.scene), diagnostics) && written;
-  return written;
+  if (!arguments.report.empty()) files->push_back(text_file(arguments.report, to_json(report)));
+  if (!arguments.remap.empty()) files->push_back(text_file(arguments.remap, remap_json(result.scene)));
+  if (arguments.output != "-") return write_files(*files, diagnostics);
+  return write_files(std::span(*files).subspan(1), diagnostics) &&
+         write_standard_output(files->front().bytes, diagnostics);
 }
 
 }  // namespace
 
 Exit optimize(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
-  if (arguments.json && arguments.output == "-") {
-    diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output", "use --report FILE for the record");
+  const auto pipeline = one_pipeline(arguments, diagnostics);
+  if (!pipeline || outputs_clash(arguments, diagnostics) || !can_write_scene(arguments.output, diagnostics)) {
     return refuse(diagnostics);
   }
-  const auto pipeline = pipeline_for(arguments, first_pipeline(arguments), diagnostics);
-  if (!can_write_scene(arguments.output, diagnostics) || !pipeline) return refuse(diagnostics);
-  auto file = read_scene(arguments.inputs[0], diagnostics);
-  if (!file) return refuse_file(diagnostics);
-  const auto plan = foredraw::plan(*pipeline, registry, file->scene, diagnostics);
-  if (!plan) return refuse(diagnostics);
+  auto job = job_for(arguments.inputs[0], *pipeline, registry);
+  if (const Exit* exit = std::get_if<Exit>(&job)) return *exit;
+  auto& [file, plan] = std::get<Job>(job);
 
   const Executor executor(arguments.threads);
   Analyses analyses;
-  Result result = run_plan(*plan, std::move(file->scene), executor, analyses);
+  Result result = foredraw::optimize(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+  end_progress();
   result.report.command = "optimize";
-  result.report.input = {arguments.inputs[0], file->bytes};
+  result.report.input = {arguments.inputs[0], file.bytes};
   tell(result.report.diagnostics);
   const bool written = write_outputs(arguments, result, diagnostics);
   tell(diagnostics);
@@ -73,31 +99,28 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
 
 Exit plan(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
-  const auto pipeline = pipeline_for(arguments, first_pipeline(arguments), diagnostics);
+  const auto pipeline = one_pipeline(arguments, diagnostics);
   if (!pipeline) return refuse(diagnostics);
-  const auto file = read_scene(arguments.inputs[0], diagnostics);
-  if (!file) return refuse_file(diagnostics);
-  const auto plan = foredraw::plan(*pipeline, registry, file->scene, diagnostics);
-  if (!plan) return refuse(diagnostics);
-  tell(diagnostics);
-  return print(arguments.json ? to_json(*plan, file->scene) : to_text(*plan, file->scene));
+  const auto job = job_for(arguments.inputs[0], *pipeline, registry);
+  if (const Exit* exit = std::get_if<Exit>(&job)) return *exit;
+  const auto& [file, plan] = std::get<Job>(job);
+  return print(arguments.json ? to_json(plan, file.scene) : to_text(plan, file.scene));
 }
 
 Exit measure(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
-  const auto pipeline = pipeline_for(arguments, "", diagnostics);
-  if (!pipeline) return refuse(diagnostics);
-  auto file = read_scene(arguments.inputs[0], diagnostics);
-  if (!file) return refuse_file(diagnostics);
-  const auto plan = foredraw::plan(*pipeline, registry, file->scene, diagnostics);
-  if (!plan) return refuse(diagnostics);
+  const auto pipelines = pipelines_for(arguments, {""}, diagnostics);
+  if (!pipelines) return refuse(diagnostics);
+  auto job = job_for(arguments.inputs[0], pipelines->front(), registry);
+  if (const Exit* exit = std::get_if<Exit>(&job)) return *exit;
+  auto& [file, plan] = std::get<Job>(job);
 
   const Executor executor(arguments.threads);
   Analyses analyses;
-  Result result = run_plan(*plan, std::move(file->scene), executor, analyses);
+  Result result = foredraw::measure(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+  end_progress();
   result.report.command = "measure";
-  result.report.input = {arguments.inputs[0], file->bytes};
-  tell(diagnostics);
+  result.report.input = {arguments.inputs[0], file.bytes};
   tell(result.report.diagnostics);
   const Exit printed = print(arguments.json ? to_json(result.report) : to_text(result.report));
   return result.failed ? something_failed : printed;
@@ -105,41 +128,41 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
 
 Exit compare(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
-  std::vector<std::pair<std::string, Pipeline>> pipelines;
-  for (const std::string& text : arguments.pipelines.empty() ? std::vector<std::string>{default_pipeline} : arguments.pipelines) {
-    if (auto pipeline = pipeline_for(arguments, text, diagnostics)) pipelines.emplace_back(text, std::move(*pipeline));
-  }
-  if (diagnostics.has_errors()) return refuse(diagnostics);
-  // Branches that were measured differently can not be compared.
-  for (auto& [text, pipeline] : pipelines) pipeline.measure = pipelines.front().second.measure;
+  const std::vector<std::string> texts =
+      arguments.pipelines.empty() ? std::vector<std::string>{"@default"} : arguments.pipelines;
+  const auto pipelines = pipelines_for(arguments, texts, diagnostics);
+  if (!pipelines) return refuse(diagnostics);
 
   const Executor executor(arguments.threads);
-  Analyses analyses;
   std::vector<Comparison> comparisons;
-  bool failed = false;
+  Exit worst = done;
   for (const std::string& input : arguments.inputs) {
-    const auto file = read_scene(input, diagnostics);
-    if (!file) return refuse_file(diagnostics);
-    Comparison comparison{{input, file->bytes}, {}};
-    for (const auto& [text, pipeline] : pipelines) {
-      const auto plan = foredraw::plan(pipeline, registry, file->scene, diagnostics);
-      if (!plan) return refuse(diagnostics);
-      Result result = run_plan(*plan, file->scene, executor, analyses);
+    Comparison comparison{{input, 0}, {}};
+    Analyses analyses;  // shared by the branches, gone with the file
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      auto job = job_for(input, (*pipelines)[i], registry);
+      if (const Exit* exit = std::get_if<Exit>(&job)) {
+        worst = std::max(worst, *exit);
+        break;
+      }
+      auto& [file, plan] = std::get<Job>(job);
+      comparison.input.bytes = file.bytes;
+      Result result = foredraw::optimize(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+      end_progress();
       result.report.command = "compare";
       result.report.input = comparison.input;
       tell(result.report.diagnostics);
-      failed = failed || result.failed;
-      comparison.branches.push_back({text, std::move(result.report)});
+      if (result.failed) worst = something_failed;
+      comparison.branches.push_back({texts[i], std::move(result.report)});
     }
-    comparisons.push_back(std::move(comparison));
-    analyses.clear();
+    if (comparison.branches.size() == texts.size()) comparisons.push_back(std::move(comparison));
   }
-  tell(diagnostics);
-  if (!arguments.report.empty() && !write_text(arguments.report, to_json(comparisons), diagnostics)) {
-    return refuse_file(diagnostics);
+  if (comparisons.empty()) return worst;
+  if (!arguments.report.empty()) {
+    const OutputFile report = text_file(arguments.report, to_json(comparisons));
+    if (!write_files(std::span(&report, 1), diagnostics)) return refuse_file(diagnostics);
   }
-  const Exit printed = print(arguments.json ? to_json(comparisons) : to_text(comparisons));
-  return failed ? something_failed : printed;
+  return std::max(worst, print(arguments.json ? to_json(comparisons) : to_text(comparisons)));
 }
 
 }  // namespace foredraw::cli

@@ -28,19 +28,47 @@ Exit refuse_file(const Diagnostics& diagnostics) {
   return missing ? users_mistake : something_failed;
 }
 
-std::optional<Pipeline> pipeline_for(const Arguments& arguments, const std::string& text, Diagnostics& diagnostics) {
-  std::optional<Pipeline> pipeline = load_pipeline(text, diagnostics);
-  if (!pipeline) return std::nullopt;
-  if (!arguments.with.empty()) {
-    auto measure = parse_stages(arguments.with, "--with", diagnostics);
-    if (!measure) return std::nullopt;
-    pipeline->measure = std::move(*measure);
-  } else if (pipeline->measure.empty()) {
-    pipeline->measure = load_pipeline("@default", diagnostics)->measure;
+Exit print(const std::string& text) {
+  Diagnostics diagnostics;
+  return write_standard_output(std::as_bytes(std::span(text)), diagnostics) ? done : refuse_file(diagnostics);
+}
+
+namespace {
+
+bool set_wherever_it_is(std::vector<Pipeline>& pipelines, const std::string& assignment, Diagnostics& diagnostics) {
+  Diagnostics nowhere;
+  bool found = false;
+  for (Pipeline& pipeline : pipelines) {
+    Diagnostics here;
+    if (set_option(pipeline, assignment, here)) {
+      found = true;
+      continue;
+    }
+    const bool no_such_stage = here.all().front().code == "no-such-stage";
+    for (const Diagnostic& diagnostic : here.all()) (no_such_stage ? nowhere : diagnostics).add(diagnostic);
+    if (!no_such_stage) return false;
   }
+  if (!found) diagnostics.add(nowhere.all().front());
+  return found;
+}
+
+}  // namespace
+
+std::optional<std::vector<Pipeline>> pipelines_for(const Arguments& arguments, const std::vector<std::string>& texts,
+                                                   Diagnostics& diagnostics) {
+  std::vector<Pipeline> pipelines;
+  for (const std::string& text : texts) {
+    if (auto pipeline = load_pipeline(text, diagnostics)) pipelines.push_back(std::move(*pipeline));
+  }
+  auto measure = arguments.with.empty() ? std::optional<std::vector<Stage>>()
+                                        : parse_stages(arguments.with, "--with", diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  if (!measure) measure = pipelines.front().measure;
+  if (measure->empty()) measure = load_pipeline("@default", diagnostics)->measure;
+  for (Pipeline& pipeline : pipelines) pipeline.measure = *measure;
   bool good = true;
-  for (const std::string& assignment : arguments.set) good = set_option(*pipeline, assignment, diagnostics) && good;
-  return good ? pipeline : std::nullopt;
+  for (const std::string& assignment : arguments.set) good = set_wherever_it_is(pipelines, assignment, diagnostics) && good;
+  return good ? std::optional(std::move(pipelines)) : std::nullopt;
 }
 
 std::function<void(std::string_view, double)> progress_line() {
@@ -55,10 +83,9 @@ void end_progress() {
   if (stderr_is_terminal()) fmt::print(stderr, "\r\033[K");
 }
 
-bool write_text(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
+OutputFile text_file(const std::string& path, const std::string& text) {
   const auto bytes = std::as_bytes(std::span(text));
-  const OutputFile file{path, {bytes.begin(), bytes.end()}};
-  return write_files(std::span(&file, 1), diagnostics);
+  return {path, {bytes.begin(), bytes.end()}};
 }
 
 }  // namespace foredraw::cli

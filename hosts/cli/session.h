@@ -18,14 +18,18 @@ void tell(const std::vector<Diagnostic>& diagnostics);
 Exit refuse(const Diagnostics& diagnostics);
 Exit refuse_file(const Diagnostics& diagnostics);
 
-/// The pipeline of an argument with --set and --with put in; evaluators of @default where it names none.
-std::optional<Pipeline> pipeline_for(const Arguments& arguments, const std::string& pipeline, Diagnostics& diagnostics);
+/// Prints a result to standard output.
+Exit print(const std::string& text);
+
+/// The pipelines of the texts, with --with and --set put in. All measure alike: with what --with names, else as the first
+/// does, else as @default. An option is set wherever there is its stage; it is a mistake where there is none in any.
+std::optional<std::vector<Pipeline>> pipelines_for(const Arguments& arguments, const std::vector<std::string>& texts,
+                                                   Diagnostics& diagnostics);
 
 /// Progress on a terminal, nothing elsewhere.
 std::function<void(std::string_view, double)> progress_line();
 void end_progress();
 
-/// Writes a text beside its place and renames it.
-bool write_text(const std::string& path, const std::string& text, Diagnostics& diagnostics);
+OutputFile text_file(const std::string& path, const std::string& text);
 
 }  // namespace foredraw::cli

@@ -19,8 +19,7 @@ Exit inspect(const Arguments& arguments) {
   if (!file) return refuse_file(diagnostics);
   tell(diagnostics);
   Analyses analyses;
-  fmt::print("{}", arguments.json ? inspection_json(file->scene, analyses) : inspection_text(file->scene, analyses));
-  return done;
+  return print(arguments.json ? inspection_json(file->scene, analyses) : inspection_text(file->scene, analyses));
 }
 
 Exit list(const Arguments& arguments, const Registry& registry) {
@@ -32,8 +31,7 @@ Exit list(const Arguments& arguments, const Registry& registry) {
     fmt::print(stderr, "foredraw: error: --kind is '{}', but must be orderer, clusterer, processor or evaluator\n", arguments.kind);
     return users_mistake;
   }
-  fmt::print("{}", arguments.json ? list_json(registry, kind) : list_text(registry, kind));
-  return done;
+  return print(arguments.json ? list_json(registry, kind) : list_text(registry, kind));
 }
 
 Exit show(const Arguments& arguments, const Registry& registry) {
@@ -41,12 +39,10 @@ Exit show(const Arguments& arguments, const Registry& registry) {
   for (const Preset& preset : presets()) {
     names.push_back(fmt::format("@{}", preset.name));
     if (arguments.name != names.back()) continue;
-    fmt::print("{}", preset.text);
-    return done;
+    return print(std::string(preset.text));
   }
   if (const Plugin* plugin = registry.find(arguments.name)) {
-    fmt::print("{}", arguments.json ? reference_json(*plugin) : reference_page(*plugin));
-    return done;
+    return print(arguments.json ? reference_json(*plugin) : reference_page(*plugin));
   }
   const std::string_view near = nearest(arguments.name, names);
   fmt::print(stderr, "foredraw: error: there is no plugin or preset '{}'\n    hint: {}\n", arguments.name,
@@ -55,8 +51,7 @@ Exit show(const Arguments& arguments, const Registry& registry) {
 }
 
 Exit schema(const Registry& registry) {
-  fmt::print("{}", pipeline_schema(registry));
-  return done;
+  return print(pipeline_schema(registry));
 }
 
 }  // namespace foredraw::cli

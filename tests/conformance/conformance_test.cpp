@@ -3,6 +3,7 @@
 
 #include "odd_scenes.h"
 
+#include <foredraw/analysis/vertex_rows.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/technique/built_in_plugins.h>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace foredraw {
 namespace {
@@ -58,7 +60,7 @@ Outcome run(const Pipeline& pipeline, int threads) {
   if (!plan) throw std::runtime_error(to_text(diagnostics));
   const Executor executor(threads);
   Analyses analyses;
-  Result result = foredraw::run(*plan, scene, {executor, analyses});
+  Result result = foredraw::optimize(*plan, scene, {executor, analyses});
   return {std::move(result), std::move(*plan)};
 }
 
@@ -141,14 +143,36 @@ TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
   }
 }
 
+/// Whether the draw is what the trait says, as far as that can be seen from the draw.
+bool holds(const std::string& trait, const Draw& draw) {
+  const Level& level = draw.levels[0];
+  if (trait == traits::clustered) return level.orders[0].clusters.has_value();
+  if (trait == traits::welded) {
+    const VertexRows rows(*level.vertices);
+    std::set<Stamp> different;
+    for (std::size_t v = 0; v < rows.size(); ++v) different.insert(content_hash(rows[v]));
+    return different.size() == rows.size();
+  }
+  return true;
+}
+
 TEST_P(EveryPlugin, ProvidesWhatItsCardSays) {
   if (plugin().kind == Kind::evaluator) return;
   const Outcome outcome = run(pipeline_for(plugin(), {}), 2);
   const PlannedStage& stage = outcome.plan.stages.back();
+  for (const Draw& draw : outcome.result.scene.draws) {
+    for (const std::string& trait : plugin().card.provides) {
+      EXPECT_TRUE(!draw.traits.has(trait) || holds(trait, draw)) << draw.name << ' ' << trait;
+    }
+    EXPECT_EQ(draw.traits.has(traits::clustered), draw.levels[0].orders[0].clusters.has_value()) << draw.name;
+  }
+  // Every draw that it was planned for has it now, but for those that vertices shared with others hold back.
   for (DrawId id : stage.draws) {
     const Draw& draw = outcome.result.scene.draws[id];
-    for (const std::string& trait : plugin().card.provides) EXPECT_TRUE(draw.traits.has(trait)) << draw.name << ' ' << trait;
-    EXPECT_EQ(draw.traits.has(traits::clustered), draw.levels[0].orders[0].clusters.has_value()) << draw.name;
+    const bool held = draw.name.starts_with("held back");
+    for (const std::string& trait : plugin().card.provides) {
+      EXPECT_TRUE(held || draw.traits.has(trait)) << draw.name << ' ' << trait;
+    }
   }
 }
 

@@ -122,6 +122,13 @@ Scene odd_scene() {
     half.levels[0].orders[0].indices = Shared<std::uint32_t>({part.begin(), part.end()});
     draws.push_back(std::move(half));
   }
+  // Triangles with duplicate vertices whose vertices points draw too: nobody may move them.
+  Draw held = draw_of({{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {3, 2, 1, 0, 2, 3}}, "held back");
+  Draw holder = points();
+  holder.name = "holder";
+  holder.levels[0].vertices = held.levels[0].vertices;
+  draws.push_back(std::move(held));
+  draws.push_back(std::move(holder));
   Draw glass = draw_of(torus(5, 4), "glass");
   glass.traits.add(traits::blended);
   draws.push_back(std::move(glass));

@@ -28,7 +28,7 @@ inline Result run_pipeline(const std::string& text, const Scene& scene, int thre
   if (!plan) throw std::runtime_error(to_text(diagnostics));
   const Executor executor(threads);
   Analyses analyses;
-  return foredraw::run(*plan, scene, {executor, analyses});
+  return foredraw::optimize(*plan, scene, {executor, analyses});
 }
 
 }  // namespace foredraw::testing

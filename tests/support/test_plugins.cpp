@@ -38,6 +38,14 @@ struct ReverseDraw final : DrawOrderer {
   int cache_size() const override { return 24; }
 };
 
+struct KeepsEverything final : DrawOrderer {
+  IndexOrder order(const DrawView&, Run& run) override {
+    run.keep("it is best as it is");
+    return {};
+  }
+  int cache_size() const override { return 48; }
+};
+
 struct TwoOrders final : SubjectOrderer {
   SubjectOrders order(const SubjectView& subject, Run&) override {
     SubjectOrders answer;
@@ -66,14 +74,15 @@ struct Pairs final : Clusterer {
 };
 
 struct AddDraw final : Processor {
-  void process(Scene& scene, const std::vector<DrawId>& draws, Run&) override {
-    if (draws.empty()) return;
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run&) override {
+    if (draws.empty()) return {};
     Draw copy = scene.draws[draws.front()];
     copy.name += " again";
     copy.origin.reset();
     const auto id = static_cast<DrawId>(scene.draws.size());
     scene.draws.push_back(std::move(copy));
     scene.meshes.front().draws.push_back(id);
+    return draws;
   }
 };
 
@@ -183,6 +192,13 @@ Plugin faulty() {
   return plugin;
 }
 
+Plugin keeps_everything() {
+  return plugin_of<KeepsEverything>(Kind::orderer, {.name = "keeps-everything",
+                                                    .acts_on = {traits::triangles},
+                                                    .provides = {traits::cache_ordered},
+                                                    .breaks = {traits::clustered}});
+}
+
 Plugin unavailable() {
   Plugin plugin = plugin_of<ReverseDraw>(Kind::orderer, {.name = "unavailable", .acts_on = {traits::triangles}});
   plugin.unavailable = [] { return std::optional<std::string>("no such device"); };
@@ -198,7 +214,7 @@ Plugin needs_clusters() {
 
 void add_test_plugins(Registry& registry) {
   for (const auto& make : {reverse_draw, two_orders, reverse_vertices, pairs, add_draw, double_triangles, empty_images,
-                           count_draws, count_triangles, count_bytes, ask_overdraw, answer_overdraw, faulty, unavailable,
+                           count_draws, count_triangles, count_bytes, ask_overdraw, answer_overdraw, faulty, keeps_everything, unavailable,
                            needs_clusters}) {
     registry.add(make());
   }

@@ -23,6 +23,7 @@ struct FaultyOptions {
   std::string on = "*";         ///< the draw it goes wrong on
 };
 Plugin faulty();              ///< draw orderer that throws or answers with no permutation
+Plugin keeps_everything();    ///< draw orderer for a cache of 48 that keeps what there is; breaks clustered
 Plugin unavailable();         ///< draw orderer that this machine lacks something for
 Plugin needs_clusters();      ///< draw orderer that needs clustered, and undoes cache-ordered
 

@@ -6,7 +6,7 @@ namespace foredraw {
 
 namespace {
 
-/// The content of each vertex.
+/// The content of each vertex, and how it is read: the same bytes under another name or format are something else.
 struct VertexContent {
   std::vector<Stamp> stamps;
 };
@@ -15,7 +15,8 @@ VertexContent content_of(const VertexStreams& vertices) {
   const VertexRows rows(vertices);
   VertexContent content;
   content.stamps.resize(vertices.count);
-  for (std::uint32_t v = 0; v < vertices.count; ++v) content.stamps[v] = content_hash(rows[v]);
+  const std::uint64_t layout = vertices.layout_stamp().low;
+  for (std::uint32_t v = 0; v < vertices.count; ++v) content.stamps[v] = content_hash(rows[v], layout);
   return content;
 }
 

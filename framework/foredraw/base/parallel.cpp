@@ -18,9 +18,8 @@ struct Executor::Arena {
 };
 
 Executor::Executor(int threads)
-    : threads_(threads > 0 ? threads : tbb::info::default_concurrency()),
-      // More than there are processors would gain nothing, and TBB complains of it on standard error.
-      arena_(new Arena{tbb::task_arena(std::min(threads_, tbb::info::default_concurrency()))}) {}
+    : threads_(threads > 0 ? std::min(threads, tbb::info::default_concurrency()) : tbb::info::default_concurrency()),
+      arena_(new Arena{tbb::task_arena(threads_)}) {}
 
 Executor::~Executor() = default;
 
@@ -53,11 +52,13 @@ void Executor::for_each(std::size_t count, const std::function<void(std::size_t)
 #else
 
 void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& task) const {
-  arena_->arena.execute([&] {
+  const auto loop = [&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) task(i);
     }, tbb::simple_partitioner());
-  });
+  };
+  // Isolated: who waits here holds perhaps a lock, and must not be given a task from outside that wants the same one.
+  arena_->arena.execute([&] { tbb::this_task_arena::isolate(loop); });
 }
 
 #endif

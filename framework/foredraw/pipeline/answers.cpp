@@ -37,6 +37,7 @@ void certify(const Draw& before, const Draw& after, Analyses& analyses) {
 Draw ordered(const DrawView& draw, const IndexOrder& order, int cache_size, Analyses& analyses) {
   require_permutation(order, draw.triangle_count(), "triangles");
   Draw result = with_triangle_order(draw.draw(), order);
+  result.levels[0].orders.resize(1);  // others went with the one that stood alone
   if (cache_size > 0) result.levels[0].orders[0].cache_size = static_cast<std::uint16_t>(cache_size);
   certify(draw.draw(), result, analyses);
   return result;
@@ -72,6 +73,7 @@ OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyse
     const IndexStream stream = before.levels[0].orders[0];
     for (const IndexOrder& order : answer.orders[i]) require_permutation(order, stream.triangle_count(), "triangles");
     Draw draw = with_triangle_order(before, answer.orders[i][0]);
+    draw.levels[0].orders.resize(1);
     for (std::size_t j = 1; j < k; ++j) {
       draw.levels[0].orders.push_back(with_triangle_order(stream, answer.orders[i][j]));
     }

@@ -25,7 +25,8 @@ std::optional<std::string> print_line(const Pipeline& pipeline);
 std::string print_stage(const Stage& stage);
 
 /// "tipsify.cache-size=24": sets the option (or reserved word) of every stage of that name, among the measures and
-/// services too. False, with a diagnostic, where there is no such stage or the text has another form.
+/// services too; "views.count=162" and "seed=7" set the pipeline's own. False, with a diagnostic, where there is no such
+/// stage (code "no-such-stage") or the text has another form.
 bool set_option(Pipeline& pipeline, std::string_view assignment, Diagnostics& diagnostics);
 
 /// What a --pipeline argument names: "@preset", a file, or a line of stages.

@@ -60,16 +60,16 @@ class Planner {
     return nullptr;
   }
 
-  std::optional<Settings> fitted(const Plugin& plugin, const Stage& stage) {
+  std::optional<Settings> fitted(const std::vector<OptionSpec>& options, const Stage& stage) {
     Settings settings;
     bool good = true;
     for (const auto& [name, value] : stage.settings) {
       const auto at = stage.option_where.find(name);
       const Where where = at == stage.option_where.end() ? stage.where : at->second;
-      const auto spec = std::ranges::find(plugin.options, name, &OptionSpec::name);
-      if (spec == plugin.options.end()) {
-        std::vector<std::string> names{"only", "required", "enabled", "blended"};
-        for (const OptionSpec& option : plugin.options) names.push_back(option.name);
+      const auto spec = std::ranges::find(options, name, &OptionSpec::name);
+      if (spec == options.end()) {
+        std::vector<std::string> names(std::begin(reserved_words), std::end(reserved_words));
+        for (const OptionSpec& option : options) names.push_back(option.name);
         const std::string_view near = nearest(name, names);
         error(where, "unknown-option", fmt::format("'{}' has no option '{}'", stage.use, name),
               near.empty() ? fmt::format("foredraw show {} lists its options", stage.use)
@@ -99,7 +99,7 @@ class Planner {
             measure ? "list it under stages" : "list it under measure");
       return std::nullopt;
     }
-    auto settings = fitted(*plugin, stage);
+    auto settings = fitted(plugin->options, stage);
     if (!settings) return std::nullopt;
     try {
       PlannedStage planned{plugin, label_of(stage.use), stage, *settings, nullptr, {}, {}, std::nullopt};
@@ -194,7 +194,7 @@ class Planner {
       error(stage.where, "no-service", fmt::format("'{}' does not measure overdraw", stage.use));
       return nullptr;
     }
-    const auto settings = fitted(*plugin, stage);
+    const auto settings = fitted(plugin->service_options, stage);
     return settings ? plugin->overdraw_service(*settings) : nullptr;
   }
 

@@ -33,16 +33,16 @@ class PlanRunner {
   PlanRunner(const Plan& plan, Scene scene, const Surroundings& surroundings)
       : plan_(plan), surroundings_(surroundings) {
     result_.scene = std::move(scene);
-    steps_ = plan.stages.size() + plan.measures.size() * (plan.stages.empty() ? 1 : 2);
   }
 
-  Result run() {
+  Result run(bool optimize) {
     const Clock clock;
     Report& report = result_.report;
     report.pipeline = print_file(plan_.pipeline);
     report.seed = plan_.pipeline.seed;
     report.threads = surroundings_.executor.threads();
-    report.optimized = !plan_.stages.empty();
+    report.optimized = optimize;
+    steps_ = optimize ? plan_.stages.size() + 2 * plan_.measures.size() : plan_.measures.size();
     describe_input();
 
     if (report.optimized) {
@@ -129,8 +129,12 @@ class PlanRunner {
 
   template <class Book>
   StageRecord run_one(const PlannedStage& stage, std::size_t number, std::string_view what, Book book) {
+    Surroundings surroundings = surroundings_;
     if (surroundings_.progress) {
-      surroundings_.progress(std::string(what) + stage.label, static_cast<double>(done_) / static_cast<double>(steps_));
+      surroundings.progress = [&](std::string_view, double part) {
+        surroundings_.progress(std::string(what) + stage.label, (done_ + part) / static_cast<double>(steps_));
+      };
+      surroundings.progress(stage.label, 0);
     }
     StageRecord record;
     record.use = stage.label;
@@ -141,7 +145,7 @@ class PlanRunner {
     if (stage.left_out) {
       record.skipped.push_back({"unavailable", *stage.left_out, {}});
     } else {
-      auto measured = run_stage(stage, number, result_.scene, plan_, surroundings_, record, diagnostics_);
+      auto measured = run_stage(stage, number, result_.scene, plan_, surroundings, record, diagnostics_);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
       std::ranges::stable_partition(measured, [](const Measured& figure) { return figure.place != Place{}; });
       for (const Measured& figure : measured) book(figure);
@@ -173,13 +177,17 @@ class PlanRunner {
   Diagnostics diagnostics_;
   Result result_;
   std::size_t steps_ = 0;
-  std::size_t done_ = 0;
+  double done_ = 0;
 };
 
 }  // namespace
 
-Result run(const Plan& plan, Scene scene, const Surroundings& surroundings) {
-  return PlanRunner(plan, std::move(scene), surroundings).run();
+Result optimize(const Plan& plan, Scene scene, const Surroundings& surroundings) {
+  return PlanRunner(plan, std::move(scene), surroundings).run(true);
+}
+
+Result measure(const Plan& plan, Scene scene, const Surroundings& surroundings) {
+  return PlanRunner(plan, std::move(scene), surroundings).run(false);
 }
 
 }  // namespace foredraw

@@ -24,7 +24,10 @@ struct Result {
   bool failed = false;  ///< some stage failed somewhere; the report says where
 };
 
-/// Measures, runs the stages, measures again. A plan without stages measures once.
-Result run(const Plan& plan, Scene scene, const Surroundings& surroundings);
+/// Measures, runs the stages, measures again.
+Result optimize(const Plan& plan, Scene scene, const Surroundings& surroundings);
+
+/// Measures once; the plan's stages are not run.
+Result measure(const Plan& plan, Scene scene, const Surroundings& surroundings);
 
 }  // namespace foredraw

@@ -24,40 +24,82 @@ std::string what_there_is(const std::string& name, const std::vector<Stage*>& st
   return fmt::format("the pipeline has {}", fmt::join(names, ", "));
 }
 
-}  // namespace
+/// "tipsify.cache-size=24", "views.count=162" or "seed=7" taken apart.
+struct Assignment {
+  std::string stage;  ///< or "views"; empty for a word of the pipeline itself
+  std::string word;
+  OptionValue value;
+  Where where;  ///< of the value
+};
 
-bool set_option(Pipeline& pipeline, std::string_view assignment, Diagnostics& diagnostics) {
-  const Where start{"--set", 1, 1, {}};
-  const std::size_t equals = assignment.find('=');
-  const std::size_t dot = assignment.substr(0, equals).find('.');
-  if (equals == std::string_view::npos || dot == std::string_view::npos || dot == 0 || dot + 1 == equals) {
-    diagnostics.error(start, "syntax", fmt::format("expected stage.option=value, found '{}'", assignment),
-                      "such as tipsify.cache-size=24");
+std::optional<Assignment> assignment_of(std::string_view text, Diagnostics& diagnostics) {
+  const std::size_t equals = text.find('=');
+  const std::size_t dot = text.substr(0, equals).find('.');
+  const std::size_t word = dot == std::string_view::npos ? 0 : dot + 1;
+  const bool names_something = equals != std::string_view::npos && word < equals && dot != 0;
+  if (!names_something || (word == 0 && text.substr(0, equals) != "seed")) {
+    diagnostics.error({"--set", 1, 1, {}}, "syntax", fmt::format("expected stage.option=value, found '{}'", text),
+                      "such as tipsify.cache-size=24, views.count=162 or seed=7");
+    return std::nullopt;
+  }
+  const Where where{"--set", 1, static_cast<int>(equals) + 2, {}};
+  const auto value = scan_value(text.substr(equals + 1), {where}, diagnostics);
+  if (!value) return std::nullopt;
+  return Assignment{std::string(text.substr(0, word == 0 ? 0 : dot)), std::string(text.substr(word, equals - word)), *value, where};
+}
+
+/// A word of the pipeline's own tables.
+template <class Options>
+bool set_word(const OptionTable<Options>& table, Options& options, const Assignment& assignment, Diagnostics& diagnostics) {
+  std::vector<std::string> words;
+  for (const OptionSpec& spec : table.specs()) {
+    words.push_back(spec.name);
+    if (spec.name != assignment.word) continue;
+    auto fitted = fit(spec, assignment.value);
+    if (const auto* why = std::get_if<std::string>(&fitted)) {
+      diagnostics.error(assignment.where, "bad-value", *why);
+      return false;
+    }
+    table.apply({{spec.name, std::get<OptionValue>(std::move(fitted))}}, options);
+    return true;
+  }
+  diagnostics.error({"--set", 1, 1, {}}, "unknown-word", fmt::format("there is no '{}'", assignment.word),
+                    fmt::format("there are {}", fmt::join(words, ", ")));
+  return false;
+}
+
+bool set_of_stages(Pipeline& pipeline, const Assignment& assignment, Diagnostics& diagnostics) {
+  if (assignment.word == "use") {
+    diagnostics.error({"--set", 1, 1, {}}, "syntax", "'use' can not be set: it would be another stage", "write the stages with --pipeline");
     return false;
   }
-  const std::string name(assignment.substr(0, dot));
-  const std::string word(assignment.substr(dot + 1, equals - dot - 1));
-  const Where where{start.file, start.line, static_cast<int>(equals) + 2, {}};
-  const auto value = scan_value(assignment.substr(equals + 1), {where}, diagnostics);
-  if (!value) return false;
-
   const std::vector<Stage*> stages = stages_of(pipeline);
   bool found = false;
   for (Stage* stage : stages) {
-    if (stage->use != name) continue;
+    if (stage->use != assignment.stage) continue;
     StageWords words = words_of(*stage);
-    words.values[word] = *value;
-    words.where[word] = where;
+    words.values[assignment.word] = assignment.value;
+    words.where[assignment.word] = assignment.where;
     auto changed = stage_of(words, stage->where, diagnostics);
     if (!changed) return false;
     *stage = std::move(*changed);
     found = true;
   }
   if (!found) {
-    diagnostics.error(start, "no-such-stage", fmt::format("the pipeline has no stage '{}'", name),
-                      what_there_is(name, stages));
+    diagnostics.error({"--set", 1, 1, {}}, "no-such-stage", fmt::format("the pipeline has no stage '{}'", assignment.stage),
+                      what_there_is(assignment.stage, stages));
   }
   return found;
+}
+
+}  // namespace
+
+bool set_option(Pipeline& pipeline, std::string_view text, Diagnostics& diagnostics) {
+  const auto assignment = assignment_of(text, diagnostics);
+  if (!assignment) return false;
+  if (assignment->stage.empty()) return set_word(pipeline_words(), pipeline, *assignment, diagnostics);
+  if (assignment->stage == "views") return set_word(view_words(), pipeline.views, *assignment, diagnostics);
+  return set_of_stages(pipeline, *assignment, diagnostics);
 }
 
 }  // namespace foredraw

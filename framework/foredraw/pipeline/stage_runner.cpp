@@ -20,7 +20,8 @@ struct Outcome {
   std::string failure;
   Findings findings;
 
-  bool failed() const { return !answer && !findings.nothing_to_gain; }
+  bool kept() const { return findings.nothing_to_gain.has_value(); }
+  bool failed() const { return !answer && !kept(); }
 };
 
 struct Measurement {};  // the answer of who only measures
@@ -34,6 +35,7 @@ class StageRunner {
     std::vector<Traits> traits;
     for (const Draw& draw : scene.draws) traits.push_back(draw.traits);
     choice_ = choose(stage, scene, traits);
+    if (surroundings.progress) progress_ = [this](double part) { surroundings_.progress(stage_.label, part); };
     for (const Skip& skip : choice_.skips) add_skip(skip.code, skip.reason, scene.draws[skip.draw].name);
   }
 
@@ -46,10 +48,19 @@ class StageRunner {
   // --- the shapes ---------------------------------------------------------------------------------------------------
 
   void run(DrawOrderer& technique) {
-    accept_draws(over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
+    const int cache_size = technique.cache_size();
+    auto outcomes = over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
       const IndexOrder order = technique.order(draw, run);
-      if (!run.keeps()) outcome.answer = ordered(draw, order, technique.cache_size(), run.analyses);
-    }));
+      if (!run.keeps()) outcome.answer = ordered(draw, order, cache_size, run.analyses);
+    });
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      const DrawId id = choice_.draws[i];
+      if (outcomes[i].answer) forget_tables_of(id);
+      // An order that could not be bettered for this cache is as good as made for it.
+      IndexStream& stream = scene_.draws[id].levels[0].orders[0];
+      if (outcomes[i].kept() && cache_size > 0) stream.cache_size = static_cast<std::uint16_t>(cache_size);
+    }
+    accept_draws(std::move(outcomes));
   }
 
   void run(Clusterer& technique) {
@@ -69,63 +80,71 @@ class StageRunner {
 
   void run(SubjectOrderer& technique) {
     const std::vector<Subject> subjects = subjects_of(scene_);
-    auto outcomes = over<OrderedSubject>(subjects.size(), [](std::size_t) { return Place{}; },
-                                         [&](std::size_t i, Run& run, Outcome<OrderedSubject>& outcome) {
-      const SubjectView view{scene_, subjects[i], eligible_draws(subjects[i])};
-      if (view.draws.empty()) return run.keep("none of its draws may be ordered anew");
-      SubjectOrders orders = technique.order(view, run);
-      if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
-    });
+    const std::vector<std::vector<DrawId>> draws = draws_of(subjects);
+    auto outcomes = over<OrderedSubject>(
+        subjects.size(), [](std::size_t i) { return Place{.subject = static_cast<std::uint32_t>(i)}; },
+        [&](std::size_t i, Run& run, Outcome<OrderedSubject>& outcome) {
+          const SubjectView view{scene_, subjects[i], draws[i]};
+          if (view.draws.empty()) return run.keep("none of its draws may be ordered anew");
+          SubjectOrders orders = technique.order(view, run);
+          if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
+        });
     for (std::size_t i = 0; i < subjects.size(); ++i) {
-      if (!accept(outcomes[i], subjects[i].name)) continue;
-      for (auto& [id, draw] : outcomes[i].answer->draws) {
-        scene_.draws[id] = std::move(draw);
-        update_traits(scene_.draws[id]);
+      accept(outcomes[i], subjects[i].name);
+      if (outcomes[i].answer) {
+        for (auto& [id, draw] : outcomes[i].answer->draws) {
+          forget_tables_of(id);
+          scene_.draws[id] = std::move(draw);
+        }
+        scene_.order_tables.push_back(std::move(outcomes[i].answer->table));
       }
-      scene_.order_tables.push_back(std::move(outcomes[i].answer->table));
+      for (DrawId id : draws[i]) update_traits(scene_.draws[id], outcomes[i]);
     }
   }
 
   void run(VertexOrderer& technique) {
     std::vector<VertexGroup> groups = vertex_groups(scene_);
-    std::erase_if(groups, [&](const VertexGroup& group) {
-      return !std::ranges::all_of(group.users, [&](const VertexGroup::User& user) { return is_eligible(user.draw); });
-    });
+    for (const HeldDraw& held : keep_groups_of(groups, choice_.draws)) {
+      add_skip("shared-vertices", "it shares its vertices with " + scene_.draws[held.by].name + ", which stays as it is",
+               scene_.draws[held.draw].name);
+    }
     using Users = std::vector<std::pair<VertexGroup::User, Draw>>;
     auto outcomes = over<Users>(
-        groups.size(), [&](std::size_t i) { return Place{groups[i].users.front().draw, {}}; },
+        groups.size(), [&](std::size_t i) { return Place{groups[i].users.front().draw}; },
         [&](std::size_t i, Run& run, Outcome<Users>& outcome) {
           const VertexUse use{*groups[i].vertices, index_streams_of(scene_, groups[i])};
           const VertexOrder order = technique.order(use, run);
           if (!run.keeps()) outcome.answer = renumbered(scene_, groups[i], order, run.analyses);
         });
     for (std::size_t i = 0; i < groups.size(); ++i) {
-      if (accept(outcomes[i], scene_.draws[groups[i].users.front().draw].name)) {
+      accept(outcomes[i], scene_.draws[groups[i].users.front().draw].name);
+      if (outcomes[i].answer) {
         for (auto& [user, draw] : *outcomes[i].answer) {
           scene_.draws[user.draw].levels[user.level] = std::move(draw.levels[user.level]);
           if (user.level == 0) scene_.draws[user.draw].extensions = std::move(draw.extensions);
         }
       }
-      if (outcomes[i].failed()) continue;
-      for (const VertexGroup::User& user : groups[i].users) update_traits(scene_.draws[user.draw]);
+      for (const VertexGroup::User& user : groups[i].users) update_traits(scene_.draws[user.draw], outcomes[i]);
     }
   }
 
   void run(Processor& technique) {
+    std::vector<DrawId> worked_on;
     auto outcomes = over<Scene>(1, [](std::size_t) { return Place{}; },
                                 [&](std::size_t, Run& run, Outcome<Scene>& outcome) {
       Scene changed = scene_;
-      technique.process(changed, choice_.draws, run);
+      worked_on = technique.process(changed, choice_.draws, run);
+      if (run.keeps()) return;
       if (stage_.plugin->card.lossless) {
         if (changed.draws.size() != scene_.draws.size()) throw std::runtime_error("it promised the same draws");
         for (DrawId id : choice_.draws) certify(scene_.draws[id], changed.draws[id], run.analyses);
       }
-      if (!run.keeps()) outcome.answer = std::move(changed);
+      outcome.answer = std::move(changed);
     });
-    if (accept(outcomes[0], "")) scene_ = std::move(*outcomes[0].answer);
-    if (outcomes[0].failed()) return;
-    for (DrawId id : choice_.draws) {
-      if (id < scene_.draws.size()) update_traits(scene_.draws[id]);
+    accept(outcomes[0], "");
+    if (outcomes[0].answer) scene_ = std::move(*outcomes[0].answer);
+    for (DrawId id : worked_on) {
+      if (id < scene_.draws.size()) update_traits(scene_.draws[id], outcomes[0]);
     }
   }
 
@@ -135,7 +154,8 @@ class StageRunner {
       if (!run.keeps()) outcome.answer = std::move(changed);
     });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      if (accept(outcomes[i], scene_.images[i].name)) scene_.images[i] = std::move(*outcomes[i].answer);
+      accept(outcomes[i], scene_.images[i].name);
+      if (outcomes[i].answer) scene_.images[i] = std::move(*outcomes[i].answer);
     }
   }
 
@@ -177,9 +197,10 @@ class StageRunner {
               .findings = outcome.findings,
               .views = plan_.views,
               .overdraw = stage_.plugin->card.uses_overdraw ? plan_.overdraw.get() : nullptr,
-              .seed = derive_seed(static_cast<std::uint64_t>(plan_.pipeline.seed), number_, i),
+              .seed = seed_of(place_of(i)),
               .place = place_of(i),
-              .cancel = surroundings_.cancel};
+              .cancel = surroundings_.cancel,
+              .progress = count == 1 ? progress_ : nullptr};
       try {
         if (run.cancelled()) throw std::runtime_error("cancelled");
         task(i, run, outcome);
@@ -192,10 +213,16 @@ class StageRunner {
     return outcomes;
   }
 
+  /// Not of the number among those that are worked on, so that a draw's seed does not hang on what else is skipped.
+  std::uint64_t seed_of(const Place& place) const {
+    const std::uint32_t id = place.draw.value_or(place.image.value_or(place.subject.value_or(0)));
+    return derive_seed(static_cast<std::uint64_t>(plan_.pipeline.seed), number_, id);
+  }
+
   template <class Answer, class Task>
   std::vector<Outcome<Answer>> over_draws(Task task) {
     return over<Answer>(
-        choice_.draws.size(), [&](std::size_t i) { return Place{choice_.draws[i], {}}; },
+        choice_.draws.size(), [&](std::size_t i) { return Place{choice_.draws[i]}; },
         [&](std::size_t i, Run& run, Outcome<Answer>& outcome) {
           task(DrawView{scene_, choice_.draws[i]}, run, outcome);
         });
@@ -204,36 +231,35 @@ class StageRunner {
   template <class Answer, class Task>
   std::vector<Outcome<Answer>> over_images(Task task) {
     return over<Answer>(
-        scene_.images.size(), [](std::size_t i) { return Place{{}, static_cast<ImageId>(i)}; },
+        scene_.images.size(), [](std::size_t i) { return Place{.image = static_cast<ImageId>(i)}; },
         [&](std::size_t i, Run& run, Outcome<Answer>& outcome) { task(scene_.images[i], run, outcome); });
   }
 
-  /// Books what came of a place; whether there is an answer to apply.
+  /// Books what came of a place.
   template <class Answer>
-  bool accept(Outcome<Answer>& outcome, const std::string& place) {
+  void accept(Outcome<Answer>& outcome, const std::string& place) {
     for (Measured& measured : outcome.findings.measured) measured_.push_back(std::move(measured));
     for (Note& note : outcome.findings.notes) {
-      record_.notes.push_back({note.place == Place{} ? "" : place, std::move(note.code), std::move(note.message)});
+      const std::string where = note.place.draw ? scene_.draws[*note.place.draw].name : note.place == Place{} ? "" : place;
+      record_.notes.push_back({where, std::move(note.code), std::move(note.message)});
     }
     if (outcome.answer) {
       ++record_.changed;
-      return true;
-    }
-    if (outcome.findings.nothing_to_gain) {
+    } else if (outcome.kept()) {
       add_skip("nothing-to-gain", *outcome.findings.nothing_to_gain, place);
     } else {
       diagnostics_.error({.file = scene_.name, .inside = place}, "stage-failed",
                          fmt::format("stage {} '{}' failed: {}", number_, stage_.plugin->card.name, outcome.failure),
                          "it was left as it was before this stage; the rest went on");
     }
-    return false;
   }
 
   void accept_draws(std::vector<Outcome<Draw>> outcomes) {
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       Draw& draw = scene_.draws[choice_.draws[i]];
-      if (accept(outcomes[i], draw.name)) draw = std::move(*outcomes[i].answer);
-      if (!outcomes[i].failed()) update_traits(draw);
+      accept(outcomes[i], draw.name);
+      if (outcomes[i].answer) draw = std::move(*outcomes[i].answer);
+      update_traits(draw, outcomes[i]);
     }
   }
 
@@ -244,20 +270,36 @@ class StageRunner {
     record_.skipped.push_back({code, reason, {place}});
   }
 
-  void update_traits(Draw& draw) const {
+  /// What stays as it was has what the stage provides, and loses nothing that it had.
+  template <class Answer>
+  void update_traits(Draw& draw, const Outcome<Answer>& outcome) const {
+    const Card& card = stage_.plugin->card;
+    if (outcome.kept()) draw.traits.add(card.provides);
+    if (!outcome.answer) return;
     // Torn clusters are gone already, and with them the trait.
-    draw.traits = after_stage(stage_.plugin->card, std::move(draw.traits));
+    draw.traits = after_stage(card, std::move(draw.traits));
     for (IndexStream& stream : draw.levels[0].orders) {
       if (!draw.traits.has(traits::clustered)) stream.clusters.reset();
     }
   }
 
-  bool is_eligible(DrawId id) const { return std::ranges::binary_search(choice_.draws, id); }
+  /// A table whose orders are no longer there would lead an engine astray.
+  void forget_tables_of(DrawId id) {
+    std::erase_if(scene_.order_tables, [id](const OrderTable& table) {
+      return std::ranges::find(table.draws, id) != table.draws.end();
+    });
+  }
 
-  std::vector<DrawId> eligible_draws(const Subject& subject) const {
-    std::vector<DrawId> draws;
-    for (const SubjectPart& part : subject.parts) {
-      if (is_eligible(part.draw) && std::ranges::find(draws, part.draw) == draws.end()) draws.push_back(part.draw);
+  /// Of each subject the draws that may be ordered anew. A draw that is in several belongs to the first.
+  std::vector<std::vector<DrawId>> draws_of(const std::vector<Subject>& subjects) const {
+    std::vector<std::vector<DrawId>> draws(subjects.size());
+    std::vector<bool> taken(scene_.draws.size(), false);
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+      for (const SubjectPart& part : subjects[i].parts) {
+        if (taken[part.draw] || !std::ranges::binary_search(choice_.draws, part.draw)) continue;
+        taken[part.draw] = true;
+        draws[i].push_back(part.draw);
+      }
     }
     return draws;
   }
@@ -270,6 +312,7 @@ class StageRunner {
   StageRecord& record_;
   Diagnostics& diagnostics_;
   Choice choice_;
+  std::function<void(double)> progress_;
   std::vector<Measured> measured_;
 };
 

@@ -58,15 +58,34 @@ fs::path beside(const fs::path& path) {
   return result;
 }
 
-bool write_beside(const OutputFile& file, Diagnostics& diagnostics) {
-  const fs::path part = beside(file.path);
-  const Descriptor out(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+/// The end of a symbolic link, so that what is replaced is the file and not the link.
+fs::path end_of_links(const fs::path& path) {
+  std::error_code error;
+  fs::path end = fs::canonical(path, error);
+  return error ? path : end;
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+/// A device or a pipe has no content that could be replaced: it is written to as it stands.
+bool is_stream(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+bool write_to(const fs::path& path, const OutputFile& file, Diagnostics& diagnostics) {
+  const bool stream = is_stream(path);
+  const Descriptor out(::open(path.c_str(), O_WRONLY | O_CLOEXEC | (stream ? 0 : O_CREAT | O_TRUNC), 0666));
   if (out.get() < 0) {
     diagnostics.error({.file = file.path.string()}, "cannot-write", "can not be written: " + reason(),
                       "check that the folder exists and that you may write to it");
     return false;
   }
-  if (write_all(out.get(), file.bytes) && ::fsync(out.get()) == 0) return true;
+  if (write_all(out.get(), file.bytes) && (stream || ::fsync(out.get()) == 0)) return true;
   diagnostics.error({.file = file.path.string()}, "cannot-write", "could not be written whole: " + reason(),
                     "is there room on the disk?");
   return false;
@@ -112,22 +131,31 @@ bool write_standard_output(std::span<const std::byte> bytes, Diagnostics& diagno
 }
 
 bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
+  std::vector<fs::path> places;
+  for (const OutputFile& file : files) places.push_back(end_of_links(file.path));
   bool written = true;
-  for (const OutputFile& file : files) written = written && write_beside(file, diagnostics);
-  for (const OutputFile& file : files) {
-    if (!written) break;
-    std::error_code error;
-    fs::rename(beside(file.path), file.path, error);
-    if (error) {
-      diagnostics.error({.file = file.path.string()}, "cannot-write", "can not be put in its place: " + error.message());
+  for (std::size_t i = 0; i < files.size() && written; ++i) {
+    if (is_folder(places[i])) {
+      diagnostics.error({.file = files[i].path.string()}, "is-a-folder", "is a folder; a file was expected");
       written = false;
+    } else if (!is_stream(places[i])) {
+      written = write_to(beside(places[i]), files[i], diagnostics);
     }
   }
-  if (!written) {
-    for (const OutputFile& file : files) {
-      std::error_code ignored;
-      fs::remove(beside(file.path), ignored);
+  for (std::size_t i = 0; i < files.size() && written; ++i) {
+    if (is_stream(places[i])) {
+      written = write_to(places[i], files[i], diagnostics);
+      continue;
     }
+    std::error_code error;
+    fs::rename(beside(places[i]), places[i], error);
+    if (!error) continue;
+    diagnostics.error({.file = files[i].path.string()}, "cannot-write", "can not be put in its place: " + error.message());
+    written = false;
+  }
+  for (std::size_t i = 0; i < files.size() && !written; ++i) {
+    std::error_code ignored;
+    fs::remove(beside(places[i]), ignored);
   }
   return written;
 }

@@ -24,8 +24,8 @@ struct OutputFile {
   std::vector<std::byte> bytes;
 };
 
-/// Writes every file beside its place, then renames them one after the other into it. Where one can not be written, none
-/// is changed, and what was begun is removed.
+/// Writes every file beside its place, then renames them into it one after the other, the first file last: it is the one
+/// that names the others. Where one can not be written, none is changed, and what was begun is removed. Links are followed.
 bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics);
 
 }  // namespace foredraw

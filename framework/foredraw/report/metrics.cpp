@@ -10,6 +10,8 @@ void Metrics::add(const std::string& plugin, const std::string& metric, const Fi
     const double whole = *sum.denominator + *figure.denominator;
     if (whole > 0) sum.error = (sum.error * *sum.denominator + figure.error * *figure.denominator) / whole;
     sum.denominator = whole;
+  } else {
+    sum.error += figure.error;
   }
   sum.numerator += figure.numerator;
 }

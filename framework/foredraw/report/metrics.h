@@ -22,8 +22,8 @@ struct Figure {
 
 class Metrics {
  public:
-  /// Adds to what is there: numerators and denominators add up; errors are averaged by their denominators, which is never
-  /// too low, however the errors are correlated.
+  /// Adds to what is there: numerators and denominators add up; errors are averaged by their denominators (those of counts
+  /// add up), which is never too low, however the errors are correlated.
   void add(const std::string& plugin, const std::string& metric, const Figure& figure);
   /// Puts the figure in the place of what is there.
   void set(const std::string& plugin, const std::string& metric, const Figure& figure);

@@ -24,7 +24,9 @@ std::string figure_text(const Figure* figure) {
 }
 
 std::string change_text(const Figure* before, const Figure& after) {
-  if (before == nullptr || before->value() == 0 || !std::isfinite(before->value())) return "";
+  if (before == nullptr || before->value() == 0 || !std::isfinite(before->value()) || !std::isfinite(after.value())) {
+    return "";
+  }
   const double change = 100 * (after.value() / before->value() - 1);
   return std::abs(change) < 0.05 ? "same" : fmt::format("{:+.1f} %", change);
 }

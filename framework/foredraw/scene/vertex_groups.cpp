@@ -2,6 +2,7 @@
 
 #include <foredraw/scene/reorder.h>
 
+#include <algorithm>
 #include <map>
 
 namespace foredraw {
@@ -18,6 +19,20 @@ std::vector<VertexGroup> vertex_groups(const Scene& scene) {
     }
   }
   return groups;
+}
+
+std::vector<HeldDraw> keep_groups_of(std::vector<VertexGroup>& groups, std::span<const DrawId> draws) {
+  const auto may_change = [&](const VertexGroup::User& user) { return std::ranges::binary_search(draws, user.draw); };
+  std::vector<HeldDraw> held;
+  for (const VertexGroup& group : groups) {
+    const auto by = std::ranges::find_if_not(group.users, may_change);
+    if (by == group.users.end()) continue;
+    for (const VertexGroup::User& user : group.users) {
+      if (may_change(user)) held.push_back({user.draw, by->draw});
+    }
+  }
+  std::erase_if(groups, [&](const VertexGroup& group) { return !std::ranges::all_of(group.users, may_change); });
+  return held;
 }
 
 std::vector<std::span<const std::uint32_t>> index_streams_of(const Scene& scene, const VertexGroup& group) {

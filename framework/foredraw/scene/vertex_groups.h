@@ -16,6 +16,16 @@ struct VertexGroup {
 /// The groups of a scene, by first user.
 std::vector<VertexGroup> vertex_groups(const Scene& scene);
 
+/// A draw whose vertices must stay, for the sake of another one that shares them.
+struct HeldDraw {
+  DrawId draw = 0;
+  DrawId by = 0;
+};
+
+/// Takes the groups out that somebody uses who is not among `draws` (rising). Answers with the draws that are among them
+/// and are held back by that.
+std::vector<HeldDraw> keep_groups_of(std::vector<VertexGroup>& groups, std::span<const DrawId> draws);
+
 /// Every index stream of a group, in draw, level and order.
 std::vector<std::span<const std::uint32_t>> index_streams_of(const Scene& scene, const VertexGroup& group);
 

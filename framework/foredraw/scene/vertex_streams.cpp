@@ -1,6 +1,7 @@
 #include <foredraw/scene/vertex_streams.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace foredraw {
 
@@ -30,15 +31,25 @@ std::vector<const VertexStream*> VertexStreams::all() const {
   return streams;
 }
 
-Stamp VertexStreams::stamp() const {
+Stamp VertexStreams::layout_stamp() const {
   std::vector<Stamp> stamps;
-  for (const VertexStream* stream : all()) {
-    stamps.push_back(content_hash(std::span<const char>(stream->semantic)));
-    const std::uint32_t format[] = {static_cast<std::uint32_t>(stream->format.component), stream->format.components,
-                                    stream->format.normalized, stream->format.bytes};
-    stamps.push_back(content_hash(std::span<const std::uint32_t>(format)));
-    stamps.push_back(stream->bytes.stamp());
-  }
+  const auto add = [&](const std::vector<VertexStream>& list) {
+    for (const VertexStream& stream : list) {
+      stamps.push_back(content_hash(std::span<const char>(stream.semantic)));
+      const std::uint32_t format[] = {static_cast<std::uint32_t>(stream.format.component), stream.format.components,
+                                      stream.format.normalized, stream.format.bytes};
+      stamps.push_back(content_hash(std::span<const std::uint32_t>(format)));
+    }
+    stamps.push_back({});  // where one list ends and the next begins
+  };
+  add(base);
+  for (const auto& target : morph_targets) add(target);
+  return combine(stamps);
+}
+
+Stamp VertexStreams::stamp() const {
+  std::vector<Stamp> stamps = {layout_stamp(), {0, count}};
+  for (const VertexStream* stream : all()) stamps.push_back(stream->bytes.stamp());
   return combine(stamps);
 }
 

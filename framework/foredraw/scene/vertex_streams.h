@@ -40,7 +40,9 @@ struct VertexStreams {
   const VertexStream* find(std::string_view semantic) const;
   /// Every stream: the base, then each morph target's.
   std::vector<const VertexStream*> all() const;
-  /// Of all streams' content, formats and names.
+  /// Of all streams' names and formats, and of which of them are the base's and which each morph target's.
+  Stamp layout_stamp() const;
+  /// Of the layout, the number of vertices and all streams' content.
   Stamp stamp() const;
   /// Bytes of one vertex over the base streams.
   std::size_t bytes_per_vertex() const;

@@ -101,10 +101,15 @@ class OptionTable {
   /// The options for settings that fit the table; what is not set keeps its default.
   Options read(const Settings& settings) const {
     Options options;
+    apply(settings, options);
+    return options;
+  }
+
+  /// The same onto options that there are.
+  void apply(const Settings& settings, Options& options) const {
     for (std::size_t i = 0; i < specs_.size(); ++i) {
       if (const auto it = settings.find(specs_[i].name); it != settings.end()) set_[i](options, it->second);
     }
-    return options;
   }
 
  private:

@@ -53,8 +53,10 @@ struct Plugin {
   std::function<Technique(const Settings&)> create;
   /// Why this machine can not run it ("no Vulkan device"); nothing, or no function: it can.
   std::function<std::optional<std::string>()> unavailable = {};
-  /// An evaluator that can answer for measured overdraw makes its service here.
+  /// An evaluator that can answer for measured overdraw makes its service here, with options of the service's own: who
+  /// asks brings views and scene.
   std::function<std::unique_ptr<OverdrawService>(const Settings&)> overdraw_service = {};
+  std::vector<OptionSpec> service_options = {};
 };
 
 /// An option table bound to a maker: plugin.create reads the settings into Options and calls make(options).

@@ -10,8 +10,9 @@ namespace foredraw {
 class Processor {
  public:
   virtual ~Processor() = default;
-  /// Changes the scene. `draws` are those that the stage may change; it leaves the others alone.
-  virtual void process(Scene&, const std::vector<DrawId>& draws, Run&) = 0;
+  /// Changes the scene. `draws` are those that it may change, rising; it leaves the others alone. Answers with those that
+  /// are now as its card says, whether they had to change or not.
+  virtual std::vector<DrawId> process(Scene&, const std::vector<DrawId>& draws, Run&) = 0;
 };
 
 /// The framework loops over the draws, many at once. The answer stands in the draw's place.

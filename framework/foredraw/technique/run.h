@@ -18,11 +18,12 @@ namespace foredraw {
 
 class OverdrawService;
 
-/// What a figure or a note is about: a draw, an image, or, with neither, the scene. A figure of the scene stands in place of
-/// the sum over its draws and images.
+/// What a figure or a note is about: a draw, an image, a subject (by its number among subjects_of(scene)), or, with none of
+/// them, the scene. A figure of the scene stands in place of the sum over its parts.
 struct Place {
   std::optional<DrawId> draw;
   std::optional<ImageId> image;
+  std::optional<std::uint32_t> subject;
   friend bool operator==(const Place&, const Place&) = default;
 };
 
@@ -42,18 +43,11 @@ struct Note {
   Place place;
 };
 
-struct Attachment {
-  std::string path;  ///< a name for the file, relative
-  std::string media_type;
-  std::vector<std::byte> bytes;
-};
-
 /// What one call of a technique found out. Each call has its own, so nothing needs a lock and the order never depends on
 /// the threads.
 struct Findings {
   std::vector<Measured> measured;
   std::vector<Note> notes;
-  std::vector<Attachment> attachments;
   std::optional<std::string> nothing_to_gain;  ///< why what there is stays
 };
 
@@ -63,10 +57,10 @@ struct Run {
   Findings& findings;
   const Views& views;                          ///< what orders are optimised for: the pipeline's [views]
   OverdrawService* overdraw = nullptr;         ///< who answers for measured overdraw, where the card asks for it
-  std::uint64_t seed = 0;                      ///< from the pipeline's seed, the stage and the draw
+  std::uint64_t seed = 0;                      ///< from the pipeline's seed, the stage and the place
   Place place;                                 ///< what figures and notes are about unless they say otherwise
   const std::atomic<bool>* cancel = nullptr;
-  std::function<void(double)> progress = {};   ///< may be empty; the part done, 0 to 1
+  std::function<void(double)> progress = {};   ///< may be empty; the part done, 0 to 1; from any thread
 
   void measure(std::string metric, double numerator, double denominator, double error = 0) const {
     measure_at(place, std::move(metric), numerator, denominator, error);
@@ -78,14 +72,14 @@ struct Run {
   void count_at(Place where, std::string metric, double number) const {
     findings.measured.push_back({std::move(metric), number, std::nullopt, 0, where});
   }
-  void note(std::string code, std::string message) const {
-    findings.notes.push_back({std::move(code), std::move(message), place});
+  void note(std::string code, std::string message) const { note_at(place, std::move(code), std::move(message)); }
+  void note_at(Place where, std::string code, std::string message) const {
+    findings.notes.push_back({std::move(code), std::move(message), where});
   }
   /// Says that nothing can be gained here, and why, with the figure: what there is stays, whatever the technique answers,
-  /// and counts as what the technique would have made of it.
+  /// and counts as what the card provides.
   void keep(std::string reason) const { findings.nothing_to_gain = std::move(reason); }
   bool keeps() const { return findings.nothing_to_gain.has_value(); }
-  void attach(Attachment attachment) const { findings.attachments.push_back(std::move(attachment)); }
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
 };
 

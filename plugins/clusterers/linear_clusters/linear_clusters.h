@@ -1,6 +1,6 @@
 #pragma once
 // Fast linear clustering: a cache-friendly triangle order cut into patches that may be drawn in any sequence for little
-// more vertex work. Sander, Nehab, Barczak 2007, section 4; Han, Sander 2016, section 3.1.
+// more vertex work. Sander, Nehab, Barczak 2007, "Linear clustering"; Han, Sander 2016, section 3.1.
 
 #include <foredraw/scene/clusters.h>
 

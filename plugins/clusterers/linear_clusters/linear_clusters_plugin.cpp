@@ -46,7 +46,7 @@ Plugin linear_clusters_plugin() {
   plugin.card = {
       .name = "linear-clusters",
       .summary = "Cuts a cache-friendly triangle order into patches that may be drawn in any sequence",
-      .reference = "Sander, Nehab, Barczak 2007, section 4; Han, Sander 2016, section 3.1",
+      .reference = "Sander, Nehab, Barczak 2007, linear clustering; Han, Sander 2016, section 3.1",
       .acts_on = {traits::triangles},
       .provides = {traits::clustered},
   };

@@ -1,6 +1,6 @@
 #pragma once
 // The DotRule: clusters that face outwards are drawn first, for they hide others and are hidden by few.
-// Sander, Nehab, Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007, section 5.
+// Sander, Nehab, Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007, "The DotRule".
 
 #include <foredraw/scene/clusters.h>
 

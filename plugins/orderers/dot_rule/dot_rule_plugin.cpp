@@ -40,18 +40,21 @@ class DotRule final : public DrawOrderer {
  private:
   /// The rule is a guess, and on some meshes a wrong one: measured, the old order may be the better one.
   static void keep_if_no_better(const DrawView& draw, const IndexOrder& order, Run& run) {
-    const double before = overdraw_of(draw.scene, draw.id, run);
-    Scene sorted = draw.scene;
-    sorted.draws[draw.id] = with_triangle_order(draw.draw(), order);
-    const double after = overdraw_of(sorted, draw.id, run);
+    const Material* material = draw.scene.material_of(draw.draw());
+    const double before = overdraw_of(draw.draw(), material, run);
+    const double after = overdraw_of(with_triangle_order(draw.draw(), order), material, run);
     if (after >= before) {
       run.keep(fmt::format("sorted, its overdraw would be {:.4f} and not {:.4f} as it is", after, before));
     }
   }
 
   /// Of the draw alone, over all views.
-  static double overdraw_of(const Scene& scene, DrawId id, Run& run) {
-    const Subject alone{scene.draws[id].name, {{id, {}}}};
+  static double overdraw_of(Draw draw, const Material* material, Run& run) {
+    Scene scene;
+    if (material != nullptr) scene.materials.push_back(*material);
+    draw.material = material != nullptr ? std::optional<MaterialId>(0) : std::nullopt;
+    scene.draws.push_back(std::move(draw));
+    const Subject alone{scene.draws[0].name, {{0, {}}}};
     const OverdrawCounts counts = run.overdraw->count(scene, alone, run.views, run);
     OverdrawCount sum;
     for (const OverdrawCount& count : counts[0]) sum += count;
@@ -69,7 +72,7 @@ Plugin dot_rule_plugin() {
   plugin.card = {
       .name = "dot-rule",
       .summary = "Draws clusters that face outwards first, for low overdraw from every side",
-      .reference = "Sander, Nehab, Barczak 2007, section 5",
+      .reference = "Sander, Nehab, Barczak 2007, the DotRule",
       .acts_on = {traits::triangles},
       .needs = {traits::clustered},
       .provides = {traits::overdraw_ordered},

@@ -63,6 +63,7 @@ void tipsify(std::span<std::uint32_t> order, std::span<const std::uint32_t> indi
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     walk.live[v] = static_cast<std::uint32_t>(triangles_of.of(v).size());
   }
+  walk.dead_ends.reserve(indices.size());
   std::pmr::vector<bool> drawn(order.size(), false, &memory);
   std::pmr::vector<std::uint32_t> candidates(&memory);
 

@@ -46,7 +46,7 @@ Plugin tipsify_plugin() {
   plugin.card = {
       .name = "tipsify",
       .summary = "Orders triangles for the vertex cache in linear time",
-      .reference = "Sander, Nehab, Barczak 2007, section 3",
+      .reference = "Sander, Nehab, Barczak 2007, tipsy strips",
       .acts_on = {traits::triangles},
       .provides = {traits::cache_ordered},
       .breaks = {traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},

@@ -22,20 +22,24 @@ class WeldVertices final : public Processor {
  public:
   explicit WeldVertices(WeldOptions options) : options_(options) {}
 
-  void process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
-    const auto may_change = [&](const VertexGroup::User& user) {
-      return std::ranges::binary_search(draws, user.draw) && !has_vertex_rows(scene.draws[user.draw]);
-    };
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+    std::vector<DrawId> may_change = draws;
+    std::erase_if(may_change, [&](DrawId id) { return has_vertex_rows(scene.draws[id]); });
     std::vector<VertexGroup> groups = vertex_groups(scene);
-    std::erase_if(groups, [&](const VertexGroup& group) { return !std::ranges::all_of(group.users, may_change); });
+    for (const HeldDraw& held : keep_groups_of(groups, may_change)) {
+      run.note_at({held.draw}, "shared-vertices", "not welded: it shares its vertices with " +
+                                                      scene.draws[held.by].name + ", which stays as it is");
+    }
 
     std::vector<Weld> welds(groups.size());
     run.executor.for_each(groups.size(), [&](std::size_t i) {
       welds[i] = weld(*groups[i].vertices, index_streams_of(scene, groups[i]), options_);
     });
+    std::vector<DrawId> welded;
     bool any = false;
     for (std::size_t i = 0; i < groups.size(); ++i) {
-      const Place first_user{.draw = groups[i].users.front().draw, .image = {}};
+      for (const VertexGroup::User& user : groups[i].users) welded.push_back(user.draw);
+      const Place first_user{.draw = groups[i].users.front().draw};
       run.count_at(first_user, "merged", welds[i].merged);
       run.count_at(first_user, "unused", welds[i].unused);
       if (welds[i].count == groups[i].vertices->count) continue;
@@ -43,6 +47,7 @@ class WeldVertices final : public Processor {
       any = true;
     }
     if (!any) run.keep("no two of its vertices are equal, and each is used");
+    return welded;
   }
 
  private:

@@ -23,7 +23,7 @@ class Runner : public ::testing::Test {
     if (!plan) throw std::runtime_error(to_text(diagnostics));
     const Executor executor(threads);
     Analyses analyses;
-    return foredraw::run(*plan, scene, {executor, analyses});
+    return foredraw::optimize(*plan, scene, {executor, analyses});
   }
 
   static std::vector<std::uint32_t> indices(const Scene& scene, DrawId id, std::size_t order = 0) {
@@ -122,6 +122,38 @@ TEST_F(Runner, AsksTheServiceThatThePipelineNames) {
   const Result result = run("ask-overdraw", two_);
   EXPECT_FALSE(result.failed);
   EXPECT_EQ(indices(result.scene, 1), (std::vector<std::uint32_t>{2, 1, 3, 0, 1, 2}));  // reversed: 3 > 2
+}
+
+TEST_F(Runner, SaysWhichDrawHoldsVerticesBack) {
+  Scene shared = two_;
+  shared.draws[1].levels[0].vertices = shared.draws[0].levels[0].vertices;
+  shared.draws[1].traits.add(traits::extended);
+  const Result result = run("reverse-vertices", shared);
+  ASSERT_EQ(result.report.stages[0].skipped.size(), 2u);
+  EXPECT_EQ(result.report.stages[0].skipped[1].code, "shared-vertices");
+  EXPECT_EQ(result.report.stages[0].skipped[1].places, (std::vector<std::string>{"A"}));
+  EXPECT_EQ(result.scene.draws[0].levels[0].vertices, shared.draws[0].levels[0].vertices);
+}
+
+TEST_F(Runner, ForgetsTablesWhoseOrdersAreGone) {
+  const Result again = run("two-orders, two-orders", two_);
+  EXPECT_EQ(again.scene.order_tables.size(), 2u);
+  EXPECT_EQ(again.scene.draws[0].levels[0].orders.size(), 2u);
+  const Result after = run("two-orders, reverse-draw(only=\"A\")", two_);
+  ASSERT_EQ(after.scene.order_tables.size(), 1u);
+  EXPECT_EQ(after.scene.order_tables[0].draws, (std::vector<DrawId>{1}));
+  EXPECT_EQ(after.scene.draws[0].levels[0].orders.size(), 1u);
+}
+
+TEST_F(Runner, KeepsWhatADrawHadWhereNothingIsToBeGained) {
+  const Result result = run("pairs, keeps-everything", two_);
+  EXPECT_FALSE(result.failed);
+  const Draw& draw = result.scene.draws[0];
+  EXPECT_TRUE(draw.traits.has(traits::clustered));      // it would break these
+  EXPECT_TRUE(draw.traits.has(traits::cache_ordered));  // and provide this
+  EXPECT_EQ(draw.levels[0].orders[0].cache_size, 48);
+  EXPECT_EQ(result.report.stages[1].changed, 0u);
+  EXPECT_EQ(result.report.stages[1].skipped[0].reason, "it is best as it is");
 }
 
 TEST_F(Runner, GivesTheSameAtAnyThreadCount) {

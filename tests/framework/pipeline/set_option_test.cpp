@@ -71,5 +71,26 @@ TEST(SetOption, RefusesWithoutChange) {
   EXPECT_NE(refusal("weld.only=\"a\\").find("has no end"), std::string::npos);
 }
 
+TEST(SetOption, ReachesThePipelinesOwnWords) {
+  Diagnostics diagnostics;
+  Pipeline pipeline;
+  EXPECT_TRUE(set_option(pipeline, "views.count=162", diagnostics));
+  EXPECT_TRUE(set_option(pipeline, "views.views=random", diagnostics));
+  EXPECT_TRUE(set_option(pipeline, "seed=7", diagnostics));
+  EXPECT_EQ(pipeline.views.count, 162);
+  EXPECT_EQ(pipeline.views.views, "random");
+  EXPECT_EQ(pipeline.seed, 7);
+  EXPECT_TRUE(diagnostics.empty());
+  for (const char* wrong : {"views.size=1", "views.colour=3", "about=x", "seed=x"}) EXPECT_FALSE(set_option(pipeline, wrong, diagnostics)) << wrong;
+}
+
+TEST(SetOption, DoesNotTurnAStageIntoAnother) {
+  Diagnostics diagnostics;
+  Pipeline pipeline;
+  pipeline.stages.push_back({.use = "tipsify"});
+  EXPECT_FALSE(set_option(pipeline, "tipsify.use=weld", diagnostics));
+  EXPECT_EQ(pipeline.stages[0].use, "tipsify");
+}
+
 }  // namespace
 }  // namespace foredraw

@@ -1,0 +1,145 @@
+#include <foredraw/io/private/gltf_document.h>
+
+#include <algorithm>
+#include <set>
+
+namespace foredraw::gltf {
+
+namespace {
+
+std::size_t rows_of_matrix(std::string_view type) {
+  return type == "MAT2" ? 2 : type == "MAT3" ? 3 : type == "MAT4" ? 4 : 0;
+}
+
+Bytes rows_from(const Document& document, const Rows& rows) {
+  return bytes_of(document, document.views[rows.view]).subspan(rows.offset);
+}
+
+std::uint32_t load_index(const std::byte* from, std::size_t bytes) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, from, bytes);  // little-endian, as glTF is and every machine that we build for
+  return value;
+}
+
+}  // namespace
+
+Bytes bytes_of(const Document& document, const BufferView& view) {
+  return document.buffers[view.buffer].subspan(view.offset, view.length);
+}
+
+std::vector<std::byte> elements(const Document& document, const Accessor& accessor) {
+  const std::size_t element = accessor.format.bytes;
+  std::vector<std::byte> result(accessor.bytes());
+  if (accessor.rows) {
+    const Bytes from = rows_from(document, *accessor.rows);
+    if (accessor.rows->stride == element) {
+      std::memcpy(result.data(), from.data(), result.size());
+    } else {
+      for (std::size_t i = 0; i < accessor.count; ++i) {
+        std::memcpy(result.data() + i * element, from.data() + i * accessor.rows->stride, element);
+      }
+    }
+  }
+  if (accessor.sparse) {
+    const Bytes indices = rows_from(document, accessor.sparse->indices);
+    const Bytes values = rows_from(document, accessor.sparse->values);
+    const std::size_t width = foredraw::bytes_of(accessor.sparse->index);
+    for (std::size_t i = 0; i < accessor.sparse->count; ++i) {
+      const std::size_t to = load_index(indices.data() + i * width, width);
+      std::memcpy(result.data() + to * element, values.data() + i * element, element);
+    }
+  }
+  return result;
+}
+
+std::vector<float> decoded_elements(const Document& document, const Accessor& accessor) {
+  const VertexStream stream{"", accessor.format, Shared<std::byte>(elements(document, accessor))};
+  std::vector<float> values;
+  values.reserve(accessor.count * accessor.format.components);
+  for (std::size_t i = 0; i < accessor.count; ++i) {
+    for (std::size_t c = 0; c < accessor.format.components; ++c) values.push_back(decode_component(stream, i, c));
+  }
+  return values;
+}
+
+std::vector<std::uint32_t> index_elements(const Document& document, const Accessor& accessor) {
+  const std::vector<std::byte> bytes = elements(document, accessor);
+  const std::size_t width = accessor.format.bytes;
+  std::vector<std::uint32_t> values(accessor.count);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = load_index(bytes.data() + i * width, width);
+  return values;
+}
+
+std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized) {
+  Format format;
+  switch (component_type) {
+    case 5120: format.component = Component::int8; break;
+    case 5121: format.component = Component::uint8; break;
+    case 5122: format.component = Component::int16; break;
+    case 5123: format.component = Component::uint16; break;
+    case 5125: format.component = Component::uint32; break;
+    case 5126: format.component = Component::float32; break;
+    default: return std::nullopt;
+  }
+  format.normalized = normalized;
+  const std::size_t width = foredraw::bytes_of(format.component);
+  if (const std::size_t n = rows_of_matrix(type)) {
+    format.components = static_cast<std::uint8_t>(n * n);
+    format.bytes = static_cast<std::uint16_t>(n * ((n * width + 3) / 4 * 4));
+    return format;
+  }
+  if (type == "SCALAR") {
+    format.components = 1;
+  } else if (type.size() == 4 && type.substr(0, 3) == "VEC" && type[3] >= '2' && type[3] <= '4') {
+    format.components = static_cast<std::uint8_t>(type[3] - '0');
+  } else {
+    return std::nullopt;
+  }
+  format.bytes = static_cast<std::uint16_t>(format.components * width);
+  return format;
+}
+
+namespace {
+
+void collect_extensions(const Json& json, std::set<std::string>& names) {
+  if (json.is_array()) {
+    for (const Json& value : json) collect_extensions(value, names);
+  }
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "extras") continue;
+    if (key == "extensions" && value.is_object()) {
+      for (const auto& [name, held] : value.items()) names.insert(name);
+    }
+    collect_extensions(value, names);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> extensions_in(const Json& json) {
+  std::set<std::string> names;
+  if (const auto used = json.find("extensionsUsed"); used != json.end() && used->is_array()) {
+    for (const Json& name : *used) {
+      if (name.is_string()) names.insert(name.get<std::string>());
+    }
+  }
+  collect_extensions(json, names);
+  return {names.begin(), names.end()};
+}
+
+bool is_known_extension(std::string_view name) {
+  // Families that refer to textures, images, nodes or materials alone, none of which is ever renumbered.
+  static constexpr std::string_view families[] = {"KHR_materials_", "KHR_texture_", "KHR_lights_",
+                                                  "EXT_texture_",   "EXT_lights_",  "MSFT_texture_",
+                                                  "KHR_xmp",        "KHR_node_",    "FOREDRAW_"};
+  static constexpr std::string_view names[] = {
+      "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing", "KHR_animation_pointer",   "MSFT_lod",
+      "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "FB_ngon_encoding",
+      "GODOT_single_root",          "AGI_articulations"};
+  return std::any_of(std::begin(families), std::end(families),
+                     [&](std::string_view family) { return name.substr(0, family.size()) == family; }) ||
+         std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+}  // namespace foredraw::gltf

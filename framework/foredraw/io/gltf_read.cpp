@@ -1,0 +1,34 @@
+#include <foredraw/io/gltf.h>
+
+#include <foredraw/io/private/gltf_gate.h>
+#include <foredraw/io/private/gltf_source.h>
+
+namespace foredraw {
+
+namespace {
+
+std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const std::filesystem::path& folder,
+                          Diagnostics& diagnostics) {
+  auto document = gltf::open_document(std::move(file), name, folder, diagnostics);
+  if (!document) return std::nullopt;
+  auto scene = gltf::scene_of(*document, diagnostics);
+  if (!scene) return std::nullopt;
+  scene->source = std::make_shared<const gltf::Source>(std::move(*document), *scene);
+  return scene;
+}
+
+}  // namespace
+
+std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics) {
+  auto bytes = read_file(path, diagnostics);
+  if (!bytes) return std::nullopt;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  return read(Shared<std::byte>(std::move(*bytes)), path.string(), folder, diagnostics);
+}
+
+std::optional<Scene> read_gltf(std::span<const std::byte> bytes, const std::string& name,
+                               const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  return read(Shared<std::byte>({bytes.begin(), bytes.end()}), name, folder, diagnostics);
+}
+
+}  // namespace foredraw

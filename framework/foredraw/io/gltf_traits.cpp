@@ -1,0 +1,113 @@
+// The traits that an asset brings with it.
+#include <foredraw/io/private/gltf_source.h>
+
+#include <algorithm>
+#include <set>
+
+namespace foredraw::gltf {
+
+namespace {
+
+/// What nodes make of each mesh: how often it is drawn, by which skins, and whether an animation bends it.
+struct MeshUse {
+  std::size_t nodes = 0;
+  bool instanced = false;
+  bool skinned = false;
+  bool bent = false;
+};
+
+/// For each skin whether an animation moves a joint, or a node between joints. What moves the skeleton as a whole does
+/// not change its shape.
+std::vector<bool> bent_skins(const Scene& scene) {
+  std::set<NodeId> moved;
+  for (const Animation& animation : scene.animations) {
+    for (const AnimationChannel& channel : animation.channels) {
+      if (channel.path != AnimatedPath::weights) moved.insert(channel.node);
+    }
+  }
+  constexpr NodeId none = ~NodeId{0};
+  std::vector<NodeId> parent(scene.nodes.size(), none);
+  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+    for (NodeId child : scene.nodes[i].children) parent[child] = i;
+  }
+  std::vector<bool> bent;
+  for (const Skin& skin : scene.skins) {
+    std::vector<std::size_t> joints_below(scene.nodes.size(), 0);
+    for (NodeId joint : skin.joints) {
+      for (NodeId node = joint; node != none; node = parent[node]) ++joints_below[node];
+    }
+    const std::set<NodeId> joints(skin.joints.begin(), skin.joints.end());
+    bent.push_back(std::any_of(moved.begin(), moved.end(), [&](NodeId node) {
+      return joints.contains(node) || (joints_below[node] > 0 && joints_below[node] < skin.joints.size());
+    }));
+  }
+  return bent;
+}
+
+std::vector<MeshUse> mesh_uses(const Scene& scene, const Document& document) {
+  std::vector<MeshUse> uses(scene.meshes.size());
+  const std::vector<bool> bent = bent_skins(scene);
+  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (!node.mesh) continue;
+    MeshUse& use = uses[*node.mesh];
+    ++use.nodes;
+    use.skinned = use.skinned || node.skin.has_value();
+    use.bent = use.bent || (node.skin && bent[*node.skin]);
+    const Json& json = document.json["nodes"][i];
+    const auto extensions = json.find("extensions");
+    use.instanced =
+        use.instanced || use.nodes > 1 || (extensions != json.end() && extensions->contains("EXT_mesh_gpu_instancing"));
+  }
+  for (const Animation& animation : scene.animations) {
+    for (const AnimationChannel& channel : animation.channels) {
+      const Node& node = scene.nodes[channel.node];
+      if (channel.path == AnimatedPath::weights && node.mesh) uses[*node.mesh].bent = true;
+    }
+  }
+  return uses;
+}
+
+/// Extensions of a primitive that say nothing about its triangles or vertices, or that the writer takes along or leaves
+/// out.
+bool is_harmless(std::string_view name) {
+  return name == "KHR_materials_variants" || name == "KHR_draco_mesh_compression";
+}
+
+bool is_extended(const Json& primitive) {
+  const auto extensions = primitive.find("extensions");
+  if (extensions == primitive.end() || !extensions->is_object()) return false;
+  for (const auto& [name, value] : extensions->items()) {
+    if (!is_harmless(name)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void find_traits(Scene& scene, const Document& document) {
+  const std::vector<MeshUse> uses = mesh_uses(scene, document);
+  for (Draw& draw : scene.draws) {
+    const MeshUse& use = uses[draw.origin->mesh];
+    const VertexStreams& vertices = *draw.levels[0].vertices;
+    const Material* material = scene.material_of(draw);
+    const auto add = [&](bool holds, Trait trait) {
+      if (holds) draw.traits.add(trait);
+    };
+    add(draw.topology == Topology::triangles, traits::triangles);
+    add(vertices.find("TEXCOORD_0") != nullptr, traits::uv0);
+    add(vertices.find("NORMAL") != nullptr, traits::normals);
+    add(use.skinned && vertices.find("JOINTS_0") != nullptr, traits::skinned);
+    add(!vertices.morph_targets.empty(), traits::morphed);
+    add(use.bent, traits::animated);
+    add(material != nullptr && material->alpha_mode == AlphaMode::blend, traits::blended);
+    add(material != nullptr && material->alpha_mode == AlphaMode::mask, traits::masked);
+    add(material != nullptr && material->double_sided, traits::double_sided);
+    add(use.instanced, traits::instanced);
+    add(vertices.find("POSITION")->format.component != Component::float32, traits::quantized);
+    add(is_extended(document.json["meshes"][draw.origin->mesh]["primitives"][draw.origin->primitive]),
+        traits::extended);
+  }
+}
+
+}  // namespace foredraw::gltf

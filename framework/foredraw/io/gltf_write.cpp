@@ -1,0 +1,69 @@
+#include <foredraw/io/gltf.h>
+
+#include <foredraw/io/private/gltf_uri.h>
+#include <foredraw/io/private/gltf_write.h>
+
+namespace foredraw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The input's own bytes, and those of its buffers where they are files beside; nullopt where these would not lie
+/// beside the target.
+std::optional<std::vector<OutputFile>> as_it_was(const gltf::Document& document, const fs::path& target) {
+  const auto bytes = document.file.view();
+  std::vector<OutputFile> files{{target, {bytes.begin(), bytes.end()}}};
+  std::error_code error;
+  const bool same_folder = fs::equivalent(fs::absolute(target).parent_path(), document.folder, error);
+  if (same_folder) return files;
+  for (std::size_t i = 0; i < document.buffers.size(); ++i) {
+    const gltf::Json& buffer = document.json["buffers"][i];
+    if (!buffer.contains("uri") || gltf::is_data_uri(buffer["uri"].get<std::string>())) continue;
+    const std::string name = *gltf::percent_decoded(buffer["uri"].get<std::string>());
+    if (name.find('/') != std::string::npos) return std::nullopt;
+    fs::path beside = target;
+    beside.replace_filename(fs::path(std::u8string(name.begin(), name.end())));
+    files.push_back({beside, {document.buffers[i].begin(), document.buffers[i].end()}});
+  }
+  return files;
+}
+
+/// A scene that was not read from a file is all additions to an empty one.
+std::shared_ptr<const gltf::Source> empty_source(const Scene& scene) {
+  gltf::Document document;
+  document.name = scene.name;
+  document.json = {{"asset", {{"version", "2.0"}, {"generator", "foredraw"}}}};
+  return std::make_shared<const gltf::Source>(std::move(document), Scene{});
+}
+
+void warn_of_what_stays_out(const Scene& scene, Diagnostics& diagnostics) {
+  for (const Draw& draw : scene.draws) {
+    const Where where{.file = scene.name, .line = 0, .column = 0, .inside = draw.name};
+    if (draw.levels.size() > 1) {
+      diagnostics.warning(where, "levels-left-out", "glTF holds one level of detail; the full one is written");
+    }
+    if (draw.levels[0].orders.size() > 1) {
+      diagnostics.warning(where, "orders-left-out", "glTF holds one triangle order; the first is written");
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const fs::path& target,
+                                                   Diagnostics& diagnostics) {
+  const auto kept = std::dynamic_pointer_cast<const gltf::Source>(scene.source);
+  const auto source = kept ? kept : empty_source(scene);
+  warn_of_what_stays_out(scene, diagnostics);
+  const bool may_stay = kept && gltf::is_glb(target) == kept->document.binary;
+  auto written = gltf::patched(scene, *source, target, may_stay, diagnostics);
+  if (written && !written->changed) {
+    if (auto files = as_it_was(source->document, target)) return files;
+    written = gltf::patched(scene, *source, target, false, diagnostics);
+  }
+  if (!written) return std::nullopt;
+  return gltf::packed(std::move(*written), target, diagnostics);
+}
+
+}  // namespace foredraw

@@ -1,0 +1,97 @@
+#pragma once
+// A glTF file taken apart and found sound: its JSON, its buffers, and where the elements of every accessor lie.
+// Private to io: the one kind of header that may name the JSON library.
+
+#include <foredraw/scene/vertex_streams.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foredraw::gltf {
+
+using Json = nlohmann::ordered_json;  // keeps the sequence of the keys, so that what was not touched comes out equal
+using Bytes = std::span<const std::byte>;
+
+inline constexpr std::uint32_t glb_magic = 0x46546C67;       // "glTF"
+inline constexpr std::uint32_t glb_json_chunk = 0x4E4F534A;  // "JSON"
+inline constexpr std::uint32_t glb_bin_chunk = 0x004E4942;   // "BIN\0"
+
+struct Chunk {
+  std::uint32_t type = 0;
+  Bytes bytes;
+};
+
+struct BufferView {
+  std::size_t buffer = 0;
+  std::size_t offset = 0;
+  std::size_t length = 0;  ///< 0 only while a document is being checked: the view was refused
+  std::size_t stride = 0;  ///< 0: elements are tight
+};
+
+/// Elements at even distances in a buffer.
+struct Rows {
+  std::size_t view = 0;
+  std::size_t offset = 0;  ///< in the view
+  std::size_t stride = 0;
+};
+
+struct SparseElements {
+  std::size_t count = 0;
+  Component index = Component::uint32;
+  Rows indices;
+  Rows values;
+};
+
+struct Accessor {
+  Format format;
+  std::size_t count = 0;
+  std::optional<Rows> rows;  ///< none: every element is zero
+  std::optional<SparseElements> sparse;
+
+  std::size_t bytes() const { return count * format.bytes; }
+};
+
+/// Movable only: the spans lead into `file` and `kept`.
+struct Document {
+  std::string name;
+  std::filesystem::path folder;  ///< empty: there are no files beside it
+  bool binary = false;
+  Shared<std::byte> file;  ///< as it came
+  Json json;
+  std::vector<Chunk> further_chunks;  ///< of a GLB, after JSON and BIN
+  std::vector<Bytes> buffers;
+  std::vector<std::vector<std::byte>> kept;  ///< decoded or loaded buffers
+  std::vector<BufferView> views;
+  std::vector<Accessor> accessors;
+
+  Document() = default;
+  Document(Document&&) = default;
+  Document& operator=(Document&&) = default;
+};
+
+Bytes bytes_of(const Document& document, const BufferView& view);
+
+/// All elements without gaps, in the asset's own format, sparse ones put in.
+std::vector<std::byte> elements(const Document& document, const Accessor& accessor);
+
+/// As above, decoded; for formats without padding.
+std::vector<float> decoded_elements(const Document& document, const Accessor& accessor);
+
+/// The elements of a SCALAR accessor of unsigned integers.
+std::vector<std::uint32_t> index_elements(const Document& document, const Accessor& accessor);
+
+/// "VEC3" and its component type to a format; nullopt where there is none such.
+std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized);
+
+/// Every name in extensionsUsed, and every key of an object called "extensions" anywhere; sorted, each once.
+std::vector<std::string> extensions_in(const Json& json);
+
+/// Whether we know of the extension which members refer to what, so that nothing it points at is lost or moved unseen.
+bool is_known_extension(std::string_view name);
+
+}  // namespace foredraw::gltf

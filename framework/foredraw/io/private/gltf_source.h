@@ -1,0 +1,28 @@
+#pragma once
+// What the reader keeps for the writer. Private to io.
+
+#include <foredraw/base/diagnostics.h>
+#include <foredraw/io/private/gltf_document.h>
+#include <foredraw/scene/scene.h>
+
+namespace foredraw::gltf {
+
+class Source final : public SceneSource {
+ public:
+  Source(Document document, Scene as_read) : document(std::move(document)), as_read(std::move(as_read)) {}
+
+  Document document;
+  Scene as_read;  ///< handles to what the stages were given; its own source is empty
+};
+
+/// The scene that a document holds, its source left out.
+std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics);
+
+/// A JSON text for tinygltf: the members that the gate has looked at, and no others, for what it never sees can not
+/// upset it. Buffers and images stay out, so that it neither copies bytes nor opens files.
+std::string checked_structure(const Json& json);
+
+/// The traits found in the asset, for every draw.
+void find_traits(Scene& scene, const Document& document);
+
+}  // namespace foredraw::gltf
