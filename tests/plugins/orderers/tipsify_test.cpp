@@ -26,7 +26,7 @@ double acmr(std::span<const std::uint32_t> indices, std::size_t vertices, int ca
   return static_cast<double>(count.misses) / static_cast<double>(count.triangles);
 }
 
-/// The paper's claim (sections 3 and 6): near 0.6 to 0.7 misses per triangle on regular meshes, in whichever order they come.
+/// The paper's claim: near 0.6 to 0.7 misses per triangle on regular meshes, in whichever order they come.
 TEST(Tipsify, ReachesThePapersAcmrOnRegularMeshes) {
   for (const TestMesh& mesh : {testing::grid(100, 100), testing::sphere(120, 80), testing::torus(120, 60)}) {
     const TestMesh random = testing::shuffled(mesh, 7);
