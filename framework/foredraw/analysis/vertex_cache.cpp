@@ -65,15 +65,6 @@ CacheCount count_fifo(std::span<const std::uint32_t> indices, std::size_t vertex
   return count_batches(indices, vertex_count, {"fifo", size, 0, 0});
 }
 
-std::vector<std::uint8_t> fifo_misses_of_triangles(std::span<const std::uint32_t> indices, std::size_t vertex_count,
-                                                   std::uint32_t size) {
-  FifoCache cache(vertex_count, size);
-  std::vector<std::uint8_t> misses(indices.size() / 3, 0);
-  for (std::size_t corner = 0; corner < 3 * misses.size(); ++corner)
-    misses[corner / 3] += cache.misses(indices[corner]);
-  return misses;
-}
-
 CacheCount count_lru(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::uint32_t size) {
   CacheCount count{0, indices.size() / 3, count_different(indices, vertex_count)};
   LruCache cache(vertex_count, size);

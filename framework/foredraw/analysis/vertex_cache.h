@@ -48,10 +48,6 @@ struct CacheCount {
 /// Misses of a FIFO cache of `size` entries. O(indices + vertices).
 CacheCount count_fifo(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::uint32_t size);
 
-/// Misses of each triangle, 0 to 3, the cache empty before the first.
-std::vector<std::uint8_t> fifo_misses_of_triangles(std::span<const std::uint32_t> indices, std::size_t vertex_count,
-                                                   std::uint32_t size);
-
 /// Misses of a cache of `size` entries that drops the vertex least recently drawn. O(indices + vertices) for any size.
 CacheCount count_lru(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::uint32_t size);
 

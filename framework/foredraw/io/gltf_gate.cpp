@@ -30,8 +30,7 @@ std::string in(const std::string& place, std::string_view key) {
 
 void Gate::error(const std::string& place, std::string code, std::string message, std::string hint) {
   if (++mistakes_ > most_mistakes) return;
-  diagnostics_.error({.file = document_.name, .line = 0, .column = 0, .inside = place}, std::move(code),
-                     std::move(message), std::move(hint));
+  diagnostics_.error({.file = document_.name, .inside = place}, std::move(code), std::move(message), std::move(hint));
 }
 
 void Gate::error_at(std::size_t byte, std::string_view text, std::string code, std::string message, std::string hint) {
@@ -39,14 +38,13 @@ void Gate::error_at(std::size_t byte, std::string_view text, std::string code, s
   const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
   const std::size_t start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   ++mistakes_;
-  diagnostics_.error(
-      {.file = document_.name, .line = line, .column = static_cast<int>(before.size() - start) + 1, .inside = {}},
-      std::move(code), std::move(message), std::move(hint));
+  diagnostics_.error({.file = document_.name, .line = line, .column = static_cast<int>(before.size() - start) + 1},
+                     std::move(code), std::move(message), std::move(hint));
 }
 
 void Gate::finish() {
   if (mistakes_ <= most_mistakes) return;
-  diagnostics_.note({.file = document_.name, .line = 0, .column = 0, .inside = {}}, "more-mistakes",
+  diagnostics_.note({.file = document_.name}, "more-mistakes",
                     fmt::format("{} more mistakes are not shown", mistakes_ - most_mistakes));
 }
 

@@ -70,8 +70,8 @@ std::optional<std::vector<OutputFile>> packed(Written written, const fs::path& t
     set_buffer(written.json, written.buffer.size(), {});
     const std::string text = written.json.dump();
     if (text.size() + written.buffer.size() > std::size_t{4'000'000'000}) {
-      diagnostics.error({.file = target.string(), .line = 0, .column = 0, .inside = {}}, "too-large",
-                        "a .glb can not hold more than 4 GB", "write a .gltf, whose bytes lie beside it");
+      diagnostics.error({.file = target.string()}, "too-large", "a .glb can not hold more than 4 GB",
+                        "write a .gltf, whose bytes lie beside it");
       return std::nullopt;
     }
     return std::vector<OutputFile>{{target, glb(text, written)}};
@@ -98,7 +98,7 @@ void relocate_images(Json& json, const Document& document, const fs::path& targe
     const auto path = percent_decoded(uri->get<std::string>());
     if (!path || path->empty() || path->front() == '/' || path->find(':') != std::string::npos) continue;
     if (from.empty()) {
-      diagnostics.note({.file = document.name, .line = 0, .column = 0, .inside = "images"}, "image-outside",
+      diagnostics.note({.file = document.name, .inside = "images"}, "image-outside",
                        "the images are files beside the glTF, whose folder is not known; their names stay as they are",
                        "copy '" + *path + "' beside the output");
       return;

@@ -48,8 +48,7 @@ void drop_compressed_copies(Json& json, AccessorStore& store, const Document& do
   bool dropped = false;
   for (const char* name : compressions) dropped = drop_extension(json, name, store) || dropped;
   if (!dropped) return;
-  diagnostics.note({.file = document.name, .line = 0, .column = 0, .inside = "extensionsUsed"},
-                   "compressed-copy-dropped",
+  diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "compressed-copy-dropped",
                    "the compressed copy of the geometry is left out, as it no longer fits; the plain data is written");
 }
 
@@ -87,7 +86,7 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   written.changed = !may_stay || store.changed() || written.json != document.json;
   if (!written.changed) return written;
   if (document.buffers.size() > 1 && !may_join_buffers(document.json)) {
-    diagnostics.error({.file = document.name, .line = 0, .column = 0, .inside = "buffers"}, "cannot-express",
+    diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
                       "the file has several buffers, and an extension that is not known here refers to them by number",
                       "pack the file into one .glb first");
     return std::nullopt;

@@ -89,7 +89,7 @@ class MeshPatch {
 
  private:
   bool fail(const std::string& what, const std::string& why) {
-    diagnostics_.error({.file = source_.document.name, .line = 0, .column = 0, .inside = what}, "cannot-express",
+    diagnostics_.error({.file = source_.document.name, .inside = what}, "cannot-express",
                        why + "; this can not be written back", "leave out the stage that did it");
     return false;
   }

@@ -153,7 +153,7 @@ class StructurePatch {
 
  private:
   bool fail(const std::string& inside, const std::string& why) {
-    diagnostics_.error({.file = scene_.name, .line = 0, .column = 0, .inside = inside}, "cannot-express",
+    diagnostics_.error({.file = scene_.name, .inside = inside}, "cannot-express",
                        why + "; this can not be written back", "leave out the stage that did it");
     return false;
   }

@@ -39,7 +39,7 @@ std::shared_ptr<const gltf::Source> empty_source(const Scene& scene) {
 
 void warn_of_what_stays_out(const Scene& scene, Diagnostics& diagnostics) {
   for (const Draw& draw : scene.draws) {
-    const Where where{.file = scene.name, .line = 0, .column = 0, .inside = draw.name};
+    const Where where{.file = scene.name, .inside = draw.name};
     if (draw.levels.size() > 1) {
       diagnostics.warning(where, "levels-left-out", "glTF holds one level of detail; the full one is written");
     }

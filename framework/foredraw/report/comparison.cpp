@@ -57,7 +57,7 @@ double stages_seconds(const Report& report) {
 
 std::string shown(const Figure* figure, double best) {
   if (figure == nullptr || !std::isfinite(figure->value())) return "-";
-  return fmt::format("{:.4f}{}", figure->value(), figure->value() == best ? " *" : "");
+  return to_text(*figure) + (figure->value() == best ? " *" : "");
 }
 
 std::string text_of(const Comparison& comparison) {
@@ -106,13 +106,15 @@ Json json_of(const Comparison& comparison) {
                                 {"report", Json::parse(to_json(branch.report))}});
   }
   json["metrics"] = Json::array();
+  const auto value = [](const Figure* figure) {
+    return figure == nullptr || !std::isfinite(figure->value()) ? Json(nullptr) : Json(figure->value());
+  };
   for (const MetricName& name : metrics_of(comparison)) {
-    Json values = Json::array();
+    Json row{{"evaluator", name.first}, {"metric", name.second}, {"input", value(before(comparison, name))}};
     for (const Branch& branch : comparison.branches) {
-      const Figure* figure = branch.report.after.metrics.find(name.first, name.second);
-      values.push_back(figure == nullptr || !std::isfinite(figure->value()) ? Json(nullptr) : Json(figure->value()));
+      row["values"].push_back(value(branch.report.after.metrics.find(name.first, name.second)));
     }
-    json["metrics"].push_back({{"evaluator", name.first}, {"metric", name.second}, {"values", values}});
+    json["metrics"].push_back(std::move(row));
   }
   return json;
 }

@@ -10,7 +10,7 @@ struct Branch {
   Report report;
 };
 
-/// All branches on one file. The first is the baseline.
+/// All branches on one file, in the sequence in which they were given.
 struct Comparison {
   FileRecord input;
   std::vector<Branch> branches;

@@ -1,6 +1,17 @@
 #include <foredraw/report/metrics.h>
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace foredraw {
+
+std::string to_text(const Figure& figure) {
+  if (!std::isfinite(figure.value())) return "-";
+  if (!figure.denominator) return fmt::format("{:.0f}", figure.numerator);
+  const std::string text = fmt::format("{:.4f}", figure.value());
+  return figure.error > 0 ? fmt::format("{} ±{:.4f}", text, figure.error) : text;
+}
 
 void Metrics::add(const std::string& plugin, const std::string& metric, const Figure& figure) {
   const auto [at, is_new] = by_plugin_[plugin].emplace(metric, figure);

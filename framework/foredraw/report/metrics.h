@@ -20,6 +20,9 @@ struct Figure {
   double value() const { return denominator ? numerator / *denominator : numerator; }
 };
 
+/// "0.7053", with " ±0.0040" where it has an error; a count without places; "-" where it is no number.
+std::string to_text(const Figure& figure);
+
 class Metrics {
  public:
   /// Adds to what is there: numerators and denominators add up; errors are averaged by their denominators (those of counts

@@ -16,13 +16,6 @@ std::string counted(std::uint64_t count) {
   return digits;
 }
 
-std::string figure_text(const Figure* figure) {
-  if (figure == nullptr || !std::isfinite(figure->value())) return "-";
-  if (!figure->denominator) return fmt::format("{:.0f}", figure->numerator);
-  const std::string text = fmt::format("{:.4f}", figure->value());
-  return figure->error > 0 ? fmt::format("{} ±{:.4f}", text, figure->error) : text;
-}
-
 std::string change_text(const Figure* before, const Figure& after) {
   if (before == nullptr || before->value() == 0 || !std::isfinite(before->value()) || !std::isfinite(after.value())) {
     return "";
@@ -54,14 +47,31 @@ std::string metrics_text(const Report& report) {
       if (metric.find('.') != std::string::npos) continue;
       const Figure* before = report.before.metrics.find(plugin, metric);
       if (report.optimized) {
-        table.add({shown, metric, figure_text(before), figure_text(&figure), change_text(before, figure), figure.unit});
+        table.add({shown, metric, before == nullptr ? "-" : to_text(*before), to_text(figure), change_text(before, figure), figure.unit});
       } else {
-        table.add({shown, metric, figure_text(&figure), figure.unit});
+        table.add({shown, metric, to_text(figure), figure.unit});
       }
       shown.clear();
     }
   }
   return table.empty() ? "" : '\n' + table.text();
+}
+
+/// One figure may be traded for another; who reads the table in a hurry shall not miss it.
+std::string losses_text(const Report& report) {
+  std::string losses;
+  for (const auto& [plugin, by_metric] : report.after.metrics.all()) {
+    for (const auto& [metric, figure] : by_metric) {
+      const Figure* before = report.before.metrics.find(plugin, metric);
+      if (before == nullptr || !figure.denominator || metric.find('.') != std::string::npos) continue;
+      const double rise = figure.value() - before->value();
+      const double loss = figure.lower_is_better ? rise : -rise;
+      if (!(loss > 0.0005 * std::abs(before->value()) && loss > figure.error)) continue;
+      losses += fmt::format("{}{} {}", losses.empty() ? "" : ", ", plugin, metric);
+    }
+  }
+  if (losses.empty()) return "";
+  return fmt::format("\nnot as good as before: {}. foredraw compare with fewer stages shows which one traded it away.\n", losses);
 }
 
 std::string places_text(const std::vector<std::string>& places) {
@@ -140,6 +150,7 @@ std::string to_text(const Report& report) {
                              changed_count("vertices", report.optimized ? report.before.vertices : report.after.vertices,
                                            report.after.vertices));
   text += metrics_text(report);
+  if (report.optimized) text += losses_text(report);
   text += stages_text(report);
   for (const StageRecord& measure : report.measures) text += stage_text(measure);
   text += facts_text(report);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <numeric>
 #include <set>
 
 namespace foredraw {
@@ -53,13 +52,6 @@ RC_GTEST_PROP(VertexCacheModels, lru_is_a_queue_that_hits_renew, ()) {
   const Indices indices = random_triangles(40);
   const auto size = *rc::gen::inRange(1u, 30u);
   RC_ASSERT(count_lru(indices, 40, size).misses == misses_by_queue(indices, size, true));
-}
-
-RC_GTEST_PROP(VertexCacheModels, misses_of_triangles_sum_to_all_misses, ()) {
-  const Indices indices = random_triangles(40);
-  const auto misses = fifo_misses_of_triangles(indices, 40, 12);
-  RC_ASSERT(misses.size() == indices.size() / 3);
-  RC_ASSERT(std::accumulate(misses.begin(), misses.end(), std::uint64_t{0}) == count_fifo(indices, 40, 12).misses);
 }
 
 TEST(VertexCacheModels, a_cache_that_holds_all_misses_each_vertex_once) {

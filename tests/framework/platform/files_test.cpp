@@ -1,0 +1,168 @@
+#include <foredraw/platform/files.h>
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include <cstring>
+#include <fstream>
+#include <thread>
+
+namespace foredraw {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::byte> bytes_of(const std::string& text) {
+  std::vector<std::byte> bytes(text.size());
+  std::memcpy(bytes.data(), text.data(), text.size());
+  return bytes;
+}
+
+std::string text_of(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+class Files : public ::testing::Test {
+ protected:
+  Files() { fs::create_directories(folder_); }
+  ~Files() override { fs::remove_all(folder_); }
+
+  static void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+  static std::string get(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  bool write(const std::vector<OutputFile>& files) { return write_files(files, diagnostics_); }
+  std::size_t files_in_folder() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+  std::string only_code() const { return diagnostics_.all().size() == 1 ? diagnostics_.all()[0].code : "not one"; }
+  std::string only_file() const { return diagnostics_.all().at(0).where.file; }
+
+  const fs::path folder_ = fs::path(::testing::TempDir()) /
+                           ("foredraw files " + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+  Diagnostics diagnostics_;
+};
+
+TEST_F(Files, ReadWhole) {
+  std::string content(3'000'001, 'x');  // more than one step of reading
+  content[0] = '\0';
+  content.back() = '\xff';
+  put(folder_ / "big", content);
+  put(folder_ / "empty", "");
+  const auto big = read_file(folder_ / "big", diagnostics_);
+  ASSERT_TRUE(big);
+  EXPECT_TRUE(text_of(*big) == content);
+  const auto empty = read_file(folder_ / "empty", diagnostics_);
+  ASSERT_TRUE(empty);
+  EXPECT_TRUE(empty->empty());
+  EXPECT_TRUE(diagnostics_.empty());
+}
+
+TEST_F(Files, ReadMissing) {
+  EXPECT_FALSE(read_file(folder_ / "nowhere.glb", diagnostics_));
+  EXPECT_EQ(only_code(), "no-such-file");
+  EXPECT_EQ(only_file(), (folder_ / "nowhere.glb").string());
+}
+
+TEST_F(Files, ReadFolder) {
+  EXPECT_FALSE(read_file(folder_, diagnostics_));
+  EXPECT_EQ(only_code(), "is-a-folder");
+}
+
+TEST_F(Files, ReadBelowAFile) {
+  put(folder_ / "file", "x");
+  EXPECT_FALSE(read_file(folder_ / "file" / "below", diagnostics_));
+  EXPECT_EQ(only_code(), "cannot-read");
+}
+
+TEST_F(Files, ReadUnreadable) {
+  put(folder_ / "locked", "x");
+  fs::permissions(folder_ / "locked", fs::perms::none);
+  if (std::ifstream(folder_ / "locked").good()) GTEST_SKIP() << "this user may read everything";
+  EXPECT_FALSE(read_file(folder_ / "locked", diagnostics_));
+  EXPECT_EQ(only_code(), "cannot-read");
+}
+
+TEST_F(Files, ReadThatFailsAfterItBegan) {
+  const fs::path memory = "/proc/self/mem";  // opens, but nobody may read what lies at 0
+  if (!fs::exists(memory)) GTEST_SKIP() << "this system has no such file";
+  EXPECT_FALSE(read_file(memory, diagnostics_));
+  EXPECT_EQ(only_code(), "cannot-read");
+}
+
+TEST_F(Files, WriteAndReadBack) {
+  ASSERT_TRUE(write({{folder_ / "a.gltf", bytes_of("{}")}, {folder_ / "a.bin", bytes_of(std::string("\0\1", 2))},
+                     {folder_ / "Größe ü.bin", {}}}));
+  EXPECT_EQ(text_of(*read_file(folder_ / "a.gltf", diagnostics_)), "{}");
+  EXPECT_EQ(get(folder_ / "a.bin"), std::string("\0\1", 2));
+  EXPECT_EQ(get(folder_ / "Größe ü.bin"), "");
+  EXPECT_EQ(files_in_folder(), 3u) << "nothing else is left";
+  EXPECT_TRUE(diagnostics_.empty());
+}
+
+TEST_F(Files, WriteNothing) { EXPECT_TRUE(write({})); }
+
+TEST_F(Files, OverwritingReplacesTheWhole) {
+  put(folder_ / "a", "a long text that was there before");
+  ASSERT_TRUE(write({{folder_ / "a", bytes_of("short")}}));
+  EXPECT_EQ(get(folder_ / "a"), "short");
+}
+
+TEST_F(Files, WhoReadsWhileItIsOverwrittenReadsOneOrTheOther) {
+  put(folder_ / "a", std::string(1 << 20, 'o'));
+  std::ifstream reader(folder_ / "a", std::ios::binary);
+  ASSERT_EQ(reader.get(), 'o');
+  ASSERT_TRUE(write({{folder_ / "a", bytes_of(std::string(1 << 20, 'n'))}}));
+  const std::string rest(std::istreambuf_iterator<char>(reader), {});
+  EXPECT_EQ(rest.find('n'), std::string::npos);
+  EXPECT_EQ(rest.size(), (1u << 20) - 1);
+  EXPECT_EQ(get(folder_ / "a"), std::string(1 << 20, 'n'));
+}
+
+TEST_F(Files, AllOrNoneWhereAFolderIsMissing) {
+  put(folder_ / "first", "old");
+  EXPECT_FALSE(write({{folder_ / "first", bytes_of("new")}, {folder_ / "missing" / "second", bytes_of("new")},
+                      {folder_ / "third", bytes_of("new")}}));
+  EXPECT_EQ(get(folder_ / "first"), "old");
+  EXPECT_EQ(files_in_folder(), 1u) << "nothing half done is left";
+  EXPECT_EQ(only_code(), "cannot-write");
+  EXPECT_EQ(only_file(), (folder_ / "missing" / "second").string());
+  EXPECT_FALSE(diagnostics_.all()[0].hint.empty());
+}
+
+TEST_F(Files, AllOrNoneWhereAFolderIsInTheWay) {
+  put(folder_ / "first", "old");
+  fs::create_directory(folder_ / "second");
+  EXPECT_FALSE(write({{folder_ / "first", bytes_of("new")}, {folder_ / "second", bytes_of("new")}}));
+  EXPECT_EQ(get(folder_ / "first"), "old");
+  EXPECT_EQ(files_in_folder(), 2u);
+  EXPECT_EQ(only_code(), "is-a-folder");
+}
+
+TEST_F(Files, LinksStayAndWhatTheyPointAtIsReplaced) {
+  put(folder_ / "file", "old");
+  fs::create_symlink("file", folder_ / "link");
+  ASSERT_TRUE(write({{folder_ / "link", bytes_of("new")}}));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(get(folder_ / "file"), "new");
+  EXPECT_EQ(files_in_folder(), 2u);
+}
+
+// Whoever writes to /dev/null or to a pipe must not find a plain file in its place afterwards.
+TEST_F(Files, PipesAreWrittenToAsTheyStand) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string got;
+  std::thread reader([&] { got = get(pipe); });
+  EXPECT_TRUE(write({{pipe, bytes_of("through")}}));
+  if (!fs::is_fifo(pipe)) std::ofstream(pipe).put('x');  // or the reader would wait for ever
+  reader.join();
+  EXPECT_EQ(got, "through");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+}  // namespace
+}  // namespace foredraw

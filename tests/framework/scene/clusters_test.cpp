@@ -1,0 +1,33 @@
+#include <foredraw/scene/clusters.h>
+
+#include <gtest/gtest.h>
+
+namespace foredraw {
+namespace {
+
+TEST(Clusters, PartitionStartsAtZeroEndsAtTheCountAndGrows) {
+  EXPECT_TRUE(is_partition({{0, 1}}, 1));
+  EXPECT_TRUE(is_partition({{0, 2, 5, 6}}, 6));
+  EXPECT_FALSE(is_partition({{1, 2, 5, 6}}, 6)) << "begins late";
+  EXPECT_FALSE(is_partition({{0, 2, 5}}, 6)) << "ends early";
+  EXPECT_FALSE(is_partition({{0, 2, 5, 7}}, 6)) << "ends late";
+  EXPECT_FALSE(is_partition({{0, 2, 2, 6}}, 6)) << "an empty cluster";
+  EXPECT_FALSE(is_partition({{0, 5, 2, 6}}, 6)) << "backwards";
+  EXPECT_FALSE(is_partition({{0, 7, 6}}, 6)) << "beyond the end and back";
+}
+
+TEST(Clusters, NoTrianglesHaveNoClusters) {
+  EXPECT_TRUE(is_partition({{0}}, 0));
+  EXPECT_FALSE(is_partition({{0, 0}}, 0));
+  EXPECT_FALSE(is_partition({}, 0)) << "no offsets at all";
+  EXPECT_FALSE(is_partition({{0}}, 1));
+}
+
+TEST(Clusters, CountIsOneLessThanOffsets) {
+  EXPECT_EQ(Clusters{}.count(), 0u);
+  EXPECT_EQ((Clusters{{0}}.count()), 0u);
+  EXPECT_EQ((Clusters{{0, 3, 4}}.count()), 2u);
+}
+
+}  // namespace
+}  // namespace foredraw

@@ -1,0 +1,65 @@
+#include <foredraw/scene/traits.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace foredraw {
+namespace {
+
+TEST(Traits, AddAndRemove) {
+  Traits traits = {traits::triangles, traits::uv0};
+  EXPECT_TRUE(traits.has(traits::uv0));
+  EXPECT_FALSE(traits.has(traits::normals));
+  traits.add(traits::normals);
+  traits.remove(traits::uv0);
+  EXPECT_EQ(traits, (Traits{traits::normals, traits::triangles}));
+  traits.remove("never-there");
+  EXPECT_EQ(traits, (Traits{traits::normals, traits::triangles}));
+}
+
+TEST(Traits, AddAndRemoveSeveral) {
+  Traits traits = {"a", "b", "c"};
+  traits.remove(Traits{"b", "z"});
+  traits.add(Traits{"c", "d"});
+  EXPECT_EQ(traits, (Traits{"a", "c", "d"}));
+  traits.remove(Traits{"a", "c", "d"});
+  EXPECT_TRUE(traits.empty());
+}
+
+TEST(Traits, HoldTheNamesThemselves) {
+  Traits traits;
+  {
+    std::string name = "a-name-that-goes-out-of-scope";
+    traits.add(name);
+    name.assign(name.size(), 'x');
+  }
+  EXPECT_TRUE(traits.has("a-name-that-goes-out-of-scope"));
+}
+
+TEST(Traits, AreInNameOrder) {
+  const Traits traits = {"c", "a", "b", "a"};
+  EXPECT_EQ(std::vector<std::string>(traits.begin(), traits.end()), (std::vector<std::string>{"a", "b", "c"}));
+}
+
+TEST(Traits, EveryKnownOneHasAMeaningAndANameOfItsOwn) {
+  Traits seen;
+  for (const TraitRow& row : known_traits()) {
+    EXPECT_FALSE(seen.has(row.name)) << row.name;
+    seen.add(row.name);
+    EXPECT_FALSE(row.meaning.empty()) << row.name;
+    EXPECT_TRUE(std::all_of(row.name.begin(), row.name.end(), [](unsigned char c) {
+      return std::islower(c) || std::isdigit(c) || c == '-';
+    })) << row.name;
+  }
+  for (const Trait trait : {traits::triangles, traits::uv0, traits::normals, traits::skinned, traits::morphed,
+                            traits::animated, traits::blended, traits::masked, traits::double_sided, traits::instanced,
+                            traits::quantized, traits::extended, traits::welded, traits::clustered,
+                            traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered}) {
+    EXPECT_TRUE(seen.has(trait)) << trait;
+  }
+}
+
+}  // namespace
+}  // namespace foredraw

@@ -1,0 +1,20 @@
+// Whatever the bytes, reading them ends well; what can be read can be written, and what was written can be read.
+
+#include "claim.h"
+
+#include <foredraw/io/gltf.h>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace foredraw;
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(std::as_bytes(std::span(data, size)), "input", {}, diagnostics);
+  claim(scene.has_value() != diagnostics.has_errors(), "read and not read at once: " + to_text(diagnostics));
+  if (!scene) return 0;
+
+  const auto files = encode_gltf(*scene, "again.glb", diagnostics);
+  claim(files && files->size() == 1, "what was read can not be written: " + to_text(diagnostics));
+  const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics);
+  claim(again.has_value(), "what was written can not be read: " + to_text(diagnostics));
+  claim(again->draws.size() == scene->draws.size(), "draws were lost");
+  return 0;
+}
