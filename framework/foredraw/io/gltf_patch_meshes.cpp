@@ -170,8 +170,8 @@ class MeshPatch {
       }
       std::vector<std::string> gone;
       for (const auto& [semantic, number] : names.items()) {
-        if (std::none_of(list.begin(), list.end(), [&](const auto& s) { return s.semantic == semantic; }))
-          gone.push_back(semantic);
+        const std::string& name = semantic;  // clang 14 captures no structured binding
+        if (std::none_of(list.begin(), list.end(), [&](const auto& s) { return s.semantic == name; })) gone.push_back(name);
       }
       for (const std::string& semantic : gone) names.erase(semantic);
       return true;

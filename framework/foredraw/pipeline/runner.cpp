@@ -147,7 +147,8 @@ class PlanRunner {
     } else {
       auto measured = run_stage(stage, number, result_.scene, plan_, surroundings, record, diagnostics_);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
-      std::ranges::stable_partition(measured, [](const Measured& figure) { return figure.place != Place{}; });
+      std::stable_partition(measured.begin(), measured.end(),
+                            [](const Measured& figure) { return figure.place != Place{}; });
       for (const Measured& figure : measured) book(figure);
     }
     record.seconds = clock.seconds();
