@@ -16,7 +16,8 @@ namespace {
 TEST(Executor, CallsEveryIndexOnce) {
   for (const int threads : {1, 2, 7}) {
     const Executor executor(threads);
-    EXPECT_EQ(executor.threads(), threads);
+    EXPECT_GE(executor.threads(), 1);
+    EXPECT_LE(executor.threads(), threads);
     for (const std::size_t count : {0, 1, 2, 1000}) {
       std::vector<std::atomic<int>> calls(count);
       executor.for_each(count, [&](std::size_t i) { ++calls.at(i); });

@@ -17,8 +17,8 @@ using testing::TestMesh;
 std::vector<std::uint32_t> reordered(const TestMesh& mesh, const TipsifyOptions& options = {}) {
   IndexStream stream;
   stream.indices = Shared<std::uint32_t>(mesh.indices);
-  const auto indices = with_triangle_order(stream, tipsify(mesh.indices, mesh.positions.size(), options)).indices.view();
-  return {indices.begin(), indices.end()};
+  stream = with_triangle_order(stream, tipsify(mesh.indices, mesh.positions.size(), options));
+  return {stream.indices.view().begin(), stream.indices.view().end()};
 }
 
 double acmr(std::span<const std::uint32_t> indices, std::size_t vertices, int cache_size) {
