@@ -91,7 +91,7 @@ class OverdrawRaster final : public Evaluator {
     const Estimate mean = overdraw_view_mean(pictures);
     run.measure_at(place, "ratio", ratio.numerator, ratio.denominator, ratio.error);
     run.measure_at(place, "view-mean", mean.numerator, mean.denominator, mean.error);
-    run.measure_at(place, "tie-share", static_cast<double>(sum.ties), static_cast<double>(sum.visible));
+    run.count_at(place, "ties", static_cast<double>(sum.ties));
   }
 
   void tell_what_is_not_as_drawn(const Scene& scene, const Run& run, std::size_t non_finite) const {
@@ -142,8 +142,7 @@ Plugin overdraw_raster_plugin() {
               {"ratio", "fragments per pixel",
                "Fragments that pass the depth test over those that stay, of all views; 1 is the limit"},
               {"view-mean", "fragments per pixel", "The mean of the views' ratios, as papers print it"},
-              {"tie-share", "fragments per pixel",
-               "Fragments exactly as near as what was drawn before them, over those that stay"},
+              {"ties", "fragments", "Fragments exactly as near as what was drawn before them, of all views"},
               {"blended-left-out", "draws", "Blended draws, which are left out"},
               {"triangles-left-out", "triangles", "Triangles with positions that are not finite, which are left out"},
           },

@@ -91,7 +91,9 @@ std::string text_of(const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
     text += fmt::format("  [{}] ", i + 1);
     const auto& stages = comparison.branches[i].report.stages;
-    for (const StageRecord& stage : stages) text += fmt::format("{} {:.1f} ms  ", stage.use, 1000 * stage.seconds);
+    for (const StageRecord& stage : stages) {
+      text += fmt::format("{}{} {:.1f} ms", &stage == &stages.front() ? "" : ", ", stage.use, 1000 * stage.seconds);
+    }
     text += stages.empty() ? "no stages\n" : "\n";
   }
   return text;

@@ -45,7 +45,7 @@ TEST(ComparisonText, AColumnForEachBranchAndAStarAtTheBest) {
   EXPECT_THAT(text, HasSubstr("in.glb\n  [1] A\n  [2] B\n"));
   EXPECT_EQ(line_with(text, "acmr"), "cache  acmr        3.0000  2.0000    1.0000 *");
   EXPECT_EQ(line_with(text, "all stages"), "time   all stages          500.0 ms  1000.0 ms");
-  EXPECT_THAT(text, HasSubstr("  [1] tipsify 250.0 ms  tipsify 250.0 ms"));
+  EXPECT_THAT(text, HasSubstr("  [1] tipsify 250.0 ms, tipsify 250.0 ms"));
   EXPECT_THAT(text, HasSubstr("* the best of its row"));
 }
 
