@@ -1,17 +1,15 @@
 #include <foredraw/report/reference.h>
 
+#include <foredraw/report/private/json_values.h>
 #include <foredraw/report/table.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
 namespace foredraw {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view text_of(OptionType type) {
   switch (type) {
@@ -25,33 +23,15 @@ std::string_view text_of(OptionType type) {
   return "text";
 }
 
-std::string range_of(const OptionSpec& option) {
+std::string allowed(const OptionSpec& option) {
   if (option.type == OptionType::choice) return fmt::format("{}", fmt::join(option.choices, ", "));
-  std::string text(text_of(option.type));
-  if (std::isfinite(option.least) && std::isfinite(option.most)) {
-    text += fmt::format(", {:g} to {:g}", option.least, option.most);
-  } else if (std::isfinite(option.least)) {
-    text += fmt::format(", at least {:g}", option.least);
-  } else if (std::isfinite(option.most)) {
-    text += fmt::format(", at most {:g}", option.most);
-  }
-  return option.unit.empty() ? text : text + ' ' + option.unit;
+  const std::string range = range_text(option);
+  return fmt::format("{}{}{}", text_of(option.type), range.empty() ? "" : ", ", range);
 }
 
 std::string names_of(const Traits& traits) { return fmt::format("{}", fmt::join(traits, ", ")); }
 
-Json json_of(const OptionValue& value) {
-  if (std::holds_alternative<std::monostate>(value)) return nullptr;
-  return std::visit([](const auto& v) -> Json {
-    if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>) {
-      return nullptr;
-    } else {
-      return v;
-    }
-  }, value);
-}
-
-Json json_of(const OptionSpec& option) {
+Json option_json(const OptionSpec& option) {
   Json json{{"name", option.name},
             {"type", text_of(option.type)},
             {"default", json_of(option.default_value)},
@@ -86,7 +66,7 @@ std::string reference_page(const Plugin& plugin) {
   } else {
     page += "\n| option | default | may be | meaning |\n|---|---|---|---|\n";
     for (const OptionSpec& option : plugin.options) {
-      page += fmt::format("| `{}` | {} | {} | {} |\n", option.name, to_text(option.default_value), range_of(option), option.doc);
+      page += fmt::format("| `{}` | {} | {} | {} |\n", option.name, to_text(option.default_value), allowed(option), option.doc);
     }
   }
   if (!card.metrics.empty()) {
@@ -108,7 +88,7 @@ std::string reference_json(const Plugin& plugin) {
             {"breaks", list_of(card.breaks)},
             {"pays-if", card.pays_if}};
   json["options"] = Json::array();
-  for (const OptionSpec& option : plugin.options) json["options"].push_back(json_of(option));
+  for (const OptionSpec& option : plugin.options) json["options"].push_back(option_json(option));
   json["metrics"] = Json::array();
   for (const Metric& metric : card.metrics) {
     json["metrics"].push_back({{"name", metric.name}, {"unit", metric.unit}, {"doc", metric.doc},

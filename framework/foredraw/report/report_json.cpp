@@ -1,30 +1,15 @@
+#include <foredraw/report/private/json_values.h>
 #include <foredraw/report/report.h>
-
-#include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace foredraw {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json to_json(const OptionValue& value) {
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
-  if (const auto* real = std::get_if<double>(&value)) return number(*real);
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  return nullptr;
-}
-
 Json to_json(const Figure& figure) {
-  Json json{{"value", number(figure.value())}, {"unit", figure.unit}, {"error", number(figure.error)}};
+  Json json{{"value", json_of(figure.value())}, {"unit", figure.unit}, {"error", json_of(figure.error)}};
   if (figure.denominator) {
-    json["numerator"] = number(figure.numerator);
-    json["denominator"] = number(*figure.denominator);
+    json["numerator"] = json_of(figure.numerator);
+    json["denominator"] = json_of(*figure.denominator);
   }
   return json;
 }
@@ -116,7 +101,7 @@ std::string to_json(const Report& report) {
   json["evaluators"] = Json::object();
   for (const auto& [name, options] : report.evaluator_options) {
     Json& values = json["evaluators"][name]["options"] = Json::object();
-    for (const auto& [option, value] : options) values[option] = to_json(value);
+    for (const auto& [option, value] : options) values[option] = json_of(value);
   }
   json["draws"] = Json::array();
   for (const DrawRecord& draw : report.draws) json["draws"].push_back(to_json(draw, report.optimized));

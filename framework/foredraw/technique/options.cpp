@@ -45,12 +45,11 @@ std::string to_text(const OptionValue& value, bool quoted) {
   return "unset";
 }
 
-namespace {
-
 std::string range_text(const OptionSpec& spec) {
   const bool whole = spec.type == OptionType::integer;
   const auto number = [whole](double x) { return whole ? fmt::format("{:.0f}", x) : fmt::format("{}", x); };
   std::string text;
+  if (std::isinf(spec.least) && std::isinf(spec.most)) return "";
   if (std::isinf(spec.least)) {
     text = "at most " + number(spec.most);
   } else if (std::isinf(spec.most)) {
@@ -60,6 +59,8 @@ std::string range_text(const OptionSpec& spec) {
   }
   return spec.unit.empty() ? text : text + ' ' + spec.unit;
 }
+
+namespace {
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 

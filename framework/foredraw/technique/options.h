@@ -42,6 +42,9 @@ struct OptionSpec {
 /// The value in a pipeline's words: 16, 1.05, true, "random" (with quotes where `quoted`).
 std::string to_text(const OptionValue& value, bool quoted = false);
 
+/// "3 to 1024 entries"; empty where any number will do.
+std::string range_text(const OptionSpec& spec);
+
 /// The value brought to the option's type (an integer where a number is wanted, a number's text where either will do), or
 /// an explanation of why it does not fit: "'cache-size' is 2, but must be 3 to 65535 entries".
 std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionValue& value);

@@ -1,0 +1,26 @@
+#pragma once
+// How single values stand in every JSON form.
+
+#include <foredraw/technique/options.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace foredraw {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON knows neither infinities nor NaN: null.
+inline Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// null where the option is not set.
+inline Json json_of(const OptionValue& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* real = std::get_if<double>(&value)) return json_of(*real);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return nullptr;
+}
+
+}  // namespace foredraw
