@@ -274,8 +274,10 @@ class StageRunner {
   template <class Answer>
   void update_traits(Draw& draw, const Outcome<Answer>& outcome) const {
     const Card& card = stage_.plugin->card;
-    if (outcome.kept()) draw.traits.add(card.provides);
-    if (!outcome.answer) return;
+    if (!outcome.answer) {
+      if (outcome.kept()) draw.traits.add(card.provides);
+      return;
+    }
     // Torn clusters are gone already, and with them the trait.
     draw.traits = after_stage(card, std::move(draw.traits));
     for (IndexStream& stream : draw.levels[0].orders) {
