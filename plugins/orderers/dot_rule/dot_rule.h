@@ -3,6 +3,7 @@
 // Sander, Nehab, Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007, "The DotRule".
 
 #include <foredraw/scene/clusters.h>
+#include <foredraw/scene/strided.h>
 
 #include <glm/vec3.hpp>
 
@@ -15,7 +16,7 @@ namespace foredraw {
 /// The sequence of the clusters ([new] = old) by falling (centroid of the cluster - centroid of the mesh) . (unit normal
 /// of the cluster), all weighted by area. Equal ones keep their sequence. Triangles with positions that are not finite
 /// are left out of the sums; a cluster without area goes last. O(triangles + clusters log clusters).
-std::vector<std::uint32_t> dot_rule(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+std::vector<std::uint32_t> dot_rule(Strided<glm::vec3> positions, std::span<const std::uint32_t> indices,
                                     const Clusters& clusters);
 
 struct Plugin;

