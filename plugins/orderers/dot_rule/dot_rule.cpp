@@ -29,7 +29,7 @@ struct Surface {
   glm::dvec3 centroid() const { return moment / (3 * area); }
 };
 
-Surface surface_of(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangle) {
+Surface surface_of(const Strided<glm::vec3>& positions, std::span<const std::uint32_t> triangle) {
   const glm::dvec3 a(positions[triangle[0]]), b(positions[triangle[1]]), c(positions[triangle[2]]);
   Surface surface;
   surface.normal = glm::cross(b - a, c - a);
@@ -40,7 +40,7 @@ Surface surface_of(std::span<const glm::vec3> positions, std::span<const std::ui
 
 }  // namespace
 
-std::vector<std::uint32_t> dot_rule(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+std::vector<std::uint32_t> dot_rule(Strided<glm::vec3> positions, std::span<const std::uint32_t> indices,
                                     const Clusters& clusters) {
   std::vector<Surface> surfaces(clusters.count());
   Surface mesh;

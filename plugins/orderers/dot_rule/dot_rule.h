@@ -4,6 +4,7 @@
 // DotRule".
 
 #include <foredraw/scene/clusters.h>
+#include <foredraw/scene/strided.h>
 
 #include <glm/vec3.hpp>
 
@@ -17,7 +18,7 @@ namespace foredraw {
 /// normal of the cluster), all weighted by area. Those that are equal to 1/1024 of the largest value keep their
 /// sequence, and so what they share in the vertex cache. Triangles with positions that are not finite are left out of
 /// the sums; a cluster without area goes last. O(triangles + clusters log clusters).
-std::vector<std::uint32_t> dot_rule(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+std::vector<std::uint32_t> dot_rule(Strided<glm::vec3> positions, std::span<const std::uint32_t> indices,
                                     const Clusters& clusters);
 
 struct Plugin;
