@@ -1,4 +1,5 @@
 // A sound document to a scene. tinygltf reads the structure; the bytes come from the layouts that the gate checked.
+#include <foredraw/io/images.h>
 #include <foredraw/io/private/gltf_source.h>
 #include <foredraw/io/private/gltf_uri.h>
 
@@ -270,6 +271,7 @@ Image image_of(const Json& from, const Document& document, ViewBytes& views) {
     if (is_new) made->second = Shared<std::byte>({bytes.begin(), bytes.end()});
     image.bytes = made->second;
   }
+  image.facts = image_facts(image.bytes.view());
   return image;
 }
 
