@@ -44,8 +44,9 @@ void collect(Json& value, std::vector<Json*>& all) {
 }
 
 Json harmful(Random& random) {
-  const Json values[] = {0,    1,    2,   3,  5121, 5123, 5126, 65535, 4294967295u, std::int64_t{1} << 40, -1, 0.5,
-                         1e30, "TRIANGLES", "VEC3", "SCALAR", "MAT4", true, nullptr, Json::array(), Json::object()};
+  const Json values[] = {
+      0,   1,    2,           3,      5121,     5123,   5126, 65535,   4294967295u,   std::int64_t{1} << 40, -1,
+      0.5, 1e30, "TRIANGLES", "VEC3", "SCALAR", "MAT4", true, nullptr, Json::array(), Json::object()};
   return values[random.below(std::size(values))];
 }
 
@@ -60,11 +61,13 @@ void change_tree(Json& json, Random& random) {
       target = Json(other);
       break;
     case 2:  // a little more or less
-      if (target.is_number_integer()) target = target.get<std::int64_t>() + static_cast<std::int64_t>(random.below(9)) - 4;
+      if (target.is_number_integer())
+        target = target.get<std::int64_t>() + static_cast<std::int64_t>(random.below(9)) - 4;
       break;
     case 3:
       if (target.is_array() && !target.empty()) target.erase(random.below(target.size()));
-      if (target.is_object() && !target.empty()) target.erase(std::next(target.begin(), static_cast<std::ptrdiff_t>(random.below(target.size()))).key());
+      if (target.is_object() && !target.empty())
+        target.erase(std::next(target.begin(), static_cast<std::ptrdiff_t>(random.below(target.size()))).key());
       break;
     case 4:
       if (target.is_array() && !target.empty()) target.push_back(Json(target[random.below(target.size())]));
@@ -82,7 +85,8 @@ void change_tree(Json& json, Random& random) {
 void change_bytes(std::vector<std::byte>& bin, Random& random) {
   if (bin.empty()) return;
   const std::size_t at = random.below(bin.size());
-  const float floats[] = {0, 1, -1, 0.5f, 1e30f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
+  const float floats[] = {
+      0, 1, -1, 0.5f, 1e30f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
   switch (random.below(3)) {
     case 0: bin[at] = static_cast<std::byte>(random.below(256)); break;
     case 1:
@@ -108,10 +112,12 @@ std::size_t mutate_gltf(std::uint8_t* data, std::size_t size, std::size_t most, 
   }
   // A change that is refused early teaches nothing: most files keep a buffer that agrees with its bytes.
   Json& json = parts[0].json;
-  if (json.is_object() && json.contains("buffers") && json["buffers"].is_array() && json["buffers"].size() == 1 && random.below(8) != 0) {
+  if (json.is_object() && json.contains("buffers") && json["buffers"].is_array() && json["buffers"].size() == 1 &&
+      random.below(8) != 0) {
     json["buffers"][0] = {{"byteLength", parts[0].bin.size()}};
   }
-  const std::vector<std::byte> made = testing::glb_of(json.dump(-1, ' ', false, Json::error_handler_t::replace), parts[0].bin);
+  const std::vector<std::byte> made =
+      testing::glb_of(json.dump(-1, ' ', false, Json::error_handler_t::replace), parts[0].bin);
   if (made.size() > most) return LLVMFuzzerMutate(data, size, most);
   std::memcpy(data, made.data(), made.size());
   return made.size();

@@ -1,4 +1,5 @@
-// Whatever the bytes, decoding them ends well and within the limit; what is decoded has as many texels as its header says.
+// Whatever the bytes, decoding them ends well and within the limit; what is decoded has as many texels as its header
+// says.
 
 #include "claim.h"
 
@@ -13,7 +14,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto facts = image_facts(bytes);
   if (!texels) return 0;
   claim(facts.has_value(), "decoded without a header");
-  const std::uint64_t values = std::uint64_t{facts->width} * facts->height * static_cast<std::uint64_t>(facts->channels);
-  claim(texels->bytes.size() == values * static_cast<std::uint64_t>(texels->facts.bits) / 8, "the texels are not those that the header says");
+  const std::uint64_t values =
+      std::uint64_t{facts->width} * facts->height * static_cast<std::uint64_t>(facts->channels);
+  claim(texels->bytes.size() == values * static_cast<std::uint64_t>(texels->facts.bits) / 8,
+        "the texels are not those that the header says");
   return 0;
 }

@@ -1,4 +1,5 @@
-// Writes small files for the fuzz targets to begin with: make_seeds FOLDER makes FOLDER/gltf_fuzz/puppet.glb and others.
+// Writes small files for the fuzz targets to begin with: make_seeds FOLDER makes FOLDER/gltf_fuzz/puppet.glb and
+// others.
 
 #include "support/gltf_builder.h"
 #include "support/image_builder.h"
@@ -14,7 +15,8 @@ using namespace foredraw;
 
 void write(const fs::path& path, const std::vector<std::byte>& bytes) {
   fs::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
 std::vector<std::byte> text(const std::string& line) { return testing::bytes_of(line); }
@@ -48,9 +50,11 @@ int main(int argc, char** argv) {
     write(folder / "image_fuzz" / (std::string(compression) + ".exr"), testing::exr_of(halves, floats, compression));
   }
 
-  write(folder / "pipeline_fuzz" / "line", text("weld, tipsify(cache-size=16), linear-clusters(growth=1.05), dot-rule, vertex-fetch"));
-  write(folder / "pipeline_fuzz" / "file", text("pipeline = 1\nstages = [\n  \"weld\",\n  { use = \"tipsify\", cache-size = 16, only = \"Rock_*\" },\n]\n"
-                                                "[views]\nviews = \"icosphere\"\ncount = 162\n"));
+  write(folder / "pipeline_fuzz" / "line",
+        text("weld, tipsify(cache-size=16), linear-clusters(growth=1.05), dot-rule, vertex-fetch"));
+  write(folder / "pipeline_fuzz" / "file",
+        text("pipeline = 1\nstages = [\n  \"weld\",\n  { use = \"tipsify\", cache-size = 16, only = \"Rock_*\" },\n]\n"
+             "[views]\nviews = \"icosphere\"\ncount = 162\n"));
   std::vector<std::byte> waves;
   for (int i = 0; i < 1200; ++i) waves.push_back(static_cast<std::byte>(120 * (1 + std::sin(i * 0.7))));
   write(folder / "orders_fuzz" / "waves", waves);

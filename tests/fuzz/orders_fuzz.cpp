@@ -1,5 +1,5 @@
-// The bytes are an odd mesh, and the options of the stages: whatever is ordered, the same is drawn, also when it has been
-// written and read again.
+// The bytes are an odd mesh, and the options of the stages: whatever is ordered, the same is drawn, also when it has
+// been written and read again.
 
 #include "claim.h"
 
@@ -31,7 +31,14 @@ class Input {
   }
   std::size_t below(std::size_t n) { return byte() % n; }
   float number() {
-    static constexpr float odd[] = {0, -0.0f, 1, 0.5f, 1e-40f, 3e38f, -3e38f, std::numeric_limits<float>::infinity(),
+    static constexpr float odd[] = {0,
+                                    -0.0f,
+                                    1,
+                                    0.5f,
+                                    1e-40f,
+                                    3e38f,
+                                    -3e38f,
+                                    std::numeric_limits<float>::infinity(),
                                     std::numeric_limits<float>::quiet_NaN()};
     const std::uint8_t b = byte();
     return b < std::size(odd) ? odd[b] : static_cast<float>(b % 16);  // few values: equal vertices, flat triangles
@@ -42,7 +49,8 @@ class Input {
   std::size_t size_;
 };
 
-std::size_t add_floats(GltfBuilder& builder, Input& input, std::size_t vertices, const char* type, std::size_t components) {
+std::size_t add_floats(GltfBuilder& builder, Input& input, std::size_t vertices, const char* type,
+                       std::size_t components) {
   std::vector<float> values(vertices * components);
   for (float& value : values) value = input.number();
   return builder.add_values(values, type);
@@ -71,7 +79,8 @@ std::vector<std::byte> mesh_of(Input& input) {
   if (input.below(2) != 0) streams["_OWN"] = add_floats(builder, input, vertices, "VEC2", 2);
   const std::size_t targets = input.below(3);
   GltfJson morphs = GltfJson::array();
-  for (std::size_t t = 0; t < targets; ++t) morphs.push_back({{"POSITION", add_floats(builder, input, vertices, "VEC3", 3)}});
+  for (std::size_t t = 0; t < targets; ++t)
+    morphs.push_back({{"POSITION", add_floats(builder, input, vertices, "VEC3", 3)}});
   const std::size_t primitives = 1 + input.below(3);
   builder.add("materials", {{"alphaMode", input.below(4) == 0 ? "BLEND" : "OPAQUE"}});
   builder.add("meshes", {{"primitives", GltfJson::array()}});

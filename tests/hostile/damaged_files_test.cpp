@@ -73,7 +73,8 @@ TEST_P(DamagedFile, is_read_or_refused_by_the_program) {
   if (!GetParam().line.empty()) {
     std::istringstream lines(ended.err);
     std::string line;
-    while (std::getline(lines, line) && line.find(GetParam().line) == std::string::npos) {}
+    while (std::getline(lines, line) && line.find(GetParam().line) == std::string::npos) {
+    }
     EXPECT_EQ(line.find(path), 0u) << "the line names the file\n" << ended.err;
   }
 }

@@ -54,14 +54,16 @@ class Killed : public testing::InFolder {
   }
 
   std::string model_ = testing::project_file("benchmarks/corpus/static/spot.glb").string();
-  std::vector<std::string> arguments_ = {"optimize", model_, "-o", "out.glb", "-p", "weld,tipsify", "--with", "vertex-cache"};
+  std::vector<std::string> arguments_ = {"optimize", model_,         "-o",     "out.glb",
+                                         "-p",       "weld,tipsify", "--with", "vertex-cache"};
 #endif
 };
 
 #ifdef FOREDRAW_PROGRAM
 TEST_F(Killed, program_leaves_the_old_output_or_the_new) {
   const auto start = std::chrono::steady_clock::now();
-  const testing::Ended first = testing::run_program(folder_, "optimize '" + model_ + "' -o out.glb -p weld,tipsify --with vertex-cache");
+  const testing::Ended first =
+      testing::run_program(folder_, "optimize '" + model_ + "' -o out.glb -p weld,tipsify --with vertex-cache");
   ASSERT_EQ(first.code, 0) << first.err;
   const auto whole = std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - start);
   const std::string made = content(folder_ / "out.glb");
@@ -83,13 +85,15 @@ TEST_F(Killed, program_leaves_the_old_output_or_the_new) {
 
 /// The system kills who writes past a limit: at exactly that byte of the output.
 TEST_F(Killed, program_leaves_the_old_output_when_it_dies_writing) {
-  ASSERT_EQ(testing::run_program(folder_, "optimize '" + model_ + "' -o out.glb -p weld,tipsify --with vertex-cache").code, 0);
+  ASSERT_EQ(
+      testing::run_program(folder_, "optimize '" + model_ + "' -o out.glb -p weld,tipsify --with vertex-cache").code,
+      0);
   const std::string made = content(folder_ / "out.glb");
   ASSERT_GT(made.size(), 100'000u);
   for (std::size_t limit = 0; limit <= made.size() + 5000; limit += made.size() / 11) {
     testing::put(folder_ / "out.glb", "old");
     const bool ended = killed_after(std::chrono::seconds(60), [&] {
-      const struct rlimit most {limit, limit}, none {0, 0};
+      const struct rlimit most { limit, limit }, none{0, 0};
       ::setrlimit(RLIMIT_FSIZE, &most);
       ::setrlimit(RLIMIT_CORE, &none);
       become_program(folder_, arguments_);
@@ -150,21 +154,24 @@ TEST_F(Killed, writer_leaves_the_old_scene_or_the_new) {
     const std::size_t count = scene->draws[0].levels[0].vertices->count;
     ASSERT_TRUE(count == 4002 || count == 6002);
     const auto as_made = read_gltf(testing::ribbon(count / 2 - 1).glb(), "ribbon", {}, diagnostics);
-    ASSERT_EQ(scene->draws[0].levels[0].vertices->stamp(), as_made->draws[0].levels[0].vertices->stamp()) << "round " << round;
+    ASSERT_EQ(scene->draws[0].levels[0].vertices->stamp(), as_made->draws[0].levels[0].vertices->stamp())
+        << "round " << round;
     stand_ins += files().size() > 2 ? 1 : 0;
   }
   EXPECT_GT(stand_ins, 0) << "no kill came between: this test tests nothing";
   ASSERT_TRUE(write_scene(versions[1], diagnostics));
   ASSERT_TRUE(write_scene(versions[0], diagnostics));
   EXPECT_EQ(files(), (std::vector<std::string>{"out.bin", "out.gltf"}));
-  EXPECT_EQ(content(folder_ / "out.gltf").size(), versions[0][0].bytes.size()) << "the text is that of an undisturbed run";
+  EXPECT_EQ(content(folder_ / "out.gltf").size(), versions[0][0].bytes.size())
+      << "the text is that of an undisturbed run";
 }
 
 /// A failure is no kill, but must not change anything either.
 TEST_F(Killed, scene_that_can_not_be_written_whole_changes_nothing) {
   Diagnostics diagnostics;
   const auto encoded = [&](std::size_t squares) {
-    return *encode_gltf(*read_gltf(testing::ribbon(squares).glb(), "ribbon", {}, diagnostics), folder_ / "out.gltf", diagnostics);
+    return *encode_gltf(*read_gltf(testing::ribbon(squares).glb(), "ribbon", {}, diagnostics), folder_ / "out.gltf",
+                        diagnostics);
   };
   ASSERT_TRUE(write_scene(encoded(2), diagnostics));
   const std::string text = content(folder_ / "out.gltf"), bytes = content(folder_ / "out.bin");

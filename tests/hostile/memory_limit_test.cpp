@@ -61,7 +61,8 @@ TEST_F(MemoryLimit, that_is_too_small_is_told_in_one_line) {
 TEST_F(MemoryLimit, holds_for_every_command_that_reads) {
   if (watched) GTEST_SKIP();
   for (const char* command : {"plan", "measure", "inspect", "compare"}) {
-    const testing::Ended ended = testing::run_program(folder_, std::string(command) + " '" + model_ + "' --memory-limit 1M");
+    const testing::Ended ended =
+        testing::run_program(folder_, std::string(command) + " '" + model_ + "' --memory-limit 1M");
     EXPECT_EQ(ended.code, 2) << command;
     EXPECT_NE(ended.err.find("not enough memory to read it"), std::string::npos) << command << '\n' << ended.err;
   }

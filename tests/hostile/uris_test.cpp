@@ -24,12 +24,40 @@ class Uris : public testing::InFolder {
     fs::create_directory_symlink("..", folder_ / "inside" / "up");
     fs::create_symlink("loop.bin", folder_ / "inside" / "loop.bin");
     fs::create_symlink("/dev/zero", folder_ / "inside" / "zero.bin");
-    outside_ = {"../secret.bin", "..%2fsecret.bin", "%2e%2e/secret.bin", "%2E%2E%2Fsecret.bin", "deeper/../../secret.bin",
-                "./../secret.bin", "..\\secret.bin", "%5c..%5csecret.bin", (folder_ / "secret.bin").string(),
-                "%2f" + (folder_ / "secret.bin").string().substr(1), "file://" + (folder_ / "secret.bin").string(),
-                "FILE:///etc/passwd", "/etc/passwd", "//etc/passwd", "http://localhost/a.bin", "https://localhost/a.bin",
-                "C:/a.bin", "c%3a/a.bin", "data.bin%00.png", "%00", "%zz", "%", "%2", "link.bin", "absolute_link.bin",
-                "link_to_link.bin", "up/secret.bin", "zero.bin", "loop.bin", "deeper", ".", "", "data.bin/", "/dev/zero"};
+    outside_ = {"../secret.bin",
+                "..%2fsecret.bin",
+                "%2e%2e/secret.bin",
+                "%2E%2E%2Fsecret.bin",
+                "deeper/../../secret.bin",
+                "./../secret.bin",
+                "..\\secret.bin",
+                "%5c..%5csecret.bin",
+                (folder_ / "secret.bin").string(),
+                "%2f" + (folder_ / "secret.bin").string().substr(1),
+                "file://" + (folder_ / "secret.bin").string(),
+                "FILE:///etc/passwd",
+                "/etc/passwd",
+                "//etc/passwd",
+                "http://localhost/a.bin",
+                "https://localhost/a.bin",
+                "C:/a.bin",
+                "c%3a/a.bin",
+                "data.bin%00.png",
+                "%00",
+                "%zz",
+                "%",
+                "%2",
+                "link.bin",
+                "absolute_link.bin",
+                "link_to_link.bin",
+                "up/secret.bin",
+                "zero.bin",
+                "loop.bin",
+                "deeper",
+                ".",
+                "",
+                "data.bin/",
+                "/dev/zero"};
   }
 
   std::string gltf(const std::string& kind, const std::string& uri) const {
@@ -66,13 +94,14 @@ TEST_F(Uris, of_buffers_are_refused_by_the_program_too) {
   }
 }
 
-/// Images are never opened by us, so their names do no harm here; but nothing may come to lie in the output that was not
-/// in the input.
+/// Images are never opened by us, so their names do no harm here; but nothing may come to lie in the output that was
+/// not in the input.
 TEST_F(Uris, of_images_are_never_followed) {
   testing::put(folder_ / "secret.bin", "SECRET" + bytes_.substr(6));
   for (const std::string& uri : outside_) {
     testing::put(folder_ / "inside" / "in.gltf", gltf("images", uri));
-    const testing::Ended ended = testing::run_program(folder_, "optimize inside/in.gltf -o out.glb -p weld,tipsify --with vertex-cache");
+    const testing::Ended ended =
+        testing::run_program(folder_, "optimize inside/in.gltf -o out.glb -p weld,tipsify --with vertex-cache");
     EXPECT_EQ(ended.code, 0) << uri << '\n' << ended.err;
     EXPECT_EQ(testing::content(folder_ / "out.glb").find("SECRET"), std::string::npos) << uri;
   }

@@ -22,7 +22,8 @@ void expect_clear_lines(const Diagnostics& diagnostics) {
     EXPECT_EQ(d.where.file, "file");
     EXPECT_EQ(d.message.find('\n'), std::string::npos) << d.message;
     EXPECT_LT(to_text(d).size(), 1000u) << to_text(d).substr(0, 1000);
-    const bool whole_file = d.code == "not-gltf" || d.code.compare(0, 5, "json-") == 0 || d.code.compare(0, 5, "more-") == 0;
+    const bool whole_file =
+        d.code == "not-gltf" || d.code.compare(0, 5, "json-") == 0 || d.code.compare(0, 5, "more-") == 0;
     EXPECT_TRUE(!d.where.inside.empty() || d.where.line > 0 || whole_file) << to_text(d);
   }
 }

@@ -17,9 +17,26 @@ using testing::GltfJson;
 using testing::go_the_whole_way;
 
 /// As they stand in the text, for no JSON library would write some of them.
-const std::vector<std::string> harmful = {"0", "1", "2147483648", "4294967295", "4294967296", "9223372036854775808",
-                                          "18446744073709551615", "18446744073709551616", "-1", "-9223372036854775809",
-                                          "0.5", "1e308", "-1e308", "1e999", "1e-400", "\"3\"", "null", "true", "[]", "{}"};
+const std::vector<std::string> harmful = {"0",
+                                          "1",
+                                          "2147483648",
+                                          "4294967295",
+                                          "4294967296",
+                                          "9223372036854775808",
+                                          "18446744073709551615",
+                                          "18446744073709551616",
+                                          "-1",
+                                          "-9223372036854775809",
+                                          "0.5",
+                                          "1e308",
+                                          "-1e308",
+                                          "1e999",
+                                          "1e-400",
+                                          "\"3\"",
+                                          "null",
+                                          "true",
+                                          "[]",
+                                          "{}"};
 
 /// Calls `with` for the JSON's text with each number in turn replaced by the placeholder.
 template <class With>
@@ -69,8 +86,8 @@ TEST(WrongNumbers, every_word_of_header_and_chunks_is_checked) {
 /// Four bytes at a time: positions, texture coordinates, weights, matrices, key times and values, and whatever else.
 TEST(WrongNumbers, every_float_may_be_none) {
   const GltfBuilder puppet = testing::puppet();
-  const float values[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                          -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::max(),
+  const float values[] = {std::numeric_limits<float>::quiet_NaN(),  std::numeric_limits<float>::infinity(),
+                          -std::numeric_limits<float>::infinity(),  std::numeric_limits<float>::max(),
                           std::numeric_limits<float>::denorm_min(), -0.0f};
   for (std::size_t at = 0; at + 4 <= puppet.buffer.size(); at += 4) {
     for (const float value : values) {
@@ -106,9 +123,11 @@ TEST(WrongNumbers, floats_that_are_no_vertex_data_must_be_finite) {
 
 TEST(WrongNumbers, json_numbers_beyond_a_float_are_refused) {
   for (const char* number : {"1e39", "-1e39", "1e308"}) {
-    const std::string node = std::string(R"({"asset":{"version":"2.0"},"nodes":[{"translation":[)") + number + ",0,0]}]}";
+    const std::string node =
+        std::string(R"({"asset":{"version":"2.0"},"nodes":[{"translation":[)") + number + ",0,0]}]}";
     EXPECT_EQ(go_the_whole_way(testing::bytes_of(node)), std::vector<std::string>{"wrong-type"});
-    const std::string material = std::string(R"({"asset":{"version":"2.0"},"materials":[{"alphaCutoff":)") + number + "}]}";
+    const std::string material =
+        std::string(R"({"asset":{"version":"2.0"},"materials":[{"alphaCutoff":)") + number + "}]}";
     EXPECT_EQ(go_the_whole_way(testing::bytes_of(material)), std::vector<std::string>{"out-of-range"});
   }
 }

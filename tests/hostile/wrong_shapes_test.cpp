@@ -32,7 +32,8 @@ TEST(WrongShapes, deep_nesting_is_refused_before_it_is_parsed) {
   const std::string objects = repeated("{\"a\":", deep) + "0" + repeated("}", deep);
   for (const std::string& nested : {arrays, objects, repeated("[", deep), repeated("[{\"a\":", deep)}) {
     for (const char* key : {"extras", "nodes", "extensions", "asset", "bufferViews"}) {
-      EXPECT_EQ(codes_of(R"({"asset":{"version":"2.0"},")" + std::string(key) + "\":" + nested + "}"), Codes{"json-nesting"});
+      EXPECT_EQ(codes_of(R"({"asset":{"version":"2.0"},")" + std::string(key) + "\":" + nested + "}"),
+                Codes{"json-nesting"});
     }
     EXPECT_EQ(go_the_whole_way(testing::glb_of("{\"extras\":" + nested + "}", {})), Codes{"json-nesting"});
   }
@@ -44,8 +45,10 @@ TEST(WrongShapes, circles_of_nodes_are_refused) {
   for (std::size_t i = 0; i < many; ++i) circle.add("nodes", {{"children", {(i + 1) % many}}});
   EXPECT_EQ(go_the_whole_way(circle.gltf()), Codes{"node-cycle"});
   EXPECT_EQ(codes_of(R"({"asset":{"version":"2.0"},"nodes":[{"children":[0]}]})"), Codes{"node-cycle"});
-  EXPECT_EQ(codes_of(R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[0]}],"skins":[{"joints":[0,1],"skeleton":1}]})"),
-            Codes{"node-cycle"});
+  EXPECT_EQ(
+      codes_of(
+          R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[0]}],"skins":[{"joints":[0,1],"skeleton":1}]})"),
+      Codes{"node-cycle"});
   EXPECT_EQ(codes_of(R"({"asset":{"version":"2.0"},"nodes":[{"children":[1,1]},{}]})"), Codes{"node-parents"});
 }
 
@@ -94,7 +97,8 @@ TEST(WrongShapes, a_crowd_of_keys_is_refused) {
 
 TEST(WrongShapes, text_that_is_no_utf8_is_refused) {
   for (const char* bad : {"\xff", "\xc0\x80", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82", "\x80"}) {
-    EXPECT_EQ(codes_of(R"({"asset":{"version":"2.0"},"nodes":[{"name":")" + std::string(bad) + "\"}]}"), Codes{"json-syntax"});
+    EXPECT_EQ(codes_of(R"({"asset":{"version":"2.0"},"nodes":[{"name":")" + std::string(bad) + "\"}]}"),
+              Codes{"json-syntax"});
     EXPECT_EQ(codes_of(R"({"asset":{"version":"2.0"},")" + std::string(bad) + "\":0}"), Codes{"json-syntax"});
   }
   EXPECT_TRUE(codes_of("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"name\":\"\\u0000\\ud83d\\ude00\"}]}").empty());
@@ -107,7 +111,8 @@ class SmallFiles : public testing::InFolder {
  protected:
   testing::Ended optimize(const std::string& name, std::span<const std::byte> bytes) {
     testing::put(folder_ / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    return testing::run_program(folder_, "optimize " + name + " -o out.glb -p weld --with vertex-cache --threads 2 --memory-limit 1G");
+    return testing::run_program(
+        folder_, "optimize " + name + " -o out.glb -p weld --with vertex-cache --threads 2 --memory-limit 1G");
   }
 
   /// Ten million bytes, as positions; who draws them is left to the test.

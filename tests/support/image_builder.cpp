@@ -27,7 +27,8 @@ void put_chunk(std::vector<std::byte>& to, const std::string& type, const std::v
   const std::size_t from = to.size();
   for (const char c : type) to.push_back(static_cast<std::byte>(c));
   to.insert(to.end(), bytes.begin(), bytes.end());
-  put_big(to, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(to.data() + from), static_cast<uInt>(to.size() - from))));
+  put_big(to, static_cast<std::uint32_t>(
+                  crc32(0, reinterpret_cast<const Bytef*>(to.data() + from), static_cast<uInt>(to.size() - from))));
 }
 
 std::vector<unsigned char> narrow(const std::vector<std::uint16_t>& values) { return {values.begin(), values.end()}; }
@@ -43,7 +44,8 @@ void append(void* to, void* data, int size) {
 std::vector<std::byte> png_of(const ImageFacts& facts, const std::vector<std::uint16_t>& values) {
   std::vector<std::byte> rows;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i % (std::size_t{facts.width} * static_cast<std::size_t>(facts.channels)) == 0) rows.push_back(std::byte{0});  // no filter
+    if (i % (std::size_t{facts.width} * static_cast<std::size_t>(facts.channels)) == 0)
+      rows.push_back(std::byte{0});  // no filter
     if (facts.bits == 16) rows.push_back(static_cast<std::byte>(values[i] >> 8));
     rows.push_back(static_cast<std::byte>(values[i] & 0xff));
   }
@@ -78,14 +80,18 @@ std::vector<std::byte> tga_of(const ImageFacts& facts, const std::vector<std::ui
   return file;
 }
 
-std::vector<std::byte> exr_of(const ImageFacts& facts, const std::vector<float>& values, const std::string& compression) {
+std::vector<std::byte> exr_of(const ImageFacts& facts, const std::vector<float>& values,
+                              const std::string& compression) {
   const auto channels = static_cast<std::size_t>(facts.channels);
-  const std::string names = facts.channels == 1 ? "Y" : facts.channels == 3 ? "BGR" : "ABGR";  // the alphabet's sequence
+  const std::string names = facts.channels == 1   ? "Y"
+                            : facts.channels == 3 ? "BGR"
+                                                  : "ABGR";  // the alphabet's sequence
   const std::string as_given = facts.channels == 1 ? "Y" : "RGBA";
   std::vector<std::vector<float>> planes(channels);
   std::vector<unsigned char*> pointers;
   std::vector<EXRChannelInfo> infos(channels);
-  std::vector<int> given(channels, TINYEXR_PIXELTYPE_FLOAT), wanted(channels, facts.bits == 16 ? TINYEXR_PIXELTYPE_HALF : TINYEXR_PIXELTYPE_FLOAT);
+  std::vector<int> given(channels, TINYEXR_PIXELTYPE_FLOAT),
+      wanted(channels, facts.bits == 16 ? TINYEXR_PIXELTYPE_HALF : TINYEXR_PIXELTYPE_FLOAT);
   for (std::size_t c = 0; c < channels; ++c) {
     for (std::size_t i = as_given.find(names[c]); i < values.size(); i += channels) planes[c].push_back(values[i]);
     pointers.push_back(reinterpret_cast<unsigned char*>(planes[c].data()));
@@ -103,11 +109,11 @@ std::vector<std::byte> exr_of(const ImageFacts& facts, const std::vector<float>&
   header.channels = infos.data();
   header.pixel_types = given.data();
   header.requested_pixel_types = wanted.data();
-  header.compression_type = compression == "none" ? TINYEXR_COMPRESSIONTYPE_NONE
-                            : compression == "rle" ? TINYEXR_COMPRESSIONTYPE_RLE
+  header.compression_type = compression == "none"   ? TINYEXR_COMPRESSIONTYPE_NONE
+                            : compression == "rle"  ? TINYEXR_COMPRESSIONTYPE_RLE
                             : compression == "zips" ? TINYEXR_COMPRESSIONTYPE_ZIPS
-                            : compression == "zip" ? TINYEXR_COMPRESSIONTYPE_ZIP
-                                                   : TINYEXR_COMPRESSIONTYPE_PIZ;
+                            : compression == "zip"  ? TINYEXR_COMPRESSIONTYPE_ZIP
+                                                    : TINYEXR_COMPRESSIONTYPE_PIZ;
   unsigned char* memory = nullptr;
   const char* error = nullptr;
   const std::size_t size = SaveEXRImageToMemory(&image, &header, &memory, &error);

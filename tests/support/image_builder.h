@@ -19,6 +19,7 @@ std::vector<std::byte> jpeg_of(const ImageFacts& facts, const std::vector<std::u
 std::vector<std::byte> tga_of(const ImageFacts& facts, const std::vector<std::uint16_t>& values);
 
 /// "none", "rle", "zips", "zip" or "piz"; channels R, G, B, A, or Y alone; halves where facts.bits is 16.
-std::vector<std::byte> exr_of(const ImageFacts& facts, const std::vector<float>& values, const std::string& compression);
+std::vector<std::byte> exr_of(const ImageFacts& facts, const std::vector<float>& values,
+                              const std::string& compression);
 
 }  // namespace foredraw::testing

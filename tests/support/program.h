@@ -20,7 +20,9 @@ inline std::string content(const std::filesystem::path& path) {
   return text.str();
 }
 
-inline void put(const std::filesystem::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+inline void put(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
 
 /// A test with a folder that is empty at first and gone at last.
 class InFolder : public ::testing::Test {
@@ -38,7 +40,8 @@ class InFolder : public ::testing::Test {
   /// Sorted.
   std::vector<std::string> files() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
   }
@@ -53,12 +56,15 @@ struct Ended {
 };
 
 #ifdef FOREDRAW_PROGRAM
-/// Runs `foredraw arguments` in the folder, with a shell's quoting; `before` goes before the command: "ulimit -v 1000;".
-inline Ended run_program(const std::filesystem::path& folder, const std::string& arguments, const std::string& before = {}) {
+/// Runs `foredraw arguments` in the folder, with a shell's quoting; `before` goes before the command: "ulimit -v
+/// 1000;".
+inline Ended run_program(const std::filesystem::path& folder, const std::string& arguments,
+                         const std::string& before = {}) {
   const std::filesystem::path streams = folder.string() + ".streams";
   std::filesystem::create_directories(streams);
-  const std::string command = "cd '" + folder.string() + "' && " + before + " '" FOREDRAW_PROGRAM "' " + arguments + " >'" +
-                              (streams / "out").string() + "' 2>'" + (streams / "err").string() + "' </dev/null";
+  const std::string command = "cd '" + folder.string() + "' && " + before + " '" FOREDRAW_PROGRAM "' " + arguments +
+                              " >'" + (streams / "out").string() + "' 2>'" + (streams / "err").string() +
+                              "' </dev/null";
   const int status = std::system(command.c_str());
   Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(streams / "out"), content(streams / "err")};
   std::filesystem::remove_all(streams);

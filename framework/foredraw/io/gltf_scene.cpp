@@ -31,16 +31,13 @@ std::vector<float> floats(const std::vector<double>& values) {
 class Streams {
  public:
   explicit Streams(const Document& document) : document_(document) {
-    std::map<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, Component, int, bool>, int> known;
-    for (std::size_t i = 0; i < document.accessors.size(); ++i) {
-      const Accessor& a = document.accessors[i];
-      int same = static_cast<int>(i);
-      if (a.rows && !a.sparse) {
-        const Format& f = a.format;
-        same = known.try_emplace({a.rows->view, a.rows->offset, a.rows->stride, a.count, f.component, f.components,
-                                  f.normalized}, same).first->second;
-      }
-      first_alike_.push_back(same);
+    using Layout = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, Component, int, bool>;
+    std::map<Layout, int> known;
+    for (const Accessor& a : document.accessors) {
+      first_alike_.push_back(static_cast<int>(first_alike_.size()));
+      if (!a.rows || a.sparse) continue;
+      const Layout layout{a.rows->view, a.rows->offset, a.rows->stride, a.count, a.format.component, a.format.components, a.format.normalized};
+      first_alike_.back() = known.try_emplace(layout, first_alike_.back()).first->second;
     }
   }
 
@@ -64,9 +61,8 @@ class Streams {
   /// As lists, strips and fans taken apart.
   Shared<std::uint32_t> indices(const tinygltf::Primitive& primitive) {
     const std::size_t count = vertex_count(primitive);
-    const auto [made, is_new] =
-        indices_.try_emplace({primitive.indices < 0 ? -1 : first_alike_[static_cast<std::size_t>(primitive.indices)],
-                              primitive.indices < 0 ? count : 0, primitive.mode});
+    const int number = primitive.indices < 0 ? -1 : first_alike_[static_cast<std::size_t>(primitive.indices)];
+    const auto [made, is_new] = indices_.try_emplace({number, number < 0 ? count : 0, primitive.mode});
     if (!is_new) return made->second;
     std::vector<std::uint32_t> corners;
     if (primitive.indices >= 0) {

@@ -130,7 +130,8 @@ std::optional<Layout> layout_of(Bytes bytes) {
   static constexpr const char* others[] = {"PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB"};
   if (layout.compression > 3 && layout.unsupported.empty()) {
     const std::size_t other = layout.compression - 4u;
-    layout.unsupported = std::string("it is compressed by ") + (other < std::size(others) ? others[other] : "something unknown") +
+    layout.unsupported = std::string("it is compressed by ") +
+                         (other < std::size(others) ? others[other] : "something unknown") +
                          "; save it with ZIP compression";
   }
   return layout;
@@ -177,8 +178,8 @@ bool undo_rle(Bytes from, std::span<std::byte> to) {
 
 bool undo_deflate(Bytes from, std::span<std::byte> to) {
   uLongf length = to.size();
-  const int result = ::uncompress(reinterpret_cast<Bytef*>(to.data()), &length, reinterpret_cast<const Bytef*>(from.data()),
-                                  static_cast<uLong>(from.size()));
+  const int result = ::uncompress(reinterpret_cast<Bytef*>(to.data()), &length,
+                                  reinterpret_cast<const Bytef*>(from.data()), static_cast<uLong>(from.size()));
   return result == Z_OK && length == to.size();
 }
 
@@ -249,7 +250,8 @@ std::variant<std::vector<std::byte>, std::string> exr_texels(Bytes bytes) {
   Reader offsets(bytes, layout->end);
   if (layout->chunks() > (bytes.size() - layout->end) / 8) return "the table of offsets is cut off";
   const std::vector<std::size_t> places = places_of(layout->channels);
-  const std::size_t row = layout->row_bytes(), row_out = std::size_t{layout->width} * layout->channels.size() * sizeof(float);
+  const std::size_t row = layout->row_bytes(),
+                    row_out = std::size_t{layout->width} * layout->channels.size() * sizeof(float);
   std::vector<std::byte> texels(row_out * layout->height), chunk, spare;
   for (std::uint32_t i = 0; i < layout->chunks(); ++i) {
     const std::string name = "chunk " + std::to_string(i);
@@ -264,7 +266,8 @@ std::variant<std::vector<std::byte>, std::string> exr_texels(Bytes bytes) {
     chunk.resize(rows * row);
     if (!decompress(packed, chunk, layout->compression, spare)) return name + " is damaged";
     for (std::size_t y = 0; y < rows; ++y) {
-      put_row(Bytes(chunk).subspan(y * row, row), *layout, places, texels.data() + (static_cast<std::size_t>(first) + y) * row_out);
+      put_row(Bytes(chunk).subspan(y * row, row), *layout, places,
+              texels.data() + (static_cast<std::size_t>(first) + y) * row_out);
     }
   }
   return texels;

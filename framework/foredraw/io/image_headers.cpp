@@ -18,7 +18,9 @@ bool begins_with(Bytes bytes, std::string_view text) {
   return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
 }
 
-bool has(Bytes bytes, std::size_t i, std::string_view text) { return i < bytes.size() && begins_with(bytes.subspan(i), text); }
+bool has(Bytes bytes, std::size_t i, std::string_view text) {
+  return i < bytes.size() && begins_with(bytes.subspan(i), text);
+}
 
 /// Deflate makes 1032 bytes of one at best: a bit for a match of 258 bytes, and one for its distance.
 constexpr std::uint64_t best_of_deflate = 1032;
@@ -62,8 +64,10 @@ std::optional<Header> jpeg(Bytes bytes) {
       const auto bits = static_cast<int>(at(bytes, i + 4));
       const auto stored = static_cast<int>(at(bytes, i + 9));
       const int channels = stored == 4 ? 3 : stored;  // the inks of a press become RGB
-      // A block of 64 texels takes a bit at least, and colour that is stored more coarsely is stored beside grey that is not.
-      return Header{Kind::jpeg, {big16(bytes, i + 7), big16(bytes, i + 5), channels, bits}, std::uint64_t{1024} * bytes.size()};
+      // A block of 64 texels takes a bit at least, and colour that is stored more coarsely is stored beside grey that
+      // is not.
+      return Header{
+          Kind::jpeg, {big16(bytes, i + 7), big16(bytes, i + 5), channels, bits}, std::uint64_t{1024} * bytes.size()};
     }
     if (marker == 0xda || marker == 0xd9) return std::nullopt;  // texels, or the end, without a frame
     if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8)) {
@@ -82,7 +86,8 @@ std::optional<Header> tga(Bytes bytes) {
   const bool is_packed = type >= 9 && type <= 11;
   const std::uint32_t plain = is_packed ? type - 8 : type;
   if (plain < 1 || plain > 3 || has_map != (plain == 1 ? 1u : 0u)) return std::nullopt;
-  if (plain == 1 ? depth != 8 : plain == 2 ? depth != 16 && depth != 24 && depth != 32 : depth != 8) return std::nullopt;
+  if (plain == 1 ? depth != 8 : plain == 2 ? depth != 16 && depth != 24 && depth != 32 : depth != 8)
+    return std::nullopt;
   if (plain == 1 && map_depth != 24 && map_depth != 32) return std::nullopt;
   if ((at(bytes, 17) & 0xc0) != 0) return std::nullopt;
   const std::uint32_t colours = plain == 1 ? map_depth : depth;

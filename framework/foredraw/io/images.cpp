@@ -24,13 +24,16 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
   const ImageFacts& facts = header->facts;
   const std::uint64_t texels = std::uint64_t{facts.width} * facts.height;
   if (texels > limits.texels) {
-    diagnostics.error(where, "image-size", fmt::format("has {} x {} texels, more than the limit of {}", facts.width,
-                                                       facts.height, limits.texels));
+    diagnostics.error(
+        where, "image-size",
+        fmt::format("has {} x {} texels, more than the limit of {}", facts.width, facts.height, limits.texels));
     return std::nullopt;
   }
   if (texels > header->most_texels) {
-    diagnostics.error(where, "image-size", fmt::format("claims {} x {} texels, which its {} bytes can not hold", facts.width,
-                                                       facts.height, bytes.size()), "it was cut off or damaged");
+    diagnostics.error(
+        where, "image-size",
+        fmt::format("claims {} x {} texels, which its {} bytes can not hold", facts.width, facts.height, bytes.size()),
+        "it was cut off or damaged");
     return std::nullopt;
   }
   const bool is_exr = header->kind == images::Kind::exr;

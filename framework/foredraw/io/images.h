@@ -26,7 +26,8 @@ struct Texels {
 };
 
 /// Decodes an image. nullopt, with an error at `where`, for what is damaged, is of another kind, exceeds the limits, or
-/// claims more texels than its bytes can hold at its format's best compression: that is known before anything is allocated.
+/// claims more texels than its bytes can hold at its format's best compression: that is known before anything is
+/// allocated.
 std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where& where, Diagnostics& diagnostics,
                                    const ImageLimits& limits = {});
 

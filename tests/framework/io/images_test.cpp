@@ -163,7 +163,8 @@ TEST(Images, limit_is_an_option) {
 }
 
 TEST(Images, other_files_are_none) {
-  for (const char* text : {"", "P6 1 1 255", "no real picture!", "\x89PNG", "\x89PNG\r\n\x1a\n", "\xff\xd8\xff", "glTF", "II*"}) {
+  for (const char* text :
+       {"", "P6 1 1 255", "no real picture!", "\x89PNG", "\x89PNG\r\n\x1a\n", "\xff\xd8\xff", "glTF", "II*"}) {
     EXPECT_EQ(image_facts(testing::bytes_of(text)), std::nullopt) << text;
     EXPECT_EQ(code_of(testing::bytes_of(text)), "image-kind") << text;
   }
@@ -181,7 +182,8 @@ TEST(Images, damaged_ones_are_decoded_or_refused) {
     for (std::size_t length = 0; length < whole.size(); ++length) code_of(std::span(whole).first(length));
     for (int round = 0; round < 2000; ++round) {
       auto file = whole;
-      for (std::uint64_t n = random.below(4) + 1; n > 0; --n) file[random.below(file.size())] = static_cast<std::byte>(random.below(256));
+      for (std::uint64_t n = random.below(4) + 1; n > 0; --n)
+        file[random.below(file.size())] = static_cast<std::byte>(random.below(256));
       code_of(file);
     }
   }
@@ -190,7 +192,8 @@ TEST(Images, damaged_ones_are_decoded_or_refused) {
 TEST(Images, facts_are_known_of_a_scene_that_was_read) {
   const ImageFacts facts{16, 8, 4, 16};
   testing::GltfBuilder builder;
-  builder.add("images", {{"bufferView", builder.add_view(testing::png_of(facts, values_of(facts)))}, {"mimeType", "image/jpeg"}});
+  builder.add("images",
+              {{"bufferView", builder.add_view(testing::png_of(facts, values_of(facts)))}, {"mimeType", "image/jpeg"}});
   builder.add("images", {{"uri", "elsewhere.png"}});
   Diagnostics diagnostics;
   const auto scene = read_gltf(builder.glb(), "scene", {}, diagnostics);
