@@ -5,14 +5,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
 namespace foredraw::gltf {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::vector<std::byte>> file_beside(Gate& gate, const std::string& uri, std::uint64_t length,
-                                                  const std::string& place) {
+/// The buffers that were read from files, by where these lie: a thousand may name the same.
+using FileBuffers = std::map<fs::path, Bytes>;
+
+/// The first `length` bytes of a file; what may follow is not read.
+std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64_t length, const std::string& place,
+                                 FileBuffers& files) {
   const fs::path& folder = gate.document().folder;
   const auto path = percent_decoded(uri);
   const std::string why = path ? why_not_beside(*path) : "is not well-formed";
@@ -45,17 +52,23 @@ std::optional<std::vector<std::byte>> file_beside(Gate& gate, const std::string&
                fmt::format("the file '{}' has {} bytes, but byteLength is {}", *path, error ? 0 : size, length));
     return std::nullopt;
   }
+  Bytes& known = files[fs::canonical(file, error)];
+  if (known.size() >= length) return known.first(length);
   Diagnostics reading;
-  auto bytes = read_file(file, reading);
+  // Twice what was read before: so that growing lengths do not have the file read again and again.
+  auto bytes = read_file(file, reading, std::max<std::uint64_t>(length, std::min<std::uint64_t>(size, 2 * known.size())));
   if (!bytes || bytes->size() < length) {
     gate.error(place, "buffer-missing",
                bytes ? "the file got shorter while it was read" : reading.all().front().message);
     return std::nullopt;
   }
-  return bytes;
+  gate.document().kept.push_back(std::move(*bytes));
+  known = gate.document().kept.back();
+  return known.first(length);
 }
 
-std::optional<Bytes> bytes_of_buffer(Gate& gate, std::size_t i, const Json& buffer, std::optional<Bytes> bin) {
+std::optional<Bytes> bytes_of_buffer(Gate& gate, std::size_t i, const Json& buffer, std::optional<Bytes> bin,
+                                     FileBuffers& files) {
   const std::string place = at("buffers", i);
   gate.required(buffer, "byteLength", place);
   const auto length = gate.whole(buffer, "byteLength", place, 1);
@@ -75,22 +88,18 @@ std::optional<Bytes> bytes_of_buffer(Gate& gate, std::size_t i, const Json& buff
     }
     return std::nullopt;
   }
-  std::optional<std::vector<std::byte>> bytes;
-  if (is_data_uri(*uri)) {
-    auto data = decode_data_uri(*uri);
-    if (!data) {
-      gate.error(in(place, "uri"), "buffer-uri", "the data URI is not well-formed");
-    } else if (data->bytes.size() < *length) {
-      gate.error(in(place, "uri"), "buffer-too-short",
-                 fmt::format("holds {} bytes, but byteLength is {}", data->bytes.size(), *length));
-    } else {
-      bytes = std::move(data->bytes);
-    }
-  } else {
-    bytes = file_beside(gate, *uri, *length, in(place, "uri"));
+  if (!is_data_uri(*uri)) return file_beside(gate, *uri, *length, in(place, "uri"), files);
+  auto data = decode_data_uri(*uri);
+  if (!data) {
+    gate.error(in(place, "uri"), "buffer-uri", "the data URI is not well-formed");
+    return std::nullopt;
   }
-  if (!bytes) return std::nullopt;
-  gate.document().kept.push_back(std::move(*bytes));
+  if (data->bytes.size() < *length) {
+    gate.error(in(place, "uri"), "buffer-too-short",
+               fmt::format("holds {} bytes, but byteLength is {}", data->bytes.size(), *length));
+    return std::nullopt;
+  }
+  gate.document().kept.push_back(std::move(data->bytes));
   return Bytes(gate.document().kept.back()).first(*length);
 }
 
@@ -98,14 +107,23 @@ std::optional<Bytes> bytes_of_buffer(Gate& gate, std::size_t i, const Json& buff
 
 void check_buffers(Gate& gate, std::optional<Bytes> bin) {
   const Json& buffers = gate.all("buffers");
+  FileBuffers files;
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    gate.document().buffers.push_back(bytes_of_buffer(gate, i, buffers[i], bin).value_or(Bytes{}));
+    gate.document().buffers.push_back(bytes_of_buffer(gate, i, buffers[i], bin, files).value_or(Bytes{}));
   }
+}
+
+std::uint64_t most_claimed(const Gate& gate) {
+  std::uint64_t there = gate.document().file.size();
+  for (const auto& bytes : gate.document().kept) there += bytes.size();
+  return (std::uint64_t{64} << 20) + 16 * there;
 }
 
 void check_views(Gate& gate) {
   const Json& views = gate.all("bufferViews");
   gate.document().views.resize(views.size());
+  const std::uint64_t most = most_claimed(gate);
+  std::uint64_t claimed = 0;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::string place = at("bufferViews", i);
     for (const char* key : {"buffer", "byteLength"}) gate.required(views[i], key, place);
@@ -126,6 +144,12 @@ void check_views(Gate& gate) {
                  fmt::format("{} bytes from {} do not lie in buffer {} of {} bytes", *length, offset.value_or(0),
                              *buffer, size));
       continue;
+    }
+    claimed += *length;
+    if (claimed > most) {
+      gate.error(place, "overlap", fmt::format("the buffer views up to this one claim {} bytes: they lie over one another",
+                                               claimed), "give each byte to one buffer view");
+      return;
     }
     gate.document().views[i] = BufferView{*buffer, offset.value_or(0), *length, stride.value_or(0)};
   }

@@ -1,6 +1,7 @@
 #include <foredraw/io/scene_file.h>
 
 #include <foredraw/io/gltf.h>
+#include <foredraw/io/private/gltf_stand_ins.h>
 
 #include <algorithm>
 #include <cctype>
@@ -52,6 +53,14 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   auto files = encode_gltf(scene, is_standard ? "standard output.glb" : path, diagnostics);
   if (files && is_standard) files->front().path = path;
   return files;
+}
+
+bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics) {
+  const std::vector<OutputFile> first = gltf::stand_ins(files);
+  if (!first.empty() && !write_files(first, diagnostics)) return false;
+  if (!write_files(files, diagnostics)) return false;
+  for (const OutputFile& file : files.subspan(first.empty() ? files.size() : 1)) gltf::remove_stand_ins(file);
+  return true;
 }
 
 }  // namespace foredraw

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace foredraw {
@@ -24,5 +25,9 @@ bool can_write_scene(const std::string& path, Diagnostics& diagnostics);
 /// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written here.
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics);
+
+/// Writes the files of a scene, the main one first, and whatever others come with them. As write_files does it: all or
+/// none, and a process that is killed meanwhile leaves the old scene or the new one whole, of however many files it is.
+bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics);
 
 }  // namespace foredraw
