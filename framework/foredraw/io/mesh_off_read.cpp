@@ -195,8 +195,8 @@ std::optional<OffHeader> read_off_header(const Reading& reading) {
   std::string_view rest = line;
   const std::string_view word = take_token(rest);
   if (read_keyword(word, header)) {
-    if (take_token(rest = trimmed(rest)) == "BINARY") {
-      reading.refuse(reading.at(rest), "binary OFF is not read", "save the mesh as ASCII OFF, or as PLY");
+    if (const std::string_view next = take_token(rest); next == "BINARY") {
+      reading.refuse(reading.at(next), "binary OFF is not read", "save the mesh as ASCII OFF, or as PLY");
       return std::nullopt;
     }
     line.remove_prefix(word.size());

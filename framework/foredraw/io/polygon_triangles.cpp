@@ -40,21 +40,22 @@ class Clipping {
       after_.push_back((i + 1) % n);
     }
     for (std::uint32_t i = 0; i < n; ++i) {
-      if (corner(i) < 0) reflex_.push_back(i);
+      if (corner(i) <= 0) blocking_.push_back(i);
     }
   }
 
   /// The corner's turn: negative where it points inwards.
   double corner(std::uint32_t i) const { return turn(flat_[before_[i]], flat_[i], flat_[after_[i]]); }
 
-  /// Whether the triangle at `i` holds no other corner. Only corners that point inwards can lie in it.
+  /// Whether the triangle at `i` holds no other corner, nor has one on its rim. Only corners that point inwards, or lie
+  /// on a straight line, can be in its way, and those that do neither any more never will again.
   bool is_ear(std::uint32_t i, std::size_t& tests_left) {
     if (corner(i) <= 0) return false;  // a straight one makes a triangle without area
-    std::erase_if(reflex_, [&](std::uint32_t r) { return is_gone(r) || corner(r) >= 0; });
-    tests_left -= std::min(tests_left, reflex_.size() + 1);
+    std::erase_if(blocking_, [&](std::uint32_t r) { return is_gone(r) || corner(r) > 0; });
+    tests_left -= std::min(tests_left, blocking_.size() + 1);
     const std::uint32_t a = before_[i], c = after_[i];
     const glm::dvec2 pa = flat_[a], pb = flat_[i], pc = flat_[c];
-    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t r) {
+    return std::none_of(blocking_.begin(), blocking_.end(), [&](std::uint32_t r) {
       const glm::dvec2 p = flat_[r];
       if (r == a || r == c || p == pa || p == pb || p == pc) return false;  // also one that stands there twice
       return turn(pa, pb, p) >= 0 && turn(pb, pc, p) >= 0 && turn(pc, pa, p) >= 0;
@@ -76,7 +77,7 @@ class Clipping {
   bool is_gone(std::uint32_t i) const { return after_[i] == i; }
 
   std::vector<glm::dvec2> flat_;
-  std::vector<std::uint32_t> before_, after_, reflex_;
+  std::vector<std::uint32_t> before_, after_, blocking_;
 };
 
 }  // namespace
