@@ -75,7 +75,7 @@ bool write_outputs(const Arguments& arguments, Result& result, Diagnostics& diag
 Exit optimize(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipeline = one_pipeline(arguments, diagnostics);
-  if (!pipeline || outputs_clash(arguments, diagnostics) || !can_write_scene(arguments.output, diagnostics)) {
+  if (!pipeline || outputs_clash(arguments, diagnostics) || !can_write_scene(arguments.output, arguments.inputs[0], diagnostics)) {
     return refuse(diagnostics);
   }
   auto job = job_for(arguments.inputs[0], *pipeline, registry);

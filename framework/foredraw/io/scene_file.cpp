@@ -1,7 +1,9 @@
 #include <foredraw/io/scene_file.h>
 
 #include <foredraw/io/gltf.h>
+#include <foredraw/io/mesh_files.h>
 #include <foredraw/io/private/gltf_stand_ins.h>
+#include <foredraw/io/private/mesh_source.h>
 
 #include <algorithm>
 #include <cctype>
@@ -27,30 +29,50 @@ fs::path folder_of(const std::string& path) {
 
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics) {
   if (path.empty()) {
-    diagnostics.error({}, "no-such-file", "the input's name is empty", "give the path of a .glb or .gltf, or -");
+    diagnostics.error({}, "no-such-file", "the input's name is empty",
+                      "give the path of a .glb, .gltf, .obj, .ply, .off or .stl, or -");
     return std::nullopt;
   }
   const bool is_standard = path == "-";
   const auto bytes = is_standard ? read_standard_input(diagnostics) : read_file(path, diagnostics);
   if (!bytes) return std::nullopt;
-  auto scene = is_standard ? read_gltf(*bytes, "standard input", {}, diagnostics)
-                           : read_gltf(*bytes, path, folder_of(path), diagnostics);
+  const auto mesh_kind = is_standard ? std::nullopt : mesh_kind_of(path);
+  auto scene = mesh_kind     ? read_mesh_file(*bytes, *mesh_kind, path, folder_of(path), diagnostics)
+               : is_standard ? read_gltf(*bytes, "standard input", {}, diagnostics)
+                             : read_gltf(*bytes, path, folder_of(path), diagnostics);
   if (!scene) return std::nullopt;
   return SceneFile{std::move(*scene), bytes->size()};
 }
 
-bool can_write_scene(const std::string& path, Diagnostics& diagnostics) {
+bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {
   if (path == "-" || kind_of(path) == ".glb" || kind_of(path) == ".gltf") return true;
-  diagnostics.error({.file = path}, "unknown-kind", "scenes are written as .glb or .gltf",
-                    "give the output one of these extensions, or - for a GLB on standard output");
+  const auto mesh_kind = mesh_kind_of(path);
+  if (mesh_kind && input != "-" && mesh_kind == mesh_kind_of(input)) return true;
+  if (mesh_kind) {
+    diagnostics.error({.file = path}, "unknown-kind",
+                      "a file of kind " + std::string(extension_of(*mesh_kind)) + " is written only from one",
+                      "give the output the extension .glb, or that of the input");
+  } else {
+    diagnostics.error({.file = path}, "unknown-kind",
+                      "scenes are written as .glb or .gltf, or as the kind they came from",
+                      "give the output one of these extensions, or - for a GLB on standard output");
+  }
   return false;
 }
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics) {
-  if (!can_write_scene(path, diagnostics)) return std::nullopt;
+  if (!can_write_scene(path, scene.name, diagnostics)) return std::nullopt;
   const bool is_standard = path == "-";
-  auto files = encode_gltf(scene, is_standard ? "standard output.glb" : path, diagnostics);
+  if (const auto mesh_kind = mesh_kind_of(path)) {
+    auto file = encode_mesh_file(scene, *mesh_kind, path, diagnostics);
+    if (!file) return std::nullopt;
+    return std::vector<OutputFile>{std::move(*file)};
+  }
+  const auto mesh_source = std::dynamic_pointer_cast<const mesh_files::MeshSource>(scene.source);
+  Scene for_gltf = scene;
+  if (mesh_source) for_gltf.source = mesh_source->gltf;
+  auto files = encode_gltf(for_gltf, is_standard ? "standard output.glb" : path, diagnostics);
   if (files && is_standard) files->front().path = path;
   return files;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes by path. "-" is standard input or output; the extension picks the kind.
+// Scenes by path. "-" is standard input or output, and then glTF; the extension picks the kind.
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/platform/files.h>
@@ -19,10 +19,12 @@ struct SceneFile {
 
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics);
 
-/// Whether scenes can be written to a path of this kind; a diagnostic says why not.
-bool can_write_scene(const std::string& path, Diagnostics& diagnostics);
+/// Whether scenes can be written to a path of this kind; a diagnostic says why not. `input`: where the scene is to come
+/// from, for an OBJ, PLY, OFF or STL is written only from a file of its own kind.
+bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics);
 
-/// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written here.
+/// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written
+/// here.
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics);
 
