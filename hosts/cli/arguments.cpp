@@ -141,7 +141,7 @@ class CommandLine {
   }
 
   void input(CLI::App& app) {
-    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, or - for standard input")->required()->expected(1);
+    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input")->required()->expected(1);
     memory_limit(app);
   }
   void pipeline(CLI::App& app, const std::string& more = "") {

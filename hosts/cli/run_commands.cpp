@@ -1,9 +1,9 @@
 // The commands that read a scene and run a pipeline on it.
 
-#include "session.h"
+#include "file_runs.h"
 
+#include <foredraw/io/scene_folder.h>
 #include <foredraw/report/comparison.h>
-#include <foredraw/report/remap.h>
 
 #include <fmt/format.h>
 
@@ -24,7 +24,8 @@ std::variant<Job, Exit> job_for(const std::string& input, const Pipeline& pipeli
   Diagnostics diagnostics;
   auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
   if (!file) return refuse_file(diagnostics);
-  auto plan = with_memory(input, "plan for it", [&] { return foredraw::plan(pipeline, registry, file->scene, diagnostics); });
+  auto plan =
+      with_memory(input, "plan for it", [&] { return foredraw::plan(pipeline, registry, file->scene, diagnostics); });
   if (!plan) return refuse(diagnostics);
   tell(diagnostics);
   return Job{std::move(*file), std::move(*plan)};
@@ -43,11 +44,14 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, Diagnostics& di
 /// Reports and scene would stand in each other's way.
 bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
   if (arguments.json && arguments.output == "-") {
-    diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output", "use --report FILE for the record");
+    diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
+                      "use --report FILE for the record");
   }
   for (const std::string& text : {arguments.report, arguments.remap}) {
     if (text.empty()) continue;
-    if (text == "-") diagnostics.error({}, "bad-arguments", "--report and --remap take the name of a file", "--json prints the record");
+    if (text == "-")
+      diagnostics.error({}, "bad-arguments", "--report and --remap take the name of a file",
+                        "--json prints the record");
     if (text == arguments.output || (text == arguments.report && text == arguments.remap)) {
       diagnostics.error({.file = text}, "bad-arguments", "is to hold two outputs", "give each a file of its own");
       return true;
@@ -56,48 +60,39 @@ bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
   return diagnostics.has_errors();
 }
 
-/// The scene, the report and the remap tables: all of them, or none and an explanation.
-bool write_outputs(const Arguments& arguments, Result& result, Diagnostics& diagnostics) {
-  auto files = encode_scene(result.scene, arguments.output, diagnostics);
-  if (!files) return false;
-  Report& report = result.report;
-  report.output = {arguments.output, files->front().bytes.size()};
-  for (const Diagnostic& diagnostic : diagnostics.all()) report.diagnostics.push_back(diagnostic);
-  if (!arguments.report.empty()) files->push_back(text_file(arguments.report, to_json(report)));
-  if (!arguments.remap.empty()) files->push_back(text_file(arguments.remap, remap_json(result.scene)));
-  if (arguments.output != "-") return write_scene(*files, diagnostics);
-  return write_files(std::span(*files).subspan(1), diagnostics) &&
-         write_standard_output(files->front().bytes, diagnostics);
+/// The inputs, folders among them replaced by the scenes that they hold.
+std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>& inputs, Diagnostics& diagnostics) {
+  std::vector<std::string> files;
+  for (const std::string& input : inputs) {
+    if (!is_folder(input)) {
+      files.push_back(input);
+      continue;
+    }
+    const auto scenes = scenes_below(input, {}, diagnostics);
+    if (!scenes) return std::nullopt;
+    for (const auto& scene : *scenes) files.push_back((input / scene).string());
+  }
+  return files;
 }
 
 }  // namespace
 
 Exit optimize(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
+  const std::string& input = arguments.inputs[0];
   const auto pipeline = one_pipeline(arguments, diagnostics);
-  if (!pipeline || outputs_clash(arguments, diagnostics) || !can_write_scene(arguments.output, arguments.inputs[0], diagnostics)) {
-    return refuse(diagnostics);
-  }
-  auto job = job_for(arguments.inputs[0], *pipeline, registry);
-  if (const Exit* exit = std::get_if<Exit>(&job)) return *exit;
-  auto& [file, plan] = std::get<Job>(job);
-
+  if (!pipeline || outputs_clash(arguments, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  Analyses analyses;
-  Result result = with_memory(arguments.inputs[0], "work on it", [&, &file = file, &plan = plan] {
-    return foredraw::optimize(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
-  });
+  if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor});
+  if (!can_write_scene(arguments.output, input, diagnostics)) return refuse(diagnostics);
+
+  const FileRun run =
+      optimize_file({arguments, *pipeline, registry, executor, progress_line()}, input, arguments.output);
   end_progress();
-  result.report.command = "optimize";
-  result.report.input = {arguments.inputs[0], file.bytes};
-  tell(result.report.diagnostics);
-  const bool written =
-      with_memory(arguments.output, "write it", [&] { return write_outputs(arguments, result, diagnostics); });
-  tell(diagnostics);
-  if (!written) return something_failed;
-  fmt::print(stderr, "{}", to_text(result.report));
-  if (arguments.json && print(to_json(result.report)) != done) return something_failed;
-  return result.failed ? something_failed : done;
+  tell(run.report.diagnostics);
+  if (run.is_lost) return run.exit;
+  fmt::print(stderr, "{}", to_text(run.report));
+  return arguments.json ? std::max(run.exit, print(to_json(run.report))) : run.exit;
 }
 
 Exit plan(const Arguments& arguments, const Registry& registry) {
@@ -114,21 +109,15 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipelines = pipelines_for(arguments, {""}, diagnostics);
   if (!pipelines) return refuse(diagnostics);
-  auto job = job_for(arguments.inputs[0], pipelines->front(), registry);
-  if (const Exit* exit = std::get_if<Exit>(&job)) return *exit;
-  auto& [file, plan] = std::get<Job>(job);
-
   const Executor executor(arguments.threads);
-  Analyses analyses;
-  Result result = with_memory(arguments.inputs[0], "measure it", [&, &file = file, &plan = plan] {
-    return foredraw::measure(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
-  });
+  const std::string& input = arguments.inputs[0];
+  if (is_folder(input)) return measure_folder({arguments, pipelines->front(), registry, executor});
+
+  const FileRun run = measure_file({arguments, pipelines->front(), registry, executor, progress_line()}, input);
   end_progress();
-  result.report.command = "measure";
-  result.report.input = {arguments.inputs[0], file.bytes};
-  tell(result.report.diagnostics);
-  const Exit printed = print(arguments.json ? to_json(result.report) : to_text(result.report));
-  return result.failed ? something_failed : printed;
+  tell(run.report.diagnostics);
+  if (run.is_lost) return run.exit;
+  return std::max(run.exit, print(arguments.json ? to_json(run.report) : to_text(run.report)));
 }
 
 Exit compare(const Arguments& arguments, const Registry& registry) {
@@ -138,10 +127,13 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   const auto pipelines = pipelines_for(arguments, texts, diagnostics);
   if (!pipelines) return refuse(diagnostics);
 
+  const auto inputs = scenes_of(arguments.inputs, diagnostics);
+  if (!inputs) return refuse(diagnostics);
+
   const Executor executor(arguments.threads);
   std::vector<Comparison> comparisons;
   Exit worst = done;
-  for (const std::string& input : arguments.inputs) {
+  for (const std::string& input : *inputs) {
     Comparison comparison{{input, 0}, {}};
     Analyses analyses;  // shared by the branches, gone with the file
     for (std::size_t i = 0; i < texts.size(); ++i) {

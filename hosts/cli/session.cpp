@@ -20,12 +20,15 @@ Exit refuse(const Diagnostics& diagnostics) {
   return users_mistake;
 }
 
+Exit exit_for_file(const Diagnostics& diagnostics) {
+  const bool missing = std::ranges::any_of(
+      diagnostics.all(), [](const Diagnostic& d) { return d.code == "no-such-file" || d.code == "is-a-folder"; });
+  return missing ? users_mistake : something_failed;
+}
+
 Exit refuse_file(const Diagnostics& diagnostics) {
   tell(diagnostics);
-  const bool missing = std::ranges::any_of(diagnostics.all(), [](const Diagnostic& d) {
-    return d.code == "no-such-file" || d.code == "is-a-folder";
-  });
-  return missing ? users_mistake : something_failed;
+  return exit_for_file(diagnostics);
 }
 
 Exit print(const std::string& text) {
@@ -67,7 +70,8 @@ std::optional<std::vector<Pipeline>> pipelines_for(const Arguments& arguments, c
   if (measure->empty()) measure = load_pipeline("@default", diagnostics)->measure;
   for (Pipeline& pipeline : pipelines) pipeline.measure = *measure;
   bool good = true;
-  for (const std::string& assignment : arguments.set) good = set_wherever_it_is(pipelines, assignment, diagnostics) && good;
+  for (const std::string& assignment : arguments.set)
+    good = set_wherever_it_is(pipelines, assignment, diagnostics) && good;
   return good ? std::optional(std::move(pipelines)) : std::nullopt;
 }
 

@@ -19,12 +19,14 @@ void tell(const std::vector<Diagnostic>& diagnostics);
 /// (which is a mistake too where there is none of that name).
 Exit refuse(const Diagnostics& diagnostics);
 Exit refuse_file(const Diagnostics& diagnostics);
+Exit exit_for_file(const Diagnostics& diagnostics);  ///< the code alone
 
 /// Prints a result to standard output.
 Exit print(const std::string& text);
 
-/// The pipelines of the texts, with --with and --set put in. All measure alike: with what --with names, else as the first
-/// does, else as @default. An option is set wherever there is its stage; it is a mistake where there is none in any.
+/// The pipelines of the texts, with --with and --set put in. All measure alike: with what --with names, else as the
+/// first does, else as @default. An option is set wherever there is its stage; it is a mistake where there is none in
+/// any.
 std::optional<std::vector<Pipeline>> pipelines_for(const Arguments& arguments, const std::vector<std::string>& texts,
                                                    Diagnostics& diagnostics);
 

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string kind_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
+std::string kind_of(const fs::path& path) {
+  std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
   return extension;
 }
@@ -26,6 +26,10 @@ fs::path folder_of(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_gltf_file(const fs::path& path) { return kind_of(path) == ".glb" || kind_of(path) == ".gltf"; }
+
+bool is_scene_file(const fs::path& path) { return is_gltf_file(path) || mesh_kind_of(path); }
 
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics) {
   if (path.empty()) {
@@ -45,7 +49,7 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
 }
 
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {
-  if (path == "-" || kind_of(path) == ".glb" || kind_of(path) == ".gltf") return true;
+  if (path == "-" || is_gltf_file(path)) return true;
   const auto mesh_kind = mesh_kind_of(path);
   if (mesh_kind && input != "-" && mesh_kind == mesh_kind_of(input)) return true;
   if (mesh_kind) {

@@ -6,6 +6,7 @@
 #include <foredraw/scene/scene.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,10 @@ struct SceneFile {
   Scene scene;
   std::uint64_t bytes = 0;  ///< of the file itself, without those beside it
 };
+
+/// Whether the extension is one of those that read_scene knows; whether it is .glb or .gltf.
+bool is_scene_file(const std::filesystem::path& path);
+bool is_gltf_file(const std::filesystem::path& path);
 
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics);
 

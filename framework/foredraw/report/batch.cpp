@@ -1,0 +1,126 @@
+#include <foredraw/report/batch.h>
+#include <foredraw/report/private/json_values.h>
+#include <foredraw/report/table.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+struct Column {
+  std::string evaluator, metric;
+};
+
+/// Of each evaluator the first metric that is a ratio.
+std::vector<Column> columns_of(const Metrics& metrics) {
+  std::vector<Column> columns;
+  for (const auto& [evaluator, by_metric] : metrics.all()) {
+    const auto first = std::ranges::find_if(by_metric, [](const auto& entry) {
+      return entry.second.denominator && entry.first.find('.') == std::string::npos;
+    });
+    if (first != by_metric.end()) columns.push_back({evaluator, first->first});
+  }
+  return columns;
+}
+
+std::string change(const std::string& before, const std::string& after) {
+  return before.empty() || before == after ? after : before + " -> " + after;
+}
+
+/// Without errors, for a table of many files.
+std::string cell(const Figure* figure) {
+  if (figure == nullptr) return "-";
+  Figure exact = *figure;
+  exact.error = 0;
+  return to_text(exact);
+}
+
+bool is_optimized(const Batch& batch) {
+  return std::ranges::any_of(batch.files, [](const BatchFile& file) { return file.report.optimized; });
+}
+
+std::string_view word_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::done: return "done";
+    case Outcome::in_part: return "in-part";
+    case Outcome::lost: return "lost";
+  }
+  return "";
+}
+
+std::string_view told(Outcome outcome) {
+  return outcome == Outcome::in_part ? "in part: a stage failed"
+         : outcome == Outcome::lost  ? "lost: see above"
+                                     : "done";
+}
+
+}  // namespace
+
+StateRecord totals(const Batch& batch, StateRecord Report::*state) {
+  StateRecord sum;
+  for (const BatchFile& file : batch.files) {
+    if (file.outcome == Outcome::lost) continue;
+    const StateRecord& one = file.report.*state;
+    sum.triangles += one.triangles;
+    sum.vertices += one.vertices;
+    for (const auto& [evaluator, by_metric] : one.metrics.all()) {
+      for (const auto& [metric, figure] : by_metric) sum.metrics.add(evaluator, metric, figure);
+    }
+  }
+  return sum;
+}
+
+std::string to_json(const Batch& batch) {
+  Report sum;
+  sum.optimized = is_optimized(batch);
+  sum.before = totals(batch, &Report::before);
+  sum.after = totals(batch, &Report::after);
+  Json json{{"batch", 1}, {"command", batch.command}, {"seconds", batch.seconds}};
+  json["totals"] = Json::parse(to_json(sum))["totals"];
+  json["files"] = Json::array();
+  for (const BatchFile& file : batch.files) {
+    json["files"].push_back({{"outcome", word_of(file.outcome)}, {"report", Json::parse(to_json(file.report))}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string to_text(const Batch& batch) {
+  const StateRecord before = totals(batch, &Report::before);
+  const StateRecord after = totals(batch, &Report::after);
+  const std::vector<Column> columns = columns_of(after.metrics);
+  std::vector<std::string> heads{"file"};
+  for (const Column& column : columns) heads.push_back(column.evaluator + ' ' + column.metric);
+  heads.insert(heads.end(), {"bytes", "outcome"});
+  Table table(heads);
+  const auto add = [&](const std::string& name, const StateRecord& old, const StateRecord& now, std::uint64_t read,
+                       std::uint64_t written, std::string_view outcome) {
+    std::vector<std::string> row{name};
+    for (const Column& column : columns) {
+      const std::string was = cell(old.metrics.find(column.evaluator, column.metric));
+      row.push_back(change(is_optimized(batch) ? was : "", cell(now.metrics.find(column.evaluator, column.metric))));
+    }
+    row.push_back(is_optimized(batch) ? change(std::to_string(read), std::to_string(written)) : std::to_string(read));
+    row.emplace_back(outcome);
+    table.add(row);
+  };
+
+  std::uint64_t read = 0;
+  std::uint64_t written = 0;
+  std::size_t lost = 0;
+  for (const auto& [report, outcome] : batch.files) {
+    add(report.input.path, report.before, report.after, report.input.bytes, report.output.bytes, told(outcome));
+    if (outcome == Outcome::lost) {
+      ++lost;
+      continue;
+    }
+    read += report.input.bytes;
+    written += report.output.bytes;
+  }
+  add("all", before, after, read, written, lost == 0 ? "" : fmt::format("without the {} lost", lost));
+  return fmt::format("{}\n{} files in {:.2f} s\n", table.text(), batch.files.size(), batch.seconds);
+}
+
+}  // namespace foredraw

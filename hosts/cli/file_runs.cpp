@@ -1,0 +1,73 @@
+#include "file_runs.h"
+
+#include <foredraw/report/remap.h>
+
+namespace foredraw::cli {
+
+namespace {
+
+using Work = std::function<Result(const Plan&, Scene, const Surroundings&)>;
+
+/// Reads, plans and works; `written` puts the result somewhere, and may fail.
+FileRun run_file(const FileJob& job, const std::string& command, const std::string& input, const Work& work,
+                 const std::function<bool(Result&, Diagnostics&)>& written) {
+  FileRun run;
+  Diagnostics diagnostics;
+  const auto lost = [&](Exit exit) {
+    run.report.command = command;
+    run.report.input.path = input;
+    run.report.diagnostics = diagnostics.all();
+    run.exit = exit;
+    run.is_lost = true;
+    return run;
+  };
+  auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
+  if (!file) return lost(exit_for_file(diagnostics));
+  const auto plan = with_memory(input, "plan for it",
+                                [&] { return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics); });
+  if (!plan) return lost(users_mistake);
+
+  Analyses analyses;
+  Result result = with_memory(input, "work on it", [&] {
+    return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
+  });
+  result.report.command = command;
+  result.report.input = {input, file->bytes};
+  for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
+  result.report.diagnostics = diagnostics.all();
+  if (!written(result, diagnostics)) return lost(something_failed);
+  run.report = std::move(result.report);
+  run.report.diagnostics = diagnostics.all();
+  run.exit = result.failed ? something_failed : done;
+  return run;
+}
+
+}  // namespace
+
+FileRun optimize_file(const FileJob& job, const std::string& input, const std::string& output) {
+  const Arguments& arguments = job.arguments;
+  // The scene, the report and the remap tables: all of them, or none and an explanation.
+  const auto write = [&](Result& result, Diagnostics& diagnostics) {
+    auto files = encode_scene(result.scene, output, diagnostics);
+    if (!files) return false;
+    Report& report = result.report;
+    report.output = {output, files->front().bytes.size()};
+    report.diagnostics = diagnostics.all();
+    if (!is_folder(arguments.inputs[0])) {
+      if (!arguments.report.empty()) files->push_back(text_file(arguments.report, to_json(report)));
+      if (!arguments.remap.empty()) files->push_back(text_file(arguments.remap, remap_json(result.scene)));
+    }
+    if (output != "-") return write_scene(*files, diagnostics);
+    return write_files(std::span(*files).subspan(1), diagnostics) &&
+           write_standard_output(files->front().bytes, diagnostics);
+  };
+  return run_file(job, "optimize", input, foredraw::optimize, [&](Result& result, Diagnostics& diagnostics) {
+    return with_memory(output, "write it", [&] { return write(result, diagnostics); });
+  });
+}
+
+FileRun measure_file(const FileJob& job, const std::string& input) {
+  return run_file(job, "measure", input, foredraw::measure, [](Result&, Diagnostics&) { return true; });
+}
+
+}  // namespace foredraw::cli

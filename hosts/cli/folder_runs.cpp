@@ -1,0 +1,151 @@
+#include "file_runs.h"
+
+#include <foredraw/io/scene_folder.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+
+namespace foredraw::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the scene goes: to the same place in the output folder, as its own kind where that is glTF, else as a GLB.
+fs::path output_of(const fs::path& scene, const fs::path& folder) {
+  fs::path output = folder / scene;
+  return is_gltf_file(output) ? output : output.replace_extension(".glb");
+}
+
+/// "prop.glb" and "prop.obj" would both become "prop.glb".
+bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::path>& outputs, Diagnostics& diagnostics) {
+  std::map<fs::path, fs::path> taken;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto [at, is_new] = taken.emplace(outputs[i], scenes[i]);
+    if (is_new) continue;
+    diagnostics.error({.file = outputs[i].string()}, "outputs-meet",
+                      at->second.string() + " and " + scenes[i].string() + " would both be written here",
+                      "give one of them another name");
+  }
+  return diagnostics.has_errors();
+}
+
+bool make_folder(const fs::path& folder, Diagnostics& diagnostics) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    diagnostics.error({.file = folder.string()}, "can-not-make-folder", "can not be made: " + error.message(),
+                      "choose an output folder that you may write to");
+  }
+  return !error;
+}
+
+FileRun lost_for_memory(const OutOfMemory& lack, const std::string& input) {
+  FileRun run;
+  run.report.input.path = input;
+  run.report.diagnostics = {{Severity::error,
+                             {.file = lack.file},
+                             "no-memory",
+                             "there is not enough memory to " + lack.doing,
+                             "give it more, or --threads 1"}};
+  run.exit = something_failed;
+  run.is_lost = true;
+  return run;
+}
+
+/// Works on all files at once, tells of them in their sequence, and sums up.
+Exit run_batch(const FileJob& job, const std::string& command, const std::vector<fs::path>& inputs,
+               const std::function<FileRun(const FileJob&, std::size_t)>& run_one, Batch& batch) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto progress = progress_line();
+  std::vector<FileRun> runs(inputs.size());
+  std::mutex at_the_line;
+  std::size_t finished = 0;
+  job.executor.for_each(inputs.size(), [&](std::size_t i) {
+    try {
+      runs[i] = run_one(job, i);
+    } catch (const OutOfMemory& lack) {
+      runs[i] = lost_for_memory(lack, inputs[i].string());
+    }
+    const std::scoped_lock lock(at_the_line);
+    ++finished;
+    if (progress) progress(inputs[i].string(), static_cast<double>(finished) / static_cast<double>(inputs.size()));
+  });
+  end_progress();
+
+  Exit worst = done;
+  batch.command = command;
+  for (FileRun& run : runs) {
+    tell(run.report.diagnostics);
+    if (run.exit != done) worst = something_failed;
+    const Outcome outcome = run.is_lost ? Outcome::lost : run.exit != done ? Outcome::in_part : Outcome::done;
+    batch.files.push_back({std::move(run.report), outcome});
+  }
+  batch.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return worst;
+}
+
+}  // namespace
+
+bool is_folder(const std::string& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+Exit optimize_folder(const FileJob& job) {
+  const Arguments& arguments = job.arguments;
+  Diagnostics diagnostics;
+  const fs::path from = arguments.inputs[0];
+  const fs::path to = arguments.output;
+  if (to == "-" || (fs::exists(to) && !is_folder(arguments.output))) {
+    diagnostics.error({.file = arguments.output}, "bad-arguments", "is no folder, and the input is one",
+                      "give -o the name of a folder; it is made where there is none");
+  }
+  if (!arguments.remap.empty()) {
+    diagnostics.error({}, "bad-arguments", "--remap writes the tables of one scene, and the input is a folder",
+                      "run it on the file whose tables are wanted");
+  }
+  const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, diagnostics);
+  if (!scenes) return refuse(diagnostics);
+  std::vector<fs::path> inputs;
+  std::vector<fs::path> outputs;
+  for (const fs::path& scene : *scenes) {
+    inputs.push_back(from / scene);
+    outputs.push_back(output_of(scene, to));
+  }
+  if (outputs_meet(*scenes, outputs, diagnostics)) return refuse(diagnostics);
+  for (const fs::path& output : outputs) {
+    if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);
+  }
+
+  Batch batch;
+  const auto run_one = [&](const FileJob& each, std::size_t i) {
+    return optimize_file(each, inputs[i].string(), outputs[i].string());
+  };
+  const Exit worst = run_batch(job, "optimize", inputs, run_one, batch);
+  fmt::print(stderr, "{}", to_text(batch));
+  if (!arguments.report.empty()) {
+    const OutputFile report = text_file(arguments.report, to_json(batch));
+    if (!write_files(std::span(&report, 1), diagnostics)) return refuse_file(diagnostics);
+  }
+  return arguments.json ? std::max(worst, print(to_json(batch))) : worst;
+}
+
+Exit measure_folder(const FileJob& job) {
+  Diagnostics diagnostics;
+  const fs::path from = job.arguments.inputs[0];
+  const auto scenes = scenes_below(from, {}, diagnostics);
+  if (!scenes) return refuse(diagnostics);
+  std::vector<fs::path> inputs;
+  for (const fs::path& scene : *scenes) inputs.push_back(from / scene);
+  Batch batch;
+  const auto run_one = [&](const FileJob& each, std::size_t i) { return measure_file(each, inputs[i].string()); };
+  const Exit worst = run_batch(job, "measure", inputs, run_one, batch);
+  return std::max(worst, print(job.arguments.json ? to_json(batch) : to_text(batch)));
+}
+
+}  // namespace foredraw::cli

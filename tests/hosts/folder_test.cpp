@@ -1,0 +1,106 @@
+// A folder as input: every scene in it by itself, a line for each, and one bad file does not end the run.
+
+#include "support/meshes.h"
+#include "support/program.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace foredraw {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::content;
+using testing::Ended;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+class Folder : public testing::InFolder {
+ protected:
+  Folder() {
+    fs::create_directories(folder_ / "in/props");
+    copy("static/spot.glb", "in/spot.glb");
+    copy("scenes/kaykit_city/bench.gltf", "in/props/bench.gltf");
+    copy("scenes/kaykit_city/bench.bin", "in/props/bench.bin");
+    testing::put(folder_ / "in/notes.txt", "no scene");
+  }
+
+  void copy(const std::string& model, const std::string& to) {
+    fs::copy_file(testing::project_file("benchmarks/corpus/" + model), folder_ / to);
+  }
+  Ended run(const std::string& arguments) { return testing::run_program(folder_, arguments); }
+};
+
+TEST_F(Folder, IsWorkedOnFileByFile) {
+  const Ended ended = run("optimize in -o out/made --report r.json");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("2 files"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/made/spot.glb"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/made/props/bench.gltf"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/made/notes.txt"));
+  ASSERT_EQ(run("optimize in/spot.glb -o alone.glb").code, 0);
+  EXPECT_EQ(content(folder_ / "alone.glb"), content(folder_ / "out/made/spot.glb"));
+
+  const Json batch = Json::parse(content(folder_ / "r.json"));
+  ASSERT_EQ(batch["files"].size(), 2u);
+  EXPECT_EQ(batch["files"][0]["report"]["input"]["path"], "in/props/bench.gltf");  // sorted
+  EXPECT_EQ(batch["files"][1]["outcome"], "done");
+  std::uint64_t triangles = 0;
+  for (const Json& file : batch["files"]) triangles += file["report"]["totals"]["triangles"].get<std::uint64_t>();
+  EXPECT_EQ(batch["totals"]["triangles"], triangles);
+}
+
+TEST_F(Folder, ABadFileDoesNotEndTheRun) {
+  testing::put(folder_ / "in/broken.glb", "glTF and then nothing");
+  const Ended ended = run("optimize in -o out");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("in/broken.glb: error: "));
+  EXPECT_THAT(ended.err, HasSubstr("lost: see above"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/spot.glb"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/broken.glb"));
+}
+
+TEST_F(Folder, IsTheSameAtAnyThreadCount) {
+  ASSERT_EQ(run("optimize in -o one --threads 1").code, 0);
+  ASSERT_EQ(run("optimize in -o many --threads 4").code, 0);
+  for (const char* file : {"spot.glb", "props/bench.gltf", "props/bench.bin"}) {
+    EXPECT_EQ(content(folder_ / "one" / file), content(folder_ / "many" / file)) << file;
+  }
+}
+
+TEST_F(Folder, ResultsInsideItAreNoInputs) {
+  ASSERT_EQ(run("optimize in -o in/out").code, 0);
+  const Ended again = run("optimize in -o in/out");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("2 files"));
+}
+
+TEST_F(Folder, IsMeasuredAndComparedToo) {
+  const Ended measured = run("measure in --with vertex-cache");
+  EXPECT_EQ(measured.code, 0) << measured.err;
+  EXPECT_THAT(measured.out, HasSubstr("in/spot.glb"));
+  EXPECT_THAT(measured.out, Not(HasSubstr("->")));
+  const Ended compared = run("compare in -p tipsify -p weld,tipsify --with vertex-cache --json");
+  EXPECT_EQ(compared.code, 0) << compared.err;
+  EXPECT_EQ(Json::parse(compared.out)["files"].size(), 2u);
+}
+
+TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
+  const auto refused = [&](const std::string& arguments, const std::string& what) {
+    const Ended ended = run(arguments);
+    EXPECT_EQ(ended.code, 1) << arguments;
+    EXPECT_THAT(ended.err, HasSubstr(what)) << arguments;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << arguments;
+  };
+  refused("optimize in -o in/spot.glb", "is no folder");
+  refused("optimize in -o -", "is no folder");
+  refused("optimize in -o out --remap remap.json", "--remap");
+  fs::create_directories(folder_ / "empty");
+  refused("optimize empty -o out", "holds no scene");
+  testing::put(folder_ / "in/spot.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  refused("optimize in -o out", "would both be written here");
+}
+
+}  // namespace
+}  // namespace foredraw
