@@ -33,7 +33,7 @@ class CommandLine {
 
     auto& optimize_app = add("optimize", "Make a scene cheaper to draw", [this] { return optimize(arguments_, registry_); });
     input(optimize_app);
-    optimize_app.add_option("-o,--output", arguments_.output, "Where to write the scene: .glb, .gltf, or - for standard output")
+    optimize_app.add_option("-o,--output", arguments_.output, "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output")
         ->required();
     pipeline(optimize_app);
     with(optimize_app);
@@ -55,7 +55,7 @@ class CommandLine {
 
     auto& compare_app = add("compare", "Run several pipelines on the same scenes and compare them",
                             [this] { return compare(arguments_, registry_); });
-    compare_app.add_option("inputs", arguments_.inputs, "Scenes: .glb or .gltf")->required();
+    compare_app.add_option("inputs", arguments_.inputs, "Scenes: .glb, .gltf, .obj, .ply, .off or .stl")->required();
     pipeline(compare_app, "; give it once for each pipeline");
     with(compare_app);
     compare_app.add_option("--report", arguments_.report, "Write the comparison, as JSON, to this file");
@@ -120,7 +120,7 @@ class CommandLine {
   }
 
   void input(CLI::App& app) {
-    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, or - for standard input")->required()->expected(1);
+    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input")->required()->expected(1);
   }
   void pipeline(CLI::App& app, const std::string& more = "") {
     app.add_option("-p,--pipeline", arguments_.pipelines,
