@@ -125,6 +125,18 @@ class LibraryReader {
   std::array<float, 4> color_{1, 1, 1, 1};
 };
 
+/// A line may name several libraries, and a name may hold spaces: the whole is one where there is such a file.
+std::vector<std::string> names_on(const std::string& line, const fs::path& folder) {
+  std::error_code error;
+  if (!folder.empty() && gltf::why_not_beside(line).empty() && fs::is_regular_file(folder / utf8_path(line), error)) {
+    return {line};
+  }
+  std::vector<std::string> names;
+  std::string_view rest = line;
+  for (std::string_view name = take_token(rest); !name.empty(); name = take_token(rest)) names.emplace_back(name);
+  return names;
+}
+
 /// glTF allows a texture only where there are coordinates for it: draws without any get the material without it.
 void part_from_textures(Json& materials, Scene& scene) {
   std::map<MaterialId, MaterialId> without;
@@ -152,10 +164,12 @@ MaterialLibrary read_libraries(const std::vector<std::string>& names, const std:
                                Diagnostics& diagnostics) {
   LibraryReader reader(folder, diagnostics);
   std::set<std::string> done;
-  for (const std::string& name : names) {
-    if (!done.insert(name).second) continue;
-    const std::string path = path_beside(name, "material library", obj, folder, diagnostics);
-    if (!path.empty()) reader.read(path);
+  for (const std::string& line : names) {
+    for (const std::string& name : names_on(line, folder)) {
+      if (!done.insert(name).second) continue;
+      const std::string path = path_beside(name, "material library", obj, folder, diagnostics);
+      if (!path.empty()) reader.read(path);
+    }
   }
   return std::move(reader.library);
 }

@@ -166,9 +166,10 @@ TEST_F(MeshObjMaterials, BlendedOnesAndTexturesAreKnown) {
 
 TEST_F(MeshObjMaterials, WithoutCoordinatesATextureStaysOut) {
   put("m.mtl", "newmtl wood\nd 0.5\nmap_Kd wood.png\n");
+  put("none.mtl", "");
   put("wood.png", "");
   const std::string text =
-      "mtllib m.mtl\n" + square + "vt 0 0\nusemtl wood\nf 1 2 3\nf 1/1 2/1 3/1\nusemtl wood\nf 1 2 4\n";
+      "mtllib none.mtl m.mtl\n" + square + "vt 0 0\nusemtl wood\nf 1 2 3\nf 1/1 2/1 3/1\nusemtl wood\nf 1 2 4\n";
   const auto made = read_mesh(MeshKind::obj, text, folder_);
   ASSERT_TRUE(made.scene) << made.error();
   ASSERT_EQ(made.scene->draws.size(), 2u);
