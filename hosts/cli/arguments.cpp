@@ -34,7 +34,7 @@ class CommandLine {
 
     auto& optimize_app = add("optimize", "Make a scene cheaper to draw", [this] { return optimize(arguments_, registry_); });
     input(optimize_app);
-    optimize_app.add_option("-o,--output", arguments_.output, "Where to write the scene: .glb, .gltf, or - for standard output")
+    optimize_app.add_option("-o,--output", arguments_.output, "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output")
         ->required();
     pipeline(optimize_app);
     with(optimize_app);
@@ -56,7 +56,7 @@ class CommandLine {
 
     auto& compare_app = add("compare", "Run several pipelines on the same scenes and compare them",
                             [this] { return compare(arguments_, registry_); });
-    compare_app.add_option("inputs", arguments_.inputs, "Scenes: .glb or .gltf")->required();
+    compare_app.add_option("inputs", arguments_.inputs, "Scenes: .glb, .gltf, .obj, .ply, .off or .stl")->required();
     pipeline(compare_app, "; give it once for each pipeline");
     with(compare_app);
     compare_app.add_option("--report", arguments_.report, "Write the comparison, as JSON, to this file");

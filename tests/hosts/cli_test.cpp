@@ -87,6 +87,23 @@ TEST_F(Cli, OptimizesAndMeasuresTheGain) {
   EXPECT_EQ(again["draws"].size(), 1u);
 }
 
+TEST_F(Cli, MeshesGoToGltfAndBackToTheirOwnKind) {
+  std::ofstream(folder_ / "strip.obj") << "# kept\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 2 0\nf 1 2 3\nf 3 4 5\nf 3 2 4\n";
+  EXPECT_EQ(run("optimize strip.obj -o strip.glb").code, 0);
+  EXPECT_EQ(run("inspect strip.glb").code, 0);
+  const Ended back = run("optimize strip.obj -o again.obj");
+  EXPECT_EQ(back.code, 0) << back.err;
+  EXPECT_EQ(content(folder_ / "again.obj").size(), content(folder_ / "strip.obj").size());
+  EXPECT_EQ(content(folder_ / "again.obj").substr(0, 7), "# kept\n");
+  const Ended other = run("optimize strip.obj -o strip.ply");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.err.find("strip.ply: error: a file of kind .ply is written only from one"), std::string::npos) << other.err;
+  std::ofstream(folder_ / "broken.stl") << "solid";
+  const Ended broken = run("measure broken.stl");
+  EXPECT_EQ(broken.code, 2);
+  EXPECT_NE(broken.err.find("broken.stl:1:6: error: the file ends inside a solid"), std::string::npos) << broken.err;
+}
+
 TEST_F(Cli, WritesTheSameBytesAtAnyThreadCount) {
   ASSERT_EQ(run("optimize " + model("animated/robot_expressive.glb") + " -o one.glb --threads 1").code, 0);
   ASSERT_EQ(run("optimize " + model("animated/robot_expressive.glb") + " -o many.glb --threads 6").code, 0);

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace foredraw::mesh_files {
 
@@ -57,7 +59,7 @@ class LibraryReader {
  private:
   /// The first of several materials of a name is the one that counts.
   void begin(const std::string& name) {
-    is_open_ = !name.empty() && std::ranges::none_of(library.materials, [&](auto& m) { return m.name == name; });
+    is_open_ = !name.empty() && names_.insert(name).second;
     if (!is_open_) return;
     library.materials.push_back({.name = name});
     library.json.push_back({{"name", name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
@@ -109,43 +111,79 @@ class LibraryReader {
       return;
     }
     const std::string uri = gltf::percent_encoded(path);
-    auto& images = library.images;
-    auto found = std::ranges::find_if(images, [&](const Image& image) { return image.uri == uri; });
-    if (found == images.end()) found = images.insert(images.end(), {.uri = uri});
-    library.json.back()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", found - images.begin()}};
+    const auto [found, is_new] = image_numbers_.try_emplace(uri, library.images.size());
+    if (is_new) library.images.push_back({.uri = uri});
+    library.json.back()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", found->second}};
   }
 
   const fs::path& folder_;
   Diagnostics& diagnostics_;
   std::string name_;
+  std::set<std::string> names_;
+  std::map<std::string, std::size_t> image_numbers_;  // by URI
   bool is_open_ = false;
   std::array<float, 4> color_{1, 1, 1, 1};
 };
+
+/// A line may name several libraries, and a name may hold spaces: the whole is one where there is such a file.
+std::vector<std::string> names_on(const std::string& line, const fs::path& folder) {
+  std::error_code error;
+  if (!folder.empty() && gltf::why_not_beside(line).empty() && fs::is_regular_file(folder / utf8_path(line), error)) {
+    return {line};
+  }
+  std::vector<std::string> names;
+  std::string_view rest = line;
+  for (std::string_view name = take_token(rest); !name.empty(); name = take_token(rest)) names.emplace_back(name);
+  return names;
+}
+
+/// glTF allows a texture only where there are coordinates for it: draws without any get the material without it.
+void part_from_textures(Json& materials, Scene& scene) {
+  std::map<MaterialId, MaterialId> without;
+  for (Draw& draw : scene.draws) {
+    if (!draw.material || draw.traits.has(traits::uv0)) continue;
+    const MaterialId textured = *draw.material;
+    if (!materials[textured].contains("pbrMetallicRoughness") ||
+        !materials[textured]["pbrMetallicRoughness"].contains("baseColorTexture")) {
+      continue;
+    }
+    const auto [found, is_new] = without.try_emplace(textured, static_cast<MaterialId>(materials.size()));
+    draw.material = found->second;
+    if (!is_new) continue;
+    Json plain = materials[textured];
+    plain["pbrMetallicRoughness"].erase("baseColorTexture");
+    materials.push_back(std::move(plain));
+    const Material same = scene.materials[textured];
+    scene.materials.push_back(same);
+  }
+}
 
 }  // namespace
 
 MaterialLibrary read_libraries(const std::vector<std::string>& names, const std::string& obj, const fs::path& folder,
                                Diagnostics& diagnostics) {
   LibraryReader reader(folder, diagnostics);
-  std::vector<std::string> done;
-  for (const std::string& name : names) {
-    if (std::ranges::count(done, name) > 0) continue;
-    done.push_back(name);
-    const std::string path = path_beside(name, "material library", obj, folder, diagnostics);
-    if (!path.empty()) reader.read(path);
+  std::set<std::string> done;
+  for (const std::string& line : names) {
+    for (const std::string& name : names_on(line, folder)) {
+      if (!done.insert(name).second) continue;
+      const std::string path = path_beside(name, "material library", obj, folder, diagnostics);
+      if (!path.empty()) reader.read(path);
+    }
   }
   return std::move(reader.library);
 }
 
-std::shared_ptr<const gltf::Source> gltf_source_of(const Json& materials, const Scene& scene, const fs::path& folder) {
+std::shared_ptr<const gltf::Source> gltf_source_of(Json materials, Scene& scene, const fs::path& folder) {
+  for (std::size_t i = materials.size(); i < scene.materials.size(); ++i) {
+    materials.push_back({{"name", scene.materials[i].name}});
+  }
+  part_from_textures(materials, scene);
   gltf::Document document;
   document.name = scene.name;
   document.folder = folder;
   document.json = {{"asset", {{"version", "2.0"}, {"generator", "foredraw"}}}};
-  for (const Json& material : materials) document.json["materials"].push_back(material);
-  for (std::size_t i = materials.size(); i < scene.materials.size(); ++i) {
-    document.json["materials"].push_back({{"name", scene.materials[i].name}});
-  }
+  if (!materials.empty()) document.json["materials"] = std::move(materials);
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
     document.json["textures"].push_back({{"source", i}});
     document.json["images"].push_back({{"uri", scene.images[i].uri}});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace foredraw::mesh_files {
 
@@ -84,10 +85,11 @@ class HeaderReader {
       return reading_.refuse(reading_.at(made.count_token),
                              fmt::format("{} is no number of elements", shown(made.count_token)));
     }
-    if (header.find(made.name) != nullptr) {
+    if (!element_names_.insert(made.name).second) {
       return reading_.refuse(reading_.at(made.count_token), fmt::format("there are two elements {}", shown(made.name)));
     }
     header.elements.push_back(std::move(made));
+    property_names_.clear();
     return true;
   }
 
@@ -108,16 +110,16 @@ class HeaderReader {
     made.type = *type;
     made.name = take_token(rest);
     if (made.name.empty()) return reading_.refuse(reading_.at(rest), "the property has no name");
-    auto& properties = header.elements.back().properties;
-    if (std::ranges::any_of(properties, [&](const PlyProperty& p) { return p.name == made.name; })) {
+    if (!property_names_.insert(made.name).second) {
       return reading_.refuse(reading_.at(word), fmt::format("the element has two properties {}", shown(made.name)));
     }
-    properties.push_back(std::move(made));
+    header.elements.back().properties.push_back(std::move(made));
     return true;
   }
 
   const Reading& reading_;
   std::string_view text_;
+  std::set<std::string> element_names_, property_names_;  // the latter of the last element
 };
 
 template <class T>

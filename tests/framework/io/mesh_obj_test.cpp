@@ -153,7 +153,7 @@ TEST_F(MeshObjMaterials, BlendedOnesAndTexturesAreKnown) {
   put("inner/a b.mtl", "newmtl glass\nd 0.5\nnewmtl wood\nKd 1 0.5 0\nmap_Kd -s 1 1 1 wood.png\nmap_Kd ../out.png\n");
   put("inner/wood.png", "");
   const std::string text =
-      "mtllib a b.mtl\n" + square + "usemtl glass\nf 1 2 3\nusemtl wood\nf 1 3 4\nusemtl new\nf 2 3 4\n";
+      "mtllib a b.mtl\n" + square + "vt 0 0\nusemtl glass\nf 1 2 3\nusemtl wood\nf 1/1 3/1 4/1\nusemtl new\nf 2 3 4\n";
   const auto made = read_mesh(MeshKind::obj, text, folder_ / "inner");
   ASSERT_TRUE(made.scene) << made.error();
   EXPECT_EQ(made.told(), "left-out") << "the texture that leads out of the folder";
@@ -162,6 +162,20 @@ TEST_F(MeshObjMaterials, BlendedOnesAndTexturesAreKnown) {
   ASSERT_EQ(made.scene->images.size(), 1u);
   EXPECT_EQ(made.scene->images[0].uri, "wood.png");
   EXPECT_EQ(made.scene->materials.size(), 3u);
+}
+
+TEST_F(MeshObjMaterials, WithoutCoordinatesATextureStaysOut) {
+  put("m.mtl", "newmtl wood\nd 0.5\nmap_Kd wood.png\n");
+  put("none.mtl", "");
+  put("wood.png", "");
+  const std::string text =
+      "mtllib none.mtl m.mtl\n" + square + "vt 0 0\nusemtl wood\nf 1 2 3\nf 1/1 2/1 3/1\nusemtl wood\nf 1 2 4\n";
+  const auto made = read_mesh(MeshKind::obj, text, folder_);
+  ASSERT_TRUE(made.scene) << made.error();
+  ASSERT_EQ(made.scene->draws.size(), 2u);
+  EXPECT_EQ(made.scene->materials.size(), 2u);
+  EXPECT_NE(made.scene->draws[0].material, made.scene->draws[1].material);
+  EXPECT_EQ(made.scene->material_of(made.scene->draws[0])->alpha_mode, AlphaMode::blend);
 }
 
 TEST_F(MeshObjMaterials, LibrariesOutsideTheFolderAreNotOpened) {

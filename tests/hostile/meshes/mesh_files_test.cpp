@@ -186,25 +186,5 @@ TEST(HostileMeshes, LongLinesAndManyNamesTakeNoLongerThanTheirBytes) {
   read_safely(MeshKind::obj, vertices, "one position with 100,000 texture coordinates");
 }
 
-TEST(HostileMeshes, WhatTheFuzzerFoundStaysMended) {
-  for (const auto& entry : fs::directory_iterator(folder / "found")) {
-    const std::string bytes = content(entry.path());
-    if (bytes.empty()) continue;
-    const auto kind = static_cast<MeshKind>(static_cast<unsigned char>(bytes[0]) % 4);
-    const std::string text = bytes.substr(1);
-    read_safely(kind, text, entry.path().filename().string());
-    const auto read = read_mesh(kind, text);
-    if (!read.scene) continue;
-    Diagnostics diagnostics;
-    const Scene turned = testing::reversed(*read.scene);
-    if (const auto file = encode_mesh_file(turned, kind, "again", diagnostics)) {
-      const auto again = read_mesh(kind, testing::text_of(*file));
-      ASSERT_TRUE(again.scene) << entry.path() << ": " << again.error();
-      EXPECT_EQ(testing::drawn(*again.scene), testing::drawn(*read.scene)) << entry.path();
-    }
-    EXPECT_TRUE(encode_scene(turned, "again.glb", diagnostics)) << entry.path() << ": " << to_text(diagnostics);
-  }
-}
-
 }  // namespace
 }  // namespace foredraw

@@ -16,7 +16,8 @@ MaterialLibrary read_libraries(const std::vector<std::string>& names, const std:
                                const std::filesystem::path& folder, Diagnostics& diagnostics);
 
 /// A document that holds nothing but the scene's materials and images, for the glTF writer to add the rest to.
-std::shared_ptr<const gltf::Source> gltf_source_of(const gltf::Json& materials, const Scene& scene,
+/// Materials that the libraries do not hold are names alone.
+std::shared_ptr<const gltf::Source> gltf_source_of(gltf::Json materials, Scene& scene,
                                                    const std::filesystem::path& folder);
 
 }  // namespace foredraw::mesh_files
