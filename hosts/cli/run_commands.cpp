@@ -58,7 +58,8 @@ bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
 
 /// The scene, the report and the remap tables: all of them, or none and an explanation.
 bool write_outputs(const Arguments& arguments, Result& result, Diagnostics& diagnostics) {
-  auto files = encode_scene(result.scene, arguments.output, diagnostics);
+  const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
+  auto files = encode_scene(result.scene, arguments.output, diagnostics, compression);
   if (!files) return false;
   Report& report = result.report;
   report.output = {arguments.output, files->front().bytes.size()};

@@ -55,23 +55,43 @@ std::optional<std::vector<std::byte>> file_beside(Gate& gate, const std::string&
   return bytes;
 }
 
-std::optional<Bytes> bytes_of_buffer(Gate& gate, std::size_t i, const Json& buffer, std::optional<Bytes> bin) {
+/// Whether the buffer is but a plain copy of compressed views, which a reader that decompresses can do without.
+bool is_fallback(Gate& gate, const Json& buffer, const std::string& place) {
+  for (const char* name : meshopt_extensions) {
+    const Json* extension = extension_of(buffer, name);
+    if (extension == nullptr || !extension->is_object()) continue;
+    if (gate.boolean(*extension, "fallback", in(in(place, "extensions"), name)).value_or(false)) return true;
+  }
+  return false;
+}
+
+bool may_be_beside(const Gate& gate, const std::string& uri) {
+  const auto path = percent_decoded(uri);
+  if (!path || !why_not_beside(*path).empty()) return true;  // told of by whoever looks for it
+  std::error_code error;
+  const fs::path& folder = gate.document().folder;
+  return !folder.empty() && fs::exists(folder / fs::path(std::u8string(path->begin(), path->end())), error);
+}
+
+std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std::optional<Bytes> bin) {
   const std::string place = at("buffers", i);
-  gate.required(buffer, "byteLength", place);
-  const auto length = gate.whole(buffer, "byteLength", place, 1);
-  const auto uri = gate.text(buffer, "uri", place);
+  gate.required(json, "byteLength", place);
+  const auto length = gate.whole(json, "byteLength", place, 1);
+  const auto uri = gate.text(json, "uri", place);
+  const bool fallback = is_fallback(gate, json, place);
   if (!length) return std::nullopt;
-  if (!uri && buffer.contains("uri")) return std::nullopt;
+  if (!uri && json.contains("uri")) return std::nullopt;
+  const Buffer absent{{}, static_cast<std::size_t>(*length), fallback};
 
   if (!uri) {
-    if (i == 0 && bin && bin->size() >= *length) return bin->first(*length);
+    if (i == 0 && bin && bin->size() >= *length) return Buffer{bin->first(*length), absent.length, fallback};
+    if (fallback) return absent;
     if (i == 0 && bin) {
       gate.error(in(place, "byteLength"), "buffer-too-short",
                  fmt::format("is {}, but the BIN chunk has {} bytes", *length, bin->size()));
     } else {
       gate.error(place, "buffer-missing", "has no uri, and there is no BIN chunk for it",
-                 "if its views are compressed (EXT_meshopt_compression), decode the file first, for instance with "
-                 "`gltf-transform copy in.glb out.glb`");
+                 "pack the file into a .glb, or name the file that holds the bytes");
     }
     return std::nullopt;
   }
@@ -86,12 +106,16 @@ std::optional<Bytes> bytes_of_buffer(Gate& gate, std::size_t i, const Json& buff
     } else {
       bytes = std::move(data->bytes);
     }
+  } else if (fallback && !may_be_beside(gate, *uri)) {
+    gate.note(in(place, "uri"), "fallback-missing",
+              fmt::format("the plain copy '{}' is not there; the compressed data is read", *uri));
+    return absent;
   } else {
     bytes = file_beside(gate, *uri, *length, in(place, "uri"));
   }
   if (!bytes) return std::nullopt;
   gate.document().kept.push_back(std::move(*bytes));
-  return Bytes(gate.document().kept.back()).first(*length);
+  return Buffer{Bytes(gate.document().kept.back()).first(*length), absent.length, fallback};
 }
 
 }  // namespace
@@ -99,7 +123,7 @@ std::optional<Bytes> bytes_of_buffer(Gate& gate, std::size_t i, const Json& buff
 void check_buffers(Gate& gate, std::optional<Bytes> bin) {
   const Json& buffers = gate.all("buffers");
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    gate.document().buffers.push_back(bytes_of_buffer(gate, i, buffers[i], bin).value_or(Bytes{}));
+    gate.document().buffers.push_back(buffer_of(gate, i, buffers[i], bin).value_or(Buffer{}));
   }
 }
 
@@ -109,7 +133,7 @@ void check_views(Gate& gate) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::string place = at("bufferViews", i);
     for (const char* key : {"buffer", "byteLength"}) gate.required(views[i], key, place);
-    const auto buffer = gate.reference(views[i], "buffer", "buffers", place);
+    const auto number = gate.reference(views[i], "buffer", "buffers", place);
     const auto length = gate.whole(views[i], "byteLength", place, 1);
     const auto offset = gate.whole(views[i], "byteOffset", place);
     const auto stride = gate.whole(views[i], "byteStride", place, 4, 252);
@@ -117,17 +141,20 @@ void check_views(Gate& gate) {
     if (stride && *stride % 4 != 0) {
       gate.error(in(place, "byteStride"), "view-stride", fmt::format("is {}, but must be a multiple of 4", *stride));
     }
-    if (!buffer || !length) continue;
+    if (!number || !length) continue;
     // A buffer that was refused is told of once, not again for each view of it.
-    const std::size_t size = gate.document().buffers[*buffer].size();
+    const Buffer& buffer = gate.document().buffers[*number];
+    const std::size_t size = buffer.length;
     if (size == 0) continue;
     if (offset.value_or(0) > size || *length > size - offset.value_or(0)) {
       gate.error(in(place, "byteLength"), "view-range",
                  fmt::format("{} bytes from {} do not lie in buffer {} of {} bytes", *length, offset.value_or(0),
-                             *buffer, size));
+                             *number, size));
       continue;
     }
-    gate.document().views[i] = BufferView{*buffer, offset.value_or(0), *length, stride.value_or(0)};
+    BufferView view{*number, offset.value_or(0), *length, stride.value_or(0), {}, std::nullopt};
+    if (!buffer.bytes.empty()) view.bytes = buffer.bytes.subspan(view.offset, view.length);
+    gate.document().views[i] = std::move(view);
   }
 }
 

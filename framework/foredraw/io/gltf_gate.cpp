@@ -42,6 +42,10 @@ void Gate::error_at(std::size_t byte, std::string_view text, std::string code, s
                      std::move(code), std::move(message), std::move(hint));
 }
 
+void Gate::note(const std::string& place, std::string code, std::string message) {
+  diagnostics_.note({.file = document_.name, .inside = place}, std::move(code), std::move(message));
+}
+
 void Gate::finish() {
   if (mistakes_ <= most_mistakes) return;
   diagnostics_.note({.file = document_.name}, "more-mistakes",
@@ -204,6 +208,7 @@ std::optional<Document> open_document(Shared<std::byte> file, const std::string&
     check_extensions(gate);
     check_buffers(gate, container->bin);
     check_views(gate);
+    check_compression(gate);
     check_accessors(gate);
     check_images(gate);
     check_materials(gate);

@@ -228,7 +228,7 @@ Image image_of(const Json& from, const Document& document) {
     image.bytes = Shared<std::byte>(std::move(data.bytes));
     image.uri.clear();
   } else if (from.contains("bufferView")) {
-    const Bytes bytes = bytes_of(document, document.views[from["bufferView"].get<std::size_t>()]);
+    const Bytes bytes = document.views[from["bufferView"].get<std::size_t>()].bytes;
     image.bytes = Shared<std::byte>({bytes.begin(), bytes.end()});
   }
   return image;

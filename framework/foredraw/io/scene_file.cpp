@@ -46,11 +46,18 @@ bool can_write_scene(const std::string& path, Diagnostics& diagnostics) {
 }
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
-                                                    Diagnostics& diagnostics) {
+                                                    Diagnostics& diagnostics, Compression compression) {
   if (!can_write_scene(path, diagnostics)) return std::nullopt;
   const bool is_standard = path == "-";
-  auto files = encode_gltf(scene, is_standard ? "standard output.glb" : path, diagnostics);
-  if (files && is_standard) files->front().path = path;
+  auto files = encode_gltf(scene, is_standard ? "standard output.glb" : path, diagnostics, compression);
+  if (!files || !is_standard) return files;
+  if (files->size() > 1) {
+    diagnostics.error({.file = "standard output"}, "several-files",
+                      "the scene takes several files, and standard output holds one",
+                      "give -o a file, or leave out compression and its plain copies with --compression none");
+    return std::nullopt;
+  }
+  files->front().path = path;
   return files;
 }
 

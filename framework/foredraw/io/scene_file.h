@@ -2,6 +2,7 @@
 // Scenes by path. "-" is standard input or output; the extension picks the kind.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/gltf.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/scene/scene.h>
 
@@ -21,8 +22,10 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
 /// Whether scenes can be written to a path of this kind; a diagnostic says why not.
 bool can_write_scene(const std::string& path, Diagnostics& diagnostics);
 
-/// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written here.
+/// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written
+/// here.
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
-                                                    Diagnostics& diagnostics);
+                                                    Diagnostics& diagnostics,
+                                                    Compression compression = Compression::keep);
 
 }  // namespace foredraw
