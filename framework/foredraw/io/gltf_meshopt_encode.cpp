@@ -34,8 +34,9 @@ std::vector<std::uint32_t> widened(Bytes elements, std::size_t width) {
 }
 
 Stream index_stream(const Coding& coding, const std::vector<std::uint32_t>& indices) {
-  // The extensions allow version 1 alone. The library knows it as a setting of the process, and is told it each time.
-  meshopt_encodeIndexVersion(1);
+  // The extensions allow version 1 alone, which is a setting of the process: told once, before any thread relies on it.
+  static const bool told = (meshopt_encodeIndexVersion(1), true);
+  static_cast<void>(told);
   const std::size_t vertices = std::size_t{*std::max_element(indices.begin(), indices.end())} + 1;
   const bool triangles = coding.mode == Mode::triangles;
   const std::size_t most = triangles ? meshopt_encodeIndexBufferBound(indices.size(), vertices)

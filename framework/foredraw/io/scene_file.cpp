@@ -54,7 +54,7 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   if (files->size() > 1) {
     diagnostics.error({.file = "standard output"}, "several-files",
                       "the scene takes several files, and standard output holds one",
-                      "give -o a file, or leave out compression and its plain copies with --compression none");
+                      "give -o the name of a file; plain copies of compressed data are left out by --compression none");
     return std::nullopt;
   }
   files->front().path = path;

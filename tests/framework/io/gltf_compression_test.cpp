@@ -4,12 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
-#include "framework/io/gltf_edits.h"
-#include "support/compressed_gltf.h"
+#include "framework/io/compressed_scenes.h"
 #include "support/meshes.h"
 
 namespace foredraw {
@@ -17,40 +18,11 @@ namespace {
 
 using testing::Bytes;
 using testing::CompressionChoice;
+using testing::expect_same;
+using testing::extension;
 using testing::GltfBuilder;
 using testing::GltfJson;
-using testing::Indices;
 using Plain = CompressionChoice::Plain;
-
-/// Each triangle from its least corner on: TRIANGLES keeps no more.
-Indices turned(Indices indices) {
-  for (std::size_t i = 0; i < indices.size(); i += 3) {
-    const auto first = indices.begin() + static_cast<std::ptrdiff_t>(i);
-    std::rotate(first, std::min_element(first, first + 3), first + 3);
-  }
-  return indices;
-}
-
-void expect_same(const Scene& is, const Scene& want, bool exactly = false) {
-  ASSERT_EQ(is.draws.size(), want.draws.size());
-  for (std::size_t d = 0; d < is.draws.size(); ++d) {
-    const Indices a = testing::indices_of(is, d), b = testing::indices_of(want, d);
-    EXPECT_EQ(exactly ? a : turned(a), exactly ? b : turned(b)) << d;
-    EXPECT_EQ(is.draws[d].levels[0].vertices->stamp(), want.draws[d].levels[0].vertices->stamp()) << d;
-  }
-  ASSERT_EQ(is.animations.size(), want.animations.size());
-  for (std::size_t a = 0; a < is.animations.size(); ++a) {
-    for (std::size_t c = 0; c < is.animations[a].channels.size(); ++c) {
-      EXPECT_EQ(is.animations[a].channels[c].values, want.animations[a].channels[c].values);
-    }
-  }
-  ASSERT_EQ(is.images.size(), want.images.size());
-  for (std::size_t i = 0; i < is.images.size(); ++i) EXPECT_EQ(is.images[i].bytes, want.images[i].bytes);
-}
-
-const GltfJson& extension(const GltfJson& json, std::size_t view, const char* name = "EXT_meshopt_compression") {
-  return json["bufferViews"][view]["extensions"][name];
-}
 
 Bytes stream(const Bytes& glb, std::size_t view) {
   const GltfJson json = testing::json_of(glb);
@@ -109,7 +81,8 @@ TEST_P(EveryKind, is_compressed_again_where_it_changed_and_else_stays) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"})
     EXPECT_EQ(json.value(list, GltfJson()), was.value(list, GltfJson()));
   // The plain views of the sparse elements are gone, so that what follows has other numbers.
-  for (std::size_t v = 0; v < 5; ++v) EXPECT_EQ(extension(json, v, name)["count"], extension(was, v, name)["count"]) << v;
+  for (std::size_t v = 0; v < 5; ++v)
+    EXPECT_EQ(extension(json, v, name)["count"], extension(was, v, name)["count"]) << v;
   const auto compressed = [&](const GltfJson& views) {
     return std::ranges::count_if(views, [](const GltfJson& view) { return view.contains("extensions"); });
   };
@@ -157,33 +130,8 @@ TEST(GltfCompression, streams_that_nobody_changed_keep_their_bytes) {
   }
 }
 
-/// Views: 0 positions as floats, 1 uvs, 2 indices, 3 normals of 8 bits, 4 a tangent-like stream of 16.
-GltfBuilder with_filters(CompressionChoice choice = {}) {
-  GltfBuilder plain = testing::ribbon(40);
-  const std::size_t vertices = 82;
-  std::vector<std::int8_t> normals;
-  std::vector<std::int16_t> turns;
-  for (std::size_t i = 0; i < vertices; ++i) {
-    const float angle = 0.05f * static_cast<float>(i);
-    const auto x = static_cast<std::int8_t>(127 * std::cos(angle)), y = static_cast<std::int8_t>(127 * std::sin(angle));
-    normals.insert(normals.end(), {x, y, 0, 0});
-    turns.insert(turns.end(), {static_cast<std::int16_t>(32767 * std::cos(angle)), 0, 0,
-                               static_cast<std::int16_t>(32767 * std::sin(angle))});
-  }
-  const std::size_t view = plain.add_view(std::as_bytes(std::span(normals)), 4);
-  GltfJson& attributes = plain.json["meshes"][0]["primitives"][0]["attributes"];
-  attributes["NORMAL"] = plain.add_accessor(view, 0, 5120, "VEC3", vertices);
-  attributes["_TURN"] = plain.add_values(turns, "VEC4");
-  plain.json["accessors"][3]["normalized"] = true;
-  plain.json["accessors"][4]["normalized"] = true;
-  plain.json["extensionsUsed"] = {"KHR_mesh_quantization"};
-  plain.json["extensionsRequired"] = {"KHR_mesh_quantization"};
-  choice.filters = {{0, "EXPONENTIAL"}, {3, "OCTAHEDRAL"}, {4, "QUATERNION"}};
-  return testing::compressed(plain, choice);
-}
-
 TEST(GltfCompression, filters_stay_where_vertices_only_moved) {
-  Scene scene = testing::read(with_filters());
+  Scene scene = testing::read(testing::with_filters());
   testing::reverse_vertices(scene, 0);
   const Written written = encode(scene);
   EXPECT_EQ(extension(written.json, 0)["filter"], "EXPONENTIAL");
@@ -193,7 +141,7 @@ TEST(GltfCompression, filters_stay_where_vertices_only_moved) {
 }
 
 TEST(GltfCompression, new_values_lose_the_filter_and_nothing_else) {
-  Scene scene = testing::read(with_filters());
+  Scene scene = testing::read(testing::with_filters());
   VertexStream positions = testing::stream(scene, 0, "POSITION");
   Bytes bytes(positions.bytes.view().begin(), positions.bytes.view().end());
   const float value = 0.1234567f;
@@ -325,22 +273,6 @@ TEST(GltfCompression, a_plain_copy_that_is_a_file_is_written_beside_and_may_be_m
   fs::remove_all(folder);
 }
 
-/// A stream of a codec that is not known here, if with a first byte alone.
-void make_unknown(GltfBuilder& builder, std::size_t view) {
-  builder.buffer[extension(builder.json, view)["byteOffset"].get<std::size_t>()] = std::byte{0xa1};
-}
-
-TEST(GltfCompression, a_codec_that_is_not_known_is_refused_by_name_with_the_remedy) {
-  GltfBuilder builder = testing::compressed(testing::puppet());
-  make_unknown(builder, 0);
-  Diagnostics diagnostics;
-  EXPECT_FALSE(read_gltf(builder.glb(), "new", {}, diagnostics));
-  EXPECT_EQ(diagnostics.all().at(0).code, "unsupported-extension");
-  EXPECT_EQ(diagnostics.all()[0].where.inside, "bufferViews[0].extensions.EXT_meshopt_compression");
-  EXPECT_EQ(diagnostics.all()[0].message, "EXT_meshopt_compression: vertex codec version 1 is not known here");
-  EXPECT_NE(diagnostics.all()[0].hint.find("gltfpack -cc -ce ext"), std::string::npos);
-}
-
 TEST(GltfCompression, what_is_not_known_is_read_from_its_plain_copy_and_replaced_when_anything_changes) {
   for (const bool filter : {false, true}) {
     CompressionChoice choice;
@@ -349,7 +281,7 @@ TEST(GltfCompression, what_is_not_known_is_read_from_its_plain_copy_and_replaced
     if (filter) {
       builder.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["filter"] = "COLOR";
     } else {
-      make_unknown(builder, 0);
+      testing::make_unknown(builder, 0);
     }
     Scene scene = testing::read(builder);
     expect_same(scene, testing::read(testing::puppet()));
@@ -361,151 +293,51 @@ TEST(GltfCompression, what_is_not_known_is_read_from_its_plain_copy_and_replaced
   }
 }
 
-struct Broken {
-  const char* name;
-  std::function<void(GltfBuilder&)> breaks;
-  const char* code;
-  const char* inside;
-};
+class AsToolsMakeThem : public ::testing::TestWithParam<const char*> {};
 
-void PrintTo(const Broken& broken, std::ostream* out) { *out << broken.name; }
-
-#define EXT "bufferViews[0].extensions.EXT_meshopt_compression"
-#define INDEX_EXT "bufferViews[2].extensions.EXT_meshopt_compression"
-
-GltfJson& ext(GltfBuilder& b, std::size_t view = 0) {
-  return b.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"];
-}
-
-const std::uint64_t two_to_32 = std::uint64_t{1} << 32;
-
-const Broken all_broken[] = {
-    {"no_object", [](auto& b) { ext(b) = 7; }, "wrong-type", EXT},
-    {"no_mode", [](auto& b) { ext(b).erase("mode"); }, "missing-member", EXT},
-    {"mode_is_a_number", [](auto& b) { ext(b)["mode"] = 7; }, "wrong-type", EXT ".mode"},
-    {"unknown_mode", [](auto& b) { ext(b)["mode"] = "MESHLETS"; }, "unsupported-extension", EXT},
-    {"unknown_filter", [](auto& b) { ext(b)["filter"] = "COLOR"; }, "unsupported-extension", EXT},
-    {"no_such_buffer", [](auto& b) { ext(b)["buffer"] = 7; }, "bad-reference", EXT ".buffer"},
-    {"stream_in_the_fallback", [](auto& b) { ext(b)["buffer"] = 1; }, "view-range", EXT ".byteLength"},
-    {"stream_too_long", [](auto& b) { ext(b)["byteLength"] = 100000; }, "view-range", EXT ".byteLength"},
-    {"stream_far_off", [](auto& b) { ext(b)["byteOffset"] = two_to_32; }, "view-range", EXT ".byteLength"},
-    {"stream_empty", [](auto& b) { ext(b)["byteLength"] = 0; }, "out-of-range", EXT ".byteLength"},
-    {"count_0", [](auto& b) { ext(b)["count"] = 0; }, "out-of-range", EXT ".count"},
-    {"count_2_32", [](auto& b) { ext(b)["count"] = two_to_32; }, "compressed-count", EXT ".count"},
-    {"count_2_63", [](auto& b) { ext(b)["count"] = std::uint64_t{1} << 63; }, "out-of-range", EXT ".count"},
-    {"everything_2_32",
-     [](auto& b) {
-       ext(b)["count"] = two_to_32;
-       b.json["bufferViews"][0]["byteLength"] = 12 * two_to_32;
-       b.json["bufferViews"][0]["byteOffset"] = 0;
-       b.json["buffers"][1]["byteLength"] = 12 * two_to_32;
-     },
-     "compressed-count", EXT ".count"},
-    {"stride_0", [](auto& b) { ext(b)["byteStride"] = 0; }, "out-of-range", EXT ".byteStride"},
-    {"stride_257", [](auto& b) { ext(b)["byteStride"] = 257; }, "out-of-range", EXT ".byteStride"},
-    {"stride_of_attributes",
-     [](auto& b) {
-       ext(b)["byteStride"] = 6;
-       ext(b)["count"] = 20;
-     },
-     "view-stride", EXT ".byteStride"},
-    {"stride_of_indices",
-     [](auto& b) {
-       ext(b, 2)["byteStride"] = 8;
-       ext(b, 2)["count"] = 6;
-     },
-     "view-stride", INDEX_EXT ".byteStride"},
-    {"strides_differ", [](auto& b) { b.json["bufferViews"][0]["byteStride"] = 24; }, "view-stride", EXT ".byteStride"},
-    {"corners",
-     [](auto& b) {
-       ext(b, 2)["count"] = 23;
-       b.json["bufferViews"][2]["byteLength"] = 46;
-     },
-     "index-count", INDEX_EXT ".count"},
-    {"filter_of_indices", [](auto& b) { ext(b, 2)["filter"] = "EXPONENTIAL"; }, "compressed-filter",
-     INDEX_EXT ".filter"},
-    {"octahedral_of_12", [](auto& b) { ext(b)["filter"] = "OCTAHEDRAL"; }, "compressed-filter", EXT ".filter"},
-    {"quaternion_of_12", [](auto& b) { ext(b)["filter"] = "QUATERNION"; }, "compressed-filter", EXT ".filter"},
-    {"cut_short", [](auto& b) { ext(b)["byteLength"] = ext(b)["byteLength"].template get<int>() - 1; },
-     "compressed-data", EXT},
-    {"wrong_codec",
-     [](auto& b) {
-       ext(b)["mode"] = "INDICES";
-       ext(b)["byteStride"] = 4;
-       ext(b)["count"] = 30;
-     },
-     "compressed-data", EXT},
-    {"both_extensions",
-     [](auto& b) {
-       const GltfJson copy = ext(b);
-       b.json["bufferViews"][0]["extensions"]["KHR_meshopt_compression"] = copy;
-     },
-     "compressed-twice", "bufferViews[0]"},
-    {"not_compressed_in_a_fallback", [](auto& b) { b.json["bufferViews"][0].erase("extensions"); }, "buffer-missing",
-     "bufferViews[0]"},
-    {"fallback_is_text",
-     [](auto& b) { b.json["buffers"][1]["extensions"]["EXT_meshopt_compression"]["fallback"] = "yes"; }, "wrong-type",
-     "buffers[1].extensions.EXT_meshopt_compression.fallback"},
-    {"no_fallback", [](auto& b) { b.json["buffers"][1].erase("extensions"); }, "buffer-missing", "buffers[1]"},
-    {"view_beyond_the_fallback", [](auto& b) { b.json["buffers"][1]["byteLength"] = 8; }, "view-range",
-     "bufferViews[0].byteLength"},
-};
-
-class BrokenCompression : public ::testing::TestWithParam<Broken> {};
-
-TEST_P(BrokenCompression, is_told_by_code_and_place) {
-  GltfBuilder builder = testing::compressed(testing::puppet());
-  GetParam().breaks(builder);
+TEST_P(AsToolsMakeThem, are_read_and_written_compressed) {
   Diagnostics diagnostics;
-  EXPECT_FALSE(read_gltf(builder.glb(), "broken", {}, diagnostics).has_value());
-  EXPECT_TRUE(std::ranges::any_of(diagnostics.all(),
-                                  [&](const Diagnostic& d) {
-                                    return d.severity == Severity::error && d.code == GetParam().code &&
-                                           d.where.inside == GetParam().inside;
-                                  }))
-      << "wanted " << GetParam().code << " at " << GetParam().inside << ", got\n"
-      << to_text(diagnostics);
-}
-
-INSTANTIATE_TEST_SUITE_P(Gltf, BrokenCompression, ::testing::ValuesIn(all_broken),
-                         [](const auto& info) { return std::string(info.param.name); });
-
-TEST(GltfCompression, a_stream_is_not_asked_for_again_and_again) {
-  GltfBuilder builder = testing::compressed(testing::puppet());
-  const GltfJson view = builder.json["bufferViews"][0];
-  for (int i = 0; i < 1000; ++i) builder.json["bufferViews"].push_back(view);
-  Diagnostics diagnostics;
-  EXPECT_FALSE(read_gltf(builder.glb(), "bomb", {}, diagnostics));
-  EXPECT_EQ(diagnostics.all().at(0).code, "view-range");
-}
-
-/// Whatever one byte says, the file is refused or read, and what is read can be written and read again.
-TEST(GltfCompression, every_byte_flipped_is_refused_or_read) {
-  for (const GltfBuilder& builder : {with_filters(), testing::compressed(testing::puppet())}) {
-    const Bytes file = builder.glb();
-    std::size_t read = 0;
-    for (std::size_t i = 0; i < file.size(); ++i) {
-      for (const unsigned flip : {0xffu, 0x01u, 0x10u}) {
-        Bytes changed = file;
-        changed[i] ^= static_cast<std::byte>(flip);
-        Diagnostics diagnostics;
-        auto scene = read_gltf(changed, "flipped", {}, diagnostics);
-        EXPECT_EQ(scene.has_value(), !diagnostics.has_errors()) << i;
-        if (!scene || i % 16 != 0) continue;
-        ++read;
-        for (Draw& draw : scene->draws) {
-          if (draw.topology == Topology::triangles) testing::reverse(draw);
-        }
-        Diagnostics writing;
-        const auto files = encode_gltf(*scene, "out.glb", writing);
-        if (files && files->size() == 1) {
-          EXPECT_TRUE(read_gltf(files->front().bytes, "again", {}, writing)) << i << '\n' << to_text(writing);
-        }
-      }
+  auto scene = read_gltf(testing::project_file(std::string("tests/compressed/") + GetParam()), diagnostics);
+  ASSERT_TRUE(scene && diagnostics.empty()) << to_text(diagnostics);
+  for (const Draw& draw : scene->draws) {
+    const VertexStream* normals = draw.levels[0].vertices->find("NORMAL");
+    for (std::size_t i = 0; normals != nullptr && i < normals->count(); ++i) {
+      float length = 0;
+      for (std::size_t c = 0; c < 3; ++c) length += std::pow(decode_component(*normals, i, c), 2.0f);
+      ASSERT_NEAR(length, 1, 0.03) << draw.name << ' ' << i;
     }
-    EXPECT_GT(read, 10u);
   }
+  for (const AnimationChannel& channel :
+       scene->animations.empty() ? std::vector<AnimationChannel>() : scene->animations[0].channels) {
+    const auto values = channel.values.view();
+    for (std::size_t i = 0; channel.path == AnimatedPath::rotation && i < values.size(); i += 4) {
+      float length = 0;
+      for (std::size_t c = 0; c < 4; ++c) length += values[i + c] * values[i + c];
+      ASSERT_NEAR(length, 1, 0.001);
+    }
+  }
+  for (std::size_t d = 0; d < scene->draws.size(); ++d) {
+    testing::reverse(scene->draws[d]);
+    testing::reverse_vertices(*scene, d);
+  }
+  EXPECT_EQ(encode(*scene, Compression::none).json.dump().find("meshopt"), std::string::npos);
+  const Written written = encode(*scene, Compression::keep, "out.glb");
+  if (written.files.size() == 1) expect_same(testing::read(written.files[0].bytes), *scene);
+  std::map<std::string, int> filters;
+  for (const GltfJson& view : written.json["bufferViews"]) {
+    if (view.contains("extensions")) ++filters[view["extensions"].front().value("filter", "NONE")];
+  }
+  const std::map<std::string, std::map<std::string, int>> expected = {
+      {"spot.glb", {{"NONE", 2}, {"OCTAHEDRAL", 1}}},
+      {"spot_fallback.gltf", {{"NONE", 2}}},
+      {"robot.glb", {{"NONE", 7}, {"OCTAHEDRAL", 1}, {"EXPONENTIAL", 1}, {"QUATERNION", 1}}},
+      {"rover.glb", {{"NONE", 9}, {"OCTAHEDRAL", 4}}}};
+  EXPECT_EQ(filters, expected.at(GetParam()));
 }
+
+INSTANTIATE_TEST_SUITE_P(Gltf, AsToolsMakeThem,
+                         ::testing::Values("spot.glb", "spot_fallback.gltf", "robot.glb", "rover.glb"),
+                         [](const auto& info) { return std::to_string(info.index); });
 
 }  // namespace
 }  // namespace foredraw
