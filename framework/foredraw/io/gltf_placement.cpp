@@ -69,20 +69,13 @@ class Placement {
     if (!coded) {
       for (const char* name : meshopt_extensions) take_extension(json, name);
     }
-    const bool stays = keep_ && view.untouched && (coded || lies_in_its_buffer(*was));
-
+    const bool keeps_place = keep_ && view.untouched && (coded || lies_in_its_buffer(*was));
     if (coded && stays_fallback(like->buffer)) {
       const std::size_t at = fallback_at(like->buffer);
-      Fallback& fallback = out_.fallbacks[at];
-      const bool in_place = keep_ && view.untouched;
-      if (!in_place) fallback.length = aligned(fallback.length, alignment(was));
-      set_range(json, at + 1, in_place ? was->offset : fallback.length, plain.bytes.size());
-      if (!in_place && fallback.there) {
-        fallback.bytes.resize(fallback.length);
-        fallback.bytes.insert(fallback.bytes.end(), plain.bytes.begin(), plain.bytes.end());
-      }
-      if (!in_place) fallback.length += plain.bytes.size();
-    } else if (stays && !stays_fallback(was->buffer)) {
+      const std::size_t offset =
+          keeps_place ? was->offset : append_copy(out_.fallbacks[at], plain.bytes, alignment(was));
+      set_range(json, at + 1, offset, plain.bytes.size());
+    } else if (keeps_place && !stays_fallback(was->buffer)) {
       set_range(json, 0, kept_at_[was->buffer] + was->offset, was->length);
     } else {
       set_range(json, 0, append(plain.bytes, alignment(was)), plain.bytes.size());
@@ -201,6 +194,15 @@ class Placement {
     align(out_.bytes, alignment);
     const std::size_t at = out_.bytes.size();
     out_.bytes.insert(out_.bytes.end(), bytes.begin(), bytes.end());
+    return at;
+  }
+
+  static std::size_t append_copy(Fallback& fallback, Bytes bytes, std::size_t alignment) {
+    const std::size_t at = aligned(fallback.length, alignment);
+    fallback.length = at + bytes.size();
+    if (!fallback.there) return at;
+    fallback.bytes.resize(at);
+    fallback.bytes.insert(fallback.bytes.end(), bytes.begin(), bytes.end());
     return at;
   }
 
