@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "framework/io/gltf_edits.h"
@@ -11,11 +12,12 @@
 
 namespace foredraw::testing {
 
-/// Each triangle from its least corner on: TRIANGLES keeps no more.
+/// Each triangle from the corner on that makes it least: TRIANGLES keeps no more.
 inline Indices turned(Indices indices) {
-  for (std::size_t i = 0; i < indices.size(); i += 3) {
-    const auto first = indices.begin() + static_cast<std::ptrdiff_t>(i);
-    std::rotate(first, std::min_element(first, first + 3), first + 3);
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    const std::uint32_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
+    const auto least = std::min({std::array{a, b, c}, std::array{b, c, a}, std::array{c, a, b}});
+    std::copy(least.begin(), least.end(), indices.begin() + static_cast<std::ptrdiff_t>(i));
   }
   return indices;
 }

@@ -293,6 +293,28 @@ TEST(GltfCompression, what_is_not_known_is_read_from_its_plain_copy_and_replaced
   }
 }
 
+class OfTheCorpus : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(OfTheCorpus, compressed_models_are_read_as_the_plain_ones_and_stay_small) {
+  Diagnostics diagnostics;
+  const auto file = read_file(testing::project_file(std::string("benchmarks/corpus/") + GetParam()), diagnostics);
+  ASSERT_TRUE(file);
+  const Bytes small = testing::compressed(testing::builder_of(*file)).glb();
+  EXPECT_LT(small.size(), file->size());
+  Scene scene = testing::read(small);
+  expect_same(scene, testing::read(*file));
+  EXPECT_EQ(testing::write(scene), small);
+  for (Draw& draw : scene.draws) testing::reverse(draw);
+  const Bytes again = testing::write(scene);
+  expect_same(testing::read(again), scene);
+  EXPECT_LT(again.size(), small.size() + small.size() / 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gltf, OfTheCorpus,
+                         ::testing::Values("static/spot.glb", "static/head.glb", "animated/fox.glb",
+                                           "animated/robot_expressive.glb", "scenes/house.glb"),
+                         [](const auto& info) { return std::to_string(info.index); });
+
 class AsToolsMakeThem : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(AsToolsMakeThem, are_read_and_written_compressed) {
