@@ -3,13 +3,14 @@ MODEL ?= benchmarks/corpus/scenes/house.glb
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test bench asan tsan clean
+.PHONY: help demo build test bench asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
 	@echo 'make test     build everything, run every test'
 	@echo 'make bench    build build/release/benchmarks/foredraw-bench: the program with the peers beside our plugins'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
+	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
 	@echo 'make clean    remove build/'
 
 demo: build
@@ -24,8 +25,10 @@ build:
 test: TESTS = release-tests
 asan: TESTS = asan
 tsan: TESTS = tsan
-test asan tsan:
-	packages/install build test
+fuzz: TESTS = fuzz
+fuzz: MORE = fuzz
+test asan tsan fuzz:
+	packages/install build test $(MORE)
 	cmake --preset $(TESTS) && cmake --build --preset $(TESTS) && ctest --preset $(TESTS)
 
 bench:

@@ -1,15 +1,38 @@
 # How everything of ours is compiled.
 
-set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)  # what framework/ finds, plugins and hosts may link
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
-  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+include(GNUInstallDirs)
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)  # what one folder finds, others may link
+if(PROJECT_IS_TOP_LEVEL)  # what an engine around us decides for itself
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+  endif()
+  find_program(FOREDRAW_CCACHE ccache)
+  if(FOREDRAW_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${FOREDRAW_CCACHE}")
+    set(CMAKE_C_COMPILER_LAUNCHER "${FOREDRAW_CCACHE}")
+  endif()
 endif()
-find_program(FOREDRAW_CCACHE ccache)
-if(FOREDRAW_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${FOREDRAW_CCACHE}")
-  set(CMAKE_C_COMPILER_LAUNCHER "${FOREDRAW_CCACHE}")
+
+# The layers of the framework from left to right; FOREDRAW_FRAMEWORK names the last one to build.
+set(FOREDRAW_LAYERS base scene analysis technique report platform pipeline io)
+if(FOREDRAW_BUILD_HOSTS OR FOREDRAW_BUILD_TESTS OR FOREDRAW_BUILD_BENCHMARKS)
+  set(FOREDRAW_FRAMEWORK io)
+elseif(FOREDRAW_FRAMEWORK AND NOT FOREDRAW_FRAMEWORK IN_LIST FOREDRAW_LAYERS)
+  list(JOIN FOREDRAW_LAYERS ", " layers)
+  message(FATAL_ERROR "Foredraw: FOREDRAW_FRAMEWORK is '${FOREDRAW_FRAMEWORK}', but the layers are ${layers}")
 endif()
+
+# Whether `layer` is built when `last` is the last layer; an empty `last` stands left of all.
+function(foredraw_reaches layer last result)
+  list(FIND FOREDRAW_LAYERS "${layer}" place)
+  list(FIND FOREDRAW_LAYERS "${last}" last_place)
+  if(place LESS_EQUAL last_place)
+    set(${result} TRUE PARENT_SCOPE)
+  else()
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
 
 # How our own targets are compiled; who links them inherits none of it. No contraction and no fast-math: the same asset
 # bytes from every compiler.
@@ -27,15 +50,33 @@ if(FOREDRAW_SANITIZE)
   endif()
 endif()
 
-# A static library of ours: foredraw_add_library(scene SOURCES ... LINK ... PRIVATE_LINK ...) makes foredraw::scene.
+# A static library of ours: foredraw_add_library(scene SOURCES ... LINK ... REQUIRES ...) makes foredraw::scene. Packages
+# are looked for here, where they are needed, and nowhere else.
+#   SOURCES      its .cpp files
+#   LINK         libraries that its headers show
+#   PRIVATE_LINK libraries that only its .cpp files use
+#   REQUIRES     packages of these libraries: whoever links the result needs them too
+#   HEADER_ONLY  packages that are compiled in, and that nobody needs afterwards
 function(foredraw_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK;REQUIRES;HEADER_ONLY" ${ARGN})
+  foreach(package IN LISTS ARG_REQUIRES ARG_HEADER_ONLY)
+    find_package(${package} REQUIRED)
+  endforeach()
+  set(compiled_in foredraw_flags)
+  foreach(package IN LISTS ARG_HEADER_ONLY)
+    list(APPEND compiled_in ${package}::${package})
+  endforeach()
+  list(TRANSFORM compiled_in REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
+
   add_library(foredraw_${name} STATIC ${ARG_SOURCES})
   add_library(foredraw::${name} ALIAS foredraw_${name})
-  set_target_properties(foredraw_${name} PROPERTIES CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
+  set_target_properties(foredraw_${name} PROPERTIES CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name}
+                        FOREDRAW_REQUIRES "${ARG_REQUIRES}")
   target_compile_features(foredraw_${name} PUBLIC cxx_std_20)
-  target_link_libraries(foredraw_${name} PUBLIC ${ARG_LINK} PRIVATE foredraw_flags ${ARG_PRIVATE_LINK})
-  target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework>)
+  target_link_libraries(foredraw_${name} PUBLIC ${ARG_LINK}
+                        PRIVATE ${ARG_PRIVATE_LINK} ${compiled_in})
+  target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/foredraw>)
 endfunction()
 
 # A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...).

@@ -2,14 +2,18 @@
 #
 #   plugins/<kinds>/<name>/   or   evaluators/<name>/
 #     CMakeLists.txt          foredraw_add_plugin()   or   foredraw_add_plugin(REQUIRES CGAL LINK CGAL::CGAL)
-#     <name>.h <name>.cpp     the technique as a plain function
+#     <name>.h <name>.cpp     the technique as a plain function, and whatever else the folder holds for it
 #     <name>_plugin.cpp       its card and its option table; defines Plugin <name>_plugin()
 #     README.md
 #   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp
 #
-# It makes the static target foredraw::<name> and lists it for add_built_in_plugins(Registry&).
+# It makes two static libraries. foredraw::<name> is the function, and links what LINK names and nothing else: without it
+# the standard library alone, for whose sake headers of the framework that need no .cpp file may be included all the same.
+# foredraw::<name>_plugin is the dress, listed for add_built_in_plugins(Registry&); it is made where the framework is
+# built as far as `technique`.
 
 set_property(GLOBAL PROPERTY FOREDRAW_BUILT_IN "")
+set_property(GLOBAL PROPERTY FOREDRAW_FUNCTIONS_LINK "")
 set_property(GLOBAL PROPERTY FOREDRAW_GPL "")
 
 macro(foredraw_add_plugin)
@@ -29,6 +33,9 @@ function(_foredraw_add_plugin folder)
   foreach(package IN LISTS ARG_REQUIRES)
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)
+      if(FOREDRAW_PLUGINS)
+        message(FATAL_ERROR "Foredraw: plugin '${config_name}' needs the package ${package}, which was not found")
+      endif()
       message(STATUS "Foredraw: plugin '${config_name}' is left out: package ${package} was not found")
       return()
     endif()
@@ -40,8 +47,21 @@ function(_foredraw_add_plugin folder)
   endforeach()
 
   file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
-  foredraw_add_library(${name} SOURCES ${sources} LINK foredraw::technique ${ARG_LINK} PRIVATE_LINK fmt::fmt)
+  list(REMOVE_ITEM sources "${folder}/${name}_plugin.cpp")
+  foredraw_add_library(${name} SOURCES ${sources} LINK ${ARG_LINK} REQUIRES ${ARG_REQUIRES})
   target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)  # <plugins/.../name.h>
+  foredraw_install_component(${name})
+  foredraw_install_headers("${folder}" "${kind_folder}")
+  list(FILTER ARG_LINK INCLUDE REGEX "^foredraw::")
+  list(TRANSFORM ARG_LINK REPLACE "^foredraw::" "")
+  set_property(GLOBAL APPEND PROPERTY FOREDRAW_FUNCTIONS_LINK ${ARG_LINK})
+
+  foredraw_reaches(technique "${FOREDRAW_FRAMEWORK}" dressed)
+  if(dressed)
+    foredraw_add_library(${name}_plugin SOURCES "${folder}/${name}_plugin.cpp" LINK foredraw::technique foredraw::${name}
+                         REQUIRES fmt PRIVATE_LINK fmt::fmt)
+    foredraw_install_component(${name}_plugin)
+  endif()
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_BUILT_IN ${name})
   if(ARG_GPL)
     set_property(GLOBAL APPEND PROPERTY FOREDRAW_GPL ${config_name})
@@ -54,17 +74,28 @@ function(_foredraw_add_plugin folder)
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_PLUGIN_TESTS "${name}|${test}")
 endfunction()
 
-# Writes and builds add_built_in_plugins() for everything that was added.
+# Checks that FOREDRAW_PLUGINS names plugins alone, and writes and builds add_built_in_plugins() for those that were added.
 function(foredraw_finish_plugins)
   get_property(names GLOBAL PROPERTY FOREDRAW_BUILT_IN)
   list(SORT names)
+  foreach(config_name IN LISTS FOREDRAW_PLUGINS)
+    string(REPLACE "-" "_" name "${config_name}")
+    if(NOT name IN_LIST names)
+      message(FATAL_ERROR "Foredraw: FOREDRAW_PLUGINS names '${config_name}', but there is no such plugin")
+    endif()
+  endforeach()
+  foredraw_reaches(technique "${FOREDRAW_FRAMEWORK}" dressed)
+  if(NOT dressed)
+    return()
+  endif()
+
   set(declarations "")
   set(calls "")
   set(targets "")
   foreach(name IN LISTS names)
     string(APPEND declarations "Plugin ${name}_plugin();\n")
     string(APPEND calls "  registry.add(${name}_plugin());\n")
-    list(APPEND targets foredraw::${name})
+    list(APPEND targets foredraw::${name}_plugin)
   endforeach()
   set(generated "${PROJECT_BINARY_DIR}/generated")
   file(CONFIGURE OUTPUT "${generated}/built_in_plugins.cpp" @ONLY CONTENT
@@ -80,12 +111,7 @@ void add_built_in_plugins(Registry& registry) {
 }  // namespace foredraw
 ")
   foredraw_add_library(built_in_plugins SOURCES "${generated}/built_in_plugins.cpp" LINK foredraw::technique ${targets})
-  foreach(config_name IN LISTS FOREDRAW_PLUGINS)
-    string(REPLACE "-" "_" name "${config_name}")
-    if(NOT name IN_LIST names)
-      message(FATAL_ERROR "Foredraw: FOREDRAW_PLUGINS names '${config_name}', but there is no such plugin")
-    endif()
-  endforeach()
+  foredraw_install_component(built_in_plugins)
 endfunction()
 
 # Tests of the plugins that were added; called from tests/.
@@ -95,7 +121,8 @@ function(foredraw_add_plugin_tests)
     string(REPLACE "|" ";" entry "${entry}")
     list(GET entry 0 name)
     list(GET entry 1 source)
-    foredraw_add_test(${name}_test SOURCES "${source}" LINK foredraw::${name} meshoptimizer::meshoptimizer)
+    foredraw_add_test(${name}_test SOURCES "${source}" LINK foredraw::${name}_plugin
+                      meshoptimizer::meshoptimizer)
   endforeach()
 endfunction()
 

@@ -1,8 +1,9 @@
 // CLI11 is slow to compile, so it is included here alone.
-#include "commands.h"
+#include "session.h"
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/pipeline/presets.h>
+#include <foredraw/platform/memory.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -64,6 +65,7 @@ class CommandLine {
     compare_app.add_option("--report", arguments_.report, "Write the comparison, as JSON, to this file");
     json(compare_app);
     threads(compare_app);
+    memory_limit(compare_app);
 
     auto& inspect_app = add("inspect", "Show what a scene holds", [this] { return inspect(arguments_); });
     input(inspect_app);
@@ -93,10 +95,29 @@ class CommandLine {
                  asked == &app_ ? "" : asked->get_name() + ' ');
       return users_mistake;
     }
-    return command_();
+    return run_command();
   }
 
  private:
+  int run_command() {
+    if (arguments_.memory_limit != 0 && !limit_memory(arguments_.memory_limit)) {
+      fmt::print(stderr, "foredraw: error: --memory-limit: this system sets no such limit\n");
+      return something_failed;
+    }
+    try {
+      return command_();
+    } catch (const OutOfMemory& lack) {
+      end_progress();
+      fmt::print(stderr, "{}: error: there is not enough memory to {}", lack.file, lack.doing);
+      if (arguments_.memory_limit == 0) {
+        fmt::print(stderr, "\n    hint: close other programs, or use a machine with more\n");
+      } else {
+        fmt::print(stderr, ": --memory-limit is {} bytes\n    hint: give it more, or --threads 1\n", arguments_.memory_limit);
+      }
+      return something_failed;
+    }
+  }
+
   std::vector<std::string> commands() const {
     std::vector<std::string> names;
     for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
@@ -124,6 +145,7 @@ class CommandLine {
 
   void input(CLI::App& app) {
     app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, or - for standard input")->required()->expected(1);
+    memory_limit(app);
   }
   void pipeline(CLI::App& app, const std::string& more = "") {
     app.add_option("-p,--pipeline", arguments_.pipelines,
@@ -144,6 +166,12 @@ class CommandLine {
   void threads(CLI::App& app) {
     app.add_option("--threads", arguments_.threads, "Threads to work with (default: one for each processor)")
         ->check(CLI::Range(1, 1024));
+  }
+  void memory_limit(CLI::App& app) {
+    app.add_option("--memory-limit", arguments_.memory_limit,
+                   "Stop with a message, and change no file, where more memory would be needed: 2G, 500M (default: no limit)")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("SIZE");
   }
 
   const Registry& registry_;

@@ -3,6 +3,7 @@
 
 #include <foredraw/technique/registry.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Arguments {
   std::string kind;
   std::string name;
   int threads = 0;
+  std::uint64_t memory_limit = 0;      ///< in bytes; 0: none
   bool json = false;
 };
 

@@ -22,9 +22,9 @@ struct Job {
 /// The exit code, with all told, where there is no job.
 std::variant<Job, Exit> job_for(const std::string& input, const Pipeline& pipeline, const Registry& registry) {
   Diagnostics diagnostics;
-  auto file = read_scene(input, diagnostics);
+  auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
   if (!file) return refuse_file(diagnostics);
-  auto plan = foredraw::plan(pipeline, registry, file->scene, diagnostics);
+  auto plan = with_memory(input, "plan for it", [&] { return foredraw::plan(pipeline, registry, file->scene, diagnostics); });
   if (!plan) return refuse(diagnostics);
   tell(diagnostics);
   return Job{std::move(*file), std::move(*plan)};
@@ -66,7 +66,7 @@ bool write_outputs(const Arguments& arguments, Result& result, Diagnostics& diag
   for (const Diagnostic& diagnostic : diagnostics.all()) report.diagnostics.push_back(diagnostic);
   if (!arguments.report.empty()) files->push_back(text_file(arguments.report, to_json(report)));
   if (!arguments.remap.empty()) files->push_back(text_file(arguments.remap, remap_json(result.scene)));
-  if (arguments.output != "-") return write_files(*files, diagnostics);
+  if (arguments.output != "-") return write_scene(*files, diagnostics);
   return write_files(std::span(*files).subspan(1), diagnostics) &&
          write_standard_output(files->front().bytes, diagnostics);
 }
@@ -76,7 +76,7 @@ bool write_outputs(const Arguments& arguments, Result& result, Diagnostics& diag
 Exit optimize(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipeline = one_pipeline(arguments, diagnostics);
-  if (!pipeline || outputs_clash(arguments, diagnostics) || !can_write_scene(arguments.output, diagnostics)) {
+  if (!pipeline || outputs_clash(arguments, diagnostics) || !can_write_scene(arguments.output, arguments.inputs[0], diagnostics)) {
     return refuse(diagnostics);
   }
   auto job = job_for(arguments.inputs[0], *pipeline, registry);
@@ -85,12 +85,15 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
 
   const Executor executor(arguments.threads);
   Analyses analyses;
-  Result result = foredraw::optimize(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+  Result result = with_memory(arguments.inputs[0], "work on it", [&, &file = file, &plan = plan] {
+    return foredraw::optimize(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+  });
   end_progress();
   result.report.command = "optimize";
   result.report.input = {arguments.inputs[0], file.bytes};
   tell(result.report.diagnostics);
-  const bool written = write_outputs(arguments, result, diagnostics);
+  const bool written =
+      with_memory(arguments.output, "write it", [&] { return write_outputs(arguments, result, diagnostics); });
   tell(diagnostics);
   if (!written) return something_failed;
   fmt::print(stderr, "{}", to_text(result.report));
@@ -118,7 +121,9 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
 
   const Executor executor(arguments.threads);
   Analyses analyses;
-  Result result = foredraw::measure(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+  Result result = with_memory(arguments.inputs[0], "measure it", [&, &file = file, &plan = plan] {
+    return foredraw::measure(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+  });
   end_progress();
   result.report.command = "measure";
   result.report.input = {arguments.inputs[0], file.bytes};
@@ -148,7 +153,9 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
       }
       auto& [file, plan] = std::get<Job>(job);
       comparison.input.bytes = file.bytes;
-      Result result = foredraw::optimize(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+      Result result = with_memory(input, "work on it", [&, &file = file, &plan = plan] {
+        return foredraw::optimize(plan, std::move(file.scene), {executor, analyses, nullptr, progress_line()});
+      });
       end_progress();
       result.report.command = "compare";
       result.report.input = comparison.input;

@@ -7,6 +7,8 @@
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/platform/files.h>
 
+#include <new>
+
 namespace foredraw::cli {
 
 /// Prints the diagnostics for people, to standard error.
@@ -25,6 +27,21 @@ Exit print(const std::string& text);
 /// does, else as @default. An option is set wherever there is its stage; it is a mistake where there is none in any.
 std::optional<std::vector<Pipeline>> pipelines_for(const Arguments& arguments, const std::vector<std::string>& texts,
                                                    Diagnostics& diagnostics);
+
+/// What a step that lacks memory is left by; main() tells it in one line.
+struct OutOfMemory {
+  std::string file;
+  std::string doing;  ///< "read it"
+};
+
+template <class Step>
+auto with_memory(const std::string& file, const char* doing, Step step) {
+  try {
+    return step();
+  } catch (const std::bad_alloc&) {
+    throw OutOfMemory{file, doing};
+  }
+}
 
 /// Progress on a terminal, nothing elsewhere.
 std::function<void(std::string_view, double)> progress_line();

@@ -15,11 +15,14 @@ namespace foredraw::cli {
 
 Exit inspect(const Arguments& arguments) {
   Diagnostics diagnostics;
-  const auto file = read_scene(arguments.inputs[0], diagnostics);
+  const std::string& input = arguments.inputs[0];
+  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
   if (!file) return refuse_file(diagnostics);
   tell(diagnostics);
   Analyses analyses;
-  return print(arguments.json ? inspection_json(file->scene, analyses) : inspection_text(file->scene, analyses));
+  return print(with_memory(input, "look into it", [&] {
+    return arguments.json ? inspection_json(file->scene, analyses) : inspection_text(file->scene, analyses);
+  }));
 }
 
 Exit list(const Arguments& arguments, const Registry& registry) {

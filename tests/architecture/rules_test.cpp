@@ -70,7 +70,7 @@ TEST(IncludeRules, techniques_are_plain) {
     EXPECT_TRUE(may_include(plain, "\"x.h\""));
     EXPECT_TRUE(may_include(plain, "<vector>"));
     EXPECT_TRUE(may_include(plain, "<glm/vec3.hpp>"));
-    EXPECT_TRUE(may_include(plain, "<foredraw/analysis/vertex_triangles.h>"));
+    EXPECT_TRUE(may_include(plain, "<foredraw/analysis/vertex_cache.h>"));
     EXPECT_FALSE(may_include(plain, "<foredraw/technique/run.h>")) << plain;
     EXPECT_FALSE(may_include(plain, "<fmt/format.h>")) << plain;
   }

@@ -1,6 +1,7 @@
 // Whatever the bytes, reading them ends well; what can be read can be written, and what was written can be read.
 
 #include "claim.h"
+#include "gltf_mutator.h"
 
 #include <foredraw/io/gltf.h>
 
@@ -17,4 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   claim(again.has_value(), "what was written can not be read: " + to_text(diagnostics));
   claim(again->draws.size() == scene->draws.size(), "draws were lost");
   return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+  return foredraw::mutate_gltf(data, size, most, seed);
 }

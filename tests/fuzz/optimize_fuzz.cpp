@@ -1,6 +1,8 @@
-// Whatever scene the reader lets in, our own stages run on it without failing, and draw what was drawn before.
+// Whatever scene the reader lets in, our own stages run on it without failing, and draw what was drawn before; so does
+// what is written of it.
 
 #include "claim.h"
+#include "gltf_mutator.h"
 
 #include <foredraw/analysis/certificate.h>
 #include <foredraw/io/gltf.h>
@@ -44,5 +46,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Result result = optimize(*plan, *scene, {executor, analyses});
   claim(!result.failed, "a stage failed:\n" + to_text(result.report));
   claim(certificates(result.scene) == certificates(*scene), "something else is drawn");
+  const auto files = encode_gltf(result.scene, "again.glb", diagnostics);
+  claim(files && files->size() == 1, "what was optimised can not be written: " + to_text(diagnostics));
+  const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics);
+  claim(again.has_value(), "what was written can not be read: " + to_text(diagnostics));
+  claim(certificates(*again) == certificates(*scene), "something else was written");
   return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+  return foredraw::mutate_gltf(data, size, most, seed);
 }

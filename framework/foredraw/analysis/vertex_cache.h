@@ -3,6 +3,7 @@
 // vertex twice, and the memory cache in front of the vertex buffer. Indices are of triangle lists, and below
 // `vertex_count`.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,30 +13,37 @@
 
 namespace foredraw {
 
-/// A first-in-first-out cache of vertex numbers. A vertex that hits stays where it is in the queue. O(1) each call.
+/// A first-in-first-out cache of vertex numbers. A vertex that hits stays where it is in the queue. O(1) each call. Fewer
+/// than 2^31 vertices may enter between two flushes.
 class FifoCache {
  public:
-  /// `size` entries, at least 1.
-  FifoCache(std::size_t vertex_count, std::uint32_t size) : entered_(vertex_count, 0), size_(size), now_(size + 1) {}
+  /// `size` entries, at least 1; more than 2^30 are as good as 2^30.
+  FifoCache(std::size_t vertex_count, std::uint32_t size)
+      : entered_(vertex_count, 0), size_(std::min(size, std::uint32_t{1} << 30)), now_(size_ + 1) {}
 
   bool holds(std::uint32_t vertex) const { return now_ - entered_[vertex] <= size_; }
 
   /// Draws the vertex: true where it missed and so was shaded and entered.
   bool misses(std::uint32_t vertex) {
-    if (holds(vertex)) return false;
-    entered_[vertex] = now_++;
-    return true;
+    const bool missed = !holds(vertex);
+    entered_[vertex] = missed ? now_ : entered_[vertex];  // no branch: hits and misses have no pattern
+    now_ += missed;
+    return missed;
   }
 
   /// Empties the cache.
-  void flush() { now_ += size_ + 1; }
+  void flush() {
+    now_ += size_ + 1;
+    if (now_ < std::uint32_t{1} << 31) return;
+    std::ranges::fill(entered_, 0);
+    now_ = size_ + 1;
+  }
 
  private:
-  // The clock counts the vertices that entered; who entered at most `size` ticks ago is still inside. 64 bits, so that
-  // flushes can not wrap it.
-  std::vector<std::uint64_t> entered_;
-  std::uint64_t size_;
-  std::uint64_t now_;
+  // The clock counts the vertices that entered; who entered at most `size` ticks ago is still inside.
+  std::vector<std::uint32_t> entered_;
+  std::uint32_t size_;
+  std::uint32_t now_;
 };
 
 struct CacheCount {

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <set>
+#include <tuple>
+
 namespace foredraw::gltf {
 
 namespace {
@@ -98,6 +101,14 @@ std::optional<Accessor> accessor_of(Gate& gate, const Json& json, const std::str
   const bool normalized = gate.boolean(json, "normalized", place).value_or(false);
   if (!component || !type || !count) return std::nullopt;
   const auto format = format_of(*type, *component, normalized);
+  if (!format && !json.contains("bufferView") && !json.contains("sparse")) {
+    gate.warning(place, "accessor-type",
+                 fmt::format("type '{}' of component type {} is none that glTF has; it stays as it is, for nothing refers "
+                             "to it",
+                             *type, *component));
+    gate.unknown_accessors.insert(gate.accessors.size());
+    return Accessor{};
+  }
   if (!format) {
     gate.error(place, "accessor-type",
                fmt::format("type '{}' of component type {} is none that glTF has", *type, *component),
@@ -136,8 +147,21 @@ std::optional<Accessor> accessor_of(Gate& gate, const Json& json, const std::str
 void check_accessors(Gate& gate) {
   const Json& accessors = gate.all("accessors");
   std::uint64_t zeros = 0;
+  const std::uint64_t most = most_claimed(gate);
+  std::uint64_t claimed = 0;
+  std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> known;  // the same bytes are kept once
   for (std::size_t i = 0; i < accessors.size(); ++i) {
     gate.accessors.push_back(accessor_of(gate, accessors[i], at("accessors", i), zeros));
+    const Accessor* made = gate.accessor(i);
+    if (made == nullptr || !made->rows) continue;
+    const Rows& rows = *made->rows;
+    const bool is_new = known.emplace(rows.view, rows.offset, rows.stride, made->count).second;
+    if (is_new || made->sparse) claimed += made->bytes();
+    if (claimed <= most) continue;
+    gate.error(at("accessors", i), "overlap",
+               fmt::format("the accessors up to this one claim {} bytes: they lie over one another", claimed),
+               "let primitives share accessors instead");
+    return;
   }
 }
 

@@ -5,14 +5,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
 namespace foredraw::gltf {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::vector<std::byte>> file_beside(Gate& gate, const std::string& uri, std::uint64_t length,
-                                                  const std::string& place) {
+/// The buffers that were read from files, by where these lie: a thousand may name the same.
+using FileBuffers = std::map<fs::path, Bytes>;
+
+/// The first `length` bytes of a file; what may follow is not read.
+std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64_t length, const std::string& place,
+                                 FileBuffers& files) {
   const fs::path& folder = gate.document().folder;
   const auto path = percent_decoded(uri);
   const std::string why = path ? why_not_beside(*path) : "is not well-formed";
@@ -45,14 +52,20 @@ std::optional<std::vector<std::byte>> file_beside(Gate& gate, const std::string&
                fmt::format("the file '{}' has {} bytes, but byteLength is {}", *path, error ? 0 : size, length));
     return std::nullopt;
   }
+  Bytes& known = files[fs::canonical(file, error)];
+  if (known.size() >= length) return known.first(length);
   Diagnostics reading;
-  auto bytes = read_file(file, reading);
+  // Twice what was read before: so that growing lengths do not have the file read again and again.
+  auto bytes =
+      read_file(file, reading, std::max<std::uint64_t>(length, std::min<std::uint64_t>(size, 2 * known.size())));
   if (!bytes || bytes->size() < length) {
     gate.error(place, "buffer-missing",
                bytes ? "the file got shorter while it was read" : reading.all().front().message);
     return std::nullopt;
   }
-  return bytes;
+  gate.document().kept.push_back(std::move(*bytes));
+  known = gate.document().kept.back();
+  return known.first(length);
 }
 
 /// Whether the buffer is but a plain copy of compressed views, which a reader that decompresses can do without.
@@ -73,7 +86,8 @@ bool may_be_beside(const Gate& gate, const std::string& uri) {
   return !folder.empty() && fs::exists(folder / fs::path(std::u8string(path->begin(), path->end())), error);
 }
 
-std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std::optional<Bytes> bin) {
+std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std::optional<Bytes> bin,
+                                FileBuffers& files) {
   const std::string place = at("buffers", i);
   gate.required(json, "byteLength", place);
   const auto length = gate.whole(json, "byteLength", place, 1);
@@ -95,41 +109,50 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
     }
     return std::nullopt;
   }
-  std::optional<std::vector<std::byte>> bytes;
   if (is_data_uri(*uri)) {
     auto data = decode_data_uri(*uri);
     if (!data) {
       gate.error(in(place, "uri"), "buffer-uri", "the data URI is not well-formed");
-    } else if (data->bytes.size() < *length) {
+      return std::nullopt;
+    }
+    if (data->bytes.size() < *length) {
       gate.error(in(place, "uri"), "buffer-too-short",
                  fmt::format("holds {} bytes, but byteLength is {}", data->bytes.size(), *length));
-    } else {
-      bytes = std::move(data->bytes);
+      return std::nullopt;
     }
-  } else if (fallback && !may_be_beside(gate, *uri)) {
+    gate.document().kept.push_back(std::move(data->bytes));
+    return Buffer{Bytes(gate.document().kept.back()).first(*length), absent.length, fallback};
+  }
+  if (fallback && !may_be_beside(gate, *uri)) {
     gate.note(in(place, "uri"), "fallback-missing",
               fmt::format("the plain copy '{}' is not there; the compressed data is read", *uri));
     return absent;
-  } else {
-    bytes = file_beside(gate, *uri, *length, in(place, "uri"));
   }
-  if (!bytes) return std::nullopt;
-  gate.document().kept.push_back(std::move(*bytes));
-  return Buffer{Bytes(gate.document().kept.back()).first(*length), absent.length, fallback};
+  const auto bytes = file_beside(gate, *uri, *length, in(place, "uri"), files);
+  return bytes ? std::optional(Buffer{*bytes, absent.length, fallback}) : std::nullopt;
 }
 
 }  // namespace
 
 void check_buffers(Gate& gate, std::optional<Bytes> bin) {
   const Json& buffers = gate.all("buffers");
+  FileBuffers files;
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    gate.document().buffers.push_back(buffer_of(gate, i, buffers[i], bin).value_or(Buffer{}));
+    gate.document().buffers.push_back(buffer_of(gate, i, buffers[i], bin, files).value_or(Buffer{}));
   }
+}
+
+std::uint64_t most_claimed(const Gate& gate) {
+  std::uint64_t there = gate.document().file.size();
+  for (const auto& bytes : gate.document().kept) there += bytes.size();
+  return (std::uint64_t{64} << 20) + 16 * there;
 }
 
 void check_views(Gate& gate) {
   const Json& views = gate.all("bufferViews");
   gate.document().views.resize(views.size());
+  const std::uint64_t most = most_claimed(gate);
+  std::uint64_t claimed = 0;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::string place = at("bufferViews", i);
     for (const char* key : {"buffer", "byteLength"}) gate.required(views[i], key, place);
@@ -151,6 +174,13 @@ void check_views(Gate& gate) {
                  fmt::format("{} bytes from {} do not lie in buffer {} of {} bytes", *length, offset.value_or(0),
                              *number, size));
       continue;
+    }
+    if (!buffer.bytes.empty()) claimed += *length;
+    if (claimed > most) {
+      gate.error(place, "overlap",
+                 fmt::format("the buffer views up to this one claim {} bytes: they lie over one another", claimed),
+                 "give each byte to one buffer view");
+      return;
     }
     BufferView view{*number, offset.value_or(0), *length, stride.value_or(0), {}, std::nullopt};
     if (!buffer.bytes.empty()) view.bytes = buffer.bytes.subspan(view.offset, view.length);

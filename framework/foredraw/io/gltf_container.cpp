@@ -10,6 +10,7 @@ namespace foredraw::gltf {
 namespace {
 
 constexpr int deepest = 64;
+constexpr std::size_t most_keys = 2048;  // of one object, whose keys are looked for one after the other
 
 std::uint32_t word(Bytes bytes, std::size_t at) {
   std::uint32_t value;
@@ -111,6 +112,8 @@ std::string reason(const std::string& what) {
   return bracket == std::string::npos ? what : what.substr(bracket + 2);
 }
 
+struct Crowd {};
+
 }  // namespace
 
 std::optional<Container> open_container(Gate& gate) {
@@ -149,6 +152,7 @@ bool parse_json(Gate& gate, std::string_view text) {
     if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second && twice.empty()) {
       twice = value.get<std::string>();
     }
+    if (event == Json::parse_event_t::key && keys.back().size() > most_keys) throw Crowd();
     return true;
   };
   try {
@@ -156,6 +160,9 @@ bool parse_json(Gate& gate, std::string_view text) {
   } catch (const Json::parse_error& mistake) {
     gate.error_at(mistake.byte == 0 ? 0 : mistake.byte - 1, text, "json-syntax",
                   "is not JSON: " + reason(mistake.what()));
+    return false;
+  } catch (const Crowd&) {
+    gate.error({}, "json-crowd", fmt::format("an object has more than {} keys", most_keys), "put them into an array");
     return false;
   } catch (const Json::exception& mistake) {
     gate.error({}, "json-syntax", "is not JSON that can be read: " + reason(mistake.what()));

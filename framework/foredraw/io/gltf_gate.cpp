@@ -33,6 +33,11 @@ void Gate::error(const std::string& place, std::string code, std::string message
   diagnostics_.error({.file = document_.name, .inside = place}, std::move(code), std::move(message), std::move(hint));
 }
 
+void Gate::warning(const std::string& place, std::string code, std::string message) {
+  if (++warnings_ > most_mistakes) return;
+  diagnostics_.warning({.file = document_.name, .inside = place}, std::move(code), std::move(message));
+}
+
 void Gate::error_at(std::size_t byte, std::string_view text, std::string code, std::string message, std::string hint) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
   const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
@@ -47,9 +52,14 @@ void Gate::note(const std::string& place, std::string code, std::string message)
 }
 
 void Gate::finish() {
-  if (mistakes_ <= most_mistakes) return;
-  diagnostics_.note({.file = document_.name}, "more-mistakes",
-                    fmt::format("{} more mistakes are not shown", mistakes_ - most_mistakes));
+  if (mistakes_ > most_mistakes) {
+    diagnostics_.note({.file = document_.name}, "more-mistakes",
+                      fmt::format("{} more mistakes are not shown", mistakes_ - most_mistakes));
+  }
+  if (warnings_ > most_mistakes) {
+    diagnostics_.note({.file = document_.name}, "more-warnings",
+                      fmt::format("{} more warnings are not shown", warnings_ - most_mistakes));
+  }
 }
 
 const Json& Gate::all(const char* kind) const {
@@ -139,9 +149,16 @@ std::optional<std::size_t> Gate::reference(const Json& value, const char* kind, 
     error(place, "wrong-type", fmt::format("must be the number of one of the {}, but is {}", kind, kind_name(value)));
     return std::nullopt;
   }
-  if (value.is_number_unsigned() && value.get<std::uint64_t>() < count(kind)) return value.get<std::size_t>();
-  error(place, "bad-reference", fmt::format("is {}, but the file has {} {}", value.dump(), count(kind), kind));
-  return std::nullopt;
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count(kind)) {
+    error(place, "bad-reference", fmt::format("is {}, but the file has {} {}", value.dump(), count(kind), kind));
+    return std::nullopt;
+  }
+  const auto number = value.get<std::size_t>();
+  if (kind == std::string_view("accessors") && unknown_accessors.contains(number)) {
+    error(place, "accessor-type", fmt::format("accessor {} is of a type that glTF does not have", number));
+    return std::nullopt;
+  }
+  return number;
 }
 
 std::optional<std::size_t> Gate::reference(const Json& parent, const char* key, const char* kind,

@@ -57,8 +57,10 @@ class MeshCheck {
     std::optional<std::size_t> vertices;
     if (attributes != nullptr) {
       vertices = streams(*attributes, std::nullopt, in(place, "attributes"));
-      if (!attributes->contains("POSITION")) {
-        gate_.error(in(place, "attributes"), "no-position", "lacks POSITION: there is nothing to draw");
+      if (attributes->empty()) {
+        gate_.error(in(place, "attributes"), "out-of-range", "must not be empty");
+      } else if (!attributes->contains("POSITION")) {
+        gate_.warning(in(place, "attributes"), "no-position", "lacks POSITION: there is nothing to draw, so it stays as it is");
       }
     }
     const Json* targets = gate_.array(primitive, "targets", place);
@@ -158,8 +160,12 @@ class MeshCheck {
                                      {2, 1, "a line strip"},  {3, 3, "triangles"}, {3, 1, "a triangle strip"},
                                      {3, 1, "a triangle fan"}};
     const Need& need = needs[mode];
-    if (count >= need.least && count % need.multiple == 0) return;
-    gate_.error(place, "index-count", fmt::format("{} corners make no whole number of {}", count, need.of));
+    if (count < need.least) {
+      gate_.error(place, "index-count", fmt::format("{} corners are too few for {}", count, need.of));
+    } else if (count % need.multiple != 0) {
+      gate_.warning(place, "index-count",
+                    fmt::format("{} corners make no whole number of {}; what is left over is not drawn", count, need.of));
+    }
   }
 
   Gate& gate_;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 namespace foredraw::gltf {
@@ -80,26 +82,72 @@ void check_nodes(Gate& gate) {
 
 namespace {
 
-/// Joint numbers are followed by whoever poses the vertices, so they are held against the skin's joints.
-void check_joints(Gate& gate, std::size_t mesh, std::size_t joints, const std::string& place) {
-  const Json& primitives = gate.all("meshes")[mesh]["primitives"];
-  for (std::size_t p = 0; p < primitives.size(); ++p) {
-    for (const auto& [semantic, number] : primitives[p]["attributes"].items()) {
-      if (semantic.compare(0, 7, "JOINTS_") != 0) continue;
-      // Four joints a vertex, read as so many single numbers.
-      const Accessor& fours = *gate.accessor(number.get<std::size_t>());
-      const std::vector<std::byte> bytes = elements(gate.document(), fours);
-      const std::size_t width = bytes_of(fours.format.component);
-      for (std::size_t i = 0; i < bytes.size(); i += width) {
-        std::uint32_t joint = 0;
-        std::memcpy(&joint, bytes.data() + i, width);
-        if (joint < joints) continue;
-        gate.error(place, "joint-range",
-                   fmt::format("meshes[{}].primitives[{}].attributes.{} names joint {}, but the skin has {}", mesh, p,
-                               semantic, joint, joints));
-        return;
+/// Joint numbers are followed by whoever poses the vertices, so they are held against the skin's joints. Each accessor
+/// and each mesh is looked through once, however many nodes draw it.
+class JointCheck {
+ public:
+  explicit JointCheck(Gate& gate) : gate_(gate) {}
+
+  void check(std::size_t mesh, std::size_t joints, const std::string& place) {
+    const auto [known, is_new] = meshes_.try_emplace(mesh);
+    if (is_new) known->second = greatest_in_mesh(mesh);
+    const auto& [joint, where] = known->second;
+    if (where.empty() || joint < joints) return;
+    gate_.error(place, "joint-range", fmt::format("{} names joint {}, but the skin has {}", where, joint, joints));
+  }
+
+ private:
+  struct Greatest {
+    std::uint32_t joint = 0;
+    std::string where;  ///< empty: there are none
+  };
+
+  Greatest greatest_in_mesh(std::size_t mesh) {
+    Greatest greatest;
+    const Json& primitives = gate_.all("meshes")[mesh]["primitives"];
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      for (const auto& [semantic, number] : primitives[p]["attributes"].items()) {
+        if (semantic.compare(0, 7, "JOINTS_") != 0) continue;
+        const std::uint32_t joint = greatest_in_accessor(number.get<std::size_t>());
+        if (!greatest.where.empty() && joint <= greatest.joint) continue;
+        greatest = {joint, fmt::format("meshes[{}].primitives[{}].attributes.{}", mesh, p, semantic)};
       }
     }
+    return greatest;
+  }
+
+  std::uint32_t greatest_in_accessor(std::size_t number) {
+    const auto [known, is_new] = accessors_.try_emplace(number, 0);
+    if (!is_new) return known->second;
+    // Four joints a vertex, read as so many single numbers.
+    const Accessor& fours = *gate_.accessor(number);
+    const std::vector<std::byte> bytes = elements(gate_.document(), fours);
+    const std::size_t width = bytes_of(fours.format.component);
+    for (std::size_t i = 0; i < bytes.size(); i += width) {
+      std::uint32_t joint = 0;
+      std::memcpy(&joint, bytes.data() + i, width);
+      known->second = std::max(known->second, joint);
+    }
+    return known->second;
+  }
+
+  Gate& gate_;
+  std::map<std::size_t, Greatest> meshes_;
+  std::map<std::size_t, std::uint32_t> accessors_;
+};
+
+/// A mesh of many primitives on many nodes is drawn their product of times, all of which are seen and judged one by one.
+void check_draw_calls(Gate& gate) {
+  constexpr std::uint64_t most = 1 << 22;
+  std::uint64_t draws = 0;
+  const Json& nodes = gate.all("nodes");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes[i].contains("mesh")) continue;
+    draws += gate.all("meshes")[nodes[i]["mesh"].get<std::size_t>()]["primitives"].size();
+    if (draws <= most) continue;
+    gate.error(at("nodes", i), "too-many-draws",
+               fmt::format("the nodes up to this one draw more than {} primitives", most));
+    return;
   }
 }
 
@@ -131,13 +179,15 @@ void check_skins(Gate& gate) {
     }
   }
   if (!gate.sound()) return;
+  check_draw_calls(gate);
+  JointCheck joint_check(gate);
   std::set<std::pair<std::size_t, std::size_t>> seen;
   const Json& nodes = gate.all("nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes[i].contains("mesh") || !nodes[i].contains("skin")) continue;
     const auto mesh = nodes[i]["mesh"].get<std::size_t>();
     const auto skin = nodes[i]["skin"].get<std::size_t>();
-    if (seen.emplace(mesh, skin).second) check_joints(gate, mesh, skins[skin]["joints"].size(), at("nodes", i));
+    if (seen.emplace(mesh, skin).second) joint_check.check(mesh, skins[skin]["joints"].size(), at("nodes", i));
   }
 }
 

@@ -143,7 +143,10 @@ class MeshPatch {
   bool vertices(const Draw& now, const Draw* was, Json& json) {
     const VertexStreams& streams = *now.levels[0].vertices;
     const VertexStreams* old = was == nullptr ? nullptr : was->levels[0].vertices.get();
-    if (streams.find("POSITION") == nullptr || streams.count == 0) return fail(now.name, "the draw has no positions");
+    const bool had_none = old != nullptr && old->find("POSITION") == nullptr;
+    if ((streams.find("POSITION") == nullptr && !had_none) || streams.count == 0) {
+      return fail(now.name, "the draw has no positions");
+    }
     const auto one = [&](const std::vector<VertexStream>& list, const std::vector<VertexStream>* old_list, Json& names,
                          std::optional<std::size_t> target) {
       for (const VertexStream& stream : list) {

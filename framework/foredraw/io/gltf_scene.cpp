@@ -1,4 +1,5 @@
 // A sound document to a scene. tinygltf reads the structure; the bytes come from the layouts that the gate checked.
+#include <foredraw/io/images.h>
 #include <foredraw/io/private/gltf_source.h>
 #include <foredraw/io/private/gltf_uri.h>
 
@@ -26,30 +27,42 @@ std::vector<float> floats(const std::vector<double>& values) {
   return result;
 }
 
-/// The streams of a document, each made once and shared by whoever names the same accessors.
+/// The streams of a document, each made once and shared by whoever names the same bytes.
 class Streams {
  public:
-  explicit Streams(const Document& document) : document_(document) {}
+  explicit Streams(const Document& document) : document_(document) {
+    using Layout = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, Component, int, bool>;
+    std::map<Layout, int> known;
+    for (const Accessor& a : document.accessors) {
+      first_alike_.push_back(static_cast<int>(first_alike_.size()));
+      if (!a.rows || a.sparse) continue;
+      const Layout layout{a.rows->view, a.rows->offset, a.rows->stride, a.count, a.format.component, a.format.components, a.format.normalized};
+      first_alike_.back() = known.try_emplace(layout, first_alike_.back()).first->second;
+    }
+  }
 
   std::shared_ptr<const VertexStreams> vertices(const tinygltf::Primitive& primitive) {
-    auto& made = vertices_[{primitive.attributes, primitive.targets}];
+    const Attributes base = first_alike(primitive.attributes);
+    std::vector<Attributes> targets;
+    for (const auto& target : primitive.targets) targets.push_back(first_alike(target));
+    auto& made = vertices_[{base, targets}];
     if (made) return made;
     VertexStreams streams;
-    for (const auto& [semantic, number] : primitive.attributes) streams.base.push_back(stream(semantic, number));
-    for (const auto& target : primitive.targets) {
+    for (const auto& [semantic, number] : base) streams.base.push_back(stream(semantic, number));
+    for (const auto& target : targets) {
       auto& own = streams.morph_targets.emplace_back();
       for (const auto& [semantic, number] : target) own.push_back(stream(semantic, number));
     }
-    streams.count = static_cast<std::uint32_t>(accessor(primitive.attributes.at("POSITION")).count);
+    streams.count = static_cast<std::uint32_t>(vertex_count(primitive));
     made = std::make_shared<const VertexStreams>(std::move(streams));
     return made;
   }
 
   /// As lists, strips and fans taken apart.
   Shared<std::uint32_t> indices(const tinygltf::Primitive& primitive) {
-    const std::size_t count = accessor(primitive.attributes.at("POSITION")).count;
-    const auto [made, is_new] =
-        indices_.try_emplace({primitive.indices, primitive.indices < 0 ? count : 0, primitive.mode});
+    const std::size_t count = vertex_count(primitive);
+    const int number = primitive.indices < 0 ? -1 : first_alike_[static_cast<std::size_t>(primitive.indices)];
+    const auto [made, is_new] = indices_.try_emplace({number, number < 0 ? count : 0, primitive.mode});
     if (!is_new) return made->second;
     std::vector<std::uint32_t> corners;
     if (primitive.indices >= 0) {
@@ -69,7 +82,20 @@ class Streams {
   }
 
  private:
+  using Attributes = std::map<std::string, int>;
+
+  /// Accessors that name the same bytes alike are one: what a file says a thousand times takes memory once.
+  Attributes first_alike(Attributes attributes) const {
+    for (auto& [semantic, number] : attributes) number = first_alike_[static_cast<std::size_t>(number)];
+    return attributes;
+  }
+
   const Accessor& accessor(int number) const { return document_.accessors[static_cast<std::size_t>(number)]; }
+
+  /// That many rows has every attribute.
+  std::size_t vertex_count(const tinygltf::Primitive& primitive) const {
+    return accessor(primitive.attributes.begin()->second).count;
+  }
 
   VertexStream stream(const std::string& semantic, int number) {
     const auto [made, is_new] = bytes_.try_emplace(number);
@@ -94,12 +120,14 @@ class Streams {
       case TINYGLTF_MODE_TRIANGLE_FAN:
         for (std::size_t i = 0; i + 2 < n; ++i) list.insert(list.end(), {corners[i + 1], corners[i + 2], corners[0]});
         return list;
-      default: return corners;
+      default:
+        corners.resize(n - n % (mode == TINYGLTF_MODE_LINE ? 2 : mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1));
+        return corners;
     }
   }
 
-  using Attributes = std::map<std::string, int>;
   const Document& document_;
+  std::vector<int> first_alike_;  ///< of each accessor
   std::map<std::pair<Attributes, std::vector<Attributes>>, std::shared_ptr<const VertexStreams>> vertices_;
   std::map<std::tuple<int, std::size_t, int>, Shared<std::uint32_t>> indices_;
   std::map<int, Shared<std::byte>> bytes_;
@@ -121,10 +149,12 @@ Draw draw_of(const tinygltf::Primitive& primitive, Streams& streams) {
   Level level;
   level.vertices = streams.vertices(primitive);
   IndexStream order;
-  order.indices = streams.indices(primitive);
+  // Without positions nothing is drawn, whatever the indices say: no points, for one.
+  const bool is_drawn = primitive.attributes.contains("POSITION");
+  if (is_drawn) order.indices = streams.indices(primitive);
   level.orders.push_back(std::move(order));
   draw.levels.push_back(std::move(level));
-  draw.topology = topology_of(primitive.mode);
+  draw.topology = is_drawn ? topology_of(primitive.mode) : Topology::points;
   draw.material = optional_id<MaterialId>(primitive.material);
   return draw;
 }
@@ -213,7 +243,10 @@ Material material_of(const tinygltf::Material& from) {
   return material;
 }
 
-Image image_of(const Json& from, const Document& document) {
+using ViewBytes = std::map<std::size_t, Shared<std::byte>>;
+
+/// Images in the same buffer view share its bytes.
+Image image_of(const Json& from, const Document& document, ViewBytes& views) {
   const auto text = [&](const char* key) {
     const auto found = from.find(key);
     return found != from.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -228,9 +261,13 @@ Image image_of(const Json& from, const Document& document) {
     image.bytes = Shared<std::byte>(std::move(data.bytes));
     image.uri.clear();
   } else if (from.contains("bufferView")) {
-    const Bytes bytes = document.views[from["bufferView"].get<std::size_t>()].bytes;
-    image.bytes = Shared<std::byte>({bytes.begin(), bytes.end()});
+    const auto view = from["bufferView"].get<std::size_t>();
+    const auto [made, is_new] = views.try_emplace(view);
+    const Bytes bytes = document.views[view].bytes;
+    if (is_new) made->second = Shared<std::byte>({bytes.begin(), bytes.end()});
+    image.bytes = made->second;
   }
+  image.facts = image_facts(image.bytes.view());
   return image;
 }
 
@@ -254,7 +291,8 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
   for (const auto& animation : model.animations) scene.animations.push_back(animation_of(animation, streams));
   for (const auto& material : model.materials) scene.materials.push_back(material_of(material));
   if (const auto images = document.json.find("images"); images != document.json.end()) {
-    for (const Json& image : *images) scene.images.push_back(image_of(image, document));
+    ViewBytes views;
+    for (const Json& image : *images) scene.images.push_back(image_of(image, document, views));
   }
   find_traits(scene, document);
   return scene;

@@ -16,6 +16,25 @@ struct MeshUse {
   bool bent = false;
 };
 
+constexpr NodeId none = ~NodeId{0};
+
+/// All nodes, none before its children.
+std::vector<NodeId> children_first(const std::vector<NodeId>& parent) {
+  std::vector<std::size_t> children(parent.size(), 0);
+  for (NodeId above : parent) {
+    if (above != none) ++children[above];
+  }
+  std::vector<NodeId> order;
+  for (NodeId i = 0; i < parent.size(); ++i) {
+    if (children[i] == 0) order.push_back(i);
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const NodeId above = parent[order[i]];
+    if (above != none && --children[above] == 0) order.push_back(above);
+  }
+  return order;
+}
+
 /// For each skin whether an animation moves a joint, or a node between joints. What moves the skeleton as a whole does
 /// not change its shape.
 std::vector<bool> bent_skins(const Scene& scene) {
@@ -25,20 +44,29 @@ std::vector<bool> bent_skins(const Scene& scene) {
       if (channel.path != AnimatedPath::weights) moved.insert(channel.node);
     }
   }
-  constexpr NodeId none = ~NodeId{0};
   std::vector<NodeId> parent(scene.nodes.size(), none);
   for (NodeId i = 0; i < scene.nodes.size(); ++i) {
     for (NodeId child : scene.nodes[i].children) parent[child] = i;
   }
+  const std::vector<NodeId> upwards = children_first(parent);
   std::vector<bool> bent;
   for (const Skin& skin : scene.skins) {
-    std::vector<std::size_t> joints_below(scene.nodes.size(), 0);
-    for (NodeId joint : skin.joints) {
-      for (NodeId node = joint; node != none; node = parent[node]) ++joints_below[node];
-    }
     const std::set<NodeId> joints(skin.joints.begin(), skin.joints.end());
+    if (std::any_of(skin.joints.begin(), skin.joints.end(), [&](NodeId joint) { return moved.contains(joint); })) {
+      bent.push_back(true);
+      continue;
+    }
+    if (moved.empty() || joints.size() == 1) {
+      bent.push_back(false);
+      continue;
+    }
+    std::vector<std::size_t> joints_below(scene.nodes.size(), 0);
+    for (NodeId joint : joints) joints_below[joint] = 1;
+    for (NodeId node : upwards) {
+      if (parent[node] != none) joints_below[parent[node]] += joints_below[node];
+    }
     bent.push_back(std::any_of(moved.begin(), moved.end(), [&](NodeId node) {
-      return joints.contains(node) || (joints_below[node] > 0 && joints_below[node] < skin.joints.size());
+      return joints_below[node] > 0 && joints_below[node] < joints.size();
     }));
   }
   return bent;
@@ -104,7 +132,8 @@ void find_traits(Scene& scene, const Document& document) {
     add(material != nullptr && material->alpha_mode == AlphaMode::mask, traits::masked);
     add(material != nullptr && material->double_sided, traits::double_sided);
     add(use.instanced, traits::instanced);
-    add(vertices.find("POSITION")->format.component != Component::float32, traits::quantized);
+    const VertexStream* positions = vertices.find("POSITION");
+    add(positions != nullptr && positions->format.component != Component::float32, traits::quantized);
     add(is_extended(document.json["meshes"][draw.origin->mesh]["primitives"][draw.origin->primitive]),
         traits::extended);
   }

@@ -1,6 +1,9 @@
 #include <foredraw/io/scene_file.h>
 
 #include <foredraw/io/gltf.h>
+#include <foredraw/io/mesh_files.h>
+#include <foredraw/io/private/gltf_stand_ins.h>
+#include <foredraw/io/private/mesh_source.h>
 
 #include <algorithm>
 #include <cctype>
@@ -22,34 +25,67 @@ fs::path folder_of(const std::string& path) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
+/// As the writer of glTF does for what was glTF: no output is larger than its input without a word.
+void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, Diagnostics& diagnostics) {
+  std::uint64_t after = 0;
+  for (const OutputFile& file : files) after += file.bytes.size();
+  if (after <= before) return;
+  diagnostics.note({.file = files.front().path.string()}, "output-grew",
+                   "the output has " + std::to_string(after) + " bytes, the input " + std::to_string(before),
+                   "the input is of another kind, or writes its numbers in fewer letters");
+}
+
 }  // namespace
 
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics) {
   if (path.empty()) {
-    diagnostics.error({}, "no-such-file", "the input's name is empty", "give the path of a .glb or .gltf, or -");
+    diagnostics.error({}, "no-such-file", "the input's name is empty",
+                      "give the path of a .glb, .gltf, .obj, .ply, .off or .stl, or -");
     return std::nullopt;
   }
   const bool is_standard = path == "-";
   const auto bytes = is_standard ? read_standard_input(diagnostics) : read_file(path, diagnostics);
   if (!bytes) return std::nullopt;
-  auto scene = is_standard ? read_gltf(*bytes, "standard input", {}, diagnostics)
-                           : read_gltf(*bytes, path, folder_of(path), diagnostics);
+  const auto mesh_kind = is_standard ? std::nullopt : mesh_kind_of(path);
+  auto scene = mesh_kind     ? read_mesh_file(*bytes, *mesh_kind, path, folder_of(path), diagnostics)
+               : is_standard ? read_gltf(*bytes, "standard input", {}, diagnostics)
+                             : read_gltf(*bytes, path, folder_of(path), diagnostics);
   if (!scene) return std::nullopt;
   return SceneFile{std::move(*scene), bytes->size()};
 }
 
-bool can_write_scene(const std::string& path, Diagnostics& diagnostics) {
+bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {
   if (path == "-" || kind_of(path) == ".glb" || kind_of(path) == ".gltf") return true;
-  diagnostics.error({.file = path}, "unknown-kind", "scenes are written as .glb or .gltf",
-                    "give the output one of these extensions, or - for a GLB on standard output");
+  const auto mesh_kind = mesh_kind_of(path);
+  if (mesh_kind && input != "-" && mesh_kind == mesh_kind_of(input)) return true;
+  if (mesh_kind) {
+    diagnostics.error({.file = path}, "unknown-kind",
+                      "a file of kind " + std::string(extension_of(*mesh_kind)) + " is written only from one",
+                      "give the output the extension .glb, or that of the input");
+  } else {
+    diagnostics.error({.file = path}, "unknown-kind",
+                      "scenes are written as .glb or .gltf, or as the kind they came from",
+                      "give the output one of these extensions, or - for a GLB on standard output");
+  }
   return false;
 }
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics, Compression compression) {
-  if (!can_write_scene(path, diagnostics)) return std::nullopt;
+  if (!can_write_scene(path, scene.name, diagnostics)) return std::nullopt;
   const bool is_standard = path == "-";
-  auto files = encode_gltf(scene, is_standard ? "standard output.glb" : path, diagnostics, compression);
+  const auto mesh_source = std::dynamic_pointer_cast<const mesh_files::MeshSource>(scene.source);
+  if (const auto mesh_kind = mesh_kind_of(path)) {
+    auto file = encode_mesh_file(scene, *mesh_kind, path, diagnostics);
+    if (!file) return std::nullopt;
+    std::vector<OutputFile> files{std::move(*file)};
+    if (mesh_source) tell_growth(mesh_source->bytes(), files, diagnostics);
+    return files;
+  }
+  Scene for_gltf = scene;
+  if (mesh_source) for_gltf.source = mesh_source->gltf;
+  auto files = encode_gltf(for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression);
+  if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);
   if (!files || !is_standard) return files;
   if (files->size() > 1) {
     diagnostics.error({.file = "standard output"}, "several-files",
@@ -59,6 +95,14 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   }
   files->front().path = path;
   return files;
+}
+
+bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics) {
+  const std::vector<OutputFile> first = gltf::stand_ins(files);
+  if (!first.empty() && !write_files(first, diagnostics)) return false;
+  if (!write_files(files, diagnostics)) return false;
+  for (const OutputFile& file : files.subspan(first.empty() ? files.size() : 1)) gltf::remove_stand_ins(file);
+  return true;
 }
 
 }  // namespace foredraw

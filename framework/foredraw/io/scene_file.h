@@ -1,5 +1,5 @@
 #pragma once
-// Scenes by path. "-" is standard input or output; the extension picks the kind.
+// Scenes by path. "-" is standard input or output, and then glTF; the extension picks the kind.
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/gltf.h>
@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace foredraw {
@@ -19,13 +20,18 @@ struct SceneFile {
 
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics);
 
-/// Whether scenes can be written to a path of this kind; a diagnostic says why not.
-bool can_write_scene(const std::string& path, Diagnostics& diagnostics);
+/// Whether scenes can be written to a path of this kind; a diagnostic says why not. `input`: where the scene is to come
+/// from, for an OBJ, PLY, OFF or STL is written only from a file of its own kind.
+bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics);
 
 /// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written
 /// here.
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics,
                                                     Compression compression = Compression::keep);
+
+/// Writes the files of a scene, the main one first, and whatever others come with them. As write_files does it: all or
+/// none, and a process that is killed meanwhile leaves the old scene or the new one whole, of however many files it is.
+bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics);
 
 }  // namespace foredraw

@@ -89,14 +89,11 @@ std::vector<std::pair<VertexGroup::User, Draw>> renumbered(const Scene& scene, c
   require_permutation(order, group.vertices->count, "vertices");
   std::vector<std::uint32_t> destination(order.size());
   for (std::uint32_t v = 0; v < order.size(); ++v) destination[order[v]] = v;
-  const auto moved = std::make_shared<const VertexStreams>(
-      with_vertices_moved(*group.vertices, destination, group.vertices->count));
-
+  std::vector<Draw> draws = with_vertices_moved(scene, group, destination, group.vertices->count);
   std::vector<std::pair<VertexGroup::User, Draw>> result;
-  for (const VertexGroup::User& user : group.users) {
-    const Draw& before = scene.draws[user.draw];
-    result.emplace_back(user, with_vertices_moved(before, user.level, moved, destination));
-    certify(before, result.back().second, analyses);
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    certify(scene.draws[group.users[i].draw], draws[i], analyses);
+    result.emplace_back(group.users[i], std::move(draws[i]));
   }
   return result;
 }

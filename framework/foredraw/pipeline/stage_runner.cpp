@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 namespace foredraw {
@@ -204,6 +205,8 @@ class StageRunner {
       try {
         if (run.cancelled()) throw std::runtime_error("cancelled");
         task(i, run, outcome);
+      } catch (const std::bad_alloc&) {
+        throw;  // no fault of the stage's: whatever comes next would lack the memory too
       } catch (const std::exception& problem) {
         outcome = {.failure = problem.what()};
       } catch (...) {

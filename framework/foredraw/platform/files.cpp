@@ -1,11 +1,14 @@
 #include <foredraw/platform/files.h>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace foredraw {
 
@@ -29,16 +32,19 @@ class Descriptor {
   int number_;
 };
 
-bool read_all(int descriptor, std::vector<std::byte>& bytes) {
-  constexpr std::size_t step = std::size_t{1} << 20;
-  for (;;) {
+constexpr std::size_t step = std::size_t{1} << 20;
+
+bool read_all(int descriptor, std::vector<std::byte>& bytes, std::size_t at_most) {
+  while (bytes.size() < at_most) {
     const std::size_t old = bytes.size();
-    bytes.resize(old + step);
-    const ssize_t got = ::read(descriptor, bytes.data() + old, step);
+    const std::size_t wanted = std::min(step, at_most - old);
+    bytes.resize(old + wanted);
+    const ssize_t got = ::read(descriptor, bytes.data() + old, wanted);
     bytes.resize(old + (got > 0 ? static_cast<std::size_t>(got) : 0));
     if (got == 0) return true;
     if (got < 0 && errno != EINTR) return false;
   }
+  return true;
 }
 
 bool write_all(int descriptor, std::span<const std::byte> bytes) {
@@ -51,12 +57,67 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) {
   return true;
 }
 
-/// A name in the same folder, so that the rename stays within one file system.
-fs::path beside(const fs::path& path) {
-  fs::path result = path;
-  result += ".part" + std::to_string(::getpid());
-  return result;
-}
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+/// A file that is being written, under a name of its own in the folder of its place, so that the rename stays within
+/// one file system. It is locked as long as its writer lives: whoever finds one that nobody locks may remove it.
+class Part {
+ public:
+  explicit Part(const fs::path& place) {
+    remove_leftovers(place);
+    for (long n = ::getpid();; ++n) {
+      path_ = named(place, std::to_string(n));
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL, 0666);
+      if (descriptor_ < 0 && errno == EEXIST) continue;  // of a living writer
+      if (descriptor_ < 0) return;
+      const bool is_taken = ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+      struct stat status {};
+      if (!is_taken && ::fstat(descriptor_, &status) == 0 && status.st_nlink > 0) return;
+      ::close(descriptor_);  // between creation and lock somebody took it for a leftover
+    }
+  }
+  Part(Part&& other) noexcept
+      : path_(std::exchange(other.path_, {})), descriptor_(std::exchange(other.descriptor_, -1)) {}
+  ~Part() {
+    if (descriptor_ < 0) return;
+    if (!path_.empty()) ::unlink(path_.c_str());
+    ::close(descriptor_);
+  }
+
+  int descriptor() const { return descriptor_; }
+
+  bool move_to(const fs::path& place) {
+    if (::rename(path_.c_str(), place.c_str()) != 0) return false;
+    path_.clear();
+    return true;
+  }
+
+ private:
+  static fs::path named(const fs::path& place, const std::string& number) {
+    fs::path name = place;
+    name += ".foredraw-part" + number;
+    return name;
+  }
+
+  static void remove_leftovers(const fs::path& place) {
+    const std::string begins = named(place, "").filename().string();
+    std::error_code error;
+    std::vector<fs::path> parts;
+    for (fs::directory_iterator entry(folder_of(place), error), end; !error && entry != end; entry.increment(error)) {
+      const std::string name = entry->path().filename().string();
+      const bool is_part = name.size() > begins.size() && name.compare(0, begins.size(), begins) == 0 &&
+                           name.find_first_not_of("0123456789", begins.size()) == std::string::npos;
+      if (is_part) parts.push_back(entry->path());
+    }
+    for (const fs::path& part : parts) {
+      const Descriptor left(::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+      if (left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(part.c_str());
+    }
+  }
+
+  fs::path path_;
+  int descriptor_ = -1;
+};
 
 /// The end of a symbolic link, so that what is replaced is the file and not the link.
 fs::path end_of_links(const fs::path& path) {
@@ -77,23 +138,49 @@ bool is_stream(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-bool write_to(const fs::path& path, const OutputFile& file, Diagnostics& diagnostics) {
-  const bool stream = is_stream(path);
-  const Descriptor out(::open(path.c_str(), O_WRONLY | O_CLOEXEC | (stream ? 0 : O_CREAT | O_TRUNC), 0666));
-  if (out.get() < 0) {
-    diagnostics.error({.file = file.path.string()}, "cannot-write", "can not be written: " + reason(),
-                      "check that the folder exists and that you may write to it");
-    return false;
-  }
-  if (write_all(out.get(), file.bytes) && (stream || ::fsync(out.get()) == 0)) return true;
+void cannot_open(const OutputFile& file, Diagnostics& diagnostics) {
+  diagnostics.error({.file = file.path.string()}, "cannot-write", "can not be written: " + reason(),
+                    "check that the folder exists and that you may write to it");
+}
+
+void cannot_finish(const OutputFile& file, Diagnostics& diagnostics) {
   diagnostics.error({.file = file.path.string()}, "cannot-write", "could not be written whole: " + reason(),
                     "is there room on the disk?");
+}
+
+/// On the disk whole before it takes another's place: a power cut may come at any moment too.
+std::optional<Part> part_of(const fs::path& place, const OutputFile& file, Diagnostics& diagnostics) {
+  Part part(place);
+  if (part.descriptor() < 0) {
+    cannot_open(file, diagnostics);
+  } else if (!write_all(part.descriptor(), file.bytes) || ::fsync(part.descriptor()) != 0) {
+    cannot_finish(file, diagnostics);
+  } else {
+    return part;
+  }
+  return std::nullopt;
+}
+
+bool write_stream(const OutputFile& file, Diagnostics& diagnostics) {
+  const Descriptor out(::open(file.path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (out.get() < 0) {
+    cannot_open(file, diagnostics);
+    return false;
+  }
+  if (write_all(out.get(), file.bytes)) return true;
+  cannot_finish(file, diagnostics);
   return false;
+}
+
+/// Renames reach the disk with the folder. Where that can not be asked for, they come in time.
+void settle(const fs::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY));
+  if (opened.get() >= 0) ::fsync(opened.get());
 }
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostics& diagnostics) {
+std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostics& diagnostics, std::size_t at_most) {
   const Descriptor in(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (in.get() < 0 || ::fstat(in.get(), &status) != 0) {
@@ -107,8 +194,8 @@ std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostic
     return std::nullopt;
   }
   std::vector<std::byte> bytes;
-  if (S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size) + (std::size_t{1} << 20));
-  if (!read_all(in.get(), bytes)) {
+  if (S_ISREG(status.st_mode)) bytes.reserve(std::min(at_most, static_cast<std::size_t>(status.st_size) + step));
+  if (!read_all(in.get(), bytes, at_most)) {
     diagnostics.error({.file = path.string()}, "cannot-read", "can not be read: " + reason());
     return std::nullopt;
   }
@@ -117,7 +204,7 @@ std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostic
 
 std::optional<std::vector<std::byte>> read_standard_input(Diagnostics& diagnostics) {
   std::vector<std::byte> bytes;
-  if (!read_all(STDIN_FILENO, bytes)) {
+  if (!read_all(STDIN_FILENO, bytes, std::numeric_limits<std::size_t>::max())) {
     diagnostics.error({.file = "standard input"}, "cannot-read", "can not be read: " + reason());
     return std::nullopt;
   }
@@ -131,33 +218,36 @@ bool write_standard_output(std::span<const std::byte> bytes, Diagnostics& diagno
 }
 
 bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
-  std::vector<fs::path> places;
-  for (const OutputFile& file : files) places.push_back(end_of_links(file.path));
-  bool written = true;
-  for (std::size_t i = 0; i < files.size() && written; ++i) {
-    if (is_folder(places[i])) {
-      diagnostics.error({.file = files[i].path.string()}, "is-a-folder", "is a folder; a file was expected");
-      written = false;
-    } else if (!is_stream(places[i])) {
-      written = write_to(beside(places[i]), files[i], diagnostics);
+  struct Pending {
+    const OutputFile* file;
+    fs::path place;
+    std::optional<Part> part;  ///< none: a stream
+  };
+  std::vector<Pending> pending;
+  for (const OutputFile& file : files) {
+    fs::path place = end_of_links(file.path);
+    if (is_folder(place)) {
+      diagnostics.error({.file = file.path.string()}, "is-a-folder", "is a folder; a file was expected");
+      return false;
+    }
+    const bool stream = is_stream(place);
+    std::optional<Part> part = stream ? std::nullopt : part_of(place, file, diagnostics);
+    if (!stream && !part) return false;
+    pending.push_back({&file, std::move(place), std::move(part)});
+  }
+  // The first last, and when the others are there for good.
+  for (std::size_t i = pending.size(); i-- > 0;) {
+    auto& [file, place, part] = pending[i];
+    if (!part) {
+      if (!write_stream(*file, diagnostics)) return false;
+    } else if (!part->move_to(place)) {
+      diagnostics.error({.file = file->path.string()}, "cannot-write", "can not be put in its place: " + reason());
+      return false;
+    } else {
+      settle(folder_of(place));
     }
   }
-  for (std::size_t i = 0; i < files.size() && written; ++i) {
-    if (is_stream(places[i])) {
-      written = write_to(places[i], files[i], diagnostics);
-      continue;
-    }
-    std::error_code error;
-    fs::rename(beside(places[i]), places[i], error);
-    if (!error) continue;
-    diagnostics.error({.file = files[i].path.string()}, "cannot-write", "can not be put in its place: " + error.message());
-    written = false;
-  }
-  for (std::size_t i = 0; i < files.size() && !written; ++i) {
-    std::error_code ignored;
-    fs::remove(beside(places[i]), ignored);
-  }
-  return written;
+  return true;
 }
 
 }  // namespace foredraw

@@ -5,14 +5,16 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace foredraw {
 
-/// The whole file. nullopt, with a diagnostic that says why, where it can not be read.
-std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path, Diagnostics& diagnostics);
+/// The whole file, or its first `at_most` bytes. nullopt, with a diagnostic that says why, where it can not be read.
+std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path, Diagnostics& diagnostics,
+                                                std::size_t at_most = std::numeric_limits<std::size_t>::max());
 
 /// All of standard input.
 std::optional<std::vector<std::byte>> read_standard_input(Diagnostics& diagnostics);
@@ -24,8 +26,10 @@ struct OutputFile {
   std::vector<std::byte> bytes;
 };
 
-/// Writes every file beside its place, then renames them into it one after the other, the first file last: it is the one
-/// that names the others. Where one can not be written, none is changed, and what was begun is removed. Links are followed.
+/// Writes every file beside its place ("out.glb.foredraw-part1234"), then renames them into it one after the other, the first
+/// file last: it is the one that names the others. Where one can not be written, none is changed, and what was begun is
+/// removed. A process that is killed meanwhile leaves every file old or new, never in between; what it had begun is
+/// removed by the next who writes to the same place. Links are followed.
 bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics);
 
 }  // namespace foredraw

@@ -54,6 +54,37 @@ std::string odd_text(const MeshFacts& facts) {
   return text;
 }
 
+std::string images_text(const Scene& scene) {
+  std::string text;
+  for (std::size_t i = 0; i < scene.images.size(); ++i) {
+    const Image& image = scene.images[i];
+    text += fmt::format("  {}: ", image.name.empty() ? fmt::format("image{}", i) : image.name);
+    if (const auto& facts = image.facts) {
+      text += fmt::format("{} x {}, {} channels of {} bits{}\n", facts->width, facts->height, facts->channels, facts->bits,
+                          facts->is_float ? ", float" : "");
+    } else {
+      text += image.uri.empty() ? "of a kind that is not known here, or damaged\n" : fmt::format("the file {}\n", image.uri);
+    }
+  }
+  return text;
+}
+
+Json images_json(const Scene& scene) {
+  Json json = Json::array();
+  for (const Image& image : scene.images) {
+    Json& one = json.emplace_back(Json{{"name", image.name}, {"media-type", image.media_type}});
+    if (!image.uri.empty()) one["uri"] = image.uri;
+    if (image.uri.empty()) one["bytes"] = image.bytes.size();
+    if (!image.facts) continue;
+    one["width"] = image.facts->width;
+    one["height"] = image.facts->height;
+    one["channels"] = image.facts->channels;
+    one["bits"] = image.facts->bits;
+    one["float"] = image.facts->is_float;
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string inspection_text(const Scene& scene, Analyses& analyses) {
@@ -74,6 +105,7 @@ std::string inspection_text(const Scene& scene, Analyses& analyses) {
   }
   text += table.text();
   if (!odd.empty()) text += "\nodd:\n" + odd;
+  if (!scene.images.empty()) text += "\nimages:\n" + images_text(scene);
   text += "\nsubjects (seen and judged together):\n";
   for (const Subject& subject : subjects_of(scene)) {
     text += fmt::format("  {}: {} draws\n", subject.name, subject.parts.size());
@@ -88,7 +120,7 @@ std::string inspection_json(const Scene& scene, Analyses& analyses) {
             {"nodes", scene.nodes.size()},
             {"materials", scene.materials.size()},
             {"skins", scene.skins.size()},
-            {"images", scene.images.size()},
+            {"images", images_json(scene)},
             {"vertex-streams", vertex_groups(scene).size()}};
   json["animations"] = Json::array();
   for (const Animation& animation : scene.animations) {

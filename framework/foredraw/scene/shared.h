@@ -1,5 +1,5 @@
 #pragma once
-// Immutable, reference-counted streams, and views over memory of any stride.
+// Immutable, reference-counted streams.
 
 #include <foredraw/base/content_hash.h>
 
@@ -41,27 +41,6 @@ class Shared {
     mutable Stamp stamp;
   };
   std::shared_ptr<const Block> block_;
-};
-
-/// A view over elements at any stride and alignment; they come by value.
-template <class T>
-class Strided {
- public:
-  Strided(const std::byte* data, std::size_t count, std::size_t stride) : data_(data), count_(count), stride_(stride) {}
-  explicit Strided(std::span<const T> values)
-      : Strided(std::as_bytes(values).data(), values.size(), sizeof(T)) {}
-
-  std::size_t size() const { return count_; }
-  T operator[](std::size_t i) const {
-    T value;
-    std::memcpy(&value, data_ + i * stride_, sizeof(T));
-    return value;
-  }
-
- private:
-  const std::byte* data_;
-  std::size_t count_;
-  std::size_t stride_;
 };
 
 }  // namespace foredraw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 namespace foredraw {
@@ -61,13 +62,12 @@ class Characters {
 std::string character_name(const Scene& scene, SkinId id) {
   const Skin& skin = scene.skins[id];
   if (!skin.name.empty()) return skin.name;
-  const auto is_below_another = [&](NodeId joint) {
-    return std::any_of(skin.joints.begin(), skin.joints.end(), [&](NodeId other) {
-      const auto& children = scene.nodes[other].children;
-      return std::find(children.begin(), children.end(), joint) != children.end();
-    });
-  };
-  const auto root = std::find_if_not(skin.joints.begin(), skin.joints.end(), is_below_another);
+  std::set<NodeId> below_another;
+  for (const NodeId joint : skin.joints) {
+    below_another.insert(scene.nodes[joint].children.begin(), scene.nodes[joint].children.end());
+  }
+  const auto root = std::find_if(skin.joints.begin(), skin.joints.end(),
+                                 [&](NodeId joint) { return !below_another.contains(joint); });
   if (root != skin.joints.end() && !scene.nodes[*root].name.empty()) return scene.nodes[*root].name;
   return "character " + std::to_string(id);
 }

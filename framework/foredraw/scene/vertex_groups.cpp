@@ -45,11 +45,32 @@ std::vector<std::span<const std::uint32_t>> index_streams_of(const Scene& scene,
   return streams;
 }
 
+std::vector<Draw> with_vertices_moved(const Scene& scene, const VertexGroup& group,
+                                      std::span<const std::uint32_t> destination, std::uint32_t count) {
+  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(*group.vertices, destination, count));
+  std::vector<Draw> draws;
+  const Level* first_before = nullptr;
+  for (const VertexGroup::User& user : group.users) {
+    const Level& before = scene.draws[user.draw].levels[user.level];
+    draws.push_back(with_vertices_moved(scene.draws[user.draw], user.level, moved, destination));
+    if (first_before == nullptr) first_before = &before;
+    // Thousands of draws may share a great many vertices: a table for each would fill the memory.
+    if (before.vertex_destination.is(first_before->vertex_destination)) {
+      draws.back().levels[user.level].vertex_destination =
+          draws.front().levels[group.users.front().level].vertex_destination;
+    }
+  }
+  return draws;
+}
+
 void move_vertices(Scene& scene, const VertexGroup& group, std::span<const std::uint32_t> destination,
                    std::uint32_t count) {
-  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(*group.vertices, destination, count));
-  for (const VertexGroup::User& user : group.users) {
-    scene.draws[user.draw] = with_vertices_moved(scene.draws[user.draw], user.level, moved, destination);
+  // One after the other: a draw whose levels share vertices is a user for each of them.
+  std::vector<Draw> draws = with_vertices_moved(scene, group, destination, count);
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    Draw& draw = scene.draws[group.users[i].draw];
+    draw.levels[group.users[i].level] = std::move(draws[i].levels[group.users[i].level]);
+    if (group.users[i].level == 0) draw.extensions = std::move(draws[i].extensions);
   }
 }
 

@@ -29,6 +29,10 @@ std::vector<HeldDraw> keep_groups_of(std::vector<VertexGroup>& groups, std::span
 /// Every index stream of a group, in draw, level and order.
 std::vector<std::span<const std::uint32_t>> index_streams_of(const Scene& scene, const VertexGroup& group);
 
+/// The draws of all users, in that order, with the group's vertices moved as the function of that name does for one draw.
+std::vector<Draw> with_vertices_moved(const Scene& scene, const VertexGroup& group,
+                                      std::span<const std::uint32_t> destination, std::uint32_t count);
+
 /// Moves the group's vertices as with_vertices_moved() does, for all of its users. The certificate is the caller's.
 void move_vertices(Scene& scene, const VertexGroup& group, std::span<const std::uint32_t> destination,
                    std::uint32_t count);

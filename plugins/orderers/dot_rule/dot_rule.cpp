@@ -11,6 +11,10 @@ namespace foredraw {
 
 namespace {
 
+/// Clusters are told apart in so many steps between the rule's zero and its largest value. Those on one flat face,
+/// equal but for rounding, so keep their sequence, in which each finds the last one's vertices in the cache.
+constexpr int steps = 1024;
+
 /// Sums over the triangles of a cluster or of the mesh.
 struct Surface {
   glm::dvec3 moment{0};  ///< centroid times area, all times 6
@@ -25,7 +29,7 @@ struct Surface {
   glm::dvec3 centroid() const { return moment / (3 * area); }
 };
 
-Surface surface_of(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangle) {
+Surface surface_of(const Strided<glm::vec3>& positions, std::span<const std::uint32_t> triangle) {
   const glm::dvec3 a(positions[triangle[0]]), b(positions[triangle[1]]), c(positions[triangle[2]]);
   Surface surface;
   surface.normal = glm::cross(b - a, c - a);
@@ -36,29 +40,36 @@ Surface surface_of(std::span<const glm::vec3> positions, std::span<const std::ui
 
 }  // namespace
 
-std::vector<std::uint32_t> dot_rule(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+std::vector<std::uint32_t> dot_rule(Strided<glm::vec3> positions, std::span<const std::uint32_t> indices,
                                     const Clusters& clusters) {
   std::vector<Surface> surfaces(clusters.count());
   Surface mesh;
   for (std::size_t c = 0; c < surfaces.size(); ++c) {
+    Surface cluster;
     for (std::size_t t = clusters.offsets[c]; t < clusters.offsets[c + 1]; ++t) {
-      surfaces[c] += surface_of(positions, indices.subspan(3 * t, 3));
+      cluster += surface_of(positions, indices.subspan(3 * t, 3));
     }
-    mesh += surfaces[c];
+    mesh += surfaces[c] = cluster;
   }
 
-  std::vector<double> outwards(surfaces.size(), -std::numeric_limits<double>::infinity());
+  std::vector<double> outwards(surfaces.size(), 0);
+  double largest = 0;
   for (std::size_t c = 0; c < surfaces.size(); ++c) {
     const double length = std::sqrt(glm::dot(surfaces[c].normal, surfaces[c].normal));
-    if (surfaces[c].area <= 0) continue;
-    const glm::dvec3 from_centre = surfaces[c].centroid() - mesh.centroid();
-    outwards[c] = length > 0 ? glm::dot(from_centre, surfaces[c].normal) / length : 0;
+    if (length <= 0) continue;
+    outwards[c] = glm::dot(surfaces[c].centroid() - mesh.centroid(), surfaces[c].normal) / length;
+    largest = std::max(largest, std::abs(outwards[c]));
+  }
+
+  std::vector<int> rank(surfaces.size(), -steps - 1);
+  for (std::size_t c = 0; c < surfaces.size(); ++c) {
+    if (surfaces[c].area > 0) rank[c] = largest > 0 ? static_cast<int>(std::round(outwards[c] / largest * steps)) : 0;
   }
 
   std::vector<std::uint32_t> sequence(surfaces.size());
   std::iota(sequence.begin(), sequence.end(), 0u);
   std::stable_sort(sequence.begin(), sequence.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return outwards[a] > outwards[b]; });
+                   [&](std::uint32_t a, std::uint32_t b) { return rank[a] > rank[b]; });
   return sequence;
 }
 

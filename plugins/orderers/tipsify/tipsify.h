@@ -14,12 +14,13 @@ struct TipsifyOptions {
 };
 
 /// The order of the triangles ([new] = old) for a FIFO vertex cache of `cache_size` entries. `indices` holds three a
-/// triangle, each below `vertex_count`; any triangles will do, degenerate and non-manifold ones too. O(triangles).
+/// triangle, each below `vertex_count`; any triangles will do, degenerate and non-manifold ones too. Fewer than 2^32
+/// indices. O(triangles).
 std::vector<std::uint32_t> tipsify(std::span<const std::uint32_t> indices, std::size_t vertex_count,
                                    const TipsifyOptions& options = {});
 
-/// The same into `order` (one entry a triangle), with working memory from `memory`: 25 bytes a triangle and 12 a
-/// vertex at most, besides what a fan takes.
+/// The same into `order` (one entry a triangle), with working memory from `memory`: 44 bytes a triangle and 12 a
+/// vertex, besides 4 for each corner of the largest fan.
 void tipsify(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
              const TipsifyOptions& options, std::pmr::memory_resource& memory);
 

@@ -144,7 +144,7 @@ const Rule rules[] = {
      "materials[0].pbrMetallicRoughness.baseColorTexture.index"},
     {"material_alpha_mode", [](auto& b) { item(b, "materials", 0)["alphaMode"] = "SOME"; }, "out-of-range",
      "materials[0].alphaMode"},
-    {"primitive_without_position", [](auto& b) { primitive(b)["attributes"].erase("POSITION"); }, "no-position",
+    {"primitive_without_attributes", [](auto& b) { primitive(b)["attributes"] = GltfJson::object(); }, "out-of-range",
      "meshes[0].primitives[0].attributes"},
     {"attribute_accessor", [](auto& b) { primitive(b)["attributes"]["TEXCOORD_0"] = 99; }, "bad-reference",
      "meshes[0].primitives[0].attributes.TEXCOORD_0"},
@@ -169,8 +169,14 @@ const Rule rules[] = {
     {"index_restarts", [](auto& b) { poke<std::uint16_t>(b, 2, 5, 0xffff); }, "primitive-restart",
      "meshes[0].primitives[0].indices"},
     {"mode_7", [](auto& b) { primitive(b)["mode"] = 7; }, "out-of-range", "meshes[0].primitives[0].mode"},
-    {"half_a_triangle", [](auto& b) { item(b, "accessors", 2)["count"] = 23; }, "index-count",
+    {"half_a_triangle", [](auto& b) { item(b, "accessors", 2)["count"] = 2; }, "index-count",
      "meshes[0].primitives[0]"},
+    {"attribute_of_unknown_type",
+     [](auto& b) {
+       primitive(b)["attributes"]["TEXCOORD_1"] =
+           b.add("accessors", {{"componentType", 5126}, {"type", "VEC5"}, {"count", 10}});
+     },
+     "accessor-type", "meshes[0].primitives[0].attributes.TEXCOORD_1"},
     {"strip_of_two",
      [](auto& b) {
        item(b, "accessors", 2)["count"] = 2;
@@ -264,6 +270,58 @@ TEST(GltfGate, vertex_data_may_hold_what_is_no_number) {
   poke<float>(builder, 0, 4, std::numeric_limits<float>::quiet_NaN());
   Diagnostics diagnostics;
   EXPECT_TRUE(read_gltf(builder.glb(), "puppet", {}, diagnostics)) << to_text(diagnostics);
+}
+
+/// What is harmless is told and read, and comes out again as it was.
+struct Harmless {
+  const char* name;
+  std::function<void(GltfBuilder&)> breaks;
+  const char* code;
+};
+
+void PrintTo(const Harmless& harmless, std::ostream* out) { *out << harmless.name; }
+
+class HarmlessOddity : public ::testing::TestWithParam<Harmless> {};
+
+TEST_P(HarmlessOddity, is_told_and_kept) {
+  GltfBuilder builder = testing::puppet();
+  GetParam().breaks(builder);
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(builder.glb(), "odd", {}, diagnostics);
+  ASSERT_TRUE(scene) << to_text(diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
+  EXPECT_EQ(diagnostics.all()[0].severity, Severity::warning);
+  EXPECT_EQ(diagnostics.all()[0].code, GetParam().code);
+  const auto files = encode_gltf(*scene, "out.gltf", diagnostics);
+  ASSERT_TRUE(files) << to_text(diagnostics);
+  const GltfJson json = testing::json_of(files->front().bytes);
+  EXPECT_EQ(json["meshes"], builder.json["meshes"]);
+  EXPECT_EQ(json["accessors"].size(), builder.json["accessors"].size());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Gltf, HarmlessOddity,
+    ::testing::Values(
+        Harmless{"unknown_type_of_an_unused_accessor",
+                 [](auto& b) { b.add("accessors", {{"componentType", 7}, {"type", "VEC5"}, {"count", 10}}); },
+                 "accessor-type"},
+        Harmless{"primitive_without_positions",
+                 [](auto& b) {
+                   GltfJson other = primitive(b);
+                   other["attributes"].erase("POSITION");
+                   b.json["meshes"][0]["primitives"].push_back(other);
+                 },
+                 "no-position"},
+        Harmless{"corners_left_over", [](auto& b) { item(b, "accessors", 2)["count"] = 23; }, "index-count"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(GltfGate, corners_left_over_are_not_drawn) {
+  GltfBuilder builder = testing::puppet();
+  item(builder, "accessors", 2)["count"] = 23;
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(builder.glb(), "odd", {}, diagnostics);
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->draws[0].levels[0].orders[0].indices.size(), 21u);
 }
 
 }  // namespace

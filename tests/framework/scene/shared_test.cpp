@@ -60,24 +60,5 @@ TEST(Shared, ManyThreadsAskForOneStamp) {
   for (const Stamp& stamp : stamps) EXPECT_EQ(stamp, content_hash(shared.view()));
 }
 
-TEST(Strided, ReadsAtAnyStrideAndAlignment) {
-  std::vector<std::byte> bytes(1 + 3 * 7);
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const std::uint32_t value = 0x01020304u * (i + 1);
-    std::memcpy(bytes.data() + 1 + 7 * i, &value, sizeof value);
-  }
-  const Strided<std::uint32_t> strided(bytes.data() + 1, 3, 7);
-  ASSERT_EQ(strided.size(), 3u);
-  EXPECT_EQ(strided[0], 0x01020304u);
-  EXPECT_EQ(strided[2], 0x0306090cu);
-}
-
-TEST(Strided, SpanIsWithoutGaps) {
-  const Numbers numbers = {4, 5, 6};
-  const Strided<std::uint32_t> strided{std::span<const std::uint32_t>(numbers)};
-  ASSERT_EQ(strided.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(strided[i], numbers[i]);
-}
-
 }  // namespace
 }  // namespace foredraw

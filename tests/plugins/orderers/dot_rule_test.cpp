@@ -49,9 +49,22 @@ TEST(DotRule, KeepsTheSequenceOfEqualsAndPutsClustersWithoutAreaLast) {
   EXPECT_EQ(dot_rule(mesh.positions, mesh.indices, {{0, 1, 2, 3, 4}}), (std::vector<std::uint32_t>{1, 3, 0, 2}));
 }
 
-TEST(DotRule, OfNothingIsNothing) {
-  EXPECT_TRUE(dot_rule({}, {}, {{0}}).empty());
+TEST(DotRule, ReadsAnInterleavedBuffer) {
+  struct Vertex {
+    std::uint16_t colour[3];
+    float position[3];
+    float u, v;
+  };
+  const TestMesh mesh = testing::torus(40, 20);
+  std::vector<Vertex> vertices;
+  for (const glm::vec3& p : mesh.positions) vertices.push_back({{}, {p.x, p.y, p.z}, 0, 0});
+  Clusters clusters{{0}};
+  while (clusters.offsets.back() < mesh.indices.size() / 3) clusters.offsets.push_back(clusters.offsets.back() + 40);
+  EXPECT_EQ(dot_rule({vertices[0].position, vertices.size(), sizeof(Vertex)}, mesh.indices, clusters),
+            dot_rule(mesh.positions, mesh.indices, clusters));
 }
+
+TEST(DotRule, OfNothingIsNothing) { EXPECT_TRUE(dot_rule({}, {}, {{0}}).empty()); }
 
 }  // namespace
 }  // namespace foredraw

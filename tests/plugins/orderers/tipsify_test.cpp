@@ -1,6 +1,7 @@
 #include "plugins/orderers/tipsify/tipsify.h"
 
 #include "support/meshes.h"
+#include "tipsify_reference.h"
 
 #include <foredraw/analysis/vertex_cache.h>
 #include <foredraw/scene/reorder.h>
@@ -56,6 +57,27 @@ TEST(Tipsify, OrdersForItsCacheSize) {
   const auto large = reordered(mesh, {.cache_size = 48});
   EXPECT_LT(acmr(small, mesh.positions.size(), 12), acmr(large, mesh.positions.size(), 12));
   EXPECT_LT(acmr(large, mesh.positions.size(), 48), acmr(small, mesh.positions.size(), 48));
+}
+
+TEST(Tipsify, AnswersAsThePaperDoes) {
+  for (const TestMesh& mesh :
+       {testing::grid(60, 40), testing::shuffled(testing::torus(80, 50), 4), testing::soup(50, 1)}) {
+    for (const int cache_size : {3, 8, 16, 64}) {
+      EXPECT_EQ(
+          tipsify(mesh.indices, mesh.positions.size(), {.cache_size = cache_size}),
+          testing::tipsify_reference(mesh.indices, mesh.positions.size(), static_cast<std::uint32_t>(cache_size)));
+    }
+  }
+}
+
+/// Few vertices make what meshes seldom have: repeated corners, repeated triangles, fans larger than the cache.
+RC_GTEST_PROP(Tipsify, AnswersAsThePaperDoesToAnyTriangles, ()) {
+  const auto vertices = *rc::gen::inRange<std::uint32_t>(1, 12);
+  auto indices = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange<std::uint32_t>(0, vertices));
+  indices.resize(indices.size() / 3 * 3);
+  const auto cache_size = *rc::gen::inRange(3, 20);
+  RC_ASSERT(tipsify(indices, vertices, {.cache_size = cache_size}) ==
+            testing::tipsify_reference(indices, vertices, static_cast<std::uint32_t>(cache_size)));
 }
 
 RC_GTEST_PROP(Tipsify, AnswersWithAPermutationOfAnyTriangles, ()) {

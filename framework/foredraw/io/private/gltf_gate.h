@@ -6,6 +6,7 @@
 #include <foredraw/io/private/gltf_document.h>
 
 #include <limits>
+#include <set>
 
 namespace foredraw::gltf {
 
@@ -24,6 +25,7 @@ class Gate {
   bool sound() const { return mistakes_ == 0; }
 
   void error(const std::string& place, std::string code, std::string message, std::string hint = {});
+  void warning(const std::string& place, std::string code, std::string message);
   void error_at(std::size_t byte, std::string_view text, std::string code, std::string message, std::string hint = {});
   void note(const std::string& place, std::string code, std::string message);
   void finish();
@@ -57,11 +59,19 @@ class Gate {
 
   std::vector<std::optional<Accessor>> accessors;
 
+  /// Accessors of a type that glTF does not know. Whoever refers to one is refused.
+  std::set<std::size_t> unknown_accessors;
+
  private:
   Document& document_;
   Diagnostics& diagnostics_;
   std::size_t mistakes_ = 0;
+  std::size_t warnings_ = 0;
 };
+
+/// How many bytes buffer views, or accessors, may claim together. Some overlap is common, as primitives view one stream;
+/// but a small file whose parts all lie over one another must not fill the memory.
+std::uint64_t most_claimed(const Gate& gate);
 
 std::string at(const std::string& place, std::size_t i);
 std::string in(const std::string& place, std::string_view key);

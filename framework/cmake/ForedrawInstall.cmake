@@ -1,0 +1,58 @@
+# What `cmake --install` puts where, in two components: runtime (the program) and development (libraries, headers, the
+# package for find_package).
+#
+# Every library of ours is a component of the package foredraw with a file of its own, so that an engine gets the targets
+# that it asks for and what they link, and needs no package besides theirs.
+
+set(foredraw_package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/foredraw")
+set_property(GLOBAL PROPERTY FOREDRAW_COMPONENTS "")
+
+# foredraw_install_component(scene): foredraw::scene, made by foredraw_add_library.
+function(foredraw_install_component name)
+  if(NOT FOREDRAW_INSTALL)
+    return()
+  endif()
+  install(TARGETS foredraw_${name} EXPORT foredraw_${name}
+          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+  install(EXPORT foredraw_${name} NAMESPACE foredraw:: FILE ${name}.cmake
+          DESTINATION "${foredraw_package_folder}/components" COMPONENT development)
+  set_property(GLOBAL APPEND PROPERTY FOREDRAW_COMPONENTS ${name})
+endfunction()
+
+# Headers of a folder: <foredraw/...> and <plugins/...> below one folder that no other project has.
+function(foredraw_install_headers folder destination)
+  if(FOREDRAW_INSTALL)
+    install(DIRECTORY "${folder}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/foredraw/${destination}" COMPONENT development
+            FILES_MATCHING PATTERN "*.h" PATTERN private EXCLUDE)
+  endif()
+endfunction()
+
+# The package itself: which components there are, which others each links, which packages it needs.
+function(foredraw_install_package)
+  if(NOT FOREDRAW_INSTALL)
+    return()
+  endif()
+  get_property(components GLOBAL PROPERTY FOREDRAW_COMPONENTS)
+  list(SORT components)
+  set(rows "")
+  foreach(name IN LISTS components)
+    get_target_property(links foredraw_${name} LINK_LIBRARIES)
+    list(FILTER links INCLUDE REGEX "^foredraw::")
+    list(TRANSFORM links REPLACE "^foredraw::" "")
+    get_target_property(requires foredraw_${name} FOREDRAW_REQUIRES)
+    string(APPEND rows "set(_foredraw_${name}_links ${links})\nset(_foredraw_${name}_requires ${requires})\n")
+  endforeach()
+
+  include(CMakePackageConfigHelpers)
+  set(generated "${PROJECT_BINARY_DIR}/generated")
+  configure_file("${PROJECT_SOURCE_DIR}/framework/cmake/foredrawConfig.cmake.in" "${generated}/foredrawConfig.cmake" @ONLY)
+  write_basic_package_version_file("${generated}/foredrawConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+  install(FILES "${generated}/foredrawConfig.cmake" "${generated}/foredrawConfigVersion.cmake"
+          "${PROJECT_SOURCE_DIR}/framework/cmake/Findxxhash.cmake"
+          DESTINATION "${foredraw_package_folder}" COMPONENT development)
+  foredraw_install_headers("${PROJECT_SOURCE_DIR}/framework/foredraw" "")
+  foreach(component runtime development)
+    install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/LICENSES.md"
+            DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT ${component})
+  endforeach()
+endfunction()

@@ -1,0 +1,118 @@
+#include <foredraw/io/private/image_exr.h>
+#include <foredraw/io/private/image_headers.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+namespace foredraw::images {
+
+namespace {
+
+std::uint32_t at(Bytes bytes, std::size_t i) { return std::to_integer<std::uint32_t>(bytes[i]); }
+std::uint32_t big16(Bytes bytes, std::size_t i) { return at(bytes, i) << 8 | at(bytes, i + 1); }
+std::uint32_t big32(Bytes bytes, std::size_t i) { return big16(bytes, i) << 16 | big16(bytes, i + 2); }
+std::uint32_t little16(Bytes bytes, std::size_t i) { return at(bytes, i) | at(bytes, i + 1) << 8; }
+
+bool begins_with(Bytes bytes, std::string_view text) {
+  return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
+}
+
+bool has(Bytes bytes, std::size_t i, std::string_view text) {
+  return i < bytes.size() && begins_with(bytes.subspan(i), text);
+}
+
+/// Deflate makes 1032 bytes of one at best: a bit for a match of 258 bytes, and one for its distance.
+constexpr std::uint64_t best_of_deflate = 1032;
+
+std::optional<Header> png(Bytes bytes) {
+  if (bytes.size() < 33 || !has(bytes, 12, "IHDR")) return std::nullopt;
+  Header header{Kind::png, {big32(bytes, 16), big32(bytes, 20), 0, static_cast<int>(at(bytes, 24))}};
+  switch (at(bytes, 25)) {
+    case 0: header.facts.channels = 1; break;
+    case 2: header.facts.channels = 3; break;
+    case 3: header.facts.channels = 3; break;
+    case 4: header.facts.channels = 2; break;
+    case 6: header.facts.channels = 4; break;
+    default: return std::nullopt;
+  }
+  const bool is_palette = at(bytes, 25) == 3;
+  const std::uint64_t stored = static_cast<std::uint64_t>(header.facts.bits) * (is_palette ? 1 : header.facts.channels);
+  if (stored == 0) return std::nullopt;
+  header.most_texels = bytes.size() * best_of_deflate * 8 / stored;
+  if (is_palette) header.facts.bits = 8;
+  // Transparent colours are an alpha channel by another name; they are told before the texels.
+  for (std::size_t chunk = 8; bytes.size() - chunk >= 12; chunk += 12 + big32(bytes, chunk)) {
+    if (has(bytes, chunk + 4, "tRNS") && header.facts.channels % 2 == 1) ++header.facts.channels;
+    if (has(bytes, chunk + 4, "tRNS") || has(bytes, chunk + 4, "IDAT")) break;
+    if (big32(bytes, chunk) > bytes.size() - chunk - 12) break;
+  }
+  return header;
+}
+
+std::optional<Header> jpeg(Bytes bytes) {
+  for (std::size_t i = 2; i + 4 <= bytes.size();) {
+    if (at(bytes, i) != 0xff) return std::nullopt;
+    const std::uint32_t marker = at(bytes, i + 1);
+    if (marker == 0xff) {  // fill
+      ++i;
+      continue;
+    }
+    const bool is_frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    if (is_frame) {
+      if (i + 10 > bytes.size()) return std::nullopt;
+      const auto bits = static_cast<int>(at(bytes, i + 4));
+      const auto stored = static_cast<int>(at(bytes, i + 9));
+      const int channels = stored == 4 ? 3 : stored;  // the inks of a press become RGB
+      // A block of 64 texels takes a bit at least, and colour that is stored more coarsely is stored beside grey that
+      // is not.
+      return Header{
+          Kind::jpeg, {big16(bytes, i + 7), big16(bytes, i + 5), channels, bits}, std::uint64_t{1024} * bytes.size()};
+    }
+    if (marker == 0xda || marker == 0xd9) return std::nullopt;  // texels, or the end, without a frame
+    if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8)) {
+      i += 2;
+    } else {
+      i += 2 + std::size_t{big16(bytes, i + 2)};
+    }
+  }
+  return std::nullopt;
+}
+
+/// It has no mark at its beginning: every byte has to be one that a TGA can have there.
+std::optional<Header> tga(Bytes bytes) {
+  if (bytes.size() < 18) return std::nullopt;
+  const std::uint32_t has_map = at(bytes, 1), type = at(bytes, 2), depth = at(bytes, 16), map_depth = at(bytes, 7);
+  const bool is_packed = type >= 9 && type <= 11;
+  const std::uint32_t plain = is_packed ? type - 8 : type;
+  if (plain < 1 || plain > 3 || has_map != (plain == 1 ? 1u : 0u)) return std::nullopt;
+  if (plain == 1 ? depth != 8 : plain == 2 ? depth != 16 && depth != 24 && depth != 32 : depth != 8)
+    return std::nullopt;
+  if (plain == 1 && map_depth != 24 && map_depth != 32) return std::nullopt;
+  if ((at(bytes, 17) & 0xc0) != 0) return std::nullopt;
+  const std::uint32_t colours = plain == 1 ? map_depth : depth;
+  const int channels = plain == 3 ? 1 : colours == 32 ? 4 : 3;
+  const std::uint64_t texel = depth / 8;
+  // A packet of 128 equal texels is a byte and the texel.
+  const std::uint64_t most = is_packed ? bytes.size() * 128 / (1 + texel) : bytes.size() / texel;
+  return Header{Kind::tga, {little16(bytes, 12), little16(bytes, 14), channels, 8}, most};
+}
+
+}  // namespace
+
+std::optional<Header> header_of(Bytes bytes) {
+  std::optional<Header> header;
+  if (begins_with(bytes, "\x89PNG\r\n\x1a\n")) {
+    header = png(bytes);
+  } else if (begins_with(bytes, "\xff\xd8\xff")) {
+    header = jpeg(bytes);
+  } else if (is_exr(bytes)) {
+    header = exr_header(bytes);
+  } else {
+    header = tga(bytes);
+  }
+  if (header && (header->facts.width == 0 || header->facts.height == 0)) return std::nullopt;
+  return header;
+}
+
+}  // namespace foredraw::images

@@ -1,0 +1,44 @@
+#include <foredraw/io/private/image_stb.h>
+
+#include <limits>
+
+// A copy of its own with only what is needed, whose names nobody else sees: tinygltf's library brings another.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_TGA
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+#include <memory>
+
+namespace foredraw::images {
+
+std::variant<std::vector<std::byte>, std::string> stb_texels(Bytes bytes, const Header& header) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return "is larger than 2 GB";
+  const auto* from = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const auto length = static_cast<int>(bytes.size());
+  int width = 0, height = 0, stored = 0;
+  const int channels = header.facts.channels;
+  const bool is_wide = header.facts.bits > 8;
+  void* made = is_wide ? static_cast<void*>(stbi_load_16_from_memory(from, length, &width, &height, &stored, channels))
+                       : static_cast<void*>(stbi_load_from_memory(from, length, &width, &height, &stored, channels));
+  const std::unique_ptr<void, decltype(&stbi_image_free)> texels(made, &stbi_image_free);
+  if (!texels) return stbi_failure_reason() == nullptr ? "can not be decoded" : std::string(stbi_failure_reason());
+  if (static_cast<std::uint32_t>(width) != header.facts.width ||
+      static_cast<std::uint32_t>(height) != header.facts.height) {
+    return "has two headers that differ";
+  }
+  const auto* first = static_cast<const std::byte*>(texels.get());
+  const std::size_t size =
+      std::size_t{header.facts.width} * header.facts.height * static_cast<std::size_t>(channels) * (is_wide ? 2 : 1);
+  return std::vector<std::byte>(first, first + size);
+}
+
+}  // namespace foredraw::images

@@ -1,0 +1,35 @@
+#pragma once
+// Meshes in OBJ, PLY, OFF and STL, read into flat arrays and written back to their own kind.
+
+#include <foredraw/base/diagnostics.h>
+#include <foredraw/platform/files.h>
+#include <foredraw/scene/scene.h>
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace foredraw {
+
+enum class MeshKind { obj, ply, off, stl };
+
+/// By the extension, in any case; nullopt: it is another kind of file.
+std::optional<MeshKind> mesh_kind_of(const std::filesystem::path& path);
+
+/// ".obj"
+std::string_view extension_of(MeshKind kind);
+
+/// Reads bytes; `name` is what diagnostics call them, and an OBJ's material libraries are looked for in `folder`
+/// (empty: there are none). nullopt, with an error that names file and line (or byte), where they can not be read whole
+/// and right; what is left out is told by warnings and notes. Safe to call from several threads.
+std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind kind, const std::string& name,
+                                    const std::filesystem::path& folder, Diagnostics& diagnostics);
+
+/// The file that a scene was read from, its faces and vertices in the scene's order and all else as it was: byte for
+/// byte where nothing moved. nullopt, with an error, where the scene did not come from a file of this kind, or where
+/// more than the order was changed.
+std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
+                                           Diagnostics& diagnostics);
+
+}  // namespace foredraw

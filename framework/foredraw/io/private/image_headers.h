@@ -1,0 +1,25 @@
+#pragma once
+// The headers of image files. Private to io.
+
+#include <foredraw/scene/image.h>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace foredraw::images {
+
+using Bytes = std::span<const std::byte>;
+
+enum class Kind { png, jpeg, tga, exr };
+
+struct Header {
+  Kind kind = Kind::png;
+  ImageFacts facts;
+  std::uint64_t most_texels = 0;  ///< that so many bytes can hold in this format, however well they are compressed
+};
+
+/// nullopt where no header of a kind that we know stands there whole.
+std::optional<Header> header_of(Bytes bytes);
+
+}  // namespace foredraw::images

@@ -1,0 +1,58 @@
+#pragma once
+// Bytes that hold text: tokens, numbers, and where in the file they stand. Private to io.
+
+#include <foredraw/base/diagnostics.h>
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace foredraw::mesh_files {
+
+inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+std::string_view trimmed(std::string_view text);
+std::string lower_case(std::string_view text);
+
+/// A name as it stands in a file, trimmed; one that is no UTF-8 is taken for Latin-1, which is what older tools wrote.
+std::string name_in(std::string_view text);
+
+/// The next token of a text, taken off its front; empty at its end.
+std::string_view take_token(std::string_view& text);
+
+/// The next line, taken off the front of a text, without the line feed; a carriage return stays.
+std::string_view take_line(std::string_view& text);
+
+/// Reads a finite number as a 32-bit float; one that is too small becomes 0. Says why not; empty: done.
+std::string_view read_float(std::string_view token, float& value);
+
+/// Reads a whole number that the type can hold, a plus sign allowed.
+template <class T>
+bool read_integer(std::string_view token, T& value) {
+  if (token.size() > 1 && token.front() == '+' && token[1] != '-') token.remove_prefix(1);
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  return error == std::errc{} && end == token.data() + token.size();
+}
+
+/// A token as messages show it: short, and printable.
+std::string shown(std::string_view token);
+
+/// A file being read: its name, its bytes, and who is told.
+struct Reading {
+  std::string name;
+  std::string_view text;
+  Diagnostics& diagnostics;
+
+  /// Line and column of a part of `text`.
+  Where at(std::string_view part) const;
+  /// A place in bytes that are no text.
+  Where at_byte(std::size_t offset) const;
+  /// Tells why the file is refused. False, to be passed on.
+  bool refuse(Where where, std::string message, std::string hint = {}) const;
+  bool read(std::string_view token, float& value) const;  ///< or refuses
+};
+
+}  // namespace foredraw::mesh_files

@@ -1,0 +1,180 @@
+// What an OBJ says becomes the scene that people expect, or is refused with its line.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/mesh_reading.h"
+
+namespace foredraw {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::read_mesh;
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+Scene read(const std::string& text) {
+  auto made = read_mesh(MeshKind::obj, text);
+  if (!made.scene) throw std::runtime_error(made.error());
+  return *made.scene;
+}
+
+std::string error(const std::string& text) { return read_mesh(MeshKind::obj, text).error(); }
+
+const VertexStreams& vertices(const Scene& scene, DrawId draw = 0) { return *scene.draws.at(draw).levels[0].vertices; }
+std::vector<std::uint32_t> indices(const Scene& scene, DrawId draw = 0) {
+  const auto view = scene.draws.at(draw).levels[0].orders[0].indices.view();
+  return {view.begin(), view.end()};
+}
+
+TEST(MeshObj, AQuadIsTwoTrianglesWoundAsItWas) {
+  const Scene scene = read(square + "f 1 2 3 4\n");
+  EXPECT_EQ(indices(scene), (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(decode_vec3(*vertices(scene).find("POSITION"))[2], glm::vec3(1, 1, 0));
+  ASSERT_EQ(scene.nodes.size(), 1u);
+  EXPECT_EQ(scene.meshes[0].name, "input");
+  EXPECT_TRUE(scene.draws[0].traits.has(traits::triangles));
+}
+
+TEST(MeshObj, CornersThatDifferInTextureOrNormalAreVerticesOfTheirOwn) {
+  const std::string corners = "vt 0 0\nvt 1 0.25\nvn 0 0 1\nvn 0 1 0\n";
+  const Scene seam = read(square + corners + "f 1/1/1 2/1/1 3/1/1\nf 1/2/1 3/1/1 4/1/1\nf 1/1/2 3/1/2 4/1/2\n");
+  EXPECT_EQ(vertices(seam).count, 3u + 2u + 3u);
+  EXPECT_EQ(indices(seam), (std::vector<std::uint32_t>{0, 1, 2, 3, 2, 4, 5, 6, 7})) << "in the sequence of first use";
+  // OBJ counts v from below, glTF from above.
+  EXPECT_EQ(decode_component(*vertices(seam).find("TEXCOORD_0"), 3, 1), 0.75f);
+}
+
+TEST(MeshObj, NegativeIndicesCountFromTheLineTheyStandIn) {
+  const Scene scene = read("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -4 -3 -2\n");
+  EXPECT_EQ(indices(scene), (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(decode_vec3(*vertices(scene).find("POSITION"))[0], glm::vec3(0));
+  EXPECT_EQ(error(square + "f 1 2 -5\n"), "input.obj:5:7: error: names record -5, and 4 are there so far");
+}
+
+TEST(MeshObj, RecordsMayComeAfterTheFace) { EXPECT_EQ(vertices(read("f 1 2 3\n" + square)).count, 3u); }
+
+TEST(MeshObj, ThreeTrianglesOnAnEdgeStay) {
+  EXPECT_EQ(indices(read(square + "v 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n")).size(), 9u);
+}
+
+TEST(MeshObj, ObjectsAreMeshesAndMaterialsAreDraws) {
+  const Scene scene = read(square +
+                           "o left\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\ng part\nusemtl red\nf 1 2 4\n"
+                           "o right\nf 2 3 4\n");
+  ASSERT_EQ(scene.meshes.size(), 2u);
+  EXPECT_EQ(scene.meshes[0].name, "left");
+  ASSERT_EQ(scene.draws.size(), 3u);
+  EXPECT_EQ(scene.draws[0].name, "left/0");
+  EXPECT_EQ(indices(scene, 0).size(), 6u) << "a group does not part where there are objects";
+  EXPECT_EQ(scene.draws[2].name, "right");
+  EXPECT_EQ(scene.material_of(scene.draws[1])->name, "blue");
+  EXPECT_EQ(scene.material_of(scene.draws[2])->name, "red");
+  EXPECT_EQ(scene.nodes.size(), 2u);
+}
+
+TEST(MeshObj, WithoutObjectsGroupsAreMeshes) {
+  EXPECT_EQ(read(square + "g a\nf 1 2 3\ng b\nf 1 3 4\n").meshes.at(1).name, "b");
+}
+
+TEST(MeshObj, FacesWithAndWithoutTextureAreDrawsOfTheirOwn) {
+  const Scene scene = read(square + "vt 0 0\nf 1/1 2/1 3/1\nf 1 3 4\nf 1/1 2 3\n");
+  ASSERT_EQ(scene.draws.size(), 2u);
+  EXPECT_TRUE(scene.draws[0].traits.has(traits::uv0));
+  EXPECT_EQ(vertices(scene, 1).find("TEXCOORD_0"), nullptr) << "nothing is made up";
+}
+
+TEST(MeshObj, ColorsOfVerticesStay) {
+  const Scene scene = read("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
+  const VertexStream* colors = vertices(scene).find("COLOR_0");
+  ASSERT_NE(colors, nullptr);
+  EXPECT_EQ(decode_component(*colors, 0, 1), 0.5f);
+  EXPECT_EQ(decode_component(*colors, 1, 0), 1.0f) << "white where the file says nothing";
+}
+
+TEST(MeshObj, LinesMayBeJoinedAndEndAsTheyLike) {
+  const Scene scene = read("\xEF\xBB\xBFv 0 0 0 # one\r\nv 1 0 \\\r\n 0\r\nv 0 +1 0\r\n# a path C:\\\r\nf 1 2 \\\n3");
+  EXPECT_EQ(indices(scene).size(), 3u);
+}
+
+TEST(MeshObj, WhatIsLeftOutIsTold) {
+  const auto small = read_mesh(MeshKind::obj, square + "f 1 2\nf 1 2 3\nf\nl 1 2\nv 0 0 0 2\nnonsense 1\n");
+  EXPECT_EQ(small.told(), "elements-left-out weights-left-out unknown-lines faces-left-out");
+  EXPECT_EQ(read_mesh(MeshKind::obj, square + "f 1 2 3\n").told(), "");
+}
+
+TEST(MeshObj, PointsAloneAreAScene) {
+  const Scene scene = read(square);
+  EXPECT_EQ(scene.draws[0].topology, Topology::points);
+  EXPECT_EQ(vertices(scene).count, 4u);
+}
+
+TEST(MeshObj, RefusalsNameTheLine) {
+  EXPECT_EQ(error("v 0 0\n"), "input.obj:1:1: error: 'v' takes at least 3 numbers, and here are 2");
+  EXPECT_EQ(error("v 0 0 0\nv 0 nan 0\n"), "input.obj:2:5: error: 'nan' is not finite");
+  EXPECT_EQ(error("v 0 0 -inf\n"), "input.obj:1:7: error: '-inf' is not finite");
+  EXPECT_EQ(error("v 0 1e39 0\n"), "input.obj:1:5: error: '1e39' does not fit into a 32-bit float");
+  EXPECT_EQ(error("v 0 0 zero\n"), "input.obj:1:7: error: 'zero' is not a number");
+  EXPECT_EQ(error(square + "f 1 2 5\n"), "input.obj:5:1: error: the face names 'v' number 5, and the file holds 4");
+  EXPECT_EQ(error(square + "f 1/1 2/1 3/1\n"),
+            "input.obj:5:1: error: the face names 'vt' number 1, and the file holds 0");
+  EXPECT_EQ(error(square + "f 0 1 2\n"), "input.obj:5:3: error: names record 0, but OBJ counts from 1");
+  EXPECT_EQ(error(square + "f 1 2 99999999999999999999\n"),
+            "input.obj:5:7: error: '99999999999999999999' is not a whole number");
+  EXPECT_EQ(error(square + "f 1 2 4294967297\n"),
+            "input.obj:5:7: error: names record 4294967297, which no file can hold");
+  EXPECT_EQ(error(std::string("v 0 0 0\0", 8)),
+            "input.obj: error: byte 7: a zero byte, which no OBJ holds: the file is not text");
+  EXPECT_EQ(error(""), "input.obj: error: the file holds no vertices");
+  EXPECT_EQ(error(square + "f 1 2\n"), "input.obj: error: none of the file's faces has three corners");
+}
+
+TEST(MeshObj, WhatIsTooSmallForAFloatIsZero) {
+  const Scene scene = read("v 1e-60 0 0\nv -1e-400 0.5e-39 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(decode_vec3(*vertices(scene).find("POSITION"))[0].x, 0);
+  EXPECT_EQ(decode_vec3(*vertices(scene).find("POSITION"))[1].x, 0);
+}
+
+class MeshObjMaterials : public ::testing::Test {
+ protected:
+  MeshObjMaterials()
+      : folder_(fs::temp_directory_path() /
+                ("foredraw-mtl-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    fs::create_directories(folder_ / "inner");
+  }
+  ~MeshObjMaterials() override { fs::remove_all(folder_); }
+  void put(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+
+  fs::path folder_;
+};
+
+TEST_F(MeshObjMaterials, BlendedOnesAndTexturesAreKnown) {
+  put("inner/a b.mtl", "newmtl glass\nd 0.5\nnewmtl wood\nKd 1 0.5 0\nmap_Kd -s 1 1 1 wood.png\nmap_Kd ../out.png\n");
+  put("inner/wood.png", "");
+  const std::string text =
+      "mtllib a b.mtl\n" + square + "usemtl glass\nf 1 2 3\nusemtl wood\nf 1 3 4\nusemtl new\nf 2 3 4\n";
+  const auto made = read_mesh(MeshKind::obj, text, folder_ / "inner");
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "left-out") << "the texture that leads out of the folder";
+  EXPECT_TRUE(made.scene->draws[0].traits.has(traits::blended));
+  EXPECT_EQ(made.scene->material_of(made.scene->draws[1])->name, "wood");
+  ASSERT_EQ(made.scene->images.size(), 1u);
+  EXPECT_EQ(made.scene->images[0].uri, "wood.png");
+  EXPECT_EQ(made.scene->materials.size(), 3u);
+}
+
+TEST_F(MeshObjMaterials, LibrariesOutsideTheFolderAreNotOpened) {
+  put("secret.mtl", "newmtl m\nd 0.5\n");
+  fs::create_symlink(folder_ / "secret.mtl", folder_ / "inner/link.mtl");
+  for (const std::string name : {"../secret.mtl", "..\\secret.mtl", "link.mtl", "missing.mtl", "C:\\secret.mtl", "."}) {
+    const auto made =
+        read_mesh(MeshKind::obj, "mtllib " + name + "\n" + square + "usemtl m\nf 1 2 3\n", folder_ / "inner");
+    ASSERT_TRUE(made.scene) << name;
+    EXPECT_EQ(made.told(), "left-out") << name;
+    EXPECT_FALSE(made.scene->draws[0].traits.has(traits::blended)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace foredraw

@@ -1,0 +1,140 @@
+// PLY in each encoding, with what other programs put into it.
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "support/mesh_reading.h"
+
+namespace foredraw {
+namespace {
+
+using testing::read_mesh;
+
+/// Numbers put one behind the other in either byte order.
+class Binary {
+ public:
+  explicit Binary(bool big) : big_(big) {}
+
+  template <class T>
+  Binary& put(std::initializer_list<T> values) {
+    for (T value : values) {
+      std::array<char, sizeof(T)> raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+      if (big_) std::reverse(raw.begin(), raw.end());
+      bytes.append(raw.data(), raw.size());
+    }
+    return *this;
+  }
+
+  std::string bytes;
+
+ private:
+  bool big_;
+};
+
+const std::string head =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string places = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string face_element = "element face 1\nproperty list uchar int vertex_indices\n";
+
+Scene read(const std::string& text) {
+  auto made = read_mesh(MeshKind::ply, text);
+  if (!made.scene) throw std::runtime_error(made.error());
+  return *made.scene;
+}
+std::string error(const std::string& text) { return read_mesh(MeshKind::ply, text).error(); }
+const VertexStreams& vertices(const Scene& scene) { return *scene.draws.at(0).levels[0].vertices; }
+std::vector<std::uint32_t> indices(const Scene& scene) {
+  const auto view = scene.draws.at(0).levels[0].orders[0].indices.view();
+  return {view.begin(), view.end()};
+}
+
+TEST(MeshPly, BothByteOrdersWithPropertiesOfAllSorts) {
+  for (const bool big : {false, true}) {
+    const std::string header =
+        std::string("ply\r\nformat binary_") + (big ? "big" : "little") +
+        "_endian 1.0\r\ncomment who made it\r\nelement vertex 3\r\nproperty double x\r\nproperty double y\r\n"
+        "property double z\r\nproperty float quality\r\nproperty uchar red\r\nproperty uchar green\r\n"
+        "property uchar blue\r\nproperty float s\r\nproperty float t\r\nelement face 1\r\nproperty uchar flags\r\n"
+        "property list uchar int vertex_indices\r\nproperty list ushort float weights\r\nelement edge 1\r\n"
+        "property int a\r\nend_header\r\n";
+    Binary body(big);
+    for (const double x : {0.0, 1.0, 0.5}) {
+      body.put<double>({x, x * x, 0}).put<float>({7}).put<std::uint8_t>({10, 20, 255}).put<float>({0.25f, 0.75f});
+    }
+    body.put<std::uint8_t>({9, 3}).put<std::int32_t>({2, 0, 1}).put<std::uint16_t>({2}).put<float>({1, 2});
+    body.put<std::int32_t>({5});
+    const auto made = read_mesh(MeshKind::ply, header + body.bytes);
+    ASSERT_TRUE(made.scene) << made.error();
+    EXPECT_EQ(made.told(), "properties-left-out");
+    EXPECT_EQ(indices(*made.scene), (std::vector<std::uint32_t>{2, 0, 1}));
+    EXPECT_EQ(decode_vec3(*vertices(*made.scene).find("POSITION"))[2], glm::vec3(0.5f, 0.25f, 0));
+    EXPECT_EQ(decode_component(*vertices(*made.scene).find("COLOR_0"), 1, 2), 1.0f);
+    EXPECT_EQ(vertices(*made.scene).find("COLOR_0")->format.component, Component::uint8) << "8 bits stay 8 bits";
+    EXPECT_EQ(decode_component(*vertices(*made.scene).find("TEXCOORD_0"), 0, 1), 0.25f);
+  }
+}
+
+TEST(MeshPly, AVertexIsARecordWithItsNumber) {
+  const Scene scene = read(
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n" +
+      face_element + "end_header\n0 0 0 0 0 1\n5 5 5 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 2 3\n");
+  EXPECT_EQ(vertices(scene).count, 4u) << "one that no face names stays";
+  EXPECT_EQ(indices(scene), (std::vector<std::uint32_t>{0, 2, 3}));
+  EXPECT_TRUE(scene.draws[0].traits.has(traits::normals));
+}
+
+TEST(MeshPly, FacesMayComeFirst) {
+  EXPECT_EQ(
+      indices(read("ply\nformat ascii 1.0\n" + face_element +
+                   "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n3 0 1 2\n" +
+                   places)),
+      (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+TEST(MeshPly, TextureCoordinatesOfCornersMakeSeams) {
+  const Scene scene =
+      read(head + "element face 2\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n" +
+           "end_header\n" + places + "3 0 1 2 6 0 0 1 0 0 1\n3 0 1 2 6 0.5 0 1 0 0 1\n");
+  EXPECT_EQ(vertices(scene).count, 4u);
+  EXPECT_EQ(indices(scene), (std::vector<std::uint32_t>{0, 1, 2, 3, 1, 2}));
+  EXPECT_EQ(
+      error(head + "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n" +
+            "end_header\n" + places + "3 0 1 2 4 0 0 1 0\n"),
+      "input.ply:14:1: error: 4 texture coordinates for 3 corners");
+}
+
+TEST(MeshPly, RefusalsNameThePlace) {
+  EXPECT_EQ(error(""), "input.ply:1:1: error: a PLY begins with a line 'ply'");
+  EXPECT_EQ(error("ply\nformat ascii 2.0\n"), "input.ply:2:14: error: version '2.0', expected 1.0");
+  EXPECT_EQ(error("ply\nformat middle 1.0\n"), "input.ply:2:8: error: 'middle' is no format of PLY");
+  EXPECT_EQ(error(head), "input.ply:7:1: error: the file ends inside its header");
+  EXPECT_EQ(error(head + face_element + "end_header\n" + places + "3 0 1 3\n"),
+            "input.ply:13:1: error: the face names vertex 3, and there are 3, counted from 0");
+  EXPECT_EQ(error(head + face_element + "end_header\n" + places + "3 0 1 -1\n"),
+            "input.ply:13:7: error: a face names vertex -1");
+  EXPECT_EQ(error(head + face_element + "end_header\n" + places + "200 0 1 2\n"),
+            "input.ply:13:1: error: a list of 200 values, and 7 bytes are left");
+  EXPECT_EQ(error(head + "end_header\n0 0 0\n0 inf 0\n0 0 0\n"), "input.ply:9:3: error: 'inf' is not finite");
+  EXPECT_EQ(
+      error(head + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + places + "3 0 1 2\n"),
+      "input.ply:7:19: error: triangle strips are not read");
+  EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n"),
+            "input.ply: error: there is no element 'vertex' with x, y and z");
+}
+
+TEST(MeshPly, CountsAreHeldAgainstTheBytesThatAreThere) {
+  for (const std::string count :
+       {"1000000000", "2147483648", "4294967295", "9223372036854775808", "18446744073709551615"}) {
+    for (const std::string format : {"ascii", "binary_little_endian"}) {
+      const std::string text = "ply\nformat " + format + " 1.0\nelement vertex " + count +
+                               "\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + places;
+      EXPECT_NE(error(text).find("input.ply:3:16: error: " + count + " elements 'vertex' take at least"),
+                std::string::npos)
+          << error(text);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foredraw

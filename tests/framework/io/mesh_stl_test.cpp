@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "support/mesh_reading.h"
+
+namespace foredraw {
+namespace {
+
+using testing::read_mesh;
+using Triangle = std::array<float, 9>;
+
+constexpr Triangle one{0, 0, 0, 1, 0, 0, 0, 1, 0};
+constexpr Triangle two{1, 0, 0, 1, 1, 0, -0.0f, 1, 0};
+
+std::string binary(std::string header, const std::vector<Triangle>& triangles, std::uint32_t count) {
+  header.resize(80, ' ');
+  header.append(reinterpret_cast<const char*>(&count), 4);
+  for (const Triangle& triangle : triangles) {
+    header.append(12, '\0');
+    header.append(reinterpret_cast<const char*>(triangle.data()), 36);
+    header.append(2, '\0');
+  }
+  return header;
+}
+
+std::string facet(const std::string& vertices) {
+  return "facet normal 0 0 1\n outer loop\n" + vertices + " endloop\nendfacet\n";
+}
+const std::string triangle = facet("vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
+
+std::string error(const std::string& text) { return read_mesh(MeshKind::stl, text).error(); }
+
+TEST(MeshStl, CornersAtOnePlaceAreOneVertex) {
+  const auto made = read_mesh(MeshKind::stl, binary("made by hand", {one, two}, 2));
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.scene->draws[0].levels[0].vertices->count, 4u) << "and -0 is 0";
+  EXPECT_EQ(made.scene->draws[0].levels[0].vertices->base.size(), 1u) << "a facet's normal follows from its corners";
+}
+
+TEST(MeshStl, AHeaderThatSaysSolidIsBelievedInTextAlone) {
+  EXPECT_TRUE(read_mesh(MeshKind::stl, binary("solid lie", {one}, 1)).scene);
+  EXPECT_EQ(error(binary("solid lie", {one}, 2)),
+            "input.stl: error: byte 80: 2 triangles of 50 bytes each, and 50 bytes are left");
+}
+
+TEST(MeshStl, CountsAreHeldAgainstTheBytesThatAreThere) {
+  for (const std::uint32_t count : {2u, 0x80000000u, 0xffffffffu}) {
+    EXPECT_NE(error(binary("", {one}, count)).find("byte 80: " + std::to_string(count)), std::string::npos);
+  }
+  EXPECT_EQ(error(binary("", {one}, 0)), "input.stl: error: the file holds no vertices");
+  EXPECT_EQ(read_mesh(MeshKind::stl, binary("", {one, two}, 1)).told(), "bytes-left-out");
+}
+
+TEST(MeshStl, EachSolidIsAMesh) {
+  const auto made = read_mesh(MeshKind::stl, "solid a b\n" + triangle + "endsolid a b\nSOLID c\n" + triangle +
+                                                 triangle + "EndSolid\nsolid empty\nendsolid empty\n");
+  ASSERT_TRUE(made.scene) << made.error();
+  ASSERT_EQ(made.scene->meshes.size(), 2u);
+  EXPECT_EQ(made.scene->meshes[0].name, "a b");
+  EXPECT_EQ(made.scene->draws[1].levels[0].vertices->count, 3u);
+  EXPECT_EQ(made.scene->draws[1].levels[0].orders[0].indices.size(), 6u);
+}
+
+TEST(MeshStl, RefusalsNameThePlace) {
+  EXPECT_EQ(error(""), "input.stl: error: the file holds no solid");
+  EXPECT_EQ(error("solid\n" + triangle), "input.stl:9:1: error: the file ends inside a solid");
+  EXPECT_EQ(error("solid\n" + facet("vertex 0 0 1e99\n")),
+            "input.stl:4:12: error: '1e99' does not fit into a 32-bit float");
+  EXPECT_EQ(error("solid\n" + facet("vertex 0 0\n")), "input.stl:5:2: error: 'endloop' is not a number");
+  EXPECT_EQ(error("solid\nloop\n"), "input.stl:2:1: error: 'loop', expected 'facet' or 'endsolid'");
+  Triangle bad = one;
+  bad[4] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(error(binary("", {two, bad}, 2)), "input.stl: error: byte 162: a coordinate of triangle 1 is not finite");
+}
+
+}  // namespace
+}  // namespace foredraw

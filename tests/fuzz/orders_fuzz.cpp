@@ -1,0 +1,149 @@
+// The bytes are an odd mesh, and the options of the stages: whatever is ordered, the same is drawn, also when it has
+// been written and read again.
+
+#include "claim.h"
+
+#include <foredraw/analysis/certificate.h>
+#include <foredraw/io/gltf.h>
+#include <foredraw/pipeline/parse.h>
+#include <foredraw/pipeline/runner.h>
+#include <foredraw/technique/built_in_plugins.h>
+
+#include "support/gltf_builder.h"
+
+#include <cstring>
+
+namespace foredraw {
+namespace {
+
+using testing::GltfBuilder;
+using testing::GltfJson;
+
+/// Gives the input away byte by byte, then zeros.
+class Input {
+ public:
+  Input(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+  std::size_t left() const { return size_; }
+  std::uint8_t byte() {
+    if (size_ == 0) return 0;
+    --size_;
+    return *data_++;
+  }
+  std::size_t below(std::size_t n) { return byte() % n; }
+  float number() {
+    static constexpr float odd[] = {0,
+                                    -0.0f,
+                                    1,
+                                    0.5f,
+                                    1e-40f,
+                                    3e38f,
+                                    -3e38f,
+                                    std::numeric_limits<float>::infinity(),
+                                    std::numeric_limits<float>::quiet_NaN()};
+    const std::uint8_t b = byte();
+    return b < std::size(odd) ? odd[b] : static_cast<float>(b % 16);  // few values: equal vertices, flat triangles
+  }
+
+ private:
+  const std::uint8_t* data_;
+  std::size_t size_;
+};
+
+std::size_t add_floats(GltfBuilder& builder, Input& input, std::size_t vertices, const char* type,
+                       std::size_t components) {
+  std::vector<float> values(vertices * components);
+  for (float& value : values) value = input.number();
+  return builder.add_values(values, type);
+}
+
+GltfJson add_indices(GltfBuilder& builder, Input& input, std::size_t vertices, std::size_t count) {
+  std::vector<std::uint32_t> indices(count);
+  std::uint32_t near = 0;
+  for (std::uint32_t& index : indices) {  // mostly neighbours, as in a mesh, else anywhere
+    const std::uint8_t b = input.byte();
+    near = static_cast<std::uint32_t>(b < 200 ? near + b % 5 : b) % static_cast<std::uint32_t>(vertices);
+    index = near;
+  }
+  switch (input.below(3)) {
+    case 0: return builder.add_values(std::vector<std::uint8_t>(indices.begin(), indices.end()), "SCALAR");
+    case 1: return builder.add_values(std::vector<std::uint16_t>(indices.begin(), indices.end()), "SCALAR");
+    default: return builder.add_values(indices, "SCALAR");
+  }
+}
+
+std::vector<std::byte> mesh_of(Input& input) {
+  GltfBuilder builder;
+  const std::size_t vertices = 1 + input.below(200);
+  GltfJson streams = {{"POSITION", add_floats(builder, input, vertices, "VEC3", 3)}};
+  if (input.below(2) != 0) streams["NORMAL"] = add_floats(builder, input, vertices, "VEC3", 3);
+  if (input.below(2) != 0) streams["_OWN"] = add_floats(builder, input, vertices, "VEC2", 2);
+  const std::size_t targets = input.below(3);
+  GltfJson morphs = GltfJson::array();
+  for (std::size_t t = 0; t < targets; ++t)
+    morphs.push_back({{"POSITION", add_floats(builder, input, vertices, "VEC3", 3)}});
+  const std::size_t primitives = 1 + input.below(3);
+  builder.add("materials", {{"alphaMode", input.below(4) == 0 ? "BLEND" : "OPAQUE"}});
+  builder.add("meshes", {{"primitives", GltfJson::array()}});
+  for (std::size_t p = 0; p < primitives; ++p) {
+    static constexpr int modes[] = {4, 4, 4, 4, 5, 6, 1, 0};
+    GltfJson primitive = {{"attributes", streams}, {"mode", modes[input.below(8)]}, {"material", 0}};
+    if (!morphs.empty()) primitive["targets"] = morphs;
+    if (input.below(8) != 0) primitive["indices"] = add_indices(builder, input, vertices, 3 + input.below(250));
+    builder.json["meshes"][0]["primitives"].push_back(primitive);
+  }
+  builder.add("nodes", {{"mesh", 0}});
+  return builder.glb();
+}
+
+std::string line_of(Input& input) {
+  std::string line = input.below(2) != 0 ? "weld(keep-unused=true)" : "weld";
+  line += ", tipsify(cache-size=" + std::to_string(3 + input.below(60)) + "), linear-clusters(growth=1." +
+          std::to_string(input.below(10)) + "), dot-rule(check=false)";
+  if (input.below(2) != 0) line += ", vertex-fetch";
+  if (input.below(4) == 0) line += ", tipsify, weld";
+  return line;
+}
+
+std::vector<std::vector<Certificate>> certificates(const Scene& scene) {
+  Analyses analyses;
+  std::vector<std::vector<Certificate>> all;
+  for (const Draw& draw : scene.draws) {
+    if (draw.topology == Topology::triangles) all.push_back(certificates_of(draw, analyses));
+  }
+  return all;
+}
+
+Registry built_in_plugins() {
+  Registry registry;
+  add_built_in_plugins(registry);
+  return registry;
+}
+
+}  // namespace
+}  // namespace foredraw
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace foredraw;
+  static const Registry registry = built_in_plugins();
+  static const Executor executor(1);
+  Input input(data, size);
+  const std::string line = line_of(input);
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(mesh_of(input), "input", {}, diagnostics);
+  if (!scene) return 0;  // an index of all ones, or no whole triangle
+
+  const auto pipeline = parse_line(line, diagnostics);
+  claim(pipeline.has_value(), line + " does not parse: " + to_text(diagnostics));
+  const auto plan = foredraw::plan(*pipeline, registry, *scene, diagnostics);
+  claim(plan.has_value(), line + " can not be planned: " + to_text(diagnostics));
+  Analyses analyses;
+  const Result result = optimize(*plan, *scene, {executor, analyses});
+  claim(!result.failed, line + ": a stage failed:\n" + to_text(result.report) + to_text(diagnostics));
+  claim(certificates(result.scene) == certificates(*scene), line + ": something else is drawn");
+  const auto files = encode_gltf(result.scene, "again.glb", diagnostics);
+  claim(files && files->size() == 1, line + ": what was ordered can not be written: " + to_text(diagnostics));
+  const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics);
+  claim(again.has_value(), line + ": what was written can not be read: " + to_text(diagnostics));
+  claim(certificates(*again) == certificates(*scene), line + ": something else was written");
+  return 0;
+}

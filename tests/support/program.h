@@ -1,0 +1,75 @@
+#pragma once
+// The program, run in a folder of its own as its users run it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace foredraw::testing {
+
+inline std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline void put(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// A test with a folder that is empty at first and gone at last.
+class InFolder : public ::testing::Test {
+ protected:
+  InFolder() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string("foredraw-") + test->test_suite_name() + '-' + test->name();
+    for (char& c : name) c = c == '/' ? '-' : c;
+    folder_ = std::filesystem::path(::testing::TempDir()) / name;
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~InFolder() override { std::filesystem::remove_all(folder_); }
+
+  /// Sorted.
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  std::filesystem::path folder_;
+};
+
+struct Ended {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+#ifdef FOREDRAW_PROGRAM
+/// Runs `foredraw arguments` in the folder, with a shell's quoting; `before` goes before the command: "ulimit -v
+/// 1000;".
+inline Ended run_program(const std::filesystem::path& folder, const std::string& arguments,
+                         const std::string& before = {}) {
+  const std::filesystem::path streams = folder.string() + ".streams";
+  std::filesystem::create_directories(streams);
+  const std::string command = "cd '" + folder.string() + "' && " + before + " '" FOREDRAW_PROGRAM "' " + arguments +
+                              " >'" + (streams / "out").string() + "' 2>'" + (streams / "err").string() +
+                              "' </dev/null";
+  const int status = std::system(command.c_str());
+  Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(streams / "out"), content(streams / "err")};
+  std::filesystem::remove_all(streams);
+  return ended;
+}
+#endif
+
+}  // namespace foredraw::testing
