@@ -40,6 +40,9 @@ class CommandLine {
     with(optimize_app);
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
     optimize_app.add_option("--remap", arguments_.remap, "Write the triangle and vertex remap tables, as JSON, to this file");
+    optimize_app.add_option("--compression", arguments_.compression,
+                            "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
+        ->check(CLI::IsMember({"keep", "none"}));
     json(optimize_app, "Print the record of the run, as JSON, to standard output");
     threads(optimize_app);
 

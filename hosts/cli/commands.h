@@ -22,6 +22,7 @@ struct Arguments {
   std::string with;                    ///< evaluators to measure with instead of the pipeline's
   std::string report;
   std::string remap;
+  std::string compression = "keep";
   std::string kind;
   std::string name;
   int threads = 0;

@@ -48,7 +48,8 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::s
   const Arguments& arguments = job.arguments;
   // The scene, the report and the remap tables: all of them, or none and an explanation.
   const auto write = [&](Result& result, Diagnostics& diagnostics) {
-    auto files = encode_scene(result.scene, output, diagnostics);
+    const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
+    auto files = encode_scene(result.scene, output, diagnostics, compression);
     if (!files) return false;
     Report& report = result.report;
     report.output = {output, files->front().bytes.size()};

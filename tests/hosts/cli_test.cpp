@@ -118,6 +118,26 @@ TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {
   EXPECT_EQ(piped.out, content(folder_ / "file.glb"));
 }
 
+TEST_F(Cli, KeepsCompressionUnlessAskedOtherwise) {
+  const std::string rover = "'" + testing::project_file("tests/compressed/rover.glb").string() + "'";
+  ASSERT_EQ(run("optimize " + rover + " -o kept.glb -p tipsify").code, 0);
+  EXPECT_NE(content(folder_ / "kept.glb").find("EXT_meshopt_compression"), std::string::npos);
+  const Ended plain = run("optimize " + rover + " -o plain.glb -p tipsify --compression none");
+  ASSERT_EQ(plain.code, 0);
+  EXPECT_NE(plain.err.find("plain.glb: note: the output has "), std::string::npos) << plain.err;
+  EXPECT_NE(plain.err.find("hint: data written uncompressed: "), std::string::npos) << plain.err;
+  EXPECT_EQ(content(folder_ / "plain.glb").find("meshopt"), std::string::npos);
+  EXPECT_EQ(run("optimize " + rover + " -o other.glb --compression zip").code, 1);
+
+  // Plain copies are a file of their own, for which standard output has no room.
+  const std::string spot = "'" + testing::project_file("tests/compressed/spot_fallback.gltf").string() + "'";
+  const Ended many = run("optimize " + spot + " -o - -p tipsify");
+  EXPECT_EQ(many.code, 2);
+  EXPECT_TRUE(many.out.empty());
+  EXPECT_NE(many.err.find("--compression none"), std::string::npos) << many.err;
+  EXPECT_EQ(run("optimize " + spot + " -o - -p tipsify --compression none").out.substr(0, 4), "glTF");
+}
+
 TEST_F(Cli, WritesTheRemapTables) {
   ASSERT_EQ(run("optimize " + model("static/head.glb") + " -o out.glb --remap remap.json --with vertex-cache").code, 0);
   const Json remap = Json::parse(content(folder_ / "remap.json"));

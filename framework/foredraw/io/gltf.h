@@ -19,10 +19,19 @@ std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& d
 std::optional<Scene> read_gltf(std::span<const std::byte> bytes, const std::string& name,
                                const std::filesystem::path& folder, Diagnostics& diagnostics);
 
-/// The files that a scene is written as: one for a target ending in .glb, else the .gltf and its .bin beside it. What
+/// What becomes of data that came in compressed (EXT_meshopt_compression, KHR_meshopt_compression).
+enum class Compression {
+  keep,  ///< it goes out compressed, as its parts allow: what no stage touched as it came, the rest compressed again
+  none,  ///< nothing goes out compressed
+};
+
+/// The files that a scene is written as: one for a target ending in .glb, else the .gltf and its .bin beside it; and,
+/// where compressed data came with a plain copy for readers that can not decompress, that in .fallback.bin beside. What
 /// no stage touched comes out as it was in the file that the scene was read from; a scene that was not read from a file
-/// is written anew. Nothing is written to disk here.
+/// is written anew. A note says so where all of it is longer than what was read, and by what it grew. Nothing is
+/// written to disk here.
 std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const std::filesystem::path& target,
-                                                   Diagnostics& diagnostics);
+                                                   Diagnostics& diagnostics,
+                                                   Compression compression = Compression::keep);
 
 }  // namespace foredraw

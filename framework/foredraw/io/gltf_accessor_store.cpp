@@ -117,8 +117,8 @@ void AccessorStore::set_image(std::size_t image, Shared<std::byte> bytes) {
   images_.insert_or_assign(image, std::move(bytes));
 }
 
-std::vector<std::byte> AccessorStore::lay_out() {
-  return laid_out(document_, json_, {contents_, released_, images_, forgotten_});
+LaidOut AccessorStore::lay_out(bool compress) {
+  return laid_out(document_, json_, {contents_, released_, images_, forgotten_}, compress);
 }
 
 }  // namespace foredraw::gltf

@@ -56,7 +56,8 @@ std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64
   if (known.size() >= length) return known.first(length);
   Diagnostics reading;
   // Twice what was read before: so that growing lengths do not have the file read again and again.
-  auto bytes = read_file(file, reading, std::max<std::uint64_t>(length, std::min<std::uint64_t>(size, 2 * known.size())));
+  auto bytes =
+      read_file(file, reading, std::max<std::uint64_t>(length, std::min<std::uint64_t>(size, 2 * known.size())));
   if (!bytes || bytes->size() < length) {
     gate.error(place, "buffer-missing",
                bytes ? "the file got shorter while it was read" : reading.all().front().message);
@@ -67,40 +68,68 @@ std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64
   return known.first(length);
 }
 
-std::optional<Bytes> bytes_of_buffer(Gate& gate, std::size_t i, const Json& buffer, std::optional<Bytes> bin,
-                                     FileBuffers& files) {
+/// Whether the buffer is but a plain copy of compressed views, which a reader that decompresses can do without.
+bool is_fallback(Gate& gate, const Json& buffer, const std::string& place) {
+  for (const char* name : meshopt_extensions) {
+    const Json* extension = extension_of(buffer, name);
+    if (extension == nullptr || !extension->is_object()) continue;
+    if (gate.boolean(*extension, "fallback", in(in(place, "extensions"), name)).value_or(false)) return true;
+  }
+  return false;
+}
+
+bool may_be_beside(const Gate& gate, const std::string& uri) {
+  const auto path = percent_decoded(uri);
+  if (!path || !why_not_beside(*path).empty()) return true;  // told of by whoever looks for it
+  std::error_code error;
+  const fs::path& folder = gate.document().folder;
+  return !folder.empty() && fs::exists(folder / fs::path(std::u8string(path->begin(), path->end())), error);
+}
+
+std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std::optional<Bytes> bin,
+                                FileBuffers& files) {
   const std::string place = at("buffers", i);
-  gate.required(buffer, "byteLength", place);
-  const auto length = gate.whole(buffer, "byteLength", place, 1);
-  const auto uri = gate.text(buffer, "uri", place);
+  gate.required(json, "byteLength", place);
+  const auto length = gate.whole(json, "byteLength", place, 1);
+  const auto uri = gate.text(json, "uri", place);
+  const bool fallback = is_fallback(gate, json, place);
   if (!length) return std::nullopt;
-  if (!uri && buffer.contains("uri")) return std::nullopt;
+  if (!uri && json.contains("uri")) return std::nullopt;
+  const Buffer absent{{}, static_cast<std::size_t>(*length), fallback};
 
   if (!uri) {
-    if (i == 0 && bin && bin->size() >= *length) return bin->first(*length);
+    if (i == 0 && bin && bin->size() >= *length) return Buffer{bin->first(*length), absent.length, fallback};
+    if (fallback) return absent;
     if (i == 0 && bin) {
       gate.error(in(place, "byteLength"), "buffer-too-short",
                  fmt::format("is {}, but the BIN chunk has {} bytes", *length, bin->size()));
     } else {
       gate.error(place, "buffer-missing", "has no uri, and there is no BIN chunk for it",
-                 "if its views are compressed (EXT_meshopt_compression), decode the file first, for instance with "
-                 "`gltf-transform copy in.glb out.glb`");
+                 "pack the file into a .glb, or name the file that holds the bytes");
     }
     return std::nullopt;
   }
-  if (!is_data_uri(*uri)) return file_beside(gate, *uri, *length, in(place, "uri"), files);
-  auto data = decode_data_uri(*uri);
-  if (!data) {
-    gate.error(in(place, "uri"), "buffer-uri", "the data URI is not well-formed");
-    return std::nullopt;
+  if (is_data_uri(*uri)) {
+    auto data = decode_data_uri(*uri);
+    if (!data) {
+      gate.error(in(place, "uri"), "buffer-uri", "the data URI is not well-formed");
+      return std::nullopt;
+    }
+    if (data->bytes.size() < *length) {
+      gate.error(in(place, "uri"), "buffer-too-short",
+                 fmt::format("holds {} bytes, but byteLength is {}", data->bytes.size(), *length));
+      return std::nullopt;
+    }
+    gate.document().kept.push_back(std::move(data->bytes));
+    return Buffer{Bytes(gate.document().kept.back()).first(*length), absent.length, fallback};
   }
-  if (data->bytes.size() < *length) {
-    gate.error(in(place, "uri"), "buffer-too-short",
-               fmt::format("holds {} bytes, but byteLength is {}", data->bytes.size(), *length));
-    return std::nullopt;
+  if (fallback && !may_be_beside(gate, *uri)) {
+    gate.note(in(place, "uri"), "fallback-missing",
+              fmt::format("the plain copy '{}' is not there; the compressed data is read", *uri));
+    return absent;
   }
-  gate.document().kept.push_back(std::move(data->bytes));
-  return Bytes(gate.document().kept.back()).first(*length);
+  const auto bytes = file_beside(gate, *uri, *length, in(place, "uri"), files);
+  return bytes ? std::optional(Buffer{*bytes, absent.length, fallback}) : std::nullopt;
 }
 
 }  // namespace
@@ -109,7 +138,7 @@ void check_buffers(Gate& gate, std::optional<Bytes> bin) {
   const Json& buffers = gate.all("buffers");
   FileBuffers files;
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    gate.document().buffers.push_back(bytes_of_buffer(gate, i, buffers[i], bin, files).value_or(Bytes{}));
+    gate.document().buffers.push_back(buffer_of(gate, i, buffers[i], bin, files).value_or(Buffer{}));
   }
 }
 
@@ -127,7 +156,7 @@ void check_views(Gate& gate) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::string place = at("bufferViews", i);
     for (const char* key : {"buffer", "byteLength"}) gate.required(views[i], key, place);
-    const auto buffer = gate.reference(views[i], "buffer", "buffers", place);
+    const auto number = gate.reference(views[i], "buffer", "buffers", place);
     const auto length = gate.whole(views[i], "byteLength", place, 1);
     const auto offset = gate.whole(views[i], "byteOffset", place);
     const auto stride = gate.whole(views[i], "byteStride", place, 4, 252);
@@ -135,23 +164,27 @@ void check_views(Gate& gate) {
     if (stride && *stride % 4 != 0) {
       gate.error(in(place, "byteStride"), "view-stride", fmt::format("is {}, but must be a multiple of 4", *stride));
     }
-    if (!buffer || !length) continue;
+    if (!number || !length) continue;
     // A buffer that was refused is told of once, not again for each view of it.
-    const std::size_t size = gate.document().buffers[*buffer].size();
+    const Buffer& buffer = gate.document().buffers[*number];
+    const std::size_t size = buffer.length;
     if (size == 0) continue;
     if (offset.value_or(0) > size || *length > size - offset.value_or(0)) {
       gate.error(in(place, "byteLength"), "view-range",
                  fmt::format("{} bytes from {} do not lie in buffer {} of {} bytes", *length, offset.value_or(0),
-                             *buffer, size));
+                             *number, size));
       continue;
     }
-    claimed += *length;
+    if (!buffer.bytes.empty()) claimed += *length;
     if (claimed > most) {
-      gate.error(place, "overlap", fmt::format("the buffer views up to this one claim {} bytes: they lie over one another",
-                                               claimed), "give each byte to one buffer view");
+      gate.error(place, "overlap",
+                 fmt::format("the buffer views up to this one claim {} bytes: they lie over one another", claimed),
+                 "give each byte to one buffer view");
       return;
     }
-    gate.document().views[i] = BufferView{*buffer, offset.value_or(0), *length, stride.value_or(0)};
+    BufferView view{*number, offset.value_or(0), *length, stride.value_or(0), {}, std::nullopt};
+    if (!buffer.bytes.empty()) view.bytes = buffer.bytes.subspan(view.offset, view.length);
+    gate.document().views[i] = std::move(view);
   }
 }
 

@@ -1,4 +1,5 @@
 #include <foredraw/io/private/gltf_document.h>
+#include <foredraw/io/private/gltf_uri.h>
 
 #include <algorithm>
 #include <set>
@@ -12,7 +13,7 @@ std::size_t rows_of_matrix(std::string_view type) {
 }
 
 Bytes rows_from(const Document& document, const Rows& rows) {
-  return bytes_of(document, document.views[rows.view]).subspan(rows.offset);
+  return document.views[rows.view].bytes.subspan(rows.offset);
 }
 
 std::uint32_t load_index(const std::byte* from, std::size_t bytes) {
@@ -22,10 +23,6 @@ std::uint32_t load_index(const std::byte* from, std::size_t bytes) {
 }
 
 }  // namespace
-
-Bytes bytes_of(const Document& document, const BufferView& view) {
-  return document.buffers[view.buffer].subspan(view.offset, view.length);
-}
 
 std::vector<std::byte> elements(const Document& document, const Accessor& accessor) {
   const std::size_t element = accessor.format.bytes;
@@ -97,6 +94,33 @@ std::optional<Format> format_of(std::string_view type, std::uint64_t component_t
   }
   format.bytes = static_cast<std::uint16_t>(format.components * width);
   return format;
+}
+
+const Json* extension_of(const Json& holder, std::string_view name) {
+  const auto extensions = holder.find("extensions");
+  if (extensions == holder.end() || !extensions->is_object()) return nullptr;
+  const auto found = extensions->find(name);
+  return found == extensions->end() ? nullptr : &*found;
+}
+
+Json take_extension(Json& holder, std::string_view name) {
+  if (extension_of(holder, name) == nullptr) return {};
+  Json& extensions = holder["extensions"];
+  const auto found = extensions.find(name);
+  Json value = std::move(*found);
+  extensions.erase(found);
+  if (extensions.empty()) holder.erase("extensions");
+  return value;
+}
+
+std::uint64_t bytes_read(const Document& document) {
+  std::uint64_t bytes = document.file.size();
+  for (std::size_t i = 0; i < document.buffers.size(); ++i) {
+    const Json& buffer = document.json["buffers"][i];
+    const bool beside = buffer.contains("uri") && !is_data_uri(buffer["uri"].get<std::string>());
+    if (beside) bytes += document.buffers[i].bytes.size();
+  }
+  return bytes;
 }
 
 namespace {

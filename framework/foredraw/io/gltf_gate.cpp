@@ -47,6 +47,10 @@ void Gate::error_at(std::size_t byte, std::string_view text, std::string code, s
                      std::move(code), std::move(message), std::move(hint));
 }
 
+void Gate::note(const std::string& place, std::string code, std::string message) {
+  diagnostics_.note({.file = document_.name, .inside = place}, std::move(code), std::move(message));
+}
+
 void Gate::finish() {
   if (mistakes_ > most_mistakes) {
     diagnostics_.note({.file = document_.name}, "more-mistakes",
@@ -221,6 +225,7 @@ std::optional<Document> open_document(Shared<std::byte> file, const std::string&
     check_extensions(gate);
     check_buffers(gate, container->bin);
     check_views(gate);
+    check_compression(gate);
     check_accessors(gate);
     check_images(gate);
     check_materials(gate);

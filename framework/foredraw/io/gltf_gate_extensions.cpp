@@ -1,4 +1,4 @@
-// Checks of what the file requires: compressed data that has no plain copy is refused by name, with the remedy.
+// Checks of what the file requires: what can not be understood here is refused by name, with the remedy.
 #include <foredraw/io/private/gltf_gate.h>
 
 #include <fmt/format.h>
@@ -10,7 +10,6 @@ namespace foredraw::gltf {
 namespace {
 
 constexpr const char* draco = "KHR_draco_mesh_compression";
-constexpr const char* meshopt[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr const char* decode = "decode it first, for instance with `gltf-transform copy in.glb out.glb`";
 
 std::set<std::string> names(Gate& gate, const char* key) {
@@ -26,13 +25,6 @@ std::set<std::string> names(Gate& gate, const char* key) {
   return result;
 }
 
-const Json* extension(const Json& holder, const char* name) {
-  const auto extensions = holder.find("extensions");
-  if (extensions == holder.end() || !extensions->is_object()) return nullptr;
-  const auto found = extensions->find(name);
-  return found == extensions->end() ? nullptr : &*found;
-}
-
 bool lacks_bytes(Gate& gate, const Json& number) {
   const Json& accessors = gate.all("accessors");
   return number.is_number_unsigned() && number.get<std::uint64_t>() < accessors.size() &&
@@ -40,7 +32,7 @@ bool lacks_bytes(Gate& gate, const Json& number) {
 }
 
 bool depends_on_draco(Gate& gate, const Json& primitive) {
-  if (!primitive.is_object() || extension(primitive, draco) == nullptr) return false;
+  if (!primitive.is_object() || extension_of(primitive, draco) == nullptr) return false;
   if (primitive.contains("indices") && lacks_bytes(gate, primitive["indices"])) return true;
   const auto attributes = primitive.find("attributes");
   if (attributes == primitive.end() || !attributes->is_object()) return false;
@@ -50,8 +42,8 @@ bool depends_on_draco(Gate& gate, const Json& primitive) {
   return false;
 }
 
-void refuse(Gate& gate, const std::string& place, const std::string& name) {
-  gate.error(place, "unsupported-extension", fmt::format("{}: the data is compressed and has no plain copy", name),
+void refuse_draco(Gate& gate, const std::string& place) {
+  gate.error(place, "unsupported-extension", fmt::format("{}: the data is compressed and has no plain copy", draco),
              decode);
 }
 
@@ -62,20 +54,7 @@ void check_draco(Gate& gate) {
     if (primitives == meshes[m].end() || !primitives->is_array()) continue;
     for (std::size_t p = 0; p < primitives->size(); ++p) {
       if (!depends_on_draco(gate, (*primitives)[p])) continue;
-      refuse(gate, at(in(at("meshes", m), "primitives"), p), draco);
-      return;
-    }
-  }
-}
-
-void check_meshopt(Gate& gate) {
-  const Json& buffers = gate.all("buffers");
-  for (std::size_t i = 0; i < buffers.size(); ++i) {
-    for (const char* name : meshopt) {
-      const Json* coded = extension(buffers[i], name);
-      if (coded == nullptr || !coded->is_object() || buffers[i].contains("uri") || !coded->contains("fallback"))
-        continue;
-      refuse(gate, at("buffers", i), name);
+      refuse_draco(gate, at(in(at("meshes", m), "primitives"), p));
       return;
     }
   }
@@ -86,20 +65,16 @@ void check_meshopt(Gate& gate) {
 void check_extensions(Gate& gate) {
   const std::set<std::string> required = names(gate, "extensionsRequired");
   names(gate, "extensionsUsed");
-  bool refused = false;
   for (const std::string& name : required) {
-    if (name == draco || name == meshopt[0] || name == meshopt[1]) {
-      refuse(gate, "extensionsRequired", name);
-      refused = true;
+    if (name == draco) {
+      refuse_draco(gate, "extensionsRequired");
     } else if (!is_known_extension(name)) {
       gate.error("extensionsRequired", "unsupported-extension",
                  fmt::format("the file can not be understood without '{}', which is not known here", name),
                  "export the file without that extension");
     }
   }
-  if (refused) return;
-  check_draco(gate);
-  check_meshopt(gate);
+  if (!required.contains(draco)) check_draco(gate);
 }
 
 }  // namespace foredraw::gltf

@@ -63,6 +63,7 @@ Block raw_block(const std::vector<ViewUser>& users, Bytes bytes, std::size_t str
                      bytes.begin() + static_cast<std::ptrdiff_t>(end));
   for (const ViewUser& user : users) block.places.push_back({user.holder, user.offset - start});
   block.stride = stride;
+  block.row = users.front().stride;
   return block;
 }
 
@@ -101,6 +102,7 @@ std::optional<Block> interleaved_block(const Group& group, Bytes bytes, std::siz
   }
   const bool must_say = live.size() > 1 || row != new_element(*live.front());
   if (must_say || (vertices && view_stride != 0)) block.stride = row;
+  block.row = row;
   block.kind = any == nullptr ? Content::Kind::vertices : any->kind;
   return block;
 }
@@ -118,6 +120,7 @@ Block block_of(Holder holder, const Content& content, std::size_t stride) {
   }
   block.places.push_back({holder, 0});
   block.stride = vertices && (row != element || stride != 0) ? row : 0;
+  block.row = row;
   block.kind = content.kind;
   return block;
 }

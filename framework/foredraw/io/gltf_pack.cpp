@@ -34,28 +34,50 @@ std::vector<std::byte> glb(const std::string& text, const Written& written) {
   put_word(bytes, 2);
   put_word(bytes, 0);  // the length, known below
   put_chunk(bytes, glb_json_chunk, std::as_bytes(std::span(text)), std::byte{' '});
-  if (!written.buffer.empty()) put_chunk(bytes, glb_bin_chunk, written.buffer, std::byte{0});
+  if (!written.laid_out.bytes.empty()) put_chunk(bytes, glb_bin_chunk, written.laid_out.bytes, std::byte{0});
   for (const Chunk& chunk : written.further_chunks) put_chunk(bytes, chunk.type, chunk.bytes, std::byte{0});
   const auto length = static_cast<std::uint32_t>(bytes.size());
   std::memcpy(bytes.data() + 8, &length, 4);
   return bytes;
 }
 
-/// What the document says of its one buffer.
-void set_buffer(Json& json, std::size_t length, const std::string& uri) {
-  if (length == 0) {
-    json.erase("buffers");
-    return;
-  }
-  Json buffer = json.contains("buffers") && !json["buffers"].empty() ? json["buffers"][0] : Json::object();
-  buffer.erase("extensions");  // said how the old bytes were compressed
+void describe(Json& buffer, std::size_t length, const std::string& uri) {
   buffer["byteLength"] = length;
   if (uri.empty()) {
     buffer.erase("uri");
   } else {
     buffer["uri"] = uri;
   }
-  json["buffers"] = Json::array({std::move(buffer)});
+}
+
+/// out.fallback.bin beside out.glb, then out.fallback1.bin: as other tools call them.
+fs::path fallback_beside(const fs::path& target, std::size_t i) {
+  fs::path beside = target;
+  return beside.replace_extension(i == 0 ? ".fallback.bin" : ".fallback" + std::to_string(i) + ".bin");
+}
+
+/// What the document says of its buffers. `uri`: of the first one.
+void set_buffers(Written& written, const fs::path& target, const std::string& uri) {
+  Json& json = written.json;
+  const LaidOut& laid_out = written.laid_out;
+  if (laid_out.bytes.empty()) {
+    json.erase("buffers");
+    return;
+  }
+  describe(json["buffers"][0], laid_out.bytes.size(), uri);
+  for (std::size_t i = 0; i < laid_out.fallbacks.size(); ++i) {
+    Json buffer = laid_out.fallbacks[i].json;
+    const std::string beside = percent_encoded(utf8(fallback_beside(target, i).filename()));
+    describe(buffer, laid_out.fallbacks[i].length, laid_out.fallbacks[i].there ? beside : std::string());
+    json["buffers"].push_back(std::move(buffer));
+  }
+}
+
+void add_fallbacks(std::vector<OutputFile>& files, LaidOut& laid_out, const fs::path& target) {
+  for (std::size_t i = 0; i < laid_out.fallbacks.size(); ++i) {
+    if (!laid_out.fallbacks[i].there) continue;
+    files.push_back({fallback_beside(target, i), std::move(laid_out.fallbacks[i].bytes)});
+  }
 }
 
 }  // namespace
@@ -67,22 +89,25 @@ bool is_glb(const fs::path& target) {
 
 std::optional<std::vector<OutputFile>> packed(Written written, const fs::path& target, Diagnostics& diagnostics) {
   if (is_glb(target)) {
-    set_buffer(written.json, written.buffer.size(), {});
+    set_buffers(written, target, {});
     const std::string text = written.json.dump();
-    if (text.size() + written.buffer.size() > std::size_t{4'000'000'000}) {
+    if (text.size() + written.laid_out.bytes.size() > std::size_t{4'000'000'000}) {
       diagnostics.error({.file = target.string()}, "too-large", "a .glb can not hold more than 4 GB",
                         "write a .gltf, whose bytes lie beside it");
       return std::nullopt;
     }
-    return std::vector<OutputFile>{{target, glb(text, written)}};
+    std::vector<OutputFile> files{{target, glb(text, written)}};
+    add_fallbacks(files, written.laid_out, target);
+    return files;
   }
   fs::path beside = target;
   beside.replace_extension(".bin");
-  set_buffer(written.json, written.buffer.size(), percent_encoded(utf8(beside.filename())));
-  const std::string text = written.json.dump(2) + '\n';
+  set_buffers(written, target, percent_encoded(utf8(beside.filename())));
+  const std::string text = written.json.dump(written.compact ? -1 : 2) + (written.compact ? "" : "\n");
   const Bytes bytes = std::as_bytes(std::span(text));
   std::vector<OutputFile> files{{target, {bytes.begin(), bytes.end()}}};
-  if (!written.buffer.empty()) files.push_back({beside, std::move(written.buffer)});
+  if (!written.laid_out.bytes.empty()) files.push_back({beside, std::move(written.laid_out.bytes)});
+  add_fallbacks(files, written.laid_out, target);
   return files;
 }
 

@@ -7,49 +7,50 @@ namespace foredraw::gltf {
 
 namespace {
 
-constexpr const char* compressions[] = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
-                                        "KHR_meshopt_compression"};
+constexpr const char* draco = "KHR_draco_mesh_compression";
 
-/// The extension's value taken out of an object; null where it has none.
-Json take_extension(Json& holder, const char* name) {
-  const auto extensions = holder.find("extensions");
-  if (extensions == holder.end() || !extensions->is_object() || !extensions->contains(name)) return {};
-  Json value = (*extensions)[name];
-  extensions->erase(name);
-  if (extensions->empty()) holder.erase("extensions");
-  return value;
+void unlist(Json& json, std::string_view name) {
+  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+    const auto names = json.find(list);
+    if (names == json.end()) continue;
+    const auto listed = std::find(names->begin(), names->end(), Json(name));
+    if (listed != names->end()) names->erase(listed);
+    if (names->empty()) json.erase(list);
+  }
 }
 
-/// Everything that held the extension loses it. Views that only the extension knew of go with it.
-bool drop_extension(Json& json, const char* name, AccessorStore& store) {
+/// A Draco stream holds a whole primitive beside its plain data, and would go on showing what was before. Views that
+/// only the extension knew of go with it.
+void drop_draco(Json& json, AccessorStore& store, const Document& document, Diagnostics& diagnostics) {
   bool dropped = false;
-  for (const char* kind : {"bufferViews", "buffers"}) {
-    for (std::size_t i = 0; json.contains(kind) && i < json[kind].size(); ++i) {
-      dropped = !take_extension(json[kind][i], name).is_null() || dropped;
-    }
-  }
   for (std::size_t m = 0; json.contains("meshes") && m < json["meshes"].size(); ++m) {
     for (Json& primitive : json["meshes"][m]["primitives"]) {
-      const Json value = take_extension(primitive, name);
+      const Json value = take_extension(primitive, draco);
       const auto view = value.find("bufferView");
       if (view != value.end() && view->is_number_unsigned()) store.forget_view(view->get<std::size_t>());
       dropped = !value.is_null() || dropped;
     }
   }
-  const auto used = json.find("extensionsUsed");
-  if (used == json.end()) return dropped;
-  if (const auto listed = std::find(used->begin(), used->end(), Json(name)); listed != used->end()) used->erase(listed);
-  if (used->empty()) json.erase("extensionsUsed");
-  return dropped;
-}
-
-/// A compressed copy beside the plain data would go on showing what was before.
-void drop_compressed_copies(Json& json, AccessorStore& store, const Document& document, Diagnostics& diagnostics) {
-  bool dropped = false;
-  for (const char* name : compressions) dropped = drop_extension(json, name, store) || dropped;
+  unlist(json, draco);
   if (!dropped) return;
   diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "compressed-copy-dropped",
-                   "the compressed copy of the geometry is left out, as it no longer fits; the plain data is written");
+                   "the Draco copy of the geometry is left out, as it no longer fits; the plain data is written");
+}
+
+void unlist_what_is_not_used(Json& json) {
+  for (const char* name : meshopt_extensions) {
+    const auto views = json.find("bufferViews");
+    const bool used = views != json.end() && std::any_of(views->begin(), views->end(), [&](const Json& view) {
+                        return extension_of(view, name) != nullptr;
+                      });
+    if (!used) unlist(json, name);
+  }
+}
+
+bool is_compressed(const Document& document) {
+  const std::vector<std::string> names = extensions_in(document.json);
+  return std::any_of(document.views.begin(), document.views.end(), [](const auto& v) { return v.compressed; }) ||
+         std::find(names.begin(), names.end(), draco) != names.end();
 }
 
 bool names_a_buffer(const Json& value) {
@@ -74,16 +75,21 @@ bool may_join_buffers(const Json& value) {
 }  // namespace
 
 std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
-                               bool may_stay, Diagnostics& diagnostics) {
+                               bool may_stay, Compression compression, Diagnostics& diagnostics) {
   const Document& document = source.document;
+  const bool compress = compression == Compression::keep;
   Written written;
   written.json = document.json;
   written.further_chunks = document.further_chunks;
+  const auto text = document.file.view();
+  const std::size_t last = text.empty() ? 0 : text.size() - 1;
+  written.compact = !text.empty() && !document.binary && std::ranges::count(text.first(last), std::byte{'\n'}) == 0;
   AccessorStore store(document, written.json);
   if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
   if (!patch_meshes(scene, source, written.json, store, diagnostics)) return std::nullopt;
   relocate_images(written.json, document, target, diagnostics);
-  written.changed = !may_stay || store.changed() || written.json != document.json;
+  written.changed =
+      !may_stay || store.changed() || written.json != document.json || (!compress && is_compressed(document));
   if (!written.changed) return written;
   if (document.buffers.size() > 1 && !may_join_buffers(document.json)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
@@ -91,8 +97,9 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
                       "pack the file into one .glb first");
     return std::nullopt;
   }
-  drop_compressed_copies(written.json, store, document, diagnostics);
-  written.buffer = store.lay_out();
+  drop_draco(written.json, store, document, diagnostics);
+  written.laid_out = store.lay_out(compress);
+  unlist_what_is_not_used(written.json);
   return written;
 }
 

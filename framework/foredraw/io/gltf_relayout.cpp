@@ -1,4 +1,4 @@
-// Buffer views and the buffer made anew after changes.
+// Which buffer views there are after changes, and what lies in them.
 #include <foredraw/io/private/gltf_layout.h>
 
 #include <algorithm>
@@ -8,37 +8,21 @@ namespace foredraw::gltf {
 
 namespace {
 
-/// Blocks that go into one view.
-struct NewView {
-  std::vector<Block> blocks;
-  std::size_t stride = 0;
-  std::optional<std::size_t> number;
-  bool is_old = false;  ///< carries on the view that had its number
-  bool untouched = false;
-
-  std::optional<Content::Kind> kind() const {
-    const auto told =
-        std::find_if(blocks.begin(), blocks.end(), [](const Block& block) { return block.kind.has_value(); });
-    return told == blocks.end() ? std::nullopt : told->kind;
-  }
-};
-
 class Relayout {
  public:
-  Relayout(const Document& document, Json& json, const Changes& changes)
-      : document_(document), json_(json), changes_(changes), users_(document.views.size()) {
+  Relayout(const Document& document, Json& json, const Changes& changes, bool compress)
+      : document_(document), json_(json), changes_(changes), compress_(compress), users_(document.views.size()) {
     // With an extension that we do not know, which may point anywhere, everything that was there stays where it was.
     const std::vector<std::string> extensions = extensions_in(document.json);
     keep_ = !std::all_of(extensions.begin(), extensions.end(), [](const auto& e) { return is_known_extension(e); });
   }
 
-  std::vector<std::byte> run() {
+  LaidOut run() {
     find_users();
     for (std::size_t v = 0; v < users_.size(); ++v) make_views(v);
     make_new_views();
     number_views();
-    write_views();
-    return std::move(buffer_);
+    return placed(document_, json_, views_, keep_, compress_);
   }
 
  private:
@@ -66,7 +50,7 @@ class Relayout {
       } else if (raw != nullptr) {
         image["bufferView"] = 0;
         new_blocks_.push_back(
-            {{raw->view().begin(), raw->view().end()}, {{{&image}, 0}}, 0, Content::Kind::other, true});
+            {{raw->view().begin(), raw->view().end()}, {{{&image}, 0}}, 0, 0, Content::Kind::other, true});
       }
     }
   }
@@ -92,21 +76,19 @@ class Relayout {
 
   void make_views(std::size_t v) {
     const BufferView& view = document_.views[v];
-    const Bytes bytes = bytes_of(document_, view);
     const bool dirty = std::any_of(users_[v].begin(), users_[v].end(), [](const auto& user) { return user.changes(); });
     if (!keep_ && users_[v].empty() && changes_.forgotten.contains(v)) return;
     if (keep_ || !dirty) {
       Block whole;
-      whole.bytes.assign(bytes.begin(), bytes.end());
       for (const ViewUser& user : users_[v]) {
         if (!user.changes()) whole.places.push_back({user.holder, user.offset});
       }
-      views_.push_back({{std::move(whole)}, view.stride, v, true, true});
+      views_.push_back({{std::move(whole)}, view.stride, v, true, true, like(v)});
     }
     if (!dirty) return;
     std::vector<NewView> made;
-    for (Block& block : blocks_of(std::move(users_[v]), bytes, view.stride, keep_)) {
-      place(std::move(block), made,
+    for (Block& block : blocks_of(std::move(users_[v]), view.bytes, view.stride, keep_)) {
+      place(std::move(block), made, like(v),
             [](const NewView& old, const Block& one) { return !one.alone && !old.blocks.front().alone; });
     }
     if (!keep_ && !made.empty()) {
@@ -122,23 +104,42 @@ class Relayout {
   void make_new_views() {
     std::vector<NewView> made;
     for (Block& block : new_blocks_) {
-      place(std::move(block), made, [](const NewView& view, const Block& one) {
+      const auto like = like_kind(*block.kind);
+      place(std::move(block), made, like, [](const NewView& view, const Block& one) {
         return !one.alone && !view.blocks.front().alone && view.kind() == one.kind;
       });
     }
     std::move(made.begin(), made.end(), std::back_inserter(views_));
   }
 
+  /// The old view itself where it is compressed, and stays so.
+  std::optional<std::size_t> like(std::size_t v) const {
+    return compress_ && document_.views[v].compressed ? std::optional(v) : std::nullopt;
+  }
+
+  /// The first compressed view that what is new of this kind can follow.
+  std::optional<std::size_t> like_kind(Content::Kind kind) const {
+    for (std::size_t v = 0; v < document_.views.size(); ++v) {
+      if (!like(v)) continue;
+      const Coding::Mode mode = document_.views[v].compressed->coding.mode;
+      const bool indices = mode == Coding::Mode::triangles || mode == Coding::Mode::indices;
+      if (mode != Coding::Mode::unknown && indices == (kind == Content::Kind::indices)) return v;
+    }
+    return std::nullopt;
+  }
+
+  /// Into a view of the same stride. Those of a compressed view hold elements of one size, too.
   template <class Fits>
-  static void place(Block block, std::vector<NewView>& views, Fits fits) {
+  static void place(Block block, std::vector<NewView>& views, std::optional<std::size_t> like, Fits fits) {
+    if (block.alone) like.reset();
     const auto found = std::find_if(views.begin(), views.end(), [&](const NewView& view) {
-      return view.stride == block.stride && fits(view, block);
+      return view.stride == block.stride && (!like || view.blocks.front().row == block.row) && fits(view, block);
     });
     if (found != views.end()) {
       found->blocks.push_back(std::move(block));
     } else {
       const std::size_t stride = block.stride;
-      views.push_back({{}, stride, std::nullopt, false, false});
+      views.push_back({{}, stride, std::nullopt, false, false, like});
       views.back().blocks.push_back(std::move(block));
     }
   }
@@ -158,76 +159,20 @@ class Relayout {
     std::sort(views_.begin(), views_.end(), [](const NewView& a, const NewView& b) { return *a.number < *b.number; });
   }
 
-  void write_views() {
-    std::vector<std::size_t> buffer_at;  // where the old buffers stay whole
-    for (const Bytes& buffer : document_.buffers) {
-      if (!keep_) break;
-      align(8);
-      buffer_at.push_back(buffer_.size());
-      buffer_.insert(buffer_.end(), buffer.begin(), buffer.end());
-    }
-    Json made = Json::array();
-    for (const NewView& view : views_) {
-      const BufferView* was = view.is_old ? &document_.views[*view.number] : nullptr;
-      Json json = was != nullptr ? json_["bufferViews"][*view.number] : Json{{"buffer", 0}};
-      std::size_t start, length;
-      if (keep_ && view.untouched) {
-        start = buffer_at[was->buffer] + was->offset;
-        length = was->length;
-        for (const Block::Place& place : view.blocks.front().places)
-          refer(place.holder.json(), made.size(), place.offset);
-      } else {
-        align(was != nullptr && was->offset % 8 == 0 ? 8 : 4);
-        start = buffer_.size();
-        for (const Block& block : view.blocks) append(block, made.size(), start);
-        length = buffer_.size() - start;
-      }
-      json["buffer"] = 0;
-      if (start != 0 || json.contains("byteOffset")) json["byteOffset"] = start;
-      json["byteLength"] = length;
-      if (view.stride != 0) {
-        json["byteStride"] = view.stride;
-      } else {
-        json.erase("byteStride");
-      }
-      if (was == nullptr && view.kind() == Content::Kind::vertices) json["target"] = 34962;
-      if (was == nullptr && view.kind() == Content::Kind::indices) json["target"] = 34963;
-      made.push_back(std::move(json));
-    }
-    align(4);
-    json_["bufferViews"] = std::move(made);
-    if (json_["bufferViews"].empty()) json_.erase("bufferViews");
-  }
-
-  void append(const Block& block, std::size_t view, std::size_t start) {
-    align(4);
-    for (const Block::Place& place : block.places)
-      refer(place.holder.json(), view, buffer_.size() - start + place.offset);
-    buffer_.insert(buffer_.end(), block.bytes.begin(), block.bytes.end());
-  }
-
-  /// An accessor, a sparse part or an image now lies there. Images take the whole view and have no offset.
-  static void refer(Json& holder, std::size_t view, std::size_t offset) {
-    holder["bufferView"] = view;
-    if (offset != 0 || holder.contains("byteOffset")) holder["byteOffset"] = offset;
-  }
-
-  void align(std::size_t to) { buffer_.resize((buffer_.size() + to - 1) / to * to); }
-
   const Document& document_;
   Json& json_;
   const Changes& changes_;
+  const bool compress_;
   bool keep_ = false;
   std::vector<std::vector<ViewUser>> users_;
   std::vector<Block> new_blocks_;
   std::vector<NewView> views_;
-  std::vector<std::byte> buffer_;
 };
 
 }  // namespace
 
-std::vector<std::byte> laid_out(const Document& document, Json& json, const Changes& changes) {
-  return Relayout(document, json, changes).run();
+LaidOut laid_out(const Document& document, Json& json, const Changes& changes, bool compress) {
+  return Relayout(document, json, changes, compress).run();
 }
 
 }  // namespace foredraw::gltf

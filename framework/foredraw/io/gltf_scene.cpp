@@ -263,7 +263,7 @@ Image image_of(const Json& from, const Document& document, ViewBytes& views) {
   } else if (from.contains("bufferView")) {
     const auto view = from["bufferView"].get<std::size_t>();
     const auto [made, is_new] = views.try_emplace(view);
-    const Bytes bytes = bytes_of(document, document.views[view]);
+    const Bytes bytes = document.views[view].bytes;
     if (is_new) made->second = Shared<std::byte>({bytes.begin(), bytes.end()});
     image.bytes = made->second;
   }

@@ -25,6 +25,16 @@ fs::path folder_of(const std::string& path) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
+/// As the writer of glTF does for what was glTF: no output is larger than its input without a word.
+void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, Diagnostics& diagnostics) {
+  std::uint64_t after = 0;
+  for (const OutputFile& file : files) after += file.bytes.size();
+  if (after <= before) return;
+  diagnostics.note({.file = files.front().path.string()}, "output-grew",
+                   "the output has " + std::to_string(after) + " bytes, the input " + std::to_string(before),
+                   "the input is of another kind, or writes its numbers in fewer letters");
+}
+
 }  // namespace
 
 bool is_gltf_file(const fs::path& path) { return kind_of(path) == ".glb" || kind_of(path) == ".gltf"; }
@@ -65,19 +75,29 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 }
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
-                                                    Diagnostics& diagnostics) {
+                                                    Diagnostics& diagnostics, Compression compression) {
   if (!can_write_scene(path, scene.name, diagnostics)) return std::nullopt;
   const bool is_standard = path == "-";
+  const auto mesh_source = std::dynamic_pointer_cast<const mesh_files::MeshSource>(scene.source);
   if (const auto mesh_kind = mesh_kind_of(path)) {
     auto file = encode_mesh_file(scene, *mesh_kind, path, diagnostics);
     if (!file) return std::nullopt;
-    return std::vector<OutputFile>{std::move(*file)};
+    std::vector<OutputFile> files{std::move(*file)};
+    if (mesh_source) tell_growth(mesh_source->bytes(), files, diagnostics);
+    return files;
   }
-  const auto mesh_source = std::dynamic_pointer_cast<const mesh_files::MeshSource>(scene.source);
   Scene for_gltf = scene;
   if (mesh_source) for_gltf.source = mesh_source->gltf;
-  auto files = encode_gltf(for_gltf, is_standard ? "standard output.glb" : path, diagnostics);
-  if (files && is_standard) files->front().path = path;
+  auto files = encode_gltf(for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression);
+  if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);
+  if (!files || !is_standard) return files;
+  if (files->size() > 1) {
+    diagnostics.error({.file = "standard output"}, "several-files",
+                      "the scene takes several files, and standard output holds one",
+                      "give -o the name of a file; plain copies of compressed data are left out by --compression none");
+    return std::nullopt;
+  }
+  files->front().path = path;
   return files;
 }
 

@@ -2,6 +2,7 @@
 // Scenes by path. "-" is standard input or output, and then glTF; the extension picks the kind.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/gltf.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/scene/scene.h>
 
@@ -31,7 +32,8 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 /// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written
 /// here.
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
-                                                    Diagnostics& diagnostics);
+                                                    Diagnostics& diagnostics,
+                                                    Compression compression = Compression::keep);
 
 /// Writes the files of a scene, the main one first, and whatever others come with them. As write_files does it: all or
 /// none, and a process that is killed meanwhile leaves the old scene or the new one whole, of however many files it is.

@@ -66,6 +66,9 @@ struct Animation {
 class SceneSource {
  public:
   virtual ~SceneSource() = default;
+
+  /// Of the file and those beside it that a writer may write again; 0: not known.
+  virtual std::uint64_t bytes() const { return 0; }
 };
 
 struct Scene {

@@ -61,8 +61,6 @@ const Rule rules[] = {
     {"node_is_no_object", [](auto& b) { b.json["nodes"][1] = 7; }, "wrong-type", "nodes[1]"},
     {"required_draco", [](auto& b) { b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
      "unsupported-extension", "extensionsRequired"},
-    {"required_meshopt", [](auto& b) { b.json["extensionsRequired"] = {"EXT_meshopt_compression"}; },
-     "unsupported-extension", "extensionsRequired"},
     {"required_unknown", [](auto& b) { b.json["extensionsRequired"] = {"ACME_teapots"}; }, "unsupported-extension",
      "extensionsRequired"},
     {"draco_alone",
@@ -71,13 +69,6 @@ const Rule rules[] = {
        item(b, "accessors", 0).erase("bufferView");
      },
      "unsupported-extension", "meshes[0].primitives[0]"},
-    {"meshopt_alone",
-     [](auto& b) {
-       b.json["buffers"][0]["byteLength"] = b.buffer.size();
-       b.json["buffers"][1] = {{"byteLength", 8}};
-       b.json["buffers"][1]["extensions"]["EXT_meshopt_compression"]["fallback"] = true;
-     },
-     "unsupported-extension", "buffers[1]"},
     {"buffer_shorter_than_said",
      [](auto& b) {
        b.json["buffers"] = {{{"byteLength", 100000}}};
@@ -255,7 +246,7 @@ TEST(GltfGate, sound_puppet_is_read) {
   EXPECT_TRUE(diagnostics.empty());
 }
 
-TEST(GltfGate, compression_is_refused_with_the_remedy) {
+TEST(GltfGate, draco_is_refused_with_the_remedy) {
   GltfBuilder builder = testing::puppet();
   builder.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
   EXPECT_NE(to_text(refusal(builder.glb())).find("gltf-transform copy"), std::string::npos);

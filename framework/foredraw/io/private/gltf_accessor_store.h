@@ -23,6 +23,27 @@ struct Content {
 
 bool same_content(const Content& a, const Content& b);
 
+/// A buffer of plain copies of compressed views.
+struct Fallback {
+  Json json;
+  std::size_t length = 0;
+  bool there = false;            ///< else readers are told of its length alone
+  std::vector<std::byte> bytes;  ///< empty unless it is there
+};
+
+/// Bytes of one kind, in the input and in the output.
+struct Sizes {
+  std::string what;
+  std::uint64_t before = 0;
+  std::uint64_t after = 0;
+};
+
+struct LaidOut {
+  std::vector<std::byte> bytes;     ///< of buffer 0
+  std::vector<Fallback> fallbacks;  ///< buffers 1 and on
+  std::vector<Sizes> sizes;         ///< of what did not stay as it was
+};
+
 /// Collects the changes, then lays out the bytes. Accessors keep their numbers, and so do buffer views unless one falls
 /// away. Views that nobody changes keep their bytes; a changed one is laid out anew in the old sequence, so that what
 /// was side by side or interleaved stays so, and what nobody refers to any more is gone.
@@ -44,8 +65,9 @@ class AccessorStore {
 
   bool changed() const { return !contents_.empty() || !released_.empty() || !images_.empty(); }
 
-  /// The bytes of the one buffer; sets bufferViews, buffers, and whatever refers to views in the JSON.
-  std::vector<std::byte> lay_out();
+  /// The bytes of the buffers; sets bufferViews, buffers, and whatever refers to views in the JSON. Views that came in
+  /// compressed stay so with `compress`.
+  LaidOut lay_out(bool compress);
 
  private:
   void describe(std::size_t accessor, const Content& content);

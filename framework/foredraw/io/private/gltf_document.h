@@ -2,6 +2,7 @@
 // A glTF file taken apart and found sound: its JSON, its buffers, and where the elements of every accessor lie.
 // Private to io: the one kind of header that may name the JSON library.
 
+#include <foredraw/io/private/gltf_meshopt.h>
 #include <foredraw/scene/vertex_streams.h>
 
 #include <nlohmann/json.hpp>
@@ -26,11 +27,29 @@ struct Chunk {
   Bytes bytes;
 };
 
+struct Buffer {
+  Bytes bytes;             ///< empty: a fallback that is not there, or, while a document is being checked, refused
+  std::size_t length = 0;  ///< that it has, or would have; 0: refused
+  bool fallback = false;   ///< holds plain copies of compressed views, for whoever can not decompress
+};
+
+/// The compressed bytes of a view, which stand for its plain ones.
+struct Compressed {
+  std::string extension;
+  std::size_t buffer = 0;
+  std::size_t offset = 0;
+  Bytes stream;
+  Coding coding;
+  bool understood = true;  ///< false: there is no decoder, and the view holds the plain copy
+};
+
 struct BufferView {
   std::size_t buffer = 0;
   std::size_t offset = 0;
   std::size_t length = 0;  ///< 0 only while a document is being checked: the view was refused
   std::size_t stride = 0;  ///< 0: elements are tight
+  Bytes bytes;             ///< plain
+  std::optional<Compressed> compressed;
 };
 
 /// Elements at even distances in a buffer.
@@ -64,8 +83,8 @@ struct Document {
   Shared<std::byte> file;  ///< as it came
   Json json;
   std::vector<Chunk> further_chunks;  ///< of a GLB, after JSON and BIN
-  std::vector<Bytes> buffers;
-  std::vector<std::vector<std::byte>> kept;  ///< decoded or loaded buffers
+  std::vector<Buffer> buffers;
+  std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed
   std::vector<BufferView> views;
   std::vector<Accessor> accessors;
 
@@ -73,8 +92,6 @@ struct Document {
   Document(Document&&) = default;
   Document& operator=(Document&&) = default;
 };
-
-Bytes bytes_of(const Document& document, const BufferView& view);
 
 /// All elements without gaps, in the asset's own format, sparse ones put in.
 std::vector<std::byte> elements(const Document& document, const Accessor& accessor);
@@ -87,6 +104,15 @@ std::vector<std::uint32_t> index_elements(const Document& document, const Access
 
 /// "VEC3" and its component type to a format; nullopt where there is none such.
 std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized);
+
+/// The extension's value in an object; nothing where it has none.
+const Json* extension_of(const Json& holder, std::string_view name);
+
+/// The extension's value taken out of an object; null where it has none.
+Json take_extension(Json& holder, std::string_view name);
+
+/// The bytes of the file and of the buffers beside it.
+std::uint64_t bytes_read(const Document& document);
 
 /// Every name in extensionsUsed, and every key of an object called "extensions" anywhere; sorted, each once.
 std::vector<std::string> extensions_in(const Json& json);

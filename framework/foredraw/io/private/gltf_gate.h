@@ -27,6 +27,7 @@ class Gate {
   void error(const std::string& place, std::string code, std::string message, std::string hint = {});
   void warning(const std::string& place, std::string code, std::string message);
   void error_at(std::size_t byte, std::string_view text, std::string code, std::string message, std::string hint = {});
+  void note(const std::string& place, std::string code, std::string message);
   void finish();
 
   /// The top-level array of that name; an empty one where there is none.
@@ -86,6 +87,7 @@ bool check_structure(Gate& gate);
 void check_extensions(Gate& gate);
 void check_buffers(Gate& gate, std::optional<Bytes> bin);
 void check_views(Gate& gate);
+void check_compression(Gate& gate);
 void check_accessors(Gate& gate);
 void check_images(Gate& gate);
 void check_materials(Gate& gate);

@@ -3,6 +3,8 @@
 
 #include <foredraw/io/private/gltf_accessor_store.h>
 
+#include <algorithm>
+
 namespace foredraw::gltf {
 
 /// Who refers to bytes of a view: the object in the JSON that holds "bufferView" and perhaps "byteOffset".
@@ -37,6 +39,7 @@ struct Block {
   std::vector<std::byte> bytes;
   std::vector<Place> places;
   std::size_t stride = 0;             ///< that the view must have; 0: none
+  std::size_t row = 0;                ///< bytes from one element to the next; 0: unknown
   std::optional<Content::Kind> kind;  ///< none: bytes that stayed as they were
   bool alone = false;                 ///< takes a whole view, as images do
 };
@@ -48,6 +51,22 @@ std::vector<Block> blocks_of(std::vector<ViewUser> users, Bytes bytes, std::size
 /// A content as rows of its own. `stride` 0: where rows are tight, the view need not say how far apart they are.
 Block block_of(Holder holder, const Content& content, std::size_t stride);
 
+/// Blocks that go into one view.
+struct NewView {
+  std::vector<Block> blocks;
+  std::size_t stride = 0;
+  std::optional<std::size_t> number;
+  bool is_old = false;              ///< carries on the view that had its number
+  bool untouched = false;           ///< and that view's bytes; its one block has none of its own
+  std::optional<std::size_t> like;  ///< old view that says how and where this one is compressed
+
+  std::optional<Content::Kind> kind() const {
+    const auto told =
+        std::find_if(blocks.begin(), blocks.end(), [](const Block& block) { return block.kind.has_value(); });
+    return told == blocks.end() ? std::nullopt : told->kind;
+  }
+};
+
 /// What changes in a document's bytes.
 struct Changes {
   const std::map<std::size_t, Content>& contents;  ///< by accessor; those past the document's are new
@@ -56,7 +75,12 @@ struct Changes {
   const std::set<std::size_t>& forgotten;  ///< views: gone unless somebody else uses them
 };
 
-/// The bytes of the one buffer with the changes in it; `json` is made to agree.
-std::vector<std::byte> laid_out(const Document& document, Json& json, const Changes& changes);
+/// The bytes of the buffers with the changes in them; `json` is made to agree. `compress`: what came in compressed goes
+/// out compressed, else nothing does.
+LaidOut laid_out(const Document& document, Json& json, const Changes& changes, bool compress);
+
+/// The views, sorted by number, put into buffers. `keep`: the old buffers stay whole, and so do views in them that are
+/// untouched.
+LaidOut placed(const Document& document, Json& json, const std::vector<NewView>& views, bool keep, bool compress);
 
 }  // namespace foredraw::gltf

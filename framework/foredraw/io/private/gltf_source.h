@@ -11,6 +11,8 @@ class Source final : public SceneSource {
  public:
   Source(Document document, Scene as_read) : document(std::move(document)), as_read(std::move(as_read)) {}
 
+  std::uint64_t bytes() const override { return bytes_read(document); }
+
   Document document;
   Scene as_read;  ///< handles to what the stages were given; its own source is empty
 };

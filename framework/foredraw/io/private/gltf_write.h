@@ -1,6 +1,8 @@
 #pragma once
 // From a scene back to a document. Private to io.
 
+#include <foredraw/io/gltf.h>
+#include <foredraw/io/private/gltf_accessor_store.h>
 #include <foredraw/io/private/gltf_source.h>
 #include <foredraw/platform/files.h>
 
@@ -8,20 +10,19 @@
 
 namespace foredraw::gltf {
 
-class AccessorStore;
-
-/// A document ready to be packed: its JSON, and the bytes of its one buffer.
+/// A document ready to be packed: its JSON, and the bytes of its buffers.
 struct Written {
   Json json;
-  std::vector<std::byte> buffer;
+  LaidOut laid_out;
   std::vector<Chunk> further_chunks;
-  bool changed = true;  ///< false: the file can stay as it was, and nothing was laid out
+  bool compact = false;  ///< text without line breaks, as it came
+  bool changed = true;   ///< false: the file can stay as it was, and nothing was laid out
 };
 
 /// The source's document with the scene's changes in it, for a target. With `may_stay`, the file itself will do where
 /// nothing changed. nullopt, with an error, where a change can not be said.
 std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
-                               bool may_stay, Diagnostics& diagnostics);
+                               bool may_stay, Compression compression, Diagnostics& diagnostics);
 
 /// Puts the changed draws into `json` and `store`. False, with an error, where one can not be said.
 bool patch_meshes(const Scene& scene, const Source& source, Json& json, AccessorStore& store, Diagnostics& diagnostics);

@@ -16,6 +16,8 @@ class MeshSource final : public SceneSource {
   std::vector<DrawRecords> records;          ///< [draw]
   std::shared_ptr<const gltf::Source> gltf;  ///< what a glTF file is to hold besides the draws
 
+  std::uint64_t bytes() const override { return file.size(); }
+
   std::string_view text() const {
     const auto bytes = file.view();
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
