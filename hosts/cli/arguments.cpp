@@ -101,6 +101,12 @@ class CommandLine {
       fmt::print(stderr, "foredraw: error: --memory-limit: this system sets no such limit\n");
       return something_failed;
     }
+    if (arguments_.memory_limit != 0) {
+      // Each thread has a stack and a heap of its own, which must not be what the limit goes on.
+      constexpr std::uint64_t for_a_thread = std::uint64_t{64} << 20;
+      const auto most = static_cast<int>(std::clamp<std::uint64_t>(arguments_.memory_limit / for_a_thread, 1, 1024));
+      arguments_.threads = arguments_.threads == 0 ? most : std::min(arguments_.threads, most);
+    }
     try {
       return command_();
     } catch (const OutOfMemory& lack) {
@@ -109,7 +115,7 @@ class CommandLine {
       if (arguments_.memory_limit == 0) {
         fmt::print(stderr, "\n    hint: close other programs, or use a machine with more\n");
       } else {
-        fmt::print(stderr, ": --memory-limit is {} bytes\n    hint: give it more, or --threads 1\n", arguments_.memory_limit);
+        fmt::print(stderr, ": --memory-limit is {} bytes\n    hint: give it more\n", arguments_.memory_limit);
       }
       return something_failed;
     }
