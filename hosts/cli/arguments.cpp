@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
 #include <stdexcept>
 
@@ -22,6 +23,18 @@ std::string presets_text() {
   std::string text = "Presets:";
   for (const Preset& preset : presets()) text += fmt::format(" @{}", preset.name);
   return text;
+}
+
+/// "500M" to bytes; nullopt where it is no size, or none.
+std::optional<std::uint64_t> size_of(std::string_view text) {
+  std::uint64_t size = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+  const std::string unit(end, text.data() + text.size());
+  constexpr std::string_view units = "KMGT";
+  const std::size_t power = unit.size() == 1 ? units.find(unit[0]) : std::string_view::npos;
+  if (error != std::errc() || size == 0 || (!unit.empty() && power == std::string_view::npos)) return std::nullopt;
+  const std::size_t shift = unit.empty() ? 0 : 10 * (power + 1);
+  return size > (~std::uint64_t{0} >> shift) ? std::nullopt : std::optional(size << shift);
 }
 
 class CommandLine {
@@ -171,9 +184,14 @@ class CommandLine {
         ->check(CLI::Range(1, 1024));
   }
   void memory_limit(CLI::App& app) {
-    app.add_option("--memory-limit", arguments_.memory_limit,
-                   "Stop with a message, and change no file, where more memory would be needed: 2G, 500M (default: no limit)")
-        ->transform(CLI::AsSizeValue(false))
+    const auto take = [this](const std::string& text) {
+      const auto size = size_of(text);
+      if (!size) throw CLI::ValidationError("--memory-limit", "'" + text + "' is no size; 500M and 2G are");
+      arguments_.memory_limit = *size;
+    };
+    app.add_option_function<std::string>("--memory-limit", take,
+                                         "Stop with a message, and change no file, where more memory than that would be "
+                                         "needed, such as 500M or 2G (default: no limit)")
         ->type_name("SIZE");
   }
 
