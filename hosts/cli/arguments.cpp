@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
 #include <stdexcept>
 
@@ -22,6 +23,18 @@ std::string presets_text() {
   std::string text = "Presets:";
   for (const Preset& preset : presets()) text += fmt::format(" @{}", preset.name);
   return text;
+}
+
+/// "500M" to bytes; nullopt where it is no size, or none.
+std::optional<std::uint64_t> size_of(std::string_view text) {
+  std::uint64_t size = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+  const std::string unit(end, text.data() + text.size());
+  constexpr std::string_view units = "KMGT";
+  const std::size_t power = unit.size() == 1 ? units.find(unit[0]) : std::string_view::npos;
+  if (error != std::errc() || size == 0 || (!unit.empty() && power == std::string_view::npos)) return std::nullopt;
+  const std::size_t shift = unit.empty() ? 0 : 10 * (power + 1);
+  return size > (~std::uint64_t{0} >> shift) ? std::nullopt : std::optional(size << shift);
 }
 
 class CommandLine {
@@ -104,6 +117,12 @@ class CommandLine {
       fmt::print(stderr, "foredraw: error: --memory-limit: this system sets no such limit\n");
       return something_failed;
     }
+    if (arguments_.memory_limit != 0) {
+      // Each thread has a stack and a heap of its own, which must not be what the limit goes on.
+      constexpr std::uint64_t for_a_thread = std::uint64_t{64} << 20;
+      const auto most = static_cast<int>(std::clamp<std::uint64_t>(arguments_.memory_limit / for_a_thread, 1, 1024));
+      arguments_.threads = arguments_.threads == 0 ? most : std::min(arguments_.threads, most);
+    }
     try {
       return command_();
     } catch (const OutOfMemory& lack) {
@@ -112,7 +131,7 @@ class CommandLine {
       if (arguments_.memory_limit == 0) {
         fmt::print(stderr, "\n    hint: close other programs, or use a machine with more\n");
       } else {
-        fmt::print(stderr, ": --memory-limit is {} bytes\n    hint: give it more, or --threads 1\n", arguments_.memory_limit);
+        fmt::print(stderr, ": --memory-limit is {} bytes\n    hint: give it more\n", arguments_.memory_limit);
       }
       return something_failed;
     }
@@ -168,9 +187,14 @@ class CommandLine {
         ->check(CLI::Range(1, 1024));
   }
   void memory_limit(CLI::App& app) {
-    app.add_option("--memory-limit", arguments_.memory_limit,
-                   "Stop with a message, and change no file, where more memory would be needed: 2G, 500M (default: no limit)")
-        ->transform(CLI::AsSizeValue(false))
+    const auto take = [this](const std::string& text) {
+      const auto size = size_of(text);
+      if (!size) throw CLI::ValidationError("--memory-limit", "'" + text + "' is no size; 500M and 2G are");
+      arguments_.memory_limit = *size;
+    };
+    app.add_option_function<std::string>("--memory-limit", take,
+                                         "Stop with a message, and change no file, where more memory than that would be "
+                                         "needed, such as 500M or 2G (default: no limit)")
         ->type_name("SIZE");
   }
 

@@ -32,9 +32,12 @@ class Killed : public testing::InFolder {
       work();
       ::_exit(0);
     }
-    ::usleep(static_cast<useconds_t>(delay.count()));
-    ::kill(child, SIGKILL);
     int status = 0;
+    for (auto left = delay; left > microseconds(0); left -= std::min(left, microseconds(2000))) {
+      if (::waitpid(child, &status, WNOHANG) == child) return WIFEXITED(status);
+      ::usleep(static_cast<useconds_t>(std::min(left, microseconds(2000)).count()));
+    }
+    ::kill(child, SIGKILL);
     ::waitpid(child, &status, 0);
     return WIFEXITED(status);
   }

@@ -78,7 +78,7 @@ TEST_F(MemoryLimit, is_known_before_a_huge_file_is_read) {
 }
 
 TEST_F(MemoryLimit, is_a_size) {
-  for (const char* wrong : {"much", "-1", "2X", "''", "99999999999999999999"}) {
+  for (const char* wrong : {"much", "-1", "0", "2X", "2GB", "1.5G", "''", "99999999999999999999", "99999999999T"}) {
     const testing::Ended ended = optimize(wrong);
     EXPECT_EQ(ended.code, 1) << wrong;
     EXPECT_NE(ended.err.find("--memory-limit"), std::string::npos) << ended.err;

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <new>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -52,13 +54,24 @@ void Executor::for_each(std::size_t count, const std::function<void(std::size_t)
 #else
 
 void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& task) const {
+  std::atomic<bool> task_failed = false;
   const auto loop = [&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) task(i);
+      try {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) task(i);
+      } catch (...) {
+        task_failed = true;
+        throw;
+      }
     }, tbb::simple_partitioner());
   };
-  // Isolated: who waits here holds perhaps a lock, and must not be given a task from outside that wants the same one.
-  arena_->arena.execute([&] { tbb::this_task_arena::isolate(loop); });
+  try {
+    // Isolated: who waits here holds perhaps a lock, and must not be given a task from outside that wants the same one.
+    arena_->arena.execute([&] { tbb::this_task_arena::isolate(loop); });
+  } catch (const std::runtime_error&) {
+    if (!task_failed) throw std::bad_alloc();  // TBB's own: there was no memory for the stack of a thread
+    throw;
+  }
 }
 
 #endif

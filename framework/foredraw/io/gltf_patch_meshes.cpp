@@ -205,7 +205,12 @@ class MeshPatch {
 
     Request request{mesh_, primitive_, std::nullopt, {}, number_at(json, "indices"), std::nullopt};
     const bool same_vertices = same && was->levels[0].vertices->count == count;
-    if (request.accessor ? same : same_vertices) {
+    // Corners left over, which no draw holds, may name vertices that are no longer there.
+    const int old_mode = json.value("mode", 4);
+    const bool left_over = request.accessor && (old_mode == 1 || old_mode == 4) && was != nullptr &&
+                           was->levels[0].vertices != now.levels[0].vertices &&
+                           source_.document.accessors[*request.accessor].count != indices.size();
+    if (request.accessor ? same && !left_over : same_vertices) {
       if (request.accessor) requests_.push_back(std::move(request));
       return;
     }

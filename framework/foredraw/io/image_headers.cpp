@@ -41,11 +41,14 @@ std::optional<Header> png(Bytes bytes) {
   if (stored == 0) return std::nullopt;
   header.most_texels = bytes.size() * best_of_deflate * 8 / stored;
   if (is_palette) header.facts.bits = 8;
-  // Transparent colours are an alpha channel by another name; they are told before the texels.
-  for (std::size_t chunk = 8; bytes.size() - chunk >= 12; chunk += 12 + big32(bytes, chunk)) {
-    if (has(bytes, chunk + 4, "tRNS") && header.facts.channels % 2 == 1) ++header.facts.channels;
-    if (has(bytes, chunk + 4, "tRNS") || has(bytes, chunk + 4, "IDAT")) break;
-    if (big32(bytes, chunk) > bytes.size() - chunk - 12) break;
+  // Every chunk has to lie in the bytes: decoders allocate what a chunk claims. Transparent colours are an alpha
+  // channel by another name; they are told before the texels.
+  bool has_texels = false;
+  for (std::size_t chunk = 8; !has(bytes, chunk + 4, "IEND");) {
+    if (bytes.size() - chunk < 12 || big32(bytes, chunk) > bytes.size() - chunk - 12) return std::nullopt;
+    has_texels = has_texels || has(bytes, chunk + 4, "IDAT");
+    if (!has_texels && has(bytes, chunk + 4, "tRNS") && header.facts.channels % 2 == 1) ++header.facts.channels;
+    chunk += 12 + big32(bytes, chunk);
   }
   return header;
 }
