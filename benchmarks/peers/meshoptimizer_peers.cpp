@@ -33,9 +33,9 @@ struct CacheOptions {
   int cache_size = 16;
 };
 
-class MeshoptCacheFifo final : public DrawOrderer {
+class MeshoptVertexCacheFifo final : public DrawOrderer {
  public:
-  explicit MeshoptCacheFifo(CacheOptions options) : options_(options) {}
+  explicit MeshoptVertexCacheFifo(CacheOptions options) : options_(options) {}
   IndexOrder order(const DrawView& draw, Run&) override {
     std::vector<std::uint32_t> result(draw.indices().size());
     meshopt_optimizeVertexCacheFifo(result.data(), draw.indices().data(), result.size(), draw.vertex_count(),
@@ -48,7 +48,7 @@ class MeshoptCacheFifo final : public DrawOrderer {
   CacheOptions options_;
 };
 
-class MeshoptCache final : public DrawOrderer {
+class MeshoptVertexCache final : public DrawOrderer {
  public:
   IndexOrder order(const DrawView& draw, Run&) override {
     std::vector<std::uint32_t> result(draw.indices().size());
@@ -92,20 +92,22 @@ struct NoOptions {};
 }  // namespace
 
 void add_peers(Registry& registry) {
-  Plugin cache = peer("meshopt-cache", "meshopt_optimizeVertexCache", traits::cache_ordered);
-  bind_options(cache, OptionTable<NoOptions>(), [](const NoOptions&) { return std::make_unique<MeshoptCache>(); });
+  Plugin cache = peer("meshopt-vertex-cache", "meshopt_optimizeVertexCache", traits::cache_ordered);
+  bind_options(cache, OptionTable<NoOptions>(),
+               [](const NoOptions&) { return std::make_unique<MeshoptVertexCache>(); });
   registry.add(std::move(cache));
 
-  Plugin fifo = peer("meshopt-cache-fifo", "meshopt_optimizeVertexCacheFifo", traits::cache_ordered);
+  Plugin fifo = peer("meshopt-vertex-cache-fifo", "meshopt_optimizeVertexCacheFifo", traits::cache_ordered);
   OptionTable<CacheOptions> cache_options;
   cache_options.row(&CacheOptions::cache_size, "cache-size", "Size of the FIFO vertex cache", {3, 1024, "entries"});
-  bind_options(fifo, cache_options, [](const CacheOptions& o) { return std::make_unique<MeshoptCacheFifo>(o); });
+  bind_options(fifo, cache_options, [](const CacheOptions& o) { return std::make_unique<MeshoptVertexCacheFifo>(o); });
   registry.add(std::move(fifo));
 
   Plugin overdraw = peer("meshopt-overdraw", "meshopt_optimizeOverdraw", traits::overdraw_ordered);
   OptionTable<OverdrawOptions> overdraw_options;
   overdraw_options.row(&OverdrawOptions::threshold, "threshold", "Vertex work that may be added", {1, 3, "times"});
-  bind_options(overdraw, overdraw_options, [](const OverdrawOptions& o) { return std::make_unique<MeshoptOverdraw>(o); });
+  bind_options(overdraw, overdraw_options,
+               [](const OverdrawOptions& o) { return std::make_unique<MeshoptOverdraw>(o); });
   registry.add(std::move(overdraw));
 }
 

@@ -8,15 +8,23 @@ namespace foredraw::bench {
 
 namespace {
 
-template <class Rows, class Name>
-auto& row_of(Rows& rows, const Name& name, auto&& member) {
-  const auto found = std::ranges::find(rows, name, member);
-  if (found != rows.end()) return *found;
-  rows.push_back({name, {}});
-  return rows.back();
+/// The entry of that name, appended where there is none.
+template <class Entries, class Member>
+auto& entry_of(Entries& entries, const std::string& name, Member member) {
+  const auto found = std::ranges::find(entries, name, member);
+  if (found != entries.end()) return *found;
+  entries.push_back({name, {}});
+  return entries.back();
 }
 
 }  // namespace
+
+RatioTable::Row& RatioTable::row_of(const std::string& run) {
+  const std::size_t first = run.find('|');
+  const std::size_t second = run.find('|', first + 1);
+  Contest& contest = entry_of(contests_, run.substr(0, first), &Contest::name);
+  return entry_of(contest.rows, run.substr(first + 1, second - first - 1), &Row::set);
+}
 
 void RatioTable::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
@@ -27,11 +35,7 @@ void RatioTable::ReportRuns(const std::vector<Run>& runs) {
     const bool counts = run.run_type == Run::RT_Aggregate ? run.aggregate_name == "median" : run.repetitions <= 1;
     if (!counts) continue;
     const std::string& name = run.run_name.function_name;
-    const std::size_t first = name.find('|');
-    const std::size_t second = name.find('|', first + 1);
-    auto& contest = row_of(contests_, name.substr(0, first), [](const auto& c) { return c.first; });
-    Row& row = row_of(contest.second, name.substr(first + 1, second - first - 1), &Row::set);
-    Side& side = row.sides[name.substr(second + 1)];
+    Side& side = row_of(name).sides[name.substr(name.rfind('|') + 1)];
     side.nanoseconds = run.GetAdjustedRealTime();
     for (const auto& [counter, value] : run.counters) side.counters[counter] = value.value;
   }
@@ -39,6 +43,8 @@ void RatioTable::ReportRuns(const std::vector<Run>& runs) {
 
 void RatioTable::Finalize() {
   for (auto& [contest, rows] : contests_) {
+    std::erase_if(rows, [](const Row& row) { return row.sides.size() < 2; });  // --benchmark_filter
+    if (rows.empty()) continue;
     std::vector<std::string> counters;
     for (const auto& [counter, value] : rows[0].sides["ours"].counters) {
       if (counter != "triangles") counters.push_back(counter);

@@ -14,6 +14,9 @@ namespace foredraw::bench {
 /// each.
 class RatioTable final : public benchmark::BenchmarkReporter {
  public:
+  /// Says that such a run will come: rows stand in the sequence in which they were expected, whatever comes first.
+  void expect(const std::string& run) { row_of(run); }
+
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override;
   void Finalize() override;
@@ -27,7 +30,13 @@ class RatioTable final : public benchmark::BenchmarkReporter {
     std::string set;
     std::map<std::string, Side> sides;
   };
-  std::vector<std::pair<std::string, std::vector<Row>>> contests_;  ///< in the sequence in which they came
+  struct Contest {
+    std::string name;
+    std::vector<Row> rows;
+  };
+  Row& row_of(const std::string& run);
+
+  std::vector<Contest> contests_;
 };
 
 }  // namespace foredraw::bench

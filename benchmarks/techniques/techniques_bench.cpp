@@ -37,7 +37,8 @@ Counters judged(const MeshSet& set, const Side& side, const Judge& judge) {
   return judge(set, results);
 }
 
-void add_side(const std::string& name, const MeshSet& set, const Side& side, const Judge& judge) {
+void add_side(RatioTable& table, const std::string& name, const MeshSet& set, const Side& side, const Judge& judge) {
+  table.expect(name);
   const auto verdict = std::make_shared<Counters>();  // the same in every repetition
   benchmark::RegisterBenchmark(name.c_str(), [&set, side, judge, verdict](benchmark::State& state) {
     for (auto _ : state) {
@@ -49,11 +50,11 @@ void add_side(const std::string& name, const MeshSet& set, const Side& side, con
   })->Unit(benchmark::kNanosecond);
 }
 
-void add_contest(const std::string& name, const std::vector<MeshSet>& sets, const Side& ours, const Side& peer,
-                 const Judge& judge = {}) {
+void add_contest(RatioTable& table, const std::string& name, const std::vector<MeshSet>& sets, const Side& ours,
+                 const Side& peer, const Judge& judge = {}) {
   for (const MeshSet& set : sets) {
-    add_side(fmt::format("{}|{}|ours", name, set.name), set, ours, judge);
-    add_side(fmt::format("{}|{}|peer", name, set.name), set, peer, judge);
+    add_side(table, fmt::format("{}|{}|ours", name, set.name), set, ours, judge);
+    add_side(table, fmt::format("{}|{}|peer", name, set.name), set, peer, judge);
   }
 }
 
@@ -114,18 +115,18 @@ std::vector<MeshSet> cache_ordered(std::vector<MeshSet> sets) {
   return sets;
 }
 
-void add_contests(const std::vector<MeshSet>& sets, const std::vector<MeshSet>& ordered) {
-  add_contest("tipsify against meshopt_optimizeVertexCacheFifo", sets, our_cache_order, peers_cache_order, acmr);
+void add_contests(RatioTable& table, const std::vector<MeshSet>& sets, const std::vector<MeshSet>& ordered) {
+  add_contest(table, "tipsify against meshopt_optimizeVertexCacheFifo", sets, our_cache_order, peers_cache_order, acmr);
   add_contest(
-      "linear-clusters and dot-rule against meshopt_optimizeOverdraw", ordered,
+      table, "linear-clusters and dot-rule against meshopt_optimizeOverdraw", ordered,
       [](const TestMesh& mesh) { return our_overdraw_order(mesh.positions, mesh.indices); },
       [](const TestMesh& mesh) { return peers_overdraw_order(mesh.positions, mesh.indices); });
   add_contest(
-      "tipsify, linear-clusters, dot-rule against both", sets,
+      table, "tipsify, linear-clusters, dot-rule against both", sets,
       [](const TestMesh& mesh) { return our_overdraw_order(mesh.positions, our_cache_order(mesh)); },
       [](const TestMesh& mesh) { return peers_overdraw_order(mesh.positions, peers_cache_order(mesh)); }, acmr_and_ovr);
   add_contest(
-      "vertex-fetch against meshopt_optimizeVertexFetchRemap", ordered,
+      table, "vertex-fetch against meshopt_optimizeVertexFetchRemap", ordered,
       [](const TestMesh& mesh) {
         const std::span<const std::uint32_t> indices(mesh.indices);
         return vertex_fetch({&indices, 1}, mesh.positions.size());
@@ -136,7 +137,7 @@ void add_contests(const std::vector<MeshSet>& sets, const std::vector<MeshSet>& 
         return remap;
       });
   add_contest(
-      "weld against meshopt_generateVertexRemap (positions alone)", sets,
+      table, "weld against meshopt_generateVertexRemap (positions alone)", sets,
       [](const TestMesh& mesh) {
         const auto vertices = testing::vertex_streams(mesh.positions);
         const std::span<const std::uint32_t> indices(mesh.indices);
@@ -149,7 +150,7 @@ void add_contests(const std::vector<MeshSet>& sets, const std::vector<MeshSet>& 
         return remap;
       });
   add_contest(
-      "vertex-cache (FIFO of 16) against meshopt_analyzeVertexCache", ordered,
+      table, "vertex-cache (FIFO of 16) against meshopt_analyzeVertexCache", ordered,
       [](const TestMesh& mesh) {
         benchmark::DoNotOptimize(count_fifo(mesh.indices, mesh.positions.size(), cache_size));
         return Indices{};
@@ -160,7 +161,7 @@ void add_contests(const std::vector<MeshSet>& sets, const std::vector<MeshSet>& 
         return Indices{};
       });
   add_contest(
-      "overdraw-raster (6 views of 256 x 256) against meshopt_analyzeOverdraw", ordered,
+      table, "overdraw-raster (6 views of 256 x 256) against meshopt_analyzeOverdraw", ordered,
       [](const TestMesh& mesh) {
         static const Views views = make_views({.views = "axes"});
         const RasterPart part{.positions = mesh.positions, .indices = mesh.indices};
@@ -175,6 +176,9 @@ void add_contests(const std::vector<MeshSet>& sets, const std::vector<MeshSet>& 
 }
 
 }  // namespace
+
+void add_file_contests(RatioTable& table);  // files_bench.cpp
+
 }  // namespace foredraw::bench
 
 int main(int argc, char** argv) {
@@ -189,7 +193,8 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
   const std::vector<MeshSet> sets = mesh_sets();
   const std::vector<MeshSet> ordered = cache_ordered(sets);
-  add_contests(sets, ordered);
   RatioTable table;
+  add_contests(table, sets, ordered);
+  add_file_contests(table);
   benchmark::RunSpecifiedBenchmarks(&table);
 }

@@ -33,7 +33,8 @@ class Cli : public ::testing::Test {
   };
 
   Cli() {
-    folder_ = fs::temp_directory_path() / ("foredraw-cli-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder_ = fs::temp_directory_path() /
+              ("foredraw-cli-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -51,7 +52,9 @@ class Cli : public ::testing::Test {
     return ended;
   }
 
-  std::string model(const std::string& name) { return "'" + testing::project_file("benchmarks/corpus/" + name).string() + "'"; }
+  std::string model(const std::string& name) {
+    return "'" + testing::project_file("benchmarks/corpus/" + name).string() + "'";
+  }
   std::string spot() { return model("static/spot.glb"); }
   std::vector<std::string> files() const {
     std::vector<std::string> names;
@@ -62,7 +65,9 @@ class Cli : public ::testing::Test {
   fs::path folder_;
 };
 
-double metric(const Json& state, const char* plugin, const char* name) { return state["metrics"][plugin][name]["value"]; }
+double metric(const Json& state, const char* plugin, const char* name) {
+  return state["metrics"][plugin][name]["value"];
+}
 
 TEST_F(Cli, OptimizesAndMeasuresTheGain) {
   const Ended made = run("optimize " + spot() + " -o out.glb --report r.json");
@@ -88,7 +93,8 @@ TEST_F(Cli, OptimizesAndMeasuresTheGain) {
 }
 
 TEST_F(Cli, MeshesGoToGltfAndBackToTheirOwnKind) {
-  std::ofstream(folder_ / "strip.obj") << "# kept\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 2 0\nf 1 2 3\nf 3 4 5\nf 3 2 4\n";
+  std::ofstream(folder_ / "strip.obj")
+      << "# kept\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 2 0\nf 1 2 3\nf 3 4 5\nf 3 2 4\n";
   EXPECT_EQ(run("optimize strip.obj -o strip.glb").code, 0);
   EXPECT_EQ(run("inspect strip.glb").code, 0);
   const Ended back = run("optimize strip.obj -o again.obj");
@@ -97,7 +103,8 @@ TEST_F(Cli, MeshesGoToGltfAndBackToTheirOwnKind) {
   EXPECT_EQ(content(folder_ / "again.obj").substr(0, 7), "# kept\n");
   const Ended other = run("optimize strip.obj -o strip.ply");
   EXPECT_EQ(other.code, 1);
-  EXPECT_NE(other.err.find("strip.ply: error: a file of kind .ply is written only from one"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("strip.ply: error: a file of kind .ply is written only from one"), std::string::npos)
+      << other.err;
   std::ofstream(folder_ / "broken.stl") << "solid";
   const Ended broken = run("measure broken.stl");
   EXPECT_EQ(broken.code, 2);
@@ -170,7 +177,8 @@ TEST_F(Cli, ComparesPipelines) {
   const Json json = Json::parse(compared.out);
   const Json& branches = json["files"][0]["branches"];
   ASSERT_EQ(branches.size(), 2u);
-  EXPECT_GT(metric(branches[0]["report"]["totals"], "vertex-cache", "acmr"), metric(branches[1]["report"]["totals"], "vertex-cache", "acmr"));
+  EXPECT_GT(metric(branches[0]["report"]["totals"], "vertex-cache", "acmr"),
+            metric(branches[1]["report"]["totals"], "vertex-cache", "acmr"));
   EXPECT_EQ(branches[1]["report"]["stages"][1]["use"], "tipsify");
   EXPECT_NE(run("compare " + spot() + " -p weld -p weld,tipsify").out.find("acmr"), std::string::npos);
 }
@@ -199,8 +207,10 @@ class Mistakes : public Cli, public ::testing::WithParamInterface<Mistake> {};
 
 TEST_P(Mistakes, AreToldInOneClearLineAndNothingIsWritten) {
   std::ofstream(folder_ / "bad.glb") << "glTF but not really";
-  std::ofstream(folder_ / "typo.toml") << "pipeline = 1\nstages = [\n  \"weld\",\n  { use = \"tipsify\", cache = 16 },\n]\n";
-  std::ofstream(folder_ / "service.toml") << "pipeline = 1\n[services]\noverdraw = { use = \"overdraw-raster\", views = 162 }\n";
+  std::ofstream(folder_ / "typo.toml")
+      << "pipeline = 1\nstages = [\n  \"weld\",\n  { use = \"tipsify\", cache = 16 },\n]\n";
+  std::ofstream(folder_ / "service.toml")
+      << "pipeline = 1\n[services]\noverdraw = { use = \"overdraw-raster\", views = 162 }\n";
   const auto before = files();
   std::string arguments = GetParam().arguments;
   if (const auto at = arguments.find("SPOT"); at != std::string::npos) arguments.replace(at, 4, spot());
@@ -223,16 +233,17 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unknown_preset", "optimize SPOT -o out.glb -p @defualt", 1, "@default"},
         Mistake{"unknown_set", "optimize SPOT -o out.glb --set tipsify.cach-size=3", 1, "cache-size"},
         Mistake{"unknown_kind_of_output", "optimize SPOT -o out.xyz", 1, ".glb or .gltf"},
-        Mistake{"missing_folder", "optimize SPOT -o no/such/folder/out.glb -p weld --with vertex-cache", 2, "can not be written"},
-        Mistake{"no_output", "optimize SPOT", 1, "--output"},
-        Mistake{"no_command", "", 1, "hint"},
+        Mistake{"missing_folder", "optimize SPOT -o no/such/folder/out.glb -p weld --with vertex-cache", 2,
+                "can not be written"},
+        Mistake{"no_output", "optimize SPOT", 1, "--output"}, Mistake{"no_command", "", 1, "hint"},
         Mistake{"unknown_plugin_shown", "show tipsfy", 1, "did you mean 'tipsify'?"},
         Mistake{"unknown_kind_listed", "list --kind things", 1, "orderer"},
         Mistake{"bad_views", "measure SPOT --with 'overdraw-raster(views=100)'", 1, "162"},
         Mistake{"unknown_command", "optimise SPOT -o out.glb", 1, "did you mean 'optimize'?"},
         Mistake{"two_pipelines", "optimize SPOT -o out.glb -p weld -p tipsify", 1, "foredraw compare"},
         Mistake{"two_outputs_in_one_file", "optimize SPOT -o out.glb --report out.glb", 1, "two outputs"},
-        Mistake{"report_in_no_folder", "optimize SPOT -o out.glb --report no/r.json -p weld --with vertex-cache", 2, "can not be written"},
+        Mistake{"report_in_no_folder", "optimize SPOT -o out.glb --report no/r.json -p weld --with vertex-cache", 2,
+                "can not be written"},
         Mistake{"empty_name", "measure ''", 1, "empty"},
         Mistake{"full_disk", "schema >/dev/full; exit $?", 2, "can not be written"},
         Mistake{"option_of_no_service", "plan SPOT -p service.toml", 1, "no option 'views'"},
@@ -263,14 +274,16 @@ TEST_F(Cli, ComparesTheGoodFilesThoughOneIsBad) {
 }
 
 TEST_F(Cli, SetsAnOptionWhereverThereIsItsStage) {
-  EXPECT_EQ(run("compare " + spot() + " -p weld,tipsify -p weld --set tipsify.cache-size=24 --with vertex-cache").code, 0);
+  EXPECT_EQ(run("compare " + spot() + " -p weld,tipsify -p weld --set tipsify.cache-size=24 --with vertex-cache").code,
+            0);
   EXPECT_EQ(run("compare " + spot() + " -p weld -p weld --set tipsify.cache-size=24 --with vertex-cache").code, 1);
 }
 
 TEST_F(Cli, TellsEveryMistakeOfAPipelineAtOnce) {
   const Ended ended = run("plan " + spot() + " -p 'weld(x=1), tipsfy, dot-rule'");
   EXPECT_EQ(ended.code, 1);
-  for (const char* part : {"no option 'x'", "'tipsfy'", "'dot-rule' needs"}) EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+  for (const char* part : {"no option 'x'", "'tipsfy'", "'dot-rule' needs"})
+    EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
 }
 
 /// The reference pages in docs/ are what the program says of itself. FOREDRAW_UPDATE_GOLDEN=1 writes them anew.
@@ -286,7 +299,8 @@ TEST_F(Cli, ItsReferencePagesAreTheCommittedOnes) {
     expected.push_back(name + ".md");
   }
   std::vector<std::string> there;
-  for (const auto& entry : fs::directory_iterator(testing::project_file("docs/reference"))) there.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator(testing::project_file("docs/reference")))
+    there.push_back(entry.path().filename().string());
   std::sort(there.begin(), there.end());
   EXPECT_EQ(there, expected);
 }
