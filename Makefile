@@ -8,7 +8,8 @@ help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
 	@echo 'make test     build everything, run every test'
-	@echo 'make bench    build build/release/benchmarks/foredraw-bench: the program with the peers beside our plugins'
+	@echo 'make bench    build the benchmarks, in build/release/benchmarks: foredraw-bench, the program with the peers beside'
+	@echo '              our plugins, and techniques/techniques-bench, which times both sides'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
 	@echo 'make clean    remove build/'
@@ -33,7 +34,7 @@ test asan tsan fuzz:
 
 bench:
 	packages/install build bench
-	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench
 
 clean:
 	rm -rf build

@@ -1,37 +1,23 @@
 #include "forsyth.h"
 
-#include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/technique/cache_orderer.h>
 #include <foredraw/technique/plugin.h>
-
-#include <fmt/format.h>
 
 namespace foredraw {
 
 namespace {
 
-class Forsyth final : public DrawOrderer {
+class Forsyth final : public CacheOrderer {
  public:
   explicit Forsyth(ForsythOptions options) : options_(options) {}
-
-  IndexOrder order(const DrawView& draw, Run& run) override {
-    const CacheCount before = count(draw.indices(), draw.vertex_count());
-    if (before.misses == before.referenced) {
-      run.keep("each of its vertices is shaded once, and no order does with less");
-      return {};
-    }
-    IndexOrder order = forsyth(draw.indices(), draw.vertex_count(), options_);
-    const CacheCount after = count(with_triangle_order(draw.stream(), order).indices.view(), draw.vertex_count());
-    if (after.misses >= before.misses) {
-      run.keep(fmt::format("in forsyth's order {} vertices would miss the cache, and in its own {} do", after.misses,
-                           before.misses));
-    }
-    return order;
-  }
 
   int cache_size() const override { return options_.cache_size; }
 
  private:
-  CacheCount count(std::span<const std::uint32_t> indices, std::size_t vertex_count) const {
+  IndexOrder order_for_cache(std::span<const std::uint32_t> indices, std::size_t vertex_count) const override {
+    return forsyth(indices, vertex_count, options_);
+  }
+  CacheCount count(std::span<const std::uint32_t> indices, std::size_t vertex_count) const override {
     return count_lru(indices, vertex_count, static_cast<std::uint32_t>(options_.cache_size));
   }
 

@@ -1,37 +1,23 @@
 #include "tipsify.h"
 
-#include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/technique/cache_orderer.h>
 #include <foredraw/technique/plugin.h>
-
-#include <fmt/format.h>
 
 namespace foredraw {
 
 namespace {
 
-class Tipsify final : public DrawOrderer {
+class Tipsify final : public CacheOrderer {
  public:
   explicit Tipsify(TipsifyOptions options) : options_(options) {}
-
-  IndexOrder order(const DrawView& draw, Run& run) override {
-    const CacheCount before = count(draw.indices(), draw.vertex_count());
-    if (before.misses == before.referenced) {
-      run.keep("each of its vertices is shaded once, and no order does with less");
-      return {};
-    }
-    IndexOrder order = tipsify(draw.indices(), draw.vertex_count(), options_);
-    const CacheCount after = count(with_triangle_order(draw.stream(), order).indices.view(), draw.vertex_count());
-    if (after.misses >= before.misses) {
-      run.keep(fmt::format("in tipsify's order {} vertices would miss the cache, and in its own {} do", after.misses,
-                           before.misses));
-    }
-    return order;
-  }
 
   int cache_size() const override { return options_.cache_size; }
 
  private:
-  CacheCount count(std::span<const std::uint32_t> indices, std::size_t vertex_count) const {
+  IndexOrder order_for_cache(std::span<const std::uint32_t> indices, std::size_t vertex_count) const override {
+    return tipsify(indices, vertex_count, options_);
+  }
+  CacheCount count(std::span<const std::uint32_t> indices, std::size_t vertex_count) const override {
     return count_fifo(indices, vertex_count, static_cast<std::uint32_t>(options_.cache_size));
   }
 
