@@ -69,7 +69,7 @@ void add_file_contests(RatioTable& table) {
        {"static/chess_board_notex.glb", "animated/kaykit_knight.glb", "static/flight_helmet_notex.glb",
         "static/dutch_ship_medium_notex.glb", "animated/mannequiny.glb"}) {
     const auto model = std::make_shared<Model>(load(name));
-    for (const auto& [side, work] : {std::pair{"ours", ours}, std::pair{"peer", peer}}) {
+    for (const auto& [side, work] : {std::pair{"ours", &ours}, std::pair{"peer", &peer}}) {
       const std::string run = fmt::format("reading and writing against tinygltf's load and save|{}|{}", name, side);
       table.expect(run);
       benchmark::RegisterBenchmark(run.c_str(), [model, work = work](benchmark::State& state) {

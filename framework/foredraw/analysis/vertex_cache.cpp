@@ -62,7 +62,8 @@ class LruCache {
 }  // namespace
 
 CacheCount count_fifo(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::uint32_t size) {
-  return count_batches(indices, vertex_count, {"fifo", size, 0, 0});
+  FifoCache cache(vertex_count, size);
+  return {cache.misses(indices), indices.size() / 3, count_different(indices, vertex_count)};
 }
 
 CacheCount count_lru(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::uint32_t size) {

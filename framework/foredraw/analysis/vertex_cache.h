@@ -13,8 +13,8 @@
 
 namespace foredraw {
 
-/// A first-in-first-out cache of vertex numbers. A vertex that hits stays where it is in the queue. O(1) each call. Fewer
-/// than 2^31 vertices may enter between two flushes.
+/// A first-in-first-out cache of vertex numbers. A vertex that hits stays where it is in the queue. O(1) each call.
+/// Fewer than 2^31 vertices may enter between two flushes.
 class FifoCache {
  public:
   /// `size` entries, at least 1; more than 2^30 are as good as 2^30.
@@ -24,11 +24,19 @@ class FifoCache {
   bool holds(std::uint32_t vertex) const { return now_ - entered_[vertex] <= size_; }
 
   /// Draws the vertex: true where it missed and so was shaded and entered.
-  bool misses(std::uint32_t vertex) {
-    const bool missed = !holds(vertex);
-    entered_[vertex] = missed ? now_ : entered_[vertex];  // no branch: hits and misses have no pattern
-    now_ += missed;
-    return missed;
+  bool misses(std::uint32_t vertex) { return misses({&vertex, 1}) != 0; }
+
+  /// Draws vertices one after the other: how many missed.
+  std::uint32_t misses(std::span<const std::uint32_t> vertices) {
+    const std::uint32_t before = now_;
+    std::uint32_t now = now_;  // a register, where the member would be written each time
+    for (const std::uint32_t vertex : vertices) {
+      const bool missed = now - entered_[vertex] > size_;
+      entered_[vertex] = missed ? now : entered_[vertex];  // no branch: hits and misses have no pattern
+      now += missed;
+    }
+    now_ = now;
+    return now - before;
   }
 
   /// Empties the cache.

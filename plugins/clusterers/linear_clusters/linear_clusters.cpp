@@ -8,17 +8,11 @@ namespace foredraw {
 
 namespace {
 
-std::uint32_t misses_of(std::size_t triangle, std::span<const std::uint32_t> indices, FifoCache& cache) {
-  std::uint32_t misses = 0;
-  for (std::uint32_t v : indices.subspan(3 * triangle, 3)) misses += cache.misses(v);
-  return misses;
-}
-
 std::vector<std::uint32_t> hard_boundaries(std::span<const std::uint32_t> indices, FifoCache& cache) {
   const auto triangles = static_cast<std::uint32_t>(indices.size() / 3);
   std::vector<std::uint32_t> offsets{0};
   for (std::uint32_t t = 0; t < triangles; ++t) {
-    if (misses_of(t, indices, cache) == 3 && t > 0) offsets.push_back(t);
+    if (cache.misses(indices.subspan(3 * std::size_t{t}, 3)) == 3 && t > 0) offsets.push_back(t);
   }
   if (triangles > 0) offsets.push_back(triangles);
   return offsets;
@@ -27,9 +21,9 @@ std::vector<std::uint32_t> hard_boundaries(std::span<const std::uint32_t> indice
 /// The misses per triangle of a hard patch that is drawn alone.
 double own_acmr(std::span<const std::uint32_t> indices, std::uint32_t begin, std::uint32_t end, FifoCache& cache) {
   cache.flush();
-  std::uint64_t misses = 0;
-  for (std::uint32_t t = begin; t < end; ++t) misses += misses_of(t, indices, cache);
-  return static_cast<double>(misses) / (end - begin);
+  const std::uint32_t triangles = end - begin;
+  return static_cast<double>(cache.misses(indices.subspan(3 * std::size_t{begin}, 3 * std::size_t{triangles}))) /
+         triangles;
 }
 
 }  // namespace
@@ -49,7 +43,7 @@ Clusters linear_clusters(std::span<const std::uint32_t> indices, std::size_t ver
     std::uint64_t misses = 0;
     std::uint32_t start = begin;
     for (std::uint32_t t = begin; t < end; ++t) {
-      misses += misses_of(t, indices, cache);
+      misses += cache.misses(indices.subspan(3 * std::size_t{t}, 3));
       if (static_cast<double>(misses) > lambda * (t + 1 - start)) continue;
       clusters.offsets.push_back(t + 1);
       start = t + 1;

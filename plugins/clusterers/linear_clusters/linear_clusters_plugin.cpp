@@ -29,10 +29,11 @@ class LinearClusters final : public Clusterer {
     const auto vertices = static_cast<double>(std::count(used.begin(), used.end(), true));
     const double floor = vertices / static_cast<double>(draw.triangle_count());
     if (*options_.lambda >= floor) return;
-    run.note("lambda-out-of-reach",
-             fmt::format("lambda {} is out of reach: {:.0f} vertices for {} triangles are {:.3f} misses per triangle in "
-                         "any order; patches are cut at hard boundaries and by chance alone",
-                         *options_.lambda, vertices, draw.triangle_count(), floor));
+    run.note(
+        "lambda-out-of-reach",
+        fmt::format("lambda {} is out of reach: {:.0f} vertices for {} triangles are {:.3f} misses per triangle in "
+                    "any order; patches are cut at hard boundaries and by chance alone",
+                    *options_.lambda, vertices, draw.triangle_count(), floor));
   }
 
   LinearClustersOptions options_;
@@ -55,8 +56,7 @@ Plugin linear_clusters_plugin() {
             "Closes a patch once its misses per triangle are down to this; stands above growth",
             {0.5, 3, "misses per triangle"});
   table.row(&LinearClustersOptions::growth, "growth",
-            "Closes a patch at so many times the misses per triangle of the uncut order around it",
-            {1, 6, "times"});
+            "Closes a patch at so many times the misses per triangle of the uncut order around it", {1, 6, "times"});
   bind_options(plugin, table,
                [](const LinearClustersOptions& options) { return std::make_unique<LinearClusters>(options); });
   return plugin;
