@@ -1,4 +1,5 @@
 #include <foredraw/io/private/gltf_document.h>
+#include <foredraw/io/private/gltf_rows.h>
 #include <foredraw/io/private/gltf_uri.h>
 
 #include <algorithm>
@@ -16,6 +17,12 @@ Bytes rows_from(const Document& document, const Rows& rows) {
   return document.views[rows.view].bytes.subspan(rows.offset);
 }
 
+/// The elements where they lie, if they lie there without gaps.
+std::optional<Bytes> tight_bytes(const Document& document, const Accessor& accessor) {
+  if (!accessor.rows || accessor.rows->stride != accessor.format.bytes || accessor.sparse) return std::nullopt;
+  return rows_from(document, *accessor.rows).first(accessor.bytes());
+}
+
 std::uint32_t load_index(const std::byte* from, std::size_t bytes) {
   std::uint32_t value = 0;
   std::memcpy(&value, from, bytes);  // little-endian, as glTF is and every machine that we build for
@@ -29,13 +36,7 @@ std::vector<std::byte> elements(const Document& document, const Accessor& access
   std::vector<std::byte> result(accessor.bytes());
   if (accessor.rows) {
     const Bytes from = rows_from(document, *accessor.rows);
-    if (accessor.rows->stride == element) {
-      std::memcpy(result.data(), from.data(), result.size());
-    } else {
-      for (std::size_t i = 0; i < accessor.count; ++i) {
-        std::memcpy(result.data() + i * element, from.data() + i * accessor.rows->stride, element);
-      }
-    }
+    copy_rows(result.data(), element, from.data(), accessor.rows->stride, element, accessor.count);
   }
   if (accessor.sparse) {
     const Bytes indices = rows_from(document, accessor.sparse->indices);
@@ -60,11 +61,13 @@ std::vector<float> decoded_elements(const Document& document, const Accessor& ac
 }
 
 std::vector<std::uint32_t> index_elements(const Document& document, const Accessor& accessor) {
-  const std::vector<std::byte> bytes = elements(document, accessor);
-  const std::size_t width = accessor.format.bytes;
-  std::vector<std::uint32_t> values(accessor.count);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = load_index(bytes.data() + i * width, width);
-  return values;
+  if (const auto bytes = tight_bytes(document, accessor)) return widened(*bytes, accessor.format.bytes);
+  return widened(elements(document, accessor), accessor.format.bytes);
+}
+
+std::uint32_t greatest_index(const Document& document, const Accessor& accessor) {
+  if (const auto bytes = tight_bytes(document, accessor)) return greatest(*bytes, accessor.format.bytes);
+  return greatest(elements(document, accessor), accessor.format.bytes);
 }
 
 std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized) {

@@ -60,7 +60,8 @@ class MeshCheck {
       if (attributes->empty()) {
         gate_.error(in(place, "attributes"), "out-of-range", "must not be empty");
       } else if (!attributes->contains("POSITION")) {
-        gate_.warning(in(place, "attributes"), "no-position", "lacks POSITION: there is nothing to draw, so it stays as it is");
+        gate_.warning(in(place, "attributes"), "no-position",
+                      "lacks POSITION: there is nothing to draw, so it stays as it is");
       }
     }
     const Json* targets = gate_.array(primitive, "targets", place);
@@ -143,8 +144,7 @@ class MeshCheck {
   const IndexRange& range_of(std::size_t number, const Accessor& accessor) {
     const auto [known, is_new] = ranges_.try_emplace(number);
     if (!is_new) return known->second;
-    const std::vector<std::uint32_t> values = index_elements(gate_.document(), accessor);
-    known->second.most = *std::max_element(values.begin(), values.end());
+    known->second.most = greatest_index(gate_.document(), accessor);
     known->second.restart = accessor.format.component == Component::uint8    ? 0xffu
                             : accessor.format.component == Component::uint16 ? 0xffffu
                                                                              : 0xffffffffu;
@@ -163,8 +163,9 @@ class MeshCheck {
     if (count < need.least) {
       gate_.error(place, "index-count", fmt::format("{} corners are too few for {}", count, need.of));
     } else if (count % need.multiple != 0) {
-      gate_.warning(place, "index-count",
-                    fmt::format("{} corners make no whole number of {}; what is left over is not drawn", count, need.of));
+      gate_.warning(
+          place, "index-count",
+          fmt::format("{} corners make no whole number of {}; what is left over is not drawn", count, need.of));
     }
   }
 

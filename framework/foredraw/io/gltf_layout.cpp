@@ -1,4 +1,5 @@
 #include <foredraw/io/private/gltf_layout.h>
+#include <foredraw/io/private/gltf_rows.h>
 
 #include <algorithm>
 
@@ -96,8 +97,7 @@ std::optional<Block> interleaved_block(const Group& group, Bytes bytes, std::siz
     const std::size_t element = new_element(user);
     const std::byte* from = user.content != nullptr ? user.content->bytes.view().data() : bytes.data() + user.offset;
     const std::size_t step = user.content != nullptr ? element : user.stride;
-    for (std::size_t i = 0; i < count; ++i)
-      std::memcpy(block.bytes.data() + i * row + places[m], from + i * step, element);
+    copy_rows(block.bytes.data() + places[m], row, from, step, element, count);
     block.places.push_back({user.holder, places[m]});
   }
   const bool must_say = live.size() > 1 || row != new_element(*live.front());
@@ -115,9 +115,7 @@ Block block_of(Holder holder, const Content& content, std::size_t stride) {
   const std::size_t row = vertices ? padded(element) : element;
   Block block;
   block.bytes.assign(content.count * row, std::byte{0});
-  for (std::size_t i = 0; i < content.count; ++i) {
-    std::memcpy(block.bytes.data() + i * row, content.bytes.view().data() + i * element, element);
-  }
+  copy_rows(block.bytes.data(), row, content.bytes.view().data(), element, element, content.count);
   block.places.push_back({holder, 0});
   block.stride = vertices && (row != element || stride != 0) ? row : 0;
   block.row = row;

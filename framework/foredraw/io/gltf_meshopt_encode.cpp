@@ -1,5 +1,6 @@
 // Bytes to streams of the meshopt codecs.
 #include <foredraw/io/private/gltf_meshopt.h>
+#include <foredraw/io/private/gltf_rows.h>
 
 #include <meshoptimizer.h>
 
@@ -25,12 +26,6 @@ Stream vertex_stream(const Coding& coding, Bytes elements) {
   stream.bytes.resize(
       meshopt_encodeVertexBuffer(raw(stream.bytes), stream.bytes.size(), elements.data(), coding.count, coding.stride));
   return stream;
-}
-
-std::vector<std::uint32_t> widened(Bytes elements, std::size_t width) {
-  std::vector<std::uint32_t> indices(elements.size() / width, 0);
-  for (std::size_t i = 0; i < indices.size(); ++i) std::memcpy(&indices[i], elements.data() + i * width, width);
-  return indices;
 }
 
 Stream index_stream(const Coding& coding, const std::vector<std::uint32_t>& indices) {

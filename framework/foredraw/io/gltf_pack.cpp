@@ -30,6 +30,7 @@ void put_chunk(std::vector<std::byte>& to, std::uint32_t type, Bytes bytes, std:
 
 std::vector<std::byte> glb(const std::string& text, const Written& written) {
   std::vector<std::byte> bytes;
+  bytes.reserve(text.size() + written.laid_out.bytes.size() + 64);
   put_word(bytes, glb_magic);
   put_word(bytes, 2);
   put_word(bytes, 0);  // the length, known below

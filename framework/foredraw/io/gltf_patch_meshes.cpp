@@ -1,5 +1,6 @@
 // The draws of a scene put back into its document: only what differs from what was read is touched.
 #include <foredraw/io/private/gltf_accessor_store.h>
+#include <foredraw/io/private/gltf_rows.h>
 #include <foredraw/io/private/gltf_write.h>
 
 #include <fmt/format.h>
@@ -35,17 +36,15 @@ bool is_each_vertex_in_turn(std::span<const std::uint32_t> indices, std::size_t 
 
 /// As narrow as the accessor was, or as wide as the numbers need: the greatest number of a type is kept free.
 Content index_content(std::span<const std::uint32_t> indices, Component was) {
-  const std::uint32_t most = *std::max_element(indices.begin(), indices.end());
+  const std::uint32_t most = greatest(std::as_bytes(indices), 4);
   Component component = was;
   if (component == Component::uint8 && most >= 0xff) component = Component::uint16;
   if (component == Component::uint16 && most >= 0xffff) component = Component::uint32;
   const std::size_t width = foredraw::bytes_of(component);
-  std::vector<std::byte> bytes(indices.size() * width);
-  for (std::size_t i = 0; i < indices.size(); ++i) std::memcpy(bytes.data() + i * width, &indices[i], width);
   return {Content::Kind::indices,
           {component, 1, false, static_cast<std::uint16_t>(width)},
           indices.size(),
-          Shared<std::byte>(std::move(bytes)),
+          Shared<std::byte>(narrowed(indices, width)),
           false};
 }
 
@@ -174,7 +173,8 @@ class MeshPatch {
       std::vector<std::string> gone;
       for (const auto& [semantic, number] : names.items()) {
         const std::string& name = semantic;  // clang 14 captures no structured binding
-        if (std::none_of(list.begin(), list.end(), [&](const auto& s) { return s.semantic == name; })) gone.push_back(name);
+        if (std::none_of(list.begin(), list.end(), [&](const auto& s) { return s.semantic == name; }))
+          gone.push_back(name);
       }
       for (const std::string& semantic : gone) names.erase(semantic);
       return true;

@@ -23,6 +23,7 @@ class Placement {
       : document_(document), json_(json), keep_(keep), compress_(compress), fallback_of_(document.buffers.size()) {}
 
   LaidOut run(const std::vector<NewView>& views) {
+    out_.bytes.reserve(most_bytes(views));
     if (keep_) keep_buffers();
     for (const NewView& view : views) place(view);
     align(out_.bytes, 4);
@@ -33,6 +34,19 @@ class Placement {
   }
 
  private:
+  /// Where nothing is compressed: so that the bytes need not move as they grow.
+  std::size_t most_bytes(const std::vector<NewView>& views) const {
+    std::size_t bytes = 0;
+    if (keep_) {
+      for (const Buffer& buffer : document_.buffers) bytes += buffer.bytes.size() + 8;
+    }
+    for (const NewView& view : views) {
+      if (view.untouched && !keep_) bytes += document_.views[*view.number].bytes.size() + 8;
+      for (const Block& block : view.blocks) bytes += block.bytes.size() + 8;
+    }
+    return bytes;
+  }
+
   bool stays_fallback(std::size_t buffer) const { return compress_ && document_.buffers[buffer].fallback; }
 
   void keep_buffers() {
@@ -95,6 +109,10 @@ class Placement {
   /// Blocks one after the other. Those of a compressed view follow each other without gaps, for gaps would be elements.
   Plain plain_of(const NewView& view) const {
     if (view.untouched) return {document_.views[*view.number].bytes, view.blocks.front().places, {}};
+    if (view.blocks.size() == 1 && !view.like) {
+      const Block& block = view.blocks.front();
+      return {block.bytes, block.places, {}};
+    }
     Plain plain;
     const std::size_t step = view.like ? row_of(view) : 4;
     for (const Block& block : view.blocks) {

@@ -101,6 +101,7 @@ std::vector<float> decoded_elements(const Document& document, const Accessor& ac
 
 /// The elements of a SCALAR accessor of unsigned integers.
 std::vector<std::uint32_t> index_elements(const Document& document, const Accessor& accessor);
+std::uint32_t greatest_index(const Document& document, const Accessor& accessor);
 
 /// "VEC3" and its component type to a format; nullopt where there is none such.
 std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized);
