@@ -8,7 +8,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace foredraw;
   Diagnostics diagnostics;
-  const auto scene = read_gltf(std::as_bytes(std::span(data, size)), "input", {}, diagnostics);
+  const auto bytes = std::as_bytes(std::span(data, size));
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "input", {}, diagnostics);
   claim(scene.has_value() != diagnostics.has_errors(), "read and not read at once: " + to_text(diagnostics));
   if (!scene) return 0;
 

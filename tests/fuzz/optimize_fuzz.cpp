@@ -36,7 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Registry registry = built_in_plugins();
   static const Executor executor(1);
   Diagnostics diagnostics;
-  const auto scene = read_gltf(std::as_bytes(std::span(data, size)), "input", {}, diagnostics);
+  const auto bytes = std::as_bytes(std::span(data, size));
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "input", {}, diagnostics);
   if (!scene) return 0;
 
   const auto pipeline = parse_line("weld, tipsify, linear-clusters, dot-rule(check=false), vertex-fetch", diagnostics);

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
+#include <vector>
 
 namespace foredraw {
 
@@ -16,7 +16,7 @@ std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& d
 
 /// Reads bytes of either kind; `name` is what diagnostics call them, and files beside are looked for in `folder`
 /// (empty: there are none).
-std::optional<Scene> read_gltf(std::span<const std::byte> bytes, const std::string& name,
+std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& name,
                                const std::filesystem::path& folder, Diagnostics& diagnostics);
 
 /// What becomes of data that came in compressed (EXT_meshopt_compression, KHR_meshopt_compression).

@@ -26,9 +26,9 @@ std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& d
   return read(Shared<std::byte>(std::move(*bytes)), path.string(), folder, diagnostics);
 }
 
-std::optional<Scene> read_gltf(std::span<const std::byte> bytes, const std::string& name,
+std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& name,
                                const std::filesystem::path& folder, Diagnostics& diagnostics) {
-  return read(Shared<std::byte>({bytes.begin(), bytes.end()}), name, folder, diagnostics);
+  return read(Shared<std::byte>(std::move(bytes)), name, folder, diagnostics);
 }
 
 }  // namespace foredraw

@@ -48,14 +48,15 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
     return std::nullopt;
   }
   const bool is_standard = path == "-";
-  const auto bytes = is_standard ? read_standard_input(diagnostics) : read_file(path, diagnostics);
+  auto bytes = is_standard ? read_standard_input(diagnostics) : read_file(path, diagnostics);
   if (!bytes) return std::nullopt;
+  const std::size_t length = bytes->size();
   const auto mesh_kind = is_standard ? std::nullopt : mesh_kind_of(path);
   auto scene = mesh_kind     ? read_mesh_file(*bytes, *mesh_kind, path, folder_of(path), diagnostics)
-               : is_standard ? read_gltf(*bytes, "standard input", {}, diagnostics)
-                             : read_gltf(*bytes, path, folder_of(path), diagnostics);
+               : is_standard ? read_gltf(std::move(*bytes), "standard input", {}, diagnostics)
+                             : read_gltf(std::move(*bytes), path, folder_of(path), diagnostics);
   if (!scene) return std::nullopt;
-  return SceneFile{std::move(*scene), bytes->size()};
+  return SceneFile{std::move(*scene), length};
 }
 
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {

@@ -111,11 +111,15 @@ std::string to_text(const Batch& batch) {
   std::uint64_t written = 0;
   std::size_t lost = 0;
   for (const auto& [report, outcome] : batch.files) {
-    add(report.input.path, report.before, report.after, report.input.bytes, report.output.bytes, told(outcome));
     if (outcome == Outcome::lost) {
       ++lost;
+      std::vector<std::string> row(heads.size());
+      row.front() = report.input.path;
+      row.back() = told(outcome);
+      table.add(row);
       continue;
     }
+    add(report.input.path, report.before, report.after, report.input.bytes, report.output.bytes, told(outcome));
     read += report.input.bytes;
     written += report.output.bytes;
   }
