@@ -93,13 +93,19 @@ class OffReader {
     return true;
   }
 
-  /// Three or four numbers: four where the line has so many besides the texture coordinates.
+  /// Three or four numbers: four where the line has so many besides the texture coordinates. On all lines as on the
+  /// first, for the format does not say.
   bool color(std::string_view& line) {
     std::string_view rest = line;
     std::size_t there = 0;
     while (!take_token(rest).empty()) ++there;
     if (header_.has_texcoords) there -= std::min<std::size_t>(there, 2);
-    if (color_size_ == 0) color_size_ = there >= 4 ? 4 : 3;
+    const std::uint8_t size = there >= 4 ? 4 : 3;
+    if (color_size_ == 0) color_size_ = size;
+    if (size != color_size_) {
+      return reading_.refuse(reading_.at(line),
+                             fmt::format("a colour of {} numbers, and the first vertex has {}", size, color_size_));
+    }
     for (std::uint8_t i = 0; i < color_size_; ++i) {
       const std::string_view token = take_token(line);
       float value = 0;
