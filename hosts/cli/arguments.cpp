@@ -5,8 +5,8 @@
 #include <foredraw/pipeline/presets.h>
 #include <foredraw/platform/memory.h>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -42,24 +42,31 @@ class CommandLine {
   explicit CommandLine(const Registry& registry) : registry_(registry) {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", std::string("foredraw ") + FOREDRAW_VERSION);
-    app_.footer("Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed.\n"
-                "A first try: foredraw optimize in.glb -o out.glb");
+    app_.footer(
+        "Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed.\n"
+        "A first try: foredraw optimize in.glb -o out.glb");
 
-    auto& optimize_app = add("optimize", "Make a scene cheaper to draw", [this] { return optimize(arguments_, registry_); });
+    auto& optimize_app =
+        add("optimize", "Make a scene cheaper to draw", [this] { return optimize(arguments_, registry_); });
     input(optimize_app);
-    optimize_app.add_option("-o,--output", arguments_.output, "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output")
+    optimize_app
+        .add_option("-o,--output", arguments_.output,
+                    "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output")
         ->required();
     pipeline(optimize_app);
     with(optimize_app);
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
-    optimize_app.add_option("--remap", arguments_.remap, "Write the triangle and vertex remap tables, as JSON, to this file");
-    optimize_app.add_option("--compression", arguments_.compression,
-                            "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
+    optimize_app.add_option("--remap", arguments_.remap,
+                            "Write the triangle and vertex remap tables, as JSON, to this file");
+    optimize_app
+        .add_option("--compression", arguments_.compression,
+                    "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
     json(optimize_app, "Print the record of the run, as JSON, to standard output");
     threads(optimize_app);
 
-    auto& plan_app = add("plan", "Say what would run, what would be skipped and why", [this] { return plan(arguments_, registry_); });
+    auto& plan_app = add("plan", "Say what would run, what would be skipped and why",
+                         [this] { return plan(arguments_, registry_); });
     input(plan_app);
     pipeline(plan_app);
     json(plan_app);
@@ -88,7 +95,8 @@ class CommandLine {
     list_app.add_option("--kind", arguments_.kind, "Only orderer, clusterer, processor or evaluator");
     json(list_app);
 
-    auto& show_app = add("show", "Show a plugin's options, or a preset's text", [this] { return show(arguments_, registry_); });
+    auto& show_app =
+        add("show", "Show a plugin's options, or a preset's text", [this] { return show(arguments_, registry_); });
     show_app.add_option("name", arguments_.name, "A plugin's name, or @preset")->required();
     json(show_app);
 
@@ -151,8 +159,9 @@ class CommandLine {
   int no_such_command(const std::string& word) const {
     const std::vector<std::string> names = commands();
     const std::string_view near = nearest(word, names);
-    fmt::print(stderr, "foredraw: error: there is no command '{}'\n    hint: {}\n", word,
-               near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+    fmt::print(
+        stderr, "foredraw: error: there is no command '{}'\n    hint: {}\n", word,
+        near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
     return users_mistake;
   }
 
@@ -163,7 +172,9 @@ class CommandLine {
   }
 
   void input(CLI::App& app) {
-    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input")->required()->expected(1);
+    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input")
+        ->required()
+        ->expected(1);
     memory_limit(app);
   }
   void pipeline(CLI::App& app, const std::string& more = "") {
@@ -172,7 +183,9 @@ class CommandLine {
                        " (default: @default). " + presets_text())
         ->expected(1)
         ->take_all();
-    app.add_option("--set", arguments_.set, "Set an option of the pipeline: stage.option=value")->expected(1)->take_all();
+    app.add_option("--set", arguments_.set, "Set an option of the pipeline: stage.option=value")
+        ->expected(1)
+        ->take_all();
   }
   void with(CLI::App& app) {
     app.add_option("--with", arguments_.with,
@@ -192,9 +205,10 @@ class CommandLine {
       if (!size) throw CLI::ValidationError("--memory-limit", "'" + text + "' is no size; 500M and 2G are");
       arguments_.memory_limit = *size;
     };
-    app.add_option_function<std::string>("--memory-limit", take,
-                                         "Stop with a message, and change no file, where more memory than that would be "
-                                         "needed, such as 500M or 2G (default: no limit)")
+    app.add_option_function<std::string>(
+           "--memory-limit", take,
+           "Stop with a message, and change no file, where more memory than that would be "
+           "needed, such as 500M or 2G (default: no limit)")
         ->type_name("SIZE");
   }
 

@@ -21,15 +21,28 @@ fs::path output_of(const fs::path& scene, const fs::path& folder) {
   return is_gltf_file(output) ? output : output.replace_extension(".glb");
 }
 
-/// "prop.glb" and "prop.obj" would both become "prop.glb".
-bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::path>& outputs, Diagnostics& diagnostics) {
+/// What is written for it: the file itself, and the .bin beside a .gltf.
+std::vector<fs::path> files_of(const fs::path& output) {
+  fs::path beside = output;
+  beside.replace_extension(".bin");
+  return output.extension() == ".glb" ? std::vector{output} : std::vector{output, beside};
+}
+
+/// "prop.glb" and "prop.obj" would both become "prop.glb"; and no file may become what another has yet to be read from.
+bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::path>& inputs,
+                  const std::vector<fs::path>& outputs, const fs::path& report, Diagnostics& diagnostics) {
   std::map<fs::path, fs::path> taken;
+  std::error_code error;
+  for (const fs::path& input : inputs) taken.emplace(fs::weakly_canonical(input, error), "an input");
+  if (!report.empty()) taken.emplace(fs::weakly_canonical(report, error), "the report");
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const auto [at, is_new] = taken.emplace(outputs[i], scenes[i]);
-    if (is_new) continue;
-    diagnostics.error({.file = outputs[i].string()}, "outputs-meet",
-                      at->second.string() + " and " + scenes[i].string() + " would both be written here",
-                      "give one of them another name");
+    for (const fs::path& file : files_of(outputs[i])) {
+      const auto [at, is_new] = taken.emplace(fs::weakly_canonical(file, error), scenes[i]);
+      if (is_new) continue;
+      diagnostics.error({.file = file.string()}, "outputs-meet",
+                        at->second.string() + " and what becomes of " + scenes[i].string() + " would both be here",
+                        "give one of them another name, or -o another folder");
+    }
   }
   return diagnostics.has_errors();
 }
@@ -44,17 +57,27 @@ bool make_folder(const fs::path& folder, Diagnostics& diagnostics) {
   return !error;
 }
 
-FileRun lost_for_memory(const OutOfMemory& lack, const std::string& input) {
+FileRun lost(const fs::path& input, const std::string& why, const std::string& hint) {
   FileRun run;
-  run.report.input.path = input;
-  run.report.diagnostics = {{Severity::error,
-                             {.file = lack.file},
-                             "no-memory",
-                             "there is not enough memory to " + lack.doing,
-                             "give it more, or --threads 1"}};
+  run.report.input.path = input.string();
+  run.report.diagnostics = {{Severity::error, {.file = input.string()}, "lost", why, hint}};
   run.exit = something_failed;
   run.is_lost = true;
   return run;
+}
+
+/// One file; whatever it throws is its own affair.
+FileRun guarded(const fs::path& input, const std::function<FileRun()>& run) {
+  const std::string hint = "give it more memory, or --threads 1";
+  try {
+    return run();
+  } catch (const OutOfMemory& lack) {
+    return lost(input, "there is not enough memory to " + lack.doing, hint);
+  } catch (const std::bad_alloc&) {
+    return lost(input, "there is not enough memory", hint);
+  } catch (const std::exception& problem) {
+    return lost(input, problem.what(), "");
+  }
 }
 
 /// Works on all files at once, tells of them in their sequence, and sums up.
@@ -66,11 +89,7 @@ Exit run_batch(const FileJob& job, const std::string& command, const std::vector
   std::mutex at_the_line;
   std::size_t finished = 0;
   job.executor.for_each(inputs.size(), [&](std::size_t i) {
-    try {
-      runs[i] = run_one(job, i);
-    } catch (const OutOfMemory& lack) {
-      runs[i] = lost_for_memory(lack, inputs[i].string());
-    }
+    runs[i] = guarded(inputs[i], [&] { return run_one(job, i); });
     const std::scoped_lock lock(at_the_line);
     ++finished;
     if (progress) progress(inputs[i].string(), static_cast<double>(finished) / static_cast<double>(inputs.size()));
@@ -101,9 +120,14 @@ Exit optimize_folder(const FileJob& job) {
   Diagnostics diagnostics;
   const fs::path from = arguments.inputs[0];
   const fs::path to = arguments.output;
-  if (to == "-" || (fs::exists(to) && !is_folder(arguments.output))) {
+  std::error_code error;
+  if (to == "-" || (fs::exists(to, error) && !is_folder(arguments.output))) {
     diagnostics.error({.file = arguments.output}, "bad-arguments", "is no folder, and the input is one",
                       "give -o the name of a folder; it is made where there is none");
+  }
+  if (fs::equivalent(from, to, error)) {
+    diagnostics.error({.file = arguments.output}, "bad-arguments", "is the input folder itself",
+                      "give -o another folder: several scenes may share a .bin, and need what is in it");
   }
   if (!arguments.remap.empty()) {
     diagnostics.error({}, "bad-arguments", "--remap writes the tables of one scene, and the input is a folder",
@@ -117,7 +141,7 @@ Exit optimize_folder(const FileJob& job) {
     inputs.push_back(from / scene);
     outputs.push_back(output_of(scene, to));
   }
-  if (outputs_meet(*scenes, outputs, diagnostics)) return refuse(diagnostics);
+  if (outputs_meet(*scenes, inputs, outputs, arguments.report, diagnostics)) return refuse(diagnostics);
   for (const fs::path& output : outputs) {
     if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);
   }

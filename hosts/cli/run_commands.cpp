@@ -47,12 +47,21 @@ bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
     diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
                       "use --report FILE for the record");
   }
+  const auto same = [](const std::string& a, const std::string& b) {
+    std::error_code error;
+    return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+  };
   for (const std::string& text : {arguments.report, arguments.remap}) {
     if (text.empty()) continue;
+    if (same(text, arguments.inputs[0])) {
+      diagnostics.error({.file = text}, "bad-arguments", "is the input", "give the output a file of its own");
+      return true;
+    }
     if (text == "-")
       diagnostics.error({}, "bad-arguments", "--report and --remap take the name of a file",
                         "--json prints the record");
-    if (text == arguments.output || (text == arguments.report && text == arguments.remap)) {
+    const bool is_both = same(arguments.report, arguments.remap);
+    if (same(text, arguments.output) || (is_both && !arguments.report.empty())) {
       diagnostics.error({.file = text}, "bad-arguments", "is to hold two outputs", "give each a file of its own");
       return true;
     }

@@ -31,7 +31,8 @@ Exit list(const Arguments& arguments, const Registry& registry) {
     if (arguments.kind == to_text(each)) kind = each;
   }
   if (!arguments.kind.empty() && !kind) {
-    fmt::print(stderr, "foredraw: error: --kind is '{}', but must be orderer, clusterer, processor or evaluator\n", arguments.kind);
+    fmt::print(stderr, "foredraw: error: --kind is '{}', but must be orderer, clusterer, processor or evaluator\n",
+               arguments.kind);
     return users_mistake;
   }
   return print(arguments.json ? list_json(registry, kind) : list_text(registry, kind));
@@ -53,8 +54,6 @@ Exit show(const Arguments& arguments, const Registry& registry) {
   return users_mistake;
 }
 
-Exit schema(const Registry& registry) {
-  return print(pipeline_schema(registry));
-}
+Exit schema(const Registry& registry) { return print(pipeline_schema(registry)); }
 
 }  // namespace foredraw::cli

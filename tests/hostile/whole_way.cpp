@@ -53,7 +53,7 @@ void expect_optimised_and_written(const Scene& scene) {
 
 std::vector<std::string> go_the_whole_way(std::span<const std::byte> bytes, const std::filesystem::path& folder) {
   Diagnostics diagnostics;
-  const auto scene = read_gltf(bytes, "file", folder, diagnostics);
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "file", folder, diagnostics);
   EXPECT_EQ(scene.has_value(), !diagnostics.has_errors()) << to_text(diagnostics);
   expect_clear_lines(diagnostics);
   if (scene) expect_optimised_and_written(*scene);

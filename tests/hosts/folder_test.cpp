@@ -51,6 +51,21 @@ TEST_F(Folder, IsWorkedOnFileByFile) {
   EXPECT_EQ(batch["totals"]["triangles"], triangles);
 }
 
+/// Who is left alone keeps its bytes under a name of its own: the other's are new.
+TEST_F(Folder, ScenesMayShareABuffer) {
+  std::string text = content(folder_ / "in/props/bench.gltf");
+  testing::put(folder_ / "in/props/other.gltf", text);  // the same bench.bin
+  ASSERT_EQ(run("optimize in/props -o out").code, 0);
+  for (const char* name : {"bench", "other"}) {
+    const std::string gltf = std::string("out/") + name + ".gltf";
+    EXPECT_EQ(run("measure " + gltf + " --with vertex-cache").code, 0) << name;
+    EXPECT_TRUE(fs::exists(folder_ / "out" / (std::string(name) + ".bin"))) << name;
+  }
+  ASSERT_EQ(run("optimize in/props -o plain -p ''").code, 0);
+  EXPECT_EQ(content(folder_ / "plain/bench.bin"), content(folder_ / "in/props/bench.bin"));
+  EXPECT_TRUE(fs::exists(folder_ / "plain/other.bin"));
+}
+
 TEST_F(Folder, ABadFileDoesNotEndTheRun) {
   testing::put(folder_ / "in/broken.glb", "glTF and then nothing");
   const Ended ended = run("optimize in -o out");
@@ -99,7 +114,13 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
   fs::create_directories(folder_ / "empty");
   refused("optimize empty -o out", "holds no scene");
   testing::put(folder_ / "in/spot.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  refused("optimize in -o out", "would both be written here");
+  refused("optimize in -o out", "would both be here");
+  refused("optimize in -o in", "is the input folder itself");
+  refused("optimize in -o out --report out/spot.glb", "would both be here");
+  fs::create_directories(folder_ / "up/up");
+  fs::copy_file(folder_ / "in/spot.glb", folder_ / "up/up/spot.glb");
+  fs::copy_file(folder_ / "in/spot.glb", folder_ / "up/spot.glb");
+  refused("optimize up -o .", "would both be here");
 }
 
 }  // namespace

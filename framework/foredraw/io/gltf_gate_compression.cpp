@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace foredraw::gltf {
@@ -20,7 +21,12 @@ constexpr const char* compress_again =
 class CompressionCheck {
  public:
   explicit CompressionCheck(Gate& gate) : gate_(gate) {
-    for (const Buffer& buffer : gate.document().buffers) bytes_there_ += buffer.bytes.size();
+    std::map<const std::byte*, std::size_t> files;  // buffers may name the same bytes, which are there once
+    for (const Buffer& buffer : gate.document().buffers) {
+      std::size_t& bytes = files[buffer.bytes.data()];
+      bytes = std::max(bytes, buffer.bytes.size());
+    }
+    for (const auto& [begin, bytes] : files) bytes_there_ += bytes;
   }
 
   void view(std::size_t v) {

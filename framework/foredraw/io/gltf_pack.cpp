@@ -2,7 +2,10 @@
 #include <foredraw/io/private/gltf_uri.h>
 #include <foredraw/io/private/gltf_write.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstring>
+#include <limits>
 
 namespace foredraw::gltf {
 
@@ -84,15 +87,18 @@ void add_fallbacks(std::vector<OutputFile>& files, LaidOut& laid_out, const fs::
 }  // namespace
 
 bool is_glb(const fs::path& target) {
-  const std::string extension = target.extension().string();
-  return extension == ".glb" || extension == ".GLB";
+  std::string extension = target.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension == ".glb";
 }
 
 std::optional<std::vector<OutputFile>> packed(Written written, const fs::path& target, Diagnostics& diagnostics) {
   if (is_glb(target)) {
     set_buffers(written, target, {});
     const std::string text = written.json.dump();
-    if (text.size() + written.laid_out.bytes.size() > std::size_t{4'000'000'000}) {
+    std::size_t length = text.size() + written.laid_out.bytes.size() + 64;
+    for (const Chunk& chunk : written.further_chunks) length += chunk.bytes.size() + 16;
+    if (length > std::numeric_limits<std::uint32_t>::max()) {
       diagnostics.error({.file = target.string()}, "too-large", "a .glb can not hold more than 4 GB",
                         "write a .gltf, whose bytes lie beside it");
       return std::nullopt;

@@ -3,6 +3,8 @@
 #include <foredraw/io/private/gltf_uri.h>
 #include <foredraw/io/private/gltf_write.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace foredraw {
@@ -12,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The input's own bytes, and those of its buffers where they are files beside; nullopt where these would not lie
-/// beside the target.
+/// beside the target, or are not called as the input is: then another scene may have them too, and write its own.
 std::optional<std::vector<OutputFile>> as_it_was(const gltf::Document& document, const fs::path& target) {
   const auto bytes = document.file.view();
   std::vector<OutputFile> files{{target, {bytes.begin(), bytes.end()}}};
@@ -24,11 +26,16 @@ std::optional<std::vector<OutputFile>> as_it_was(const gltf::Document& document,
     const bool beside = buffer.contains("uri") && !gltf::is_data_uri(buffer["uri"].get<std::string>());
     if (!beside || document.buffers[i].bytes.empty()) continue;
     const std::string name = *gltf::percent_decoded(buffer["uri"].get<std::string>());
-    if (name.find('/') != std::string::npos) return std::nullopt;
-    fs::path copy = target;
-    copy.replace_filename(fs::path(std::u8string(name.begin(), name.end())));
-    const gltf::Bytes whole = document.buffers[i].bytes;
-    files.push_back({copy, {whole.begin(), whole.end()}});
+    const fs::path file(std::u8string(name.begin(), name.end()));
+    if (file.has_parent_path() || file.stem() != fs::path(document.name).stem()) return std::nullopt;
+    OutputFile copy{target, {document.buffers[i].bytes.begin(), document.buffers[i].bytes.end()}};
+    copy.path.replace_filename(file);
+    const auto same = std::ranges::find(files, copy.path, &OutputFile::path);  // two buffers may begin one file
+    if (same == files.end()) {
+      files.push_back(std::move(copy));
+    } else if (same->bytes.size() < copy.bytes.size()) {
+      *same = std::move(copy);
+    }
   }
   return files;
 }

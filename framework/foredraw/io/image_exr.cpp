@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <string_view>
 
 namespace foredraw::images {
@@ -240,6 +241,7 @@ std::optional<Header> exr_header(Bytes bytes) {
   }
   const std::uint64_t best = layout->compression == 0 ? 1 : layout->compression == 1 ? 64 : 1032;
   header.most_texels = texel == 0 ? 0 : bytes.size() * best / texel;
+  if (!layout->unsupported.empty()) header.most_texels = std::numeric_limits<std::uint64_t>::max();  // is told instead
   return header;
 }
 

@@ -1,5 +1,6 @@
 #include <foredraw/io/private/image_stb.h>
 
+#include <cstdlib>
 #include <limits>
 
 // A copy of its own with only what is needed, whose names nobody else sees: tinygltf's library brings another.
@@ -10,6 +11,10 @@
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
+// Cleared memory: the JPEG decoder follows Huffman tables that a damaged file names and never defines.
+#define STBI_MALLOC(bytes) std::calloc(1, bytes)
+#define STBI_REALLOC(pointer, bytes) std::realloc(pointer, bytes)
+#define STBI_FREE(pointer) std::free(pointer)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wsign-compare"

@@ -47,9 +47,11 @@ class LibraryReader {
     std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     while (!text.empty()) {
       std::string_view rest = take_line(text);
-      rest = rest.substr(0, rest.find('#'));
       const std::string_view key = take_token(rest);
-      if (key == "newmtl") begin(name_in(rest));
+      if (key == "newmtl") begin(name_in(rest));  // "Material #25" is a name
+      for (std::size_t at = rest.find('#'); at != rest.npos; at = rest.find('#', at + 1)) {
+        if (at == 0 || is_space(rest[at - 1])) rest = rest.substr(0, at);  // "tex#1.png" is a file
+      }
       if (is_open_) line(key, rest);
     }
   }

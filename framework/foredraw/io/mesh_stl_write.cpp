@@ -14,7 +14,10 @@ std::vector<std::string_view> facets(std::string_view text) {
   for (std::string_view word = take_token(rest); !word.empty(); word = take_token(rest)) {
     const std::string lower = lower_case(word);
     if (lower == "solid" || lower == "endsolid") take_line(rest);  // what follows is a name
-    if (lower == "facet") begin = word.data();
+    if (lower == "facet") {
+      begin = word.data();
+      for (int i = 0; i < 4; ++i) take_token(rest);  // the normal, which is read over, whatever it is
+    }
     if (lower == "endfacet") found.emplace_back(begin, static_cast<std::size_t>(word.data() + word.size() - begin));
   }
   return found;
@@ -35,6 +38,11 @@ std::optional<std::string> reordered_stl(const Scene& scene, const MeshSource& s
     for (std::uint32_t face : draw.faces) count = std::max(count, std::size_t{face} + 1);
   }
   const auto places = is_binary_stl(text) ? records(text, count) : facets(text);
+  if (places.size() < count) {
+    diagnostics.error({.file = source.as_read.name}, "cannot-express", "its facets can not be told apart again",
+                      "write a .glb");
+    return std::nullopt;
+  }
   const auto order = order_of(scene, source, {.faces = places.size()}, diagnostics);
   if (!order) return std::nullopt;
   std::string result;

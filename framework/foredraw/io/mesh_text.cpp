@@ -76,12 +76,11 @@ std::string_view read_float(std::string_view token, float& value) {
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (end != token.data() + token.size() || error == std::errc::invalid_argument) return "is not a number";
   if (error == std::errc::result_out_of_range) {
-    // Too near to zero and too far from it are one error: only a negative exponent, or a zero in front of the point
-    // without any exponent, can mean the first.
-    const std::size_t exponent = token.find_first_of("eE");
-    const std::string_view digits = token.substr(token.front() == '-' ? 1 : 0);
-    const bool is_small = exponent != std::string_view::npos ? token.substr(exponent + 1).starts_with('-')
-                                                             : digits.starts_with('0') || digits.starts_with('.');
+    // Too near to zero and too far from it are one error. A double tells them apart; what leaves its range too has an
+    // exponent, or so many digits that nobody meant a number.
+    double wide = 0;
+    const bool fits = std::from_chars(token.data(), token.data() + token.size(), wide).ec == std::errc();
+    const bool is_small = fits ? std::abs(wide) < 1 : token.find("e-") != token.npos || token.find("E-") != token.npos;
     if (!is_small) return "does not fit into a 32-bit float";
     value = token.front() == '-' ? -0.0f : 0.0f;
   }

@@ -106,7 +106,7 @@ bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics) {
   const std::vector<OutputFile> first = gltf::stand_ins(files);
   if (!first.empty() && !write_files(first, diagnostics)) return false;
   if (!write_files(files, diagnostics)) return false;
-  for (const OutputFile& file : files.subspan(first.empty() ? files.size() : 1)) gltf::remove_stand_ins(file);
+  for (const OutputFile& file : files.subspan(1)) gltf::remove_stand_ins(file);  // those of a run that was killed, too
   return true;
 }
 

@@ -72,6 +72,7 @@ class Part {
       if (descriptor_ < 0) return;
       const bool is_taken = ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
       struct stat status {};
+      if (::stat(place.c_str(), &status) == 0) ::fchmod(descriptor_, status.st_mode & 07777);  // who might read the old
       if (!is_taken && ::fstat(descriptor_, &status) == 0 && status.st_nlink > 0) return;
       ::close(descriptor_);  // between creation and lock somebody took it for a leftover
     }
@@ -228,6 +229,14 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
     fs::path place = end_of_links(file.path);
     if (is_folder(place)) {
       diagnostics.error({.file = file.path.string()}, "is-a-folder", "is a folder; a file was expected");
+      return false;
+    }
+    const auto is_there = [&](const Pending& other) {
+      return other.place.lexically_normal() == place.lexically_normal();
+    };
+    if (std::ranges::any_of(pending, is_there)) {
+      diagnostics.error({.file = file.path.string()}, "outputs-meet", "is to hold two outputs",
+                        "give each a file of its own; a .gltf has its bytes in the .bin beside it");
       return false;
     }
     const bool stream = is_stream(place);

@@ -16,7 +16,7 @@ const std::string least = R"({"asset":{"version":"2.0"}})";
 
 std::string code_of(std::span<const std::byte> bytes) {
   Diagnostics diagnostics;
-  const auto scene = read_gltf(bytes, "file", {}, diagnostics);
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "file", {}, diagnostics);
   EXPECT_EQ(scene.has_value(), !diagnostics.has_errors());
   return diagnostics.empty() ? "" : diagnostics.all().front().code;
 }
@@ -92,7 +92,7 @@ TEST(GltfContainer, depth_is_bounded_before_anything_is_parsed) {
 /// Reads what may be broken, and where it is read, writes and reads it again.
 void try_out(std::span<const std::byte> bytes) {
   Diagnostics diagnostics;
-  const auto scene = read_gltf(bytes, "file", {}, diagnostics);
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "file", {}, diagnostics);
   ASSERT_EQ(scene.has_value(), !diagnostics.has_errors()) << to_text(diagnostics);
   if (!scene) return;
   const auto files = encode_gltf(*scene, "out.gltf", diagnostics);

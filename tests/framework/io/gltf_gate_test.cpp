@@ -17,7 +17,7 @@ using testing::GltfJson;
 
 Diagnostics refusal(std::span<const std::byte> bytes) {
   Diagnostics diagnostics;
-  EXPECT_FALSE(read_gltf(bytes, "broken", {}, diagnostics).has_value());
+  EXPECT_FALSE(read_gltf({bytes.begin(), bytes.end()}, "broken", {}, diagnostics).has_value());
   return diagnostics;
 }
 

@@ -123,7 +123,7 @@ TEST_F(GltfFiles, untouched_gltf_takes_its_buffer_along) {
   builder.json["buffers"][0] = {{"uri", "my%20mesh.bin"}, {"byteLength", builder.buffer.size()}};
   const std::vector<std::byte> input = testing::bytes_of(builder.json.dump(3));
   Diagnostics diagnostics;
-  const auto scene = read_gltf(input, "ribbon.gltf", folder_ / "inside", diagnostics);
+  const auto scene = read_gltf(input, "my mesh.gltf", folder_ / "inside", diagnostics);
   ASSERT_TRUE(scene) << to_text(diagnostics);
   const auto files = encode_gltf(*scene, folder_ / "out.gltf", diagnostics);
   ASSERT_EQ(files->size(), 2u);
@@ -131,6 +131,11 @@ TEST_F(GltfFiles, untouched_gltf_takes_its_buffer_along) {
   EXPECT_EQ((*files)[1].path, folder_ / "my mesh.bin");
   EXPECT_EQ((*files)[1].bytes, builder.buffer);
   EXPECT_EQ(encode_gltf(*scene, folder_ / "inside" / "out.gltf", diagnostics)->size(), 1u) << "it lies there already";
+
+  const auto shared = read_gltf(input, "ribbon.gltf", folder_ / "inside", diagnostics);
+  const auto renamed = encode_gltf(*shared, folder_ / "out.gltf", diagnostics);
+  ASSERT_EQ(renamed->size(), 2u);
+  EXPECT_EQ((*renamed)[1].path, folder_ / "out.bin") << "another scene may have the buffer, too";
 }
 
 }  // namespace

@@ -164,6 +164,32 @@ TEST_F(MeshObjMaterials, BlendedOnesAndTexturesAreKnown) {
   EXPECT_EQ(made.scene->materials.size(), 3u);
 }
 
+TEST_F(MeshObjMaterials, NamesMayHoldNumberSigns) {
+  put("m.mtl", "newmtl Material #25\nd 0.5 # half\nnewmtl Material #26\nmap_Kd tex#1.png # of wood\n");
+  put("tex#1.png", "");
+  const auto made = read_mesh(MeshKind::obj,
+                              "mtllib m.mtl\n" + square +
+                                  "vt 0 0\nusemtl Material #25\nf 1 2 3\n"
+                                  "usemtl Material #26\nf 1/1 3/1 4/1\n",
+                              folder_);
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "");
+  EXPECT_TRUE(made.scene->draws[0].traits.has(traits::blended));
+  ASSERT_EQ(made.scene->images.size(), 1u);
+  EXPECT_EQ(made.scene->images[0].uri, "tex%231.png");
+}
+
+TEST(MeshObj, NumbersTooSmallAreZeroAndThoseTooLargeRefused) {
+  const auto text = [](const std::string& x) { return "v " + x + " 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"; };
+  const std::string zeros(46, '0'), nines(46, '9');
+  for (const std::string& small : {std::string("1e-60"), "0." + zeros + "1", std::string("-1E-400")}) {
+    EXPECT_TRUE(read_mesh(MeshKind::obj, text(small)).scene) << small;
+  }
+  for (const std::string& large : {std::string("1e60"), "1" + zeros + "e-2", "0" + nines, std::string("1e400")}) {
+    EXPECT_FALSE(read_mesh(MeshKind::obj, text(large)).scene) << large;
+  }
+}
+
 TEST_F(MeshObjMaterials, WithoutCoordinatesATextureStaysOut) {
   put("m.mtl", "newmtl wood\nd 0.5\nmap_Kd wood.png\n");
   put("none.mtl", "");

@@ -50,7 +50,7 @@ TEST(MeshOff, RefusalsNameTheLine) {
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"),
             "input.off:6:1: error: a face of '4000000000' corners does not fit its line");
   EXPECT_EQ(error("COFF\n3 1 0\n0 0 0 1 2 3 4\n1 0 0 1 2 3\n0 1 0 1 2 3 4\n3 0 1 2\n"),
-            "input.off:4:7: error: a colour of 3 numbers, and the first vertex has 4");
+            "input.off:4:6: error: a colour of 3 numbers, and the first vertex has 4");
   EXPECT_EQ(error("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
             "input.off:7:1: error: the file ends before all vertices and faces are there");
 }

@@ -149,6 +149,10 @@ TEST(MeshWrite, StlTrianglesMoveWithinTheirSolid) {
             "solid facet\n" + facet("2", "b") + facet("1", "a") + "endsolid facet\nsolid x\n" + facet("3", "c") +
                 "endsolid\n");
 
+  for (const char* note : {"solid", "facet", "endfacet", "endsolid"}) {  // a normal is read over, whatever it is
+    turned_round(MeshKind::stl, "solid\n" + facet("1", note) + facet("2", "b") + "endsolid\n");
+  }
+
   std::string binary(80, ' ');
   binary += std::string("\2\0\0\0", 4);
   for (const char* name : {"ab", "cd"}) binary += std::string(12, '\1') + std::string(36, name[0]) + name;
