@@ -13,6 +13,8 @@ constexpr std::array<std::string_view, 26> without_faces = {
     "s",      "mg",     "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "usemap",
     "maplib", "cstype", "deg",   "bmat",     "step",     "parm", "trim",       "hole",      "scrv",
     "sp",     "end",    "con",   "ctech",    "stech",    "call", "csh",        "vp"};
+constexpr std::size_t most_names_bytes = std::size_t{16} << 20;  // besides 4 times the file
+
 constexpr std::array<std::string_view, 8> left_out_elements = {"l", "p", "curv", "curv2", "surf", "bzp", "bsp", "cdc"};
 
 class ObjReader {
@@ -116,7 +118,14 @@ class ObjReader {
     places_.push_back(line.keyword.data());
     if (!part_) {
       const auto [found, is_new] = name_numbers_.try_emplace(names_, static_cast<std::uint32_t>(name_numbers_.size()));
-      if (is_new) parts_.push_back(names_);
+      if (is_new) {
+        parts_.push_back(names_);
+        for (const std::string& name : names_) names_bytes_ += name.size();
+        if (names_bytes_ > most_names_bytes + 4 * reading_.text.size()) {
+          return reading_.refuse(reading_.at(line.keyword),
+                                 "objects, groups and materials are too many for names of that length");
+        }
+      }
       part_ = found->second;
     }
     mesh_.part.push_back(*part_);
@@ -196,6 +205,7 @@ class ObjReader {
   std::map<Names, std::uint32_t> name_numbers_;
   std::optional<std::uint32_t> part_;  // of the names that hold now
   std::vector<Names> parts_;
+  std::size_t names_bytes_ = 0;  ///< of all parts: a long name that stays is held anew by each part that has it
   std::size_t elements_left_out_ = 0, weights_ = 0, unknown_ = 0;
   std::string_view first_unknown_;
 };

@@ -80,6 +80,8 @@ struct FaceLine {
   std::size_t state = 0;  ///< in the states
 };
 
+constexpr std::size_t most_growth = std::size_t{1} << 20;  // besides 4 times the file
+
 class ObjWriting {
  public:
   ObjWriting(const MeshSource& source, Diagnostics& diagnostics)
@@ -110,6 +112,7 @@ class ObjWriting {
       if (is_face(line.keyword)) {
         const std::uint32_t face = order.faces[place];
         put_state(states_[faces_[face].state]);
+        if (result.size() > most_growth + 4 * reading_.text.size()) return grows_too_much(line);
         if (!put_face(faces_[face], face != place)) return false;
         ++place;
       } else if (is_line_or_point(line.keyword) || is_free_form(line.keyword)) {
@@ -127,6 +130,15 @@ class ObjWriting {
   std::string result;
 
  private:
+  bool grows_too_much(const ObjLine& line) {
+    reading_.diagnostics.error(
+        reading_.at(line.keyword), "cannot-express",
+        "in the new sequence the lines of groups and materials would have to be repeated until the file is several "
+        "times as long",
+        "give the output the extension .glb");
+    return false;
+  }
+
   void collect() {
     State state;
     states_.push_back(state);

@@ -179,6 +179,12 @@ TEST_F(MeshObjMaterials, NamesMayHoldNumberSigns) {
   EXPECT_EQ(made.scene->images[0].uri, "tex%231.png");
 }
 
+TEST(MeshObj, LongNamesAreNotRepeatedWithoutBound) {
+  std::string text = square + "g " + std::string(50'000, 'x') + '\n';
+  for (int i = 0; i < 5000; ++i) text += "o " + std::to_string(i) + "\nf 1 2 3\n";
+  EXPECT_FALSE(read_mesh(MeshKind::obj, text).scene);
+}
+
 TEST(MeshObj, NumbersTooSmallAreZeroAndThoseTooLargeRefused) {
   const auto text = [](const std::string& x) { return "v " + x + " 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"; };
   const std::string zeros(46, '0'), nines(46, '9');

@@ -2,6 +2,9 @@
 #include <foredraw/io/gltf.h>
 #include <foredraw/io/scene_file.h>
 
+#include <foredraw/scene/reorder.h>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/mesh_reading.h"
@@ -75,6 +78,20 @@ TEST(MeshWrite, ObjFacesStayInTheirObjectsAndRecordsInTheirBlocks) {
 TEST(MeshWrite, ObjFacesMayNotComeBeforeTheirVertices) {
   const Scene scene = read(MeshKind::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 1 1 0\nf 2 3 4\n");
   EXPECT_NE(write(reversed(scene), MeshKind::obj).error.find("would come before a vertex"), std::string::npos);
+}
+
+TEST(MeshWrite, ObjLinesAreNotRepeatedWithoutBound) {
+  const std::string one = "g " + std::string(20'000, 'a') + '\n', two = "g " + std::string(20'000, 'b') + '\n';
+  std::string text = "o all\nv 0 0 0\nv 1 0 0\nv 0 1 0\n" + one;
+  for (int i = 0; i < 400; ++i) text += "f 1 2 3\n";
+  text += two;
+  for (int i = 0; i < 400; ++i) text += "f 1 2 3\n";
+  const Scene scene = read(MeshKind::obj, text);
+  Scene mixed = scene;
+  IndexOrder order;
+  for (std::uint32_t i = 0; i < 400; ++i) order.insert(order.end(), {i, i + 400});
+  mixed.draws[0] = with_triangle_order(mixed.draws[0], order);
+  EXPECT_THAT(write(mixed, MeshKind::obj).error, ::testing::HasSubstr("would have to be repeated"));
 }
 
 TEST(MeshWrite, ObjPolygonsStayWhole) {
