@@ -1,14 +1,7 @@
 // The bytes are an odd mesh, and the options of the stages: whatever is ordered, the same is drawn, also when it has
 // been written and read again.
 
-#include "claim.h"
-
-#include <foredraw/analysis/certificate.h>
-#include <foredraw/io/gltf.h>
-#include <foredraw/pipeline/parse.h>
-#include <foredraw/pipeline/runner.h>
-#include <foredraw/technique/built_in_plugins.h>
-
+#include "round_trip.h"
 #include "support/gltf_builder.h"
 
 #include <cstring>
@@ -104,46 +97,15 @@ std::string line_of(Input& input) {
   return line;
 }
 
-std::vector<std::vector<Certificate>> certificates(const Scene& scene) {
-  Analyses analyses;
-  std::vector<std::vector<Certificate>> all;
-  for (const Draw& draw : scene.draws) {
-    if (draw.topology == Topology::triangles) all.push_back(certificates_of(draw, analyses));
-  }
-  return all;
-}
-
-Registry built_in_plugins() {
-  Registry registry;
-  add_built_in_plugins(registry);
-  return registry;
-}
-
 }  // namespace
 }  // namespace foredraw
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace foredraw;
-  static const Registry registry = built_in_plugins();
-  static const Executor executor(1);
   Input input(data, size);
   const std::string line = line_of(input);
   Diagnostics diagnostics;
   const auto scene = read_gltf(mesh_of(input), "input", {}, diagnostics);
-  if (!scene) return 0;  // an index of all ones, or no whole triangle
-
-  const auto pipeline = parse_line(line, diagnostics);
-  claim(pipeline.has_value(), line + " does not parse: " + to_text(diagnostics));
-  const auto plan = foredraw::plan(*pipeline, registry, *scene, diagnostics);
-  claim(plan.has_value(), line + " can not be planned: " + to_text(diagnostics));
-  Analyses analyses;
-  const Result result = optimize(*plan, *scene, {executor, analyses});
-  claim(!result.failed, line + ": a stage failed:\n" + to_text(result.report) + to_text(diagnostics));
-  claim(certificates(result.scene) == certificates(*scene), line + ": something else is drawn");
-  const auto files = encode_gltf(result.scene, "again.glb", diagnostics);
-  claim(files && files->size() == 1, line + ": what was ordered can not be written: " + to_text(diagnostics));
-  const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics);
-  claim(again.has_value(), line + ": what was written can not be read: " + to_text(diagnostics));
-  claim(certificates(*again) == certificates(*scene), line + ": something else was written");
+  if (scene) make_round_trip(*scene, line);  // else an index of all ones, or no whole triangle
   return 0;
 }

@@ -1,9 +1,8 @@
 // A document to files: .glb, or .gltf with its .bin beside.
+#include <foredraw/io/private/file_kind.h>
 #include <foredraw/io/private/gltf_uri.h>
 #include <foredraw/io/private/gltf_write.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <limits>
 
@@ -86,11 +85,7 @@ void add_fallbacks(std::vector<OutputFile>& files, LaidOut& laid_out, const fs::
 
 }  // namespace
 
-bool is_glb(const fs::path& target) {
-  std::string extension = target.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ".glb";
-}
+bool is_glb(const fs::path& target) { return lower_extension(target) == ".glb"; }
 
 std::optional<std::vector<OutputFile>> packed(Written written, const fs::path& target, Diagnostics& diagnostics) {
   if (is_glb(target)) {

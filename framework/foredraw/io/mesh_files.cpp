@@ -1,5 +1,6 @@
 #include <foredraw/io/mesh_files.h>
 
+#include <foredraw/io/private/file_kind.h>
 #include <foredraw/io/private/mesh_materials.h>
 #include <foredraw/io/private/mesh_obj.h>
 #include <foredraw/io/private/mesh_off.h>
@@ -43,7 +44,7 @@ std::optional<std::string> reordered(const Scene& scene, const MeshSource& sourc
 }  // namespace
 
 std::optional<MeshKind> mesh_kind_of(const std::filesystem::path& path) {
-  const std::string extension = lower_case(path.extension().string());
+  const std::string extension = lower_extension(path);
   for (const auto& [kind, name] : extensions) {
     if (name == extension) return kind;
   }

@@ -1,5 +1,6 @@
 #include <foredraw/io/private/mesh_materials.h>
 
+#include <foredraw/io/private/file_kind.h>
 #include <foredraw/io/private/gltf_uri.h>
 #include <foredraw/io/private/mesh_text.h>
 #include <foredraw/platform/files.h>
@@ -106,7 +107,7 @@ class LibraryReader {
     if (written.starts_with('-')) written = written.substr(written.find_last_of(" \t") + 1);  // options before the name
     const std::string path = path_beside(written, "texture", name_, folder_, diagnostics_);
     if (path.empty()) return;
-    const std::string extension = lower_case(utf8_path(path).extension().string());
+    const std::string extension = lower_extension(utf8_path(path));
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
       diagnostics_.warning({.file = name_}, "left-out",
                            fmt::format("the texture {} is left out: glTF knows PNG and JPEG", shown(written)));

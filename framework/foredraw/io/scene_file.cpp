@@ -2,23 +2,17 @@
 
 #include <foredraw/io/gltf.h>
 #include <foredraw/io/mesh_files.h>
+#include <foredraw/io/private/file_kind.h>
 #include <foredraw/io/private/gltf_stand_ins.h>
 #include <foredraw/io/private/mesh_source.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace foredraw {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string kind_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
 
 fs::path folder_of(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
@@ -37,7 +31,7 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, Dia
 
 }  // namespace
 
-bool is_gltf_file(const fs::path& path) { return kind_of(path) == ".glb" || kind_of(path) == ".gltf"; }
+bool is_gltf_file(const fs::path& path) { return lower_extension(path) == ".glb" || lower_extension(path) == ".gltf"; }
 
 bool is_scene_file(const fs::path& path) { return is_gltf_file(path) || mesh_kind_of(path); }
 
