@@ -32,7 +32,7 @@ std::optional<PlyType> type_of(std::string_view name) {
 /// The header, line by line.
 class HeaderReader {
  public:
-  explicit HeaderReader(const Reading& reading) : reading_(reading), text_(reading.text) {}
+  explicit HeaderReader(const Reading& reading) : reading_(reading), text_(without_mark(reading.text)) {}
 
   bool run() {
     std::string_view line = take_line(text_);

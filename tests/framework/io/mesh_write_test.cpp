@@ -180,6 +180,15 @@ TEST(MeshWrite, OffLinesMoveWithWhatIsOnThem) {
       "OFF\n# head\n4 2 0\n0 1 0\n1 1 0 # b\n\n1 0 0\n0 0 0\n3 3 2 1\n4 3 2 1 0  1 0 0");
 }
 
+TEST(MeshWrite, AByteOrderMarkStays) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(turned_round(MeshKind::ply, mark + ascii_ply).substr(0, 6), mark + "ply");
+  EXPECT_EQ(turned_round(MeshKind::off, mark + "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").substr(0, 6),
+            mark + "OFF");
+  EXPECT_EQ(turned_round(MeshKind::obj, mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+            mark + "v 0 1 0\nv 1 0 0\nv 0 0 0\nf 3 2 1\n");
+}
+
 TEST(MeshWrite, StlTrianglesMoveWithinTheirSolid) {
   const auto facet = [](const std::string& z, const std::string& note) {
     return "facet normal " + note + " 0 1\nouter loop\nvertex 0 0 " + z + "\nvertex 1 0 " + z + "\nvertex 0 1 " + z +
@@ -193,6 +202,8 @@ TEST(MeshWrite, StlTrianglesMoveWithinTheirSolid) {
   for (const char* note : {"solid", "facet", "endfacet", "endsolid"}) {  // a normal is read over, whatever it is
     turned_round(MeshKind::stl, "solid\n" + facet("1", note) + facet("2", "b") + "endsolid\n");
   }
+
+  turned_round(MeshKind::stl, "\xEF\xBB\xBFsolid facet\n" + facet("1", "a") + facet("2", "b") + "endsolid\n");
 
   std::string binary(80, ' ');
   binary += std::string("\2\0\0\0", 4);
