@@ -21,13 +21,6 @@ fs::path output_of(const fs::path& scene, const fs::path& folder) {
   return is_gltf_file(output) ? output : output.replace_extension(".glb");
 }
 
-/// What is written for it: the file itself, and the .bin beside a .gltf.
-std::vector<fs::path> files_of(const fs::path& output) {
-  fs::path beside = output;
-  beside.replace_extension(".bin");
-  return output.extension() == ".glb" ? std::vector{output} : std::vector{output, beside};
-}
-
 /// "prop.glb" and "prop.obj" would both become "prop.glb"; and no file may become what another has yet to be read from.
 bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::path>& inputs,
                   const std::vector<fs::path>& outputs, const fs::path& report, Diagnostics& diagnostics) {
@@ -36,7 +29,7 @@ bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::pat
   for (const fs::path& input : inputs) taken.emplace(fs::weakly_canonical(input, error), "an input");
   if (!report.empty()) taken.emplace(fs::weakly_canonical(report, error), "the report");
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (const fs::path& file : files_of(outputs[i])) {
+    for (const fs::path& file : paths_written_for(outputs[i])) {
       const auto [at, is_new] = taken.emplace(fs::weakly_canonical(file, error), scenes[i]);
       if (is_new) continue;
       diagnostics.error({.file = file.string()}, "outputs-meet",
