@@ -25,13 +25,12 @@ std::optional<Json> text_of(const OutputFile& file) {
 }
 
 /// Whether the old .gltf may be reading something else from that name.
-bool is_in_the_way(const OutputFile& file) {
+bool is_in_the_way(const fs::path& path, const std::vector<std::byte>& bytes) {
   std::error_code error;
-  if (!fs::is_regular_file(file.path, error)) return false;
-  if (fs::file_size(file.path, error) != file.bytes.size() || error) return true;
+  if (!fs::is_regular_file(path, error)) return false;
+  if (fs::file_size(path, error) != bytes.size() || error) return true;
   Diagnostics ignored;
-  const auto there = read_file(file.path, ignored);
-  return there != file.bytes;
+  return read_file(path, ignored) != bytes;
 }
 
 std::string utf8_name(const OutputFile& file) {
@@ -47,11 +46,9 @@ fs::path stand_in(const fs::path& place, std::size_t number) {
 
 /// The first that is free. Those of runs that were killed are not: the .gltf that is there may name one.
 fs::path free_stand_in(const OutputFile& file) {
-  OutputFile found = file;
   std::size_t number = 0;
-  do found.path = stand_in(file.path, number++);
-  while (is_in_the_way(found));
-  return found.path;
+  while (is_in_the_way(stand_in(file.path, number), file.bytes)) ++number;
+  return stand_in(file.path, number);
 }
 
 }  // namespace
@@ -70,7 +67,7 @@ std::vector<OutputFile> stand_ins(std::span<const OutputFile> files) {
     const std::string name = *percent_decoded(uri->get<std::string>());
     const auto named =
         std::find_if(files.begin() + 1, files.end(), [&](const OutputFile& file) { return utf8_name(file) == name; });
-    if (named == files.end() || !is_in_the_way(*named)) continue;
+    if (named == files.end() || !is_in_the_way(named->path, named->bytes)) continue;
     OutputFile& other = others[static_cast<std::size_t>(named - files.begin()) - 1];
     other.path = free_stand_in(*named);
     *uri = percent_encoded(utf8_name(other));

@@ -113,8 +113,8 @@ class Part {
   static bool remove_leftover(const fs::path& part) {
     const Descriptor left(::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (left.get() < 0) return false;
-    struct stat opened {
-    }, named{};
+    struct stat opened {};
+    struct stat named {};
     const bool is_ours = ::flock(left.get(), LOCK_EX | LOCK_NB) == 0 && ::fstat(left.get(), &opened) == 0 &&
                          ::lstat(part.c_str(), &named) == 0;
     if (is_ours && opened.st_ino == named.st_ino && opened.st_dev == named.st_dev) ::unlink(part.c_str());
