@@ -7,6 +7,8 @@
 
 #include <meshoptimizer.h>
 
+#include <type_traits>
+
 namespace foredraw::bench {
 
 namespace {

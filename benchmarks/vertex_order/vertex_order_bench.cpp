@@ -7,6 +7,7 @@
 #include "contestants.h"
 #include "grid_strips.h"
 #include "order_figures.h"
+#include "order_tasks.h"
 
 #include <benchmark/benchmark.h>
 
@@ -19,72 +20,13 @@
 namespace foredraw::bench {
 namespace {
 
-constexpr std::size_t most_quick_triangles = 300'000;  // of a mesh, with --quick
-
 struct Arguments {
   std::string tsv;
   bool is_quick = false;
   std::vector<char*> rest;  // Google Benchmark's
 };
 
-struct Grid {
-  std::uint32_t columns, rows;
-};
-constexpr Grid grids[] = {{100, 100}, {420, 420}};
-
-/// Sets of one size class each: below 10,000 triangles a mesh, to 300,000, and above 800,000.
-struct SizedSet {
-  std::string size;  // what the page groups by
-  MeshSet set;
-};
-
-std::string size_of(const TestMesh& mesh) {
-  const std::size_t triangles = mesh.indices.size() / 3;
-  return triangles < 10'000 ? "below 10k" : triangles <= 300'000 ? "10k to 300k" : "above 800k";
-}
-
-std::vector<SizedSet> sized_sets() {
-  std::vector<SizedSet> sets{{"below 10k", {"corpus, small", {}}}, {"10k to 300k", {"corpus, large", {}}}};
-  for (TestMesh& mesh : corpus().meshes) {
-    sets[size_of(mesh) == sets[0].size ? 0 : 1].set.meshes.push_back(std::move(mesh));
-  }
-  for (const auto& [model, levels] : {std::pair{"static/spot.glb", std::vector{0, 2, 4}},
-                                      {"static/head.glb", {0, 2, 3}},
-                                      {"animated/mannequiny.glb", {0, 2, 3}},
-                                      {"animated/cesium_man_notex.glb", {0, 2, 4}}}) {
-    for (MeshSet& set : subdivisions(model, levels)) {
-      std::string size = size_of(set.meshes[0]);
-      sets.push_back({std::move(size), std::move(set)});
-    }
-  }
-  for (const Grid& grid : grids) {
-    sets.push_back(
-        {"grid", {fmt::format("grid {0}x{1}", grid.columns, grid.rows), {testing::grid(grid.columns, grid.rows)}}});
-  }
-  return sets;
-}
-
-/// A mesh set in one arrangement.
-struct Task {
-  std::string size, arrangement;
-  MeshSet set;
-};
-
-std::vector<Task> tasks(bool is_quick) {
-  std::vector<Task> result;
-  for (const SizedSet& sized : sized_sets()) {
-    if (is_quick && sized.set.meshes[0].indices.size() / 3 > most_quick_triangles) continue;
-    const char* const names[] = {"own", "t", "tv"};
-    const auto* name = names;
-    for (MeshSet& set : arrangements(sized.set)) {
-      set.name = sized.set.name;
-      result.push_back({sized.size, *name++, std::move(set)});
-    }
-  }
-  return result;
-}
-
-std::string run_name(const Contestant& contestant, const Task& task) {
+std::string run_name(const Contestant& contestant, const OrderTask& task) {
   return fmt::format("{}|{}|{}", contestant.name(), task.set.name, task.arrangement);
 }
 
@@ -107,9 +49,9 @@ class MedianTimes final : public benchmark::BenchmarkReporter {
   std::map<std::string, double> nanoseconds;
 };
 
-void register_all(const std::vector<Contestant>& all, const std::vector<Task>& tasks) {
+void register_all(const std::vector<Contestant>& all, const std::vector<OrderTask>& tasks) {
   for (const Contestant& contestant : all) {
-    for (const Task& task : tasks) {
+    for (const OrderTask& task : tasks) {
       benchmark::RegisterBenchmark(run_name(contestant, task).c_str(), [&](benchmark::State& state) {
         for (auto _ : state) {
           for (const TestMesh& mesh : task.set.meshes) {
@@ -129,8 +71,8 @@ class Table {
     for (const std::string& cache : cache_names()) out_ << "\tACMR " << cache;
     out_ << "\tATVR\tOVR\n";
   }
-  void add(const std::string& order, const std::string& setting, const Task& task, std::optional<double> nanoseconds,
-           const std::vector<Indices>& results) {
+  void add(const std::string& order, const std::string& setting, const OrderTask& task,
+           std::optional<double> nanoseconds, const std::vector<Indices>& results) {
     const auto triangles = task.set.triangles();
     const OrderFigures figures = figures_of(task.set, results);
     out_ << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t", order, setting, task.size, task.set.name, task.arrangement,
@@ -145,25 +87,25 @@ class Table {
 };
 
 /// What stands beside the contestants: the triangles as they come, and the best known strips on grids.
-void add_references(Table& table, const Task& task) {
+void add_references(Table& table, const OrderTask& task) {
   const auto as_it_comes = [](std::span<const std::uint32_t> indices, std::size_t) {
     return Indices(indices.begin(), indices.end());
   };
   table.add("as it comes", "", task, std::nullopt, worked(as_it_comes, task.set));
   if (task.arrangement != "own") return;  // strips know a grid by its numbers
-  for (const auto& [columns, rows] : grids) {
-    if (task.set.name != fmt::format("grid {}x{}", columns, rows)) continue;
+  for (const Grid& grid : grids) {
+    if (task.set.name != grid.name()) continue;
     for (const auto& [setting, width] : {std::pair{"plain", plain_strips(16)}, {"primed", primed_strips(16)}}) {
-      const Indices strips = reordered(task.set.meshes[0].indices, grid_strips(columns, rows, width));
+      const Indices strips = reordered(task.set.meshes[0].indices, grid_strips(grid.columns, grid.rows, width));
       table.add("strips", setting, task, std::nullopt, {strips});
     }
   }
 }
 
-void write_table(std::ostream& out, const std::vector<Contestant>& all, const std::vector<Task>& tasks,
+void write_table(std::ostream& out, const std::vector<Contestant>& all, const std::vector<OrderTask>& tasks,
                  const std::map<std::string, double>& nanoseconds) {
   Table table(out);
-  for (const Task& task : tasks) {
+  for (const OrderTask& task : tasks) {
     const auto was_timed = [&](const Contestant& contestant) {
       return nanoseconds.contains(run_name(contestant, task));
     };
@@ -214,9 +156,13 @@ int main(int argc, char** argv) {
     return 1;
   }
   const std::vector<Contestant> all = contestants();
-  const std::vector<Task> tasks_of_run = tasks(arguments.is_quick);
-  register_all(all, tasks_of_run);
+  const std::vector<OrderTask> tasks = order_tasks(arguments.is_quick ? 300'000 : 2'000'000);
+  register_all(all, tasks);
   MedianTimes times;
   benchmark::RunSpecifiedBenchmarks(&times);
-  write_table(out, all, tasks_of_run, times.nanoseconds);
+  write_table(out, all, tasks, times.nanoseconds);
+  if (!out.flush()) {
+    std::cerr << arguments.tsv << ": can not be written to the end\n";
+    return 1;
+  }
 }
