@@ -36,17 +36,22 @@ std::vector<Indices> worked(const TriangleOrder& work, const MeshSet& set) {
   return results;
 }
 
-/// The median time of each run, in nanoseconds.
+struct Time {
+  double nanoseconds;
+  std::int64_t repetitions;  // that it is the median of
+};
+
+/// The median time of each run.
 class MedianTimes final : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       const bool counts = run.run_type == Run::RT_Aggregate ? run.aggregate_name == "median" : run.repetitions <= 1;
-      if (counts) nanoseconds[run.run_name.function_name] = run.GetAdjustedRealTime();
+      if (counts) times[run.run_name.function_name] = {run.GetAdjustedRealTime(), run.repetitions};
     }
   }
-  std::map<std::string, double> nanoseconds;
+  std::map<std::string, Time> times;
 };
 
 void register_all(const std::vector<Contestant>& all, const std::vector<OrderTask>& tasks) {
@@ -67,17 +72,18 @@ void register_all(const std::vector<Contestant>& all, const std::vector<OrderTas
 class Table {
  public:
   explicit Table(std::ostream& out) : out_(out) {
-    out_ << "order\tsetting\tsize\tmeshes\tarrangement\ttriangles\tns a triangle";
+    out_ << "order\tsetting\tsize\tmeshes\tarrangement\ttriangles\trepetitions\tns a triangle";
     for (const std::string& cache : cache_names()) out_ << "\tACMR " << cache;
     out_ << "\tATVR\tOVR\n";
   }
-  void add(const std::string& order, const std::string& setting, const OrderTask& task,
-           std::optional<double> nanoseconds, const std::vector<Indices>& results) {
-    const auto triangles = task.set.triangles();
+  void add(const std::string& order, const std::string& setting, const OrderTask& task, std::optional<Time> time,
+           const std::vector<Indices>& results) {
     const OrderFigures figures = figures_of(task.set, results);
+    const auto triangles = task.set.triangles();
     out_ << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t", order, setting, task.size, task.set.name, task.arrangement,
                         triangles);
-    if (nanoseconds) out_ << fmt::format("{:.2f}", *nanoseconds / static_cast<double>(triangles));
+    out_ << (time ? fmt::format("{}\t{:.2f}", time->repetitions, time->nanoseconds / static_cast<double>(triangles))
+                  : "\t");
     for (const double acmr : figures.acmr) out_ << fmt::format("\t{:.5f}", acmr);
     out_ << fmt::format("\t{:.5f}\t", figures.atvr) << (figures.ovr ? fmt::format("{:.5f}", *figures.ovr) : "") << '\n';
   }
@@ -103,17 +109,15 @@ void add_references(Table& table, const OrderTask& task) {
 }
 
 void write_table(std::ostream& out, const std::vector<Contestant>& all, const std::vector<OrderTask>& tasks,
-                 const std::map<std::string, double>& nanoseconds) {
+                 const std::map<std::string, Time>& times) {
   Table table(out);
   for (const OrderTask& task : tasks) {
-    const auto was_timed = [&](const Contestant& contestant) {
-      return nanoseconds.contains(run_name(contestant, task));
-    };
+    const auto was_timed = [&](const Contestant& contestant) { return times.contains(run_name(contestant, task)); };
     if (!std::ranges::any_of(all, was_timed)) continue;  // --benchmark_filter
     add_references(table, task);
     for (const Contestant& contestant : all) {
       if (!was_timed(contestant)) continue;
-      table.add(contestant.order, contestant.setting, task, nanoseconds.at(run_name(contestant, task)),
+      table.add(contestant.order, contestant.setting, task, times.at(run_name(contestant, task)),
                 worked(contestant.work, task.set));
     }
   }
@@ -158,9 +162,9 @@ int main(int argc, char** argv) {
   const std::vector<Contestant> all = contestants();
   const std::vector<OrderTask> tasks = order_tasks(arguments.is_quick ? 300'000 : 2'000'000);
   register_all(all, tasks);
-  MedianTimes times;
-  benchmark::RunSpecifiedBenchmarks(&times);
-  write_table(out, all, tasks, times.nanoseconds);
+  MedianTimes reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  write_table(out, all, tasks, reporter.times);
   if (!out.flush()) {
     std::cerr << arguments.tsv << ": can not be written to the end\n";
     return 1;

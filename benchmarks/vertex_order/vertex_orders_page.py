@@ -39,6 +39,7 @@ class Figures:
         for row in rows:
             if row["meshes"] not in self.meshes[row["size"]]:
                 self.meshes[row["size"]].append(row["meshes"])
+        self.repetitions = sorted({int(row["repetitions"]) for row in rows if row["repetitions"]})
         self.arrangements = [a for a in ARRANGEMENTS if any(row["arrangement"] == a for row in rows)]
 
     def values(self, order, column, sizes=SIZES, arrangements=None):
@@ -141,7 +142,8 @@ def tables(figures):
     return f"""
 ### All meshes
 
-Means over the sets and their arrangements. Times are over the peer's, `{PEER[0]}` for 16 entries; ACMR by cache.
+Means over the sets and their arrangements. Times are medians of {" or ".join(map(str, figures.repetitions))}, the ratios
+over the peer's, `{PEER[0]}` for 16 entries; ACMR by cache.
 
 {means(figures)}
 ### By size

@@ -12,12 +12,12 @@ sys.dont_write_bytecode = True
 import vertex_orders_page as page
 
 HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
-HEADS = ["order", "setting", "size", "meshes", "arrangement", "triangles", page.TIME,
+HEADS = ["order", "setting", "size", "meshes", "arrangement", "triangles", "repetitions", page.TIME,
          *("ACMR " + cache for cache in page.CACHES), "ATVR", "OVR"]
 
 
 def line(order, setting, size, meshes, time, acmr, ovr):
-    return [order, setting, size, meshes, "own", "1000", time] + [acmr] * len(page.CACHES) + ["1.2", ovr]
+    return [order, setting, size, meshes, "own", "1000", "7" if time else "", time] + [acmr] * len(page.CACHES) + ["1.2", ovr]
 
 
 def figures_of(lines):
@@ -65,6 +65,9 @@ class Tables(unittest.TestCase):
         figures = figures_of(LINES)
         for table in (page.means(figures), page.size_classes(figures), page.grids(figures)):
             self.assertEqual(len({row.count("|") for row in table.splitlines()}), 1, table)
+
+    def test_the_page_says_of_how_many_repetitions_the_times_are(self):
+        self.assertIn("Times are medians of 7,", page.tables(figures_of(LINES + [LINES[0][:2] + ["grid", "grid 2x2"] + LINES[0][4:]])))
 
     def test_missing_figures_are_named(self):
         with self.assertRaisesRegex(SystemExit, "fast has no figures on large, own"):
