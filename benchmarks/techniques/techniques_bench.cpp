@@ -27,6 +27,18 @@ using Counters = std::map<std::string, double>;
 constexpr int cache_size = 16;
 constexpr float threshold = 1.05f;  // linear-clusters.growth, and the peer's threshold
 
+/// The corpus, and spot and head from as they are to 1.5 million triangles.
+std::vector<MeshSet> mesh_sets() {
+  std::vector<MeshSet> sets{corpus()};
+  for (const auto& [model, levels] :
+       {std::pair{"static/spot.glb", std::vector{0, 2, 4}}, {"static/head.glb", {0, 2}}}) {
+    for (const MeshSet& size : subdivisions(model, levels)) {
+      for (MeshSet& set : arrangements(size)) sets.push_back(std::move(set));
+    }
+  }
+  return sets;
+}
+
 /// One side of a contest: works on a mesh and answers with the index buffer that came out, where one did.
 using Side = std::function<Indices(const TestMesh&)>;
 using Judge = std::function<Counters(const MeshSet&, const std::vector<Indices>&)>;
