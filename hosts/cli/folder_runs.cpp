@@ -21,6 +21,20 @@ fs::path output_of(const fs::path& scene, const fs::path& folder) {
   return is_gltf_file(output) ? output : output.replace_extension(".glb");
 }
 
+/// Every file of the input folder: a scene, or what one is read from. What is below the output folder is neither.
+std::vector<fs::path> files_read_from(const fs::path& from, const fs::path& to) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(from, error), end; at != end; at.increment(error)) {
+    if (fs::equivalent(at->path(), to, error)) {
+      at.disable_recursion_pending();
+    } else if (at->is_regular_file(error)) {
+      files.push_back(at->path());
+    }
+  }
+  return files;
+}
+
 /// "prop.glb" and "prop.obj" would both become "prop.glb"; and no file may become what another has yet to be read from.
 bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::path>& inputs,
                   const std::vector<fs::path>& outputs, const fs::path& report, Diagnostics& diagnostics) {
@@ -134,7 +148,8 @@ Exit optimize_folder(const FileJob& job) {
     inputs.push_back(from / scene);
     outputs.push_back(output_of(scene, to));
   }
-  if (outputs_meet(*scenes, inputs, outputs, arguments.report, diagnostics)) return refuse(diagnostics);
+  if (outputs_meet(*scenes, files_read_from(from, to), outputs, arguments.report, diagnostics))
+    return refuse(diagnostics);
   for (const fs::path& output : outputs) {
     if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);
   }

@@ -149,6 +149,14 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
   fs::copy_file(folder_ / "in/spot.glb", folder_ / "up/up/spot.glb");
   fs::copy_file(folder_ / "in/spot.glb", folder_ / "up/spot.glb");
   refused("optimize up -o .", "would both be here");
+  // What one scene becomes would take the place of a buffer that another is read from.
+  fs::create_directories(folder_ / "deep/deep");
+  copy("scenes/kaykit_city/bench.gltf", "deep/deep/bench.gltf");
+  copy("scenes/kaykit_city/bench.bin", "deep/deep/bench.bin");
+  testing::put(folder_ / "deep/other.gltf",
+               R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "bench.bin", "byteLength": 8}]})");
+  fs::copy_file(folder_ / "deep/deep/bench.bin", folder_ / "deep/bench.bin");
+  refused("optimize deep -o .", "bench.bin");
 }
 
 }  // namespace
