@@ -101,14 +101,6 @@ TestMesh with_shuffled_vertices(const TestMesh& mesh, std::uint64_t seed) {
   return result;
 }
 
-std::vector<std::uint32_t> reordered(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> order) {
-  std::vector<std::uint32_t> result(indices.size());
-  for (std::size_t t = 0; t < order.size(); ++t) {
-    std::copy_n(&indices[3 * std::size_t{order[t]}], 3, &result[3 * t]);
-  }
-  return result;
-}
-
 std::vector<MeshSet> mesh_sets() {
   const fs::path corpus = testing::project_file("benchmarks/corpus");
   std::vector<fs::path> models;

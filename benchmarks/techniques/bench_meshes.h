@@ -24,7 +24,4 @@ TestMesh subdivided(const TestMesh& mesh);
 
 TestMesh with_shuffled_vertices(const TestMesh& mesh, std::uint64_t seed);
 
-/// Triangles in another order; order[new] = old.
-std::vector<std::uint32_t> reordered(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> order);
-
 }  // namespace foredraw::bench

@@ -81,7 +81,7 @@ Counters acmr_and_ovr(const MeshSet& set, const std::vector<Indices>& results) {
 }
 
 Indices our_cache_order(const TestMesh& mesh) {
-  return reordered(mesh.indices, tipsify(mesh.indices, mesh.positions.size(), {.cache_size = cache_size}));
+  return tipsify_indices(mesh.indices, mesh.positions.size(), {.cache_size = cache_size});
 }
 
 Indices peers_cache_order(const TestMesh& mesh) {
