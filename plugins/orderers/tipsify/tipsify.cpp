@@ -79,14 +79,24 @@ struct NewOrder : NewIndices {
   }
 };
 
+/// Whether it is too large for the processor's second-level cache, so that it pays to call for what will be wanted.
+template <class T>
+bool is_far(std::span<T> memory) {
+  return memory.size_bytes() > (1u << 19);
+}
+
 /// Counts the corners of each vertex and gives them room; answers with the most that one has. `vertices` has one past
 /// the last, in no triangle. `corners` is where the room ends, until find_corners() has filled it.
 template <class Word>
 std::uint32_t make_room(std::span<const std::uint32_t> indices, std::span<Vertex<Word>> vertices) {
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    __builtin_prefetch(&vertices[indices[std::min(i + 64, indices.size() - 1)]], 1);
-    ++vertices[indices[i]].corners;
+  std::size_t i = 0;
+  if (is_far(vertices)) {
+    for (; i + 64 < indices.size(); ++i) {
+      __builtin_prefetch(&vertices[indices[i + 64]], 1);
+      ++vertices[indices[i]].corners;
+    }
   }
+  for (; i < indices.size(); ++i) ++vertices[indices[i]].corners;
   std::uint32_t end = 0;
   std::uint32_t most = 0;
   for (Vertex<Word>& v : vertices) {
@@ -105,13 +115,15 @@ void find_corners(std::span<const std::uint32_t> indices, std::span<Vertex<Word>
                   std::span<typename Answer::Corner> corners) {
   const auto nobody = static_cast<std::uint32_t>(vertices.size() - 1);
   const Spoke repeated(nobody, nobody);
-  for (std::size_t triangle = indices.size() / 3;
-       triangle-- > 0;) {  // from the back, as the room is filled from its end
-    // The vertices of triangles to come are called for, and some triangles later the room that they name.
-    const auto far = indices.subspan(3 * (triangle - std::min<std::size_t>(triangle, 24)), 3);
-    const auto near = indices.subspan(3 * (triangle - std::min<std::size_t>(triangle, 12)), 3);
-    for (const std::uint32_t v : far) __builtin_prefetch(&vertices[v], 1);
-    for (const std::uint32_t v : near) __builtin_prefetch(corners.data() + vertices[v].corners - 1, 1);
+  const bool is_waited_for = is_far(corners);
+  for (std::size_t triangle = indices.size() / 3; triangle-- > 0;) {  // from the back, as room is filled from its end
+    if (is_waited_for && triangle >= 24) {
+      // The vertices of a triangle to come are called for, and twelve triangles later the room that they name.
+      for (const std::uint32_t v : indices.subspan(3 * (triangle - 24), 3)) __builtin_prefetch(&vertices[v], 1);
+      for (const std::uint32_t v : indices.subspan(3 * (triangle - 12), 3)) {
+        __builtin_prefetch(corners.data() + vertices[v].corners, 1);
+      }
+    }
     const std::uint32_t a = indices[3 * triangle], b = indices[3 * triangle + 1], c = indices[3 * triangle + 2];
     const auto add = [&](std::uint32_t v, bool repeats, Spoke spoke) {
       corners[--vertices[v].corners] = Answer::corner(static_cast<std::uint32_t>(triangle), repeats ? repeated : spoke);

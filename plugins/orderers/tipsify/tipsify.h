@@ -3,8 +3,6 @@
 // Sander, Nehab, Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007, "Tipsy
 // strips".
 
-#include <glm/vec3.hpp>
-
 #include <cstdint>
 #include <functional>
 #include <memory_resource>
@@ -53,14 +51,15 @@ using ForEach = std::function<void(std::size_t count, const std::function<void(s
 
 /// tipsify() for each of `parts` parts on its own, one after the other in the order that comes out: the draw is cut by
 /// where its triangles lie, into parts of equal size of which none need have fewer than 10000 triangles. The answer
-/// depends on `parts`, never on `for_each`. One position a vertex; what is not finite counts as 0.
+/// depends on `parts`, never on `for_each`. `positions` holds x, y and z of every
+/// vertex; what is not finite counts as 0.
 /// Every part that is worked on holds, besides tipsify's memory for it, 4 bytes for each vertex of the draw.
-std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices, std::span<const glm::vec3> positions,
+std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices, std::span<const float> positions,
                                          const TipsifyOptions& options, const ForEach& for_each);
 
 /// The new index buffer itself, as with tipsify_indices().
 std::vector<std::uint32_t> tipsify_parts_indices(std::span<const std::uint32_t> indices,
-                                                 std::span<const glm::vec3> positions, const TipsifyOptions& options,
+                                                 std::span<const float> positions, const TipsifyOptions& options,
                                                  const ForEach& for_each);
 
 struct Plugin;

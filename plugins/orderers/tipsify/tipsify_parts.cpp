@@ -1,8 +1,5 @@
 #include "tipsify.h"
 
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +15,7 @@ namespace {
 // whatever sequence the draw's own vertices and triangles are.
 
 constexpr int cell_bits = 5;  // of each axis
-constexpr std::size_t cells = std::size_t{1} << (3 * cell_bits);
+constexpr std::size_t cell_count = std::size_t{1} << (3 * cell_bits);
 constexpr std::size_t fewest_triangles = 10000;  // below, a part takes longer to cut out than to order
 
 struct Part {
@@ -27,38 +24,41 @@ struct Part {
 };
 
 /// The number of each vertex's cell along the Z-curve.
-std::vector<std::uint16_t> cells_of(std::span<const glm::vec3> positions) {
-  constexpr float largest = std::numeric_limits<float>::max();
-  const auto place = [&](std::size_t v) {  // in double precision, for differences of floats may overflow
-    const glm::vec3 p = positions[v];
-    const auto finite = [](float x) { return std::abs(x) <= largest ? double{x} : 0; };
-    return glm::dvec3(finite(p.x), finite(p.y), finite(p.z));
+std::vector<std::uint16_t> cells_of(std::span<const float> positions) {
+  using Place = std::array<double, 3>;  // double, for differences of floats may overflow
+  const auto place = [&](std::size_t v) {
+    const auto finite = [](float x) { return std::abs(x) <= std::numeric_limits<float>::max() ? double{x} : 0; };
+    return Place{finite(positions[3 * v]), finite(positions[3 * v + 1]), finite(positions[3 * v + 2])};
   };
-  glm::dvec3 low = positions.empty() ? glm::dvec3(0) : place(0);
-  glm::dvec3 high = low;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const glm::dvec3 p = place(v);
-    low = glm::min(low, p);
-    high = glm::max(high, p);
+  const std::size_t vertex_count = positions.size() / 3;
+  Place low = vertex_count == 0 ? Place{} : place(0);
+  Place high = low;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const Place p = place(v);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
   }
-  const glm::dvec3 size = high - low;
-  const double extent = std::max({size.x, size.y, size.z});
-  constexpr int along = 1 << cell_bits;
+  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  constexpr std::size_t along = 1 << cell_bits;
   const double cells_a_unit = extent > 0 ? along / extent : 0;
 
-  std::array<std::uint16_t, along + 1> spread{};  // a number's bits, two places apart
+  std::array<unsigned, along + 1> spread{};  // a number's bits, two places apart
   for (unsigned i = 0; i < along; ++i) {
-    for (int bit = 0; bit < cell_bits; ++bit) spread[i] |= static_cast<std::uint16_t>((i >> bit & 1) << (3 * bit));
+    for (int bit = 0; bit < cell_bits; ++bit) spread[i] |= (i >> bit & 1) << (3 * bit);
   }
   spread[along] = spread[along - 1];  // where the extent ends
-  std::vector<std::uint16_t> result(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const glm::ivec3 cell((place(v) - low) * cells_a_unit);
-    result[v] = static_cast<std::uint16_t>(spread[static_cast<std::size_t>(cell.x)] |
-                                           spread[static_cast<std::size_t>(cell.y)] << 1 |
-                                           spread[static_cast<std::size_t>(cell.z)] << 2);
+  std::vector<std::uint16_t> cells(vertex_count);
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const Place p = place(v);
+    unsigned cell = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cell |= spread[static_cast<std::size_t>((p[axis] - low[axis]) * cells_a_unit)] << axis;
+    }
+    cells[v] = static_cast<std::uint16_t>(cell);
   }
-  return result;
+  return cells;
 }
 
 struct Curve {
@@ -67,10 +67,10 @@ struct Curve {
 };
 
 /// A triangle is in the first of its vertices' cells: so neighbouring parts meet along an even line.
-Curve along_the_curve(std::span<const std::uint32_t> indices, std::span<const glm::vec3> positions) {
+Curve along_the_curve(std::span<const std::uint32_t> indices, std::span<const float> positions) {
   const std::vector<std::uint16_t> cell = cells_of(positions);
   std::vector<std::uint16_t> cell_of_triangle(indices.size() / 3);
-  Curve curve{std::vector<std::uint32_t>(cell_of_triangle.size()), std::vector<std::uint32_t>(cells)};
+  Curve curve{std::vector<std::uint32_t>(cell_of_triangle.size()), std::vector<std::uint32_t>(cell_count)};
   for (std::size_t t = 0; t < cell_of_triangle.size(); ++t) {
     cell_of_triangle[t] = std::min({cell[indices[3 * t]], cell[indices[3 * t + 1]], cell[indices[3 * t + 2]]});
     ++curve.cell_ends[cell_of_triangle[t]];
@@ -109,7 +109,7 @@ LocalMesh cut_out(std::span<const std::uint32_t> triangles, std::span<const std:
 }
 
 /// Cuts, and calls work(part, its own mesh) for every part. No cell is cut: its triangles lie in no good order.
-void for_each_part(std::span<const std::uint32_t> indices, std::span<const glm::vec3> positions, std::size_t parts,
+void for_each_part(std::span<const std::uint32_t> indices, std::span<const float> positions, std::size_t parts,
                    const ForEach& for_each, const std::function<void(const Part&, const LocalMesh&)>& work) {
   const Curve curve = along_the_curve(indices, positions);
   const auto cut = [&](std::size_t part) -> std::size_t {
@@ -118,7 +118,7 @@ void for_each_part(std::span<const std::uint32_t> indices, std::span<const glm::
   };
   for_each(parts, [&](std::size_t part) {
     const std::span triangles = std::span(curve.triangles).subspan(cut(part), cut(part + 1) - cut(part));
-    work({triangles, cut(part)}, cut_out(triangles, indices, positions.size()));
+    work({triangles, cut(part)}, cut_out(triangles, indices, positions.size() / 3));
   });
 }
 
@@ -128,10 +128,10 @@ std::size_t parts_of(std::size_t triangles, const TipsifyOptions& options) {
 
 }  // namespace
 
-std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices, std::span<const glm::vec3> positions,
+std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices, std::span<const float> positions,
                                          const TipsifyOptions& options, const ForEach& for_each) {
   const std::size_t parts = parts_of(indices.size() / 3, options);
-  if (parts == 1) return tipsify(indices, positions.size(), options);
+  if (parts == 1) return tipsify(indices, positions.size() / 3, options);
   std::vector<std::uint32_t> order(indices.size() / 3);
   for_each_part(indices, positions, parts, for_each, [&](const Part& part, const LocalMesh& mesh) {
     const std::span<std::uint32_t> out = std::span(order).subspan(part.begin, part.triangles.size());
@@ -142,10 +142,10 @@ std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices,
 }
 
 std::vector<std::uint32_t> tipsify_parts_indices(std::span<const std::uint32_t> indices,
-                                                 std::span<const glm::vec3> positions, const TipsifyOptions& options,
+                                                 std::span<const float> positions, const TipsifyOptions& options,
                                                  const ForEach& for_each) {
   const std::size_t parts = parts_of(indices.size() / 3, options);
-  if (parts == 1) return tipsify_indices(indices, positions.size(), options);
+  if (parts == 1) return tipsify_indices(indices, positions.size() / 3, options);
   std::vector<std::uint32_t> ordered(indices.size());
   for_each_part(indices, positions, parts, for_each, [&](const Part& part, const LocalMesh& mesh) {
     const std::span<std::uint32_t> out = std::span(ordered).subspan(3 * part.begin, mesh.indices.size());

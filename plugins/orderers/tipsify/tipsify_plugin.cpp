@@ -21,7 +21,9 @@ class Tipsify final : public CacheOrderer {
       const auto for_each = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
         run.executor.for_each(count, task);
       };
-      if (!positions.empty()) return tipsify_parts(draw.indices(), positions, options_, for_each);
+      if (!positions.empty()) {
+        return tipsify_parts(draw.indices(), {&positions[0].x, 3 * positions.size()}, options_, for_each);
+      }
     }
     return tipsify(draw.indices(), draw.vertex_count(), options_);
   }
