@@ -1,7 +1,7 @@
 #include "tipsify.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <numeric>
 
 namespace foredraw {
 
@@ -245,9 +245,6 @@ bool draw_fans(Answer answer, std::span<const std::uint32_t> indices, std::size_
 template <class Answer>
 void draw_fans_of(Answer answer, std::span<const std::uint32_t> indices, std::size_t vertex_count,
                   const TipsifyOptions& options, std::pmr::memory_resource& memory) {
-  if (!tipsify_takes(indices.size(), vertex_count, options)) {
-    throw std::length_error("tipsify takes fewer than 2^31 vertices, and fewer than 2^32 indices less cache entries");
-  }
   const auto cache_size = static_cast<std::uint32_t>(options.built_for.value_or(options.cache_size));
   const bool is_short = indices.size() + cache_size + 3 < std::size_t{1} << 24;  // time: every index may miss
   if (is_short && draw_fans<std::uint32_t>(answer, indices, vertex_count, cache_size, memory)) return;
@@ -258,12 +255,17 @@ void draw_fans_of(Answer answer, std::span<const std::uint32_t> indices, std::si
 
 void tipsify(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
              const TipsifyOptions& options, std::pmr::memory_resource& memory) {
+  if (!tipsify_takes(indices.size(), vertex_count, options)) return std::iota(order.begin(), order.end(), 0u);
   std::pmr::vector<std::uint32_t> ordered(indices.size(), &memory);
   draw_fans_of(NewOrder{{ordered.data()}, order.data()}, indices, vertex_count, options, memory);
 }
 
 void tipsify_indices(std::span<std::uint32_t> ordered, std::span<const std::uint32_t> indices, std::size_t vertex_count,
                      const TipsifyOptions& options, std::pmr::memory_resource& memory) {
+  if (!tipsify_takes(indices.size(), vertex_count, options)) {
+    std::ranges::copy(indices, ordered.begin());
+    return;
+  }
   draw_fans_of(NewIndices{ordered.data()}, indices, vertex_count, options, memory);
 }
 

@@ -27,7 +27,7 @@ constexpr bool tipsify_takes(std::uint64_t index_count, std::uint64_t vertex_cou
 
 /// The order of the triangles ([new] = old) for a FIFO vertex cache of `cache_size` entries. `indices` holds three a
 /// triangle, each below `vertex_count`; any triangles will do, degenerate and non-manifold ones too. O(triangles).
-/// Throws std::length_error where tipsify_takes() does not hold. `parts` is not asked for.
+/// Where tipsify_takes() does not hold the order stays as it is. `parts` is not asked for.
 std::vector<std::uint32_t> tipsify(std::span<const std::uint32_t> indices, std::size_t vertex_count,
                                    const TipsifyOptions& options = {});
 

@@ -123,7 +123,8 @@ void for_each_part(std::span<const std::uint32_t> indices, std::span<const float
 }
 
 std::size_t parts_of(std::size_t triangles, const TipsifyOptions& options) {
-  return std::clamp(triangles / fewest_triangles, std::size_t{1}, static_cast<std::size_t>(options.parts));
+  const auto most = static_cast<std::size_t>(std::max(options.parts, 1));
+  return std::clamp(triangles / fewest_triangles, std::size_t{1}, most);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <foredraw/analysis/vertex_cache.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/reorder.h>
+#include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
@@ -161,8 +162,8 @@ TEST(Tipsify, TakesLinearTime) {
   EXPECT_LT(seconds(testing::soup(1'000'000, 1)), 20 * usual + 1);
 }
 
-/// Numbers of vertices have 31 bits, times 32: what does not fit is refused before anything is written.
-TEST(Tipsify, RefusesWhatItCanNotCount) {
+/// Numbers of vertices have 31 bits, times 32: what does not fit stays in its own order, and no memory is asked for.
+TEST(Tipsify, LeavesWhatItCanNotCount) {
   constexpr std::uint64_t two_31 = std::uint64_t{1} << 31;
   constexpr std::uint64_t two_32 = std::uint64_t{1} << 32;
   EXPECT_TRUE(tipsify_takes(0, two_31 - 1));
@@ -171,8 +172,13 @@ TEST(Tipsify, RefusesWhatItCanNotCount) {
   EXPECT_FALSE(tipsify_takes(two_32 - 19, 3));
   EXPECT_FALSE(tipsify_takes(two_32 - 20, 3, {.built_for = 17}));
   EXPECT_TRUE(tipsify_takes(3, 3, {.cache_size = std::numeric_limits<int>::max()}));
-  EXPECT_THROW(tipsify({}, two_31), std::length_error);
-  EXPECT_THROW(tipsify_indices({}, two_31), std::length_error);
+  const std::vector<std::uint32_t> indices{3, 4, 5, 0, 1, 2};
+  std::vector<std::uint32_t> order(2);
+  std::vector<std::uint32_t> ordered(6);
+  tipsify(order, indices, two_31, {}, *std::pmr::null_memory_resource());
+  tipsify_indices(ordered, indices, two_31, {}, *std::pmr::null_memory_resource());
+  EXPECT_EQ(order, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(ordered, indices);
 }
 
 /// Fans for a cache two entries larger: fewer misses in the one that is there.
@@ -243,6 +249,17 @@ TEST(TipsifyParts, CostLittle) {
     EXPECT_LT(cost(2), 1.01);
     EXPECT_LT(cost(8), 1.05);
   }
+}
+
+/// The plugin cuts where the draw's positions say, on the run's own threads.
+TEST(TipsifyParts, AreMadeByThePlugin) {
+  const TestMesh mesh = testing::shuffled(testing::torus(300, 150), 4);
+  const Scene scene = testing::scene_of(mesh);
+  testing::RunFixture fixture;
+  const Technique technique = tipsify_plugin().create({{"parts", std::int64_t{3}}, {"built-for", std::int64_t{18}}});
+  EXPECT_EQ(std::get<std::unique_ptr<DrawOrderer>>(technique)->order({scene, 0}, fixture.run),
+            tipsify_parts(mesh.indices, floats(mesh.positions), {.built_for = 18, .parts = 3}, one_by_one));
+  EXPECT_FALSE(fixture.run.keeps());
 }
 
 TEST(TipsifyParts, AreNotMadeOfSmallDraws) {
