@@ -167,7 +167,7 @@ bool draw_fans(Answer answer, std::span<const std::uint32_t> indices, std::size_
     for (std::uint32_t i = vertices[center].corners; i < vertices[center + 1].corners; ++i) {
       const Corner corner = corners[i];
       fan[count] = corner;
-      count += is_live(corner.first()) & is_live(corner.second());
+      count += std::size_t{is_live(corner.first())} & std::size_t{is_live(corner.second())};
     }
     for (std::size_t i = 0; i < count; ++i) {
       const Corner& corner = fan[i];

@@ -49,11 +49,11 @@ void tipsify_indices(std::span<std::uint32_t> ordered, std::span<const std::uint
 /// Calls a task once for each number below a count, in any order, from any threads.
 using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 
-/// tipsify() for each of `parts` parts on its own, one after the other in the order that comes out: the draw is cut by
-/// where its triangles lie, into parts of equal size of which none need have fewer than 10000 triangles. The answer
-/// depends on `parts`, never on `for_each`. `positions` holds x, y and z of every
-/// vertex; what is not finite counts as 0.
-/// Every part that is worked on holds, besides tipsify's memory for it, 4 bytes for each vertex of the draw.
+/// tipsify() for each of `parts` parts on its own, one after the other in the order that comes out. The draw is cut by
+/// where its triangles lie, into parts of about equal size, of which there are fewer where they would have less than
+/// 10000 triangles. The answer depends on `parts`, never on `for_each`. `positions` holds x, y and z of every vertex;
+/// what is not finite counts as 0. Every part that is worked on holds 16 bytes a triangle and 4 for each vertex of the
+/// draw, besides tipsify's own memory.
 std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices, std::span<const float> positions,
                                          const TipsifyOptions& options, const ForEach& for_each);
 
