@@ -67,8 +67,9 @@ class MeshoptOverdraw final : public DrawOrderer {
   IndexOrder order(const DrawView& draw, Run& run) override {
     const auto positions = positions_of(run.analyses, draw.vertices());
     std::vector<std::uint32_t> result(draw.indices().size());
-    meshopt_optimizeOverdraw(result.data(), draw.indices().data(), result.size(), &positions->values[0].x,
-                             positions->values.size(), sizeof(glm::vec3), static_cast<float>(options_.threshold));
+    meshopt_optimizeOverdraw(result.data(), draw.indices().data(), result.size(),
+                             reinterpret_cast<const float*>(positions->values.data()), positions->values.size(),
+                             sizeof(glm::vec3), static_cast<float>(options_.threshold));
     return order_of(draw.indices(), result);
   }
 

@@ -17,17 +17,8 @@ class MemoryLimit : public testing::InFolder {
   std::string model_ = testing::project_file("benchmarks/corpus/static/head.glb").string();
 };
 
-// AddressSanitizer keeps terabytes mapped and ends a program that gets no memory.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool watched = true;
-#elif defined(__has_feature)
-constexpr bool watched = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool watched = false;
-#endif
-
 TEST_F(MemoryLimit, that_is_enough_changes_nothing) {
-  if (watched) GTEST_SKIP();
+  if (testing::is_sanitized) GTEST_SKIP();
   ASSERT_EQ(optimize("2G").code, 0);
   const std::string limited = testing::content(folder_ / "out.glb");
   ASSERT_EQ(testing::run_program(folder_, "optimize '" + model_ + "' -o out.glb").code, 0);
@@ -36,7 +27,7 @@ TEST_F(MemoryLimit, that_is_enough_changes_nothing) {
 
 /// From far too little to nearly enough: whatever step it is that lacks the memory, it ends in words.
 TEST_F(MemoryLimit, that_is_too_small_is_told_in_one_line) {
-  if (watched) GTEST_SKIP();
+  if (testing::is_sanitized) GTEST_SKIP();
   int refused = 0, done = 0;
   for (int megabytes = 1; megabytes < 60 && done < 3; megabytes += megabytes < 30 ? 1 : 5) {
     const testing::Ended ended = optimize(std::to_string(megabytes) + "M", megabytes % 2 ? " --threads 1" : "");
@@ -59,7 +50,7 @@ TEST_F(MemoryLimit, that_is_too_small_is_told_in_one_line) {
 }
 
 TEST_F(MemoryLimit, holds_for_every_command_that_reads) {
-  if (watched) GTEST_SKIP();
+  if (testing::is_sanitized) GTEST_SKIP();
   for (const char* command : {"plan", "measure", "inspect", "compare"}) {
     const testing::Ended ended =
         testing::run_program(folder_, std::string(command) + " '" + model_ + "' --memory-limit 1M");
@@ -69,7 +60,7 @@ TEST_F(MemoryLimit, holds_for_every_command_that_reads) {
 }
 
 TEST_F(MemoryLimit, is_known_before_a_huge_file_is_read) {
-  if (watched) GTEST_SKIP();
+  if (testing::is_sanitized) GTEST_SKIP();
   testing::put(folder_ / "huge.glb", "glTF");
   std::filesystem::resize_file(folder_ / "huge.glb", std::uintmax_t{1} << 42);
   const testing::Ended ended = testing::run_program(folder_, "optimize huge.glb -o out.glb --memory-limit 1G");

@@ -54,30 +54,21 @@ std::optional<Header> png(Bytes bytes) {
 }
 
 std::optional<Header> jpeg(Bytes bytes) {
-  for (std::size_t i = 2; i + 4 <= bytes.size();) {
-    if (at(bytes, i) != 0xff) return std::nullopt;
-    const std::uint32_t marker = at(bytes, i + 1);
-    if (marker == 0xff) {  // fill
-      ++i;
-      continue;
-    }
+  std::size_t i = 2;
+  while (const auto segment = next_segment(bytes, i)) {
+    const auto [marker, content] = *segment;
     const bool is_frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
     if (is_frame) {
-      if (i + 10 > bytes.size()) return std::nullopt;
-      const auto bits = static_cast<int>(at(bytes, i + 4));
-      const auto stored = static_cast<int>(at(bytes, i + 9));
+      if (content.size() < 6) return std::nullopt;
+      const auto bits = static_cast<int>(at(content, 0));
+      const auto stored = static_cast<int>(at(content, 5));
       const int channels = stored == 4 ? 3 : stored;  // the inks of a press become RGB
       // A block of 64 texels takes a bit at least, and colour that is stored more coarsely is stored beside grey that
       // is not.
       return Header{
-          Kind::jpeg, {big16(bytes, i + 7), big16(bytes, i + 5), channels, bits}, std::uint64_t{1024} * bytes.size()};
+          Kind::jpeg, {big16(content, 3), big16(content, 1), channels, bits}, std::uint64_t{1024} * bytes.size()};
     }
-    if (marker == 0xda || marker == 0xd9) return std::nullopt;  // texels, or the end, without a frame
-    if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8)) {
-      i += 2;
-    } else {
-      i += 2 + std::size_t{big16(bytes, i + 2)};
-    }
+    if (marker == 0xda) return std::nullopt;  // texels without a frame
   }
   return std::nullopt;
 }
@@ -102,6 +93,26 @@ std::optional<Header> tga(Bytes bytes) {
 }
 
 }  // namespace
+
+std::optional<Segment> next_segment(Bytes bytes, std::size_t& i) {
+  const auto stands_alone = [](std::uint32_t marker) { return marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8); };
+  while (i + 2 <= bytes.size() && at(bytes, i) == 0xff &&
+         (at(bytes, i + 1) == 0xff || stands_alone(at(bytes, i + 1)))) {
+    i += at(bytes, i + 1) == 0xff ? 1 : 2;  // an 0xff before a marker is fill
+  }
+  if (i + 4 > bytes.size() || at(bytes, i) != 0xff || at(bytes, i + 1) == 0xd9) return std::nullopt;
+  const std::uint32_t marker = at(bytes, i + 1), length = big16(bytes, i + 2);
+  if (length < 2) return std::nullopt;
+  const Segment segment{marker, bytes.subspan(i + 4).first(std::min<std::size_t>(length - 2, bytes.size() - i - 4))};
+  i = std::min<std::size_t>(i + 2 + length, bytes.size());
+  if (marker == 0xda) {  // texels follow, in which 0xff is followed by 0, or by more of it, or marks a fresh start
+    const auto is_texels = [](std::uint32_t second) {
+      return second == 0 || second == 0xff || (second >= 0xd0 && second <= 0xd7);
+    };
+    while (i + 1 < bytes.size() && (at(bytes, i) != 0xff || is_texels(at(bytes, i + 1)))) ++i;
+  }
+  return segment;
+}
 
 std::optional<Header> header_of(Bytes bytes) {
   std::optional<Header> header;

@@ -21,12 +21,34 @@
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop
 
+#include <algorithm>
 #include <memory>
 
 namespace foredraw::images {
 
+namespace {
+
+/// A Huffman table of a JPEG says how many codes there are of each of 16 lengths; for more than 256 in all the decoder
+/// has no room, and does not look.
+bool tables_fit(Bytes jpeg) {
+  std::size_t i = 2;
+  while (const auto segment = next_segment(jpeg, i)) {
+    if (segment->marker != 0xc4) continue;
+    for (Bytes tables = segment->content; tables.size() >= 17;) {
+      std::size_t codes = 0;
+      for (const std::byte count : tables.subspan(1, 16)) codes += std::to_integer<std::size_t>(count);
+      if (codes > 256) return false;
+      tables = tables.subspan(std::min(tables.size(), 17 + codes));
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 std::variant<std::vector<std::byte>, std::string> stb_texels(Bytes bytes, const Header& header) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return "is larger than 2 GB";
+  if (header.kind == Kind::jpeg && !tables_fit(bytes)) return "has a Huffman table of more than 256 codes";
   const auto* from = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto length = static_cast<int>(bytes.size());
   int width = 0, height = 0, stored = 0;

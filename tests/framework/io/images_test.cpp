@@ -189,6 +189,20 @@ TEST(Images, damaged_ones_are_decoded_or_refused) {
   }
 }
 
+TEST(Images, jpeg_tables_of_too_many_codes_are_refused) {
+  const ImageFacts facts{16, 16, 3, 8};
+  auto file = testing::jpeg_of(facts, values_of(facts));
+  int tables = 0;
+  for (std::size_t i = 2; i + 20 < file.size(); ++i) {
+    if (file[i] != std::byte{0xff} || file[i + 1] != std::byte{0xc4}) continue;
+    ++tables;
+    auto damaged = file;
+    std::fill_n(damaged.begin() + static_cast<std::ptrdiff_t>(i) + 5, 16, std::byte{0x11});  // 272 codes
+    EXPECT_EQ(code_of(damaged), "image-data") << tables;
+  }
+  EXPECT_GT(tables, 0);
+}
+
 TEST(Images, facts_are_known_of_a_scene_that_was_read) {
   const ImageFacts facts{16, 8, 4, 16};
   testing::GltfBuilder builder;

@@ -4,6 +4,7 @@
 #include <foredraw/scene/image.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -21,5 +22,14 @@ struct Header {
 
 /// nullopt where no header of a kind that we know stands there whole.
 std::optional<Header> header_of(Bytes bytes);
+
+/// What stands between two markers of a JPEG, as far as there are bytes.
+struct Segment {
+  std::uint32_t marker;
+  Bytes content;
+};
+
+/// The segment at `i`, which is moved to the next one; the first is at 2. nullopt at the end, and where none begins.
+std::optional<Segment> next_segment(Bytes bytes, std::size_t& i);
 
 }  // namespace foredraw::images
