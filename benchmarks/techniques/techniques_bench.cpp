@@ -1,11 +1,13 @@
-// Our plain functions against meshoptimizer's, one thread each, on the same meshes in one run. The repetitions of all
-// benchmarks are mixed, so that a noisy moment hits both sides alike, and the median of seven counts.
+// Our plain functions against meshoptimizer's on the same meshes in one run, one thread each where nothing else is said.
+// The repetitions of all benchmarks are mixed, so that a noisy moment hits both sides alike, and the median of seven
+// counts.
 
 #include "bench_meshes.h"
 #include "ratio_table.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
 #include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/base/parallel.h>
 #include <plugins/clusterers/linear_clusters/linear_clusters.h>
 #include <plugins/orderers/dot_rule/dot_rule.h>
 #include <plugins/orderers/tipsify/tipsify.h>
@@ -26,6 +28,18 @@ using Counters = std::map<std::string, double>;
 
 constexpr int cache_size = 16;
 constexpr float threshold = 1.05f;  // linear-clusters.growth, and the peer's threshold
+
+/// The corpus, and spot and head from as they are to 1.5 million triangles.
+std::vector<MeshSet> mesh_sets() {
+  std::vector<MeshSet> sets{corpus()};
+  for (const auto& [model, levels] :
+       {std::pair{"static/spot.glb", std::vector{0, 2, 4}}, {"static/head.glb", {0, 2}}}) {
+    for (const MeshSet& size : subdivisions(model, levels)) {
+      for (MeshSet& set : arrangements(size)) sets.push_back(std::move(set));
+    }
+  }
+  return sets;
+}
 
 /// One side of a contest: works on a mesh and answers with the index buffer that came out, where one did.
 using Side = std::function<Indices(const TestMesh&)>;
@@ -81,7 +95,15 @@ Counters acmr_and_ovr(const MeshSet& set, const std::vector<Indices>& results) {
 }
 
 Indices our_cache_order(const TestMesh& mesh) {
-  return reordered(mesh.indices, tipsify(mesh.indices, mesh.positions.size(), {.cache_size = cache_size}));
+  return tipsify_indices(mesh.indices, mesh.positions.size(), {.cache_size = cache_size});
+}
+
+Indices our_cache_order_in_parts(const TestMesh& mesh) {
+  static const Executor executor(2);
+  const auto for_each = [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    executor.for_each(count, task);
+  };
+  return tipsify_parts_indices(mesh.indices, {&mesh.positions[0].x, 3 * mesh.positions.size()}, {.cache_size = cache_size, .parts = 8}, for_each);
 }
 
 Indices peers_cache_order(const TestMesh& mesh) {
@@ -117,6 +139,8 @@ std::vector<MeshSet> cache_ordered(std::vector<MeshSet> sets) {
 
 void add_contests(RatioTable& table, const std::vector<MeshSet>& sets, const std::vector<MeshSet>& ordered) {
   add_contest(table, "tipsify against meshopt_optimizeVertexCacheFifo", sets, our_cache_order, peers_cache_order, acmr);
+  add_contest(table, "tipsify in 8 parts on two threads against meshopt_optimizeVertexCacheFifo", sets,
+              our_cache_order_in_parts, peers_cache_order, acmr);
   add_contest(
       table, "linear-clusters and dot-rule against meshopt_optimizeOverdraw", ordered,
       [](const TestMesh& mesh) { return our_overdraw_order(mesh.positions, mesh.indices); },

@@ -48,6 +48,7 @@ function(foredraw_install_package)
   configure_file("${PROJECT_SOURCE_DIR}/framework/cmake/foredrawConfig.cmake.in" "${generated}/foredrawConfig.cmake" @ONLY)
   write_basic_package_version_file("${generated}/foredrawConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
   install(FILES "${generated}/foredrawConfig.cmake" "${generated}/foredrawConfigVersion.cmake"
+          "${PROJECT_SOURCE_DIR}/framework/cmake/foredrawComponents.cmake"
           "${PROJECT_SOURCE_DIR}/framework/cmake/Findxxhash.cmake"
           DESTINATION "${foredraw_package_folder}" COMPONENT development)
   foredraw_install_headers("${PROJECT_SOURCE_DIR}/framework/foredraw" "")

@@ -21,11 +21,18 @@ fs::path output_of(const fs::path& scene, const fs::path& folder) {
   return is_gltf_file(output) ? output : output.replace_extension(".glb");
 }
 
-/// What is written for it: the file itself, and the .bin beside a .gltf.
-std::vector<fs::path> files_of(const fs::path& output) {
-  fs::path beside = output;
-  beside.replace_extension(".bin");
-  return output.extension() == ".glb" ? std::vector{output} : std::vector{output, beside};
+/// Every file of the input folder: a scene, or what one is read from. What is below the output folder is neither.
+std::vector<fs::path> files_read_from(const fs::path& from, const fs::path& to) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(from, error), end; at != end; at.increment(error)) {
+    if (fs::equivalent(at->path(), to, error)) {
+      at.disable_recursion_pending();
+    } else if (at->is_regular_file(error)) {
+      files.push_back(at->path());
+    }
+  }
+  return files;
 }
 
 /// "prop.glb" and "prop.obj" would both become "prop.glb"; and no file may become what another has yet to be read from.
@@ -36,7 +43,7 @@ bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::pat
   for (const fs::path& input : inputs) taken.emplace(fs::weakly_canonical(input, error), "an input");
   if (!report.empty()) taken.emplace(fs::weakly_canonical(report, error), "the report");
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (const fs::path& file : files_of(outputs[i])) {
+    for (const fs::path& file : paths_written_for(outputs[i])) {
       const auto [at, is_new] = taken.emplace(fs::weakly_canonical(file, error), scenes[i]);
       if (is_new) continue;
       diagnostics.error({.file = file.string()}, "outputs-meet",
@@ -141,7 +148,8 @@ Exit optimize_folder(const FileJob& job) {
     inputs.push_back(from / scene);
     outputs.push_back(output_of(scene, to));
   }
-  if (outputs_meet(*scenes, inputs, outputs, arguments.report, diagnostics)) return refuse(diagnostics);
+  if (outputs_meet(*scenes, files_read_from(from, to), outputs, arguments.report, diagnostics))
+    return refuse(diagnostics);
   for (const fs::path& output : outputs) {
     if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);
   }

@@ -18,10 +18,12 @@ bool is_left_by_builds(const std::string& folder) {
 std::vector<SourceFile> source_files(const std::filesystem::path& root) {
   std::vector<SourceFile> files;
   for (auto entry = std::filesystem::recursive_directory_iterator(root); entry != end(entry); ++entry) {
+    const std::string name = entry->path().filename().string();
     if (entry->is_directory()) {
-      if (is_left_by_builds(entry->path().filename().string())) entry.disable_recursion_pending();
+      if (is_left_by_builds(name)) entry.disable_recursion_pending();
       continue;
     }
+    if (name == ".git") continue;  // a file, where the tree is one of several of one repository
     const bool is_link = entry->is_symlink();
     files.push_back(
         {entry->path().lexically_relative(root).generic_string(), is_link ? 0 : entry->file_size(), is_link});

@@ -66,6 +66,29 @@ TEST_F(Folder, ScenesMayShareABuffer) {
   EXPECT_TRUE(fs::exists(folder_ / "plain/other.bin"));
 }
 
+/// A .glb and a .gltf of one name, each compressed and with a plain copy beside it for those who can not decompress.
+TEST_F(Folder, ScenesOfOneNameHavePlainCopiesOfTheirOwn) {
+  const std::string model = testing::project_file("tests/compressed/spot_fallback.gltf").string();
+  fs::create_directories(folder_ / "both");
+  ASSERT_EQ(run("optimize '" + model + "' -o both/spot.gltf -p tipsify").code, 0);
+  ASSERT_EQ(run("optimize '" + model + "' -o both/spot.glb -p forsyth").code, 0);
+  const Ended ended = run("optimize both -o out");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(fs::exists(folder_ / "out/spot.fallback.bin"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/spot.glb.fallback.bin"));
+  for (const char* name : {"both/spot.gltf", "both/spot.glb", "out/spot.gltf", "out/spot.glb"}) {
+    EXPECT_THAT(run(std::string("measure ") + name + " --with vertex-cache").err, Not(HasSubstr("plain"))) << name;
+  }
+}
+
+TEST_F(Folder, ExtensionsMayBeInCapitals) {
+  fs::copy_file(folder_ / "in/spot.glb", folder_ / "in/props/bench.GLB");
+  const Ended ended = run("optimize in -o out");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(fs::exists(folder_ / "out/props/bench.GLB"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/props/bench.bin"));
+}
+
 TEST_F(Folder, ABadFileDoesNotEndTheRun) {
   testing::put(folder_ / "in/broken.glb", "glTF and then nothing");
   const Ended ended = run("optimize in -o out");
@@ -117,10 +140,23 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
   refused("optimize in -o out", "would both be here");
   refused("optimize in -o in", "is the input folder itself");
   refused("optimize in -o out --report out/spot.glb", "would both be here");
+  fs::create_directories(folder_ / "named");
+  for (const char* name : {"named/bench.gltf", "named/bench.fallback.gltf"})
+    copy("scenes/kaykit_city/bench.gltf", name);
+  refused("optimize named -o out",
+          "would both be here");  // bench.fallback.bin: a buffer of one, a plain copy of the other
   fs::create_directories(folder_ / "up/up");
   fs::copy_file(folder_ / "in/spot.glb", folder_ / "up/up/spot.glb");
   fs::copy_file(folder_ / "in/spot.glb", folder_ / "up/spot.glb");
   refused("optimize up -o .", "would both be here");
+  // What one scene becomes would take the place of a buffer that another is read from.
+  fs::create_directories(folder_ / "deep/deep");
+  copy("scenes/kaykit_city/bench.gltf", "deep/deep/bench.gltf");
+  copy("scenes/kaykit_city/bench.bin", "deep/deep/bench.bin");
+  testing::put(folder_ / "deep/other.gltf",
+               R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "bench.bin", "byteLength": 8}]})");
+  fs::copy_file(folder_ / "deep/deep/bench.bin", folder_ / "deep/bench.bin");
+  refused("optimize deep -o .", "bench.bin");
 }
 
 }  // namespace

@@ -26,10 +26,10 @@ enum class Compression {
 };
 
 /// The files that a scene is written as: one for a target ending in .glb, else the .gltf and its .bin beside it; and,
-/// where compressed data came with a plain copy for readers that can not decompress, that in .fallback.bin beside. What
-/// no stage touched comes out as it was in the file that the scene was read from; a scene that was not read from a file
-/// is written anew. A note says so where all of it is longer than what was read, and by what it grew. Nothing is
-/// written to disk here.
+/// where compressed data came with a plain copy for readers that can not decompress, that in .fallback.bin beside
+/// (out.fallback.bin of out.gltf, out.glb.fallback.bin of out.glb). What no stage touched comes out as it was in the
+/// file that the scene was read from; a scene that was not read from a file is written anew. A note says so where all
+/// of it is longer than what was read, and by what it grew. Nothing is written to disk here.
 std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const std::filesystem::path& target,
                                                    Diagnostics& diagnostics,
                                                    Compression compression = Compression::keep);

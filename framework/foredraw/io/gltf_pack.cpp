@@ -53,12 +53,6 @@ void describe(Json& buffer, std::size_t length, const std::string& uri) {
   }
 }
 
-/// out.fallback.bin beside out.glb, then out.fallback1.bin: as other tools call them.
-fs::path fallback_beside(const fs::path& target, std::size_t i) {
-  fs::path beside = target;
-  return beside.replace_extension(i == 0 ? ".fallback.bin" : ".fallback" + std::to_string(i) + ".bin");
-}
-
 /// What the document says of its buffers. `uri`: of the first one.
 void set_buffers(Written& written, const fs::path& target, const std::string& uri) {
   Json& json = written.json;
@@ -87,6 +81,17 @@ void add_fallbacks(std::vector<OutputFile>& files, LaidOut& laid_out, const fs::
 
 bool is_glb(const fs::path& target) { return lower_extension(target) == ".glb"; }
 
+fs::path buffer_beside(const fs::path& target) {
+  fs::path beside = target;
+  return beside.replace_extension(".bin");
+}
+
+fs::path fallback_beside(const fs::path& target, std::size_t i) {
+  fs::path beside = target;
+  if (!is_glb(target)) beside.replace_extension();
+  return beside += i == 0 ? ".fallback.bin" : ".fallback" + std::to_string(i) + ".bin";
+}
+
 std::optional<std::vector<OutputFile>> packed(Written written, const fs::path& target, Diagnostics& diagnostics) {
   if (is_glb(target)) {
     set_buffers(written, target, {});
@@ -102,8 +107,7 @@ std::optional<std::vector<OutputFile>> packed(Written written, const fs::path& t
     add_fallbacks(files, written.laid_out, target);
     return files;
   }
-  fs::path beside = target;
-  beside.replace_extension(".bin");
+  const fs::path beside = buffer_beside(target);
   set_buffers(written, target, percent_encoded(utf8(beside.filename())));
   const std::string text = written.json.dump(written.compact ? -1 : 2) + (written.compact ? "" : "\n");
   const Bytes bytes = std::as_bytes(std::span(text));

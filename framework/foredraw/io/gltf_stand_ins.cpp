@@ -7,8 +7,6 @@
 #include <foredraw/io/private/gltf_stand_ins.h>
 #include <foredraw/io/private/gltf_uri.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
@@ -17,8 +15,6 @@ namespace foredraw::gltf {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* mark = ".foredraw-";
 
 std::optional<Json> text_of(const OutputFile& file) {
   const Bytes bytes = file.bytes;
@@ -29,13 +25,12 @@ std::optional<Json> text_of(const OutputFile& file) {
 }
 
 /// Whether the old .gltf may be reading something else from that name.
-bool is_in_the_way(const OutputFile& file) {
+bool is_in_the_way(const fs::path& path, const std::vector<std::byte>& bytes) {
   std::error_code error;
-  if (!fs::is_regular_file(file.path, error)) return false;
-  if (fs::file_size(file.path, error) != file.bytes.size() || error) return true;
+  if (!fs::is_regular_file(path, error)) return false;
+  if (fs::file_size(path, error) != bytes.size() || error) return true;
   Diagnostics ignored;
-  const auto there = read_file(file.path, ignored);
-  return there != file.bytes;
+  return read_file(path, ignored) != bytes;
 }
 
 std::string utf8_name(const OutputFile& file) {
@@ -43,11 +38,17 @@ std::string utf8_name(const OutputFile& file) {
   return {name.begin(), name.end()};
 }
 
-fs::path stand_in_for(const OutputFile& file) {
-  fs::path path = file.path;
-  const std::string number = fmt::format("{:016x}", content_hash(std::span<const std::byte>(file.bytes)).low);
-  path.replace_filename(file.path.stem().string() + mark + number + file.path.extension().string());
-  return path;
+/// "out.foredraw-0.bin", "out.foredraw-1.bin", ...
+fs::path stand_in(const fs::path& place, std::size_t number) {
+  fs::path path = place;
+  return path.replace_filename(place.stem() += ".foredraw-" + std::to_string(number) + place.extension().string());
+}
+
+/// The first that is free. Those of runs that were killed are not: the .gltf that is there may name one.
+fs::path free_stand_in(const OutputFile& file) {
+  std::size_t number = 0;
+  while (is_in_the_way(stand_in(file.path, number), file.bytes)) ++number;
+  return stand_in(file.path, number);
 }
 
 }  // namespace
@@ -66,9 +67,9 @@ std::vector<OutputFile> stand_ins(std::span<const OutputFile> files) {
     const std::string name = *percent_decoded(uri->get<std::string>());
     const auto named =
         std::find_if(files.begin() + 1, files.end(), [&](const OutputFile& file) { return utf8_name(file) == name; });
-    if (named == files.end() || !is_in_the_way(*named)) continue;
+    if (named == files.end() || !is_in_the_way(named->path, named->bytes)) continue;
     OutputFile& other = others[static_cast<std::size_t>(named - files.begin()) - 1];
-    other.path = stand_in_for(*named);
+    other.path = free_stand_in(*named);
     *uri = percent_encoded(utf8_name(other));
     found = true;
   }
@@ -80,19 +81,12 @@ std::vector<OutputFile> stand_ins(std::span<const OutputFile> files) {
   return result;
 }
 
+/// The last first, so that the numbers stay without gaps, whenever the end comes.
 void remove_stand_ins(const OutputFile& file) {
-  const std::string begins = file.path.stem().string() + mark;
-  const std::string ends = file.path.extension().string();
-  const fs::path folder = file.path.has_parent_path() ? file.path.parent_path() : fs::path(".");
-  std::vector<fs::path> left;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (name.size() != begins.size() + 16 + ends.size() || name.compare(0, begins.size(), begins) != 0) continue;
-    if (name.find_first_not_of("0123456789abcdef", begins.size()) != begins.size() + 16) continue;
-    if (name.compare(begins.size() + 16, ends.size(), ends) == 0) left.push_back(entry->path());
-  }
-  for (const fs::path& path : left) fs::remove(path, error);
+  std::size_t count = 0;
+  while (fs::exists(stand_in(file.path, count), error)) ++count;
+  while (count > 0) fs::remove(stand_in(file.path, --count), error);
 }
 
 }  // namespace foredraw::gltf

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The input's own bytes, and those of its buffers where they are files beside; nullopt where these would not lie
-/// beside the target, or are not called as the input is: then another scene may have them too, and write its own.
+/// beside the target, or are not called as those of such a scene: then another may have them too, and write its own.
 std::optional<std::vector<OutputFile>> as_it_was(const gltf::Document& document, const fs::path& target) {
   const auto bytes = document.file.view();
   std::vector<OutputFile> files{{target, {bytes.begin(), bytes.end()}}};
@@ -27,7 +27,8 @@ std::optional<std::vector<OutputFile>> as_it_was(const gltf::Document& document,
     if (!beside || document.buffers[i].bytes.empty()) continue;
     const std::string name = *gltf::percent_decoded(buffer["uri"].get<std::string>());
     const fs::path file(std::u8string(name.begin(), name.end()));
-    if (file.has_parent_path() || file.stem() != fs::path(document.name).stem()) return std::nullopt;
+    if (file.has_parent_path() || document.binary || file != gltf::buffer_beside(document.name).filename())
+      return std::nullopt;
     OutputFile copy{target, {document.buffers[i].bytes.begin(), document.buffers[i].bytes.end()}};
     copy.path.replace_filename(file);
     const auto same = std::ranges::find(files, copy.path, &OutputFile::path);  // two buffers may begin one file

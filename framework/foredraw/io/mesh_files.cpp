@@ -78,7 +78,7 @@ std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind k
   Scene scene = std::move(made->scene);
   scene.images = std::move(library.images);
   source->records = std::move(made->draws);
-  source->gltf = gltf_source_of(std::move(library.json), scene, folder);
+  source->gltf = gltf_source_of(std::move(library.json), scene, folder, diagnostics);
   source->as_read = scene;
   scene.source = std::move(source);
   return scene;

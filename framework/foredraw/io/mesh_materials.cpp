@@ -2,6 +2,7 @@
 
 #include <foredraw/io/private/file_kind.h>
 #include <foredraw/io/private/gltf_uri.h>
+#include <foredraw/io/private/mesh_obj.h>
 #include <foredraw/io/private/mesh_text.h>
 #include <foredraw/platform/files.h>
 
@@ -46,14 +47,12 @@ class LibraryReader {
     if (!bytes) return;
     name_ = path;
     std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    text = without_mark(text);
     while (!text.empty()) {
       std::string_view rest = take_line(text);
       const std::string_view key = take_token(rest);
-      if (key == "newmtl") begin(name_in(rest));  // "Material #25" is a name
-      for (std::size_t at = rest.find('#'); at != rest.npos; at = rest.find('#', at + 1)) {
-        if (at == 0 || is_space(rest[at - 1])) rest = rest.substr(0, at);  // "tex#1.png" is a file
-      }
-      if (is_open_) line(key, rest);
+      if (key == "newmtl") begin(obj_name(rest));
+      if (is_open_) line(key, rest.substr(0, comment_in(rest)));
     }
   }
 
@@ -131,13 +130,26 @@ class LibraryReader {
 /// A line may name several libraries, and a name may hold spaces: the whole is one where there is such a file.
 std::vector<std::string> names_on(const std::string& line, const fs::path& folder) {
   std::error_code error;
-  if (!folder.empty() && gltf::why_not_beside(line).empty() && fs::is_regular_file(folder / utf8_path(line), error)) {
-    return {line};
+  std::string_view rest = std::string_view(line).substr(0, comment_in(line));
+  for (const std::string& whole : {line, std::string(trimmed(rest))}) {
+    const bool may_be = !folder.empty() && gltf::why_not_beside(whole).empty();
+    if (may_be && fs::is_regular_file(folder / utf8_path(whole), error)) return {whole};
   }
   std::vector<std::string> names;
-  std::string_view rest = line;
   for (std::string_view name = take_token(rest); !name.empty(); name = take_token(rest)) names.emplace_back(name);
   return names;
+}
+
+void tell_unknown(std::span<const Material> materials, const std::string& obj, Diagnostics& diagnostics) {
+  if (materials.empty()) return;
+  std::string names;
+  for (const Material& material : materials.first(std::min<std::size_t>(materials.size(), 3))) {
+    names += (names.empty() ? "" : ", ") + shown(material.name);
+  }
+  if (materials.size() > 3) names += ", ...";
+  diagnostics.warning(
+      {.file = obj}, "unknown-materials",
+      fmt::format("{} materials are in no library that was read, and are names alone: {}", materials.size(), names));
 }
 
 /// glTF allows a texture only where there are coordinates for it: draws without any get the material without it.
@@ -177,7 +189,9 @@ MaterialLibrary read_libraries(const std::vector<std::string>& names, const std:
   return std::move(reader.library);
 }
 
-std::shared_ptr<const gltf::Source> gltf_source_of(Json materials, Scene& scene, const fs::path& folder) {
+std::shared_ptr<const gltf::Source> gltf_source_of(Json materials, Scene& scene, const fs::path& folder,
+                                                   Diagnostics& diagnostics) {
+  tell_unknown(std::span(scene.materials).subspan(materials.size()), scene.name, diagnostics);
   for (std::size_t i = materials.size(); i < scene.materials.size(); ++i) {
     materials.push_back({{"name", scene.materials[i].name}});
   }

@@ -31,14 +31,28 @@ std::string read_index(std::string_view token, std::size_t so_far, std::uint32_t
 
 }  // namespace
 
+std::size_t comment_in(std::string_view line) {
+  std::size_t at = line.find('#');
+  while (at != line.npos && at > 0 && !is_space(line[at - 1])) at = line.find('#', at + 1);
+  return at;
+}
+
+std::string obj_name(std::string_view rest) {
+  for (std::size_t at = comment_in(rest); at < rest.size(); ++at) {
+    const bool stands_alone =
+        rest[at] == '#' && (at == 0 || is_space(rest[at - 1])) && (at + 1 == rest.size() || is_space(rest[at + 1]));
+    if (stands_alone) rest = rest.substr(0, at);
+  }
+  return name_in(rest);
+}
+
 bool take_obj_line(std::string_view& text, ObjLine& line) {
   if (text.empty()) return false;
   const std::string_view from = text;
   std::string_view piece = take_line(text);
-  const bool is_comment = trimmed(piece).starts_with('#');
-  while (!is_comment && !text.empty()) {
+  while (!text.empty()) {
     if (piece.ends_with('\r')) piece.remove_suffix(1);
-    if (!piece.ends_with('\\')) break;
+    if (!piece.ends_with('\\') || comment_in(piece) != piece.npos) break;  // a path may end a comment
     piece = take_line(text);
   }
   const std::size_t taken = from.size() - text.size();

@@ -23,8 +23,7 @@ class ObjReader {
       : reading_(reading), mesh_(mesh), libraries_(libraries) {}
 
   bool run() {
-    std::string_view text = reading_.text;
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    std::string_view text = without_mark(reading_.text);
     ObjLine line;
     while (take_obj_line(text, line)) {
       if (!line.keyword.empty() && !read(line)) return false;
@@ -44,9 +43,9 @@ class ObjReader {
     if (key == "vn") return normal(line);
     if (key == "f" || key == "fo") return face(line);
     if (key == "o") has_objects_ = true;
-    if (key == "o") names_[0] = name_in(line.rest);
-    if (key == "g") names_[1] = name_in(line.rest);
-    if (key == "usemtl") names_[2] = name_in(line.rest);
+    if (key == "o") names_[0] = obj_name(line.rest);
+    if (key == "g") names_[1] = obj_name(line.rest);
+    if (key == "usemtl") names_[2] = obj_name(line.rest);
     if (key == "o" || key == "g" || key == "usemtl") {
       part_.reset();
       return true;

@@ -85,8 +85,7 @@ constexpr std::size_t most_growth = std::size_t{1} << 20;  // besides 4 times th
 class ObjWriting {
  public:
   ObjWriting(const MeshSource& source, Diagnostics& diagnostics)
-      : reading_{source.as_read.name, source.text(), diagnostics}, body_(source.text()) {
-    if (body_.starts_with("\xEF\xBB\xBF")) body_.remove_prefix(3);
+      : reading_{source.as_read.name, source.text(), diagnostics}, body_(without_mark(source.text())) {
     line_end_ = body_.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
     collect();
   }

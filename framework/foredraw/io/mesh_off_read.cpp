@@ -196,7 +196,7 @@ std::string_view take_off_line(std::string_view& text) {
 
 std::optional<OffHeader> read_off_header(const Reading& reading) {
   OffHeader header;
-  header.body = reading.text;
+  header.body = without_mark(reading.text);
   std::string_view line = take_off_line(header.body);
   std::string_view rest = line;
   const std::string_view word = take_token(rest);

@@ -22,7 +22,7 @@ Meaning meaning_of(bool of_vertex, const PlyProperty& property) {
       {"ny", Meaning::ny},   {"nz", Meaning::nz},       {"u", Meaning::u},         {"v", Meaning::v},
       {"s", Meaning::u},     {"t", Meaning::v},         {"texture_u", Meaning::u}, {"texture_v", Meaning::v},
       {"red", Meaning::red}, {"green", Meaning::green}, {"blue", Meaning::blue},   {"alpha", Meaning::alpha}};
-  if (!of_vertex && is_corner_list(property)) return Meaning::corners;
+  if (!of_vertex && names_vertices(property)) return Meaning::corners;
   if (!of_vertex && property.list && !is_whole(property.type) && property.name == "texcoord") return Meaning::wedges;
   for (const Row& row : rows) {
     if (of_vertex && !property.list && row.name == property.name) return row.meaning;
@@ -41,19 +41,27 @@ class PlyReader {
       auto& meanings = meanings_.emplace_back();
       for (const PlyProperty& property : element.properties) {
         const bool ours = element.name == "vertex" || element.name == "face";
-        meanings.push_back(ours ? meaning_of(element.name == "vertex", property) : Meaning::nothing);
+        const Meaning meaning = ours ? meaning_of(element.name == "vertex", property) : Meaning::nothing;
+        // Of several that mean the same the first counts.
+        meanings.push_back(this->property(meaning) == nullptr ? meaning : Meaning::nothing);
       }
     }
     if (!find_columns()) return false;
+    for (auto& meanings : meanings_) {
+      std::ranges::replace_if(
+          meanings, [&](Meaning meaning) { return !is_read(meaning); }, Meaning::nothing);
+    }
     PlyWalk walk(reading_, header_);
     if (!walk.run(*this) || !all_vertices_exist()) return false;
     if (has_wedges_ && mesh_.face_count() > 0) mesh_.whole_vertices = false;
     give_corners_their_attributes();
-    tell();
+    tell(walk.end());
     return true;
   }
 
   // The visitor of the walk.
+  bool wants(std::size_t e, std::size_t p) const { return meanings_[e][p] != Meaning::nothing; }
+
   bool list(std::size_t e, std::size_t p, std::size_t) {
     if (meanings_[e][p] == Meaning::wedges) wedge_.clear();
     return true;
@@ -61,7 +69,6 @@ class PlyReader {
 
   bool value(std::size_t e, std::size_t p, const PlyValue& value) {
     const Meaning meaning = meanings_[e][p];
-    if (meaning == Meaning::nothing) return true;
     if (meaning == Meaning::corners) return corner(value);
     const auto number = static_cast<float>(value.value);
     if (!std::isfinite(number)) {
@@ -207,13 +214,20 @@ class PlyReader {
     }
   }
 
-  void tell() const {
+  void tell(std::size_t end) const {
+    std::string_view rest = reading_.text.substr(end);
+    if (header_.encoding != PlyHeader::Encoding::ascii && !rest.empty()) {
+      reading_.diagnostics.warning(reading_.at_byte(end), "bytes-left-out",
+                                   fmt::format("{} bytes after the last record are left out", rest.size()));
+    } else if (const std::string_view token = take_token(rest); !token.empty()) {
+      reading_.diagnostics.warning(reading_.at(token), "lines-left-out", "what follows the last record is left out");
+    }
     std::string names;
     for (std::size_t e = 0; e < meanings_.size(); ++e) {
       const PlyElement& element = header_.elements[e];
       if (element.count == 0) continue;
       for (std::size_t p = 0; p < meanings_[e].size(); ++p) {
-        if (is_read(meanings_[e][p])) continue;
+        if (wants(e, p)) continue;
         names += fmt::format("{}{}.{}", names.empty() ? "" : ", ", element.name, element.properties[p].name);
       }
     }

@@ -32,7 +32,7 @@ std::optional<PlyType> type_of(std::string_view name) {
 /// The header, line by line.
 class HeaderReader {
  public:
-  explicit HeaderReader(const Reading& reading) : reading_(reading), text_(reading.text) {}
+  explicit HeaderReader(const Reading& reading) : reading_(reading), text_(without_mark(reading.text)) {}
 
   bool run() {
     std::string_view line = take_line(text_);
@@ -150,6 +150,13 @@ const PlyElement* PlyHeader::find(std::string_view name) const {
   return found == elements.end() ? nullptr : &*found;
 }
 
+const PlyProperty* PlyHeader::corner_list() const {
+  const PlyElement* faces = find("face");
+  if (faces == nullptr) return nullptr;
+  const auto found = std::ranges::find_if(faces->properties, names_vertices);
+  return found == faces->properties.end() ? nullptr : &*found;
+}
+
 std::optional<PlyHeader> read_ply_header(const Reading& reading) {
   HeaderReader reader(reading);
   if (!reader.run()) return std::nullopt;
@@ -175,11 +182,37 @@ bool PlyWalk::refuse_list(const PlyValue& value, std::size_t left) const {
                          fmt::format("a list of {} values, and {} bytes are left", value.value, left));
 }
 
+bool PlyWalk::find(PlyType type, PlyValue& value) {
+  if (header_.encoding == PlyHeader::Encoding::ascii) {
+    std::string_view rest = reading_.text.substr(at_);
+    const std::string_view token = take_token(rest);
+    if (token.empty()) return reading_.refuse(reading_.at(rest), "the file ends inside its records");
+    value.begin = static_cast<std::size_t>(token.data() - reading_.text.data());
+    value.end = value.begin + token.size();
+  } else {
+    const std::size_t size = bytes_of(type);
+    if (reading_.text.size() - at_ < size)
+      return reading_.refuse(reading_.at_byte(at_), "the file ends inside a record");
+    value.begin = at_;
+    value.end = at_ + size;
+  }
+  at_ = value.end;
+  begin_ = std::min(begin_, value.begin);
+  return true;
+}
+
+bool PlyWalk::pass_over(PlyType type, std::size_t count) {
+  PlyValue value;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!find(type, value)) return false;
+  }
+  return true;
+}
+
 bool PlyWalk::read(PlyType type, PlyValue& value) {
+  if (!find(type, value)) return false;
   if (header_.encoding == PlyHeader::Encoding::ascii) return read_text(type, value);
-  const std::size_t size = bytes_of(type);
-  if (reading_.text.size() - at_ < size) return reading_.refuse(reading_.at_byte(at_), "the file ends inside a record");
-  const char* bytes = reading_.text.data() + at_;
+  const char* bytes = reading_.text.data() + value.begin;
   const bool swap = (header_.encoding == PlyHeader::Encoding::big) == (std::endian::native == std::endian::little);
   switch (type) {
     case PlyType::int8: value.value = from_bytes<std::int8_t>(bytes, swap); break;
@@ -191,19 +224,11 @@ bool PlyWalk::read(PlyType type, PlyValue& value) {
     case PlyType::float32: value.value = from_bytes<float>(bytes, swap); break;
     case PlyType::float64: value.value = from_bytes<double>(bytes, swap); break;
   }
-  value.begin = at_;
-  value.end = at_ += size;
-  begin_ = std::min(begin_, value.begin);
   return true;
 }
 
-bool PlyWalk::read_text(PlyType type, PlyValue& value) {
-  std::string_view rest = reading_.text.substr(at_);
-  const std::string_view token = take_token(rest);
-  if (token.empty()) return reading_.refuse(reading_.at(rest), "the file ends inside its records");
-  value.begin = static_cast<std::size_t>(token.data() - reading_.text.data());
-  value.end = at_ = value.begin + token.size();
-  begin_ = std::min(begin_, value.begin);
+bool PlyWalk::read_text(PlyType type, PlyValue& value) const {
+  const std::string_view token = reading_.text.substr(value.begin, value.end - value.begin);
   bool good = false;
   switch (type) {
     case PlyType::int8: good = integer_from_text<std::int8_t>(token, value.value); break;

@@ -8,7 +8,8 @@ namespace {
 
 /// Where the records of vertices and faces lie, and where in a face its corners stand.
 struct PlyPlaces {
-  explicit PlyPlaces(const PlyHeader& header, std::string_view text) : header(header), text(text) {}
+  explicit PlyPlaces(const PlyHeader& header, std::string_view text)
+      : header(header), text(text), corner_list(header.corner_list()) {}
 
   struct Face {
     std::string_view record;
@@ -20,12 +21,10 @@ struct PlyPlaces {
   };
 
   // The visitor of the walk.
+  bool wants(std::size_t e, std::size_t p) const { return &header.elements[e].properties[p] == corner_list; }
   bool list(std::size_t, std::size_t, std::size_t) { return true; }
-  bool value(std::size_t e, std::size_t p, const PlyValue& value) {
-    if (header.elements[e].name == "face" && is_corner_list(header.elements[e].properties[p])) {
-      corner_type = header.elements[e].properties[p].type;
-      corners.push_back({text.substr(value.begin, value.end - value.begin), static_cast<std::uint32_t>(value.value)});
-    }
+  bool value(std::size_t, std::size_t, const PlyValue& value) {
+    corners.push_back({text.substr(value.begin, value.end - value.begin), static_cast<std::uint32_t>(value.value)});
     return true;
   }
   bool record(std::size_t e, std::size_t begin, std::size_t end) {
@@ -39,10 +38,10 @@ struct PlyPlaces {
 
   const PlyHeader& header;
   std::string_view text;
+  const PlyProperty* corner_list;  ///< not null where there are corners
   std::vector<std::string_view> vertices;
   std::vector<Face> faces;
   std::vector<Vertex> corners;
-  PlyType corner_type = PlyType::uint32;
 };
 
 /// Whether every vertex has a number that the type of the corners can hold.
@@ -126,7 +125,16 @@ std::optional<std::string> reordered_ply(const Scene& scene, const MeshSource& s
         "give the output the extension .glb");
     return std::nullopt;
   }
-  if (!order->positions.empty() && !can_number(places.vertices.size(), places.corner_type)) {
+  if (order->positions.empty() || places.corners.empty()) return PlyWriting(places, *order).run();
+  for (const PlyProperty& property : header->find("face")->properties) {
+    if (!names_vertices(property) || &property == places.corner_list) continue;
+    diagnostics.error({.file = reading.name}, "cannot-express",
+                      "'" + property.name + "' names vertices besides '" + places.corner_list->name +
+                          "', and its numbers would then be wrong",
+                      "give the output the extension .glb");
+    return std::nullopt;
+  }
+  if (!can_number(places.vertices.size(), places.corner_list->type)) {
     diagnostics.error({.file = reading.name}, "cannot-express",
                       "the type of 'vertex_indices' is too narrow to name every vertex",
                       "give the output the extension .glb");

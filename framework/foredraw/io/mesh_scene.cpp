@@ -106,9 +106,13 @@ class SceneMaking {
       if (count > 0) diagnostics_.warning({.file = name_}, code, std::move(message));
     };
     say(too_small, "faces-left-out", fmt::format("{} faces have fewer than three corners and are left out", too_small));
-    say(triangulator.fans(), "polygons-as-fans",
+    say(triangulator.earless(), "polygons-as-fans",
         fmt::format("{} polygons cross themselves or have no area; each, or a part of it, is cut as a fan",
-                    triangulator.fans()));
+                    triangulator.earless()));
+    say(triangulator.unfinished(), "polygons-unfinished",
+        fmt::format("{} polygons came when the work was spent that one file may take, for it has concave ones of very "
+                    "many corners; each, or a part of it, is cut as a fan",
+                    triangulator.unfinished()));
     return !makings_.empty() || refuse("none of the file's faces has three corners");
   }
 

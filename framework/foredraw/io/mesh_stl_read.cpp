@@ -156,7 +156,7 @@ class TextReader {
   const Reading& reading_;
   PolygonMesh& mesh_;
   Welding welding_;
-  std::string_view text_ = reading_.text;
+  std::string_view text_ = without_mark(reading_.text);
 };
 
 }  // namespace
@@ -164,7 +164,7 @@ class TextReader {
 bool is_binary_stl(std::string_view text) {
   if (text.size() < stl_header) return false;
   if (stl_header + triangles_announced(text) * stl_record == text.size()) return true;
-  std::string_view rest = text;
+  std::string_view rest = without_mark(text);
   const bool says_solid = lower_case(take_token(rest)) == "solid";
   // A text file has no zero bytes; a header padded with them is binary, whatever its first word.
   return !says_solid || text.find('\0') != std::string_view::npos;

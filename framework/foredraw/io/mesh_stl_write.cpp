@@ -9,7 +9,7 @@ namespace {
 /// From each "facet" to its "endfacet".
 std::vector<std::string_view> facets(std::string_view text) {
   std::vector<std::string_view> found;
-  std::string_view rest = text;
+  std::string_view rest = without_mark(text);
   const char* begin = nullptr;
   for (std::string_view word = take_token(rest); !word.empty(); word = take_token(rest)) {
     const std::string lower = lower_case(word);

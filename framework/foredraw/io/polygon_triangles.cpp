@@ -47,6 +47,8 @@ class Clipping {
   /// The corner's turn: negative where it points inwards.
   double corner(std::uint32_t i) const { return turn(flat_[before_[i]], flat_[i], flat_[after_[i]]); }
 
+  bool is_convex() const { return blocking_.empty(); }  ///< then every corner is an ear
+
   /// Whether the triangle at `i` holds no other corner, nor has one on its rim. Only corners that point inwards, or lie
   /// on a straight line, can be in its way, and those that do neither any more never will again.
   bool is_ear(std::uint32_t i, std::size_t& tests_left) {
@@ -91,22 +93,25 @@ void Triangulator::cut(std::span<const glm::vec3> points, std::vector<std::array
   Clipping polygon(points);
   // From the second corner on, so that a convex polygon becomes the fan around its first.
   std::uint32_t at = 1, left = n, passed = 0;
-  bool all_ears = true;
+  bool is_earless = false, is_unfinished = false;
   while (left > 3) {
-    const bool may_look = passed < left && tests_left_ > 0;
+    const bool may_work = tests_left_ > 0 || polygon.is_convex();
+    const bool may_look = passed < left && may_work;
     if (may_look && !polygon.is_ear(at, tests_left_)) {
       at = polygon.after(at);
       ++passed;
       continue;
     }
-    all_ears = all_ears && may_look;
+    is_earless = is_earless || passed >= left;
+    is_unfinished = is_unfinished || (passed < left && !may_work);
     triangles.push_back(polygon.cut(at));
     at = triangles.back()[2];
     --left;
     if (may_look) passed = 0;
   }
   triangles.push_back({polygon.before(at), at, polygon.after(at)});
-  if (!all_ears) ++fans_;
+  if (is_earless) ++earless_;
+  if (is_unfinished) ++unfinished_;
 }
 
 }  // namespace foredraw::mesh_files

@@ -4,6 +4,7 @@
 #include <foredraw/io/mesh_files.h>
 #include <foredraw/io/private/file_kind.h>
 #include <foredraw/io/private/gltf_stand_ins.h>
+#include <foredraw/io/private/gltf_write.h>
 #include <foredraw/io/private/mesh_source.h>
 
 #include <algorithm>
@@ -94,6 +95,14 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   }
   files->front().path = path;
   return files;
+}
+
+std::vector<fs::path> paths_written_for(const fs::path& path) {
+  std::vector<fs::path> paths{path};
+  if (!is_gltf_file(path)) return paths;
+  if (!gltf::is_glb(path)) paths.push_back(gltf::buffer_beside(path));
+  paths.push_back(gltf::fallback_beside(path, 0));
+  return paths;
 }
 
 bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics) {

@@ -35,6 +35,9 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
                                                     Diagnostics& diagnostics,
                                                     Compression compression = Compression::keep);
 
+/// Every path that encode_scene may write to for one, that itself first.
+std::vector<std::filesystem::path> paths_written_for(const std::filesystem::path& path);
+
 /// Writes the files of a scene, the main one first, and whatever others come with them. As write_files does it: all or
 /// none, and a process that is killed meanwhile leaves the old scene or the new one whole, of however many files it is.
 bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics);

@@ -60,13 +60,16 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) {
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 /// A file that is being written, under a name of its own in the folder of its place, so that the rename stays within
-/// one file system. It is locked as long as its writer lives: whoever finds one that nobody locks may remove it.
+/// one file system. It is locked as long as its writer lives: whoever finds one that nobody locks may remove it. Names
+/// are counted from 0, so that leftovers are found by their names: a look through the folder for each file would take
+/// the square of a large folder.
 class Part {
  public:
   explicit Part(const fs::path& place) {
-    remove_leftovers(place);
-    for (long n = ::getpid();; ++n) {
-      path_ = named(place, std::to_string(n));
+    for (int n = 0; remove_leftover(named(place, n)) || n < usual_writers; ++n) {
+    }
+    for (int n = 0;; ++n) {
+      path_ = named(place, n);
       descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL, 0666);
       if (descriptor_ < 0 && errno == EEXIST) continue;  // of a living writer
       if (descriptor_ < 0) return;
@@ -94,26 +97,28 @@ class Part {
   }
 
  private:
-  static fs::path named(const fs::path& place, const std::string& number) {
-    fs::path name = place;
-    name += ".foredraw-part" + number;
-    return name;
+  static constexpr int usual_writers = 8;             ///< to one place at once: so many names are looked at
+  static constexpr std::size_t most_of_a_name = 100;  ///< a name as long as file systems allow has no room for more
+
+  static fs::path named(const fs::path& place, int number) {
+    std::string name = place.filename().string();
+    std::size_t length = std::min(name.size(), most_of_a_name);
+    while (length > 0 && length < name.size() && (name[length] & 0xC0) == 0x80) --length;  // no half letters
+    fs::path path = place;
+    return path.replace_filename(name.substr(0, length) + ".foredraw-part" + std::to_string(number));
   }
 
-  static void remove_leftovers(const fs::path& place) {
-    const std::string begins = named(place, "").filename().string();
-    std::error_code error;
-    std::vector<fs::path> parts;
-    for (fs::directory_iterator entry(folder_of(place), error), end; !error && entry != end; entry.increment(error)) {
-      const std::string name = entry->path().filename().string();
-      const bool is_part = name.size() > begins.size() && name.compare(0, begins.size(), begins) == 0 &&
-                           name.find_first_not_of("0123456789", begins.size()) == std::string::npos;
-      if (is_part) parts.push_back(entry->path());
-    }
-    for (const fs::path& part : parts) {
-      const Descriptor left(::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-      if (left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(part.c_str());
-    }
+  /// Whether there was such a file. One that is locked here nobody else removes, so that the name stays its name from
+  /// where it is seen to be.
+  static bool remove_leftover(const fs::path& part) {
+    const Descriptor left(::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (left.get() < 0) return false;
+    struct stat opened {};
+    struct stat named {};
+    const bool is_ours = ::flock(left.get(), LOCK_EX | LOCK_NB) == 0 && ::fstat(left.get(), &opened) == 0 &&
+                         ::lstat(part.c_str(), &named) == 0;
+    if (is_ours && opened.st_ino == named.st_ino && opened.st_dev == named.st_dev) ::unlink(part.c_str());
+    return true;
   }
 
   fs::path path_;
@@ -140,8 +145,15 @@ bool is_stream(const fs::path& path) {
 }
 
 void cannot_open(const OutputFile& file, Diagnostics& diagnostics) {
-  diagnostics.error({.file = file.path.string()}, "cannot-write", "can not be written: " + reason(),
-                    "check that the folder exists and that you may write to it");
+  const std::string hint =
+      errno == ENAMETOOLONG ? "give it a shorter name" : "check that the folder exists and that you may write to it";
+  diagnostics.error({.file = file.path.string()}, "cannot-write", "can not be written: " + reason(), hint);
+}
+
+/// Its part has another name, so that nobody else would say so before the others are in their places.
+bool is_too_long(const fs::path& place) {
+  struct stat ignored {};
+  return ::lstat(place.c_str(), &ignored) != 0 && errno == ENAMETOOLONG;
 }
 
 void cannot_finish(const OutputFile& file, Diagnostics& diagnostics) {
@@ -237,6 +249,10 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
     if (std::ranges::any_of(pending, is_there)) {
       diagnostics.error({.file = file.path.string()}, "outputs-meet", "is to hold two outputs",
                         "give each a file of its own; a .gltf has its bytes in the .bin beside it");
+      return false;
+    }
+    if (is_too_long(place)) {
+      cannot_open(file, diagnostics);
       return false;
     }
     const bool stream = is_stream(place);

@@ -26,10 +26,10 @@ struct OutputFile {
   std::vector<std::byte> bytes;
 };
 
-/// Writes every file beside its place ("out.glb.foredraw-part1234"), then renames them into it one after the other, the first
-/// file last: it is the one that names the others. Where one can not be written, none is changed, and what was begun is
-/// removed. A process that is killed meanwhile leaves every file old or new, never in between; what it had begun is
-/// removed by the next who writes to the same place. Links are followed.
+/// Writes every file beside its place ("out.glb.foredraw-part0"), then renames them into it one after the other, the
+/// first file last: it is the one that names the others. Where one can not be written, none is changed, and what was
+/// begun is removed. A process that is killed meanwhile leaves every file old or new, never in between; what it had
+/// begun is removed by the next who writes to the same place. Links are followed.
 bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics);
 
 }  // namespace foredraw

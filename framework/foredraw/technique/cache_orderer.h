@@ -11,7 +11,7 @@ class CacheOrderer : public DrawOrderer {
   IndexOrder order(const DrawView& draw, Run& run) final;
 
  private:
-  virtual IndexOrder order_for_cache(std::span<const std::uint32_t> indices, std::size_t vertex_count) const = 0;
+  virtual IndexOrder order_for_cache(const DrawView& draw, const Run& run) const = 0;
   virtual CacheCount count(std::span<const std::uint32_t> indices, std::size_t vertex_count) const = 0;
 };
 

@@ -14,8 +14,8 @@ class Forsyth final : public CacheOrderer {
   int cache_size() const override { return options_.cache_size; }
 
  private:
-  IndexOrder order_for_cache(std::span<const std::uint32_t> indices, std::size_t vertex_count) const override {
-    return forsyth(indices, vertex_count, options_);
+  IndexOrder order_for_cache(const DrawView& draw, const Run&) const override {
+    return forsyth(draw.indices(), draw.vertex_count(), options_);
   }
   CacheCount count(std::span<const std::uint32_t> indices, std::size_t vertex_count) const override {
     return count_lru(indices, vertex_count, static_cast<std::uint32_t>(options_.cache_size));

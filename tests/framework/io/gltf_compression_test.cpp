@@ -98,8 +98,8 @@ TEST_P(EveryKind, is_compressed_again_where_it_changed_and_else_stays) {
     EXPECT_FALSE(json["buffers"][1].contains("uri"));
   }
   if (GetParam().plain == Plain::data_uri) {
-    EXPECT_EQ(written.files[1].path, "out.fallback.bin");
-    EXPECT_EQ(json["buffers"][1]["uri"], "out.fallback.bin");
+    EXPECT_EQ(written.files[1].path, "out.glb.fallback.bin");
+    EXPECT_EQ(json["buffers"][1]["uri"], "out.glb.fallback.bin");
     EXPECT_EQ(json["buffers"][1]["byteLength"], written.files[1].bytes.size());
   }
   if (GetParam().plain == Plain::beside) {

@@ -1,6 +1,8 @@
 // What is touched is written, and nothing else.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "framework/io/gltf_edits.h"
@@ -18,6 +20,30 @@ TEST(GltfWrite, untouched_file_comes_out_byte_for_byte) {
   const auto files = encode_gltf(read(puppet().gltf()), "out.gltf", diagnostics);
   ASSERT_EQ(files->size(), 1u);
   EXPECT_EQ(files->front().bytes, puppet().gltf());
+}
+
+/// A .bin beside is that of a .gltf of the name, which may be written there too.
+TEST(GltfWrite, untouched_glb_takes_in_the_bytes_that_lay_beside_it) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "foredraw-glb-with-bin-beside";
+  std::filesystem::create_directories(folder / "out");
+  const GltfBuilder built = ribbon(3);
+  GltfJson json = built.json;
+  json["buffers"] = {{{"byteLength", built.buffer.size()}, {"uri", "a.bin"}}};
+  const auto put = [&](const char* name, const Bytes& bytes) {
+    std::ofstream(folder / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  };
+  put("a.glb", glb_of(json.dump(), {}));
+  put("a.bin", built.buffer);
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(folder / "a.glb", diagnostics);
+  ASSERT_TRUE(scene) << to_text(diagnostics);
+  const auto files = encode_gltf(*scene, folder / "out/a.glb", diagnostics);
+  ASSERT_TRUE(files) << to_text(diagnostics);
+  EXPECT_EQ(files->size(), 1u);
+  EXPECT_EQ(stream(read(files->front().bytes), 0, "POSITION").bytes.stamp(),
+            stream(*scene, 0, "POSITION").bytes.stamp());
+  std::filesystem::remove_all(folder);
 }
 
 TEST(GltfWrite, reordered_triangles_change_the_bytes_of_the_indices_alone) {

@@ -98,6 +98,24 @@ TEST(MeshObj, LinesMayBeJoinedAndEndAsTheyLike) {
   EXPECT_EQ(indices(scene).size(), 3u);
 }
 
+TEST(MeshObj, CommentsEndWithTheirLine) {
+  const Scene scene =
+      read("v 0 0 0 # C:\\\nv 1 0 0\t#\\\r\nv 0 1 0\nf 1 2 \\\n3 # C:\\\nf 3 2 \\\n# nothing\\\nf 1 3 2\n");
+  EXPECT_EQ(vertices(scene).count, 3u);
+  EXPECT_EQ(indices(scene), (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 1})) << "a face of two corners is left out";
+}
+
+TEST(MeshObj, ANumberSignThatStandsAloneEndsAName) {
+  const Scene scene = read(square +
+                           "o left # the wing\nusemtl red # \xC3\xA9\nf 1 2 3\nusemtl red #2#3 # 4\nf 1 3 4\n"
+                           "o Object #7\nusemtl #\nf 1 2 4\n");
+  EXPECT_EQ(scene.meshes[0].name, "left");
+  EXPECT_EQ(scene.material_of(scene.draws[0])->name, "red");
+  EXPECT_EQ(scene.material_of(scene.draws[1])->name, "red #2#3");
+  EXPECT_EQ(scene.meshes[1].name, "Object #7");
+  EXPECT_EQ(scene.material_of(scene.draws[2]), nullptr);
+}
+
 TEST(MeshObj, WhatIsLeftOutIsTold) {
   const auto small = read_mesh(MeshKind::obj, square + "f 1 2\nf 1 2 3\nf\nl 1 2\nv 0 0 0 2\nnonsense 1\n");
   EXPECT_EQ(small.told(), "elements-left-out weights-left-out unknown-lines faces-left-out");
@@ -156,7 +174,7 @@ TEST_F(MeshObjMaterials, BlendedOnesAndTexturesAreKnown) {
       "mtllib a b.mtl\n" + square + "vt 0 0\nusemtl glass\nf 1 2 3\nusemtl wood\nf 1/1 3/1 4/1\nusemtl new\nf 2 3 4\n";
   const auto made = read_mesh(MeshKind::obj, text, folder_ / "inner");
   ASSERT_TRUE(made.scene) << made.error();
-  EXPECT_EQ(made.told(), "left-out") << "the texture that leads out of the folder";
+  EXPECT_EQ(made.told(), "left-out unknown-materials") << "the texture that leads out of the folder, and 'new'";
   EXPECT_TRUE(made.scene->draws[0].traits.has(traits::blended));
   EXPECT_EQ(made.scene->material_of(made.scene->draws[1])->name, "wood");
   ASSERT_EQ(made.scene->images.size(), 1u);
@@ -177,6 +195,27 @@ TEST_F(MeshObjMaterials, NamesMayHoldNumberSigns) {
   EXPECT_TRUE(made.scene->draws[0].traits.has(traits::blended));
   ASSERT_EQ(made.scene->images.size(), 1u);
   EXPECT_EQ(made.scene->images[0].uri, "tex%231.png");
+}
+
+TEST_F(MeshObjMaterials, CommentsAreNotPartOfNames) {
+  put("a b.mtl", "\xEF\xBB\xBFnewmtl glass # thin\nd 0.5\n");
+  for (const std::string library : {"a b.mtl # ours", "a b.mtl #ours", "a b.mtl"}) {
+    const auto made = read_mesh(
+        MeshKind::obj, "mtllib " + library + "\n" + square + "usemtl glass # of the window\nf 1 2 3\n", folder_);
+    ASSERT_TRUE(made.scene) << made.error();
+    EXPECT_EQ(made.told(), "") << library;
+    EXPECT_TRUE(made.scene->draws[0].traits.has(traits::blended)) << library;
+  }
+}
+
+TEST_F(MeshObjMaterials, ThoseThatNoLibraryHoldsAreTold) {
+  put("m.mtl", "newmtl a\n");
+  std::string text = "mtllib m.mtl\n" + square;
+  for (const char* name : {"a", "b", "c", "b", "d", "e"}) text += std::string("usemtl ") + name + "\nf 1 2 3\n";
+  const auto made = read_mesh(MeshKind::obj, text, folder_);
+  ASSERT_EQ(made.told(), "unknown-materials");
+  EXPECT_EQ(made.diagnostics.all()[0].message,
+            "4 materials are in no library that was read, and are names alone: 'b', 'c', 'd', ...");
 }
 
 TEST(MeshObj, LongNamesAreNotRepeatedWithoutBound) {
@@ -217,7 +256,7 @@ TEST_F(MeshObjMaterials, LibrariesOutsideTheFolderAreNotOpened) {
     const auto made =
         read_mesh(MeshKind::obj, "mtllib " + name + "\n" + square + "usemtl m\nf 1 2 3\n", folder_ / "inner");
     ASSERT_TRUE(made.scene) << name;
-    EXPECT_EQ(made.told(), "left-out") << name;
+    EXPECT_EQ(made.told(), "left-out unknown-materials") << name;
     EXPECT_FALSE(made.scene->draws[0].traits.has(traits::blended)) << name;
   }
 }

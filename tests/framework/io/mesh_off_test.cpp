@@ -36,6 +36,20 @@ TEST(MeshOff, TheKeywordSaysWhatVerticesHave) {
   EXPECT_EQ(read("3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").draws.size(), 1u) << "the keyword may be missing";
 }
 
+TEST(MeshOff, WhyAPolygonBecomesAFanIsTold) {
+  EXPECT_EQ(read_mesh(MeshKind::off, "OFF\n1 1 0\n0 0 0\n4 0 0 0 0\n").told(), "polygons-as-fans");
+  std::string text = "OFF\n40000 1 0\n", face = "40000";
+  for (int i = 0; i < 40'000; ++i) {  // a comb: every second corner points inwards
+    text += i < 39'998    ? std::to_string(i) + (i % 2 == 0 ? " 9 0\n" : " 1 0\n")
+            : i == 39'998 ? "39998 0 0\n"
+                          : "0 0 0\n";
+    face += ' ' + std::to_string(i);
+  }
+  const auto comb = read_mesh(MeshKind::off, text + face + '\n');
+  ASSERT_TRUE(comb.scene) << comb.error();
+  EXPECT_EQ(comb.told(), "polygons-unfinished");
+}
+
 TEST(MeshOff, RefusalsNameTheLine) {
   EXPECT_EQ(error("OFF BINARY\n"), "input.off:1:5: error: binary OFF is not read");
   EXPECT_EQ(error("4OFF\n1 0 0\n"), "input.off:1:1: error: '4OFF', expected OFF, with ST, C or N before it at most");

@@ -123,6 +123,60 @@ TEST(MeshPly, RefusalsNameThePlace) {
             "input.ply: error: there is no element 'vertex' with x, y and z");
 }
 
+TEST(MeshPly, WhatIsNotUsedMayHaveAnyValue) {
+  const auto text = [](const std::string& properties, const std::string& values) {
+    return head + properties + face_element + "property float f\nproperty list uchar float g\nend_header\n0 0 0 " +
+           values + "\n1 0 0 " + values + "\n0 1 0 " + values + "\n3 0 1 2 -inf 2 nan 1e99\n";
+  };
+  // A normal without z and a colour without blue are used as little as what has no meaning at all.
+  for (const std::string value : {"nan", "-inf", "1e39", "-nan(ind)", "1.#QNAN"}) {
+    const auto made = read_mesh(MeshKind::ply, text("property float quality\nproperty float nx\nproperty float red\n",
+                                                    value + ' ' + value + ' ' + value));
+    ASSERT_TRUE(made.scene) << value << ' ' << made.error();
+    EXPECT_EQ(made.told(), "properties-left-out");
+    EXPECT_EQ(indices(*made.scene), (std::vector<std::uint32_t>{0, 1, 2}));
+  }
+  EXPECT_TRUE(read_mesh(MeshKind::ply, text("property uchar small\n", "1000")).scene);
+  EXPECT_EQ(error(text("property float red\nproperty float green\nproperty float blue\n", "1 nan 0")),
+            "input.ply:15:9: error: 'nan' is not finite");
+
+  Binary vertex(false), face(false);
+  for (int i = 0; i < 3; ++i) vertex.put<float>({float(i), float(i * i), 0, std::numeric_limits<float>::infinity()});
+  face.put<std::uint8_t>({3}).put<std::int32_t>({0, 1, 2});
+  EXPECT_TRUE(read_mesh(MeshKind::ply,
+                        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                        "property float z\nproperty float nx\n" +
+                            face_element + "end_header\n" + vertex.bytes + face.bytes)
+                  .scene);
+}
+
+TEST(MeshPly, WhatFollowsTheLastRecordIsTold) {
+  const std::string text = head + face_element + "end_header\n" + places + "3 0 1 2\n";
+  EXPECT_EQ(read_mesh(MeshKind::ply, text + " \r\n\n").told(), "");
+  const auto more = read_mesh(MeshKind::ply, text + "3 2 1 0\n");
+  ASSERT_TRUE(more.scene);
+  EXPECT_EQ(more.told(), "lines-left-out");
+  EXPECT_EQ(more.diagnostics.all()[0].where.line, 14);
+
+  const std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\n"
+      "end_header\nabc";
+  EXPECT_EQ(read_mesh(MeshKind::ply, bytes).told(), "");
+  EXPECT_EQ(read_mesh(MeshKind::ply, bytes + "d").told(), "bytes-left-out");
+}
+
+TEST(MeshPly, OfSeveralPropertiesThatMeanTheSameTheFirstCounts) {
+  const auto made = read_mesh(
+      MeshKind::ply, head + "property float u\nproperty float v\nproperty float s\nproperty float t\n" + face_element +
+                         "property list uchar int vertex_index\nend_header\n"
+                         "0 0 0 0 0 1 1\n1 0 0 0 0 1 1\n0 1 0 0 0 1 1\n3 0 1 2 4 2 1 0 9\n");
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(indices(*made.scene), (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(decode_component(*vertices(*made.scene).find("TEXCOORD_0"), 0, 0), 0);
+  ASSERT_EQ(made.told(), "properties-left-out");
+  EXPECT_NE(made.diagnostics.all()[0].message.find("vertex.s, vertex.t, face.vertex_index"), std::string::npos);
+}
+
 TEST(MeshPly, CountsAreHeldAgainstTheBytesThatAreThere) {
   for (const std::string count :
        {"1000000000", "2147483648", "4294967295", "9223372036854775808", "18446744073709551615"}) {

@@ -53,6 +53,12 @@ TEST(MeshStl, CountsAreHeldAgainstTheBytesThatAreThere) {
   EXPECT_EQ(read_mesh(MeshKind::stl, binary("", {one, two}, 1)).told(), "bytes-left-out");
 }
 
+TEST(MeshStl, TextMayHaveAByteOrderMark) {
+  const auto made = read_mesh(MeshKind::stl, "\xEF\xBB\xBFsolid a\n" + triangle + "endsolid\n");
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.scene->meshes[0].name, "a");
+}
+
 TEST(MeshStl, EachSolidIsAMesh) {
   const auto made = read_mesh(MeshKind::stl, "solid a b\n" + triangle + "endsolid a b\nSOLID c\n" + triangle +
                                                  triangle + "EndSolid\nsolid empty\nendsolid empty\n");

@@ -150,10 +150,43 @@ TEST(MeshWrite, PlyIsRefusedWhereNumbersWouldNoLongerFit) {
   EXPECT_NE(write(reversed(read(MeshKind::ply, narrow)), MeshKind::ply).error.find("too narrow"), std::string::npos);
 }
 
+TEST(MeshWrite, PlyValuesThatAreNotUsedStayAsTheyAre) {
+  const std::string made = turned_round(
+      MeshKind::ply,
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float q\nelement face 2\nproperty list uchar int vertex_indices\nproperty float q\nend_header\n"
+      "0 0 0 inf\n1 0 0 1e99\n0 1 0 1.#QNAN\n3 0 1 2 nan\n3 2 1 0 1000\nand more\n");
+  EXPECT_EQ(made.substr(made.find("end_header")),
+            "end_header\n0 1 0 1.#QNAN\n1 0 0 1e99\n0 0 0 inf\n3 0 1 2 1000\n3 2 1 0 nan\nand more\n");
+}
+
+TEST(MeshWrite, ASecondListOfAPlysCornersStaysWhileVerticesDo) {
+  std::string two = ascii_ply;
+  two.replace(two.find("end_header"), 0, "property list uchar int vertex_index\n");
+  two.replace(two.find("20\n"), 3, "20 3 3 2 1\n");
+  two.replace(two.find("21\n"), 3, "21 0\n");
+  const Scene scene = read(MeshKind::ply, two);
+  EXPECT_EQ(write(scene, MeshKind::ply).text, two);
+  Scene faces_moved = scene;
+  faces_moved.draws[0] = with_triangle_order(scene.draws[0], IndexOrder{2, 0, 1});
+  EXPECT_THAT(write(faces_moved, MeshKind::ply).text, ::testing::EndsWith("3 0 1 2 21 0\n4 0 1 2 3 20 3 3 2 1\n"));
+  EXPECT_THAT(write(reversed(scene), MeshKind::ply).error,
+              ::testing::HasSubstr("'vertex_index' names vertices besides"));
+}
+
 TEST(MeshWrite, OffLinesMoveWithWhatIsOnThem) {
   EXPECT_EQ(
       turned_round(MeshKind::off, "OFF\n# head\n4 2 0\n0 0 0\n1 0 0 # b\n\n1 1 0\n0 1 0\n4 0 1 2 3  1 0 0\n3 0 1 2"),
       "OFF\n# head\n4 2 0\n0 1 0\n1 1 0 # b\n\n1 0 0\n0 0 0\n3 3 2 1\n4 3 2 1 0  1 0 0");
+}
+
+TEST(MeshWrite, AByteOrderMarkStays) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(turned_round(MeshKind::ply, mark + ascii_ply).substr(0, 6), mark + "ply");
+  EXPECT_EQ(turned_round(MeshKind::off, mark + "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").substr(0, 6),
+            mark + "OFF");
+  EXPECT_EQ(turned_round(MeshKind::obj, mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+            mark + "v 0 1 0\nv 1 0 0\nv 0 0 0\nf 3 2 1\n");
 }
 
 TEST(MeshWrite, StlTrianglesMoveWithinTheirSolid) {
@@ -169,6 +202,8 @@ TEST(MeshWrite, StlTrianglesMoveWithinTheirSolid) {
   for (const char* note : {"solid", "facet", "endfacet", "endsolid"}) {  // a normal is read over, whatever it is
     turned_round(MeshKind::stl, "solid\n" + facet("1", note) + facet("2", "b") + "endsolid\n");
   }
+
+  turned_round(MeshKind::stl, "\xEF\xBB\xBFsolid facet\n" + facet("1", "a") + facet("2", "b") + "endsolid\n");
 
   std::string binary(80, ' ');
   binary += std::string("\2\0\0\0", 4);

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cstring>
 #include <fstream>
 #include <thread>
@@ -40,8 +44,9 @@ class Files : public ::testing::Test {
   std::string only_code() const { return diagnostics_.all().size() == 1 ? diagnostics_.all()[0].code : "not one"; }
   std::string only_file() const { return diagnostics_.all().at(0).where.file; }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) /
-                           ("foredraw files " + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) /
+      ("foredraw files " + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
   Diagnostics diagnostics_;
 };
 
@@ -93,7 +98,8 @@ TEST_F(Files, ReadThatFailsAfterItBegan) {
 }
 
 TEST_F(Files, WriteAndReadBack) {
-  ASSERT_TRUE(write({{folder_ / "a.gltf", bytes_of("{}")}, {folder_ / "a.bin", bytes_of(std::string("\0\1", 2))},
+  ASSERT_TRUE(write({{folder_ / "a.gltf", bytes_of("{}")},
+                     {folder_ / "a.bin", bytes_of(std::string("\0\1", 2))},
                      {folder_ / "Größe ü.bin", {}}}));
   EXPECT_EQ(text_of(*read_file(folder_ / "a.gltf", diagnostics_)), "{}");
   EXPECT_EQ(get(folder_ / "a.bin"), std::string("\0\1", 2));
@@ -123,7 +129,8 @@ TEST_F(Files, WhoReadsWhileItIsOverwrittenReadsOneOrTheOther) {
 
 TEST_F(Files, AllOrNoneWhereAFolderIsMissing) {
   put(folder_ / "first", "old");
-  EXPECT_FALSE(write({{folder_ / "first", bytes_of("new")}, {folder_ / "missing" / "second", bytes_of("new")},
+  EXPECT_FALSE(write({{folder_ / "first", bytes_of("new")},
+                      {folder_ / "missing" / "second", bytes_of("new")},
                       {folder_ / "third", bytes_of("new")}}));
   EXPECT_EQ(get(folder_ / "first"), "old");
   EXPECT_EQ(files_in_folder(), 1u) << "nothing half done is left";
@@ -148,6 +155,57 @@ TEST_F(Files, LinksStayAndWhatTheyPointAtIsReplaced) {
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
   EXPECT_EQ(get(folder_ / "file"), "new");
   EXPECT_EQ(files_in_folder(), 2u);
+}
+
+TEST_F(Files, NamesMayBeAsLongAsFileSystemsAllow) {
+  std::string umlauts = "x";
+  for (int i = 0; i < 127; ++i) umlauts += "\xC3\xBC";
+  ASSERT_EQ(umlauts.size(), 255u);
+  for (const std::string& name : {std::string(255, 'a'), std::string(251, 'a') + ".bin", umlauts}) {
+    ASSERT_TRUE(write({{folder_ / name, bytes_of("whole")}})) << to_text(diagnostics_);
+    EXPECT_EQ(get(folder_ / name), "whole");
+  }
+  EXPECT_EQ(files_in_folder(), 3u);
+  const std::string stem(251, 'b');
+  EXPECT_FALSE(write({{folder_ / (stem + ".gltf"), bytes_of("{}")}, {folder_ / (stem + ".bin"), bytes_of("new")}}));
+  EXPECT_EQ(files_in_folder(), 3u) << "nothing is in its place before all can be";
+  EXPECT_EQ(only_file(), (folder_ / (stem + ".gltf")).string());
+  EXPECT_EQ(diagnostics_.all()[0].hint, "give it a shorter name");
+}
+
+TEST_F(Files, LeftoversGoAndLivingWritersStay) {
+  for (const char* name :
+       {"a.foredraw-part0", "a.foredraw-part1", "a.foredraw-part3", "a.foredraw-parts", "b.foredraw-part0"}) {
+    put(folder_ / name, "begun");
+  }
+  const int living = ::open((folder_ / "a.foredraw-part1").c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(living, LOCK_EX | LOCK_NB), 0);
+  ASSERT_TRUE(write({{folder_ / "a", bytes_of("new")}}));
+  ::close(living);
+  EXPECT_EQ(get(folder_ / "a"), "new");
+  EXPECT_FALSE(fs::exists(folder_ / "a.foredraw-part0"));
+  EXPECT_TRUE(fs::exists(folder_ / "a.foredraw-part1"));
+  EXPECT_FALSE(fs::exists(folder_ / "a.foredraw-part3"));
+  EXPECT_TRUE(fs::exists(folder_ / "a.foredraw-parts")) << "is no name of ours";
+  EXPECT_TRUE(fs::exists(folder_ / "b.foredraw-part0")) << "is what another file left";
+}
+
+/// Parts of one name change hands all the time: whoever removes leftovers must not take a living writer's.
+TEST_F(Files, ManyMayWriteToOnePlace) {
+  std::vector<std::thread> writers;
+  std::atomic<int> failed = 0;
+  for (int w = 0; w < 12; ++w) {
+    writers.emplace_back([&, w] {
+      Diagnostics own;
+      const OutputFile file{folder_ / "a", bytes_of(std::string(1000, static_cast<char>('a' + w)))};
+      for (int i = 0; i < 100; ++i) failed += write_files(std::span(&file, 1), own) ? 0 : 1;
+    });
+  }
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(failed, 0);
+  const std::string last = get(folder_ / "a");
+  EXPECT_EQ(last, std::string(1000, last.front()));
+  EXPECT_EQ(files_in_folder(), 1u);
 }
 
 // Whoever writes to /dev/null or to a pipe must not find a plain file in its place afterwards.

@@ -44,6 +44,13 @@ void relocate_images(Json& json, const Document& document, const std::filesystem
 /// Whether a target's name asks for a .glb.
 bool is_glb(const std::filesystem::path& target);
 
+/// out.bin beside out.gltf.
+std::filesystem::path buffer_beside(const std::filesystem::path& target);
+
+/// out.fallback.bin beside out.gltf, then out.fallback1.bin, as other tools call them; out.glb.fallback.bin beside
+/// out.glb, so that two scenes of one name have files of their own.
+std::filesystem::path fallback_beside(const std::filesystem::path& target, std::size_t i);
+
 /// The files of a document. nullopt, with an error, where a GLB would be longer than its header can say.
 std::optional<std::vector<OutputFile>> packed(Written written, const std::filesystem::path& target,
                                               Diagnostics& diagnostics);

@@ -16,8 +16,8 @@ MaterialLibrary read_libraries(const std::vector<std::string>& names, const std:
                                const std::filesystem::path& folder, Diagnostics& diagnostics);
 
 /// A document that holds nothing but the scene's materials and images, for the glTF writer to add the rest to.
-/// Materials that the libraries do not hold are names alone.
+/// Materials that the libraries do not hold are names alone, with a warning.
 std::shared_ptr<const gltf::Source> gltf_source_of(gltf::Json materials, Scene& scene,
-                                                   const std::filesystem::path& folder);
+                                                   const std::filesystem::path& folder, Diagnostics& diagnostics);
 
 }  // namespace foredraw::mesh_files

@@ -13,6 +13,13 @@ struct ObjLine {
   std::string_view rest;
 };
 
+/// Where a comment begins: at the first number sign that begins a word; npos: there is none.
+std::size_t comment_in(std::string_view line);
+
+/// The name that a line gives, which may hold spaces and number signs ("Material #25"). Only a number sign that stands
+/// alone begins a comment.
+std::string obj_name(std::string_view rest);
+
 /// Takes the next line off the front of a text. False at its end.
 bool take_obj_line(std::string_view& text, ObjLine& line);
 

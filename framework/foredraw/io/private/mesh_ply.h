@@ -33,13 +33,15 @@ struct PlyHeader {
   std::size_t end = 0;  ///< where the first record begins
 
   const PlyElement* find(std::string_view name) const;
+  /// The list that holds the faces' corners; nullptr: there is none.
+  const PlyProperty* corner_list() const;
 };
 
 std::optional<PlyHeader> read_ply_header(const Reading& reading);
 bool read_ply(const Reading& reading, PolygonMesh& mesh);
 
-/// Whether the list of corners: "vertex_indices" or "vertex_index".
-inline bool is_corner_list(const PlyProperty& p) {
+/// Whether a face's property may be its list of corners: "vertex_indices" or "vertex_index". Of both the first is.
+inline bool names_vertices(const PlyProperty& p) {
   return p.list && is_whole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
@@ -56,7 +58,8 @@ class PlyWalk {
 
   /// Calls visit.value(element, property, value) for each value, visit.list(element, property, length) before those of
   /// a list, visit.record(element, begin, end) after each record; numbers of elements and properties as in the header.
-  /// False, with an error, where the file does not hold what its header says, or where a visitor said false.
+  /// Values of a property that visit.wants(element, property) denies are passed over, whatever they are. False, with an
+  /// error, where the file does not hold what its header says, or where a visitor said false.
   template <class Visitor>
   bool run(Visitor& visit) {
     for (std::size_t e = 0; e < header_.elements.size(); ++e) {
@@ -74,19 +77,25 @@ class PlyWalk {
     return true;
   }
 
+  /// Where the last record ends, once all have been gone through.
+  std::size_t end() const { return at_; }
+
  private:
   static constexpr std::size_t none_yet = ~std::size_t{0};
 
   template <class Visitor>
   bool property(Visitor& visit, std::size_t e, std::size_t p) {
     const PlyProperty& property = header_.elements[e].properties[p];
+    const bool wanted = visit.wants(e, p);
     PlyValue value;
+    if (!property.list && !wanted) return pass_over(property.type, 1);
     if (!property.list) return read(property.type, value) && visit.value(e, p, value);
     if (!read(*property.list, value)) return false;
     const std::size_t left = reading_.text.size() - at_;
     const std::size_t least = header_.encoding == PlyHeader::Encoding::ascii ? 1 : bytes_of(property.type);
     if (value.value < 0 || value.value > static_cast<double>(left / least)) return refuse_list(value, left);
     const auto length = static_cast<std::size_t>(value.value);
+    if (!wanted) return pass_over(property.type, length);
     if (!visit.list(e, p, length)) return false;
     for (std::size_t i = 0; i < length; ++i) {
       if (!read(property.type, value) || !visit.value(e, p, value)) return false;
@@ -96,8 +105,11 @@ class PlyWalk {
 
   bool may_hold(const PlyElement& element) const;
   bool refuse_list(const PlyValue& value, std::size_t left) const;
+  /// Finds the bytes of the next value.
+  bool find(PlyType type, PlyValue& value);
   bool read(PlyType type, PlyValue& value);
-  bool read_text(PlyType type, PlyValue& value);
+  bool read_text(PlyType type, PlyValue& value) const;
+  bool pass_over(PlyType type, std::size_t count);
 
   const Reading& reading_;
   const PlyHeader& header_;

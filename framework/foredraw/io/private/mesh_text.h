@@ -14,6 +14,9 @@ namespace foredraw::mesh_files {
 
 inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
+/// Without the byte order mark that some programs put before UTF-8.
+std::string_view without_mark(std::string_view text);
+
 std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 

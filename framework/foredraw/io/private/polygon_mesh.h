@@ -56,20 +56,22 @@ struct PolygonMesh {
 /// Cuts polygons into triangles.
 class Triangulator {
  public:
-  /// `corners`: how many there are in all polygons to come; it bounds the work.
+  /// `corners`: how many there are in all polygons to come. It bounds the work that they share: ear clipping takes the
+  /// square of a polygon's corners where many point inwards, and a file may hold what would take hours.
   explicit Triangulator(std::size_t corners) : tests_left_(64 * corners + 50'000'000) {}
 
   /// n - 2 triangles for n >= 3 points, as numbers of points, wound as the polygon is. By ear clipping (Meisters,
   /// "Polygons Have Ears", 1975) in the plane of the polygon's area vector; where no ear is left, as in polygons that
-  /// cross themselves, the rest becomes a fan.
+  /// cross themselves, or all the work is spent, the rest becomes a fan.
   void cut(std::span<const glm::vec3> points, std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-  /// Polygons that had a rest without ears, or whose turn came after all the work was spent.
-  std::size_t fans() const { return fans_; }
+  /// Polygons that became fans, at least in part, for want of ears; for want of work.
+  std::size_t earless() const { return earless_; }
+  std::size_t unfinished() const { return unfinished_; }
 
  private:
   std::size_t tests_left_;
-  std::size_t fans_ = 0;
+  std::size_t earless_ = 0, unfinished_ = 0;
 };
 
 /// What a draw was made of.

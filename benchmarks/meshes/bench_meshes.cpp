@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path corpus_folder() { return testing::project_file("benchmarks/corpus"); }
+
 /// The triangle draws of a model, one mesh each.
 std::vector<TestMesh> meshes_of(const fs::path& path) {
   Diagnostics diagnostics;
@@ -109,36 +111,39 @@ std::vector<std::uint32_t> reordered(std::span<const std::uint32_t> indices, std
   return result;
 }
 
-std::vector<MeshSet> mesh_sets() {
-  const fs::path corpus = testing::project_file("benchmarks/corpus");
+MeshSet corpus() {
   std::vector<fs::path> models;
-  for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
+  for (const auto& entry : fs::recursive_directory_iterator(corpus_folder())) {
     const fs::path extension = entry.path().extension();
     if (extension == ".glb" || extension == ".gltf") models.push_back(entry.path());
   }
   std::ranges::sort(models);
-  std::vector<MeshSet> sets{{"corpus", {}}};
+  MeshSet set{"corpus", {}};
   for (const fs::path& model : models) {
-    for (TestMesh& mesh : meshes_of(model)) sets[0].meshes.push_back(std::move(mesh));
+    for (TestMesh& mesh : meshes_of(model)) set.meshes.push_back(std::move(mesh));
   }
+  return set;
+}
 
-  struct Made {
-    const char* name;
-    std::vector<int> levels;  // subdivisions
-  };
-  for (const Made& made : {Made{"spot", {0, 2, 4}}, Made{"head", {0, 2}}}) {
-    TestMesh mesh = welded(meshes_of(corpus / "static" / fmt::format("{}.glb", made.name)));
-    for (int level = 0; level <= made.levels.back(); ++level) {
-      if (level > 0) mesh = subdivided(mesh);
-      if (std::ranges::find(made.levels, level) == made.levels.end()) continue;
-      const std::string name = fmt::format("{} {}", made.name, short_count(mesh.indices.size() / 3));
-      const TestMesh mixed = testing::shuffled(mesh, 1);
-      sets.push_back({name, {mesh}});
-      sets.push_back({name + " /t", {mixed}});
-      sets.push_back({name + " /tv", {with_shuffled_vertices(mixed, 2)}});
-    }
+std::vector<MeshSet> subdivisions(const std::string& model, const std::vector<int>& levels) {
+  const fs::path path = corpus_folder() / model;
+  TestMesh mesh = welded(meshes_of(path));
+  std::vector<MeshSet> sets;
+  int reached = 0;
+  for (const int level : levels) {
+    for (; reached < level; ++reached) mesh = subdivided(mesh);
+    sets.push_back({fmt::format("{} {}", path.stem().string(), short_count(mesh.indices.size() / 3)), {mesh}});
   }
   return sets;
+}
+
+std::vector<MeshSet> arrangements(const MeshSet& set) {
+  std::vector<MeshSet> result{set, {set.name + " /t", {}}, {set.name + " /tv", {}}};
+  for (const TestMesh& mesh : set.meshes) {
+    result[1].meshes.push_back(testing::shuffled(mesh, 1));
+    result[2].meshes.push_back(with_shuffled_vertices(result[1].meshes.back(), 2));
+  }
+  return result;
 }
 
 }  // namespace foredraw::bench

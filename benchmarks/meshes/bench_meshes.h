@@ -1,5 +1,5 @@
 #pragma once
-// What the techniques are timed on: the corpus as a whole, and single meshes made larger by midpoint subdivision.
+// What is timed: the draws of the corpus, and single models made larger by midpoint subdivision.
 
 #include "support/meshes.h"
 
@@ -15,9 +15,15 @@ struct MeshSet {
   std::size_t triangles() const;
 };
 
-/// The corpus, and spot and head from as they are to 1.5 million triangles: in their own order, with triangles
-/// shuffled ("/t"), and with vertices shuffled too ("/tv").
-std::vector<MeshSet> mesh_sets();
+/// All triangle draws of the corpus.
+MeshSet corpus();
+
+/// A model of the corpus ("static/spot.glb") as one mesh, vertices of equal position being one, and subdivided so many
+/// times: "spot 6k", "spot 94k". The levels ascend.
+std::vector<MeshSet> subdivisions(const std::string& model, const std::vector<int>& levels);
+
+/// The set as it is, with triangles shuffled ("/t"), and with vertices shuffled too ("/tv").
+std::vector<MeshSet> arrangements(const MeshSet& set);
 
 /// Each triangle cut in four at the midpoints of its edges, the new ones one behind the other.
 TestMesh subdivided(const TestMesh& mesh);

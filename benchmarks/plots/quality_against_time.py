@@ -1,0 +1,108 @@
+"""Quality against run time as an SVG picture: each panel shows what contestants reach in which time, with the Pareto
+front and what is known to be the limit.
+
+Legible on light and on dark pages: the page's own background shows through, text and axes take the page's colour, and
+colours of points stand out on both. Text stays text. The same figures give the same file.
+"""
+
+from dataclasses import dataclass, field
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt
+from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
+
+# Stands for the page's own colour, which the library has no word for; replaced when the file is written.
+PAGE = "#010203"
+PAGE_STYLE = "<style>svg{color:#24292f}@media(prefers-color-scheme:dark){svg{color:#d0d7de}}</style>"
+COLOURS = ["#d9822b", "#2f81f7", "#2ea043", "#a371f7", "#e5534b", "#1b9e9e", "#c6469b", "#8d8d3a"]
+MARKERS = "os^Dv<>p"
+
+
+@dataclass
+class Point:
+    family: str  # what the legend names
+    label: str  # what stands beside the point
+    time: float
+    quality: float
+
+
+@dataclass
+class Panel:
+    title: str
+    points: list[Point]
+    limits: list[tuple[str, float]] = field(default_factory=list)  # name, quality
+
+
+def pareto_front(points):
+    """Those that none is both at least as fast and at least as good as, and better in one; from fast to slow."""
+    front = []
+    for point in sorted(points, key=lambda p: (p.time, p.quality, p.family, p.label)):
+        if not front or point.quality < front[-1].quality:
+            front.append(point)
+    return front
+
+
+def families_of(panels):
+    return list(dict.fromkeys(point.family for panel in panels for point in panel.points))
+
+
+def draw_panel(axes, panel, style, worst):
+    front = pareto_front(panel.points)
+    axes.plot([p.time for p in front], [p.quality for p in front], color=PAGE, alpha=0.35, linewidth=5,
+              solid_capstyle="round", solid_joinstyle="round", zorder=1)
+    for name, quality in panel.limits:
+        axes.axhline(quality, color=PAGE, linewidth=0.8, linestyle=(0, (4, 3)), zorder=0)
+        axes.annotate(name, (1, quality), xycoords=("axes fraction", "data"), xytext=(-3, 2), ha="right",
+                      textcoords="offset points", fontsize=7)
+    for family, (colour, marker) in style.items():
+        own = sorted((p for p in panel.points if p.family == family), key=lambda p: (p.quality, p.label))
+        for point in own:
+            is_shown = point.quality <= worst
+            label = point.label if is_shown else f"{point.label} at {point.quality:.2f}".strip()
+            place = (point.time, min(point.quality, worst))
+            axes.plot(*place, marker, color=colour, markersize=5, zorder=3, clip_on=False)
+            axes.annotate(label, place, xytext=(5, -2 if is_shown else -9), textcoords="offset points", fontsize=6.5,
+                          color=colour, zorder=4)
+    best = min([p.quality for p in panel.points] + [quality for _, quality in panel.limits])
+    axes.set_ylim(best - 0.05 * (worst - best), worst)
+    axes.set_xscale("log")
+    axes.margins(x=0.08)
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter(ScalarFormatter())
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.set_title(panel.title, fontsize=9)
+    axes.grid(color=PAGE, alpha=0.12, linewidth=0.6)
+
+
+def write_svg(path, panels, time_axis, quality_axis, worst, columns=2):
+    """Draws the panels in rows of so many columns. All points of a family look alike in all panels; those worse than
+    `worst` stand at the upper edge, with their figure."""
+    plt.rcParams.update({
+        "svg.fonttype": "none", "svg.hashsalt": "foredraw", "font.family": "sans-serif", "font.size": 8,
+        "text.color": PAGE, "axes.labelcolor": PAGE, "axes.edgecolor": PAGE, "xtick.color": PAGE, "ytick.color": PAGE,
+        "legend.frameon": False,
+    })
+    rows = -(-len(panels) // columns)
+    figure, grid = plt.subplots(rows, columns, figsize=(4.9 * columns, 3.6 * rows + 0.5), squeeze=False)
+    style = {family: (COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)])
+             for i, family in enumerate(families_of(panels))}
+    for axes, panel in zip(grid.flat, panels):
+        draw_panel(axes, panel, style, worst)
+    for axes in grid.flat[len(panels):]:
+        axes.set_visible(False)
+    figure.supxlabel(time_axis, fontsize=9)
+    figure.supylabel(quality_axis, fontsize=9)
+    shown = [plt.Line2D([], [], color=c, marker=m, linestyle="", markersize=5, label=f) for f, (c, m) in style.items()]
+    shown.append(plt.Line2D([], [], color=PAGE, alpha=0.35, linewidth=5, label="Pareto front"))
+    figure.legend(handles=shown, loc="upper center", ncol=4, fontsize=8)
+    figure.tight_layout(rect=(0.01, 0, 1, 1 - 0.5 / (3.6 * rows + 0.5)))
+    figure.savefig(path, transparent=True, metadata={"Date": None, "Creator": None})
+    plt.close(figure)
+
+    with open(path, encoding="utf-8") as file:
+        svg = file.read()
+    svg = svg.replace(PAGE, "currentColor").replace("<defs>", PAGE_STYLE + "\n <defs>", 1)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("\n".join(line.rstrip() for line in svg.splitlines()) + "\n")
