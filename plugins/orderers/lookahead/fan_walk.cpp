@@ -161,8 +161,8 @@ int FanWalk::promise(const Vertex& v, std::uint32_t age) const {
   const int open = static_cast<int>(2 * v.live - v.met);
   const int at_the_end = static_cast<int>(age) + (open + 1) / 2 + weights_.reserve;
   const int when = weights_.prefer_old * static_cast<int>(age);
-  const int too_late = 1 << 20, costs_nothing = open == 0 ? 1 << 21 : 0;
-  return costs_nothing + (at_the_end <= static_cast<int>(cache_.cache_size) ? when : -when - too_late) -
+  const int too_late = 1 << 20;
+  return (open == 0 ? weights_.prefer_free : 0) + (at_the_end <= static_cast<int>(cache_.cache_size) ? when : -when - too_late) -
          weights_.avoid_large * static_cast<int>(v.live) - weights_.avoid_new * open;
 }
 

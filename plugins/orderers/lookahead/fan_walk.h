@@ -24,6 +24,7 @@ struct FanWeights {
   int waiting_old;   ///< times age^3
   int waiting_open;  ///< times age, for each end of its remaining triangles that is not in the cache
   // How promising a vertex is as the next fan's centre.
+  int prefer_free;  ///< where all ends are in the cache
   int prefer_old;   ///< for each entry of age
   int avoid_large;  ///< for each triangle left
   int avoid_new;    ///< for each end that is not in the cache
