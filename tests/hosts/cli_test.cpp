@@ -231,7 +231,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"option_out_of_range", "optimize SPOT -o out.glb -p 'tipsify(cache-size=2)'", 1, "3 to 1024 entries"},
         Mistake{"unmet_need", "optimize SPOT -o out.glb -p dot-rule", 1, "put 'linear-clusters' before it"},
         Mistake{"unknown_preset", "optimize SPOT -o out.glb -p @defualt", 1, "@default"},
-        Mistake{"unknown_set", "optimize SPOT -o out.glb --set tipsify.cach-size=3", 1, "cache-size"},
+        Mistake{"unknown_set", "optimize SPOT -o out.glb --set lookahead.cach-size=3", 1, "cache-size"},
         Mistake{"unknown_kind_of_output", "optimize SPOT -o out.xyz", 1, ".glb or .gltf"},
         Mistake{"missing_folder", "optimize SPOT -o no/such/folder/out.glb -p weld --with vertex-cache", 2,
                 "can not be written"},

@@ -15,9 +15,7 @@ using Json = nlohmann::json;
 class Cost : public testing::InFolder {};
 
 TEST_F(Cost, TheLargestSceneStaysWithinItsMemory) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers hold memory of their own";
-#endif
+  if (testing::is_sanitized) GTEST_SKIP() << "sanitizers hold memory of their own";
   const auto model = testing::project_file("benchmarks/corpus/static/chess_board_notex.glb");
   const testing::Ended ended =
       testing::run_program(folder_, "optimize '" + model.string() + "' -o out.glb --report r.json");

@@ -4,10 +4,21 @@
 
 namespace foredraw {
 
+namespace {
+
+constexpr double near_best = 1.02;  ///< misses for each vertex, of which one is the least that there can be
+
+}  // namespace
+
 IndexOrder CacheOrderer::order(const DrawView& draw, Run& run) {
   const CacheCount before = count(draw.indices(), draw.vertex_count());
   if (before.misses == before.referenced) {
     run.keep("each of its vertices is shaded once, and no order does with less");
+    return {};
+  }
+  if (static_cast<double>(before.misses) <= near_best * static_cast<double>(before.referenced)) {
+    run.keep(fmt::format("{} vertices miss the cache, and at best {} would: less than {:.0f} per cent to gain",
+                         before.misses, before.referenced, 100 * (near_best - 1)));
     return {};
   }
   IndexOrder order = order_for_cache(draw, run);

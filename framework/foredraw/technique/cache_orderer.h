@@ -4,8 +4,8 @@
 
 namespace foredraw {
 
-/// An orderer for the vertex cache. The order that is there stays where no order can do better, and where its own would
-/// not: both are counted in the cache that it orders for.
+/// An orderer for the vertex cache. The order that is there stays where none can be better by more than 2 per cent, and
+/// where its own is not better: both are counted in the cache that it orders for.
 class CacheOrderer : public DrawOrderer {
  public:
   IndexOrder order(const DrawView& draw, Run& run) final;

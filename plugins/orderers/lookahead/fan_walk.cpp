@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint32_t longest_trial = 512;  // entrants
 
-/// Corners renumbered by the vertices of the walk: those that are used, in their sequence, each as many times as it takes
-/// for none to have more than `largest_fan` corners. Answers with their number.
-std::uint32_t split_fans(std::span<std::uint32_t> walked, std::span<const std::uint32_t> indices, std::size_t vertex_count,
-                         std::uint32_t largest_fan, std::pmr::memory_resource& memory) {
+/// Corners renumbered by the vertices of the walk: those that are used, in their sequence, each as many times as it
+/// takes for none to have more than `largest_fan` corners. Answers with their number.
+std::uint32_t split_fans(std::span<std::uint32_t> walked, std::span<const std::uint32_t> indices,
+                         std::size_t vertex_count, std::uint32_t largest_fan, std::pmr::memory_resource& memory) {
   std::pmr::vector<std::uint32_t> first(vertex_count, 0, &memory), seen(vertex_count, 0, &memory);
   for (const std::uint32_t v : indices) ++seen[v];
   std::uint32_t count = 0;
@@ -156,13 +156,15 @@ std::uint32_t FanWalk::most_promising() const {
   return best;
 }
 
-/// The older the better, as long as it stays in the cache until its fan is drawn; it should bring in little that is new.
+/// The older the better, as long as it stays in the cache until its fan is drawn; it should bring in little that is
+/// new.
 int FanWalk::promise(const Vertex& v, std::uint32_t age) const {
   const int open = static_cast<int>(2 * v.live - v.met);
   const int at_the_end = static_cast<int>(age) + (open + 1) / 2 + weights_.reserve;
   const int when = weights_.prefer_old * static_cast<int>(age);
   const int too_late = 1 << 20;
-  return (open == 0 ? weights_.prefer_free : 0) + (at_the_end <= static_cast<int>(cache_.cache_size) ? when : -when - too_late) -
+  return (open == 0 ? weights_.prefer_free : 0) +
+         (at_the_end <= static_cast<int>(cache_.cache_size) ? when : -when - too_late) -
          weights_.avoid_large * static_cast<int>(v.live) - weights_.avoid_new * open;
 }
 
@@ -171,12 +173,15 @@ int FanWalk::outlook() const {
   waiting_.for_each([&](std::uint32_t age) {
     const Vertex& v = vertices_[entrant(time_ - age)];
     const int open = static_cast<int>(2 * v.live - v.met);
-    sum += waiting_cost_[age] + weights_.waiting_open * open * static_cast<int>(age) / static_cast<int>(cache_.cache_size);
+    sum +=
+        waiting_cost_[age] + weights_.waiting_open * open * static_cast<int>(age) / static_cast<int>(cache_.cache_size);
   });
   return sum;
 }
 
-std::uint32_t FanWalk::draw(std::uint32_t center) { return on_trial_ ? draw_fan<true>(center) : draw_fan<false>(center); }
+std::uint32_t FanWalk::draw(std::uint32_t center) {
+  return on_trial_ ? draw_fan<true>(center) : draw_fan<false>(center);
+}
 
 template <bool on_trial>
 void FanWalk::set(std::uint32_t& what, std::uint32_t value) {
@@ -323,7 +328,11 @@ std::uint32_t FanWalk::tell_neighbours(std::uint32_t of, std::uint32_t change) {
 }
 
 FanWalk::Trial::Trial(FanWalk& walk)
-    : walk_(walk), waiting_(walk.waiting_), time_(walk.time_), batch_vertices_(walk.batch_vertices_), batch_triangles_(walk.batch_triangles_) {
+    : walk_(walk),
+      waiting_(walk.waiting_),
+      time_(walk.time_),
+      batch_vertices_(walk.batch_vertices_),
+      batch_triangles_(walk.batch_triangles_) {
   walk.on_trial_ = true;
   walk.cost_ = 0;
 }

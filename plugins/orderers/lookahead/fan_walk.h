@@ -1,11 +1,11 @@
 #pragma once
-// A mesh while fans of its triangles are drawn through a vertex cache: which triangles are left, what the cache holds, and
-// what it has cost. Fans can be drawn on trial and taken back.
+// A mesh while fans of its triangles are drawn through a vertex cache: which triangles are left, what the cache holds,
+// and what it has cost. Fans can be drawn on trial and taken back.
+
+#include "age_set.h"
 
 #include <foredraw/analysis/vertex_cache.h>
 
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <memory_resource>
 #include <span>
@@ -16,8 +16,9 @@ namespace foredraw {
 /// What the walk goes by. Costs are in 1/1024 of a vertex shaded once more; an age is the number of vertices that have
 /// entered the cache since, and `age` below is that over the cache's size, so 0 to 1.
 struct FanWeights {
-  // A vertex is paid for when it leaves the cache with triangles left, for then it is shaded again: 1024. A smaller cache
-  // than the one that is modelled would have lost it before, so that even a vertex that is done costs something by its age.
+  // A vertex is paid for when it leaves the cache with triangles left, for then it is shaded again: 1024. A smaller
+  // cache than the one that is modelled would have lost it before, so that even a vertex that is done costs something
+  // by its age.
   int done;  ///< times age^2: a vertex whose last triangle is drawn
   // The outlook is what the vertices in the cache that have triangles left will probably cost.
   int waiting;       ///< for each such vertex
@@ -31,42 +32,6 @@ struct FanWeights {
   int reserve;      ///< entries to spare when its fan is drawn; else it will be too late
 };
 
-/// Ages from 1 to the size of a cache, at most 256: those at which there is a vertex with triangles left.
-class AgeSet {
- public:
-  explicit AgeSet(std::uint32_t size) : words_((size + 63) / 64), oldest_(size) {}
-
-  bool has(std::uint32_t age) const { return (bits_[(age - 1) / 64] >> ((age - 1) % 64) & 1) != 0; }
-  void remove(std::uint32_t age) { bits_[(age - 1) / 64] &= ~(std::uint64_t{1} << ((age - 1) % 64)); }
-
-  /// Everyone grows older by one, the oldest leaves, and one of age 1 comes in or not. Whether the oldest was there.
-  bool grow_older(bool one_comes) {
-    const bool had_oldest = has(oldest_);
-    std::uint64_t carry = one_comes;
-    for (std::uint32_t i = 0; i < words_; ++i) {
-      const std::uint64_t bits = bits_[i];
-      bits_[i] = bits << 1 | carry;
-      carry = bits >> 63;
-    }
-    if (oldest_ % 64 != 0) bits_[words_ - 1] &= ~(std::uint64_t{1} << (oldest_ % 64));
-    return had_oldest;
-  }
-
-  /// Calls visit(age) from young to old.
-  template <class Visit>
-  void for_each(Visit visit) const {
-    for (std::uint32_t i = 0; i < words_; ++i) {
-      for (std::uint64_t bits = bits_[i]; bits != 0; bits &= bits - 1) {
-        visit(64 * i + static_cast<std::uint32_t>(std::countr_zero(bits)) + 1);
-      }
-    }
-  }
-
- private:
-  std::array<std::uint64_t, 4> bits_{};
-  std::uint32_t words_, oldest_;
-};
-
 class FanWalk {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -75,9 +40,10 @@ class FanWalk {
   FanWalk(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
           const BatchModel& cache, const FanWeights& weights, std::pmr::memory_resource& memory);
 
-  /// Where to go on: of the vertices with triangles left those in the cache, the most promising first, `most` of them at
-  /// most; where there are none, the one that entered it last; where they are done too, the next in input order. None when
-  /// all is drawn. Valid until the next call.
+  /// Where to go on: of the vertices with triangles left those in the cache, the most promising first, `most` of them
+  /// at most; where there are none, the one that entered it last; where they are done too, the next in input order.
+  /// Left out is who is less promising than the first by more than `margin`. None when all is drawn. Valid until the
+  /// next call.
   std::span<const std::uint32_t> promising(std::size_t most, int margin);
   /// The most promising in the cache, or none.
   std::uint32_t most_promising() const;
@@ -130,7 +96,8 @@ class FanWalk {
     std::uint32_t before;
   };
 
-  void find_corners(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::pmr::memory_resource& memory);
+  void find_corners(std::span<const std::uint32_t> indices, std::size_t vertex_count,
+                    std::pmr::memory_resource& memory);
   void sort_around(std::span<Corner> corners) const;
   std::uint32_t fan_around(std::uint32_t center, std::span<std::uint32_t> fan) const;
 

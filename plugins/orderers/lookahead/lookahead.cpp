@@ -2,7 +2,7 @@
 
 #include "fan_walk.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace foredraw {
 
@@ -16,7 +16,7 @@ struct Effort {
 constexpr int unopposed = 1 << 21;  // by anyone: more than all else that makes promising
 
 Effort effort_of(const LookaheadOptions& options) {
-  constexpr Effort efforts[] = {{3, 2, 100}, {8, 8, unopposed - 1}, {16, 16, unopposed - 1}};
+  constexpr Effort efforts[] = {{3, 2, 100}, {8, 8, unopposed - 1}, {10, 20, unopposed - 1}};
   const Effort usual = efforts[static_cast<int>(options.quality)];
   return {options.candidates > 0 ? options.candidates : usual.candidates,
           options.depth > 0 ? options.depth : usual.depth, usual.margin};
@@ -25,28 +25,58 @@ Effort effort_of(const LookaheadOptions& options) {
 /// Found by random search on four meshes.
 FanWeights weights_of(const LookaheadOptions& options) {
   if (options.target == LookaheadTarget::nvidia) {  // the cache is emptied so often that ages hardly matter
-    return {.done = 231, .waiting = 68, .waiting_old = 1002, .waiting_open = 575,
-            .prefer_free = unopposed, .prefer_old = 5, .avoid_large = 14, .avoid_new = 3, .reserve = 0};
+    return {.done = 231,
+            .waiting = 68,
+            .waiting_old = 1002,
+            .waiting_open = 575,
+            .prefer_free = unopposed,
+            .prefer_old = 5,
+            .avoid_large = 14,
+            .avoid_new = 3,
+            .reserve = 0};
   }
   if (options.target != LookaheadTarget::robust) {
-    return {.done = 24, .waiting = 18, .waiting_old = 870, .waiting_open = 52,
-            .prefer_free = unopposed, .prefer_old = 37, .avoid_large = 18, .avoid_new = 50, .reserve = 2};
+    return {.done = 24,
+            .waiting = 18,
+            .waiting_old = 870,
+            .waiting_open = 52,
+            .prefer_free = unopposed,
+            .prefer_old = 37,
+            .avoid_large = 18,
+            .avoid_new = 50,
+            .reserve = 2};
   }
   if (options.quality == LookaheadQuality::fast) {  // the first guess counts for more
-    return {.done = 338, .waiting = 22, .waiting_old = 637, .waiting_open = 74,
-            .prefer_free = unopposed, .prefer_old = 50, .avoid_large = 6, .avoid_new = 103, .reserve = 6};
+    return {.done = 338,
+            .waiting = 22,
+            .waiting_old = 637,
+            .waiting_open = 74,
+            .prefer_free = unopposed,
+            .prefer_old = 50,
+            .avoid_large = 6,
+            .avoid_new = 103,
+            .reserve = 6};
   }
-  return {.done = 469, .waiting = -5, .waiting_old = 882, .waiting_open = 60,
-          .prefer_free = 0, .prefer_old = 37, .avoid_large = 25, .avoid_new = 36, .reserve = 6};
+  return {.done = 1000,
+          .waiting = -5,
+          .waiting_old = 882,
+          .waiting_open = 60,
+          .prefer_free = 0,
+          .prefer_old = 38,
+          .avoid_large = 17,
+          .avoid_new = 42,
+          .reserve = 6};
 }
 
 /// What a trial came to. The cost is what was paid and how the outlook changed.
 struct Outcome {
-  std::uint32_t center;
+  std::uint32_t center = FanWalk::none;
   std::int64_t cost = 0, triangles = 0;
-};
 
-bool is_cheaper(const Outcome& a, const Outcome& b) { return a.cost * b.triangles < b.cost * a.triangles; }  // by triangle
+  bool is_cheaper_than(const Outcome& other) const {  // by triangle
+    return other.triangles == 0 || cost * other.triangles < other.cost * triangles;
+  }
+};
 
 }  // namespace
 
@@ -63,14 +93,11 @@ void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> in
                const LookaheadOptions& options, std::pmr::memory_resource& memory) {
   const auto [candidates, depth, margin] = effort_of(options);
   FanWalk walk(order, indices, vertex_count, cache_of(options), weights_of(options), memory);
-  std::pmr::vector<std::uint32_t> centers(&memory);
-  std::pmr::vector<Outcome> outcomes(&memory);
 
   /// What becomes of the walk if it goes on around `center`, and then as far as `fans` wherever is most promising.
   const auto try_out = [&](std::uint32_t center, int fans) {
     const FanWalk::Trial trial(walk);
-    Outcome outcome{.center = center};
-    outcome.cost = -walk.outlook();
+    Outcome outcome{.center = center, .cost = -walk.outlook()};
     for (; center != FanWalk::none && fans >= 0 && !trial.is_long(); --fans) {
       outcome.triangles += walk.draw(center);
       center = walk.most_promising();
@@ -79,17 +106,27 @@ void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> in
     return outcome;
   };
 
-  for (std::size_t drawn = 0; drawn < order.size();) {
-    const auto promising = walk.promising(static_cast<std::size_t>(candidates), margin);
-    centers.assign(promising.begin(), promising.end());
-    if (centers.size() > 2) {  // a glance at each tells most of them apart
-      outcomes.clear();
-      for (const std::uint32_t candidate : centers) outcomes.push_back(try_out(candidate, depth / 4));
-      std::ranges::stable_sort(outcomes, is_cheaper);
-      centers = {outcomes[0].center, outcomes[1].center};
+  /// Short trials tell most of the candidates apart.
+  const auto best_at_a_glance = [&](std::span<const std::uint32_t> centers) {
+    Outcome best, second;
+    for (const std::uint32_t center : centers) {
+      const Outcome outcome = try_out(center, depth / 4);
+      if (outcome.is_cheaper_than(best)) {
+        second = std::exchange(best, outcome);
+      } else if (outcome.is_cheaper_than(second)) {
+        second = outcome;
+      }
     }
+    return std::pair(best.center, second.center);
+  };
+
+  for (std::size_t drawn = 0; drawn < order.size();) {
+    const auto centers = walk.promising(static_cast<std::size_t>(candidates), margin);
     std::uint32_t center = centers[0];
-    if (centers.size() > 1 && is_cheaper(try_out(centers[1], depth), try_out(centers[0], depth))) center = centers[1];
+    if (centers.size() > 1) {
+      const auto [one, other] = centers.size() > 2 ? best_at_a_glance(centers) : std::pair(centers[0], centers[1]);
+      center = try_out(other, depth).is_cheaper_than(try_out(one, depth)) ? other : one;
+    }
     drawn += walk.draw(center);
   }
 }

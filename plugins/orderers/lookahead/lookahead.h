@@ -1,6 +1,6 @@
 #pragma once
-// Lookahead: triangles ordered for the vertex cache in fans, as tipsify does, where each fan is chosen by drawing the ones
-// that might follow it, on trial. Source: own; after Sander, Nehab, Barczak 2007 (tipsy strips).
+// Lookahead: triangles ordered for the vertex cache in fans, as tipsify does, where each fan is chosen by drawing the
+// ones that might follow it, on trial. Source: own; after Sander, Nehab, Barczak 2007 (tipsy strips).
 
 #include <foredraw/analysis/vertex_cache.h>
 
@@ -24,8 +24,8 @@ enum class LookaheadQuality { fast, balanced, high };
 
 struct LookaheadOptions {
   LookaheadQuality quality = LookaheadQuality::balanced;  ///< sets the next two where they are 0
-  int candidates = 0;  ///< centres of the next fan that are tried, 0 to 64
-  int depth = 0;       ///< fans drawn on trial behind each, 0 to 64
+  int candidates = 0;                                     ///< centres of the next fan that are tried, 0 to 64
+  int depth = 0;                                          ///< fans drawn on trial behind each, 0 to 64
   LookaheadTarget target = LookaheadTarget::robust;
   int cache_size = 16;  ///< entries of the FIFO cache, 3 to 256; the batch models have their own
 };

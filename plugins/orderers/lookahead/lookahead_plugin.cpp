@@ -40,10 +40,9 @@ Plugin lookahead_plugin() {
       .pays_if = "fewer vertices miss the cache than in the order there is",
   };
   OptionTable<LookaheadOptions> table;
-  table.choice(&LookaheadOptions::quality, "quality", "How much is tried out, against time: sets `candidates` and `depth`",
-               {{"fast", LookaheadQuality::fast},
-                {"balanced", LookaheadQuality::balanced},
-                {"high", LookaheadQuality::high}});
+  table.choice(
+      &LookaheadOptions::quality, "quality", "How much is tried out, against time: sets `candidates` and `depth`",
+      {{"fast", LookaheadQuality::fast}, {"balanced", LookaheadQuality::balanced}, {"high", LookaheadQuality::high}});
   table.row(&LookaheadOptions::candidates, "candidates",
             "Centres of the next fan of triangles that are tried out; 0: as `quality` says", {0, 64, "fans"});
   table.row(&LookaheadOptions::depth, "depth", "Fans drawn on trial behind each; 0: as `quality` says",
