@@ -90,8 +90,15 @@ std::vector<std::byte> mesh_of(Input& input) {
 
 std::string line_of(Input& input) {
   std::string line = input.below(2) != 0 ? "weld(keep-unused=true)" : "weld";
-  line += ", tipsify(cache-size=" + std::to_string(3 + input.below(60)) + "), linear-clusters(growth=1." +
-          std::to_string(input.below(10)) + "), dot-rule(check=false)";
+  static constexpr const char* targets[] = {"robust", "fifo", "nvidia", "amd", "intel"};
+  const std::string cache_size = "cache-size=" + std::to_string(3 + input.below(60));
+  if (input.below(2) != 0) {
+    line += ", tipsify(" + cache_size + ")";
+  } else {
+    line += ", lookahead(candidates=" + std::to_string(input.below(6)) + ", depth=" + std::to_string(input.below(9)) +
+            ", target=" + targets[input.below(5)] + ", " + cache_size + ")";
+  }
+  line += ", linear-clusters(growth=1." + std::to_string(input.below(10)) + "), dot-rule(check=false)";
   if (input.below(2) != 0) line += ", vertex-fetch";
   if (input.below(4) == 0) line += ", tipsify, weld";
   return line;
