@@ -200,7 +200,7 @@ std::uint32_t FanWalk::fan_around(std::uint32_t center, std::span<std::uint32_t>
   bool after_live = is_live(corners_[end - 1]);
   for (std::uint32_t i = begin; i < end; ++i) {
     const bool live = is_live(corners_[i]);
-    start = live & !after_live ? count : start;
+    start = live && !after_live ? count : start;
     fan[count] = i;
     count += live;
     after_live = live;
@@ -308,7 +308,7 @@ std::uint32_t FanWalk::tell_neighbours(std::uint32_t of, std::uint32_t change) {
   const std::uint32_t time = time_, size = cache_.cache_size;
   std::uint32_t met = 0;
   const auto tell = [&](Vertex& v, bool live) {
-    const bool meets = live & (time - v.entered <= size);  // no branch: there is no pattern
+    const bool meets = (time - v.entered <= size) && live;  // no branch: there is no pattern
     if constexpr (on_trial) {
       *changed = {&v.met, v.met};
       changed += meets;
@@ -319,7 +319,7 @@ std::uint32_t FanWalk::tell_neighbours(std::uint32_t of, std::uint32_t change) {
   const Corner* const end = &corners_[0] + vertices[of + 1].corners;
   for (const Corner* corner = &corners_[0] + vertices[of].corners; corner != end; ++corner) {
     Vertex &next = vertices[corner->next], &last = vertices[corner->last];
-    const bool live = (next.live != 0) & (last.live != 0);
+    const bool live = std::min(next.live, last.live) != 0;
     tell(next, live);
     tell(last, live);
   }

@@ -6,6 +6,7 @@
 
 #include <foredraw/analysis/vertex_cache.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory_resource>
 #include <span>
@@ -103,7 +104,7 @@ class FanWalk {
 
   std::uint32_t age(const Vertex& v) const { return time_ - v.entered; }
   bool is_cached(const Vertex& v) const { return age(v) <= cache_.cache_size; }
-  bool is_live(const Corner& c) const { return (vertices_[c.next].live != 0) & (vertices_[c.last].live != 0); }
+  bool is_live(const Corner& c) const { return std::min(vertices_[c.next].live, vertices_[c.last].live) != 0; }
   std::uint32_t& entrant(std::uint32_t time) { return entrants_[time & (entrants_.size() - 1)]; }
   std::uint32_t entrant(std::uint32_t time) const { return entrants_[time & (entrants_.size() - 1)]; }
   void restart();

@@ -91,7 +91,7 @@ BatchModel cache_of(const LookaheadOptions& options) {
 
 void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
                const LookaheadOptions& options, std::pmr::memory_resource& memory) {
-  const auto [candidates, depth, margin] = effort_of(options);
+  const Effort effort = effort_of(options);
   FanWalk walk(order, indices, vertex_count, cache_of(options), weights_of(options), memory);
 
   /// What becomes of the walk if it goes on around `center`, and then as far as `fans` wherever is most promising.
@@ -110,7 +110,7 @@ void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> in
   const auto best_at_a_glance = [&](std::span<const std::uint32_t> centers) {
     Outcome best, second;
     for (const std::uint32_t center : centers) {
-      const Outcome outcome = try_out(center, depth / 4);
+      const Outcome outcome = try_out(center, effort.depth / 4);
       if (outcome.is_cheaper_than(best)) {
         second = std::exchange(best, outcome);
       } else if (outcome.is_cheaper_than(second)) {
@@ -121,11 +121,11 @@ void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> in
   };
 
   for (std::size_t drawn = 0; drawn < order.size();) {
-    const auto centers = walk.promising(static_cast<std::size_t>(candidates), margin);
+    const auto centers = walk.promising(static_cast<std::size_t>(effort.candidates), effort.margin);
     std::uint32_t center = centers[0];
     if (centers.size() > 1) {
       const auto [one, other] = centers.size() > 2 ? best_at_a_glance(centers) : std::pair(centers[0], centers[1]);
-      center = try_out(other, depth).is_cheaper_than(try_out(one, depth)) ? other : one;
+      center = try_out(other, effort.depth).is_cheaper_than(try_out(one, effort.depth)) ? other : one;
     }
     drawn += walk.draw(center);
   }
