@@ -1,10 +1,10 @@
 #include "../../evaluators/overdraw_raster/overdraw_raster.h"
-#include "../../evaluators/overdraw_raster/coverage.h"
 #include "../../evaluators/overdraw_raster/overdraw_figures.h"
 
 #include "overdraw_reference.h"
 #include "support/meshes.h"
 
+#include <foredraw/analysis/coverage.h>
 #include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>

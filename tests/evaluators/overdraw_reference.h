@@ -1,11 +1,12 @@
 #pragma once
 // What overdraw_raster must count, found without cleverness.
 
-#include "../../evaluators/overdraw_raster/camera.h"
-#include "../../evaluators/overdraw_raster/coverage.h"
 #include "../../evaluators/overdraw_raster/overdraw_raster.h"
 
 #include "support/meshes.h"
+
+#include <foredraw/analysis/camera.h>
+#include <foredraw/analysis/coverage.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
