@@ -24,36 +24,35 @@ std::uint64_t count_passing(const Owner* list, std::uint32_t lists, Length lengt
   return passing;
 }
 
-template <class Owner>
+/// Lengths that are common are known to the compiler, so that their loops have no end to guess.
+template <class Owner, std::uint32_t length = 2>
 std::uint64_t count_passing(const Owner* list, const LayerBatch& batch, const std::uint32_t* turns) {
-  switch (batch.length) {
-    case 2: return count_passing(list, batch.lists, std::integral_constant<std::uint32_t, 2>(), turns);
-    case 3: return count_passing(list, batch.lists, std::integral_constant<std::uint32_t, 3>(), turns);
-    case 4: return count_passing(list, batch.lists, std::integral_constant<std::uint32_t, 4>(), turns);
-    default: return count_passing(list, batch.lists, batch.length, turns);
+  constexpr std::uint32_t longest = 8;
+  if (batch.length == length) {
+    return count_passing(list, batch.lists, std::integral_constant<std::uint32_t, length>(), turns);
   }
+  if constexpr (length < longest) return count_passing<Owner, length + 1>(list, batch, turns);
+  return count_passing(list, batch.lists, batch.length, turns);
 }
 
 /// Of equally near owners the first one drawn alone passes, and only where nothing nearer was drawn; the others that
-/// come before all that is nearer are ties.
+/// come before all that is nearer are ties. Without a branch here too.
 template <class Owner>
 OverdrawCount count_with_ties(std::span<const Owner> list, std::span<const std::uint32_t> turns) {
   OverdrawCount count;
   std::uint32_t earliest = ~std::uint32_t{0};
-  for (std::size_t i = 0; i < list.size();) {
-    std::uint32_t group_earliest = earliest;
-    std::uint64_t unhindered = 0;
-    do {
-      const std::uint32_t turn = turns[list[i] & static_cast<Owner>(~tie_bit<Owner>)];
-      unhindered += turn <= earliest ? 1 : 0;
-      group_earliest = std::min(group_earliest, turn);
-      ++i;
-    } while (i < list.size() && list[i] >= tie_bit<Owner>);
-    if (unhindered > 0) {
-      ++count.shaded;
-      count.ties += unhindered - 1;
-    }
-    earliest = group_earliest;
+  std::uint32_t nearer = earliest;  // earliest without those as near as the owner
+  std::uint32_t has_passed = 0;     // one as near as the owner
+  for (const Owner owner : list) {
+    const bool is_tied = owner >= tie_bit<Owner>;
+    nearer = is_tied ? nearer : earliest;
+    has_passed = is_tied ? has_passed : 0;
+    const std::uint32_t turn = turns[owner & static_cast<Owner>(~tie_bit<Owner>)];
+    const std::uint32_t is_unhindered = turn <= nearer ? 1 : 0;
+    count.shaded += is_unhindered & ~has_passed;
+    count.ties += is_unhindered & has_passed;
+    has_passed |= is_unhindered;
+    earliest = std::min(earliest, turn);
   }
   return count;
 }
