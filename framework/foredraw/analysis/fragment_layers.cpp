@@ -72,6 +72,7 @@ class Capture {
     for (const auto& [pixel, depth, triangle] : fragments_) {
       if (has_one[pixel] == 0) sorted[ends_[pixel]++] = std::uint64_t{depth} << 32 | triangle;
     }
+    fragments_ = {};
     std::size_t first = 0;
     for (const std::size_t end : ends_) {
       std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first), sorted.begin() + static_cast<std::ptrdiff_t>(end));

@@ -19,8 +19,8 @@ inline constexpr std::size_t default_layer_bytes = std::size_t{256} << 20;
 
 /// Draws the parts from every view as for_each_fragment() does, into pictures of views.size x views.size pixels. Views
 /// are shared out over the threads; the layers are the same however they are. Nothing where they would take more than
-/// `most_bytes`, or a single view would while it is made, which each thread needs besides: who asked draws every order
-/// then. O(views * (triangles + fragments * log fragments)).
+/// `most_bytes`, or where the fragments of a single view would: who asked draws every order then. Each thread works in
+/// a few times the fragments of one view besides. O(views * (triangles + fragments * log fragments)).
 std::optional<FragmentLayers> fragment_layers(std::span<const RasterPart> parts, const Views& views,
                                               const Executor& executor, std::size_t most_bytes = default_layer_bytes);
 

@@ -17,9 +17,9 @@ class OverdrawService {
   virtual OverdrawCounts count(const Scene&, const Subject&, const Views&, Run&) = 0;
   /// Whether layers() may answer.
   virtual bool can_capture() const { return false; }
-  /// The same subject as layers, which count any order of its triangles as count() would, without drawing again.
-  /// Triangles are numbered through the parts, and parts that are not drawn have none. Nothing where the service can
-  /// not capture, or where layers would take more than `most_bytes`: then ask count().
+  /// The same subject as layers, which count any order of its triangles as count() would, all parts together, without
+  /// drawing again. Triangles are numbered through the parts, and parts that are not drawn have none. Nothing where the
+  /// service can not capture, or where layers would take more than `most_bytes`: then ask count().
   virtual std::optional<FragmentLayers> layers(const Scene&, const Subject&, const Views&, Run&,
                                                std::size_t most_bytes = default_layer_bytes) {
     static_cast<void>(most_bytes);
