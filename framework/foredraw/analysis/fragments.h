@@ -24,10 +24,10 @@ inline void sort(Corner& a, Corner& b, Corner& c) {
 
 template <class Depth, class Put>
 void draw(const PreparedPart& part, const Camera& camera, std::span<const Corner> corners, Put put) {
-  for (const auto& [corner, number] : part.triangles) {
-    Corner a = corners[corner[0]];
-    Corner b = corners[corner[1]];
-    Corner c = corners[corner[2]];
+  for (const PreparedPart::Triangle& triangle : part.triangles) {
+    Corner a = corners[triangle.corners[0]];
+    Corner b = corners[triangle.corners[1]];
+    Corner c = corners[triangle.corners[2]];
     const PixelBox box(a, b, c);
     if (box.is_empty()) continue;
     const std::int64_t area = doubled_area(a, b, c);
@@ -40,7 +40,7 @@ void draw(const PreparedPart& part, const Camera& camera, std::span<const Corner
     if (doubled_area(a, b, c) < 0) std::swap(b, c);
     const Depth depth(camera, a, b, c, std::abs(area));
     for_each_covered(a, b, c, box, [&](std::int32_t x, std::int32_t y, const std::array<std::int64_t, 3>& weights) {
-      put(x, y, depth.at(weights), number);
+      put(x, y, depth.at(weights), triangle.number);
     });
   }
 }

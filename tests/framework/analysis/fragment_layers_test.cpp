@@ -128,14 +128,16 @@ TEST(FragmentLayers, parts_are_numbered_through_and_may_be_mixed) {
 }
 
 TEST(FragmentLayers, many_triangles_are_told_apart) {
-  // More than 16 bits hold beside the tie bit.
-  const TestMesh mesh = testing::joined(testing::sphere(180, 100), testing::sphere(180, 100, 0.9f));
-  ASSERT_GT(mesh.indices.size() / 3, 70000u);
-  const Views views = few_views(0, 128);
-  const FragmentLayers layers = layers_of(mesh, views, false);
-  const RasterPart part = part_of(mesh, false);
-  const auto order = random_order(layers.owners, 1);
-  EXPECT_EQ(count_overdraw_by_view(layers, order), painted({&part, 1}, views, order));
+  // More than 15 bits hold beside the one that tells ties, and more than 16.
+  for (const std::uint32_t slices : {90u, 180u}) {
+    const TestMesh mesh = testing::joined(testing::sphere(slices, 100), testing::sphere(slices, 100));
+    ASSERT_GT(mesh.indices.size() / 3, slices == 90 ? 33000u : 66000u);
+    const Views views = few_views(0, 128);
+    const FragmentLayers layers = layers_of(mesh, views, false);
+    const RasterPart part = part_of(mesh, false);
+    const auto order = random_order(layers.owners, 1);
+    EXPECT_EQ(count_overdraw_by_view(layers, order), painted({&part, 1}, views, order));
+  }
 }
 
 bool are_equal(const Layers& a, const Layers& b) {
@@ -153,17 +155,26 @@ TEST(FragmentLayers, one_thread_captures_what_many_do) {
 }
 
 TEST(FragmentLayers, what_exceeds_the_limit_is_refused_at_any_number_of_threads) {
-  const TestMesh mesh = testing::tangle(6, false);
+  // Fine triangles, so that hardly any lists are equal and a view's fragments are less than what is kept of all views.
+  const TestMesh mesh = testing::joined(testing::sphere(90, 60), testing::sphere(90, 60, 0.9f));
   const RasterPart part = part_of(mesh, false);
-  const Views views = few_views(0, 128);
+  const Views views = make_views({.views = "icosphere", .count = 42, .size = 64});
   const std::size_t bytes = fragment_layers({&part, 1}, views, Executor(1))->bytes();
   for (const int threads : {1, 2, 8}) {
     const Executor executor(threads);
     EXPECT_FALSE(fragment_layers({&part, 1}, views, executor, bytes - 1)) << threads;
     EXPECT_FALSE(fragment_layers({&part, 1}, views, executor, 0)) << threads;
-    EXPECT_TRUE(fragment_layers({&part, 1}, views, executor, 4 * bytes)) << threads;
+    EXPECT_TRUE(fragment_layers({&part, 1}, views, executor, bytes)) << threads;
     EXPECT_TRUE(fragment_layers({&part, 1}, views, executor, std::numeric_limits<std::size_t>::max())) << threads;
   }
+}
+
+TEST(FragmentLayers, a_view_with_more_fragments_than_the_limit_is_refused) {
+  const TestMesh mesh = testing::sphere(16, 8);  // one layer, of which nothing but a number would be kept
+  const RasterPart part = part_of(mesh);
+  const Executor executor(2);
+  EXPECT_LT(fragment_layers({&part, 1}, few_views(0, 128), executor)->bytes(), 4096u);
+  EXPECT_FALSE(fragment_layers({&part, 1}, few_views(0, 128), executor, 4096));
 }
 
 TEST(FragmentLayers, nothing_to_see_is_nothing_to_keep) {
