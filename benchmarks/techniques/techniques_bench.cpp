@@ -201,8 +201,7 @@ void add_contests(RatioTable& table, const std::vector<MeshSet>& sets, const std
 
 }  // namespace
 
-void add_file_contests(RatioTable& table);   // files_bench.cpp
-void add_layer_contests(RatioTable& table);  // layers_bench.cpp
+void add_file_contests(RatioTable& table);  // files_bench.cpp
 
 }  // namespace foredraw::bench
 
@@ -221,6 +220,5 @@ int main(int argc, char** argv) {
   RatioTable table;
   add_contests(table, sets, ordered);
   add_file_contests(table);
-  add_layer_contests(table);
   benchmark::RunSpecifiedBenchmarks(&table);
 }
