@@ -2,13 +2,11 @@
 // Overdraw counted by drawing: an exact rasteriser on the processor, whose figures are the same on every machine.
 
 #include <foredraw/analysis/overdraw_count.h>
+#include <foredraw/analysis/raster_part.h>
 #include <foredraw/analysis/view_sphere.h>
 
-#include <glm/vec3.hpp>
-
-#include <cstdint>
+#include <cstddef>
 #include <span>
-#include <vector>
 
 namespace foredraw {
 
@@ -19,14 +17,6 @@ enum class Faces { material, front };
 struct OverdrawRasterOptions : ViewSet {
   OverdrawRasterOptions() { views = "fibonacci"; }
   Faces faces = Faces::material;
-};
-
-/// The triangles of one draw call, in the order in which they are drawn. Front faces turn counter-clockwise.
-struct RasterPart {
-  std::span<const glm::vec3> positions;
-  std::span<const std::uint32_t> indices;  ///< three a triangle, each below the number of positions
-  bool culls_back_faces = true;
-  bool is_mirrored = false;  ///< positions were moved by a transform that turns front faces clockwise
 };
 
 /// Draws the parts one after the other from every view, with depth test `less`, into pictures of views.size x

@@ -25,6 +25,14 @@ class OverdrawRasterService final : public OverdrawService {
     return overdraw_raster(drawn_subject(scene, subject, faces_, world_transforms(scene)), views, run.executor);
   }
 
+  bool can_capture() const override { return true; }
+
+  std::optional<FragmentLayers> layers(const Scene& scene, const Subject& subject, const Views& views, Run& run,
+                                       std::size_t most_bytes) override {
+    const DrawnSubject drawn = drawn_subject(scene, subject, faces_, world_transforms(scene));
+    return fragment_layers(drawn.parts, views, run.executor, most_bytes);
+  }
+
  private:
   Faces faces_;
 };
@@ -52,7 +60,7 @@ class OverdrawRaster final : public Evaluator {
     const std::vector<Subject> subjects = subjects_of(scene);
     const std::vector<glm::mat4> world = world_transforms(scene);
     OverdrawCounts by_draw(scene.draws.size(), std::vector<OverdrawCount>(views_.views.size()));
-    std::vector<OverdrawCount> by_subject;  // [subject * views + view]
+    std::vector<OverdrawCount> by_subject;                    // [subject * views + view]
     std::vector<OverdrawCounts> of_subject(subjects.size());  // [subject][part][view]
     std::vector<std::size_t> non_finite(subjects.size(), 0);
     std::atomic<std::size_t> done = 0;

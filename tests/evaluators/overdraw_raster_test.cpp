@@ -1,23 +1,22 @@
 #include "../../evaluators/overdraw_raster/overdraw_raster.h"
-#include "../../evaluators/overdraw_raster/coverage.h"
 #include "../../evaluators/overdraw_raster/overdraw_figures.h"
 
 #include "overdraw_reference.h"
 #include "support/meshes.h"
+#include "support/painter.h"
 
 #include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace foredraw {
 namespace {
 
+using testing::part_of;
 using testing::TestMesh;
 
 Views views_of(std::vector<glm::dvec3> directions, int size = 64, double distance = 0) {
@@ -33,10 +32,6 @@ Views all_sides(int size = 64, double distance = 0) {
   set.size = size;
   if (distance > 0) set.distance = distance;
   return make_views(set);
-}
-
-RasterPart part_of(const TestMesh& mesh, bool culls_back_faces = true) {
-  return {mesh.positions, mesh.indices, culls_back_faces, false};
 }
 
 /// Of all parts and views.
@@ -194,40 +189,6 @@ TEST(OverdrawRaster, a_grid_covers_exactly_what_its_outline_covers) {
       EXPECT_EQ(parts.ties, 0u);
     }
   }
-}
-
-Corner random_corner(int most) {
-  const auto coordinate = [most] { return *rc::gen::inRange(0, most + 1); };
-  return {coordinate(), coordinate(), static_cast<std::uint32_t>(*rc::gen::inRange(0, 1 << 24))};
-}
-
-RC_GTEST_PROP(OverdrawRaster, coverage_is_exact, ()) {
-  const int size = *rc::gen::element(3, 17);
-  const int step = *rc::gen::element(1, 128);  // multiples of 128 lie on centres
-  Corner a = random_corner(size * 256 / step);
-  Corner b = random_corner(size * 256 / step);
-  Corner c = random_corner(size * 256 / step);
-  for (Corner* corner : {&a, &b, &c}) {
-    corner->x *= step;
-    corner->y *= step;
-  }
-  if (doubled_area(a, b, c) < 0) std::swap(b, c);
-  const std::int64_t area = doubled_area(a, b, c);
-  RC_PRE(area != 0);
-
-  std::set<std::pair<int, int>> expected;
-  for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) {
-      if (covers_pixel(a, b, c, x, y)) expected.emplace(x, y);
-    }
-  }
-  std::set<std::pair<int, int>> covered;
-  for_each_covered(a, b, c, PixelBox(a, b, c), [&](int x, int y, const std::array<std::int64_t, 3>& weights) {
-    RC_ASSERT(covered.emplace(x, y).second);
-    RC_ASSERT(weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0);
-    RC_ASSERT(weights[0] + weights[1] + weights[2] == area);
-  });
-  RC_ASSERT(covered == expected);
 }
 
 // --- against a reference
@@ -415,6 +376,48 @@ TEST(OverdrawRasterPlugin, answers_for_measured_overdraw) {
   const RasterPart part = part_of(torus);
   const OverdrawCounts expected = overdraw_raster({&part, 1}, all_sides());
   EXPECT_EQ(overdraw, expected);
+}
+
+/// The scene with the triangles of its only draw in another order.
+Scene with_order(const TestMesh& mesh, std::span<const std::uint32_t> order) {
+  TestMesh ordered{mesh.positions, {}};
+  for (const std::uint32_t t : order) {
+    for (std::uint32_t corner = 0; corner < 3; ++corner) ordered.indices.push_back(mesh.indices[3 * t + corner]);
+  }
+  return testing::scene_of(ordered);
+}
+
+TEST(OverdrawRasterPlugin, layers_count_any_order_as_drawing_it_does) {
+  const TestMesh mesh = testing::joined(testing::torus(24, 12), testing::joined(crowd(3), quad(0)));
+  const Scene scene = testing::scene_of(mesh);
+  const auto service = overdraw_raster_plugin().overdraw_service({{"faces", std::string("front")}});
+  ASSERT_TRUE(service->can_capture());
+  testing::RunFixture fixture;
+  for (const double distance : {0.0, 2.0}) {
+    const Views views = all_sides(64, distance);
+    const auto layers = service->layers(scene, subjects_of(scene)[0], views, fixture.run);
+    ASSERT_TRUE(layers);
+    EXPECT_FALSE(service->layers(scene, subjects_of(scene)[0], views, fixture.run, layers->bytes() - 1));
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const std::vector<std::uint32_t> order = testing::random_order(mesh.indices.size() / 3, seed);
+      const Scene drawn = with_order(mesh, order);
+      const OverdrawCounts counts = service->count(drawn, subjects_of(drawn)[0], views, fixture.run);
+      EXPECT_EQ(count_overdraw_by_view(*layers, order), counts[0]);
+    }
+  }
+}
+
+TEST(OverdrawRasterPlugin, parts_that_are_not_drawn_have_no_triangles_in_layers) {
+  Scene scene = testing::scene_of({testing::draw_of(quad(0)), testing::draw_of(quad(-0.5f))});
+  scene.meshes[0].draws = {0, 1};
+  scene.meshes.pop_back();
+  scene.nodes.pop_back();
+  scene.materials.resize(1);
+  scene.materials[0].alpha_mode = AlphaMode::blend;
+  scene.draws[0].material = 0;
+  const auto service = overdraw_raster_plugin().overdraw_service({});
+  testing::RunFixture fixture;
+  EXPECT_EQ(service->layers(scene, subjects_of(scene)[0], all_sides(), fixture.run)->owners, 2u);
 }
 
 TEST(OverdrawRasterPlugin, says_where_it_looks_from_where_orders_were_optimised_for) {

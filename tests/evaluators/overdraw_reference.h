@@ -1,11 +1,12 @@
 #pragma once
 // What overdraw_raster must count, found without cleverness.
 
-#include "../../evaluators/overdraw_raster/camera.h"
-#include "../../evaluators/overdraw_raster/coverage.h"
 #include "../../evaluators/overdraw_raster/overdraw_raster.h"
 
+#include "support/covers_pixel.h"
 #include "support/meshes.h"
+
+#include <foredraw/analysis/camera.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,19 +18,6 @@
 #include <vector>
 
 namespace foredraw {
-
-/// Whether the pixel's centre is inside, asked of each pixel: nudged to the right by an infinitely small step, and down
-/// by one smaller still, it lies in the triangle and on no edge.
-inline bool covers_pixel(const Corner& a, const Corner& b, const Corner& c, int x, int y) {
-  const auto is_left = [&](const Corner& p, const Corner& q) {
-    const __int128 dx = q.x - p.x;
-    const __int128 dy = q.y - p.y;
-    const __int128 side = dx * (256 * y + 128 - p.y) - dy * (256 * x + 128 - p.x);
-    if (side != 0) return side > 0;
-    return dy != 0 ? dy < 0 : dx < 0;
-  };
-  return is_left(a, b) && is_left(b, c) && is_left(c, a);
-}
 
 /// Every pixel asked of every triangle, in wide integers; depth as the exact fraction that the plane through the
 /// corners has there, rounded down.

@@ -1,7 +1,7 @@
 #pragma once
 // From positions to corners in the picture, and from corners' depths to fragments'.
 
-#include "coverage.h"
+#include <foredraw/analysis/coverage.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
