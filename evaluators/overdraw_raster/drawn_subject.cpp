@@ -50,7 +50,6 @@ OverdrawCounts overdraw_raster(const DrawnSubject& subject, const Views& views, 
     const auto from = views.views.begin();
     const Views some{{from + static_cast<std::ptrdiff_t>(all * share / shares),
                       from + static_cast<std::ptrdiff_t>(all * (share + 1) / shares)},
-                     views.distance,
                      views.size};
     of_shares[share] = overdraw_raster(subject.parts, some);
   });

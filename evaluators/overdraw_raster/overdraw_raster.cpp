@@ -62,7 +62,7 @@ OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& v
   OverdrawCounts counts(parts.size());
   Picture picture(views.size);
   for (const View& view : views.views) {
-    const auto of_view = picture.draw(ready, Camera(view.direction, views.distance, views.size));
+    const auto of_view = picture.draw(ready, Camera(view, views.size));
     for (std::size_t part = 0; part < parts.size(); ++part) counts[part].push_back(of_view[part]);
   }
   return counts;

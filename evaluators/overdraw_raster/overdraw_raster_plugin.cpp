@@ -37,12 +37,6 @@ class OverdrawRasterService final : public OverdrawService {
   Faces faces_;
 };
 
-bool look_alike(const Views& a, const Views& b) {
-  const auto same_direction = [](const View& v, const View& w) { return v.direction == w.direction; };
-  return a.distance == b.distance &&
-         std::equal(a.views.begin(), a.views.end(), b.views.begin(), b.views.end(), same_direction);
-}
-
 /// "3 draws (Glass, Smoke, Flame/1)", with the first few names.
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t few = 5;
@@ -120,7 +114,7 @@ class OverdrawRaster final : public Evaluator {
       run.count("triangles-left-out", static_cast<double>(non_finite));
       run.note("not-finite", fmt::format("{} triangles are left out: positions that are not finite", non_finite));
     }
-    if (look_alike(views_, run.views)) {
+    if (views_.views == run.views.views) {
       run.note("same-views", "these are the views that orders are optimised for; figures from others tell more");
     }
   }

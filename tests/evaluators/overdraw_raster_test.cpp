@@ -20,8 +20,8 @@ using testing::part_of;
 using testing::TestMesh;
 
 Views views_of(std::vector<glm::dvec3> directions, int size = 64, double distance = 0) {
-  Views views{{}, distance, size};
-  for (const glm::dvec3& direction : directions) views.views.push_back({direction, 1});
+  Views views{{}, size};
+  for (const glm::dvec3& direction : directions) views.views.push_back({direction, distance});
   return views;
 }
 

@@ -14,14 +14,14 @@ namespace foredraw::testing {
 /// Every triangle's fragments in one view, and a depth buffer to paint them into in any order.
 class Painter {
  public:
-  Painter(std::span<const RasterPart> parts, const View& view, double distance, int size)
+  Painter(std::span<const RasterPart> parts, const View& view, int size)
       : pixels_(static_cast<std::size_t>(size * size)) {
     std::size_t triangles = 0;
     for (const RasterPart& part : parts) triangles += part.indices.size() / 3;
     fragments_.resize(triangles);
     std::vector<Corner> corners;
     for (const PreparedPart& part : prepared(parts)) {
-      for_each_fragment(part, Camera(view.direction, distance, size), corners,
+      for_each_fragment(part, Camera(view, size), corners,
                         [&](int x, int y, std::uint32_t depth, std::uint32_t triangle) {
                           fragments_[triangle].push_back({static_cast<std::size_t>(y * size + x), depth});
                         });
@@ -56,7 +56,7 @@ class Painter {
 inline std::vector<OverdrawCount> painted(std::span<const RasterPart> parts, const Views& views,
                                           std::span<const std::uint32_t> order) {
   std::vector<OverdrawCount> counts;
-  for (const View& view : views.views) counts.push_back(Painter(parts, view, views.distance, views.size).paint(order));
+  for (const View& view : views.views) counts.push_back(Painter(parts, view, views.size).paint(order));
   return counts;
 }
 

@@ -2,6 +2,7 @@
 // From positions to corners in the picture, and from corners' depths to fragments'.
 
 #include <foredraw/analysis/coverage.h>
+#include <foredraw/scene/views.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -17,16 +18,15 @@ inline constexpr double depth_steps = 0x1p23;
 /// whole numbers, so that corners are the same on every machine.
 class Camera {
  public:
-  /// `towards`: unit length, from the centre to the camera. `distance`: of the camera from the centre; 0: orthographic.
-  Camera(const glm::dvec3& towards, double distance, int size)
-      : towards_(towards), distance_(distance), extent_(size * subpixels), half_(extent_ / 2.0) {
+  Camera(const View& view, int size)
+      : towards_(view.direction), distance_(view.distance), extent_(size * subpixels), half_(extent_ / 2.0) {
     // +Y is up, but for views along it.
-    const glm::dvec3 up = std::abs(towards.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
-    const glm::dvec3 right = glm::cross(up, towards);
+    const glm::dvec3 up = std::abs(towards_.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 right = glm::cross(up, towards_);
     right_ = right / std::sqrt(glm::dot(right, right));
-    up_ = glm::cross(towards, right_);
+    up_ = glm::cross(towards_, right_);
     // The sphere's outline is where lines from the camera touch it.
-    if (is_perspective()) focal_ = std::sqrt(distance * distance - 1);
+    if (is_perspective()) focal_ = std::sqrt(distance_ * distance_ - 1);
   }
 
   bool is_perspective() const { return distance_ > 0; }

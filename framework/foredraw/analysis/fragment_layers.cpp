@@ -102,7 +102,7 @@ std::optional<FragmentLayers> fragment_layers(std::span<const RasterPart> parts,
   executor.for_each(views.views.size(), [&](std::size_t view) {
     if (is_too_much) return;
     Capture capture(views.size, most_bytes);
-    capture.draw(ready, Camera(views.views[view].direction, views.distance, views.size));
+    capture.draw(ready, Camera(views.views[view], views.size));
     const bool is_full = capture.is_full();
     if (!is_full) layers.views[view] = std::move(capture).layers(layers.owners);
     const std::size_t so_far = bytes += bytes_of(layers.views[view]);

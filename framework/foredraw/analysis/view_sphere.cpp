@@ -152,9 +152,8 @@ std::optional<std::string> mistake_in(const ViewSet& set) {
 
 Views make_views(const ViewSet& set) {
   Views views;
-  views.distance = set.distance.value_or(0);
   views.size = set.size;
-  for (const glm::dvec3& direction : directions_of(set)) views.views.push_back({direction, 1});
+  for (const glm::dvec3& direction : directions_of(set)) views.views.push_back({direction, set.distance.value_or(0)});
   return views;
 }
 

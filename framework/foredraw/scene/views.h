@@ -10,14 +10,17 @@ namespace foredraw {
 /// One way to look at a subject, in the subject's own space.
 struct View {
   glm::dvec3 direction{0, 0, 1};  ///< unit length, from the bounding sphere's centre to the camera
-  double weight = 1;
+  double distance = 0;            ///< from the centre to the camera in bounding-sphere radii; 0: orthographic
+  double weight = 1;              ///< above 0; how much the view counts beside the others
+
+  friend bool operator==(const View&, const View&) = default;
 };
 
-/// A set of views. `distance` is from the centre to the camera in bounding-sphere radii; 0: orthographic.
 struct Views {
   std::vector<View> views;
-  double distance = 0;
   int size = 256;  ///< pixels along each edge of the square picture that just holds the bounding sphere
+
+  friend bool operator==(const Views&, const Views&) = default;
 };
 
 }  // namespace foredraw

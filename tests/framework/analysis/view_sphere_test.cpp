@@ -97,10 +97,10 @@ TEST(ViewSphere, the_same_bits_everywhere) {
 
 TEST(ViewSphere, camera_and_picture_are_taken_over) {
   ViewSet set = view_set("axes");
-  EXPECT_EQ(make_views(set).distance, 0);
+  EXPECT_EQ(make_views(set).views[0].distance, 0);
   set.distance = 3;
   set.size = 64;
-  EXPECT_EQ(make_views(set).distance, 3);
+  EXPECT_EQ(make_views(set).views[0].distance, 3);
   EXPECT_EQ(make_views(set).size, 64);
 }
 
