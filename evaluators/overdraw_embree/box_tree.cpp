@@ -24,15 +24,14 @@ void set_bounds(const RTCBoundsFunctionArguments* arguments) {
 
 }  // namespace
 
-/// What goes through Embree with a ray: its context is the first member.
-struct BoxTree::Query {
-  RTCIntersectContext context;
+/// What goes through Embree with a ray.
+struct BoxTree::Query : RTCIntersectContext {
   Call call;
   std::exception_ptr failure;  ///< Embree's own functions are not made for exceptions
 
   /// Never says that the ray is blocked, so it goes on to the next box.
   static void met(const RTCOccludedFunctionNArguments* arguments) {
-    Query& query = *reinterpret_cast<Query*>(arguments->context);
+    Query& query = *static_cast<Query*>(arguments->context);
     if (query.failure) return;
     try {
       query.call.pass_on(query.call.call, arguments->primID);
@@ -87,7 +86,7 @@ BoxTree::BoxTree(std::span<const Box> boxes) : tree_(std::make_shared<const Tree
 
 void BoxTree::trace(const Ray& ray, const Call& call) const {
   Query query{{}, call, {}};
-  rtcInitIntersectContext(&query.context);
+  rtcInitIntersectContext(&query);
   RTCRay traced{};
   traced.org_x = ray.from.x;
   traced.org_y = ray.from.y;
@@ -97,7 +96,7 @@ void BoxTree::trace(const Ray& ray, const Call& call) const {
   traced.dir_z = ray.direction.z;
   traced.tfar = ray.length;
   traced.mask = ~0u;
-  rtcOccluded1(tree_->scene, &query.context, &traced);
+  rtcOccluded1(tree_->scene, &query, &traced);
   if (query.failure) std::rethrow_exception(query.failure);
 }
 

@@ -17,8 +17,8 @@ class TracedParts {
   /// Reads the parts here and never again. O(triangles log triangles).
   explicit TracedParts(std::span<const RasterPart> parts);
 
-  /// [part]: what overdraw_embree() counts in one view, in a picture of size x size pixels.
-  std::vector<OverdrawCount> count(const View& view, int size, const OverdrawEmbreeOptions& options) const;
+  /// As overdraw_embree() does.
+  OverdrawCounts count(const Views& views, const OverdrawEmbreeOptions& options) const;
 
   struct Triangle {
     std::array<std::uint32_t, 3> corners;
@@ -35,6 +35,8 @@ class TracedParts {
   };
 
  private:
+  std::vector<OverdrawCount> count(const View& view, int size, const OverdrawEmbreeOptions& options) const;
+
   Surface surface_;
   BoxTree tree_;  ///< around the triangles
 };

@@ -339,7 +339,7 @@ TEST(OverdrawEmbree, more_samples_are_nearer_to_a_finer_picture) {
   EXPECT_LT(error(16), one / 5);
 }
 
-// --- threads, and what Embree does to its surroundings
+// --- threads
 
 TEST(OverdrawEmbree, many_threads_may_ask_the_same_tree) {
   const TestMesh mesh = testing::tangle(2, false);
@@ -349,9 +349,93 @@ TEST(OverdrawEmbree, many_threads_may_ask_the_same_tree) {
   const Executor executor(2);
   const TracedParts traced({&part, 1});
   std::vector<OverdrawCount> counts(views.views.size());
-  executor.for_each(counts.size(), [&](std::size_t i) { counts[i] = traced.count(views.views[i], 64, {2, 1})[0]; });
+  executor.for_each(counts.size(), [&](std::size_t i) {
+    counts[i] = traced.count({{views.views[i]}, 64}, {2, 1})[0][0];
+  });
   EXPECT_EQ(counts, expected[0]);
 }
+
+// --- the plugin
+
+Findings evaluate(const Scene& scene, const Settings& settings, int threads = 2) {
+  const Technique technique = overdraw_embree_plugin().create(settings);
+  testing::RunFixture fixture;
+  const Executor executor(threads);
+  Run run{fixture.analyses, executor, fixture.findings, fixture.views};
+  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, run);
+  return fixture.findings;
+}
+
+const Measured* find(const Findings& findings, const std::string& metric, std::optional<DrawId> draw) {
+  for (const Measured& measured : findings.measured) {
+    if (measured.metric == metric && measured.place.draw == draw) return &measured;
+  }
+  return nullptr;
+}
+
+const Settings few_views = {
+    {"views", std::string("fibonacci")}, {"count", std::int64_t{10}}, {"size", std::int64_t{64}}};
+
+TEST(OverdrawEmbreePlugin, one_thread_counts_as_many_do) {
+  const Scene scene = testing::scene_of(testing::shuffled(testing::torus(40, 20), 2));
+  Settings settings = few_views;
+  settings["samples"] = std::int64_t{3};
+  const Findings one = evaluate(scene, settings, 1);
+  for (const int threads : {2, 5}) {
+    const Findings several = evaluate(scene, settings, threads);
+    ASSERT_EQ(several.measured.size(), one.measured.size());
+    for (std::size_t i = 0; i < one.measured.size(); ++i) {
+      EXPECT_EQ(several.measured[i].numerator, one.measured[i].numerator);
+      EXPECT_EQ(several.measured[i].denominator, one.measured[i].denominator);
+      EXPECT_EQ(several.measured[i].error, one.measured[i].error);
+    }
+  }
+}
+
+TEST(OverdrawEmbreePlugin, traces_as_many_samples_as_asked_at_places_of_the_seed) {
+  const Scene scene = testing::scene_of(testing::torus(40, 20));
+  const auto visible = [&](std::int64_t samples, std::int64_t seed) {
+    Settings settings = few_views;
+    settings["samples"] = samples;
+    settings["seed"] = seed;
+    return *find(evaluate(scene, settings), "ratio", {})->denominator;
+  };
+  EXPECT_NEAR(visible(9, 0) / visible(1, 0), 9, 0.1);
+  EXPECT_NE(visible(9, 0), visible(9, 1));
+  EXPECT_EQ(visible(1, 0), visible(1, 1));
+}
+
+TEST(OverdrawEmbreePlugin, culls_and_leaves_out_as_materials_and_faces_say) {
+  Scene scene =
+      testing::scene_of({testing::draw_of(testing::sphere(16, 8), "Shell"), testing::draw_of(quad(0), "Glass")});
+  scene.materials.resize(2);
+  scene.materials[0].double_sided = true;
+  scene.materials[1].alpha_mode = AlphaMode::blend;
+  for (DrawId draw = 0; draw < 2; ++draw) scene.draws[draw].material = draw;
+  const Findings findings = evaluate(scene, few_views);
+  EXPECT_GT(find(findings, "ratio", 0)->numerator / *find(findings, "ratio", 0)->denominator, 1.1);
+  EXPECT_EQ(find(findings, "ratio", 1), nullptr);
+
+  Settings front = few_views;
+  front["faces"] = std::string("front");
+  const Findings culled = evaluate(scene, front);
+  EXPECT_EQ(find(culled, "ratio", 0)->numerator, *find(culled, "ratio", 0)->denominator);
+}
+
+TEST(OverdrawEmbreePlugin, answers_for_measured_overdraw) {
+  const TestMesh torus = testing::shuffled(testing::torus(24, 12), 1);
+  const Scene scene = testing::scene_of(torus);
+  const RasterPart part = part_of(torus);
+  for (const int samples : {1, 4}) {
+    const auto service = overdraw_embree_plugin().overdraw_service({{"samples", std::int64_t{samples}}});
+    EXPECT_FALSE(service->can_capture());
+    testing::RunFixture fixture;
+    EXPECT_EQ(service->count(scene, subjects_of(scene)[0], all_sides(), fixture.run),
+              overdraw_embree({&part, 1}, all_sides(), {samples, 0}));
+  }
+}
+
+// --- the tree
 
 TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
   std::vector<Box> boxes;
