@@ -1,5 +1,6 @@
 #include "traced_parts.h"
 
+#include "row_spans.h"
 #include "sample_pattern.h"
 
 #include <foredraw/analysis/camera.h>
@@ -70,6 +71,14 @@ class TracedView {
       : surface_(surface), camera_(view, size * fineness) {
     corners_.reserve(surface.positions.size());
     for (const glm::dvec3& position : surface.positions) corners_.push_back(camera_.project(position));
+  }
+
+  RowSpans worth_a_ray(int size) const {
+    RowSpans spans(size);
+    for (const auto& [corners, _] : surface_.triangles) {
+      spans.add(corners_[corners[0]], corners_[corners[1]], corners_[corners[2]], SamplePattern::steps);
+    }
+    return spans;
   }
 
   Ray ray(const Corner& point) const {
@@ -152,9 +161,10 @@ OverdrawCounts TracedParts::count(const Views& views, const OverdrawEmbreeOption
 std::vector<OverdrawCount> TracedParts::count(const View& view, int size, const OverdrawEmbreeOptions& options) const {
   std::vector<OverdrawCount> counts(surface_.parts.size());
   const TracedView traced(surface_, view, size);
+  const RowSpans spans = traced.worth_a_ray(size);
   std::vector<Hit> hits;
   for (std::int32_t y = 0; y < size; ++y) {
-    for (std::int32_t x = 0; x < size; ++x) {
+    for (std::int32_t x = spans[y].begin; x < spans[y].end; ++x) {
       const SamplePattern pattern(options.seed, x, y, options.samples);
       for (int sample = 0; sample < options.samples; ++sample) {
         const auto [right, up] = pattern[sample];
