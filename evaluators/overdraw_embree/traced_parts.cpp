@@ -92,14 +92,15 @@ class TracedView {
     const Corner& a = corners_[corners[0]];
     const Corner& b = corners_[corners[1]];
     const Corner& c = corners_[corners[2]];
-    const std::array<std::int64_t, 3> weights = {doubled_area(b, c, point), doubled_area(c, a, point),
-                                                 doubled_area(a, b, point)};
-    const bool is_counter_clockwise = is_left(b, c, weights[0]);
-    if (is_left(c, a, weights[1]) != is_counter_clockwise) return std::nullopt;
-    if (is_left(a, b, weights[2]) != is_counter_clockwise) return std::nullopt;
+    const std::int64_t of_a = doubled_area(b, c, point);
+    const bool is_counter_clockwise = is_left(b, c, of_a);
+    const std::int64_t of_b = doubled_area(c, a, point);
+    if (is_left(c, a, of_b) != is_counter_clockwise) return std::nullopt;
+    const std::int64_t of_c = doubled_area(a, b, point);
+    if (is_left(a, b, of_c) != is_counter_clockwise) return std::nullopt;
     const TracedParts::Faces& faces = surface_.parts[part];
     if (faces.culls_back_faces && is_counter_clockwise == faces.is_mirrored) return std::nullopt;
-    return depth_between({a.depth, b.depth, c.depth}, weights);
+    return depth_between({a.depth, b.depth, c.depth}, {of_a, of_b, of_c});
   }
 
  private:
