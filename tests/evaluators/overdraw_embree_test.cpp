@@ -284,8 +284,6 @@ TEST(OverdrawEmbree, the_same_counts_everywhere) {
   EXPECT_EQ(total(mesh, all_sides(64, 1.5), false, {8, 1}), (OverdrawCount{75597, 51031, 104720}));
 }
 
-// --- samples
-
 TEST(OverdrawEmbree, one_sample_lies_in_the_middle_and_more_are_spread_evenly) {
   EXPECT_EQ(SamplePattern(7, 3, 5, 1)[0].x, SamplePattern::steps / 2);
   EXPECT_EQ(SamplePattern(7, 3, 5, 1)[0].y, SamplePattern::steps / 2);
@@ -336,8 +334,6 @@ TEST(OverdrawEmbree, more_samples_are_nearer_to_a_finer_picture) {
   EXPECT_GT(one, 0.002);
   EXPECT_LT(error(16), one / 5);
 }
-
-// --- threads
 
 TEST(OverdrawEmbree, many_threads_may_ask_the_same_tree) {
   const TestMesh mesh = testing::tangle(2, false);
@@ -430,8 +426,6 @@ TEST(OverdrawEmbreePlugin, answers_for_measured_overdraw) {
               overdraw_embree({&part, 1}, all_sides(), {samples, 0}));
   }
 }
-
-// --- the tree
 
 TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
   std::vector<Box> boxes;
