@@ -1,7 +1,7 @@
 # A plugin is a folder. foredraw_add_plugin() in its CMakeLists.txt takes name and kind from where the folder lies.
 #
 #   plugins/<kinds>/<name>/   or   evaluators/<name>/
-#     CMakeLists.txt          foredraw_add_plugin()   or   foredraw_add_plugin(REQUIRES CGAL LINK CGAL::CGAL)
+#     CMakeLists.txt          foredraw_add_plugin()   or   foredraw_add_plugin(REQUIRES "CGAL 5.5" LINK CGAL::CGAL)
 #     <name>.h <name>.cpp     the technique as a plain function, and whatever else the folder holds for it
 #     <name>_plugin.cpp       its card and its option table; defines Plugin <name>_plugin()
 #     README.md
@@ -31,8 +31,10 @@ function(_foredraw_add_plugin folder)
     return()
   endif()
   foreach(package IN LISTS ARG_REQUIRES)
-    find_package(${package} QUIET)
-    if(NOT ${package}_FOUND)
+    string(REPLACE " " ";" arguments "${package}")
+    list(GET arguments 0 found_as)
+    find_package(${arguments} QUIET)
+    if(NOT ${found_as}_FOUND)
       if(FOREDRAW_PLUGINS)
         message(FATAL_ERROR "Foredraw: plugin '${config_name}' needs the package ${package}, which was not found")
       endif()

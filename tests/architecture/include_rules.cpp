@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <regex>
+#include <span>
 #include <sstream>
 
 namespace foredraw::architecture {
@@ -30,6 +31,13 @@ constexpr std::array<std::string_view, 14> posix_headers = {
 template <std::size_t count>
 bool is_one_of(const std::array<std::string_view, count>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Packages that a technique is made of. Its .cpp files may include them, and its CMakeLists.txt asks for them.
+constexpr std::array<std::string_view, 1> packages_of_techniques = {"embree3/"};
+
+bool begins_with_one_of(std::span<const std::string_view> beginnings, std::string_view name) {
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view b) { return name.starts_with(b); });
 }
 
 struct Include {
@@ -83,6 +91,7 @@ std::string refused_in_plugin(const std::string& file, const Include& include) {
   const std::string layer = include.layer();
   if (layer.empty()) {
     if (include.is_standard() || include.is_glm() || include.is_own_folder()) return "";
+    if (file.ends_with(".cpp") && begins_with_one_of(packages_of_techniques, include.target)) return "";
     if (include.quoted || include.target.starts_with("plugins/") || include.target.starts_with("evaluators/")) {
       return "plugins and evaluators include only their own folder; what two need goes to framework/foredraw/analysis";
     }
@@ -93,7 +102,7 @@ std::string refused_in_plugin(const std::string& file, const Include& include) {
   const bool is_plain = file.find("_plugin.") == std::string::npos;
   if (is_plain && (layer.empty() || rank(layer) > rank("analysis"))) {
     return "a technique's plain files include the standard library, GLM, their own folder and foredraw/{base,scene,"
-           "analysis}; what dresses it goes to its _plugin.cpp";
+           "analysis}, and in .cpp files what they are made of; what dresses it goes to its _plugin.cpp";
   }
   return "";
 }

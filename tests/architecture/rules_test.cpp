@@ -74,6 +74,8 @@ TEST(IncludeRules, techniques_are_plain) {
     EXPECT_FALSE(may_include(plain, "<foredraw/technique/run.h>")) << plain;
     EXPECT_FALSE(may_include(plain, "<fmt/format.h>")) << plain;
   }
+  EXPECT_TRUE(may_include("evaluators/x/x.cpp", "<embree3/rtcore.h>"));
+  EXPECT_FALSE(may_include("evaluators/x/x.h", "<embree3/rtcore.h>"));
 }
 
 TEST(IncludeRules, name_the_line) {
