@@ -149,7 +149,7 @@ function(foredraw_add_plugin_tests)
     string(REPLACE "|" ";" entry "${entry}")
     list(GET entry 0 name)
     list(GET entry 1 source)
-    foredraw_add_test(${name}_test SOURCES "${source}" LINK foredraw::${name}_plugin foredraw::overdraw_raster
+    foredraw_add_test(${name}_test SOURCES "${source}" LINK foredraw::${name}_plugin
                       meshoptimizer::meshoptimizer)
   endforeach()
 endfunction()
