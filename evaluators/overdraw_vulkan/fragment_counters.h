@@ -1,12 +1,10 @@
 #pragma once
+#include "count_method.h"
 #include "draw_pipelines.h"
 
 #include <vector>
 
 namespace foredraw {
-
-/// How the fragments that pass are counted: around each draw by the device, or one by one in the fragment shader.
-enum class CountMethod { queries, atomics };
 
 /// Numbered counters of fragments that pass.
 class FragmentCounters {

@@ -1,6 +1,7 @@
 #include "overdraw_vulkan.h"
 
 #include "view_batches.h"
+#include "vulkan_painter.h"
 
 #include <algorithm>
 #include <array>
@@ -43,7 +44,8 @@ class Stopwatch {
 
 }  // namespace
 
-std::optional<GpuTime> gpu_time(VulkanPainter& painter, std::span<const RasterPart> parts, const Views& views) {
+std::optional<GpuTime> gpu_time(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views) {
+  VulkanPainter& painter = device.painter();
   if (painter.device().timestamp_mask() == 0) return std::nullopt;
   const UploadedParts uploaded(painter.device(), parts);
   if (uploaded.drawn.empty()) return GpuTime{};

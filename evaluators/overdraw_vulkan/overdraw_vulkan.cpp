@@ -1,6 +1,8 @@
 #include "overdraw_vulkan.h"
 
+#include "fragment_counters.h"
 #include "view_batches.h"
+#include "vulkan_painter.h"
 
 namespace foredraw {
 
@@ -77,9 +79,17 @@ class BatchCount {
 
 }  // namespace
 
-OverdrawCounts overdraw_vulkan(VulkanPainter& painter, std::span<const RasterPart> parts, const Views& views,
+OverdrawDevice::OverdrawDevice(const VulkanChoice& choice) : painter_(std::make_unique<VulkanPainter>(choice)) {}
+OverdrawDevice::~OverdrawDevice() = default;
+
+const std::string& OverdrawDevice::name() const { return painter_->device().name(); }
+bool OverdrawDevice::is_processor() const { return painter_->device().is_processor(); }
+int OverdrawDevice::depth_bits() const { return painter_->device().depth_format() == VK_FORMAT_D32_SFLOAT ? 32 : 24; }
+
+OverdrawCounts overdraw_vulkan(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views,
                                CountMethod method) {
   OverdrawCounts counts(parts.size());
+  VulkanPainter& painter = device.painter();
   const UploadedParts uploaded(painter.device(), parts);
   if (uploaded.drawn.empty()) return OverdrawCounts(parts.size(), std::vector<OverdrawCount>(views.views.size()));
   BatchCount batch(painter, uploaded, views.size, method);

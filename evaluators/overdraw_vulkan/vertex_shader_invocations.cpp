@@ -1,9 +1,12 @@
 #include "overdraw_vulkan.h"
 
+#include "vulkan_painter.h"
+
 namespace foredraw {
 
-std::optional<std::vector<std::uint64_t>> vertex_shader_invocations(VulkanPainter& painter,
+std::optional<std::vector<std::uint64_t>> vertex_shader_invocations(OverdrawDevice& overdraw_device,
                                                                     std::span<const RasterPart> parts) {
+  VulkanPainter& painter = overdraw_device.painter();
   VulkanDevice& device = painter.device();
   if (!device.counts_vertices()) return std::nullopt;
   std::vector<std::uint64_t> invocations(parts.size());

@@ -1,23 +1,21 @@
 #pragma once
-// Which of a machine's devices is drawn with.
+// Which device is wanted, in words that need no header of Vulkan.
 
-#include "vulkan_instance.h"
-
-#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace foredraw {
 
-/// A device that can do all that is asked of it.
-struct VulkanCandidate {
-  VkPhysicalDevice device = VK_NULL_HANDLE;
-  std::uint32_t queue_family = 0;
-  std::uint32_t timestamp_bits = 0;
-  VkFormat depth_format = VK_FORMAT_UNDEFINED;
+struct VulkanChoice {
+  std::string device;  ///< part of the device's name, in any case; empty: the first of discrete, integrated, virtual, CPU
+  std::vector<std::string>* complaints = nullptr;  ///< where the validation layer tells its own; none: without the layer
 };
 
-/// The first of discrete, integrated, virtual and CPU devices whose name holds `name`, in any case. Throws
-/// std::runtime_error where there is none: with the names of those that there are, and what each lacks.
-VulkanCandidate chosen_device(VkInstance instance, const std::string& name);
+/// Why no device can be had, and what to do; nothing: one can. Starts the drivers, and ends them.
+std::optional<std::string> why_no_vulkan_device(const VulkanChoice& choice = {});
+
+/// Whether the validation layer is installed.
+bool has_vulkan_validation();
 
 }  // namespace foredraw

@@ -1,6 +1,6 @@
 #include "vulkan_device.h"
 
-#include "vulkan_choice.h"
+#include "vulkan_candidate.h"
 
 #include <stdexcept>
 

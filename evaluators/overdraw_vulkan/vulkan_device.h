@@ -1,24 +1,15 @@
 #pragma once
 // A device to draw with, chosen among those that there are.
 
+#include "vulkan_choice.h"
 #include "vulkan_instance.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace foredraw {
-
-struct VulkanChoice {
-  std::string device;  ///< part of the device's name, in any case; empty: the first of discrete, integrated, virtual, CPU
-  std::vector<std::string>* complaints = nullptr;  ///< where the validation layer tells its own; none: without the layer
-};
-
-/// Why no device can be had, and what to do; nothing: one can. Starts the drivers, and ends them.
-std::optional<std::string> why_no_vulkan_device(const VulkanChoice& choice = {});
 
 /// One device with one queue. Used by one thread at a time.
 class VulkanDevice {

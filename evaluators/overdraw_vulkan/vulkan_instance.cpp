@@ -1,5 +1,7 @@
 #include "vulkan_instance.h"
 
+#include "vulkan_choice.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>

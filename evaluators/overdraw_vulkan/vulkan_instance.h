@@ -10,9 +10,6 @@ namespace foredraw {
 
 inline constexpr const char* no_vulkan_device = "no Vulkan device: install a driver or mesa-vulkan-drivers";
 
-/// Whether the validation layer is installed.
-bool has_vulkan_validation();
-
 class VulkanInstance {
  public:
   /// `complaints`: where the validation layer's messages are put, until this ends; null: without the layer. Throws

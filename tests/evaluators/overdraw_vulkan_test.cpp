@@ -1,4 +1,5 @@
 #include "../../evaluators/overdraw_vulkan/overdraw_vulkan.h"
+#include "../../evaluators/overdraw_vulkan/vulkan_painter.h"
 
 #include "support/meshes.h"
 #include "support/painter.h"
@@ -66,21 +67,21 @@ class OverdrawVulkan : public ::testing::Test {
   }
 
   void TearDown() override {
-    painter_.reset();  // what is not given back is complained of too
+    device_.reset();  // what is not given back is complained of too
     for (const std::string& complaint : complaints_) ADD_FAILURE() << complaint;
   }
 
   void renew() {
-    painter_.reset();
-    painter_ = std::make_unique<VulkanPainter>(
+    device_.reset();
+    device_ = std::make_unique<OverdrawDevice>(
         VulkanChoice{.complaints = has_vulkan_validation() ? &complaints_ : nullptr});
   }
 
-  VulkanPainter& painter() { return *painter_; }
+  OverdrawDevice& device() { return *device_; }
 
   OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views,
                       CountMethod method = CountMethod::queries) {
-    return overdraw_vulkan(*painter_, parts, views, method);
+    return overdraw_vulkan(*device_, parts, views, method);
   }
 
   OverdrawCount draw(const TestMesh& mesh, const Views& views, bool culls_back_faces = true) {
@@ -90,7 +91,7 @@ class OverdrawVulkan : public ::testing::Test {
 
  private:
   std::vector<std::string> complaints_;
-  std::unique_ptr<VulkanPainter> painter_;
+  std::unique_ptr<OverdrawDevice> device_;
 };
 
 // --- what is counted
@@ -262,7 +263,7 @@ TEST_F(OverdrawVulkan, more_views_than_fit_into_a_batch_count_as_each_alone) {
   const std::vector<TestMesh> meshes = {testing::tangle(8, false), testing::torus(12, 8)};
   const std::vector<RasterPart> parts = parts_of(meshes);
   const Views views = all_sides(1200, 0, 7);
-  ASSERT_LT(painter().pictures(1200).count(), 4u);
+  ASSERT_LT(device().painter().pictures(1200).count(), 4u);
   for (const CountMethod method : {CountMethod::queries, CountMethod::atomics}) {
     const OverdrawCounts counts = draw(parts, views, method);
     for (std::size_t v = 0; v < views.views.size(); ++v) {
@@ -307,7 +308,7 @@ TEST_F(OverdrawVulkan, what_is_near_hides_what_is_a_little_farther) {
 TEST_F(OverdrawVulkan, differs_from_the_exact_rasteriser_by_rounding_alone) {
   // llvmpipe snaps to 1/256 pixel as the rasteriser does, from floats: at most 15 of 4.8 million fragments differed.
   // Other devices may have 1/16 pixel.
-  const double allowed = painter().device().is_processor() ? 1e-5 : 1e-2;
+  const double allowed = device().is_processor() ? 1e-5 : 1e-2;
   const auto near = [&](std::uint64_t counted, std::uint64_t exact) {
     return std::abs(static_cast<double>(counted) - static_cast<double>(exact)) <=
            6 + allowed * static_cast<double>(exact);
@@ -338,7 +339,7 @@ TEST_F(OverdrawVulkan, differs_from_the_exact_rasteriser_by_rounding_alone) {
 TEST_F(OverdrawVulkan, vertex_shader_runs_once_for_each_vertex_at_least_and_each_corner_at_most) {
   const std::vector<TestMesh> meshes = {testing::sphere(40, 20), TestMesh(), testing::soup(100, 1),
                                         testing::shuffled(testing::sphere(40, 20), 3)};
-  const auto invocations = vertex_shader_invocations(painter(), parts_of(meshes));
+  const auto invocations = vertex_shader_invocations(device(), parts_of(meshes));
   if (!invocations) GTEST_SKIP() << "this device does not count vertices";
   ASSERT_EQ(invocations->size(), meshes.size());
   for (const std::size_t i : {0, 3}) {
@@ -348,17 +349,17 @@ TEST_F(OverdrawVulkan, vertex_shader_runs_once_for_each_vertex_at_least_and_each
   EXPECT_EQ((*invocations)[1], 0u);
   EXPECT_EQ((*invocations)[2], 300u);
   EXPECT_LT((*invocations)[0], (*invocations)[3]);  // an order that jumps about costs vertices
-  EXPECT_EQ(vertex_shader_invocations(painter(), parts_of(meshes)), invocations);
-  EXPECT_EQ(vertex_shader_invocations(painter(), parts_of(std::vector<TestMesh>(2))), std::vector<std::uint64_t>(2));
+  EXPECT_EQ(vertex_shader_invocations(device(), parts_of(meshes)), invocations);
+  EXPECT_EQ(vertex_shader_invocations(device(), parts_of(std::vector<TestMesh>(2))), std::vector<std::uint64_t>(2));
 }
 
 TEST_F(OverdrawVulkan, heavy_fragments_take_longer_than_light_ones) {
   const std::vector<TestMesh> meshes = {testing::sphere(16, 8)};
-  const auto time = gpu_time(painter(), parts_of(meshes), all_sides(64, 0, 4));
+  const auto time = gpu_time(device(), parts_of(meshes), all_sides(64, 0, 4));
   if (!time) GTEST_SKIP() << "this device has no clock";
   EXPECT_GT(time->light, 0);
   EXPECT_GT(time->heavy, time->light);
-  EXPECT_EQ(gpu_time(painter(), {}, all_sides())->light, 0);
+  EXPECT_EQ(gpu_time(device(), {}, all_sides())->light, 0);
 }
 
 // --- what can not be had
@@ -372,20 +373,20 @@ TEST_F(OverdrawVulkan, pictures_too_large_for_the_device_are_refused) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("smaller size"), std::string::npos) << error.what();
   }
-  EXPECT_GT(draw(quad(0), views_of({{0, 0, 1}})).visible, 1500u);  // the painter is whole
+  EXPECT_GT(draw(quad(0), views_of({{0, 0, 1}})).visible, 1500u);  // the device is whole
 }
 
 TEST_F(OverdrawVulkan, a_device_is_called_by_a_part_of_its_name) {
-  const std::string name = painter().device().name();
+  const std::string name = device().name();
   std::string part = name.substr(0, 6);
   for (char& c : part) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   EXPECT_FALSE(why_no_vulkan_device({.device = part}));
-  EXPECT_NE(VulkanPainter({.device = part}).device().name().find(name.substr(0, 6)), std::string::npos);
+  EXPECT_NE(OverdrawDevice({.device = part}).name().find(name.substr(0, 6)), std::string::npos);
   const auto reason = why_no_vulkan_device({.device = "abacus"});
   ASSERT_TRUE(reason);
   EXPECT_NE(reason->find("'abacus'"), std::string::npos) << *reason;
   EXPECT_NE(reason->find(name), std::string::npos) << *reason;
-  EXPECT_THROW(VulkanPainter({.device = "abacus"}), std::runtime_error);
+  EXPECT_THROW(OverdrawDevice({.device = "abacus"}), std::runtime_error);
 }
 
 TEST(VulkanDevice, where_there_is_no_driver_the_reason_says_what_to_install) {

@@ -1,4 +1,4 @@
-#include "vulkan_choice.h"
+#include "vulkan_candidate.h"
 
 #include <algorithm>
 #include <cctype>
