@@ -1,7 +1,6 @@
 #include "overdraw_raster.h"
 
 #include <foredraw/analysis/fragments.h>
-#include <foredraw/analysis/mesh_facts.h>
 
 #include <algorithm>
 #include <vector>
@@ -22,10 +21,9 @@ class Picture {
     counts_.assign(parts.size(), {});
     std::fill(pixels_.begin(), pixels_.end(), Pixel{});
     for (std::uint32_t part = 0; part < parts.size(); ++part) {
-      for_each_fragment(parts[part], camera, corners_,
-                        [&](std::int32_t x, std::int32_t y, std::uint32_t depth, std::uint32_t) {
-                          put(x, y, depth, part);
-                        });
+      for_each_fragment(
+          parts[part], camera, corners_,
+          [&](std::int32_t x, std::int32_t y, std::uint32_t depth, std::uint32_t) { put(x, y, depth, part); });
     }
     return counts_;
   }
@@ -66,18 +64,6 @@ OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& v
     for (std::size_t part = 0; part < parts.size(); ++part) counts[part].push_back(of_view[part]);
   }
   return counts;
-}
-
-std::size_t count_non_finite_triangles(const RasterPart& part) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
-    for (std::size_t corner = i; corner < i + 3; ++corner) {
-      if (is_finite(part.positions[part.indices[corner]])) continue;
-      ++count;
-      break;
-    }
-  }
-  return count;
 }
 
 }  // namespace foredraw

@@ -3,21 +3,11 @@
 
 #include <foredraw/analysis/overdraw_count.h>
 #include <foredraw/analysis/raster_part.h>
-#include <foredraw/analysis/view_sphere.h>
+#include <foredraw/scene/views.h>
 
-#include <cstddef>
 #include <span>
 
 namespace foredraw {
-
-/// Which back faces are culled: those of single-sided materials, or all.
-enum class Faces { material, front };
-
-/// Looks from Fibonacci points by default, since orders are commonly optimised for an icosphere.
-struct OverdrawRasterOptions : ViewSet {
-  OverdrawRasterOptions() { views = "fibonacci"; }
-  Faces faces = Faces::material;
-};
 
 /// Draws the parts one after the other from every view, with depth test `less`, into pictures of views.size x
 /// views.size pixels that just hold the bounding sphere of all parts. Size 1 to 4096; distance 0 (orthographic) or more
@@ -28,9 +18,6 @@ struct OverdrawRasterOptions : ViewSet {
 /// 2^-24 of the sphere's diameter. Triangles that repeat a corner or have no area in the picture cover nothing, nor do
 /// those with a position that is not finite. O(views * (triangles + fragments)).
 OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& views);
-
-/// How many triangles of the part have a position that is not finite.
-std::size_t count_non_finite_triangles(const RasterPart& part);
 
 struct Plugin;
 Plugin overdraw_raster_plugin();

@@ -1,10 +1,10 @@
 #include "../../evaluators/overdraw_raster/overdraw_raster.h"
-#include "../../evaluators/overdraw_raster/overdraw_figures.h"
 
 #include "overdraw_reference.h"
 #include "support/meshes.h"
 #include "support/painter.h"
 
+#include <foredraw/analysis/view_sphere.h>
 #include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
@@ -226,53 +226,6 @@ TEST(OverdrawRaster, the_same_counts_everywhere) {
   EXPECT_EQ(total(crowd(1), all_sides(256, 1.5)), (OverdrawCount{343572, 237522, 272953}));
 }
 
-// --- figures
-// -----------------------------------------------------------------------------------------------------------
-
-TEST(OverdrawFigures, ratio_and_mean_of_views) {
-  const std::vector<OverdrawCount> views = {{30, 10, 0}, {10, 10, 0}, {5, 0, 0}, {20, 20, 0}};
-  const Estimate ratio = overdraw_ratio(views);
-  EXPECT_EQ(ratio.numerator, 65);
-  EXPECT_EQ(ratio.denominator, 40);
-  // Deviations from 1.625 times visible: 13.75, -6.25, 5, -12.5.
-  EXPECT_NEAR(ratio.error, std::sqrt((13.75 * 13.75 + 6.25 * 6.25 + 25 + 12.5 * 12.5) / 12) / 10, 1e-12);
-  const Estimate mean = overdraw_view_mean(views);
-  EXPECT_EQ(mean.numerator, 5);  // 3 + 1 + 1
-  EXPECT_EQ(mean.denominator, 3);
-  EXPECT_NEAR(mean.error, 2.0 / 3, 1e-12);
-}
-
-TEST(OverdrawFigures, the_error_is_what_samples_of_views_scatter_by) {
-  const TestMesh mesh = testing::joined(testing::torus(24, 12), testing::sphere(16, 8, 0.8f, {0, 0.5f, 0}));
-  std::vector<double> ratios;
-  double claimed = 0;
-  constexpr int samples = 200;
-  for (int seed = 0; seed < samples; ++seed) {
-    ViewSet set;
-    set.views = "random";
-    set.count = 30;
-    set.seed = seed;
-    set.size = 32;
-    const RasterPart part = part_of(mesh);
-    const Estimate ratio = overdraw_ratio(overdraw_raster({&part, 1}, make_views(set))[0]);
-    ratios.push_back(ratio.numerator / ratio.denominator);
-    claimed += ratio.error / samples;
-  }
-  double mean = 0;
-  for (const double ratio : ratios) mean += ratio / samples;
-  double variance = 0;
-  for (const double ratio : ratios) variance += (ratio - mean) * (ratio - mean) / (samples - 1);
-  EXPECT_NEAR(claimed / std::sqrt(variance), 1, 0.15);
-}
-
-TEST(OverdrawFigures, one_view_or_none_has_no_error) {
-  EXPECT_EQ(overdraw_ratio({}).error, 0);
-  EXPECT_EQ(overdraw_view_mean({}).denominator, 0);
-  const OverdrawCount view{3, 2, 0};
-  EXPECT_EQ(overdraw_ratio({&view, 1}).error, 0);
-  EXPECT_EQ(overdraw_view_mean({&view, 1}).numerator, 1.5);
-}
-
 // --- the plugin
 // --------------------------------------------------------------------------------------------------------
 
@@ -393,11 +346,12 @@ TEST(OverdrawRasterPlugin, layers_count_any_order_as_drawing_it_does) {
   const auto service = overdraw_raster_plugin().overdraw_service({{"faces", std::string("front")}});
   ASSERT_TRUE(service->can_capture());
   testing::RunFixture fixture;
+  const RasterPart part = part_of(mesh);
   for (const double distance : {0.0, 2.0}) {
     const Views views = all_sides(64, distance);
-    const auto layers = service->layers(scene, subjects_of(scene)[0], views, fixture.run);
+    const auto layers = service->capture({&part, 1}, views, fixture.run);
     ASSERT_TRUE(layers);
-    EXPECT_FALSE(service->layers(scene, subjects_of(scene)[0], views, fixture.run, layers->bytes() - 1));
+    EXPECT_FALSE(service->capture({&part, 1}, views, fixture.run, layers->bytes() - 1));
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       const std::vector<std::uint32_t> order = testing::random_order(mesh.indices.size() / 3, seed);
       const Scene drawn = with_order(mesh, order);
@@ -405,19 +359,6 @@ TEST(OverdrawRasterPlugin, layers_count_any_order_as_drawing_it_does) {
       EXPECT_EQ(count_overdraw_by_view(*layers, order), counts[0]);
     }
   }
-}
-
-TEST(OverdrawRasterPlugin, parts_that_are_not_drawn_have_no_triangles_in_layers) {
-  Scene scene = testing::scene_of({testing::draw_of(quad(0)), testing::draw_of(quad(-0.5f))});
-  scene.meshes[0].draws = {0, 1};
-  scene.meshes.pop_back();
-  scene.nodes.pop_back();
-  scene.materials.resize(1);
-  scene.materials[0].alpha_mode = AlphaMode::blend;
-  scene.draws[0].material = 0;
-  const auto service = overdraw_raster_plugin().overdraw_service({});
-  testing::RunFixture fixture;
-  EXPECT_EQ(service->layers(scene, subjects_of(scene)[0], all_sides(), fixture.run)->owners, 2u);
 }
 
 TEST(OverdrawRasterPlugin, says_where_it_looks_from_where_orders_were_optimised_for) {

@@ -129,8 +129,8 @@ struct AskOverdraw final : DrawOrderer {
 };
 
 struct FixedOverdraw final : OverdrawService {
-  OverdrawCounts count(const Scene&, const Subject& subject, const Views&, Run&) override {
-    return OverdrawCounts(subject.parts.size(), {{3, 2, 0}});
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) override {
+    return OverdrawCounts(parts.size(), std::vector<OverdrawCount>(views.views.size(), {3, 2, 0}));
   }
 };
 

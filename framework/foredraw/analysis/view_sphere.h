@@ -11,19 +11,25 @@ namespace foredraw {
 
 /// A view set as a pipeline spells it.
 struct ViewSet {
-  std::string views = "icosphere";  ///< icosphere | fibonacci | axes | random; a bare number: that icosphere
-  std::optional<int> count;         ///< absent: 162 for an icosphere, 100 else; axes are always 6
-  std::int64_t seed = 0;            ///< of random
-  std::optional<double> distance;   ///< in bounding-sphere radii; absent: orthographic
-  int size = 256;                   ///< pixels
+  /// icosphere | fibonacci | axes | random | cone; a bare number: that icosphere; a file (view_list.h): its path, with
+  /// a dot or a slash in it.
+  std::string views = "icosphere";
+  std::optional<int> count;              ///< absent: 162 for an icosphere, 100 else; axes are always 6
+  std::int64_t seed = 0;                 ///< of random
+  std::string axis = "0 1 0";            ///< of a cone, "x y z" of any length
+  double angle = 90;                     ///< of a cone: the farthest that a view is from its axis, in degrees
+  std::optional<std::int64_t> rotation;  ///< seed of a random rotation of the whole set; absent: as it is
+  std::optional<double> distance;        ///< in bounding-sphere radii; absent: orthographic
+  int size = 256;                        ///< pixels
 
   friend bool operator==(const ViewSet&, const ViewSet&) = default;
 };
 
-/// Why the set can not be made ("an icosphere has 12, 42, 162, 642 or 2562 views, not 100"), or nothing.
+/// Why the set can not be made ("an icosphere has 12, 42, 162, 642 or 2562 views, not 100"), or nothing. A file is
+/// read.
 std::optional<std::string> mistake_in(const ViewSet& set);
 
-/// The views of a set without mistakes. Directions are the same bits on every machine.
+/// The views of a set without mistakes, else std::invalid_argument. Directions are the same bits on every machine.
 Views make_views(const ViewSet& set);
 
 }  // namespace foredraw

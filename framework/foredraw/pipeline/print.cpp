@@ -57,6 +57,9 @@ std::string views_in_file(const ViewSet& views) {
   if (views.views != usual.views) text += row_in_file("views", views.views) + '\n';
   if (views.count) text += row_in_file("count", std::int64_t{*views.count}) + '\n';
   if (views.seed != usual.seed) text += row_in_file("seed", views.seed) + '\n';
+  if (views.axis != usual.axis) text += row_in_file("axis", views.axis) + '\n';
+  if (views.angle != usual.angle) text += row_in_file("angle", views.angle) + '\n';
+  if (views.rotation) text += row_in_file("rotation", *views.rotation) + '\n';
   if (views.distance) text += row_in_file("distance", *views.distance) + '\n';
   if (views.size != usual.size) text += row_in_file("size", std::int64_t{views.size}) + '\n';
   return text;

@@ -2,9 +2,9 @@
 // Measured overdraw for techniques that want it, whoever answers: a plugin says uses_overdraw on its card and asks
 // run.overdraw; the pipeline's [services] says which evaluator that is.
 
+#include <foredraw/analysis/drawn_subject.h>
 #include <foredraw/analysis/fragment_layers.h>
 #include <foredraw/analysis/overdraw_count.h>
-#include <foredraw/scene/subject.h>
 #include <foredraw/scene/views.h>
 #include <foredraw/technique/run.h>
 
@@ -12,19 +12,33 @@ namespace foredraw {
 
 class OverdrawService {
  public:
+  explicit OverdrawService(Faces faces = Faces::material) : faces_(faces) {}
   virtual ~OverdrawService() = default;
-  /// Draws the subject's parts in their sequence from every view and counts. Blended parts are left out.
-  virtual OverdrawCounts count(const Scene&, const Subject&, const Views&, Run&) = 0;
-  /// Whether layers() may answer.
+
+  /// Draws the parts one after the other from every view and counts.
+  virtual OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run& run) = 0;
+
+  /// Whether capture() may answer.
   virtual bool can_capture() const { return false; }
-  /// The same subject as layers, which count any order of its triangles as count() would, all parts together, without
-  /// drawing again. Triangles are numbered through the parts, and parts that are not drawn have none. Nothing where the
-  /// service can not capture, or where layers would take more than `most_bytes`: then ask count().
-  virtual std::optional<FragmentLayers> layers(const Scene&, const Subject&, const Views&, Run&,
-                                               std::size_t most_bytes = default_layer_bytes) {
-    static_cast<void>(most_bytes);
+  /// The same parts as layers, which count any order of their triangles as draw() would, all parts together, without
+  /// drawing again. Triangles are numbered through the parts. Nothing where the service can not capture, or where
+  /// layers would take more than `most_bytes`: then ask draw().
+  virtual std::optional<FragmentLayers> capture(std::span<const RasterPart> parts, const Views& views, Run& run,
+                                                std::size_t most_bytes = default_layer_bytes) {
+    static_cast<void>(parts), static_cast<void>(views), static_cast<void>(run), static_cast<void>(most_bytes);
     return std::nullopt;
   }
+
+  /// Which back faces who asks should have culled.
+  Faces faces() const { return faces_; }
+
+  /// The subject's parts at rest, in their sequence. Blended parts are left out.
+  OverdrawCounts count(const Scene& scene, const Subject& subject, const Views& views, Run& run) {
+    return draw(drawn_subject(scene, subject, faces_, world_transforms(scene)).parts, views, run);
+  }
+
+ private:
+  Faces faces_;
 };
 
 }  // namespace foredraw

@@ -60,11 +60,14 @@ std::vector<Stage> any_stages() {
 
 ViewSet any_views() {
   ViewSet views;
-  views.views = *rc::gen::element<std::string>("icosphere", "fibonacci", "random", "42");
+  views.views = *rc::gen::element<std::string>("icosphere", "fibonacci", "random", "cone", "42");
   if (views.views == "fibonacci" || views.views == "random") {
     if (*rc::gen::arbitrary<bool>()) views.count = *rc::gen::inRange(1, 100000);
   }
   views.seed = *rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << 53);
+  if (*rc::gen::arbitrary<bool>()) views.axis = std::to_string(*rc::gen::inRange(1, 9)) + " 0 -1.5";
+  if (*rc::gen::arbitrary<bool>()) views.angle = *rc::gen::inRange(1, 180);
+  if (*rc::gen::arbitrary<bool>()) views.rotation = *rc::gen::inRange(0, 1000);
   if (*rc::gen::arbitrary<bool>()) views.distance = 1.01 + *rc::gen::inRange(0, 1000) / 7.0;
   views.size = *rc::gen::inRange(16, 4097);
   return views;

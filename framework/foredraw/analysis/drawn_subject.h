@@ -1,15 +1,19 @@
 #pragma once
-#include "overdraw_raster.h"
+// From a scene to the triangles that are drawn.
 
-#include <foredraw/base/parallel.h>
+#include <foredraw/analysis/raster_part.h>
 #include <foredraw/scene/subject.h>
 
 #include <glm/mat4x4.hpp>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace foredraw {
+
+/// Which back faces are culled: those of single-sided materials, or all.
+enum class Faces { material, front };
 
 /// A subject at rest, ready to be drawn.
 struct DrawnSubject {
@@ -17,12 +21,13 @@ struct DrawnSubject {
   std::vector<RasterPart> parts;  ///< as many as the subject's; those that are not drawn have no triangles
 };
 
-/// Triangle lists alone are drawn, and no blended draws; masked ones as if they were opaque.
+/// Triangle lists alone are drawn, and no blended draws; masked ones as if they were opaque. `world`:
+/// world_transforms(scene).
 DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, std::span<const glm::mat4> world);
 
 bool is_blended(const Scene& scene, const Draw& draw);
 
-/// overdraw_raster() with the views shared out over the threads. The counts are the same however they are.
-OverdrawCounts overdraw_raster(const DrawnSubject& subject, const Views& views, const Executor& executor);
+/// How many triangles have a position that is not finite.
+std::size_t count_non_finite_triangles(const RasterPart& part);
 
 }  // namespace foredraw

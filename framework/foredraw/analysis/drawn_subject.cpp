@@ -1,10 +1,9 @@
 #include "drawn_subject.h"
 
+#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/analysis/rest_positions.h>
 
 #include <glm/matrix.hpp>
-
-#include <algorithm>
 
 namespace foredraw {
 
@@ -41,25 +40,16 @@ DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces fac
   return drawn;
 }
 
-OverdrawCounts overdraw_raster(const DrawnSubject& subject, const Views& views, const Executor& executor) {
-  const std::size_t all = views.views.size();
-  // Each share prepares the parts anew, so there are few: twice the threads, for those that end early.
-  const std::size_t shares = std::min<std::size_t>(all, 2 * static_cast<std::size_t>(executor.threads()));
-  std::vector<OverdrawCounts> of_shares(shares);
-  executor.for_each(shares, [&](std::size_t share) {
-    const auto from = views.views.begin();
-    const Views some{{from + static_cast<std::ptrdiff_t>(all * share / shares),
-                      from + static_cast<std::ptrdiff_t>(all * (share + 1) / shares)},
-                     views.size};
-    of_shares[share] = overdraw_raster(subject.parts, some);
-  });
-  OverdrawCounts counts(subject.parts.size());
-  for (const OverdrawCounts& some : of_shares) {
-    for (std::size_t part = 0; part < counts.size(); ++part) {
-      counts[part].insert(counts[part].end(), some[part].begin(), some[part].end());
+std::size_t count_non_finite_triangles(const RasterPart& part) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
+    for (std::size_t corner = i; corner < i + 3; ++corner) {
+      if (is_finite(part.positions[part.indices[corner]])) continue;
+      ++count;
+      break;
     }
   }
-  return counts;
+  return count;
 }
 
 }  // namespace foredraw

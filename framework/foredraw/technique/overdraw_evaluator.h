@@ -1,0 +1,64 @@
+#pragma once
+// What evaluators of overdraw share: a plugin says how triangles are drawn and counted, as an OverdrawService;
+// subjects, views, figures and what is told about them are the same for all.
+
+#include <foredraw/technique/plugin.h>
+#include <foredraw/technique/view_options.h>
+
+#include <concepts>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace foredraw {
+
+/// Looks from Fibonacci points by default, since orders are commonly optimised for an icosphere.
+struct OverdrawOptions : ViewSet {
+  OverdrawOptions() { views = "fibonacci"; }
+  Faces faces = Faces::material;
+};
+
+template <class Options>
+requires std::derived_from<Options, OverdrawOptions>
+void add_faces_row(OptionTable<Options>& table) {
+  table.template choice<Faces>(
+      &OverdrawOptions::faces, "faces",
+      "Which faces are drawn: as the material culls, or front faces alone as in published figures",
+      {{"material", Faces::material}, {"front", Faces::front}});
+}
+
+/// What every evaluator of overdraw measures.
+std::vector<Metric> overdraw_metrics();
+
+/// Draws every subject of a scene through the service. std::invalid_argument where the views have a mistake.
+std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> service, const OverdrawOptions& options);
+
+/// An evaluator and a service in one. `add_rows(table)` adds the rows of what Options has besides; `make(options)`
+/// makes the service. The card's metrics are joined to those that all evaluators of overdraw have.
+template <class Options, class AddRows, class Make>
+requires std::derived_from<Options, OverdrawOptions> Plugin overdraw_plugin(Card card, AddRows add_rows, Make make) {
+  Plugin plugin;
+  plugin.kind = Kind::evaluator;
+  plugin.card = std::move(card);
+  plugin.card.acts_on = {traits::triangles};
+  const std::vector<Metric> metrics = overdraw_metrics();
+  plugin.card.metrics.insert(plugin.card.metrics.begin(), metrics.begin(), metrics.end());
+
+  OptionTable<Options> table;
+  add_view_rows(table);
+  add_faces_row(table);
+  add_rows(table);
+  bind_options(plugin, std::move(table),
+               [make](const Options& options) { return overdraw_evaluator(make(options), options); });
+
+  OptionTable<Options> service_table;
+  add_faces_row(service_table);
+  add_rows(service_table);
+  plugin.service_options = service_table.specs();
+  plugin.overdraw_service = [service_table, make](const Settings& settings) {
+    return make(service_table.read(settings));
+  };
+  return plugin;
+}
+
+}  // namespace foredraw
