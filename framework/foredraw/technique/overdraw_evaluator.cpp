@@ -57,6 +57,7 @@ class OverdrawEvaluator final : public Evaluator {
     for (std::size_t i = 0; i < pictures.size(); ++i) by_view[i % views] += pictures[i];
     measure(run, {}, by_view, pictures);
     tell_what_is_not_as_drawn(scene, run, std::reduce(non_finite.begin(), non_finite.end()));
+    service_->tell_more(scene, views_, run);
   }
 
  private:
