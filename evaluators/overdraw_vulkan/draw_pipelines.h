@@ -28,8 +28,8 @@ struct DrawConstants {
 /// Written where no part was.
 inline constexpr std::uint32_t nobody = ~std::uint32_t{0};
 
-/// A render pass that clears an owner (R32_UINT) and a depth attachment, and every pipeline for it, made when it is first
-/// asked for. Viewport and scissor are set by whoever draws, so the pipelines serve every size of picture.
+/// A render pass that clears an owner (R32_UINT) and a depth attachment, and every pipeline for it, made when it is
+/// first asked for. Viewport and scissor are set by whoever draws, so the pipelines serve every size of picture.
 class DrawPipelines {
  public:
   explicit DrawPipelines(const VulkanDevice& device);

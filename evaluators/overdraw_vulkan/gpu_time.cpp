@@ -68,7 +68,7 @@ std::optional<GpuTime> gpu_time(OverdrawDevice& device, std::span<const RasterPa
   constexpr std::size_t repetitions = 5;
   std::array<double, repetitions> light{};
   std::array<double, repetitions> heavy{};
-  nanoseconds(Shading::owner);  // wakes the device up
+  nanoseconds(Shading::owner);                     // wakes the device up
   for (std::size_t i = 0; i < repetitions; ++i) {  // by turns, so that both meet the same moments
     light[i] = nanoseconds(Shading::owner);
     heavy[i] = nanoseconds(Shading::heavy);

@@ -9,8 +9,8 @@ namespace foredraw {
 namespace {
 
 /// Draws each view twice and counts both times. Where a fragment that is equally near passes too, it writes the depth
-/// that is there already: the depth buffer goes through the same states as with `less`, and the two counts differ by the
-/// ties alone. The second time counts what is shaded, and leaves each pixel to the part that it shows.
+/// that is there already: the depth buffer goes through the same states as with `less`, and the two counts differ by
+/// the ties alone. The second time counts what is shaded, and leaves each pixel to the part that it shows.
 class BatchCount {
  public:
   BatchCount(VulkanPainter& painter, const UploadedParts& parts, int size, CountMethod method)

@@ -36,7 +36,8 @@ class OverdrawDevice {
 };
 
 /// Draws the parts one after the other from every view, one draw call a part, with depth test `less`, into pictures of
-/// views.size x views.size pixels that just hold the bounding sphere of all parts. Distance 0 (orthographic) or more than
+/// views.size x views.size pixels that just hold the bounding sphere of all parts. Distance 0 (orthographic) or more
+/// than
 /// 1. Both methods count the same on one device; `atomics` up to 2^32 - 1 fragments of a part in a view.
 ///
 /// What is covered and how near it is are as the device rounds, which is not as overdraw_raster() does, and another
@@ -45,8 +46,8 @@ class OverdrawDevice {
 OverdrawCounts overdraw_vulkan(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views,
                                CountMethod method = CountMethod::queries);
 
-/// How often the device runs the vertex shader for each part: what its own vertex cache leaves. Nothing where the device
-/// does not say.
+/// How often the device runs the vertex shader for each part: what its own vertex cache leaves. Nothing where the
+/// device does not say.
 std::optional<std::vector<std::uint64_t>> vertex_shader_invocations(OverdrawDevice& device,
                                                                     std::span<const RasterPart> parts);
 

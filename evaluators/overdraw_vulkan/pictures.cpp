@@ -34,7 +34,8 @@ Pictures::Pictures(VulkanDevice& device, VkRenderPass render_pass, int size) : s
   count_ = std::clamp<std::uint32_t>(most_pixels / (size_ * size_), 1, limits.maxImageArrayLayers);
   owner_image_ = LayeredImage(device, size_, count_, owner_format,
                               VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
-  depth_image_ = LayeredImage(device, size_, count_, device.depth_format(), VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+  depth_image_ =
+      LayeredImage(device, size_, count_, device.depth_format(), VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
   owners_ = VisibleBuffer(device, std::size_t{count_} * size_ * size_ * sizeof(std::uint32_t),
                           VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   for (std::uint32_t layer = 0; layer < count_; ++layer) {

@@ -37,7 +37,8 @@ UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> p
     append_finite(all_indices, parts[number]);
     const std::size_t count = all_indices.size() - first;
     if (count == 0) continue;
-    if (count > 0xFFFFFFFF) throw std::runtime_error("overdraw-vulkan draws 2^32 indices at once at most; split the mesh");
+    if (count > 0xFFFFFFFF)
+      throw std::runtime_error("overdraw-vulkan draws 2^32 indices at once at most; split the mesh");
     drawn.push_back({number, all_positions.size() * sizeof(glm::vec3), first * sizeof(std::uint32_t),
                      static_cast<std::uint32_t>(count), culled(parts[number])});
     triangles += count / 3;

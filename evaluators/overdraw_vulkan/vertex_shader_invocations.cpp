@@ -18,7 +18,8 @@ std::optional<std::vector<std::uint64_t>> vertex_shader_invocations(OverdrawDevi
   info.queryCount = static_cast<std::uint32_t>(uploaded.drawn.size());
   info.pipelineStatistics = VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT;
   const OwnedQueryPool queries(device.get(), info, "vkCreateQueryPool");
-  const Pictures& pictures = painter.any_pictures();  // vertices are the same whatever is seen of them: one view will do
+  const Pictures& pictures =
+      painter.any_pictures();  // vertices are the same whatever is seen of them: one view will do
   device.run([&](VkCommandBuffer commands) {
     vkCmdResetQueryPool(commands, queries.get(), 0, info.queryCount);
     pictures.begin(commands, painter.pipelines().render_pass(), 0);
@@ -28,10 +29,10 @@ std::optional<std::vector<std::uint64_t>> vertex_shader_invocations(OverdrawDevi
     vkCmdEndRenderPass(commands);
   });
   std::vector<std::uint64_t> of_drawn(info.queryCount);
-  check(vkGetQueryPoolResults(device.get(), queries.get(), 0, info.queryCount, info.queryCount * sizeof(std::uint64_t),
-                              of_drawn.data(), sizeof(std::uint64_t),
-                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-        "vkGetQueryPoolResults");
+  check(
+      vkGetQueryPoolResults(device.get(), queries.get(), 0, info.queryCount, info.queryCount * sizeof(std::uint64_t),
+                            of_drawn.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+      "vkGetQueryPoolResults");
   for (std::size_t i = 0; i < of_drawn.size(); ++i) invocations[uploaded.drawn[i].number] = of_drawn[i];
   return invocations;
 }

@@ -21,12 +21,13 @@ class VulkanDevice {
   const std::string& name() const { return name_; }  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
   bool is_processor() const { return properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
   const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
-  VkFormat depth_format() const { return depth_format_; }  ///< D32_SFLOAT; X8_D24_UNORM where there is no such
+  VkFormat depth_format() const { return depth_format_; }           ///< D32_SFLOAT; X8_D24_UNORM where there is no such
   std::uint64_t timestamp_mask() const { return timestamp_mask_; }  ///< the bits of its clock; 0: it has none
   bool counts_vertices() const { return counts_vertices_; }
 
   /// The number of a memory type among `allowed` that has all of `wanted`, and `better` too if there is one.
-  std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags better = 0) const;
+  std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
+                            VkMemoryPropertyFlags better = 0) const;
 
   /// Records commands, hands them in, and waits until they are done.
   void run(const std::function<void(VkCommandBuffer)>& record);

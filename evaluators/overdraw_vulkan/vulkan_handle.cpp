@@ -10,9 +10,11 @@ namespace {
 std::string explained(VkResult result) {
   switch (result) {
     case VK_ERROR_OUT_OF_HOST_MEMORY: return "out of memory; ask for smaller pictures";
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY: return "the device is out of memory; ask for smaller pictures or another device";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+      return "the device is out of memory; ask for smaller pictures or another device";
     case VK_ERROR_DEVICE_LOST:
-      return "the device was lost, by a fault of its driver or because one draw took too long; ask for smaller pictures "
+      return "the device was lost, by a fault of its driver or because one draw took too long; ask for smaller "
+             "pictures "
              "or another device";
     case VK_ERROR_INITIALIZATION_FAILED: return "the driver could not start; see whether vulkaninfo works";
     case VK_ERROR_INCOMPATIBLE_DRIVER: return "no driver; install one, or mesa-vulkan-drivers";

@@ -33,8 +33,8 @@ OwnedMemory memory_of(const VulkanDevice& device, VkBuffer buffer, VkMemoryPrope
 
 }  // namespace
 
-void let_see(VkCommandBuffer commands, VkPipelineStageFlags writing, VkAccessFlags written, VkPipelineStageFlags reading,
-             VkAccessFlags read) {
+void let_see(VkCommandBuffer commands, VkPipelineStageFlags writing, VkAccessFlags written,
+             VkPipelineStageFlags reading, VkAccessFlags read) {
   VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
   barrier.srcAccessMask = written;
   barrier.dstAccessMask = read;

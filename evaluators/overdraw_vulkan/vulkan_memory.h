@@ -59,7 +59,7 @@ class LayeredImage {
 };
 
 /// Whoever reads from here on sees what was written before.
-void let_see(VkCommandBuffer commands, VkPipelineStageFlags writing, VkAccessFlags written, VkPipelineStageFlags reading,
-             VkAccessFlags read);
+void let_see(VkCommandBuffer commands, VkPipelineStageFlags writing, VkAccessFlags written,
+             VkPipelineStageFlags reading, VkAccessFlags read);
 
 }  // namespace foredraw

@@ -5,7 +5,8 @@
 namespace foredraw {
 
 Pictures& VulkanPainter::pictures(int size) {
-  if (pictures_ && pictures_->size() != static_cast<std::uint32_t>(size)) pictures_.reset();  // before the next are made
+  if (pictures_ && pictures_->size() != static_cast<std::uint32_t>(size))
+    pictures_.reset();  // before the next are made
   if (!pictures_) pictures_ = std::make_unique<Pictures>(device_, pipelines_.render_pass(), size);
   return *pictures_;
 }
