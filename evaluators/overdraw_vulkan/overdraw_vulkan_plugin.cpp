@@ -6,13 +6,15 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
 
 namespace foredraw {
 
 namespace {
 
 struct OverdrawVulkanOptions : OverdrawOptions {
-  std::string device;
+  std::optional<std::string> device;
   CountMethod method = CountMethod::queries;
   bool times = false;
 };
@@ -66,7 +68,7 @@ class OverdrawVulkan final : public OverdrawService {
  private:
   /// Made when it is first drawn with: who lists plugins or plans a run starts no driver.
   OverdrawDevice& device() {
-    if (!device_) device_ = std::make_unique<OverdrawDevice>(VulkanChoice{options_.device});
+    if (!device_) device_ = std::make_unique<OverdrawDevice>(VulkanChoice{options_.device.value_or("")});
     return *device_;
   }
 
