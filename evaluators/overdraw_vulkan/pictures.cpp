@@ -12,7 +12,7 @@ namespace foredraw {
 namespace {
 
 /// In all pictures, unless one alone has more. 12 bytes a pixel are taken.
-constexpr std::uint32_t most_pixels = 1u << 22;
+constexpr std::uint64_t most_pixels = 1u << 22;
 
 std::array<VkClearValue, 2> emptiness() {
   std::array<VkClearValue, 2> values{};
@@ -31,13 +31,13 @@ Pictures::Pictures(VulkanDevice& device, VkRenderPass render_pass, int size) : s
     throw std::runtime_error(device.name() + " draws pictures of " + std::to_string(most) + " pixels at most, not " +
                              std::to_string(size_) + "; ask for a smaller size");
   }
-  count_ = std::clamp<std::uint32_t>(most_pixels / (size_ * size_), 1, limits.maxImageArrayLayers);
+  const std::uint64_t pixels = std::uint64_t{size_} * size_;
+  count_ = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(most_pixels / pixels, 1, limits.maxImageArrayLayers));
   owner_image_ = LayeredImage(device, size_, count_, owner_format,
                               VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
   depth_image_ =
       LayeredImage(device, size_, count_, device.depth_format(), VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
-  owners_ = VisibleBuffer(device, std::size_t{count_} * size_ * size_ * sizeof(std::uint32_t),
-                          VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  owners_ = VisibleBuffer(device, count_ * pixels * sizeof(std::uint32_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   for (std::uint32_t layer = 0; layer < count_; ++layer) {
     OwnedImageView owner = owner_image_.view(device, layer, VK_IMAGE_ASPECT_COLOR_BIT);
     OwnedImageView depth = depth_image_.view(device, layer, VK_IMAGE_ASPECT_DEPTH_BIT);
