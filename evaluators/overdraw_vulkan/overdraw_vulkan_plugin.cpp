@@ -28,7 +28,8 @@ class OverdrawVulkan final : public OverdrawService {
     return overdraw_vulkan(device(), parts, views, options_.method);
   }
 
-  void tell_more(const Scene& scene, const Views& views, Run& run) override {
+  void tell_more(const Scene& scene, std::span<const Subject> subjects, std::span<const DrawnSubject> drawn,
+                 const Views& views, Run& run) override {
     const std::lock_guard lock(one_at_a_time_);
     run.note("device", fmt::format("drawn by {}, whose depths have {} bits", device().name(), device().depth_bits()));
     const bool takes_times = options_.times && !device().is_processor();
@@ -38,18 +39,18 @@ class OverdrawVulkan final : public OverdrawService {
     std::vector<std::uint64_t> invocations(scene.draws.size());
     std::vector<std::size_t> triangles(scene.draws.size());
     GpuTime time;
-    const std::vector<glm::mat4> world = world_transforms(scene);
-    for (const Subject& subject : subjects_of(scene)) {
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
       if (run.cancelled()) return;
-      const DrawnSubject drawn = drawn_subject(scene, subject, faces(), world);
-      if (const auto of_parts = vertex_shader_invocations(device(), drawn.parts)) {
+      const std::span<const RasterPart> parts = drawn[s].parts;
+      if (const auto of_parts = vertex_shader_invocations(device(), parts)) {
         for (std::size_t i = 0; i < of_parts->size(); ++i) {
-          invocations[subject.parts[i].draw] += (*of_parts)[i];
-          triangles[subject.parts[i].draw] += drawn.parts[i].indices.size() / 3;
+          const DrawId draw = subjects[s].parts[i].draw;
+          invocations[draw] += (*of_parts)[i];
+          triangles[draw] += parts[i].indices.size() / 3;
         }
       }
       if (!takes_times) continue;
-      if (const auto of_subject = gpu_time(device(), drawn.parts, views)) {
+      if (const auto of_subject = gpu_time(device(), parts, views)) {
         time.light += of_subject->light;
         time.heavy += of_subject->heavy;
       }

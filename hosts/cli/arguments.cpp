@@ -62,6 +62,7 @@ class CommandLine {
         .add_option("--compression", arguments_.compression,
                     "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
+    heat_maps(optimize_app, "before and after");
     json(optimize_app, "Print the record of the run, as JSON, to standard output");
     threads(optimize_app);
 
@@ -74,6 +75,7 @@ class CommandLine {
     auto& measure_app = add("measure", "Measure a scene as it is", [this] { return measure(arguments_, registry_); });
     input(measure_app);
     with(measure_app);
+    heat_maps(measure_app, "as it is");
     json(measure_app);
     threads(measure_app);
 
@@ -191,6 +193,13 @@ class CommandLine {
     app.add_option("--with", arguments_.with,
                    "Evaluators to measure with, such as \"vertex-cache, overdraw-raster(views=162)\" (default: the "
                    "pipeline's, else those of @default)");
+  }
+  void heat_maps(CLI::App& app, const std::string& when) {
+    app.add_option("--heatmap", arguments_.heat_maps,
+                   "Write PNG pictures of how often each pixel is shaded, " + when + ", into this folder");
+    app.add_option("--heatmap-view", arguments_.heat_map_view,
+                   "Views to draw, of those that the first overdraw evaluator looks from: worst, all, or a number "
+                   "(default: worst)");
   }
   void json(CLI::App& app, const std::string& what = "Print JSON to standard output") {
     app.add_flag("--json", arguments_.json, what);

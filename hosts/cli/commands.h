@@ -23,6 +23,8 @@ struct Arguments {
   std::string report;
   std::string remap;
   std::string compression = "keep";
+  std::string heat_maps;               ///< folder of pictures
+  std::string heat_map_view = "worst";
   std::string kind;
   std::string name;
   int threads = 0;

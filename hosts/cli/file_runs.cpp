@@ -1,5 +1,6 @@
 #include "file_runs.h"
 
+#include <foredraw/io/heat_maps.h>
 #include <foredraw/report/remap.h>
 
 namespace foredraw::cli {
@@ -7,6 +8,28 @@ namespace foredraw::cli {
 namespace {
 
 using Work = std::function<Result(const Plan&, Scene, const Surroundings&)>;
+
+/// How the plan's first evaluator of overdraw looks, or as all do by default.
+OverdrawOptions looks_of(const Plan& plan) {
+  OptionTable<OverdrawOptions> table;
+  add_view_rows(table);
+  add_faces_row(table);
+  for (const PlannedStage& measure : plan.measures) {
+    if (measure.plugin->overdraw_service) return table.read(measure.settings);
+  }
+  return {};
+}
+
+/// Into the folder that was asked for, or, of several inputs, one of the input's own in it.
+bool write_heat_maps(const FileJob& job, const std::string& input, const Plan& plan, const Scene& before,
+                     const Scene* after, Diagnostics& diagnostics) {
+  std::filesystem::path folder = job.arguments.heat_maps;
+  if (is_folder(job.arguments.inputs[0]))
+    folder /= std::filesystem::path(input).lexically_relative(job.arguments.inputs[0]);
+  const auto files =
+      heat_maps(before, after, looks_of(plan), job.arguments.heat_map_view, folder, job.executor, diagnostics);
+  return files && (files->empty() || (make_folder(folder, diagnostics) && write_files(*files, diagnostics)));
+}
 
 /// Reads, plans and works; `written` puts the result somewhere, and may fail.
 FileRun run_file(const FileJob& job, const std::string& command, const std::string& input, const Work& work,
@@ -27,6 +50,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
                                 [&] { return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics); });
   if (!plan) return lost(users_mistake);
 
+  const Scene before = job.arguments.heat_maps.empty() ? Scene() : file->scene;
   Analyses analyses;
   Result result = with_memory(input, "work on it", [&] {
     return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
@@ -36,6 +60,10 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
   result.report.diagnostics = diagnostics.all();
   if (!written(result, diagnostics)) return lost(something_failed);
+  if (!job.arguments.heat_maps.empty()) {
+    const Scene* after = result.report.optimized ? &result.scene : nullptr;
+    if (!write_heat_maps(job, input, *plan, before, after, diagnostics)) result.failed = true;
+  }
   run.report = std::move(result.report);
   run.report.diagnostics = diagnostics.all();
   run.exit = result.failed ? something_failed : done;

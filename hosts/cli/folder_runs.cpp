@@ -54,16 +54,6 @@ bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::pat
   return diagnostics.has_errors();
 }
 
-bool make_folder(const fs::path& folder, Diagnostics& diagnostics) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    diagnostics.error({.file = folder.string()}, "can-not-make-folder", "can not be made: " + error.message(),
-                      "choose an output folder that you may write to");
-  }
-  return !error;
-}
-
 FileRun lost(const fs::path& input, const std::string& why, const std::string& hint) {
   FileRun run;
   run.report.input.path = input.string();

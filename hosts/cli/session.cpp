@@ -92,4 +92,14 @@ OutputFile text_file(const std::string& path, const std::string& text) {
   return {path, {bytes.begin(), bytes.end()}};
 }
 
+bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    diagnostics.error({.file = folder.string()}, "can-not-make-folder", "can not be made: " + error.message(),
+                      "choose an output folder that you may write to");
+  }
+  return !error;
+}
+
 }  // namespace foredraw::cli

@@ -49,6 +49,9 @@ auto with_memory(const std::string& file, const char* doing, Step step) {
 std::function<void(std::string_view, double)> progress_line();
 void end_progress();
 
+/// The folder, and those that it lies in, unless they are there.
+bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
+
 OutputFile text_file(const std::string& path, const std::string& text);
 
 }  // namespace foredraw::cli

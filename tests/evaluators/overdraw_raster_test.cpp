@@ -374,6 +374,58 @@ TEST(OverdrawRasterPlugin, says_where_it_looks_from_where_orders_were_optimised_
   EXPECT_TRUE(evaluate(scene, few_views).notes.empty());
 }
 
+TEST(OverdrawRasterPlugin, a_wanted_error_is_reached_and_true) {
+  const Scene scene =
+      testing::scene_of(testing::joined(testing::torus(24, 12), testing::sphere(16, 8, 0.8f, {0, 0.5f, 0})));
+  const auto ratio = [&](const Settings& settings) {
+    const Findings findings = evaluate(scene, settings);
+    const Measured* measured = find(findings, "ratio", {});
+    return std::pair(measured->numerator / *measured->denominator, measured->error);
+  };
+  const double truth = ratio({{"views", std::string("2562")}, {"size", std::int64_t{512}}}).first;
+  int far = 0;
+  for (std::int64_t seed = 0; seed < 20; ++seed) {
+    const auto [value, error] = ratio({{"error", 0.003}, {"seed", seed}});
+    EXPECT_LE(error, 0.003);
+    EXPECT_GT(error, 0);
+    far += std::abs(value - truth) > 0.003 ? 1 : 0;
+  }
+  EXPECT_LE(far, 1);
+  EXPECT_NE(ratio({{"error", 0.003}, {"seed", std::int64_t{1}}}), ratio({{"error", 0.003}, {"seed", std::int64_t{2}}}));
+}
+
+TEST(OverdrawRasterPlugin, what_has_no_overdraw_is_known_at_the_first_look) {
+  const Findings findings = evaluate(testing::scene_of(testing::sphere(16, 8)), {{"error", 1e-5}});
+  EXPECT_EQ(find(findings, "ratio", {})->error, 0);
+  ASSERT_EQ(findings.notes.size(), 1u);
+  EXPECT_EQ(findings.notes[0].message, "looked from 10 x 12 views of 64 x 64 pixels");
+}
+
+TEST(OverdrawRasterPlugin, details_tell_who_causes_the_overdraw) {
+  Scene scene = testing::scene_of({testing::draw_of(testing::sphere(16, 8, 0.5f), "inner"),
+                                   testing::draw_of(testing::sphere(16, 8, 1.0f), "outer")});
+  scene.meshes[0].draws = {0, 1};
+  scene.meshes.pop_back();
+  scene.nodes.pop_back();
+  scene.draws[0].levels[0].orders[0].clusters =
+      Clusters{{0, 4, static_cast<std::uint32_t>(scene.draws[0].levels[0].orders[0].triangle_count())}};
+  Settings settings = few_views;
+  settings["details"] = true;
+  const Findings findings = evaluate(scene, settings);
+  ASSERT_EQ(findings.notes.size(), 1u);
+  EXPECT_EQ(findings.notes[0].place.draw, 0u);
+  EXPECT_TRUE(findings.notes[0].message.starts_with(
+      "shades 100.0 % of what is hidden in the end; half of it is shaded by 1 of 2 clusters: 1 ("))
+      << findings.notes[0].message;
+  const double visible = *find(findings, "ratio", {})->denominator;
+  const double hidden = find(findings, "hidden", {})->numerator;
+  EXPECT_GT(hidden, 1000);
+  EXPECT_EQ(find(findings, "hidden", 0)->numerator, hidden);
+  EXPECT_EQ(find(findings, "shaded-times.1", {})->numerator, visible - hidden);
+  EXPECT_EQ(find(findings, "shaded-times.2", {})->numerator, hidden);
+  EXPECT_EQ(find(findings, "shaded-times.8", {})->numerator, 0);
+}
+
 TEST(OverdrawRasterPlugin, a_view_set_that_can_not_be_made_is_refused) {
   const Plugin plugin = overdraw_raster_plugin();
   EXPECT_THROW(plugin.create({{"views", std::string("icosphere")}, {"count", std::int64_t{100}}}),

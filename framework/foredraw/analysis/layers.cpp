@@ -73,7 +73,8 @@ OverdrawCount count_in_turns(const ViewLayers& view, std::span<const std::uint32
   return sum;
 }
 
-/// order[place] = owner turned round: [owner] = place.
+}  // namespace
+
 std::vector<std::uint32_t> turns_of(std::span<const std::uint32_t> order, std::size_t owners) {
   constexpr std::uint32_t none = ~std::uint32_t{0};
   if (order.size() != owners) {
@@ -92,8 +93,6 @@ std::vector<std::uint32_t> turns_of(std::span<const std::uint32_t> order, std::s
   }
   return turns;
 }
-
-}  // namespace
 
 std::size_t bytes_of(const ViewLayers& view) {
   return sizeof(view) + view.batches.size() * sizeof(LayerBatch) +

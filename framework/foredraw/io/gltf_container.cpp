@@ -112,7 +112,46 @@ std::string reason(const std::string& what) {
   return bracket == std::string::npos ? what : what.substr(bracket + 2);
 }
 
-struct Crowd {};
+/// Reads along for what a tree of values no longer shows or has no room for. The parser's own callback would ask all of
+/// an array at the end of each of its objects.
+class Reading final : public Json::json_sax_t {
+ public:
+  std::string twice;                 ///< the first key that stands twice in one object
+  bool is_crowded = false;           ///< some object has too many keys
+  std::optional<std::size_t> stuck;  ///< the byte at which it is no JSON
+  std::string why;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool start_object(std::size_t) override {
+    keys_.emplace_back();
+    return true;
+  }
+  bool end_object() override {
+    keys_.pop_back();
+    return true;
+  }
+  bool key(string_t& key) override {
+    if (!keys_.back().insert(key).second && twice.empty()) twice = key;
+    is_crowded = keys_.back().size() > most_keys;
+    return !is_crowded;
+  }
+  bool parse_error(std::size_t byte, const std::string&, const Json::exception& mistake) override {
+    stuck = byte == 0 ? 0 : byte - 1;
+    why = reason(mistake.what());
+    return false;
+  }
+
+ private:
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+};
 
 }  // namespace
 
@@ -144,36 +183,20 @@ bool parse_json(Gate& gate, std::string_view text) {
     gate.error_at(*byte, text, "json-nesting", fmt::format("the JSON is nested deeper than {} levels", deepest));
     return false;
   }
-  std::vector<std::set<std::string>> keys;
-  std::string twice;
-  const auto watch = [&](int, Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second && twice.empty()) {
-      twice = value.get<std::string>();
-    }
-    if (event == Json::parse_event_t::key && keys.back().size() > most_keys) throw Crowd();
-    return true;
-  };
-  try {
-    gate.document().json = Json::parse(text.begin(), text.end(), watch);
-  } catch (const Json::parse_error& mistake) {
-    gate.error_at(mistake.byte == 0 ? 0 : mistake.byte - 1, text, "json-syntax",
-                  "is not JSON: " + reason(mistake.what()));
-    return false;
-  } catch (const Crowd&) {
+  Reading reading;
+  Json::sax_parse(text.begin(), text.end(), &reading);
+  if (reading.stuck) {
+    gate.error_at(*reading.stuck, text, "json-syntax", "is not JSON: " + reading.why);
+  } else if (reading.is_crowded) {
     gate.error({}, "json-crowd", fmt::format("an object has more than {} keys", most_keys), "put them into an array");
-    return false;
-  } catch (const Json::exception& mistake) {
-    gate.error({}, "json-syntax", "is not JSON that can be read: " + reason(mistake.what()));
-    return false;
-  }
-  if (!twice.empty()) {
-    gate.error({}, "json-duplicate-key", fmt::format("the key '{}' stands twice in one object", twice),
+  } else if (!reading.twice.empty()) {
+    gate.error({}, "json-duplicate-key", fmt::format("the key '{}' stands twice in one object", reading.twice),
                "keep one of them; readers differ in which they take");
-    return false;
+  } else {
+    gate.document().json = Json::parse(text.begin(), text.end());
+    return true;
   }
-  return true;
+  return false;
 }
 
 }  // namespace foredraw::gltf

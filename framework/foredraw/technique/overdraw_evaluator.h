@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,8 @@ namespace foredraw {
 struct OverdrawOptions : ViewSet {
   OverdrawOptions() { views = "fibonacci"; }
   Faces faces = Faces::material;
+  bool details = false;
+  std::optional<double> error;  ///< wanted of every subject's ratio: views and size are then picked to reach it
 };
 
 template <class Options>
@@ -29,6 +32,18 @@ void add_faces_row(OptionTable<Options>& table) {
 
 /// What every evaluator of overdraw measures.
 std::vector<Metric> overdraw_metrics();
+
+template <class Options>
+requires std::derived_from<Options, OverdrawOptions>
+void add_evaluator_rows(OptionTable<Options>& table) {
+  table.template row<bool>(&OverdrawOptions::details, "details",
+                           "Tell how many pixels are shaded how often, and which draws and clusters cause the overdraw");
+  table.template row<std::optional<double>>(&OverdrawOptions::error, "error",
+                                            "Pick views and size so that each subject's ratio is this exact, 19 times "
+                                            "of 20; views, count and size are not used "
+                                            "then",
+                                            {1e-5, 1, "fragments per pixel"});
+}
 
 /// Draws every subject of a scene through the service. std::invalid_argument where the views have a mistake.
 std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> service, const OverdrawOptions& options);
@@ -47,6 +62,7 @@ requires std::derived_from<Options, OverdrawOptions> Plugin overdraw_plugin(Card
   OptionTable<Options> table;
   add_view_rows(table);
   add_faces_row(table);
+  add_evaluator_rows(table);
   add_rows(table);
   bind_options(plugin, std::move(table),
                [make](const Options& options) { return overdraw_evaluator(make(options), options); });

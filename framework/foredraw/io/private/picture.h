@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace foredraw::images {
+
+struct Colour {
+  std::uint8_t red, green, blue;
+};
+
+/// Rows from the top.
+class Picture {
+ public:
+  Picture(int width, int height, Colour background);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// Fills what of the box is inside of the picture.
+  void fill(int x, int y, int width, int height, Colour colour);
+
+  /// ASCII, `scale` times 12 pixels high, from its upper left corner.
+  void write(int x, int y, const std::string& text, Colour colour, int scale = 1);
+
+  /// Width of the text in pixels.
+  static int width_of(const std::string& text, int scale = 1);
+
+  std::vector<std::byte> as_png() const;
+
+ private:
+  int width_;
+  int height_;
+  std::vector<std::uint8_t> rgb_;
+};
+
+}  // namespace foredraw::images

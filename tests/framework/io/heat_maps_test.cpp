@@ -1,0 +1,98 @@
+#include <foredraw/io/heat_maps.h>
+
+#include "support/meshes.h"
+
+#include <foredraw/io/images.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <set>
+
+namespace foredraw {
+namespace {
+
+using testing::TestMesh;
+
+/// A square that faces +Z.
+TestMesh quad(float z) { return {{{-1, -1, z}, {1, -1, z}, {-1, 1, z}, {1, 1, z}}, {0, 1, 2, 2, 1, 3}}; }
+
+/// Three squares back to front, or the other way round.
+Scene stack(bool back_to_front) {
+  const float first = back_to_front ? 0 : 1;
+  Scene scene = testing::scene_of(testing::joined(quad(first), testing::joined(quad(0.5f), quad(1 - first))));
+  scene.meshes[0].name = "Stück/1";
+  return scene;
+}
+
+OverdrawOptions from_the_front() {
+  OverdrawOptions options;
+  options.views = "axes";
+  options.size = 32;
+  return options;
+}
+
+struct Drawn {
+  std::optional<std::vector<OutputFile>> files;
+  Diagnostics diagnostics;
+};
+
+Drawn drawn(const Scene& before, const Scene* after, const std::string& which) {
+  Drawn result;
+  result.files = heat_maps(before, after, from_the_front(), which, "maps", Executor(2), result.diagnostics);
+  return result;
+}
+
+std::set<std::array<int, 3>> colours_in(const OutputFile& file, std::size_t first_column, std::size_t last_column) {
+  Diagnostics diagnostics;
+  const auto texels = decode_image(file.bytes, {}, diagnostics);
+  EXPECT_TRUE(texels);
+  std::set<std::array<int, 3>> colours;
+  if (!texels) return colours;
+  // Where the map is, without what is written above and below it.
+  for (std::size_t row = 60; row < 500; ++row) {
+    for (std::size_t column = first_column; column < last_column; ++column) {
+      const std::byte* texel = &texels->bytes[3 * (row * texels->facts.width + column)];
+      colours.insert({std::to_integer<int>(texel[0]), std::to_integer<int>(texel[1]), std::to_integer<int>(texel[2])});
+    }
+  }
+  return colours;
+}
+
+TEST(HeatMaps, shows_the_worst_view_of_each_subject) {
+  const Drawn maps = drawn(stack(true), nullptr, "worst");
+  ASSERT_TRUE(maps.files);
+  ASSERT_EQ(maps.files->size(), 1u);
+  EXPECT_EQ(maps.files->front().path.generic_string(), "maps/000-St__ck_1-view004.png");  // of +X, -X, +Y, -Y, +Z, -Z
+  const auto facts = image_facts(maps.files->front().bytes);
+  ASSERT_TRUE(facts);
+  EXPECT_EQ(facts->width, 512u + 2 * 12);
+  EXPECT_EQ(facts->channels, 3);
+  EXPECT_EQ(colours_in(maps.files->front(), 12, 524), (std::set<std::array<int, 3>>{{18, 18, 22}, {53, 183, 121}}));
+}
+
+TEST(HeatMaps, shows_before_and_after_side_by_side) {
+  const Scene after = stack(false);
+  const Drawn maps = drawn(stack(true), &after, "4");
+  ASSERT_EQ(maps.files->size(), 1u);
+  const std::array<int, 3> background = {18, 18, 22};
+  EXPECT_EQ(colours_in(maps.files->front(), 12, 524), (std::set<std::array<int, 3>>{background, {53, 183, 121}}));
+  EXPECT_EQ(colours_in(maps.files->front(), 536, 1048), (std::set<std::array<int, 3>>{background, {52, 62, 110}}));
+}
+
+TEST(HeatMaps, leaves_out_views_that_show_nothing) {
+  EXPECT_EQ(drawn(stack(true), nullptr, "all").files->size(), 1u);  // the others see edges, or culled backs
+  EXPECT_TRUE(drawn(stack(true), nullptr, "5").files->empty());
+  EXPECT_TRUE(drawn(Scene(), nullptr, "worst").files->empty());
+}
+
+TEST(HeatMaps, a_view_that_there_is_not_is_refused) {
+  for (const std::string which : {"6", "-1", "best", ""}) {
+    const Drawn maps = drawn(stack(true), nullptr, which);
+    EXPECT_FALSE(maps.files) << which;
+    EXPECT_TRUE(maps.diagnostics.has_errors());
+  }
+}
+
+}  // namespace
+}  // namespace foredraw
