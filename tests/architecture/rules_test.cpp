@@ -76,6 +76,9 @@ TEST(IncludeRules, techniques_are_plain) {
   }
   EXPECT_TRUE(may_include("evaluators/x/x.cpp", "<embree3/rtcore.h>"));
   EXPECT_FALSE(may_include("evaluators/x/x.h", "<embree3/rtcore.h>"));
+  EXPECT_TRUE(may_include("evaluators/x/x.cpp", "<vulkan/vulkan.h>"));
+  EXPECT_TRUE(may_include("evaluators/x/device.h", "<vulkan/vulkan.h>"));
+  EXPECT_FALSE(may_include("evaluators/x/x.h", "<vulkan/vulkan.h>"));
 }
 
 TEST(IncludeRules, name_the_line) {

@@ -38,6 +38,12 @@ class Camera {
   }
 
   bool is_perspective() const { return distance_ > 0; }
+  /// The picture's axes and the one towards the camera: each of length 1, and at right angles.
+  const glm::dvec3& right() const { return right_; }
+  const glm::dvec3& up() const { return up_; }
+  const glm::dvec3& towards() const { return towards_; }
+  /// From the eye to the plane on which the sphere's outline has radius 1; 1 where the view is orthographic.
+  double focal() const { return focal_; }
 
   /// Depth steps from the eye to depth 0; perspective only.
   double steps_before_sphere() const { return (distance_ - 1) * depth_steps; }
