@@ -7,6 +7,7 @@
 #     shaders/<x>.<stage>     GLSL, if any, which the function includes as "shaders/<x>_<stage>.h": the array <x>_<stage>
 #     README.md
 #   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp
+#   and, where one would be long, <name>_plugin_test.cpp beside it
 #
 # It makes two static libraries. foredraw::<name> is the function, and links what LINK names and nothing else: without it
 # the standard library alone, for whose sake headers of the framework that need no .cpp file may be included all the same.
@@ -87,6 +88,10 @@ function(_foredraw_add_plugin folder)
   if(NOT EXISTS "${test}")
     message(FATAL_ERROR "Foredraw: plugin '${config_name}' wants its test tests/${kind_folder}/${name}_test.cpp")
   endif()
+  set(test_of_dress "${PROJECT_SOURCE_DIR}/tests/${kind_folder}/${name}_plugin_test.cpp")
+  if(EXISTS "${test_of_dress}")
+    string(APPEND test "|${test_of_dress}")
+  endif()
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_PLUGIN_TESTS "${name}|${test}")
 endfunction()
 
@@ -149,9 +154,8 @@ function(foredraw_add_plugin_tests)
   get_property(tests GLOBAL PROPERTY FOREDRAW_PLUGIN_TESTS)
   foreach(entry IN LISTS tests)
     string(REPLACE "|" ";" entry "${entry}")
-    list(GET entry 0 name)
-    list(GET entry 1 source)
-    foredraw_add_test(${name}_test SOURCES "${source}" LINK foredraw::${name}_plugin
+    list(POP_FRONT entry name)
+    foredraw_add_test(${name}_test SOURCES ${entry} LINK foredraw::${name}_plugin
                       meshoptimizer::meshoptimizer)
   endforeach()
 endfunction()

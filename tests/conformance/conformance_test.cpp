@@ -96,13 +96,11 @@ std::vector<double> figures(const Result& result) {
 }
 
 std::optional<OptionValue> extreme(const OptionSpec& option, bool most) {
-  // One view is drawn like the other: a hundred thousand, asked for or picked for a small error, show no more than a
-  // thousand, but take a device minutes.
+  // The least error takes the most views, and leaves the other options of views unused.
+  if (option.name == "error" && !most) return std::nullopt;
+  // One view is drawn like the other: a hundred thousand show no more than a thousand, but take a device minutes.
   constexpr double many_views = 1000;
-  constexpr double small_error = 0.05;
-  double bound = most ? option.most : option.least;
-  if (option.unit == "views") bound = std::min(bound, many_views);
-  if (option.name == "error") bound = std::max(bound, small_error);
+  const double bound = !most ? option.least : option.unit == "views" ? std::min(option.most, many_views) : option.most;
   if (option.type == OptionType::boolean) return most;
   if (option.type == OptionType::choice) return most ? option.choices.back() : option.choices.front();
   if (!std::isfinite(bound)) return std::nullopt;
