@@ -10,49 +10,58 @@ namespace foredraw {
 
 namespace {
 
-constexpr std::uint32_t nobody = ~std::uint32_t{0};
-
 /// The depth buffer, and in it whose fragment each pixel shows.
 class Picture {
  public:
-  explicit Picture(int size) : size_(size), pixels_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)) {}
+  explicit Picture(int size) : depths_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)) {}
 
   /// Counts for each part what passes and what stays.
   std::vector<OverdrawCount> draw(std::span<const PreparedPart> parts, const Camera& camera) {
-    counts_.assign(parts.size(), {});
-    std::fill(pixels_.begin(), pixels_.end(), Pixel{});
+    std::vector<OverdrawCount> counts(parts.size());
+    std::fill(depths_.begin(), depths_.end(), nothing);
+    const auto nobody = static_cast<std::uint32_t>(parts.size());
+    if (parts.size() > 1) owners_.assign(depths_.size(), nobody);
+    std::vector<std::uint64_t> lost(parts.size() + 1);
     for (std::uint32_t part = 0; part < parts.size(); ++part) {
-      for_each_fragment(parts[part], camera, corners_,
-                        [&](std::int32_t x, std::int32_t y, std::uint32_t depth, std::uint32_t) {
-                          put(x, y, depth, part);
-                        });
+      OverdrawCount& count = counts[part];
+      rasteriser_.draw(parts[part], camera, [&](const Fragments& some) {
+        if (parts.size() > 1) {
+        for (std::size_t i = 0; i < some.count; ++i) {
+          const std::uint32_t depth = some.depths[i];
+          std::uint32_t& nearest = depths_[some.pixels[i]];
+          std::uint32_t& owner = owners_[some.pixels[i]];
+          const bool passes = depth < nearest;
+          count.shaded += passes;
+          count.ties += depth == nearest;
+          lost[owner] += passes;
+          nearest = passes ? depth : nearest;
+          owner = passes ? part : owner;
+        }
+        } else {
+        std::uint64_t shaded = 0, ties = 0, visible = 0;
+        for (std::size_t i = 0; i < some.count; ++i) {
+          const std::uint32_t depth = some.depths[i];
+          std::uint32_t& nearest = depths_[some.pixels[i]];
+          shaded += depth < nearest;
+          ties += depth == nearest;
+          visible += nearest == nothing;
+          nearest = std::min(depth, nearest);
+        }
+        count.shaded += shaded;
+        count.ties += ties;
+        count.visible += visible;
+        }
+      });
     }
-    return counts_;
+    if (parts.size() > 1) for (std::uint32_t part = 0; part < parts.size(); ++part) counts[part].visible = counts[part].shaded - lost[part];
+    return counts;
   }
 
  private:
-  struct Pixel {
-    std::uint32_t depth = ~std::uint32_t{0};
-    std::uint32_t part = nobody;
-  };
-
-  void put(std::int32_t x, std::int32_t y, std::uint32_t depth, std::uint32_t part) {
-    Pixel& pixel = pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(x)];
-    OverdrawCount& count = counts_[part];
-    if (depth < pixel.depth) {
-      ++count.shaded;
-      ++count.visible;
-      if (pixel.part != nobody) --counts_[pixel.part].visible;
-      pixel = {depth, part};
-    } else if (depth == pixel.depth) {
-      ++count.ties;
-    }
-  }
-
-  int size_;
-  std::vector<Pixel> pixels_;
-  std::vector<Corner> corners_;
-  std::vector<OverdrawCount> counts_;
+  static constexpr std::uint32_t nothing = ~std::uint32_t{0};
+  std::vector<std::uint32_t> depths_;
+  std::vector<std::uint32_t> owners_;
+  Rasteriser rasteriser_;
 };
 
 }  // namespace

@@ -34,7 +34,7 @@ inline OverdrawCount overdraw_by_asking(const testing::TestMesh& mesh, const glm
   double radius = 0;
   for (const glm::dvec3 p : used) radius = std::max(radius, glm::length(p - centre));
 
-  const Camera camera(direction, 0, size);
+  const Camera camera({direction}, size);
   std::map<std::pair<int, int>, std::vector<__int128>> fragments;  // depths in the order of drawing
   for (std::size_t t = 0; t < used.size(); t += 3) {
     std::array<Corner, 3> c;

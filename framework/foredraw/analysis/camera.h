@@ -19,7 +19,7 @@ inline constexpr double depth_steps = 0x1p23;
 class Camera {
  public:
   Camera(const View& view, int size)
-      : towards_(view.direction), distance_(view.distance), extent_(size * subpixels), half_(extent_ / 2.0) {
+      : size_(size), towards_(view.direction), distance_(view.distance), extent_(size * subpixels), half_(extent_ / 2.0) {
     // +Y is up, but for views along it.
     const glm::dvec3 up = std::abs(towards_.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
     const glm::dvec3 right = glm::cross(up, towards_);
@@ -29,7 +29,16 @@ class Camera {
     if (is_perspective()) focal_ = std::sqrt(distance_ * distance_ - 1);
   }
 
+  int size() const { return size_; }
   bool is_perspective() const { return distance_ > 0; }
+
+  const glm::dvec3& towards() const { return towards_; }
+  const glm::dvec3& right() const { return right_; }
+  const glm::dvec3& up() const { return up_; }
+  double distance() const { return distance_; }
+  double focal() const { return focal_; }
+  double extent() const { return extent_; }
+  double half() const { return half_; }
 
   /// Depth steps from the eye to depth 0; perspective only.
   double steps_before_sphere() const { return (distance_ - 1) * depth_steps; }
@@ -46,6 +55,7 @@ class Camera {
  private:
   static double rounded(double value, double most) { return std::clamp(std::floor(value + 0.5), 0.0, most); }
 
+  int size_;
   glm::dvec3 towards_;
   glm::dvec3 right_;
   glm::dvec3 up_;

@@ -101,7 +101,7 @@ TEST(FragmentLayers, a_stack_of_n_quads_costs_n_or_one) {
       const float z = static_cast<float>(i) / static_cast<float>(count);
       mesh = testing::joined(mesh, {{{-1, -1, z}, {1, -1, z}, {-1, 1, z}, {1, 1, z}}, {0, 1, 2, 2, 1, 3}});
     }
-    Views front{{{{0, 0, 1}, 1}}, 0, 64};
+    Views front{{{{0, 0, 1}}}, 64};
     const FragmentLayers layers = layers_of(mesh, front);
     std::vector<std::uint32_t> order = rising_order(layers.owners);
     const OverdrawCount back_to_front = count_overdraw(layers, order);
