@@ -13,14 +13,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::CappedTag<double, PreparedPart::padding>;
 using Vector = hn::Vec<Doubles>;
 
-Vector dot(const std::array<Vector, 3>& position, const glm::dvec3& axis) {
+HWY_INLINE Vector dot(const std::array<Vector, 3>& position, const glm::dvec3& axis) {
   const Doubles d;
   return hn::Add(hn::Add(hn::Mul(position[0], hn::Set(d, axis.x)), hn::Mul(position[1], hn::Set(d, axis.y))),
                  hn::Mul(position[2], hn::Set(d, axis.z)));
 }
 
 /// To the nearest whole number from 0 to `most`.
-auto rounded(Vector value, double most) {
+HWY_INLINE auto rounded(Vector value, double most) {
   const Doubles d;
   const Vector whole = hn::Floor(hn::Add(value, hn::Set(d, 0.5)));
   return hn::DemoteTo(hn::Rebind<std::int32_t, Doubles>(),

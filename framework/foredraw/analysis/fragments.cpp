@@ -54,7 +54,7 @@ void Rasteriser::draw(const PreparedPart& part, const Camera& camera,
   for (std::size_t begin = 0; begin < part.triangle_count(); begin += chunk) {
     const std::size_t end = std::min(begin + chunk, part.triangle_count());
     const std::size_t count = find_seen(part, corners_, begin, end, seen_);
-    std::span<const std::uint64_t> left(seen_.data(), count);
+    std::span<const std::uint32_t> left(seen_.data(), count);
     while (!left.empty()) {
       left = left.subspan(draw_small(part, corners_, camera, left, fragments_));
       if (fragments_.count >= Fragments::most) {

@@ -30,7 +30,7 @@ class Rasteriser {
 
  private:
   Corners corners_;
-  std::vector<std::uint64_t> seen_;
+  std::vector<std::uint32_t> seen_;
   Fragments fragments_;
 };
 

@@ -11,6 +11,6 @@ namespace foredraw {
 /// culled, with area, and with a pixel's centre in the box of the corners. begin and end are multiples of the padding;
 /// `seen` has room for all. Returns how many.
 std::size_t find_seen(const PreparedPart& part, const Corners& corners, std::size_t begin, std::size_t end,
-                      std::span<std::uint64_t> seen);
+                      std::span<std::uint32_t> seen);
 
 }  // namespace foredraw
