@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   for (const TestMesh& mesh : corpus().meshes) if (mesh.indices.size() / 3 >= 6000) all.push_back({fmt::format("draw"), {mesh}});
   ViewSet set; set.views = "icosphere"; set.count = 162; if (distance > 0) set.distance = distance;
   const Views views = make_views(set);
-  for (auto& s : all) {
+  for (auto& s : all) { if (argc > 2 && s.name.find(argv[2]) == std::string::npos) continue; if (argc > 3 && s.triangles() != (std::size_t)atoi(argv[3])) continue;
     auto& m = s.meshes[0];
     if (m.indices.size() / 3 > 1200000) continue;
     RasterPart part{m.positions, m.indices, true};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <tuple>
+#include <utility>
 
 namespace foredraw {
 
@@ -20,6 +22,16 @@ inline constexpr std::int32_t subpixels = 256;
 /// Twice the area; positive where the corners turn counter-clockwise.
 inline std::int64_t doubled_area(const Corner& a, const Corner& b, const Corner& c) {
   return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+}
+
+/// Turns the corners counter-clockwise, the least one first. From there on nothing depends on how they were numbered: a
+/// triangle drawn twice, from its two sides too, has the same depths and ties.
+inline void normalise(std::array<Corner, 3>& corners) {
+  if (doubled_area(corners[0], corners[1], corners[2]) < 0) std::swap(corners[1], corners[2]);
+  const auto less = [](const Corner& p, const Corner& q) {
+    return std::tie(p.x, p.y, p.depth) < std::tie(q.x, q.y, q.depth);
+  };
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), less), corners.end());
 }
 
 /// The pixels whose centres lie in the box of three corners; empty where last < first.
@@ -76,22 +88,34 @@ class EdgeFunction {
   std::int64_t least_inside_;
 };
 
-/// Calls visit(x, y, weights) for every pixel that the counter-clockwise triangle covers, row by row. A corner's weight
-/// is the edge function of the edge across from it; the three sum to the doubled area.
+/// A corner's edge is the one across from it.
+inline std::array<EdgeFunction, 3> edges_of(const Corner& a, const Corner& b, const Corner& c) {
+  return {EdgeFunction(b, c), EdgeFunction(c, a), EdgeFunction(a, b)};
+}
+
+/// Calls visit(y, begin, end) for every row of the box of which the counter-clockwise triangle covers [begin, end).
 template <class Visit>
-void for_each_covered(const Corner& a, const Corner& b, const Corner& c, const PixelBox& box, Visit visit) {
-  const std::array<EdgeFunction, 3> edges = {EdgeFunction(b, c), EdgeFunction(c, a), EdgeFunction(a, b)};
+void for_each_span(const std::array<EdgeFunction, 3>& edges, const PixelBox& box, Visit visit) {
   for (std::int32_t y = box.first_y; y <= box.last_y; ++y) {
     std::int32_t begin = box.first_x;
     std::int32_t end = box.last_x + 1;
     for (const EdgeFunction& edge : edges) edge.narrow(y, begin, end);
-    if (begin >= end) continue;
+    if (begin < end) visit(y, begin, end);
+  }
+}
+
+/// Calls visit(x, y, weights) for every pixel that the counter-clockwise triangle covers, row by row. A corner's weight
+/// is the edge function of the edge across from it; the three sum to the doubled area.
+template <class Visit>
+void for_each_covered(const Corner& a, const Corner& b, const Corner& c, const PixelBox& box, Visit visit) {
+  const std::array<EdgeFunction, 3> edges = edges_of(a, b, c);
+  for_each_span(edges, box, [&](std::int32_t y, std::int32_t begin, std::int32_t end) {
     std::array<std::int64_t, 3> weights = {edges[0].at(begin, y), edges[1].at(begin, y), edges[2].at(begin, y)};
     for (std::int32_t x = begin; x < end; ++x) {
       visit(x, y, weights);
       for (std::size_t i = 0; i < 3; ++i) weights[i] += edges[i].per_column();
     }
-  }
+  });
 }
 
 }  // namespace foredraw

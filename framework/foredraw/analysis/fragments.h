@@ -6,27 +6,42 @@
 #include <foredraw/analysis/raster_part.h>
 
 #include <functional>
-#include <span>
 #include <vector>
 
 namespace foredraw {
 
 /// Some fragments one after the other, in the order of drawing.
 struct Fragments {
-  static constexpr std::size_t most = 2048;  ///< a batch is full; what the last triangle adds still has room
-  static constexpr std::size_t room = most + 2048;
+  /// Full with so many, where there is room for more: whoever draws looks only now and then.
+  static constexpr std::size_t most = 2048;
+  static constexpr std::size_t room = most + 17 * 1024;
 
   std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(room);     ///< y * size + x
   std::vector<std::uint32_t> depths = std::vector<std::uint32_t>(room);
   std::vector<std::uint32_t> triangles = std::vector<std::uint32_t>(room);  ///< their numbers
   std::size_t count = 0;
+
+  bool is_full() const { return count >= most; }
+
+  void add(std::uint32_t pixel, std::uint32_t depth, std::uint32_t triangle) {
+    pixels[count] = pixel;
+    depths[count] = depth;
+    triangles[count++] = triangle;
+  }
+
+  void hand_over(const std::function<void(const Fragments&)>& take) {
+    take(*this);
+    count = 0;
+  }
 };
+
+using TakeFragments = std::function<void(const Fragments&)>;
 
 /// Draws parts, with memory that is kept from part to part.
 class Rasteriser {
  public:
   /// Hands over every fragment of the part in batches, triangle by triangle.
-  void draw(const PreparedPart& part, const Camera& camera, const std::function<void(const Fragments&)>& take);
+  void draw(const PreparedPart& part, const Camera& camera, const TakeFragments& take);
 
  private:
   Corners corners_;

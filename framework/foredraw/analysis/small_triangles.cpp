@@ -1,17 +1,21 @@
 #include "small_triangles.h"
 
+// Two ideas. What a triangle takes before its first pixel is worked out for as many triangles as a register holds, side
+// by side; those that cover one pixel or none are done with then. The others are drawn one after the other, a stamp of
+// pixels at a time.
+
+#include <array>
+#include <bit>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "foredraw/analysis/small_triangles.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace foredraw::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// Edge functions and their products with depths stay exact: in 32 bits, and in doubles below 2^53.
-constexpr std::int32_t most_extent = 32 * subpixels;
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -22,240 +26,262 @@ std::size_t draw_small(const PreparedPart&, const Corners&, const Camera&, const
 
 #else
 
-using Ints = hn::CappedTag<std::int32_t, 16>;
-using Words = hn::RebindToUnsigned<Ints>;
-using HalfInts = hn::Half<Ints>;
-using Doubles = hn::Rebind<double, HalfInts>;
-using IntVector = hn::Vec<Ints>;
-using DoubleVector = hn::Vec<Doubles>;
+constexpr std::int32_t stamp_width = 4;
 
-constexpr std::size_t most_lanes = 16;
+using ThreeInts = std::array<IntVector, 3>;
 
-/// Two registers of doubles for one of integers.
-struct DoublePair {
-  DoubleVector lower, upper;
-};
-
-HWY_INLINE DoublePair to_doubles(IntVector values) {
-  const Doubles f;
-  const HalfInts half;
-  return {hn::PromoteTo(f, hn::LowerHalf(half, values)), hn::PromoteTo(f, hn::UpperHalf(half, values))};
-}
-
-HWY_INLINE IntVector to_ints(const DoublePair& values) {
-  return hn::Combine(Ints(), hn::DemoteTo(HalfInts(), values.upper), hn::DemoteTo(HalfInts(), values.lower));
-}
-
-HWY_INLINE DoublePair operator+(const DoublePair& a, const DoublePair& b) {
-  return {hn::Add(a.lower, b.lower), hn::Add(a.upper, b.upper)};
-}
-HWY_INLINE DoublePair operator-(const DoublePair& a, const DoublePair& b) {
-  return {hn::Sub(a.lower, b.lower), hn::Sub(a.upper, b.upper)};
-}
-HWY_INLINE DoublePair operator*(const DoublePair& a, const DoublePair& b) {
-  return {hn::Mul(a.lower, b.lower), hn::Mul(a.upper, b.upper)};
-}
-HWY_INLINE DoublePair operator/(const DoublePair& a, const DoublePair& b) {
-  return {hn::Div(a.lower, b.lower), hn::Div(a.upper, b.upper)};
-}
-HWY_INLINE DoublePair all(double value) { return {hn::Set(Doubles(), value), hn::Set(Doubles(), value)}; }
-
-/// Of as many triangles as a register holds what drawing them takes, worked out side by side. [corner][triangle]; a
-/// corner's edge is the one across from it.
+/// What drawing some triangles takes: [corner][triangle], a corner's edge being the one across from it.
 struct Setup {
-  alignas(64) std::int32_t at_first[3][most_lanes];    // edge functions at the first pixel of the box; centres on
-  alignas(64) std::int32_t is_below[3][most_lanes];    // an edge count as inside where is_below is 0, else it is -1
-  alignas(64) std::int32_t per_column[3][most_lanes];  // by how much they grow
+  alignas(64) std::int32_t at_first[3][most_lanes];  // edge functions at the first pixel of the box, less 1 where the
+                                                     // edge does not own what lies on it: inside is 0 or more
+  alignas(64) std::int32_t below[3][most_lanes];     // -1 there, else 0
+  alignas(64) std::int32_t per_column[3][most_lanes];
   alignas(64) std::int32_t per_row[3][most_lanes];
   alignas(64) std::int32_t first_x[most_lanes], last_x[most_lanes], first_y[most_lanes], last_y[most_lanes];
-  alignas(64) std::int32_t extent[most_lanes];
-  alignas(64) double depth[4][most_lanes];  // what Depths makes of the corners'
+  alignas(64) std::int32_t pixel[most_lanes], depth[most_lanes];  // the first of the box
+  alignas(64) double depths[4][most_lanes];                       // a different thing to each kind of depth
+  std::uint32_t is_large = 0, is_single = 0, is_empty = 0;        // bit after bit
 };
 
-/// The exact quotient, rounded down: numerators are whole, below 2^50, and grow evenly; the half that is added keeps
-/// them farther from whole multiples of the area than the rounding of two operations reaches.
-struct OrthographicDepths {
-  static void prepare(const Camera&, Setup& setup, const std::array<IntVector, 3>& depths, IntVector area,
-                      std::array<IntVector, 3> at_first, std::array<IntVector, 3> per_column,
-                      std::array<IntVector, 3> per_row) {
-    const auto weighted = [&](const std::array<IntVector, 3>& weights) HWY_ATTR {
-      return to_doubles(weights[0]) * to_doubles(depths[0]) + to_doubles(weights[1]) * to_doubles(depths[1]) +
-             to_doubles(weights[2]) * to_doubles(depths[2]);
-    };
-    store(weighted(at_first) + all(0.5), setup.depth[0]);
-    store(weighted(per_column), setup.depth[1]);
-    store(weighted(per_row), setup.depth[2]);
-    store(all(1) / to_doubles(area), setup.depth[3]);
+/// OrthographicDepth. Numerators are whole numbers that grow evenly. They and the half that is added stay below 2^52,
+/// and keep the quotient half an area's fraction, 2^-27, from the whole number that it is rounded down to; two roundings
+/// of a quotient below 2^24 are 2^-28 at most.
+struct OrthographicStamp {
+  DoublePair numerator, inverse, per_stamp, per_stamp_row;
+
+  static HWY_INLINE IntVector prepare(const Camera&, Setup& setup, const ThreeInts& at_first,
+                                      const ThreeInts& per_column, const ThreeInts& per_row, const ThreeInts& depths,
+                                      const DoublePair& area) {
+    const DoublePair numerator = weighted(at_first, depths) + both(0.5);
+    const DoublePair inverse = both(1) / area;
+    store(numerator, setup.depths[0]);
+    store(weighted(per_column, depths), setup.depths[1]);
+    store(weighted(per_row, depths), setup.depths[2]);
+    store(inverse, setup.depths[3]);
+    return to_ints(numerator * inverse);
   }
 
-  static HWY_INLINE void store(const DoublePair& values, double* to) {
-    hn::Store(values.lower, Doubles(), to);
-    hn::Store(values.upper, Doubles(), to + hn::Lanes(Doubles()));
+  static HWY_INLINE DoublePair weighted(const ThreeInts& weights, const ThreeInts& depths) {
+    return to_doubles(weights[0]) * to_doubles(depths[0]) + to_doubles(weights[1]) * to_doubles(depths[1]) +
+           to_doubles(weights[2]) * to_doubles(depths[2]);
   }
+
+  HWY_INLINE OrthographicStamp(const Camera&, const Setup& setup, std::size_t i, const DoublePair& columns,
+                               const DoublePair& rows, int stamp_height)
+      : numerator(both(setup.depths[0][i]) + columns * both(setup.depths[1][i]) + rows * both(setup.depths[2][i])),
+        inverse(both(setup.depths[3][i])),
+        per_stamp(both(stamp_width * setup.depths[1][i])),
+        per_stamp_row(both(stamp_height * setup.depths[2][i])) {}
+
+  HWY_INLINE IntVector at(const ThreeInts&) const { return to_ints(numerator * inverse); }
+  HWY_INLINE void right() { numerator = numerator + per_stamp; }
+  HWY_INLINE void up() { numerator = numerator + per_stamp_row; }
 };
 
-template <class Depths>
-HWY_INLINE void set_up(const PreparedPart& part, const Corners& corners, const Camera& camera,
-                       const std::uint32_t* triangles, Setup& setup) {
+/// PerspectiveDepth.
+struct PerspectiveStamp {
+  std::array<DoublePair, 3> inverses;
+  DoublePair area, before;
+  ThreeInts below;
+
+  static HWY_INLINE IntVector prepare(const Camera& camera, Setup& setup, const ThreeInts& at_first, const ThreeInts&,
+                                      const ThreeInts&, const ThreeInts& depths, const DoublePair& area) {
+    const DoublePair before = both(camera.steps_before_sphere());
+    std::array<DoublePair, 3> inverses;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      inverses[corner] = both(1) / (before + to_doubles(depths[corner]));
+      store(inverses[corner], setup.depths[corner]);
+    }
+    store(area, setup.depths[3]);
+    return depth(at_first, inverses, area, before);
+  }
+
+  static HWY_INLINE IntVector depth(const ThreeInts& weights, const std::array<DoublePair, 3>& inverses,
+                                    const DoublePair& area, const DoublePair& before) {
+    const DoublePair inverse = to_doubles(weights[0]) * inverses[0] + to_doubles(weights[1]) * inverses[1] +
+                               to_doubles(weights[2]) * inverses[2];
+    return to_ints(at_least_zero(area / inverse - before + both(0.5)));
+  }
+
+  HWY_INLINE PerspectiveStamp(const Camera& camera, const Setup& setup, std::size_t i, const DoublePair&,
+                              const DoublePair&, int)
+      : inverses{both(setup.depths[0][i]), both(setup.depths[1][i]), both(setup.depths[2][i])},
+        area(both(setup.depths[3][i])),
+        before(both(camera.steps_before_sphere())),
+        below{all(setup.below[0][i]), all(setup.below[1][i]), all(setup.below[2][i])} {}
+
+  HWY_INLINE IntVector at(const ThreeInts& inside) const {
+    return depth({hn::Sub(inside[0], below[0]), hn::Sub(inside[1], below[1]), hn::Sub(inside[2], below[2])}, inverses,
+                 area, before);
+  }
+  HWY_INLINE void right() {}
+  HWY_INLINE void up() {}
+};
+
+HWY_INLINE IntVector cross(IntVector ax, IntVector ay, IntVector bx, IntVector by) {
+  return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+}
+
+HWY_INLINE IntVector least_of(const ThreeInts& v) { return hn::Min(v[0], hn::Min(v[1], v[2])); }
+HWY_INLINE IntVector most_of(const ThreeInts& v) { return hn::Max(v[0], hn::Max(v[1], v[2])); }
+
+HWY_INLINE void exchange(IntMask where, IntVector& a, IntVector& b) {
+  const IntVector old = a;
+  a = hn::IfThenElse(where, b, a);
+  b = hn::IfThenElse(where, old, b);
+}
+
+/// v[i] becomes v[i + 1] where `once`, v[i + 2] where `twice`.
+HWY_INLINE void turn(IntMask once, IntMask twice, ThreeInts& v) {
+  const ThreeInts old = v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    v[i] = hn::IfThenElse(once, old[(i + 1) % 3], hn::IfThenElse(twice, old[(i + 2) % 3], old[i]));
+  }
+}
+
+HWY_INLINE void fetch(const PreparedPart& part, const Corners& corners, IntVector triangle, std::size_t corner,
+                      IntVector& x, IntVector& y, IntVector& depth) {
   const Ints d;
   const Words u;
   const hn::Repartition<std::int64_t, Ints> longs;
-  const IntVector number = hn::BitCast(d, hn::LoadU(u, triangles));
-  std::array<IntVector, 3> x, y, depth;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto vertex = hn::GatherIndex(u, part.corners[i].data(), number);
-    const auto gather = [&](auto half) HWY_ATTR {
-      return hn::BitCast(d, hn::GatherIndex(longs, reinterpret_cast<const std::int64_t*>(corners.places.data()),
-                                            hn::BitCast(longs, hn::PromoteTo(hn::RebindToUnsigned<decltype(longs)>(), half))));
-    };
-    const auto lower = gather(hn::LowerHalf(vertex));
-    const auto upper = gather(hn::UpperHalf(hn::Half<Words>(), vertex));
-    x[i] = hn::ConcatEven(d, upper, lower);
-    y[i] = hn::ConcatOdd(d, upper, lower);
-    depth[i] = hn::BitCast(d, hn::GatherIndex(u, corners.depths.data(), hn::BitCast(d, vertex)));
-  }
-  const auto least = [](const std::array<IntVector, 3>& v) HWY_ATTR { return hn::Min(v[0], hn::Min(v[1], v[2])); };
-  const auto most = [](const std::array<IntVector, 3>& v) HWY_ATTR { return hn::Max(v[0], hn::Max(v[1], v[2])); };
-  const IntVector low_x = least(x), high_x = most(x), low_y = least(y), high_y = most(y);
-  hn::Store(hn::Max(hn::Sub(high_x, low_x), hn::Sub(high_y, low_y)), d, setup.extent);
-  const auto first_centre = [&](IntVector from) HWY_ATTR {
-    return hn::ShiftRight<8>(hn::Add(from, hn::Set(d, subpixels / 2 - 1)));
-  };
-  const auto last_centre = [&](IntVector to) HWY_ATTR {
-    return hn::ShiftRight<8>(hn::Sub(to, hn::Set(d, subpixels / 2)));
-  };
-  const IntVector first_x = first_centre(low_x), first_y = first_centre(low_y);
-  hn::Store(first_x, d, setup.first_x);
-  hn::Store(first_y, d, setup.first_y);
-  hn::Store(last_centre(high_x), d, setup.last_x);
-  hn::Store(last_centre(high_y), d, setup.last_y);
+  const hn::RebindToUnsigned<decltype(longs)> unsigned_longs;
+  const auto* places = reinterpret_cast<const std::int64_t*>(corners.places.data());
+  const auto vertex = hn::GatherIndex(u, part.corners[corner].data(), triangle);
+  const auto lower = hn::PromoteTo(unsigned_longs, hn::LowerHalf(vertex));
+  const auto upper = hn::PromoteTo(unsigned_longs, hn::UpperHalf(hn::Half<Words>(), vertex));
+  const auto lower_places = hn::BitCast(d, hn::GatherIndex(longs, places, hn::BitCast(longs, lower)));
+  const auto upper_places = hn::BitCast(d, hn::GatherIndex(longs, places, hn::BitCast(longs, upper)));
+  x = hn::ConcatEven(d, upper_places, lower_places);
+  y = hn::ConcatOdd(d, upper_places, lower_places);
+  depth = hn::BitCast(d, hn::GatherIndex(u, corners.depths.data(), hn::BitCast(d, vertex)));
+}
 
-  const auto cross = [](IntVector ax, IntVector ay, IntVector bx, IntVector by) HWY_ATTR {
-    return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
-  };
+/// For the first `count` triangles, at most as many as there are lanes.
+template <class Stamp>
+HWY_INLINE void set_up(const PreparedPart& part, const Corners& corners, const Camera& camera,
+                       const std::uint32_t* triangles, std::size_t count, Setup& setup) {
+  const Ints d;
+  const IntVector zero = hn::Zero(d);
+  const IntVector triangle = hn::IfThenElseZero(hn::FirstN(d, count), load_words(triangles));
+  ThreeInts x, y, depth;
+  for (std::size_t i = 0; i < 3; ++i) fetch(part, corners, triangle, i, x[i], y[i], depth[i]);
+
   IntVector area = cross(hn::Sub(x[1], x[0]), hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0]), hn::Sub(y[2], y[0]));
   if (!part.culls_back_faces) {
-    const auto turns = hn::Lt(area, hn::Zero(d));
-    const auto exchange = [&](std::array<IntVector, 3>& v) HWY_ATTR {
-      const IntVector second = v[1];
-      v[1] = hn::IfThenElse(turns, v[2], second);
-      v[2] = hn::IfThenElse(turns, second, v[2]);
-    };
-    exchange(x);
-    exchange(y);
-    exchange(depth);
+    const IntMask is_back = hn::Lt(area, zero);
+    exchange(is_back, x[1], x[2]);
+    exchange(is_back, y[1], y[2]);
+    exchange(is_back, depth[1], depth[2]);
     area = hn::Abs(area);
   }
   if (camera.is_perspective()) {
-    // The least corner first, so that sums are rounded alike whichever corner the file names first. One step each turns
-    // the corners until the least leads: it does after two at most.
-    const auto less = [&](std::size_t i, std::size_t j) HWY_ATTR {
-      const auto same_x = hn::Eq(x[i], x[j]), same_y = hn::Eq(y[i], y[j]);
-      return hn::Or(hn::Lt(x[i], x[j]),
-                    hn::And(same_x, hn::Or(hn::Lt(y[i], y[j]), hn::And(same_y, hn::Lt(depth[i], depth[j])))));
-    };
-    const auto second = hn::And(less(1, 0), hn::Not(less(2, 1)));
-    const auto third = hn::And(less(2, 0), less(2, 1));
-    const auto turn = [&](std::array<IntVector, 3>& v) HWY_ATTR {
-      const std::array<IntVector, 3> old = v;
-      for (std::size_t i = 0; i < 3; ++i) {
-        v[i] = hn::IfThenElse(second, old[(i + 1) % 3], hn::IfThenElse(third, old[(i + 2) % 3], old[i]));
-      }
-    };
-    turn(x);
-    turn(y);
-    turn(depth);
+    // The least corner first, so that sums are rounded alike whichever corner the file names first.
+    const IntMask second = hn::And(is_less(x[1], y[1], depth[1], x[0], y[0], depth[0]),
+                                   hn::Not(is_less(x[2], y[2], depth[2], x[1], y[1], depth[1])));
+    const IntMask third = hn::And(is_less(x[2], y[2], depth[2], x[0], y[0], depth[0]),
+                                  is_less(x[2], y[2], depth[2], x[1], y[1], depth[1]));
+    turn(second, third, x);
+    turn(second, third, y);
+    turn(second, third, depth);
   }
-  const IntVector centre_x = hn::Add(hn::ShiftLeft<8>(first_x), hn::Set(d, subpixels / 2));
-  const IntVector centre_y = hn::Add(hn::ShiftLeft<8>(first_y), hn::Set(d, subpixels / 2));
-  std::array<IntVector, 3> at_first, per_column, per_row;
+
+  const IntVector low_x = least_of(x), high_x = most_of(x), low_y = least_of(y), high_y = most_of(y);
+  const IntVector first_x = hn::ShiftRight<8>(hn::Add(low_x, all(subpixels / 2 - 1)));
+  const IntVector first_y = hn::ShiftRight<8>(hn::Add(low_y, all(subpixels / 2 - 1)));
+  const IntVector last_x = hn::ShiftRight<8>(hn::Sub(high_x, all(subpixels / 2)));
+  const IntVector last_y = hn::ShiftRight<8>(hn::Sub(high_y, all(subpixels / 2)));
+  const IntVector centre_x = hn::Add(hn::ShiftLeft<8>(first_x), all(subpixels / 2));
+  const IntVector centre_y = hn::Add(hn::ShiftLeft<8>(first_y), all(subpixels / 2));
+  ThreeInts at_first, inside, per_column, per_row;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t p = (i + 1) % 3, q = (i + 2) % 3;
     const IntVector dx = hn::Sub(x[q], x[p]), dy = hn::Sub(y[q], y[p]);
     at_first[i] = cross(dx, dy, hn::Sub(centre_x, x[p]), hn::Sub(centre_y, y[p]));
     per_column[i] = hn::ShiftLeft<8>(hn::Neg(dy));
     per_row[i] = hn::ShiftLeft<8>(dx);
-    // Falling lines and those to the left own the centres on them.
-    const auto owns = hn::Or(hn::Lt(dy, hn::Zero(d)), hn::And(hn::Eq(dy, hn::Zero(d)), hn::Lt(dx, hn::Zero(d))));
-    hn::Store(hn::IfThenElse(owns, hn::Zero(d), hn::Set(d, -1)), d, setup.is_below[i]);
-    hn::Store(at_first[i], d, setup.at_first[i]);
+    const IntMask is_top_or_left = hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Lt(dx, zero)));
+    const IntVector below = hn::IfThenElse(is_top_or_left, zero, all(-1));
+    inside[i] = hn::Add(at_first[i], below);
+    hn::Store(inside[i], d, setup.at_first[i]);
+    hn::Store(below, d, setup.below[i]);
     hn::Store(per_column[i], d, setup.per_column[i]);
     hn::Store(per_row[i], d, setup.per_row[i]);
   }
-  Depths::prepare(camera, setup, depth, area, at_first, per_column, per_row);
+  hn::Store(first_x, d, setup.first_x);
+  hn::Store(first_y, d, setup.first_y);
+  hn::Store(last_x, d, setup.last_x);
+  hn::Store(last_y, d, setup.last_y);
+  hn::Store(hn::Add(hn::Mul(first_y, all(camera.size())), first_x), d, setup.pixel);
+  hn::Store(Stamp::prepare(camera, setup, at_first, per_column, per_row, depth, to_doubles(area)), d, setup.depth);
+
+  const IntMask is_single = hn::And(hn::Eq(first_x, last_x), hn::Eq(first_y, last_y));
+  const IntMask is_outside = hn::Lt(hn::Or(inside[0], hn::Or(inside[1], inside[2])), zero);
+  const IntVector extent = hn::Max(hn::Sub(high_x, low_x), hn::Sub(high_y, low_y));
+  setup.is_large = bits_of(hn::Gt(extent, all(most_small_extent)));
+  setup.is_single = bits_of(is_single);
+  setup.is_empty = bits_of(hn::And(is_single, is_outside));
 }
 
-// A stamp: four pixels wide, as many rows as the register holds.
-constexpr std::int32_t stamp_width = 4;
-
-template <class Depths>
+template <class Stamp>
 std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera& camera,
                  const std::uint32_t* triangles, std::size_t count, Fragments& fragments) {
   const Ints d;
-  const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
-  const std::int32_t stamp_height = lanes / stamp_width;
-  const std::int32_t size = camera.size();
-  const IntVector column = hn::And(hn::Iota(d, 0), hn::Set(d, stamp_width - 1));
+  const std::size_t lanes = hn::Lanes(d);
+  const std::int32_t stamp_height = static_cast<std::int32_t>(lanes) / stamp_width;
+  const IntVector column = hn::And(hn::Iota(d, 0), all(stamp_width - 1));
   const IntVector row = hn::ShiftRight<2>(hn::Iota(d, 0));
-  const IntVector pixel = hn::Add(column, hn::Mul(row, hn::Set(d, size)));
+  const IntVector pixel_of_lane = hn::Add(column, hn::Mul(row, all(camera.size())));
   const DoublePair columns = to_doubles(column);
   const DoublePair rows = to_doubles(row);
-  std::uint32_t* pixels = fragments.pixels.data() + fragments.count;
-  std::uint32_t* depths = fragments.depths.data() + fragments.count;
-  std::uint32_t* numbers = fragments.triangles.data() + fragments.count;
-  const std::uint32_t* const full = fragments.pixels.data() + Fragments::most;
 
   Setup setup;
-  std::size_t done = 0;
-  for (; done < count && pixels < full; ++done) {
-    const std::size_t i = done % hn::Lanes(d);
-    if (i == 0 || done == 0) set_up<Depths>(part, corners, camera, triangles + done - i, setup);
-    if (setup.extent[i] > most_extent) break;
-    const auto all_ints = [&](std::int32_t value) HWY_ATTR { return hn::Set(d, value); };
-    const auto across = [&](std::size_t edge) HWY_ATTR {
-      return hn::Add(hn::Add(all_ints(setup.at_first[edge][i] + setup.is_below[edge][i]),
-                             hn::Mul(column, all_ints(setup.per_column[edge][i]))),
-                     hn::Mul(row, all_ints(setup.per_row[edge][i])));
-    };
-    IntVector a = across(0), b = across(1), c = across(2);
-    DoublePair z = all(setup.depth[0][i]) + columns * all(setup.depth[1][i]) + rows * all(setup.depth[2][i]);
-    const DoublePair inverse = all(setup.depth[3][i]);
-    const IntVector number = hn::Set(d, static_cast<std::int32_t>(part.numbers[triangles[done]]));
-    for (std::int32_t y = setup.first_y[i];;) {
-      IntVector a_here = a, b_here = b, c_here = c;
-      DoublePair z_here = z;
-      for (std::int32_t x = setup.first_x[i];;) {
-        const auto is_inside = hn::Gt(hn::Or(a_here, hn::Or(b_here, c_here)), hn::Set(d, -1));
-        hn::StoreU(hn::BitCast(Words(), hn::Compress(hn::Add(pixel, hn::Set(d, y * size + x)), is_inside)), Words(), pixels);
-        hn::StoreU(hn::BitCast(Words(), hn::Compress(to_ints(z_here * inverse), is_inside)), Words(), depths);
-        hn::StoreU(hn::BitCast(Words(), number), Words(), numbers);
-        const std::size_t covered = hn::CountTrue(d, is_inside);
-        pixels += covered;
-        depths += covered;
-        numbers += covered;
-        x += stamp_width;
-        if (x > setup.last_x[i]) break;
-        a_here = hn::Add(a_here, all_ints(stamp_width * setup.per_column[0][i]));
-        b_here = hn::Add(b_here, all_ints(stamp_width * setup.per_column[1][i]));
-        c_here = hn::Add(c_here, all_ints(stamp_width * setup.per_column[2][i]));
-        z_here = z_here + all(stamp_width * setup.depth[1][i]);
+  for (std::size_t begin = 0; begin < count; begin += lanes) {
+    if (fragments.is_full()) return begin;
+    const std::size_t some = std::min(lanes, count - begin);
+    set_up<Stamp>(part, corners, camera, triangles + begin, some, setup);
+    std::uint32_t left = ((1u << some) - 1) & ~setup.is_empty;
+    for (; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      const std::uint32_t number = part.numbers[triangles[begin + i]];
+      if (setup.is_single >> i & 1) {
+        fragments.add(static_cast<std::uint32_t>(setup.pixel[i]), static_cast<std::uint32_t>(setup.depth[i]), number);
+        continue;
       }
-      y += stamp_height;
-      if (y > setup.last_y[i]) break;
-      a = hn::Add(a, all_ints(stamp_height * setup.per_row[0][i]));
-      b = hn::Add(b, all_ints(stamp_height * setup.per_row[1][i]));
-      c = hn::Add(c, all_ints(stamp_height * setup.per_row[2][i]));
-      z = z + all(stamp_height * setup.depth[2][i]);
+      if (setup.is_large >> i & 1) return begin + i;
+      ThreeInts inside;
+      for (std::size_t e = 0; e < 3; ++e) {
+        inside[e] = hn::Add(all(setup.at_first[e][i]), hn::Add(hn::Mul(column, all(setup.per_column[e][i])),
+                                                               hn::Mul(row, all(setup.per_row[e][i]))));
+      }
+      Stamp stamp(camera, setup, i, columns, rows, stamp_height);
+      std::int32_t pixel = setup.pixel[i];
+      for (std::int32_t y = setup.first_y[i]; y <= setup.last_y[i]; y += stamp_height) {
+        ThreeInts here = inside;
+        Stamp stamp_here = stamp;
+        for (std::int32_t x = setup.first_x[i]; x <= setup.last_x[i]; x += stamp_width) {
+          const IntMask is_covered = hn::Gt(hn::Or(here[0], hn::Or(here[1], here[2])), all(-1));
+          const std::size_t to = fragments.count;
+          const IntVector pixels = hn::Add(pixel_of_lane, all(pixel + x - setup.first_x[i]));
+          store_words(hn::Compress(pixels, is_covered), &fragments.pixels[to]);
+          store_words(hn::Compress(stamp_here.at(here), is_covered), &fragments.depths[to]);
+          store_words(all(static_cast<std::int32_t>(number)), &fragments.triangles[to]);
+          fragments.count += hn::CountTrue(d, is_covered);
+          for (std::size_t e = 0; e < 3; ++e) here[e] = hn::Add(here[e], all(stamp_width * setup.per_column[e][i]));
+          stamp_here.right();
+        }
+        for (std::size_t e = 0; e < 3; ++e) inside[e] = hn::Add(inside[e], all(stamp_height * setup.per_row[e][i]));
+        stamp.up();
+        pixel += stamp_height * camera.size();
+      }
     }
   }
-  fragments.count = static_cast<std::size_t>(pixels - fragments.pixels.data());
-  return done;
+  return count;
 }
 
 std::size_t draw_small(const PreparedPart& part, const Corners& corners, const Camera& camera,
                        const std::uint32_t* triangles, std::size_t count, Fragments& fragments) {
-  if (camera.is_perspective()) return 0;
-  return draw<OrthographicDepths>(part, corners, camera, triangles, count, fragments);
+  return camera.is_perspective() ? draw<PerspectiveStamp>(part, corners, camera, triangles, count, fragments)
+                                 : draw<OrthographicStamp>(part, corners, camera, triangles, count, fragments);
 }
 
 #endif

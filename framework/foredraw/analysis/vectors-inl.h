@@ -1,0 +1,95 @@
+// What the rasteriser's files say of vector registers, once for every width: registers of 32-bit integers, and pairs of
+// registers of doubles with as many lanes.
+
+#if defined(FOREDRAW_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FOREDRAW_VECTORS_INL_H
+#undef FOREDRAW_VECTORS_INL_H
+#else
+#define FOREDRAW_VECTORS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace foredraw::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR
+
+constexpr std::size_t most_lanes = 16;
+
+using Ints = hn::CappedTag<std::int32_t, most_lanes>;
+using Words = hn::RebindToUnsigned<Ints>;
+using HalfInts = hn::Half<Ints>;
+using Doubles = hn::Rebind<double, HalfInts>;
+using IntVector = hn::Vec<Ints>;
+using IntMask = hn::Mask<Ints>;
+using DoubleVector = hn::Vec<Doubles>;
+
+HWY_INLINE IntVector all(std::int32_t value) { return hn::Set(Ints(), value); }
+HWY_INLINE IntVector load_words(const std::uint32_t* from) { return hn::BitCast(Ints(), hn::LoadU(Words(), from)); }
+HWY_INLINE void store_words(IntVector values, std::uint32_t* to) {
+  hn::StoreU(hn::BitCast(Words(), values), Words(), to);
+}
+
+/// One bit a lane, the first one lowest.
+HWY_INLINE std::uint32_t bits_of(IntMask mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Ints(), mask, bytes);
+  return bytes[0] | std::uint32_t{bytes[1]} << 8;
+}
+
+/// Compared by x, then y, then z.
+HWY_INLINE IntMask is_less(IntVector ax, IntVector ay, IntVector az, IntVector bx, IntVector by, IntVector bz) {
+  const IntMask by_y = hn::Or(hn::Lt(ay, by), hn::And(hn::Eq(ay, by), hn::Lt(az, bz)));
+  return hn::Or(hn::Lt(ax, bx), hn::And(hn::Eq(ax, bx), by_y));
+}
+
+struct DoublePair {
+  DoubleVector lower, upper;
+
+  friend HWY_INLINE DoublePair operator+(const DoublePair& a, const DoublePair& b) {
+    return {hn::Add(a.lower, b.lower), hn::Add(a.upper, b.upper)};
+  }
+  friend HWY_INLINE DoublePair operator-(const DoublePair& a, const DoublePair& b) {
+    return {hn::Sub(a.lower, b.lower), hn::Sub(a.upper, b.upper)};
+  }
+  friend HWY_INLINE DoublePair operator*(const DoublePair& a, const DoublePair& b) {
+    return {hn::Mul(a.lower, b.lower), hn::Mul(a.upper, b.upper)};
+  }
+  friend HWY_INLINE DoublePair operator/(const DoublePair& a, const DoublePair& b) {
+    return {hn::Div(a.lower, b.lower), hn::Div(a.upper, b.upper)};
+  }
+};
+
+HWY_INLINE DoublePair both(double value) { return {hn::Set(Doubles(), value), hn::Set(Doubles(), value)}; }
+
+HWY_INLINE DoublePair at_least_zero(const DoublePair& values) {
+  const DoubleVector zero = hn::Zero(Doubles());
+  return {hn::Max(values.lower, zero), hn::Max(values.upper, zero)};
+}
+
+HWY_INLINE DoublePair to_doubles(IntVector values) {
+  return {hn::PromoteTo(Doubles(), hn::LowerHalf(HalfInts(), values)),
+          hn::PromoteTo(Doubles(), hn::UpperHalf(HalfInts(), values))};
+}
+
+/// Towards zero.
+HWY_INLINE IntVector to_ints(const DoublePair& values) {
+  return hn::Combine(Ints(), hn::DemoteTo(HalfInts(), values.upper), hn::DemoteTo(HalfInts(), values.lower));
+}
+
+HWY_INLINE void store(const DoublePair& values, double* to) {
+  hn::StoreU(values.lower, Doubles(), to);
+  hn::StoreU(values.upper, Doubles(), to + hn::Lanes(Doubles()));
+}
+
+#endif
+
+}  // namespace foredraw::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
