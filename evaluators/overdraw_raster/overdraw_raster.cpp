@@ -4,6 +4,7 @@
 #include <foredraw/analysis/mesh_facts.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace foredraw {
@@ -27,8 +28,8 @@ class Picture {
       rasteriser_.draw(parts[part], camera, [&](const Fragments& some) {
         if (parts.size() > 1) {
         for (std::size_t i = 0; i < some.count; ++i) {
-          const std::uint32_t depth = some.depths[i];
-          std::uint32_t& nearest = depths_[some.pixels[i]];
+          const auto depth = static_cast<std::int32_t>(some.depths[i]);
+          std::int32_t& nearest = depths_[some.pixels[i]];
           std::uint32_t& owner = owners_[some.pixels[i]];
           const bool passes = depth < nearest;
           count.shaded += passes;
@@ -37,11 +38,26 @@ class Picture {
           nearest = passes ? depth : nearest;
           owner = passes ? part : owner;
         }
+        } else if (some.is_row) {
+        std::uint32_t shaded = 0, ties = 0, visible = 0;
+        std::int32_t* row = depths_.data() + some.pixels[0];
+        const std::uint32_t* depths = some.depths.data();
+        for (std::size_t i = 0; i < some.count; ++i) {
+          const std::int32_t depth = static_cast<std::int32_t>(depths[i]);
+          const std::int32_t nearest = row[i];
+          shaded += depth < nearest;
+          ties += depth == nearest;
+          visible += nearest == nothing;
+          row[i] = std::min(depth, nearest);
+        }
+        count.shaded += shaded;
+        count.ties += ties;
+        count.visible += visible;
         } else {
         std::uint64_t shaded = 0, ties = 0, visible = 0;
         for (std::size_t i = 0; i < some.count; ++i) {
-          const std::uint32_t depth = some.depths[i];
-          std::uint32_t& nearest = depths_[some.pixels[i]];
+          const auto depth = static_cast<std::int32_t>(some.depths[i]);
+          std::int32_t& nearest = depths_[some.pixels[i]];
           shaded += depth < nearest;
           ties += depth == nearest;
           visible += nearest == nothing;
@@ -58,8 +74,8 @@ class Picture {
   }
 
  private:
-  static constexpr std::uint32_t nothing = ~std::uint32_t{0};
-  std::vector<std::uint32_t> depths_;
+  static constexpr std::int32_t nothing = std::numeric_limits<std::int32_t>::max();
+  std::vector<std::int32_t> depths_;
   std::vector<std::uint32_t> owners_;
   Rasteriser rasteriser_;
 };

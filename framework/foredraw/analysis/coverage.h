@@ -51,6 +51,31 @@ struct PixelBox {
   static std::int32_t last_centre(std::int32_t to) { return (to - subpixels / 2) >> 8; }
 };
 
+/// numerator / divisor, rounded down, where the numerator grows evenly: divides once and for all.
+class EvenQuotient {
+ public:
+  EvenQuotient(std::int64_t numerator, std::int64_t growth, std::int64_t divisor)
+      : divisor_(divisor), value_(floor(numerator)), rest_(numerator - value_ * divisor), step_(floor(growth)),
+        rest_step_(growth - step_ * divisor) {}
+
+  std::int64_t value() const { return value_; }
+
+  void step() {
+    value_ += step_;
+    rest_ += rest_step_;
+    if (rest_ < divisor_) return;
+    rest_ -= divisor_;
+    ++value_;
+  }
+
+ private:
+  std::int64_t floor(std::int64_t numerator) const {
+    return numerator / divisor_ - (numerator % divisor_ < 0 ? 1 : 0);
+  }
+
+  std::int64_t divisor_, value_, rest_, step_, rest_step_;
+};
+
 /// The line through p and q as a function of the pixel: positive to the left of it, and at every centre twice the area
 /// of p, q and the centre.
 class EdgeFunction {
@@ -67,21 +92,18 @@ class EdgeFunction {
   std::int64_t at(std::int32_t x, std::int32_t y) const { return at_origin_ + x * per_column_ + y * per_row_; }
   std::int64_t per_column() const { return per_column_; }
 
-  /// Narrows [begin, end) to the columns of row y that are inside.
-  void narrow(std::int32_t y, std::int32_t& begin, std::int32_t& end) const {
-    const std::int64_t above = at(begin, y) - least_inside_;
-    if (per_column_ > 0 && above < 0) {
-      begin = column(std::min<std::int64_t>(end, begin + (per_column_ - 1 - above) / per_column_));
-    } else if (per_column_ < 0 && above >= 0) {
-      end = column(std::min<std::int64_t>(end, begin + above / -per_column_ + 1));
-    } else if (above < 0) {
-      end = begin;
-    }
+  std::int64_t per_row() const { return per_row_; }
+  bool contains(std::int32_t x, std::int32_t y) const { return at(x, y) >= least_inside_; }
+
+  /// The last column of row y that is inside, of an edge to the right; the last that is not, of one to the left. As the
+  /// rows go up.
+  EvenQuotient last_column(std::int32_t y) const {
+    const std::int64_t above = at(0, y) - least_inside_;
+    if (per_column_ < 0) return EvenQuotient(above, per_row_, -per_column_);
+    return EvenQuotient(-above - 1, -per_row_, std::max<std::int64_t>(per_column_, 1));
   }
 
  private:
-  static std::int32_t column(std::int64_t x) { return static_cast<std::int32_t>(x); }
-
   std::int64_t per_column_;
   std::int64_t per_row_;
   std::int64_t at_origin_;
@@ -95,12 +117,24 @@ inline std::array<EdgeFunction, 3> edges_of(const Corner& a, const Corner& b, co
 
 /// Calls visit(y, begin, end) for every row of the box of which the counter-clockwise triangle covers [begin, end).
 template <class Visit>
-void for_each_span(const std::array<EdgeFunction, 3>& edges, const PixelBox& box, Visit visit) {
+void for_each_span(const std::array<EdgeFunction, 3>& edges, PixelBox box, Visit visit) {
+  // A horizontal edge leaves out the row that lies on it, or nothing.
+  for (const EdgeFunction& edge : edges) {
+    if (edge.per_column() != 0) continue;
+    while (box.first_y <= box.last_y && !edge.contains(0, box.first_y)) ++box.first_y;
+    while (box.first_y <= box.last_y && !edge.contains(0, box.last_y)) --box.last_y;
+  }
+  const auto last_columns = [&](const EdgeFunction& edge) { return edge.last_column(box.first_y); };
+  std::array<EvenQuotient, 3> last = {last_columns(edges[0]), last_columns(edges[1]), last_columns(edges[2])};
   for (std::int32_t y = box.first_y; y <= box.last_y; ++y) {
-    std::int32_t begin = box.first_x;
-    std::int32_t end = box.last_x + 1;
-    for (const EdgeFunction& edge : edges) edge.narrow(y, begin, end);
-    if (begin < end) visit(y, begin, end);
+    std::int64_t begin = box.first_x;
+    std::int64_t end = box.last_x + 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (edges[i].per_column() > 0) begin = std::max(begin, last[i].value() + 1);
+      if (edges[i].per_column() < 0) end = std::min(end, last[i].value() + 1);
+      last[i].step();
+    }
+    if (begin < end) visit(y, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end));
   }
 }
 

@@ -20,6 +20,7 @@ struct Fragments {
   std::vector<std::uint32_t> depths = std::vector<std::uint32_t>(room);
   std::vector<std::uint32_t> triangles = std::vector<std::uint32_t>(room);  ///< their numbers
   std::size_t count = 0;
+  bool is_row = false;  ///< every pixel is the one to the right of the last: who wants to can be quick then
 
   bool is_full() const { return count >= most; }
 

@@ -118,6 +118,9 @@ class PerspectiveRow {
   std::array<DoublePair, 3> inverses_, per_lane_, per_step_, weights_;
 };
 
+/// So many fragments are handed over as a row; fewer wait for others.
+constexpr std::int32_t least_row = 8;
+
 template <class Row>
 void draw(const std::array<Corner, 3>& c, const Camera& camera, std::uint32_t number, Fragments& fragments,
           const TakeFragments& take) {
@@ -126,7 +129,8 @@ void draw(const std::array<Corner, 3>& c, const Camera& camera, std::uint32_t nu
   const std::array<EdgeFunction, 3> edges = edges_of(c[0], c[1], c[2]);
   Row row(camera, c, edges, doubled_area(c[0], c[1], c[2]));
   for_each_span(edges, PixelBox(c[0], c[1], c[2]), [&](std::int32_t y, std::int32_t begin, std::int32_t end) HWY_ATTR {
-    if (fragments.is_full()) fragments.hand_over(take);
+    const bool is_row = end - begin >= least_row;
+    if (fragments.is_full() || (is_row && fragments.count > 0)) fragments.hand_over(take);
     row.begin({edges[0].at(begin, y), edges[1].at(begin, y), edges[2].at(begin, y)});
     IntVector pixels = hn::Iota(d, y * camera.size() + begin);
     std::size_t to = fragments.count;
@@ -137,6 +141,10 @@ void draw(const std::array<Corner, 3>& c, const Camera& camera, std::uint32_t nu
       store_words(all(static_cast<std::int32_t>(number)), &fragments.triangles[to]);
       pixels = hn::Add(pixels, all(lanes));
     }
+    if (!is_row) return;
+    fragments.is_row = true;
+    fragments.hand_over(take);
+    fragments.is_row = false;
   });
 }
 

@@ -1,8 +1,8 @@
 #include "small_triangles.h"
 
 // Two ideas. What a triangle takes before its first pixel is worked out for as many triangles as a register holds, side
-// by side; those that cover one pixel or none are done with then. The others are drawn one after the other, a stamp of
-// pixels at a time.
+// by side, and so are the first pixels of those that have two by two at most. The others are drawn one after the other, a
+// stamp of pixels at a time.
 
 #include <array>
 #include <bit>
@@ -29,6 +29,17 @@ std::size_t draw_small(const PreparedPart&, const Corners&, const Camera&, const
 constexpr std::int32_t stamp_width = 4;
 
 using ThreeInts = std::array<IntVector, 3>;
+using FourInts = std::array<IntVector, 4>;
+
+HWY_INLINE ThreeInts sum(const ThreeInts& a, const ThreeInts& b) {
+  return {hn::Add(a[0], b[0]), hn::Add(a[1], b[1]), hn::Add(a[2], b[2])};
+}
+
+/// `bit` where all three are 0 or more, else 0.
+HWY_INLINE IntVector bit_inside(const ThreeInts& inside, std::int32_t bit) {
+  const IntVector any = hn::Or(inside[0], hn::Or(inside[1], inside[2]));
+  return hn::AndNot(hn::ShiftRight<31>(any), all(bit));
+}
 
 /// What drawing some triangles takes: [corner][triangle], a corner's edge being the one across from it.
 struct Setup {
@@ -38,9 +49,11 @@ struct Setup {
   alignas(64) std::int32_t per_column[3][most_lanes];
   alignas(64) std::int32_t per_row[3][most_lanes];
   alignas(64) std::int32_t first_x[most_lanes], last_x[most_lanes], first_y[most_lanes], last_y[most_lanes];
-  alignas(64) std::int32_t pixel[most_lanes], depth[most_lanes];  // the first of the box
-  alignas(64) double depths[4][most_lanes];                       // a different thing to each kind of depth
-  std::uint32_t is_large = 0, is_single = 0, is_empty = 0;        // bit after bit
+  alignas(64) std::int32_t pixel[most_lanes];  // the first of the box
+  alignas(64) double depths[4][most_lanes];    // a different thing to each kind of depth
+  alignas(64) std::int32_t tiny_depths[4 * most_lanes];  // of the first two by two pixels
+  alignas(64) std::int32_t tiny_covered[most_lanes];     // which of them are covered, bit after bit
+  std::uint32_t is_large = 0, is_tiny = 0, is_empty = 0;  // a bit for each triangle
 };
 
 /// OrthographicDepth. Numerators are whole numbers that grow evenly. They and the half that is added stay below 2^52,
@@ -49,16 +62,18 @@ struct Setup {
 struct OrthographicStamp {
   DoublePair numerator, inverse, per_stamp, per_stamp_row;
 
-  static HWY_INLINE IntVector prepare(const Camera&, Setup& setup, const ThreeInts& at_first,
-                                      const ThreeInts& per_column, const ThreeInts& per_row, const ThreeInts& depths,
-                                      const DoublePair& area) {
-    const DoublePair numerator = weighted(at_first, depths) + both(0.5);
+  static HWY_INLINE FourInts prepare(const Camera&, Setup& setup, const ThreeInts& at_first,
+                                     const ThreeInts& per_column, const ThreeInts& per_row, const ThreeInts& depths,
+                                     const DoublePair& area) {
+    const DoublePair first = weighted(at_first, depths) + both(0.5);
+    const DoublePair right = weighted(per_column, depths), up = weighted(per_row, depths);
     const DoublePair inverse = both(1) / area;
-    store(numerator, setup.depths[0]);
-    store(weighted(per_column, depths), setup.depths[1]);
-    store(weighted(per_row, depths), setup.depths[2]);
+    store(first, setup.depths[0]);
+    store(right, setup.depths[1]);
+    store(up, setup.depths[2]);
     store(inverse, setup.depths[3]);
-    return to_ints(numerator * inverse);
+    return {to_ints(first * inverse), to_ints((first + right) * inverse), to_ints((first + up) * inverse),
+            to_ints((first + right + up) * inverse)};
   }
 
   static HWY_INLINE DoublePair weighted(const ThreeInts& weights, const ThreeInts& depths) {
@@ -84,8 +99,9 @@ struct PerspectiveStamp {
   DoublePair area, before;
   ThreeInts below;
 
-  static HWY_INLINE IntVector prepare(const Camera& camera, Setup& setup, const ThreeInts& at_first, const ThreeInts&,
-                                      const ThreeInts&, const ThreeInts& depths, const DoublePair& area) {
+  static HWY_INLINE FourInts prepare(const Camera& camera, Setup& setup, const ThreeInts& at_first,
+                                     const ThreeInts& per_column, const ThreeInts& per_row, const ThreeInts& depths,
+                                     const DoublePair& area) {
     const DoublePair before = both(camera.steps_before_sphere());
     std::array<DoublePair, 3> inverses;
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -93,7 +109,9 @@ struct PerspectiveStamp {
       store(inverses[corner], setup.depths[corner]);
     }
     store(area, setup.depths[3]);
-    return depth(at_first, inverses, area, before);
+    const ThreeInts right = sum(at_first, per_column), up = sum(at_first, per_row);
+    return {depth(at_first, inverses, area, before), depth(right, inverses, area, before),
+            depth(up, inverses, area, before), depth(sum(right, per_row), inverses, area, before)};
   }
 
   static HWY_INLINE IntVector depth(const ThreeInts& weights, const std::array<DoublePair, 3>& inverses,
@@ -212,14 +230,18 @@ HWY_INLINE void set_up(const PreparedPart& part, const Corners& corners, const C
   hn::Store(last_x, d, setup.last_x);
   hn::Store(last_y, d, setup.last_y);
   hn::Store(hn::Add(hn::Mul(first_y, all(camera.size())), first_x), d, setup.pixel);
-  hn::Store(Stamp::prepare(camera, setup, at_first, per_column, per_row, depth, to_doubles(area)), d, setup.depth);
 
-  const IntMask is_single = hn::And(hn::Eq(first_x, last_x), hn::Eq(first_y, last_y));
-  const IntMask is_outside = hn::Lt(hn::Or(inside[0], hn::Or(inside[1], inside[2])), zero);
+  const FourInts depths = Stamp::prepare(camera, setup, at_first, per_column, per_row, depth, to_doubles(area));
+  hn::StoreInterleaved4(depths[0], depths[1], depths[2], depths[3], d, setup.tiny_depths);
+  const ThreeInts right = sum(inside, per_column), up = sum(inside, per_row);
+  const IntVector covered = hn::Or(hn::Or(bit_inside(inside, 1), bit_inside(right, 2)),
+                                   hn::Or(bit_inside(up, 4), bit_inside(sum(right, per_row), 8)));
+  hn::Store(covered, d, setup.tiny_covered);
+  const IntMask is_tiny = hn::Lt(hn::Max(hn::Sub(last_x, first_x), hn::Sub(last_y, first_y)), all(2));
   const IntVector extent = hn::Max(hn::Sub(high_x, low_x), hn::Sub(high_y, low_y));
   setup.is_large = bits_of(hn::Gt(extent, all(most_small_extent)));
-  setup.is_single = bits_of(is_single);
-  setup.is_empty = bits_of(hn::And(is_single, is_outside));
+  setup.is_tiny = bits_of(is_tiny);
+  setup.is_empty = bits_of(hn::And(is_tiny, hn::Eq(covered, zero)));
 }
 
 template <class Stamp>
@@ -234,6 +256,11 @@ std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera&
   const DoublePair columns = to_doubles(column);
   const DoublePair rows = to_doubles(row);
 
+  const hn::CappedTag<std::int32_t, 4> four;
+  const hn::RebindToUnsigned<decltype(four)> four_words;
+  alignas(16) const std::int32_t tiny_pixels[4] = {0, 1, camera.size(), camera.size() + 1};
+  const auto pixel_of_four = hn::Load(four, tiny_pixels);
+
   Setup setup;
   for (std::size_t begin = 0; begin < count; begin += lanes) {
     if (fragments.is_full()) return begin;
@@ -243,8 +270,15 @@ std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera&
     for (; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
       const std::uint32_t number = part.numbers[triangles[begin + i]];
-      if (setup.is_single >> i & 1) {
-        fragments.add(static_cast<std::uint32_t>(setup.pixel[i]), static_cast<std::uint32_t>(setup.depth[i]), number);
+      if (setup.is_tiny >> i & 1) {
+        const auto bits = static_cast<std::uint8_t>(setup.tiny_covered[i]);
+        const auto pixels = hn::Add(hn::Set(four, setup.pixel[i]), pixel_of_four);
+        const std::size_t to = fragments.count;
+        hn::StoreU(hn::BitCast(four_words, hn::CompressBits(pixels, &bits)), four_words, &fragments.pixels[to]);
+        hn::StoreU(hn::BitCast(four_words, hn::CompressBits(hn::Load(four, &setup.tiny_depths[4 * i]), &bits)), four_words,
+                   &fragments.depths[to]);
+        hn::StoreU(hn::Set(four_words, number), four_words, &fragments.triangles[to]);
+        fragments.count += static_cast<std::size_t>(std::popcount(bits));
         continue;
       }
       if (setup.is_large >> i & 1) return begin + i;
