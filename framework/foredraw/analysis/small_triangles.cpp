@@ -31,6 +31,9 @@ constexpr std::int32_t stamp_width = 4;
 using ThreeInts = std::array<IntVector, 3>;
 using FourInts = std::array<IntVector, 4>;
 
+HWY_INLINE IntVector least_of(const ThreeInts& v) { return hn::Min(v[0], hn::Min(v[1], v[2])); }
+HWY_INLINE IntVector most_of(const ThreeInts& v) { return hn::Max(v[0], hn::Max(v[1], v[2])); }
+
 HWY_INLINE ThreeInts sum(const ThreeInts& a, const ThreeInts& b) {
   return {hn::Add(a[0], b[0]), hn::Add(a[1], b[1]), hn::Add(a[2], b[2])};
 }
@@ -50,30 +53,40 @@ struct Setup {
   alignas(64) std::int32_t per_row[3][most_lanes];
   alignas(64) std::int32_t first_x[most_lanes], last_x[most_lanes], first_y[most_lanes], last_y[most_lanes];
   alignas(64) std::int32_t pixel[most_lanes];  // the first of the box
+  alignas(64) std::int32_t nearest[most_lanes];
   alignas(64) double depths[4][most_lanes];    // a different thing to each kind of depth
   alignas(64) std::int32_t tiny_depths[4 * most_lanes];  // of the first two by two pixels
   alignas(64) std::int32_t tiny_covered[most_lanes];     // which of them are covered, bit after bit
   std::uint32_t is_large = 0, is_tiny = 0, is_empty = 0;  // a bit for each triangle
 };
 
-/// OrthographicDepth. Numerators are whole numbers that grow evenly. They and the half that is added stay below 2^52,
-/// and keep the quotient half an area's fraction, 2^-27, from the whole number that it is rounded down to; two roundings
-/// of a quotient below 2^24 are 2^-28 at most.
+/// OrthographicDepth. Depths are taken from the nearest corner on. Numerators are whole numbers that grow evenly; they
+/// and the half that is added stay below 2^52, and keep the quotient half an area's fraction from the whole number that
+/// it is rounded down to. Two roundings of the quotient are less: it is below `spread`, and spread * area below 2^50.
 struct OrthographicStamp {
   DoublePair numerator, inverse, per_stamp, per_stamp_row;
+  IntVector nearest;
 
   static HWY_INLINE FourInts prepare(const Camera&, Setup& setup, const ThreeInts& at_first,
                                      const ThreeInts& per_column, const ThreeInts& per_row, const ThreeInts& depths,
                                      const DoublePair& area) {
-    const DoublePair first = weighted(at_first, depths) + both(0.5);
-    const DoublePair right = weighted(per_column, depths), up = weighted(per_row, depths);
+    const IntVector nearest = least_of(depths);
+    const ThreeInts beyond = {hn::Sub(depths[0], nearest), hn::Sub(depths[1], nearest), hn::Sub(depths[2], nearest)};
+    const DoublePair first = weighted(at_first, beyond) + both(0.5);
+    const DoublePair right = weighted(per_column, beyond), up = weighted(per_row, beyond);
     const DoublePair inverse = both(1) / area;
+    hn::Store(nearest, Ints(), setup.nearest);
     store(first, setup.depths[0]);
     store(right, setup.depths[1]);
     store(up, setup.depths[2]);
     store(inverse, setup.depths[3]);
-    return {to_ints(first * inverse), to_ints((first + right) * inverse), to_ints((first + up) * inverse),
-            to_ints((first + right + up) * inverse)};
+    return {hn::Add(to_ints(first * inverse), nearest), hn::Add(to_ints((first + right) * inverse), nearest),
+            hn::Add(to_ints((first + up) * inverse), nearest), hn::Add(to_ints((first + right + up) * inverse), nearest)};
+  }
+
+  static HWY_INLINE IntMask is_inexact(const ThreeInts& depths, const DoublePair& box) {
+    const DoublePair spread = to_doubles(hn::Sub(most_of(depths), least_of(depths)));
+    return is_more(spread * box, 0x1p50);
   }
 
   static HWY_INLINE DoublePair weighted(const ThreeInts& weights, const ThreeInts& depths) {
@@ -86,9 +99,10 @@ struct OrthographicStamp {
       : numerator(both(setup.depths[0][i]) + columns * both(setup.depths[1][i]) + rows * both(setup.depths[2][i])),
         inverse(both(setup.depths[3][i])),
         per_stamp(both(stamp_width * setup.depths[1][i])),
-        per_stamp_row(both(stamp_height * setup.depths[2][i])) {}
+        per_stamp_row(both(stamp_height * setup.depths[2][i])),
+        nearest(all(setup.nearest[i])) {}
 
-  HWY_INLINE IntVector at(const ThreeInts&) const { return to_ints(numerator * inverse); }
+  HWY_INLINE IntVector at(const ThreeInts&) const { return hn::Add(to_ints(numerator * inverse), nearest); }
   HWY_INLINE void right() { numerator = numerator + per_stamp; }
   HWY_INLINE void up() { numerator = numerator + per_stamp_row; }
 };
@@ -113,6 +127,8 @@ struct PerspectiveStamp {
     return {depth(at_first, inverses, area, before), depth(right, inverses, area, before),
             depth(up, inverses, area, before), depth(sum(right, per_row), inverses, area, before)};
   }
+
+  static HWY_INLINE IntMask is_inexact(const ThreeInts&, const DoublePair&) { return hn::MaskFromVec(hn::Zero(Ints())); }
 
   static HWY_INLINE IntVector depth(const ThreeInts& weights, const std::array<DoublePair, 3>& inverses,
                                     const DoublePair& area, const DoublePair& before) {
@@ -139,9 +155,6 @@ struct PerspectiveStamp {
 HWY_INLINE IntVector cross(IntVector ax, IntVector ay, IntVector bx, IntVector by) {
   return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
 }
-
-HWY_INLINE IntVector least_of(const ThreeInts& v) { return hn::Min(v[0], hn::Min(v[1], v[2])); }
-HWY_INLINE IntVector most_of(const ThreeInts& v) { return hn::Max(v[0], hn::Max(v[1], v[2])); }
 
 HWY_INLINE void exchange(IntMask where, IntVector& a, IntVector& b) {
   const IntVector old = a;
@@ -238,8 +251,9 @@ HWY_INLINE void set_up(const PreparedPart& part, const Corners& corners, const C
                                    hn::Or(bit_inside(up, 4), bit_inside(sum(right, per_row), 8)));
   hn::Store(covered, d, setup.tiny_covered);
   const IntMask is_tiny = hn::Lt(hn::Max(hn::Sub(last_x, first_x), hn::Sub(last_y, first_y)), all(2));
-  const IntVector extent = hn::Max(hn::Sub(high_x, low_x), hn::Sub(high_y, low_y));
-  setup.is_large = bits_of(hn::Gt(extent, all(most_small_extent)));
+  const IntVector width = hn::Sub(high_x, low_x), height = hn::Sub(high_y, low_y);
+  setup.is_large = bits_of(hn::Or(hn::Gt(hn::Max(width, height), all(most_small_extent)),
+                                  Stamp::is_inexact(depth, to_doubles(width) * to_doubles(height))));
   setup.is_tiny = bits_of(is_tiny);
   setup.is_empty = bits_of(hn::And(is_tiny, hn::Eq(covered, zero)));
 }
@@ -263,7 +277,6 @@ std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera&
 
   Setup setup;
   for (std::size_t begin = 0; begin < count; begin += lanes) {
-    if (fragments.is_full()) return begin;
     const std::size_t some = std::min(lanes, count - begin);
     set_up<Stamp>(part, corners, camera, triangles + begin, some, setup);
     std::uint32_t left = ((1u << some) - 1) & ~setup.is_empty;
@@ -281,7 +294,7 @@ std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera&
         fragments.count += static_cast<std::size_t>(std::popcount(bits));
         continue;
       }
-      if (setup.is_large >> i & 1) return begin + i;
+      if (fragments.is_full() || (setup.is_large >> i & 1) != 0) return begin + i;
       ThreeInts inside;
       for (std::size_t e = 0; e < 3; ++e) {
         inside[e] = hn::Add(all(setup.at_first[e][i]), hn::Add(hn::Mul(column, all(setup.per_column[e][i])),

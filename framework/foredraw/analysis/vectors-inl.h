@@ -77,6 +77,14 @@ HWY_INLINE DoublePair to_doubles(IntVector values) {
           hn::PromoteTo(Doubles(), hn::UpperHalf(HalfInts(), values))};
 }
 
+HWY_INLINE IntMask is_more(const DoublePair& values, double than) {
+  const DoubleVector limit = hn::Set(Doubles(), than);
+  const auto as_ints = [&](DoubleVector half) HWY_ATTR {
+    return hn::DemoteTo(HalfInts(), hn::IfThenElse(hn::Gt(half, limit), hn::Set(Doubles(), 1), hn::Zero(Doubles())));
+  };
+  return hn::Gt(hn::Combine(Ints(), as_ints(values.upper), as_ints(values.lower)), hn::Zero(Ints()));
+}
+
 /// Towards zero.
 HWY_INLINE IntVector to_ints(const DoublePair& values) {
   return hn::Combine(Ints(), hn::DemoteTo(HalfInts(), values.upper), hn::DemoteTo(HalfInts(), values.lower));
