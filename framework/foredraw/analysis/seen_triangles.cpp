@@ -5,10 +5,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace foredraw::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -31,10 +31,7 @@ using Halves = hn::Repartition<std::int32_t, Longs>;
 using Places = hn::Vec<Halves>;  // x, y, x, y...
 
 HWY_INLINE Places places_of(const std::uint32_t* vertices, const Corners& corners) {
-  const Longs d;
-  const auto indices = hn::BitCast(d, hn::PromoteTo(hn::RebindToUnsigned<Longs>(),
-                                                    hn::LoadU(hn::Rebind<std::uint32_t, Longs>(), vertices)));
-  return hn::BitCast(Halves(), hn::GatherIndex(d, reinterpret_cast<const std::int64_t*>(corners.places.data()), indices));
+  return hn::BitCast(Halves(), gathered(hn::RebindToUnsigned<Longs>(), vertices, corners.places.data()));
 }
 
 /// The odd ones are negative where a triangle is unseen.

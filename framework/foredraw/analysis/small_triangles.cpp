@@ -170,21 +170,18 @@ HWY_INLINE void turn(IntMask once, IntMask twice, ThreeInts& v) {
   }
 }
 
-HWY_INLINE void fetch(const PreparedPart& part, const Corners& corners, IntVector triangle, std::size_t corner,
+HWY_INLINE void fetch(const Corners& corners, const std::vector<std::uint32_t>& vertices, IntVector triangles,
                       IntVector& x, IntVector& y, IntVector& depth) {
   const Ints d;
-  const Words u;
-  const hn::Repartition<std::int64_t, Ints> longs;
-  const hn::RebindToUnsigned<decltype(longs)> unsigned_longs;
-  const auto* places = reinterpret_cast<const std::int64_t*>(corners.places.data());
-  const auto vertex = hn::GatherIndex(u, part.corners[corner].data(), triangle);
-  const auto lower = hn::PromoteTo(unsigned_longs, hn::LowerHalf(vertex));
-  const auto upper = hn::PromoteTo(unsigned_longs, hn::UpperHalf(hn::Half<Words>(), vertex));
-  const auto lower_places = hn::BitCast(d, hn::GatherIndex(longs, places, hn::BitCast(longs, lower)));
-  const auto upper_places = hn::BitCast(d, hn::GatherIndex(longs, places, hn::BitCast(longs, upper)));
-  x = hn::ConcatEven(d, upper_places, lower_places);
-  y = hn::ConcatOdd(d, upper_places, lower_places);
-  depth = hn::BitCast(d, hn::GatherIndex(u, corners.depths.data(), hn::BitCast(d, vertex)));
+  const hn::Repartition<std::uint64_t, Ints> longs;
+  const auto vertex = hn::BitCast(d, hn::GatherIndex(Words(), vertices.data(), triangles));
+  alignas(64) std::uint32_t at[most_lanes];
+  store_words(vertex, at);
+  const auto lower = hn::BitCast(d, gathered(longs, at, corners.places.data()));
+  const auto upper = hn::BitCast(d, gathered(longs, at + hn::Lanes(longs), corners.places.data()));
+  x = hn::ConcatEven(d, upper, lower);
+  y = hn::ConcatOdd(d, upper, lower);
+  depth = hn::BitCast(d, hn::GatherIndex(Words(), corners.depths.data(), vertex));
 }
 
 /// For the first `count` triangles, at most as many as there are lanes.
@@ -193,9 +190,9 @@ HWY_INLINE void set_up(const PreparedPart& part, const Corners& corners, const C
                        const std::uint32_t* triangles, std::size_t count, Setup& setup) {
   const Ints d;
   const IntVector zero = hn::Zero(d);
-  const IntVector triangle = hn::IfThenElseZero(hn::FirstN(d, count), load_words(triangles));
   ThreeInts x, y, depth;
-  for (std::size_t i = 0; i < 3; ++i) fetch(part, corners, triangle, i, x[i], y[i], depth[i]);
+  const IntVector triangle = hn::IfThenElseZero(hn::FirstN(d, count), load_words(triangles));
+  for (std::size_t i = 0; i < 3; ++i) fetch(corners, part.corners[i], triangle, x[i], y[i], depth[i]);
 
   IntVector area = cross(hn::Sub(x[1], x[0]), hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0]), hn::Sub(y[2], y[0]));
   if (!part.culls_back_faces) {
