@@ -4,6 +4,7 @@
 #include <foredraw/analysis/overdraw_count.h>
 #include <foredraw/analysis/raster_part.h>
 #include <foredraw/analysis/view_sphere.h>
+#include <foredraw/base/parallel.h>
 
 #include <cstddef>
 #include <span>
@@ -28,6 +29,9 @@ struct OverdrawRasterOptions : ViewSet {
 /// 2^-24 of the sphere's diameter. Triangles that repeat a corner or have no area in the picture cover nothing, nor do
 /// those with a position that is not finite. O(views * (triangles + fragments)).
 OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& views);
+
+/// The same with the views shared out over the threads. The counts are the same however they are.
+OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& views, const Executor& executor);
 
 /// How many triangles of the part have a position that is not finite.
 std::size_t count_non_finite_triangles(const RasterPart& part);

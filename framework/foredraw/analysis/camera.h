@@ -19,7 +19,11 @@ inline constexpr double depth_steps = 0x1p23;
 class Camera {
  public:
   Camera(const View& view, int size)
-      : size_(size), towards_(view.direction), distance_(view.distance), extent_(size * subpixels), half_(extent_ / 2.0) {
+      : size_(size),
+        towards_(view.direction),
+        distance_(view.distance),
+        extent_(size * subpixels),
+        half_(extent_ / 2.0) {
     // +Y is up, but for views along it.
     const glm::dvec3 up = std::abs(towards_.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
     const glm::dvec3 right = glm::cross(up, towards_);

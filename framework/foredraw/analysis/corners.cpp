@@ -23,8 +23,7 @@ HWY_INLINE Vector dot(const std::array<Vector, 3>& position, const glm::dvec3& a
 HWY_INLINE auto rounded(Vector value, double most) {
   const Doubles d;
   const Vector whole = hn::Floor(hn::Add(value, hn::Set(d, 0.5)));
-  return hn::DemoteTo(hn::Rebind<std::int32_t, Doubles>(),
-                      hn::Min(hn::Max(whole, hn::Zero(d)), hn::Set(d, most)));
+  return hn::DemoteTo(hn::Rebind<std::int32_t, Doubles>(), hn::Min(hn::Max(whole, hn::Zero(d)), hn::Set(d, most)));
 }
 
 void project(const PreparedPart& part, const Camera& camera, Corners& corners) {
@@ -36,10 +35,9 @@ void project(const PreparedPart& part, const Camera& camera, Corners& corners) {
     std::array<Vector, 3> position;
     for (std::size_t axis = 0; axis < 3; ++axis) position[axis] = hn::LoadU(d, &part.positions[axis][first]);
     const Vector near = dot(position, camera.towards());
-    const Vector scale =
-        camera.is_perspective()
-            ? hn::Div(hn::Set(d, camera.half() * camera.focal()), hn::Sub(hn::Set(d, camera.distance()), near))
-            : half;
+    const Vector scale = camera.is_perspective() ? hn::Div(hn::Set(d, camera.half() * camera.focal()),
+                                                           hn::Sub(hn::Set(d, camera.distance()), near))
+                                                 : half;
     const auto x = rounded(hn::Add(half, hn::Mul(dot(position, camera.right()), scale)), camera.extent());
     const auto y = rounded(hn::Add(half, hn::Mul(dot(position, camera.up()), scale)), camera.extent());
     const auto depth = rounded(hn::Mul(hn::Sub(hn::Set(d, 1), near), hn::Set(d, depth_steps)), 2 * depth_steps - 1);

@@ -55,7 +55,10 @@ struct PixelBox {
 class EvenQuotient {
  public:
   EvenQuotient(std::int64_t numerator, std::int64_t growth, std::int64_t divisor)
-      : divisor_(divisor), value_(floor(numerator)), rest_(numerator - value_ * divisor), step_(floor(growth)),
+      : divisor_(divisor),
+        value_(floor(numerator)),
+        rest_(numerator - value_ * divisor),
+        step_(floor(growth)),
         rest_step_(growth - step_ * divisor) {}
 
   std::int64_t value() const { return value_; }
@@ -69,9 +72,7 @@ class EvenQuotient {
   }
 
  private:
-  std::int64_t floor(std::int64_t numerator) const {
-    return numerator / divisor_ - (numerator % divisor_ < 0 ? 1 : 0);
-  }
+  std::int64_t floor(std::int64_t numerator) const { return numerator / divisor_ - (numerator % divisor_ < 0 ? 1 : 0); }
 
   std::int64_t divisor_, value_, rest_, step_, rest_step_;
 };

@@ -16,7 +16,7 @@ struct Fragments {
   static constexpr std::size_t most = 2048;
   static constexpr std::size_t room = most + 17 * 1024;
 
-  std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(room);     ///< y * size + x
+  std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(room);  ///< y * size + x
   std::vector<std::uint32_t> depths = std::vector<std::uint32_t>(room);
   std::vector<std::uint32_t> triangles = std::vector<std::uint32_t>(room);  ///< their numbers
   std::size_t count = 0;

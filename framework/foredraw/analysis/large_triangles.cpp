@@ -11,7 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "vectors-inl.h"
+#include "vectors_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace foredraw::HWY_NAMESPACE {
@@ -37,8 +37,8 @@ void draw_large(const std::array<Corner, 3>& c, const Camera& camera, std::uint3
 
 #else
 
-/// OrthographicDepth. Of a numerator that grows evenly, the whole quotients are carried along from register to register;
-/// what is left then is less than lanes + 1, so that rounding can not reach the next whole number.
+/// OrthographicDepth. Of a numerator that grows evenly, the whole quotients are carried along from register to
+/// register; what is left then is less than lanes + 1, so that rounding can not reach the next whole number.
 class OrthographicRow {
  public:
   OrthographicRow(const Camera&, const std::array<Corner, 3>& c, const std::array<EdgeFunction, 3>& edges,
@@ -66,7 +66,8 @@ class OrthographicRow {
 
   HWY_INLINE IntVector next() {
     const DoublePair rest = rest_per_lane_ + both(static_cast<double>(rest_));
-    const IntVector depths = hn::Add(hn::Add(all(static_cast<std::int32_t>(whole_)), whole_per_lane_), to_ints(rest * inverse_));
+    const IntVector depths =
+        hn::Add(hn::Add(all(static_cast<std::int32_t>(whole_)), whole_per_lane_), to_ints(rest * inverse_));
     whole_ += whole_per_step_;
     rest_ += rest_per_step_;
     if (rest_ >= static_cast<std::int64_t>(area_)) {

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "vectors-inl.h"
+#include "vectors_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace foredraw::HWY_NAMESPACE {
@@ -26,18 +26,18 @@ std::size_t find_seen(const PreparedPart& part, const Corners& corners, std::siz
 
 #else
 
-using Longs = hn::CappedTag<std::int64_t, PreparedPart::padding / 2>;
-using Halves = hn::Repartition<std::int32_t, Longs>;
-using Places = hn::Vec<Halves>;  // x, y, x, y...
+using Longs = hn::Repartition<std::int64_t, Ints>;
+using Places = IntVector;  // x, y, x, y...
+static_assert(PreparedPart::padding % most_lanes == 0);
 
 HWY_INLINE Places places_of(const std::uint32_t* vertices, const Corners& corners) {
-  return hn::BitCast(Halves(), gathered(hn::RebindToUnsigned<Longs>(), vertices, corners.places.data()));
+  return hn::BitCast(Ints(), gathered(hn::RebindToUnsigned<Longs>(), vertices, corners.places.data()));
 }
 
 /// The odd ones are negative where a triangle is unseen.
 HWY_INLINE Places signs_of(const PreparedPart& part, const Corners& corners, std::size_t triangle) {
   const Longs d;
-  const Halves h;
+  const Ints h;
   const Places a = places_of(&part.corners[0][triangle], corners);
   const Places b = places_of(&part.corners[1][triangle], corners);
   const Places c = places_of(&part.corners[2][triangle], corners);
@@ -54,14 +54,13 @@ HWY_INLINE Places signs_of(const PreparedPart& part, const Corners& corners, std
 
 std::size_t find_seen(const PreparedPart& part, const Corners& corners, std::size_t begin, std::size_t end,
                       std::uint32_t* seen) {
-  const Halves h;
-  const hn::RebindToUnsigned<Halves> u;
+  const Ints d;
   std::size_t count = 0;
-  for (std::size_t t = begin; t < end; t += hn::Lanes(h)) {
-    const Places signs = hn::ConcatOdd(h, signs_of(part, corners, t + hn::Lanes(h) / 2), signs_of(part, corners, t));
-    const auto is_seen = hn::Gt(signs, hn::Set(h, -1));
-    hn::StoreU(hn::Compress(hn::Iota(u, static_cast<std::uint32_t>(t)), hn::RebindMask(u, is_seen)), u, seen + count);
-    count += hn::CountTrue(h, is_seen);
+  for (std::size_t t = begin; t < end; t += hn::Lanes(d)) {
+    const Places lower = signs_of(part, corners, t), upper = signs_of(part, corners, t + hn::Lanes(d) / 2);
+    const IntMask is_seen = hn::Gt(hn::ConcatOdd(d, upper, lower), all(-1));
+    store_words(compressed(hn::Iota(d, static_cast<std::int32_t>(t)), is_seen), seen + count);
+    count += hn::CountTrue(d, is_seen);
   }
   return count;
 }

@@ -1,8 +1,8 @@
 #include "small_triangles.h"
 
 // Two ideas. What a triangle takes before its first pixel is worked out for as many triangles as a register holds, side
-// by side, and so are the first pixels of those that have two by two at most. The others are drawn one after the other, a
-// stamp of pixels at a time.
+// by side, and so are the first pixels of those that have two by two at most. The others are drawn one after the other,
+// a stamp of pixels at a time.
 
 #include <array>
 #include <bit>
@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "vectors-inl.h"
+#include "vectors_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace foredraw::HWY_NAMESPACE {
@@ -54,9 +54,9 @@ struct Setup {
   alignas(64) std::int32_t first_x[most_lanes], last_x[most_lanes], first_y[most_lanes], last_y[most_lanes];
   alignas(64) std::int32_t pixel[most_lanes];  // the first of the box
   alignas(64) std::int32_t nearest[most_lanes];
-  alignas(64) double depths[4][most_lanes];    // a different thing to each kind of depth
-  alignas(64) std::int32_t tiny_depths[4 * most_lanes];  // of the first two by two pixels
-  alignas(64) std::int32_t tiny_covered[most_lanes];     // which of them are covered, bit after bit
+  alignas(64) double depths[4][most_lanes];               // a different thing to each kind of depth
+  alignas(64) std::int32_t tiny_depths[4 * most_lanes];   // of the first two by two pixels
+  alignas(64) std::int32_t tiny_covered[most_lanes];      // which of them are covered, bit after bit
   std::uint32_t is_large = 0, is_tiny = 0, is_empty = 0;  // a bit for each triangle
 };
 
@@ -81,7 +81,8 @@ struct OrthographicStamp {
     store(up, setup.depths[2]);
     store(inverse, setup.depths[3]);
     return {hn::Add(to_ints(first * inverse), nearest), hn::Add(to_ints((first + right) * inverse), nearest),
-            hn::Add(to_ints((first + up) * inverse), nearest), hn::Add(to_ints((first + right + up) * inverse), nearest)};
+            hn::Add(to_ints((first + up) * inverse), nearest),
+            hn::Add(to_ints((first + right + up) * inverse), nearest)};
   }
 
   static HWY_INLINE IntMask is_inexact(const ThreeInts& depths, const DoublePair& box) {
@@ -128,7 +129,9 @@ struct PerspectiveStamp {
             depth(up, inverses, area, before), depth(sum(right, per_row), inverses, area, before)};
   }
 
-  static HWY_INLINE IntMask is_inexact(const ThreeInts&, const DoublePair&) { return hn::MaskFromVec(hn::Zero(Ints())); }
+  static HWY_INLINE IntMask is_inexact(const ThreeInts&, const DoublePair&) {
+    return hn::MaskFromVec(hn::Zero(Ints()));
+  }
 
   static HWY_INLINE IntVector depth(const ThreeInts& weights, const std::array<DoublePair, 3>& inverses,
                                     const DoublePair& area, const DoublePair& before) {
@@ -256,8 +259,8 @@ HWY_INLINE void set_up(const PreparedPart& part, const Corners& corners, const C
 }
 
 template <class Stamp>
-std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera& camera,
-                 const std::uint32_t* triangles, std::size_t count, Fragments& fragments) {
+std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera& camera, const std::uint32_t* triangles,
+                 std::size_t count, Fragments& fragments) {
   const Ints d;
   const std::size_t lanes = hn::Lanes(d);
   const std::int32_t stamp_height = static_cast<std::int32_t>(lanes) / stamp_width;
@@ -281,12 +284,12 @@ std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera&
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
       const std::uint32_t number = part.numbers[triangles[begin + i]];
       if (setup.is_tiny >> i & 1) {
-        const auto bits = static_cast<std::uint8_t>(setup.tiny_covered[i]);
+        const auto bits = static_cast<std::uint32_t>(setup.tiny_covered[i]);
         const auto pixels = hn::Add(hn::Set(four, setup.pixel[i]), pixel_of_four);
         const std::size_t to = fragments.count;
-        hn::StoreU(hn::BitCast(four_words, hn::CompressBits(pixels, &bits)), four_words, &fragments.pixels[to]);
-        hn::StoreU(hn::BitCast(four_words, hn::CompressBits(hn::Load(four, &setup.tiny_depths[4 * i]), &bits)), four_words,
-                   &fragments.depths[to]);
+        hn::StoreU(hn::BitCast(four_words, compressed(four, pixels, bits)), four_words, &fragments.pixels[to]);
+        hn::StoreU(hn::BitCast(four_words, compressed(four, hn::Load(four, &setup.tiny_depths[4 * i]), bits)),
+                   four_words, &fragments.depths[to]);
         hn::StoreU(hn::Set(four_words, number), four_words, &fragments.triangles[to]);
         fragments.count += static_cast<std::size_t>(std::popcount(bits));
         continue;
@@ -306,8 +309,8 @@ std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera&
           const IntMask is_covered = hn::Gt(hn::Or(here[0], hn::Or(here[1], here[2])), all(-1));
           const std::size_t to = fragments.count;
           const IntVector pixels = hn::Add(pixel_of_lane, all(pixel + x - setup.first_x[i]));
-          store_words(hn::Compress(pixels, is_covered), &fragments.pixels[to]);
-          store_words(hn::Compress(stamp_here.at(here), is_covered), &fragments.depths[to]);
+          store_words(compressed(pixels, is_covered), &fragments.pixels[to]);
+          store_words(compressed(stamp_here.at(here), is_covered), &fragments.depths[to]);
           store_words(all(static_cast<std::int32_t>(number)), &fragments.triangles[to]);
           fragments.count += hn::CountTrue(d, is_covered);
           for (std::size_t e = 0; e < 3; ++e) here[e] = hn::Add(here[e], all(stamp_width * setup.per_column[e][i]));

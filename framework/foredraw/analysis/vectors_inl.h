@@ -1,16 +1,38 @@
 // What the rasteriser's files say of vector registers, once for every width: registers of 32-bit integers, and pairs of
 // registers of doubles with as many lanes.
 
-#if defined(FOREDRAW_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef FOREDRAW_VECTORS_INL_H
-#undef FOREDRAW_VECTORS_INL_H
+#if defined(FOREDRAW_VECTORS) == defined(HWY_TARGET_TOGGLE)
+#ifdef FOREDRAW_VECTORS
+#undef FOREDRAW_VECTORS
 #else
-#define FOREDRAW_VECTORS_INL_H
+#define FOREDRAW_VECTORS
 #endif
 
 #include <hwy/highway.h>
 
+#include <array>
 #include <cstdint>
+
+#ifndef FOREDRAW_FRONT_LANES
+#define FOREDRAW_FRONT_LANES
+namespace foredraw {
+
+/// [bits]: the numbers of the set bits, ascending, and then of the others.
+inline constexpr auto front_lanes = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> table{};
+  for (std::size_t bits = 0; bits < 256; ++bits) {
+    std::size_t count = 0;
+    for (const std::size_t wanted : {1u, 0u}) {
+      for (std::uint8_t i = 0; i < 8; ++i) {
+        if ((bits >> i & 1) == wanted) table[bits][count++] = i;
+      }
+    }
+  }
+  return table;
+}();
+
+}  // namespace foredraw
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace foredraw::HWY_NAMESPACE {
@@ -51,6 +73,23 @@ HWY_INLINE std::uint32_t bits_of(IntMask mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(Ints(), mask, bytes);
   return bytes[0] | std::uint32_t{bytes[1]} << 8;
+}
+
+/// The lanes for which a bit is set, moved to the front.
+template <class D>
+HWY_INLINE hn::Vec<D> compressed(D d, hn::Vec<D> values, std::uint32_t bits) {
+  static_assert(hn::MaxLanes(D()) <= 8);
+  const auto lanes = hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), front_lanes[bits].data()));
+  const auto in_range = hn::And(lanes, hn::Set(d, static_cast<std::int32_t>(hn::Lanes(d)) - 1));
+  return hn::TableLookupLanes(values, hn::IndicesFromVec(d, in_range));
+}
+
+HWY_INLINE IntVector compressed(IntVector values, IntMask mask) {
+#if HWY_ARCH_X86 && HWY_TARGET > HWY_AVX3
+  return compressed(Ints(), values, bits_of(mask));  // the library's own copies its table for every call
+#else
+  return hn::Compress(values, mask);
+#endif
 }
 
 /// Compared by x, then y, then z.
