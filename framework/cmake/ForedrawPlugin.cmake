@@ -5,7 +5,7 @@
 #     <name>.h <name>.cpp     the technique as a plain function, and whatever else the folder holds for it
 #     <name>_plugin.cpp       its card and its option table; defines Plugin <name>_plugin()
 #     README.md
-#   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp
+#   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp   (and <name>_<what>_test.cpp)
 #
 # It makes two static libraries. foredraw::<name> is the function, and links what LINK names and nothing else: without it
 # the standard library alone, for whose sake headers of the framework that need no .cpp file may be included all the same.
@@ -121,7 +121,9 @@ function(foredraw_add_plugin_tests)
     string(REPLACE "|" ";" entry "${entry}")
     list(GET entry 0 name)
     list(GET entry 1 source)
-    foredraw_add_test(${name}_test SOURCES "${source}" LINK foredraw::${name}_plugin
+    string(REPLACE "_test.cpp" "_*_test.cpp" more "${source}")
+    file(GLOB more CONFIGURE_DEPENDS "${more}")
+    foredraw_add_test(${name}_test SOURCES "${source}" ${more} LINK foredraw::${name}_plugin
                       meshoptimizer::meshoptimizer)
   endforeach()
 endfunction()

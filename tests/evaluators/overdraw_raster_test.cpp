@@ -5,11 +5,9 @@
 #include "support/meshes.h"
 #include "support/painter.h"
 
-#include <foredraw/analysis/fragment_layers.h>
 #include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -231,90 +229,6 @@ TEST(OverdrawRaster, equals_the_reference) {
 TEST(OverdrawRaster, the_same_counts_everywhere) {
   EXPECT_EQ(total(crowd(1), all_sides(256)), (OverdrawCount{519425, 347932, 402737}));
   EXPECT_EQ(total(crowd(1), all_sides(256, 1.5)), (OverdrawCount{343572, 237522, 272953}));
-}
-
-// --- what changes nothing
-// -----------------------------------------------------------------------------------------------
-
-/// Coordinates are multiples of 2^-12 below 1, so that floats hold them moved and scaled too.
-TestMesh random_tangle(std::uint64_t seed) {
-  TestMesh mesh = testing::tangle(seed, false);
-  for (glm::vec3& position : mesh.positions) {
-    for (int axis = 0; axis < 3; ++axis) position[axis] = std::floor(position[axis] * 1024) / 4096;
-  }
-  return mesh;
-}
-
-Views from_everywhere(double distance) { return all_sides(48, distance); }
-
-RC_GTEST_PROP(OverdrawRaster, numbering_vertices_anew_changes_nothing, (std::uint64_t seed)) {
-  const TestMesh mesh = random_tangle(seed);
-  const std::vector<std::uint32_t> number = testing::random_order(mesh.positions.size(), seed + 1);
-  TestMesh other = mesh;
-  for (std::size_t v = 0; v < number.size(); ++v) other.positions[number[v]] = mesh.positions[v];
-  for (std::uint32_t& index : other.indices) index = number[index];
-  for (const double distance : {0.0, 1.5}) {
-    const RasterPart a = part_of(mesh), b = part_of(other);
-    RC_ASSERT(overdraw_raster({&a, 1}, from_everywhere(distance)) ==
-              overdraw_raster({&b, 1}, from_everywhere(distance)));
-  }
-}
-
-RC_GTEST_PROP(OverdrawRaster, draws_add_up, (std::uint64_t seed)) {
-  const TestMesh mesh = random_tangle(seed);
-  const RasterPart whole = part_of(mesh, false);
-  std::vector<RasterPart> parts;
-  for (std::span<const std::uint32_t> left = whole.indices; !left.empty();) {
-    const std::size_t count = std::min<std::size_t>(left.size(), 3 * *rc::gen::inRange<std::size_t>(1, 200));
-    parts.push_back({whole.positions, {}, false});
-    parts.push_back({whole.positions, left.first(count), false});
-    left = left.subspan(count);
-  }
-  for (const double distance : {0.0, 1.5}) {
-    const OverdrawCounts one = overdraw_raster({&whole, 1}, from_everywhere(distance));
-    const OverdrawCounts several = overdraw_raster(parts, from_everywhere(distance));
-    for (std::size_t view = 0; view < one[0].size(); ++view) {
-      OverdrawCount sum;
-      for (const auto& part : several) sum += part[view];
-      RC_ASSERT(sum == one[0][view]);
-    }
-  }
-}
-
-RC_GTEST_PROP(OverdrawRaster, size_and_place_change_nothing, (std::uint64_t seed)) {
-  const TestMesh mesh = random_tangle(seed);
-  const int power = *rc::gen::inRange(-66, 67);
-  const auto step = [] { return static_cast<float>(*rc::gen::inRange(-1024, 1025)) / 1024; };
-  const glm::vec3 way = {step(), step(), step()};
-  TestMesh other = mesh;
-  for (glm::vec3& position : other.positions) {
-    position += way;
-    for (int axis = 0; axis < 3; ++axis) position[axis] = std::ldexp(position[axis], power);
-  }
-  for (const double distance : {0.0, 1.5}) {
-    const RasterPart a = part_of(mesh), b = part_of(other);
-    RC_ASSERT(overdraw_raster({&a, 1}, from_everywhere(distance)) ==
-              overdraw_raster({&b, 1}, from_everywhere(distance)));
-  }
-}
-
-RC_GTEST_PROP(OverdrawRaster, no_order_beats_the_bound, (std::uint64_t seed)) {
-  const TestMesh mesh = testing::tangle(seed, *rc::gen::arbitrary<bool>());
-  const RasterPart part = part_of(mesh);
-  const auto layers = fragment_layers({&part, 1}, all_sides(), Executor(1));
-  const ShadedBounds bounds = shaded_bounds(*layers);
-  for (int i = 0; i < 5; ++i) {
-    const OverdrawCount count = total(testing::shuffled(mesh, seed + static_cast<std::uint64_t>(i)), all_sides());
-    RC_ASSERT(count.shaded >= bounds.least);
-    RC_ASSERT(count.shaded <= bounds.most);
-  }
-}
-
-RC_GTEST_PROP(OverdrawRaster, threads_change_nothing, (std::uint64_t seed)) {
-  const TestMesh mesh = random_tangle(seed);
-  const std::vector<RasterPart> parts = {part_of(mesh), part_of(mesh, false)};
-  const OverdrawCounts one = overdraw_raster(parts, all_sides());
-  for (const int threads : {2, 7}) RC_ASSERT(overdraw_raster(parts, all_sides(), Executor(threads)) == one);
 }
 
 // --- figures

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "vectors_inl.h"
+#include <foredraw/analysis/private/vectors.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace foredraw::HWY_NAMESPACE {
