@@ -4,7 +4,8 @@
 
 namespace foredraw {
 
-std::shared_ptr<const void> Analyses::kept(const Key& key, const std::function<std::shared_ptr<const void>()>& make) {
+std::shared_ptr<const void> Analyses::kept(const Key& key,
+                                           const std::function<std::shared_ptr<const void>()>& make) {
   std::shared_ptr<Entry> entry;
   {
     const std::lock_guard lock(mutex_);
