@@ -150,15 +150,6 @@ void draw(std::span<const Hit> hits, const TracedParts::Surface& surface, std::v
 TracedParts::TracedParts(std::span<const RasterPart> parts)
     : surface_(joined(prepared(parts))), tree_(boxes_around(surface_)) {}
 
-OverdrawCounts TracedParts::count(const Views& views, const OverdrawEmbreeOptions& options) const {
-  OverdrawCounts counts(surface_.parts.size());
-  for (const View& view : views.views) {
-    const std::vector<OverdrawCount> of_view = count(view, views.size, options);
-    for (std::size_t part = 0; part < counts.size(); ++part) counts[part].push_back(of_view[part]);
-  }
-  return counts;
-}
-
 std::vector<OverdrawCount> TracedParts::count(const View& view, int size, const OverdrawEmbreeOptions& options) const {
   std::vector<OverdrawCount> counts(surface_.parts.size());
   const TracedView traced(surface_, view, size);

@@ -17,8 +17,8 @@ class TracedParts {
   /// Reads the parts here and never again. O(triangles log triangles).
   explicit TracedParts(std::span<const RasterPart> parts);
 
-  /// As overdraw_embree() does.
-  OverdrawCounts count(const Views& views, const OverdrawEmbreeOptions& options) const;
+  /// [part], in one view of `size` x `size` pixels, as overdraw_embree() counts.
+  std::vector<OverdrawCount> count(const View& view, int size, const OverdrawEmbreeOptions& options) const;
 
   struct Triangle {
     std::array<std::uint32_t, 3> corners;
@@ -35,8 +35,6 @@ class TracedParts {
   };
 
  private:
-  std::vector<OverdrawCount> count(const View& view, int size, const OverdrawEmbreeOptions& options) const;
-
   Surface surface_;
   BoxTree tree_;  ///< around the triangles
 };

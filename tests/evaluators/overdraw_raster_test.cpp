@@ -209,14 +209,19 @@ TestMesh crowd(std::uint64_t seed) {
 TEST(OverdrawRaster, equals_the_reference) {
   const auto directions = all_sides().views;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const TestMesh mesh = crowd(seed);
+    const TestMesh one = crowd(seed);
+    const TestMesh other = crowd(seed + 100);
+    const std::vector<RasterPart> parts = {part_of(one), part_of(other, false)};
     const glm::dvec3 direction = directions[seed].direction;
-    for (const int size : {16, 61}) {
-      const OverdrawCount expected = overdraw_by_asking(mesh, direction, size);
-      const OverdrawCount counted = total(mesh, views_of({direction}, size));
-      EXPECT_EQ(counted, expected);
-      EXPECT_GT(expected.ties, 0u);
-      EXPECT_GT(expected.shaded, expected.visible);
+    for (const std::size_t count : {1u, 2u}) {
+      const auto some = std::span(parts).first(count);
+      const std::vector<OverdrawCount> expected = overdraw_by_asking(some, direction, 16 + static_cast<int>(seed));
+      const OverdrawCounts counted = overdraw_raster(some, views_of({direction}, 16 + static_cast<int>(seed)));
+      for (std::size_t part = 0; part < count; ++part) {
+        EXPECT_EQ(counted[part][0], expected[part]);
+        EXPECT_GT(expected[part].ties, 0u);
+      }
+      EXPECT_GT(expected[0].shaded, expected[0].visible);
     }
   }
 }
