@@ -5,6 +5,7 @@
 #include "support/painter.h"
 
 #include <foredraw/analysis/fragment_layers.h>
+#include <foredraw/analysis/view_sphere.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -50,11 +50,7 @@ class Camera {
   /// From the eye to the plane on which the sphere's outline has radius 1; 1 where the view is orthographic.
   double focal() const { return focal_; }
 
-  const glm::dvec3& towards() const { return towards_; }
-  const glm::dvec3& right() const { return right_; }
-  const glm::dvec3& up() const { return up_; }
   double distance() const { return distance_; }
-  double focal() const { return focal_; }
   double extent() const { return extent_; }
   double half() const { return half_; }
 

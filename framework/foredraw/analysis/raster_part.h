@@ -29,6 +29,9 @@ struct PreparedPart {
   std::vector<std::uint32_t> numbers;  ///< [triangle], counted through all parts, those that cover nothing too
   bool culls_back_faces = true;
 
+  glm::dvec3 position(std::size_t vertex) const {
+    return {positions[0][vertex], positions[1][vertex], positions[2][vertex]};
+  }
   std::size_t vertex_count() const { return positions[0].size(); }  ///< with padding
   std::size_t triangle_count() const { return numbers.size(); }     ///< with padding
 };

@@ -14,15 +14,6 @@ namespace foredraw {
 
 namespace {
 
-/// "3 draws (Glass, Smoke, Flame/1)", with the first few names.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t few = 5;
-  const std::size_t shown = std::min(few, names.size());
-  return fmt::format("{} {} ({}{})", names.size(), names.size() == 1 ? "draw" : "draws",
-                     fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-                     shown < names.size() ? ", ..." : "");
-}
-
 OverdrawCount sum_of(std::span<const OverdrawCount> counts) {
   OverdrawCount sum;
   for (const OverdrawCount& count : counts) sum += count;
@@ -158,9 +149,9 @@ class OverdrawEvaluator final : public Evaluator {
     }
     if (!blended.empty()) {
       run.count("blended-left-out", static_cast<double>(blended.size()));
-      run.note("blended", fmt::format("left out as blended: {}", listed(blended)));
+      run.note("blended", fmt::format("left out as blended: {}", listed_draws(blended)));
     }
-    if (!masked.empty()) run.note("masked", fmt::format("drawn as if opaque, though masked: {}", listed(masked)));
+    if (!masked.empty()) run.note("masked", fmt::format("drawn as if opaque, though masked: {}", listed_draws(masked)));
     std::size_t non_finite = 0;
     for (const DrawnSubject& subject : drawn) {
       for (const RasterPart& part : subject.parts) non_finite += count_non_finite_triangles(part);
