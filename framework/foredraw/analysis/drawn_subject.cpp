@@ -1,7 +1,7 @@
 #include "drawn_subject.h"
 
 #include <foredraw/analysis/mesh_facts.h>
-#include <foredraw/analysis/rest_positions.h>
+#include <foredraw/analysis/posed_positions.h>
 
 #include <glm/matrix.hpp>
 
@@ -10,7 +10,7 @@ namespace foredraw {
 namespace {
 
 RasterPart raster_part(const Scene& scene, const SubjectPart& part, std::span<const glm::vec3> positions,
-                       std::span<const glm::mat4> world, Faces faces) {
+                       const PosedNodes& nodes, Faces faces) {
   const Draw& draw = scene.draws[part.draw];
   const Material* material = scene.material_of(draw);
   RasterPart result;
@@ -20,7 +20,7 @@ RasterPart raster_part(const Scene& scene, const SubjectPart& part, std::span<co
   }
   result.culls_back_faces = faces == Faces::front || material == nullptr || !material->double_sided;
   // glTF 2.0, 3.7.4: the node's transform decides, of skinned meshes too.
-  result.is_mirrored = part.node && glm::determinant(glm::dmat3(world[*part.node])) < 0;
+  result.is_mirrored = part.node && glm::determinant(glm::dmat3(nodes.world[*part.node])) < 0;
   return result;
 }
 
@@ -31,11 +31,11 @@ bool is_blended(const Scene& scene, const Draw& draw) {
   return material != nullptr && material->alpha_mode == AlphaMode::blend;
 }
 
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, std::span<const glm::mat4> world) {
+DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes) {
   DrawnSubject drawn;
-  for (const SubjectPart& part : subject.parts) drawn.positions.push_back(rest_positions(scene, part, world));
+  for (const SubjectPart& part : subject.parts) drawn.positions.push_back(posed_positions(scene, part, nodes));
   for (std::size_t i = 0; i < subject.parts.size(); ++i) {
-    drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], world, faces));
+    drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], nodes, faces));
   }
   return drawn;
 }

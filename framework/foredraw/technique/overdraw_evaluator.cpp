@@ -36,10 +36,10 @@ class OverdrawEvaluator final : public Evaluator {
 
   void evaluate(const Scene& scene, Run& run) override {
     const std::vector<Subject> subjects = subjects_of(scene);
-    const std::vector<glm::mat4> world = world_transforms(scene);
+    const PosedNodes nodes = posed_nodes(scene);
     std::vector<DrawnSubject> drawn(subjects.size());
     run.executor.for_each(subjects.size(),
-                          [&](std::size_t i) { drawn[i] = drawn_subject(scene, subjects[i], options_.faces, world); });
+                          [&](std::size_t i) { drawn[i] = drawn_subject(scene, subjects[i], options_.faces, nodes); });
     const std::vector<OverdrawCounts> counts =
         options_.error ? counted_to(*options_.error, drawn, run) : counted(drawn, run);
     measure(scene, subjects, counts, run);

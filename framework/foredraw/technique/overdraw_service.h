@@ -34,7 +34,7 @@ class OverdrawService {
 
   /// The subject's parts at rest, in their sequence. Blended parts are left out.
   OverdrawCounts count(const Scene& scene, const Subject& subject, const Views& views, Run& run) {
-    return draw(drawn_subject(scene, subject, faces_, world_transforms(scene)).parts, views, run);
+    return draw(drawn_subject(scene, subject, faces_, posed_nodes(scene)).parts, views, run);
   }
 
  private:
