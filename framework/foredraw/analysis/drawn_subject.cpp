@@ -3,11 +3,13 @@
 #include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/analysis/posed_positions.h>
 
-#include <glm/matrix.hpp>
-
 namespace foredraw {
 
 namespace {
+
+bool draws_triangles(const Scene& scene, const Draw& draw) {
+  return draw.topology == Topology::triangles && !is_blended(scene, draw);
+}
 
 RasterPart raster_part(const Scene& scene, const SubjectPart& part, std::span<const glm::vec3> positions,
                        const PosedNodes& nodes, Faces faces) {
@@ -15,12 +17,11 @@ RasterPart raster_part(const Scene& scene, const SubjectPart& part, std::span<co
   const Material* material = scene.material_of(draw);
   RasterPart result;
   result.positions = positions;
-  if (draw.topology == Topology::triangles && !is_blended(scene, draw) && !positions.empty()) {
+  if (draws_triangles(scene, draw) && !positions.empty()) {
     result.indices = draw.levels[0].orders[0].indices.view();
   }
   result.culls_back_faces = faces == Faces::front || material == nullptr || !material->double_sided;
-  // glTF 2.0, 3.7.4: the node's transform decides, of skinned meshes too.
-  result.is_mirrored = part.node && glm::determinant(glm::dmat3(nodes.world[*part.node])) < 0;
+  result.is_mirrored = is_mirrored(part, nodes);
   return result;
 }
 
@@ -38,6 +39,15 @@ DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces fac
     drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], nodes, faces));
   }
   return drawn;
+}
+
+std::size_t count_triangles(const Scene& scene, const Subject& subject) {
+  std::size_t count = 0;
+  for (const SubjectPart& part : subject.parts) {
+    const Draw& draw = scene.draws[part.draw];
+    if (draws_triangles(scene, draw)) count += draw.levels[0].orders[0].triangle_count();
+  }
+  return count;
 }
 
 std::size_t count_non_finite_triangles(const RasterPart& part) {

@@ -25,6 +25,9 @@ DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces fac
 
 bool is_blended(const Scene& scene, const Draw& draw);
 
+/// How many triangles are drawn of a subject, in any pose.
+std::size_t count_triangles(const Scene& scene, const Subject& subject);
+
 /// How many triangles have a position that is not finite.
 std::size_t count_non_finite_triangles(const RasterPart& part);
 

@@ -1,5 +1,6 @@
 #include <foredraw/analysis/posed_positions.h>
 
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
@@ -93,6 +94,10 @@ std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& pa
     for (glm::dvec3& position : positions) position = moved(by_node, position);
   }
   return {positions.begin(), positions.end()};
+}
+
+bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes) {
+  return part.node && glm::determinant(glm::dmat3(nodes.world[*part.node])) < 0;
 }
 
 }  // namespace foredraw

@@ -14,4 +14,7 @@ namespace foredraw {
 /// `nodes`: posed_nodes() of the scene; not read without a node.
 std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes);
 
+/// Whether the node's transform turns front faces clockwise; it decides for skinned draws too (glTF 2.0, 3.7.4).
+bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes);
+
 }  // namespace foredraw
