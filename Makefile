@@ -3,7 +3,7 @@ MODEL ?= benchmarks/corpus/scenes/house.glb
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test bench vertex-orders asan tsan fuzz clean
+.PHONY: help demo build test bench vertex-orders overdraw-error asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
@@ -11,6 +11,7 @@ help:
 	@echo 'make bench    build the benchmarks, in build/release/benchmarks: foredraw-bench, the program with the peers beside'
 	@echo '              our plugins, techniques/techniques-bench, which times both sides, and vertex_order/vertex-order-bench'
 	@echo 'make vertex-orders  run the last one, and make docs/vertex-orders.md of its figures'
+	@echo 'make overdraw-error  how far evaluators of overdraw are from the truth, and docs/overdraw-error.md of it'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
 	@echo 'make clean    remove build/'
@@ -35,11 +36,15 @@ test asan tsan fuzz:
 
 bench:
 	packages/install build bench
-	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench overdraw-error-bench
 
 vertex-orders: bench
 	build/release/benchmarks/vertex_order/vertex-order-bench --tsv=benchmarks/vertex_order/figures.tsv
 	benchmarks/vertex_order/vertex_orders_page.py benchmarks/vertex_order/figures.tsv
+
+overdraw-error: bench
+	build/release/benchmarks/overdraw_error/overdraw-error-bench --tsv=benchmarks/overdraw_error/figures.tsv
+	benchmarks/overdraw_error/overdraw_error_page.py benchmarks/overdraw_error/figures.tsv
 
 clean:
 	rm -rf build

@@ -48,7 +48,7 @@ def families_of(panels):
     return list(dict.fromkeys(point.family for panel in panels for point in panel.points))
 
 
-def draw_panel(axes, panel, style, worst):
+def draw_panel(axes, panel, style, worst, is_log):
     front = pareto_front(panel.points)
     axes.plot([p.time for p in front], [p.quality for p in front], color=PAGE, alpha=0.35, linewidth=5,
               solid_capstyle="round", solid_joinstyle="round", zorder=1)
@@ -66,7 +66,9 @@ def draw_panel(axes, panel, style, worst):
             axes.annotate(label, place, xytext=(5, -2 if is_shown else -9), textcoords="offset points", fontsize=6.5,
                           color=colour, zorder=4)
     best = min([p.quality for p in panel.points] + [quality for _, quality in panel.limits])
-    axes.set_ylim(best - 0.05 * (worst - best), worst)
+    if is_log:
+        axes.set_yscale("log")
+    axes.set_ylim(best / 1.3 if is_log else best - 0.05 * (worst - best), worst)
     axes.set_xscale("log")
     axes.margins(x=0.08)
     axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
@@ -76,20 +78,20 @@ def draw_panel(axes, panel, style, worst):
     axes.grid(color=PAGE, alpha=0.12, linewidth=0.6)
 
 
-def write_svg(path, panels, time_axis, quality_axis, worst, columns=2):
-    """Draws the panels in rows of so many columns. All points of a family look alike in all panels; those worse than
-    `worst` stand at the upper edge, with their figure."""
+def write_svg(path, panels, time_axis, quality_axis, worst, columns=2, size=(4.9, 3.6), is_log=False):
+    """Draws the panels in rows of so many columns, each of that size in inches. All points of a family look alike in all
+    panels; those worse than `worst` stand at the upper edge, with their figure. `is_log`: quality grows by factors."""
     plt.rcParams.update({
         "svg.fonttype": "none", "svg.hashsalt": "foredraw", "font.family": "sans-serif", "font.size": 8,
         "text.color": PAGE, "axes.labelcolor": PAGE, "axes.edgecolor": PAGE, "xtick.color": PAGE, "ytick.color": PAGE,
         "legend.frameon": False,
     })
     rows = -(-len(panels) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(4.9 * columns, 3.6 * rows + 0.5), squeeze=False)
+    figure, grid = plt.subplots(rows, columns, figsize=(size[0] * columns, size[1] * rows + 0.5), squeeze=False)
     style = {family: (COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)])
              for i, family in enumerate(families_of(panels))}
     for axes, panel in zip(grid.flat, panels):
-        draw_panel(axes, panel, style, worst)
+        draw_panel(axes, panel, style, worst, is_log)
     for axes in grid.flat[len(panels):]:
         axes.set_visible(False)
     figure.supxlabel(time_axis, fontsize=9)
@@ -97,7 +99,7 @@ def write_svg(path, panels, time_axis, quality_axis, worst, columns=2):
     shown = [plt.Line2D([], [], color=c, marker=m, linestyle="", markersize=5, label=f) for f, (c, m) in style.items()]
     shown.append(plt.Line2D([], [], color=PAGE, alpha=0.35, linewidth=5, label="Pareto front"))
     figure.legend(handles=shown, loc="upper center", ncol=4, fontsize=8)
-    figure.tight_layout(rect=(0.01, 0, 1, 1 - 0.5 / (3.6 * rows + 0.5)))
+    figure.tight_layout(rect=(0.01, 0, 1, 1 - 0.5 / (size[1] * rows + 0.5)))
     figure.savefig(path, transparent=True, metadata={"Date": None, "Creator": None})
     plt.close(figure)
 

@@ -16,7 +16,8 @@ from statistics import fmean, geometric_mean
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs/vertex-orders.md"
 PLOT = ROOT / "docs/vertex-orders.svg"
-BEGIN, END = "<!-- tables: begin -->", "<!-- tables: end -->"
+sys.path.insert(0, str(ROOT / "benchmarks/plots"))
+from page import replaced
 
 PEER = ("meshopt_optimizeVertexCacheFifo", "cache-size=16")  # what all are compared with
 AS_IT_COMES = ("as it comes", "")
@@ -191,21 +192,11 @@ def panels(figures):
     return result
 
 
-def replaced(page, text):
-    """The page with the text between its markers."""
-    before, begin, rest = page.partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not begin or not end:
-        sys.exit(f"{PAGE}: lacks the lines {BEGIN} and {END}, between which the tables stand")
-    return before + begin + "\n" + text + end + after
-
-
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     figures = Figures(sys.argv[1])
-    PAGE.write_text(replaced(PAGE.read_text(encoding="utf-8"), tables(figures)), encoding="utf-8")
-    sys.path.insert(0, str(ROOT / "benchmarks/plots"))
+    PAGE.write_text(replaced(PAGE, tables(figures)), encoding="utf-8")
     from quality_against_time import write_svg
 
     write_svg(PLOT, panels(figures), "ns a triangle", "ACMR, FIFO of 16", worst=0.78)

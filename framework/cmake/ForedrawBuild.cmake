@@ -55,12 +55,13 @@ endif()
 #   SOURCES      its .cpp files
 #   LINK         libraries that its headers show
 #   PRIVATE_LINK libraries that only its .cpp files use
-#   REQUIRES     packages of these libraries: whoever links the result needs them too
+#   REQUIRES     packages of these libraries, with a version or without ("embree 3"): whoever links the result needs them too
 #   HEADER_ONLY  packages that are compiled in, and that nobody needs afterwards
 function(foredraw_add_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK;REQUIRES;HEADER_ONLY" ${ARGN})
   foreach(package IN LISTS ARG_REQUIRES ARG_HEADER_ONLY)
-    find_package(${package} REQUIRED)
+    string(REPLACE " " ";" arguments "${package}")
+    find_package(${arguments} REQUIRED)
   endforeach()
   set(compiled_in foredraw_flags)
   foreach(package IN LISTS ARG_HEADER_ONLY)

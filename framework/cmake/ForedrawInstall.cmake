@@ -40,7 +40,7 @@ function(foredraw_install_package)
     list(FILTER links INCLUDE REGEX "^foredraw::")
     list(TRANSFORM links REPLACE "^foredraw::" "")
     get_target_property(requires foredraw_${name} FOREDRAW_REQUIRES)
-    string(APPEND rows "set(_foredraw_${name}_links ${links})\nset(_foredraw_${name}_requires ${requires})\n")
+    string(APPEND rows "set(_foredraw_${name}_links ${links})\nset(_foredraw_${name}_requires \"${requires}\")\n")
   endforeach()
 
   include(CMakePackageConfigHelpers)

@@ -1,11 +1,13 @@
 # A plugin is a folder. foredraw_add_plugin() in its CMakeLists.txt takes name and kind from where the folder lies.
 #
 #   plugins/<kinds>/<name>/   or   evaluators/<name>/
-#     CMakeLists.txt          foredraw_add_plugin()   or   foredraw_add_plugin(REQUIRES CGAL LINK CGAL::CGAL)
+#     CMakeLists.txt          foredraw_add_plugin()   or   foredraw_add_plugin(REQUIRES "CGAL 5.5" LINK CGAL::CGAL)
 #     <name>.h <name>.cpp     the technique as a plain function, and whatever else the folder holds for it
 #     <name>_plugin.cpp       its card and its option table; defines Plugin <name>_plugin()
+#     shaders/<x>.<stage>     GLSL, if any, which the function includes as "shaders/<x>_<stage>.h": the array <x>_<stage>
 #     README.md
 #   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp
+#   and, where one would be long, <name>_plugin_test.cpp beside it
 #
 # It makes two static libraries. foredraw::<name> is the function, and links what LINK names and nothing else: without it
 # the standard library alone, for whose sake headers of the framework that need no .cpp file may be included all the same.
@@ -30,16 +32,30 @@ function(_foredraw_add_plugin folder)
   if(FOREDRAW_PLUGINS AND NOT config_name IN_LIST FOREDRAW_PLUGINS)
     return()
   endif()
+  set(missing "")
   foreach(package IN LISTS ARG_REQUIRES)
-    find_package(${package} QUIET)
-    if(NOT ${package}_FOUND)
-      if(FOREDRAW_PLUGINS)
-        message(FATAL_ERROR "Foredraw: plugin '${config_name}' needs the package ${package}, which was not found")
-      endif()
-      message(STATUS "Foredraw: plugin '${config_name}' is left out: package ${package} was not found")
-      return()
+    string(REPLACE " " ";" arguments "${package}")
+    list(GET arguments 0 found_as)
+    find_package(${arguments} QUIET)
+    if(NOT ${found_as}_FOUND)
+      list(APPEND missing "package ${package}")
     endif()
   endforeach()
+  file(GLOB shaders CONFIGURE_DEPENDS "${folder}/shaders/*")
+  if(shaders)
+    find_program(FOREDRAW_GLSLANG glslangValidator)
+    if(NOT FOREDRAW_GLSLANG)
+      list(APPEND missing "program glslangValidator")
+    endif()
+  endif()
+  if(missing)
+    list(JOIN missing ", " missing)
+    if(FOREDRAW_PLUGINS)
+      message(FATAL_ERROR "Foredraw: plugin '${config_name}' needs what was not found: ${missing}")
+    endif()
+    message(STATUS "Foredraw: plugin '${config_name}' is left out, for these were not found: ${missing}")
+    return()
+  endif()
   foreach(file ${name}.h ${name}.cpp ${name}_plugin.cpp README.md)
     if(NOT EXISTS "${folder}/${file}")
       message(FATAL_ERROR "Foredraw: plugin '${config_name}' wants the file ${place}/${file}")
@@ -50,6 +66,7 @@ function(_foredraw_add_plugin folder)
   list(REMOVE_ITEM sources "${folder}/${name}_plugin.cpp")
   foredraw_add_library(${name} SOURCES ${sources} LINK ${ARG_LINK} REQUIRES ${ARG_REQUIRES})
   target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)  # <plugins/.../name.h>
+  _foredraw_add_shaders(foredraw_${name} ${shaders})
   foredraw_install_component(${name})
   foredraw_install_headers("${folder}" "${kind_folder}")
   list(FILTER ARG_LINK INCLUDE REGEX "^foredraw::")
@@ -71,7 +88,25 @@ function(_foredraw_add_plugin folder)
   if(NOT EXISTS "${test}")
     message(FATAL_ERROR "Foredraw: plugin '${config_name}' wants its test tests/${kind_folder}/${name}_test.cpp")
   endif()
+  set(test_of_dress "${PROJECT_SOURCE_DIR}/tests/${kind_folder}/${name}_plugin_test.cpp")
+  if(EXISTS "${test_of_dress}")
+    string(APPEND test "|${test_of_dress}")
+  endif()
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_PLUGIN_TESTS "${name}|${test}")
+endfunction()
+
+# Compiles each shader into a header in the build folder.
+function(_foredraw_add_shaders target)
+  foreach(shader IN LISTS ARGN)
+    get_filename_component(file "${shader}" NAME)
+    string(REPLACE "." "_" name "${file}")
+    set(header "${CMAKE_CURRENT_BINARY_DIR}/generated/shaders/${name}.h")
+    add_custom_command(OUTPUT "${header}" DEPENDS "${shader}" VERBATIM COMMENT "Compiling the shader ${file}"
+                       COMMAND "${CMAKE_COMMAND}" -E make_directory "${CMAKE_CURRENT_BINARY_DIR}/generated/shaders"
+                       COMMAND "${FOREDRAW_GLSLANG}" -V --quiet --vn ${name} -o "${header}" "${shader}")
+    target_sources(${target} PRIVATE "${header}")
+    target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/generated")
+  endforeach()
 endfunction()
 
 # Checks that FOREDRAW_PLUGINS names plugins alone, and writes and builds add_built_in_plugins() for those that were added.
@@ -119,9 +154,8 @@ function(foredraw_add_plugin_tests)
   get_property(tests GLOBAL PROPERTY FOREDRAW_PLUGIN_TESTS)
   foreach(entry IN LISTS tests)
     string(REPLACE "|" ";" entry "${entry}")
-    list(GET entry 0 name)
-    list(GET entry 1 source)
-    foredraw_add_test(${name}_test SOURCES "${source}" LINK foredraw::${name}_plugin
+    list(POP_FRONT entry name)
+    foredraw_add_test(${name}_test SOURCES ${entry} LINK foredraw::${name}_plugin
                       meshoptimizer::meshoptimizer)
   endforeach()
 endfunction()

@@ -3,6 +3,7 @@
 include(CMakeFindDependencyMacro)
 foreach(_foredraw_component IN LISTS _foredraw_wanted)
   foreach(_foredraw_package IN LISTS _foredraw_${_foredraw_component}_requires)
+    string(REPLACE " " ";" _foredraw_package "${_foredraw_package}")
     find_dependency(${_foredraw_package})
   endforeach()
   include("${CMAKE_CURRENT_LIST_DIR}/components/${_foredraw_component}.cmake")

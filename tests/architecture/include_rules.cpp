@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <regex>
+#include <span>
 #include <sstream>
 
 namespace foredraw::architecture {
@@ -30,6 +31,14 @@ constexpr std::array<std::string_view, 14> posix_headers = {
 template <std::size_t count>
 bool is_one_of(const std::array<std::string_view, count>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Packages that a technique is made of. All its plain files but the header that bears its name may include them, and its
+/// CMakeLists.txt asks for them.
+constexpr std::array<std::string_view, 2> packages_of_techniques = {"embree3/", "vulkan/"};
+
+bool begins_with_one_of(std::span<const std::string_view> beginnings, std::string_view name) {
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view b) { return name.starts_with(b); });
 }
 
 struct Include {
@@ -79,10 +88,13 @@ std::string refused_in_framework(const std::string& layer, bool is_public_header
 }
 
 /// The same for a file of a plugin or evaluator.
-std::string refused_in_plugin(const std::string& file, const Include& include) {
+std::string refused_in_plugin(const std::vector<std::string>& place, const Include& include) {
+  const std::string& file = place.back();
+  const bool is_face = place.size() > 1 && file == place[place.size() - 2] + ".h";
   const std::string layer = include.layer();
   if (layer.empty()) {
     if (include.is_standard() || include.is_glm() || include.is_own_folder()) return "";
+    if (!is_face && begins_with_one_of(packages_of_techniques, include.target)) return "";
     if (include.quoted || include.target.starts_with("plugins/") || include.target.starts_with("evaluators/")) {
       return "plugins and evaluators include only their own folder; what two need goes to framework/foredraw/analysis";
     }
@@ -93,7 +105,7 @@ std::string refused_in_plugin(const std::string& file, const Include& include) {
   const bool is_plain = file.find("_plugin.") == std::string::npos;
   if (is_plain && (layer.empty() || rank(layer) > rank("analysis"))) {
     return "a technique's plain files include the standard library, GLM, their own folder and foredraw/{base,scene,"
-           "analysis}; what dresses it goes to its _plugin.cpp";
+           "analysis}, and behind its header what they are made of; what dresses it goes to its _plugin.cpp";
   }
   return "";
 }
@@ -107,7 +119,7 @@ std::string refused(const std::vector<std::string>& place, const Include& includ
     const bool is_public_header = place.back().ends_with(".h") && place[3] != "private";
     return refused_in_framework(place[2], is_public_header, include);
   }
-  if (place[0] == "plugins" || place[0] == "evaluators") return refused_in_plugin(place.back(), include);
+  if (place[0] == "plugins" || place[0] == "evaluators") return refused_in_plugin(place, include);
   return "";
 }
 

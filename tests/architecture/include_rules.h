@@ -14,8 +14,8 @@ namespace foredraw::architecture {
 ///   one else includes; tinygltf is io's alone, POSIX platform's.
 /// - Plugins and evaluators include the framework up to technique, their own folder and packages. All of their files
 /// but
-///   the _plugin ones are plain: the standard library, GLM, their own folder, and of the framework base, scene and
-///   analysis.
+///   the _plugin ones are plain: the standard library, GLM, their own folder, of the framework base, scene and
+///   analysis, and, but for the header that bears the technique's name, the packages that techniques are made of.
 /// Tests, benchmarks and documents may include what they like.
 Breaches include_breaches(const std::string& path, const std::string& text);
 

@@ -74,6 +74,11 @@ TEST(IncludeRules, techniques_are_plain) {
     EXPECT_FALSE(may_include(plain, "<foredraw/technique/run.h>")) << plain;
     EXPECT_FALSE(may_include(plain, "<fmt/format.h>")) << plain;
   }
+  EXPECT_TRUE(may_include("evaluators/x/x.cpp", "<embree3/rtcore.h>"));
+  EXPECT_FALSE(may_include("evaluators/x/x.h", "<embree3/rtcore.h>"));
+  EXPECT_TRUE(may_include("evaluators/x/x.cpp", "<vulkan/vulkan.h>"));
+  EXPECT_TRUE(may_include("evaluators/x/device.h", "<vulkan/vulkan.h>"));
+  EXPECT_FALSE(may_include("evaluators/x/x.h", "<vulkan/vulkan.h>"));
 }
 
 TEST(IncludeRules, name_the_line) {

@@ -395,7 +395,7 @@ TEST(OverdrawRasterPlugin, a_wanted_error_is_reached_and_true) {
 }
 
 TEST(OverdrawRasterPlugin, what_has_no_overdraw_is_known_at_the_first_look) {
-  const Findings findings = evaluate(testing::scene_of(testing::sphere(16, 8)), {{"error", 1e-5}});
+  const Findings findings = evaluate(testing::scene_of(testing::sphere(16, 8)), {{"error", 1e-4}});
   EXPECT_EQ(find(findings, "ratio", {})->error, 0);
   ASSERT_EQ(findings.notes.size(), 1u);
   EXPECT_EQ(findings.notes[0].message, "looked from 10 x 12 views of 64 x 64 pixels");

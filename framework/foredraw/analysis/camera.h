@@ -14,6 +14,14 @@ namespace foredraw {
 /// Depth steps in one radius of the bounding sphere.
 inline constexpr double depth_steps = 0x1p23;
 
+/// All that is seen at one point of the picture, in radii from the centre of the sphere.
+struct LineOfSight {
+  static constexpr double length = 4;  ///< from before the sphere to behind it
+
+  glm::dvec3 from;
+  glm::dvec3 direction;  ///< unit length
+};
+
 /// Looks at the centre of a sphere of radius 1, which just fits into the picture. Only + - * / sqrt and rounding to
 /// whole numbers, so that corners are the same on every machine.
 class Camera {
@@ -30,6 +38,12 @@ class Camera {
   }
 
   bool is_perspective() const { return distance_ > 0; }
+  /// The picture's axes and the one towards the camera: each of length 1, and at right angles.
+  const glm::dvec3& right() const { return right_; }
+  const glm::dvec3& up() const { return up_; }
+  const glm::dvec3& towards() const { return towards_; }
+  /// From the eye to the plane on which the sphere's outline has radius 1; 1 where the view is orthographic.
+  double focal() const { return focal_; }
 
   /// Depth steps from the eye to depth 0; perspective only.
   double steps_before_sphere() const { return (distance_ - 1) * depth_steps; }
@@ -41,6 +55,17 @@ class Camera {
     return {static_cast<std::int32_t>(rounded(half_ + glm::dot(position, right_) * scale, extent_)),
             static_cast<std::int32_t>(rounded(half_ + glm::dot(position, up_) * scale, extent_)),
             static_cast<std::uint32_t>(rounded((1 - near) * depth_steps, 2 * depth_steps - 1))};
+  }
+
+  /// Of the point x to the right and y upwards from the lower left corner, in the units of Corner.
+  LineOfSight line_of_sight(double x, double y) const {
+    const glm::dvec3 aside = right_ * (x / half_ - 1) + up_ * (y / half_ - 1);
+    if (!is_perspective()) return {aside + towards_ * (LineOfSight::length / 2), -towards_};
+    const glm::dvec3 towards_point = aside - towards_ * focal_;
+    const glm::dvec3 direction = towards_point / std::sqrt(glm::dot(towards_point, towards_point));
+    // From the eye it is the farther away from the sphere the less of it floats would keep.
+    const glm::dvec3 eye = towards_ * distance_;
+    return {eye - direction * (glm::dot(eye, direction) + LineOfSight::length / 2), direction};
   }
 
  private:

@@ -194,6 +194,11 @@ class Planner {
       error(stage.where, "no-service", fmt::format("'{}' does not measure overdraw", stage.use));
       return nullptr;
     }
+    if (const auto why = plugin->unavailable ? plugin->unavailable() : std::nullopt) {
+      error(stage.where, "unavailable", fmt::format("'{}' can not run on this machine: {}", stage.use, *why),
+            "name another, or leave services out");
+      return nullptr;
+    }
     const auto settings = fitted(plugin->service_options, stage);
     return settings ? plugin->overdraw_service(*settings) : nullptr;
   }

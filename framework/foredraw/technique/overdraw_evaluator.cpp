@@ -45,6 +45,7 @@ class OverdrawEvaluator final : public Evaluator {
     measure(scene, subjects, counts, run);
     if (options_.details) tell_overdraw_details(scene, subjects, drawn, *service_, samples_.views, run);
     tell_what_is_not_as_drawn(scene, drawn, run);
+    service_->tell_more(scene, subjects, drawn, samples_.views, run);
   }
 
  private:

@@ -47,7 +47,7 @@ void add_evaluator_rows(OptionTable<Options>& table) {
                                             "Pick views and size so that each subject's ratio is this exact, 19 times "
                                             "of 20; views, count and size are not used "
                                             "then",
-                                            {1e-5, 1, "fragments per pixel"});
+                                            {1e-4, 1, "fragments per pixel"});
 }
 
 /// Draws every subject of a scene through the service. std::invalid_argument where the views or poses have a mistake.

@@ -110,6 +110,22 @@ TEST(Plan, FindsAServiceForWhoAsks) {
   EXPECT_FALSE(Planned("reverse-draw", scene()).plan->overdraw);
 }
 
+TEST(Plan, RefusesAServiceThatThisMachineCanNotRun) {
+  Registry plugins = registry();
+  Plugin gone = testing::answer_overdraw();
+  gone.card.name = "gone";
+  gone.unavailable = [] { return std::optional<std::string>("no such device"); };
+  plugins.add(gone);
+  Diagnostics diagnostics;
+  Pipeline pipeline = *parse_line("ask-overdraw", diagnostics);
+  pipeline.overdraw = Stage{.use = "gone"};
+  EXPECT_FALSE(plan(pipeline, plugins, scene(), diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].message, "'gone' can not run on this machine: no such device");
+  pipeline.overdraw.reset();
+  EXPECT_TRUE(plan(pipeline, plugins, scene(), diagnostics)->overdraw);
+}
+
 TEST(Plan, TellsPeopleWhatRunsAndWhatDoesNot) {
   const Scene held = scene();
   const std::string text = to_text(*Planned("pairs, reverse-draw", held, "count-draws").plan, held);

@@ -1,0 +1,44 @@
+#pragma once
+#include "box_tree.h"
+#include "overdraw_embree.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foredraw {
+
+/// Parts made ready once for rays from everywhere. Any number of threads may count at once.
+class TracedParts {
+ public:
+  /// Reads the parts here and never again. O(triangles log triangles).
+  explicit TracedParts(std::span<const RasterPart> parts);
+
+  /// As overdraw_embree() does.
+  OverdrawCounts count(const Views& views, const OverdrawEmbreeOptions& options) const;
+
+  struct Triangle {
+    std::array<std::uint32_t, 3> corners;
+    std::uint32_t part;
+  };
+  struct Faces {
+    bool culls_back_faces;
+    bool is_mirrored;
+  };
+  struct Surface {
+    std::vector<Faces> parts;
+    std::vector<glm::dvec3> positions;  ///< of all parts, in radii from the centre of the sphere
+    std::vector<Triangle> triangles;    ///< of all parts, in draw order
+  };
+
+ private:
+  std::vector<OverdrawCount> count(const View& view, int size, const OverdrawEmbreeOptions& options) const;
+
+  Surface surface_;
+  BoxTree tree_;  ///< around the triangles
+};
+
+}  // namespace foredraw

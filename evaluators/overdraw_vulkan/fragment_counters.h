@@ -1,0 +1,34 @@
+#pragma once
+#include "count_method.h"
+#include "draw_pipelines.h"
+
+#include <vector>
+
+namespace foredraw {
+
+/// Numbered counters of fragments that pass.
+class FragmentCounters {
+ public:
+  FragmentCounters(const VulkanDevice& device, DrawPipelines& pipelines, CountMethod method, std::uint32_t count);
+
+  /// The fragment shader that goes with them.
+  Shading shading() const { return method_ == CountMethod::atomics ? Shading::counted : Shading::owner; }
+  /// Before the first picture is begun; `behind` when the last is done.
+  void start(VkCommandBuffer commands) const;
+  void finish(VkCommandBuffer commands) const;
+  /// Around each draw.
+  void begin(VkCommandBuffer commands, std::uint32_t counter) const;
+  void end(VkCommandBuffer commands, std::uint32_t counter) const;
+  /// Once the commands are done. Each of the first `count` counters has to have been used.
+  std::vector<std::uint64_t> read(std::uint32_t count) const;
+
+ private:
+  const VulkanDevice& device_;
+  DrawPipelines& pipelines_;
+  CountMethod method_;
+  std::uint32_t count_;
+  OwnedQueryPool queries_;
+  VisibleBuffer atomics_;
+};
+
+}  // namespace foredraw

@@ -1,0 +1,112 @@
+#include "overdraw_vulkan.h"
+
+#include <foredraw/technique/overdraw_evaluator.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace foredraw {
+
+namespace {
+
+struct OverdrawVulkanOptions : OverdrawOptions {
+  std::optional<std::string> device;
+  CountMethod method = CountMethod::queries;
+  bool times = false;
+};
+
+class OverdrawVulkan final : public OverdrawService {
+ public:
+  explicit OverdrawVulkan(const OverdrawVulkanOptions& options) : OverdrawService(options.faces), options_(options) {}
+
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) override {
+    const std::lock_guard lock(one_at_a_time_);
+    return overdraw_vulkan(device(), parts, views, options_.method);
+  }
+
+  void tell_more(const Scene& scene, std::span<const Subject> subjects, std::span<const DrawnSubject> drawn,
+                 const Views& views, Run& run) override {
+    const std::lock_guard lock(one_at_a_time_);
+    run.note("device", fmt::format("drawn by {}, whose depths have {} bits", device().name(), device().depth_bits()));
+    const bool takes_times = options_.times && !device().is_processor();
+    if (options_.times && device().is_processor()) {
+      run.note("no-times", fmt::format("no times were taken: {} is a program on the processor", device().name()));
+    }
+    std::vector<std::uint64_t> invocations(scene.draws.size());
+    std::vector<std::size_t> triangles(scene.draws.size());
+    GpuTime time;
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
+      if (run.cancelled()) return;
+      const std::span<const RasterPart> parts = drawn[s].parts;
+      if (const auto of_parts = vertex_shader_invocations(device(), parts)) {
+        for (std::size_t i = 0; i < of_parts->size(); ++i) {
+          const DrawId draw = subjects[s].parts[i].draw;
+          invocations[draw] += (*of_parts)[i];
+          triangles[draw] += parts[i].indices.size() / 3;
+        }
+      }
+      if (!takes_times) continue;
+      if (const auto of_subject = gpu_time(device(), parts, views)) {
+        time.light += of_subject->light;
+        time.heavy += of_subject->heavy;
+      }
+    }
+    for (DrawId draw = 0; draw < triangles.size(); ++draw) {
+      if (invocations[draw] == 0) continue;
+      run.measure_at({draw, {}, {}}, "vertex-shader-invocations", static_cast<double>(invocations[draw]),
+                     static_cast<double>(triangles[draw]));
+    }
+    if (time.light > 0) {
+      run.measure("gpu-time-light", time.light, static_cast<double>(views.views.size()));
+      run.measure("gpu-time-heavy", time.heavy, static_cast<double>(views.views.size()));
+    }
+  }
+
+ private:
+  /// Made when it is first drawn with: who lists plugins or plans a run starts no driver.
+  OverdrawDevice& device() {
+    if (!device_) device_ = std::make_unique<OverdrawDevice>(VulkanChoice{options_.device.value_or("")});
+    return *device_;
+  }
+
+  OverdrawVulkanOptions options_;
+  std::mutex one_at_a_time_;
+  std::unique_ptr<OverdrawDevice> device_;
+};
+
+void add_rows(OptionTable<OverdrawVulkanOptions>& table) {
+  table.row(&OverdrawVulkanOptions::device, "device",
+            "Part of the name of the device to draw with; without it a hardware device, else one on the processor");
+  table.choice(&OverdrawVulkanOptions::method, "method",
+               "How fragments are counted: by the device around each draw, or one by one in the shader; both agree",
+               {{"queries", CountMethod::queries}, {"atomics", CountMethod::atomics}});
+  table.row(&OverdrawVulkanOptions::times, "times",
+            "Whether times are taken too; of all figures these alone differ from run to run");
+}
+
+}  // namespace
+
+Plugin overdraw_vulkan_plugin() {
+  Plugin plugin = overdraw_plugin<OverdrawVulkanOptions>(
+      {
+          .name = "overdraw-vulkan",
+          .summary = "Counts overdraw and vertex shading by drawing every subject from all sides on a Vulkan device",
+          .reference = "Han, Sander 2016, section 1 (overdraw ratio); own",
+          .metrics =
+              {
+                  {"vertex-shader-invocations", "invocations per triangle",
+                   "How often the device runs the vertex shader, with its own vertex cache"},
+                  {"gpu-time-light", "ms per view", "Time on the device where fragments cost next to nothing"},
+                  {"gpu-time-heavy", "ms per view", "The same where each fragment waits for 256 sines in a row"},
+              },
+      },
+      add_rows, [](const OverdrawVulkanOptions& options) { return std::make_unique<OverdrawVulkan>(options); });
+  plugin.unavailable = [] { return why_no_vulkan_device(); };
+  return plugin;
+}
+
+}  // namespace foredraw

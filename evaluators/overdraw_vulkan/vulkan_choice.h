@@ -1,0 +1,23 @@
+#pragma once
+// Which device is wanted, in words that need no header of Vulkan.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foredraw {
+
+struct VulkanChoice {
+  std::string
+      device;  ///< part of the device's name, in any case; empty: the first of discrete, integrated, virtual, CPU
+  std::vector<std::string>* complaints =
+      nullptr;  ///< where the validation layer tells its own; none: without the layer
+};
+
+/// Why no device can be had, and what to do; nothing: one can. Starts the drivers, and ends them.
+std::optional<std::string> why_no_vulkan_device(const VulkanChoice& choice = {});
+
+/// Whether the validation layer is installed.
+bool has_vulkan_validation();
+
+}  // namespace foredraw

@@ -1,0 +1,46 @@
+#pragma once
+// A device with what drawing needs on it, kept from subject to subject.
+
+#include "draw_pipelines.h"
+#include "pictures.h"
+#include "vulkan_device.h"
+
+#include <foredraw/scene/views.h>
+
+#include <functional>
+#include <memory>
+
+namespace foredraw {
+
+/// How parts are drawn, and what is done around each draw, by its number among those that are drawn.
+struct DrawManner {
+  Shading shading = Shading::owner;
+  Passing passing = Passing::nearer;
+  std::uint32_t first_counter = 0;  ///< that of the first draw; the others' follow
+  std::function<void(std::uint32_t)> before = [](std::uint32_t) {};
+  std::function<void(std::uint32_t)> after = [](std::uint32_t) {};
+};
+
+/// Used by one thread at a time.
+class VulkanPainter {
+ public:
+  /// Throws std::runtime_error where there is no such device.
+  explicit VulkanPainter(const VulkanChoice& choice = {}) : device_(choice), pipelines_(device_) {}
+
+  VulkanDevice& device() { return device_; }
+  DrawPipelines& pipelines() { return pipelines_; }
+  /// Kept as long as the same size is asked for.
+  Pictures& pictures(int size);
+  /// Those that there are, of whatever size.
+  Pictures& any_pictures() { return pictures_ ? *pictures_ : pictures(16); }
+
+  /// Draws the parts one after the other into the picture that was begun.
+  void draw(VkCommandBuffer commands, const UploadedParts& parts, const View& view, const DrawManner& manner);
+
+ private:
+  VulkanDevice device_;
+  DrawPipelines pipelines_;
+  std::unique_ptr<Pictures> pictures_;
+};
+
+}  // namespace foredraw

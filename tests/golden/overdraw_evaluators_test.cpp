@@ -1,0 +1,52 @@
+// Real models: whoever counts overdraw is near to the exact rasteriser, nearer than the choice of views leaves it.
+
+#include "corpus_run.h"
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace foredraw {
+namespace {
+
+/// Evaluators that count overdraw otherwise, and that this machine can run.
+std::vector<std::string> others() {
+  Registry registry;
+  add_built_in_plugins(registry);
+  std::vector<std::string> names;
+  for (const Plugin* plugin : registry.all()) {
+    if (!plugin->overdraw_service || plugin->card.name == "overdraw-raster") continue;
+    if (plugin->unavailable && plugin->unavailable()) continue;
+    names.push_back(plugin->card.name);
+  }
+  return names;
+}
+
+double value(const Figure& figure) { return figure.numerator / *figure.denominator; }
+
+TEST(OverdrawEvaluators, are_near_to_the_exact_one_on_real_models) {
+  const std::vector<std::string> evaluators = others();
+  if (evaluators.empty()) GTEST_SKIP() << "overdraw-raster alone can run here";
+  for (const std::string model : {"static/spot.glb", "animated/kaykit_knight.glb", "scenes/house.glb"}) {
+    const Scene scene = testing::read_model(testing::project_file("benchmarks/corpus/" + model));
+    for (const std::string options : {"", "(distance=1.5, faces=front, size=128)"}) {
+      std::string measure = "overdraw-raster" + options;
+      for (const std::string& evaluator : evaluators) measure += ", " + evaluator + options;
+      const auto figures = testing::run_pipeline("", scene, 2, measure).report.after.metrics.all();
+      const auto& exact = figures.at("overdraw-raster");
+      for (const std::string& evaluator : evaluators) {
+        for (const std::string metric : {"ratio", "view-mean"}) {
+          const Figure& expected = exact.at(metric);
+          EXPECT_NEAR(value(figures.at(evaluator).at(metric)), value(expected), expected.error / 8)
+              << evaluator << options << ' ' << metric << " of " << model;
+        }
+        const double pixels = *exact.at("ratio").denominator;
+        EXPECT_NEAR(*figures.at(evaluator).at("ratio").denominator / pixels, 1, 1e-4) << evaluator << ' ' << model;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foredraw
