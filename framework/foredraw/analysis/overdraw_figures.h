@@ -27,14 +27,14 @@ struct Estimate {
   double error = 0;
 };
 
-/// Passing over visible fragments, summed over the pictures, each as heavy as its view. `tallies`: of each view in turn,
-/// once or several times over (one round for each subject, say). The error is that of a ratio estimator (Cochran,
-/// Sampling Techniques, 3rd ed., section 2.11), whose samples are the tallies: of their deviations from the ratio. 0 where
-/// there are less than 2.
+/// Passing over visible fragments, summed over the pictures, each as heavy as its view. `tallies`: of each view in
+/// turn, once or several times over (one round for each subject, say). The error is that of a ratio estimator (Cochran,
+/// Sampling Techniques, 3rd ed., section 2.11), whose samples are the tallies: of their deviations from the ratio. 0
+/// where there are less than 2.
 Estimate overdraw_ratio(std::span<const ViewTally> tallies, std::span<const View> views);
 
-/// The mean of the pictures' ratios; those with nothing visible are left out. The error is that of a mean over samples of
-/// several pictures each.
+/// The mean of the pictures' ratios; those with nothing visible are left out. The error is that of a mean over samples
+/// of several pictures each.
 Estimate overdraw_view_mean(std::span<const ViewTally> tallies, std::span<const View> views);
 
 /// Whether the first has the higher ratio; what shows nothing has none.

@@ -47,8 +47,7 @@ std::string worst_clusters(const Clusters& clusters, std::span<const double> hid
   constexpr std::size_t most_named = 5;
   std::vector<std::string> named;
   for (const std::size_t c : std::span(ranked).first(std::min(count, most_named))) {
-    named.push_back(
-        fmt::format("{} ({:.0f} %)", c, 100 * of_clusters[c] / all));
+    named.push_back(fmt::format("{} ({:.0f} %)", c, 100 * of_clusters[c] / all));
   }
   return fmt::format("half of it is shaded by {} of {} clusters: {}{}", count, ranked.size(), fmt::join(named, ", "),
                      count > named.size() ? ", ..." : "");

@@ -14,8 +14,8 @@
 
 namespace foredraw {
 
-/// Looks from Fibonacci points by default, since orders are commonly optimised for an icosphere, and in poses between the
-/// keys for which they are made.
+/// Looks from Fibonacci points by default, since orders are commonly optimised for an icosphere, and in poses between
+/// the keys for which they are made.
 struct OverdrawOptions : ViewSet, PoseSet {
   OverdrawOptions() {
     views = "fibonacci";
@@ -41,8 +41,9 @@ std::vector<Metric> overdraw_metrics();
 template <class Options>
 requires std::derived_from<Options, OverdrawOptions>
 void add_evaluator_rows(OptionTable<Options>& table) {
-  table.template row<bool>(&OverdrawOptions::details, "details",
-                           "Tell how many pixels are shaded how often, and which draws and clusters cause the overdraw");
+  table.template row<bool>(
+      &OverdrawOptions::details, "details",
+      "Tell how many pixels are shaded how often, and which draws and clusters cause the overdraw");
   table.template row<std::optional<double>>(&OverdrawOptions::error, "error",
                                             "Pick views and size so that each subject's ratio is this exact, 19 times "
                                             "of 20; views, count and size are not used "

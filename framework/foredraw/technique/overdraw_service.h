@@ -31,10 +31,8 @@ class OverdrawService {
 
   /// Figures and notes of its own, behind those that all evaluators of overdraw have, once it has drawn the scene's
   /// subjects from the views.
-  virtual void tell_more(const Scene& scene, std::span<const Subject> subjects, std::span<const DrawnSubject> drawn,
-                         const Views& views, Run& run) {
-    static_cast<void>(scene), static_cast<void>(subjects), static_cast<void>(drawn);
-    static_cast<void>(views), static_cast<void>(run);
+  virtual void tell_more(const Scene& scene, std::span<const Subject> subjects, const Views& views, Run& run) {
+    static_cast<void>(scene), static_cast<void>(subjects), static_cast<void>(views), static_cast<void>(run);
   }
 
   /// Which back faces who asks should have culled.

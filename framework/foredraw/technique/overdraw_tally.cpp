@@ -23,7 +23,7 @@ void OverdrawTally::add(std::span<const OverdrawCount> pictures, double weight) 
 }
 
 OverdrawTallies::OverdrawTallies(const PosedSubjects& looked, std::size_t views)
-    : draws(looked.scene.draws.size()), subjects(looked.subjects.size()) {
+    : draws(looked.scene.draws.size()), subjects(looked.subjects.size()), non_finite(looked.subjects.size()) {
   const std::size_t count = looked.poses.poses.size();
   poses.assign(count, std::vector<ViewTally>(count <= most_told_poses ? views : 1));
 }

@@ -24,9 +24,10 @@ inline constexpr std::size_t most_told_poses = 64;
 
 struct OverdrawTallies {
   std::vector<std::map<std::size_t, OverdrawTally>> draws;  ///< [draw] by the subjects that it is in
-  std::vector<OverdrawTally> subjects;            ///< [subject]
-  /// [pose] over all subjects, for each view; one sum over the views where there are too many poses to tell of each. Views
-  /// weigh in already.
+  std::vector<OverdrawTally> subjects;                      ///< [subject]
+  std::vector<std::size_t> non_finite;            ///< [subject] triangles, in the pose that has most of them
+  /// [pose] over all subjects, for each view; one sum over the views where there are too many poses to tell of each.
+  /// Views weigh in already.
   std::vector<std::vector<ViewTally>> poses;
 
   OverdrawTallies(const PosedSubjects& subjects, std::size_t views);
