@@ -1,6 +1,6 @@
 #pragma once
-// A second opinion on posed positions: everything in doubles and written the long way round. Arcs and sines for rotations,
-// de Casteljau for splines, parents climbed from each node, points moved by each joint in turn.
+// A second opinion on posed positions: everything in doubles and written the long way round. Arcs and sines for
+// rotations, de Casteljau for splines, parents climbed from each node, points moved by each joint in turn.
 
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/subject.h>

@@ -8,8 +8,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <locale>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -100,40 +102,36 @@ class PoseMaker {
     }
   }
 
-  /// Each clip has one pose at least, where there are enough; its others go by how long it lasts. They stand in the
-  /// middle of equal parts of the clip.
+  /// As many in each clip, the longest ones first to have one more. They stand in the middle of equal parts of the
+  /// clip; a clip that stands still has one, which weighs as many.
   void spread(std::size_t count) {
     const std::size_t clips = clips_.size();
+    if (clips == 0) return;
     if (count < clips) {
       for (std::size_t i = 0; i < count; ++i) add_spread(clips_[(2 * i + 1) * clips / (2 * count)], 1);
       return;
     }
-    double all = 0;
-    for (const Clip& clip : clips_) all += clip.seconds();
-    const auto others = static_cast<double>(count - clips);
-    double before = 0;
-    for (const Clip& clip : clips_) {
-      const double behind = before + clip.seconds();
-      std::size_t own = 1;
-      if (all > 0)
-        own += static_cast<std::size_t>(std::floor(others * (behind / all)) - std::floor(others * (before / all)));
-      add_spread(clip, own);
-      before = behind;
-    }
+    std::vector<std::size_t> by_length(clips);
+    std::iota(by_length.begin(), by_length.end(), std::size_t{0});
+    std::ranges::stable_sort(by_length, std::greater(), [&](std::size_t clip) { return clips_[clip].seconds(); });
+    std::vector<std::size_t> shares(clips, count / clips);
+    for (std::size_t i = 0; i < count % clips; ++i) ++shares[by_length[i]];
+    for (std::size_t clip = 0; clip < clips; ++clip) add_spread(clips_[clip], shares[clip]);
   }
 
   Poses made() && { return poses_.empty() ? rest_pose : Poses{std::move(poses_)}; }
 
  private:
   void add_spread(const Clip& clip, std::size_t count) {
+    if (clip.seconds() == 0) return add(clip, clip.keys.front(), static_cast<double>(count));
     for (std::size_t i = 0; i < count; ++i) {
       add(clip, clip.keys.front() + clip.seconds() * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
     }
   }
 
-  void add(const Clip& clip, double time) {
+  void add(const Clip& clip, double time, double weight = 1) {
     if (poses_.size() == most_poses) refuse();
-    poses_.push_back({clip.id, time});
+    poses_.push_back({clip.id, time, weight});
   }
 
   [[noreturn]] static void refuse() {
@@ -145,15 +143,17 @@ class PoseMaker {
   std::vector<Pose> poses_;
 };
 
+bool is_at_rest(const PoseSet& set) { return set.poses == "bind" && !set.rate && set.moments.empty(); }
+
 Poses made_of(const Scene& scene, const PoseSet& set) {
-  if (set.poses == "bind") return rest_pose;
+  if (is_at_rest(set)) return rest_pose;
   PoseMaker maker(clips_of(scene, set.clips));
-  if (const auto count = as_number(set.poses)) {
-    maker.spread(static_cast<std::size_t>(*count));
-  } else if (set.rate) {
+  if (set.rate) {
     maker.at_rate(*set.rate);
-  } else if (!set.times.empty()) {
-    maker.at_times(*times_in(set.times));
+  } else if (!set.moments.empty()) {
+    maker.at_times(*times_in(set.moments));
+  } else if (const auto count = as_number(set.poses)) {
+    maker.spread(static_cast<std::size_t>(*count));
   } else {
     maker.at_keys();
   }
@@ -179,12 +179,8 @@ std::optional<std::string> mistake_in(const PoseSet& set) {
   if (set.rate && !(*set.rate > 0 && std::isfinite(*set.rate))) {
     return "rate is " + std::to_string(*set.rate) + ", but must be above 0 poses a second";
   }
-  if (!times_in(set.times)) return "times is '" + set.times + "', but must be seconds such as '0 0.5 2'";
-  if (set.rate && !set.times.empty()) return "rate and times both say when; leave one of them out";
-  if (set.poses != "all" && (set.rate || !set.times.empty())) {
-    return std::string(set.rate ? "rate" : "times") + " says when all poses are; it needs poses = all, not " +
-           set.poses;
-  }
+  if (!times_in(set.moments)) return "moments is '" + set.moments + "', but must be seconds such as '0 0.5 2'";
+  if (set.rate && !set.moments.empty()) return "rate and moments both say when; leave one of them out";
   if (set.clips.empty()) return "clips is empty; leave it out, or name some, with * and ?";
   return std::nullopt;
 }
@@ -195,8 +191,8 @@ Poses make_poses(const Scene& scene, const PoseSet& set) {
 }
 
 std::optional<std::string> why_at_rest(const Scene& scene, const PoseSet& set) {
-  if (set.poses == "bind" || clips_of(scene, "*").empty() || make_poses(scene, set) != rest_pose) return std::nullopt;
-  if (!clips_of(scene, set.clips).empty()) return "no clip lasts for any of the times " + set.times;
+  if (is_at_rest(set) || clips_of(scene, "*").empty() || make_poses(scene, set) != rest_pose) return std::nullopt;
+  if (!clips_of(scene, set.clips).empty()) return "no clip lasts for any of the moments " + set.moments;
   const std::vector<std::string> all_names = clip_names(scene);
   std::vector<std::string> names;
   for (const Clip& clip : clips_of(scene, "*")) names.push_back(all_names[clip.id]);

@@ -11,12 +11,12 @@ namespace foredraw {
 
 /// A pose set as a pipeline spells it.
 struct PoseSet {
-  /// bind: as the nodes stand. all: every clip at each of its keys. A number: so many poses at most, spread over the
-  /// clips by how long these last.
+  /// bind: as the nodes stand. all: every clip at each of its keys. A number: so many poses at most, spread evenly over
+  /// the clips.
   std::string poses = "bind";
   std::string clips = "*";     ///< names of the clips to look at, with * and ?
-  std::optional<double> rate;  ///< with all: poses a second, from each clip's first key on, in place of the keys
-  std::string times;           ///< with all: seconds, "0 0.5 2", in place of the keys; a clip takes those it lasts for
+  std::optional<double> rate;  ///< in place of `poses`: so many a second, from each clip's first key on
+  std::string moments;         ///< in place of `poses`: seconds, "0 0.5 2"; a clip takes those that it lasts for
 
   friend bool operator==(const PoseSet&, const PoseSet&) = default;
 };

@@ -71,7 +71,7 @@ std::string poses_in_file(const PoseSet& poses) {
   if (poses.poses != usual.poses) text += row_in_file("poses", poses.poses) + '\n';
   if (poses.clips != usual.clips) text += row_in_file("clips", poses.clips) + '\n';
   if (poses.rate) text += row_in_file("rate", *poses.rate) + '\n';
-  if (poses.times != usual.times) text += row_in_file("times", poses.times) + '\n';
+  if (poses.moments != usual.moments) text += row_in_file("moments", poses.moments) + '\n';
   return text;
 }
 

@@ -19,7 +19,7 @@ namespace foredraw {
 struct OverdrawOptions : ViewSet, PoseSet {
   OverdrawOptions() {
     views = "fibonacci";
-    poses = "64";
+    poses = "16";
   }
   Faces faces = Faces::material;
   bool details = false;

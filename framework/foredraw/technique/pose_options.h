@@ -15,10 +15,10 @@ void add_pose_rows(OptionTable<Options>& table) {
                        "many, spread over the clips");
   table.template row<std::string>(&PoseSet::clips, "clips", "Names of the clips to take poses from, with * and ?");
   table.template row<std::optional<double>>(&PoseSet::rate, "rate",
-                                            "With all: poses at this rate in place of the clips' own keys",
+                                            "In place of poses: so many a second, from each clip's first key on",
                                             {0.001, 1000, "poses a second"});
-  table.template row<std::string>(&PoseSet::times, "times",
-                                  "With all: poses at these seconds of each clip, as '0 0.5 2', in place of its keys");
+  table.template row<std::string>(&PoseSet::moments, "moments",
+                                  "In place of poses: these seconds of each clip that lasts for them, as '0 0.5 2'");
 }
 
 }  // namespace foredraw

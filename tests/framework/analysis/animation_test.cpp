@@ -26,15 +26,13 @@ glm::vec3 at(const Scene& scene, double time, NodeId node = 0, glm::vec3 point =
   return glm::vec3(posed_nodes(scene, {0, time}).world[node] * glm::vec4(point, 1));
 }
 
-void expect_near(glm::vec3 a, glm::vec3 b) {
-  EXPECT_LT(glm::length(a - b), 1e-6f) << a.x << ' ' << a.y << ' ' << a.z;
-}
+void expect_near(glm::vec3 a, glm::vec3 b) { EXPECT_LT(glm::length(a - b), 1e-6f) << a.x << ' ' << a.y << ' ' << a.z; }
 
 constexpr float half = 0.70710678f;
 
 TEST(Animation, is_linear_between_keys_and_stands_still_outside_of_them) {
-  const Scene scene = scene_with(1, {channel(0, AnimatedPath::translation, Interpolation::linear, {1, 2, 4},
-                                             {0, 0, 0, 4, 0, 0, 4, 8, 0})});
+  const Scene scene = scene_with(
+      1, {channel(0, AnimatedPath::translation, Interpolation::linear, {1, 2, 4}, {0, 0, 0, 4, 0, 0, 4, 8, 0})});
   EXPECT_EQ(at(scene, 0), glm::vec3(0));
   EXPECT_EQ(at(scene, 1), glm::vec3(0));
   EXPECT_EQ(at(scene, 1.25), glm::vec3(1, 0, 0));
@@ -46,8 +44,8 @@ TEST(Animation, is_linear_between_keys_and_stands_still_outside_of_them) {
 }
 
 TEST(Animation, steps_happen_at_their_key) {
-  const Scene scene = scene_with(
-      1, {channel(0, AnimatedPath::scale, Interpolation::step, {0, 1, 2}, {1, 1, 1, 2, 2, 2, 3, 3, 3})});
+  const Scene scene =
+      scene_with(1, {channel(0, AnimatedPath::scale, Interpolation::step, {0, 1, 2}, {1, 1, 1, 2, 2, 2, 3, 3, 3})});
   const auto scale = [&](double time) { return at(scene, time, 0, {1, 0, 0}).x; };
   EXPECT_EQ(scale(0), 1);
   EXPECT_EQ(scale(std::nextafter(1.0, 0.0)), 1);
@@ -84,8 +82,7 @@ TEST(Animation, tangents_of_cubic_splines_are_per_second) {
 
 TEST(Animation, cubic_rotations_are_brought_to_unit_length) {
   const Floats values = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, half, half, 0, 0, 0, 0};
-  const Scene scene =
-      scene_with(1, {channel(0, AnimatedPath::rotation, Interpolation::cubic_spline, {0, 1}, values)});
+  const Scene scene = scene_with(1, {channel(0, AnimatedPath::rotation, Interpolation::cubic_spline, {0, 1}, values)});
   expect_near(at(scene, 0.5, 0, {1, 0, 0}), {half, half, 0});  // without tangents half-way is the middle
   EXPECT_NEAR(glm::length(at(scene, 0.3, 0, {1, 0, 0})), 1, 1e-6);
 }
@@ -115,12 +112,12 @@ TEST(Animation, what_a_clip_does_not_move_stays_as_it_stands) {
 
 TEST(Animation, channels_that_make_no_sense_move_nothing) {
   const auto path = AnimatedPath::translation;
-  Scene scene = scene_with(2, {channel(0, path, Interpolation::linear, {}, {}),
-                               channel(0, path, Interpolation::linear, {0, 1}, {5, 5, 5}),
-                               channel(0, path, Interpolation::cubic_spline, {0}, {5, 5, 5}),
-                               channel(0, AnimatedPath::weights, Interpolation::linear, {0, 1}, {5}),
-                               channel(77, path, Interpolation::linear, {0}, {5, 5, 5}),
-                               channel(1, path, Interpolation::linear, {0}, {5, 5, 5})});
+  Scene scene = scene_with(
+      2, {channel(0, path, Interpolation::linear, {}, {}), channel(0, path, Interpolation::linear, {0, 1}, {5, 5, 5}),
+          channel(0, path, Interpolation::cubic_spline, {0}, {5, 5, 5}),
+          channel(0, AnimatedPath::weights, Interpolation::linear, {0, 1}, {5}),
+          channel(77, path, Interpolation::linear, {0}, {5, 5, 5}),
+          channel(1, path, Interpolation::linear, {0}, {5, 5, 5})});
   scene.nodes[1].matrix = glm::mat4(1);  // which no animation may move
   const PosedNodes nodes = posed_nodes(scene, {0, 0.5});
   EXPECT_EQ(nodes.world, world_transforms(scene));

@@ -14,8 +14,8 @@ Scene moved_triangle() {
   scene.skins.resize(1);
   scene.skins[0].joints = {0};
   scene.animations.resize(1);
-  scene.animations[0].channels.push_back({0, AnimatedPath::translation, Interpolation::linear,
-                                          Shared<float>({0, 1, 2}), Shared<float>({0, 0, 0, 1, 0, 0, 0, 0, 0})});
+  scene.animations[0].channels.push_back({0, AnimatedPath::translation, Interpolation::linear, Shared<float>({0, 1, 2}),
+                                          Shared<float>({0, 0, 0, 1, 0, 0, 0, 0, 0})});
   return scene;
 }
 

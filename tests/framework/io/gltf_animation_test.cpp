@@ -42,8 +42,7 @@ double largest_difference(const Scene& scene, const Poses& poses) {
     for (const Subject& subject : subjects_of(scene)) {
       for (const SubjectPart& part : subject.parts) {
         if (!part.node) continue;
-        largest =
-            std::max(largest, testing::difference(posed_positions(scene, part, nodes), naive.positions(part)));
+        largest = std::max(largest, testing::difference(posed_positions(scene, part, nodes), naive.positions(part)));
       }
     }
   }
@@ -58,37 +57,42 @@ TEST(GltfAnimation, characters_of_the_corpus_stand_as_an_independent_evaluation_
     EXPECT_EQ(poses.poses.size(), 3u) << entry.path();
     EXPECT_LT(largest_difference(scene, poses), 1e-5) << entry.path();
     EXPECT_LT(largest_difference(scene, rest_pose), 1e-5) << entry.path();
-    EXPECT_GT(testing::difference(posed_positions(scene, subjects_of(scene)[0].parts[0], posed_nodes(scene)),
-                                  testing::NaiveAnimation(scene, poses.poses[1])
-                                      .positions(subjects_of(scene)[0].parts[0])),
-              1e-3)
+    EXPECT_GT(
+        testing::difference(posed_positions(scene, subjects_of(scene)[0].parts[0], posed_nodes(scene)),
+                            testing::NaiveAnimation(scene, poses.poses[1]).positions(subjects_of(scene)[0].parts[0])),
+        1e-3)
         << entry.path() << ": stands still";
     ++characters;
   }
   EXPECT_EQ(characters, 6u);
 }
 
-/// An arm of two joints below a turned and scaled node, bound to two meshes by skins that share a joint; the first mesh is
-/// morphed too, and shown twice. Everything moves, in each way of interpolating.
+/// An arm of two joints below a turned and scaled node, bound to two meshes by skins that share a joint; the first mesh
+/// is morphed too, and shown twice. Everything moves, in each way of interpolating.
 GltfBuilder contraption() {
   GltfBuilder b;
   const auto positions = b.add_values<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 2, 0, 0, 3, 1, 1, 3, 0}, "VEC3");
   const auto indices = b.add_values<std::uint16_t>({0, 1, 2, 3, 4, 5}, "SCALAR");
-  const auto joints = b.add_values<std::uint8_t>({0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0,
-                                                  0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0}, "VEC4");
-  const auto weights = b.add_values<float>({1, 0, 0, 0, 0.5f, 0.5f, 0, 0, 0.3f, 0, 0, 0,
-                                            3, 1, 0, 0, 0.1f, 0, 0, 0, 0, 0, 0, 0}, "VEC4");
+  const auto joints =
+      b.add_values<std::uint8_t>({0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0}, "VEC4");
+  const auto weights =
+      b.add_values<float>({1, 0, 0, 0, 0.5f, 0.5f, 0, 0, 0.3f, 0, 0, 0, 3, 1, 0, 0, 0.1f, 0, 0, 0, 0, 0, 0, 0}, "VEC4");
   const auto joints_1 = b.add_values<std::uint16_t>(std::vector<std::uint16_t>(24, 1), "VEC4");
-  const auto weights_1 = b.add_values<std::uint8_t>({255, 0, 0, 0, 0, 0, 0, 0, 128, 128, 0, 0,
-                                                     0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4");
+  const auto weights_1 = b.add_values<std::uint8_t>(
+      {255, 0, 0, 0, 0, 0, 0, 0, 128, 128, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4");
   b.json["accessors"][weights_1]["normalized"] = true;
   const auto bulge = b.add_values<float>({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 1, 0}, "VEC3");
   const auto lean = b.add_values<float>({1, 0, 0, 2, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 5}, "VEC3");
-  const GltfJson skinned = {{"POSITION", positions}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights},
-                            {"JOINTS_1", joints_1}, {"WEIGHTS_1", weights_1}};
-  b.add("meshes", {{"primitives", {{{"attributes", skinned}, {"indices", indices},
-                                    {"targets", {{{"POSITION", bulge}}, {{"POSITION", lean}}}}}}},
-                   {"weights", {0.25, 0}}});
+  const GltfJson skinned = {{"POSITION", positions},
+                            {"JOINTS_0", joints},
+                            {"WEIGHTS_0", weights},
+                            {"JOINTS_1", joints_1},
+                            {"WEIGHTS_1", weights_1}};
+  b.add(
+      "meshes",
+      {{"primitives",
+        {{{"attributes", skinned}, {"indices", indices}, {"targets", {{{"POSITION", bulge}}, {{"POSITION", lean}}}}}}},
+       {"weights", {0.25, 0}}});
   b.add("meshes", {{"primitives", {{{"attributes", skinned}, {"indices", indices}}}}});
 
   // 0 root: 1 shoulder: 2 elbow; 3 and 4 show mesh 0, 5 mesh 1; 6 hangs from the elbow without a skin.
@@ -99,8 +103,8 @@ GltfBuilder contraption() {
   b.add("nodes", {{"mesh", 0}, {"skin", 1}, {"weights", {0, 1}}, {"translation", {9, 9, 9}}});
   b.add("nodes", {{"mesh", 1}, {"skin", 1}});
   b.add("nodes", {{"mesh", 1}, {"matrix", {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 5, 6, 7, 1}}});
-  const auto bind = b.add_values<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1,
-                                         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, 0, 1}, "MAT4");
+  const auto bind = b.add_values<float>(
+      {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, 0, 1}, "MAT4");
   b.add("skins", {{"joints", {1, 2}}, {"inverseBindMatrices", bind}});
   b.add("skins", {{"joints", {2, 0}}});
 
@@ -140,17 +144,16 @@ TEST(GltfAnimation, a_contraption_moves_as_an_independent_evaluation_has_it) {
   EXPECT_LT(largest_difference(scene, {{{}, {0, -1}, {0, 99}}}), 1e-6);
 }
 
-// By hand. The joint moves from (0, 0, 0) to (0, 4, 0) within two seconds and turns by 90 degrees around z at once at 1. The
-// vertex (1, 0, 0), half of the joint and half of one that stands still, at 1.5 seconds: ((0, 1, 0) + (0, 3, 0) + (1, 0, 0))
-// / 2.
+// By hand. The joint moves from (0, 0, 0) to (0, 4, 0) within two seconds and turns by 90 degrees around z at once
+// at 1. The vertex (1, 0, 0), half of the joint and half of one that stands still, at 1.5 seconds: ((0, 1, 0) + (0, 3,
+// 0) + (1, 0, 0)) / 2.
 TEST(GltfAnimation, half_of_a_moved_joint_is_half_of_its_movement) {
   GltfBuilder b;
   const auto positions = b.add_values<float>({1, 0, 0, 0, 0, 0, 0, 0, 1}, "VEC3");
   const auto joints = b.add_values<std::uint8_t>({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4");
   const auto weights = b.add_values<float>({0.5f, 0.5f, 0, 0, 0.5f, 0.5f, 0, 0, 0.5f, 0.5f, 0, 0}, "VEC4");
   b.add("meshes",
-        {{"primitives",
-          {{{"attributes", {{"POSITION", positions}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}}}}}}});
+        {{"primitives", {{{"attributes", {{"POSITION", positions}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}}}}}}});
   b.add("nodes", GltfJson::object());
   b.add("nodes", GltfJson::object());
   b.add("nodes", {{"mesh", 0}, {"skin", 0}});

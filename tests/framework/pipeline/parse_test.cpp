@@ -84,8 +84,8 @@ TEST(ParseFile, ReadsPoses) {
   const Pipeline pipeline = parsed("pipeline = 1\n[poses]\nposes = 'all'\nclips = 'Walk*'\nrate = 30\n");
   EXPECT_EQ(pipeline.poses, (PoseSet{.poses = "all", .clips = "Walk*", .rate = 30}));
   EXPECT_EQ(parsed("pipeline = 1\n[poses]\nposes = 64\n").poses, PoseSet{.poses = "64"});
-  EXPECT_EQ(refused("pipeline = 1\n[poses]\nposes = 'bind'\ntimes = '1'\n"),
-            "p.toml:2:1: error: poses: times says when all poses are; it needs poses = all, not bind\n");
+  EXPECT_EQ(refused("pipeline = 1\n[poses]\nrate = 30\nmoments = '1'\n"),
+            "p.toml:2:1: error: poses: rate and moments both say when; leave one of them out\n");
 }
 
 TEST(ParseFile, RemembersWhereThingsStand) {

@@ -77,10 +77,10 @@ PoseSet any_poses() {
   PoseSet poses;
   poses.poses = *rc::gen::element<std::string>("all", "bind", "64");
   if (*rc::gen::arbitrary<bool>()) poses.clips = "Walk *\"";
-  if (poses.poses == "all" && *rc::gen::arbitrary<bool>()) {
+  if (*rc::gen::arbitrary<bool>()) {
     poses.rate = *rc::gen::inRange(1, 1000) / 7.0;
-  } else if (poses.poses == "all" && *rc::gen::arbitrary<bool>()) {
-    poses.times = "0 " + std::to_string(*rc::gen::inRange(1, 9)) + ".5";
+  } else if (*rc::gen::arbitrary<bool>()) {
+    poses.moments = "0 " + std::to_string(*rc::gen::inRange(1, 9)) + ".5";
   }
   return poses;
 }
