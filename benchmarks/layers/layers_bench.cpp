@@ -6,6 +6,7 @@
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
 #include <foredraw/analysis/cluster_layers.h>
+#include <foredraw/analysis/view_sphere.h>
 #include <plugins/clusterers/linear_clusters/linear_clusters.h>
 
 #include <fmt/format.h>

@@ -47,10 +47,10 @@ struct Contestant {
 
 std::vector<Contestant> contestants(const Registry& registry) {
   const std::vector<Contestant> all = {
-      {"overdraw-raster", "", {}, 0x1p28},
-      {"overdraw-embree", "", {}, 0x1p25},
-      {"overdraw-embree", "4 samples a pixel", {{"samples", std::int64_t{4}}}, 0x1p25},
-      {"overdraw-vulkan", "", {}, 0x1p25},
+      {"overdraw-raster", "", {}, 0x1p27},
+      {"overdraw-embree", "", {}, 0x1p23},
+      {"overdraw-embree", "4 samples a pixel", {{"samples", std::int64_t{4}}}, 0x1p23},
+      {"overdraw-vulkan", "", {}, 0x1p24},
   };
   std::vector<Contestant> there;
   for (const Contestant& contestant : all) {

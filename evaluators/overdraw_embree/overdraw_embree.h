@@ -3,6 +3,7 @@
 
 #include <foredraw/analysis/overdraw_count.h>
 #include <foredraw/analysis/raster_part.h>
+#include <foredraw/base/parallel.h>
 #include <foredraw/scene/views.h>
 
 #include <cstdint>
@@ -25,10 +26,10 @@ struct OverdrawEmbreeOptions {
 /// 2^-24 of the sphere's diameter. Triangles that repeat a corner or have no area in the picture are never hit, nor are
 /// those with a position that is not finite.
 ///
-/// Runs in the calling thread; TracedParts can be shared between threads. O(triangles log triangles) once, and for each
+/// Views are shared out over the threads; the counts are the same however they are. O(triangles log triangles) once, and for each
 /// view O(positions + samples * (log triangles + hits)). Throws std::runtime_error where Embree refuses.
 OverdrawCounts overdraw_embree(std::span<const RasterPart> parts, const Views& views,
-                               const OverdrawEmbreeOptions& options = {});
+                               const OverdrawEmbreeOptions& options = {}, const Executor& executor = Executor(1));
 
 struct Plugin;
 Plugin overdraw_embree_plugin();

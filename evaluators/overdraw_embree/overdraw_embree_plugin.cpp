@@ -1,11 +1,6 @@
 #include "overdraw_embree.h"
 
-#include "traced_parts.h"
-
-#include <foredraw/analysis/view_shares.h>
 #include <foredraw/technique/overdraw_evaluator.h>
-
-#include <optional>
 
 namespace foredraw {
 
@@ -16,9 +11,7 @@ class OverdrawEmbree final : public OverdrawService {
   OverdrawEmbree(Faces faces, const OverdrawEmbreeOptions& options) : OverdrawService(faces), options_(options) {}
 
   OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run& run) override {
-    std::optional<TracedParts> traced;
-    run.executor.for_each(1, [&](std::size_t) { traced.emplace(parts); });  // by no more threads than we are given
-    return draw_in_shares(views, run.executor, [&](const Views& some) { return traced->count(some, options_); });
+    return overdraw_embree(parts, views, options_, run.executor);
   }
 
  private:

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -29,12 +30,14 @@ TracedParts::Surface joined(const std::vector<PreparedPart>& parts) {
   TracedParts::Surface surface;
   for (const PreparedPart& part : parts) {
     const auto first = static_cast<std::uint32_t>(surface.positions.size());
-    const auto number = static_cast<std::uint32_t>(surface.parts.size());
-    for (const auto& [corners, _] : part.triangles) {
+    const auto number = static_cast<std::uint32_t>(surface.culls_back_faces.size());
+    for (std::size_t t = 0; t < part.triangle_count(); ++t) {
+      const std::array<std::uint32_t, 3> corners = {part.corners[0][t], part.corners[1][t], part.corners[2][t]};
+      if (corners[0] == corners[1]) continue;  // padding
       surface.triangles.push_back({{corners[0] + first, corners[1] + first, corners[2] + first}, number});
     }
-    surface.positions.insert(surface.positions.end(), part.positions.begin(), part.positions.end());
-    surface.parts.push_back({part.culls_back_faces, part.is_mirrored});
+    for (std::size_t v = 0; v < part.vertex_count(); ++v) surface.positions.push_back(part.position(v));
+    surface.culls_back_faces.push_back(part.culls_back_faces);
   }
   return surface;
 }
@@ -98,8 +101,7 @@ class TracedView {
     if (is_left(c, a, of_b) != is_counter_clockwise) return std::nullopt;
     const std::int64_t of_c = doubled_area(a, b, point);
     if (is_left(a, b, of_c) != is_counter_clockwise) return std::nullopt;
-    const TracedParts::Faces& faces = surface_.parts[part];
-    if (faces.culls_back_faces && is_counter_clockwise == faces.is_mirrored) return std::nullopt;
+    if (surface_.culls_back_faces[part] && !is_counter_clockwise) return std::nullopt;
     return depth_between({a.depth, b.depth, c.depth}, {of_a, of_b, of_c});
   }
 
@@ -150,17 +152,8 @@ void draw(std::span<const Hit> hits, const TracedParts::Surface& surface, std::v
 TracedParts::TracedParts(std::span<const RasterPart> parts)
     : surface_(joined(prepared(parts))), tree_(boxes_around(surface_)) {}
 
-OverdrawCounts TracedParts::count(const Views& views, const OverdrawEmbreeOptions& options) const {
-  OverdrawCounts counts(surface_.parts.size());
-  for (const View& view : views.views) {
-    const std::vector<OverdrawCount> of_view = count(view, views.size, options);
-    for (std::size_t part = 0; part < counts.size(); ++part) counts[part].push_back(of_view[part]);
-  }
-  return counts;
-}
-
 std::vector<OverdrawCount> TracedParts::count(const View& view, int size, const OverdrawEmbreeOptions& options) const {
-  std::vector<OverdrawCount> counts(surface_.parts.size());
+  std::vector<OverdrawCount> counts(surface_.culls_back_faces.size());
   const TracedView traced(surface_, view, size);
   const RowSpans spans = traced.worth_a_ray(size);
   std::vector<Hit> hits;

@@ -17,26 +17,20 @@ class TracedParts {
   /// Reads the parts here and never again. O(triangles log triangles).
   explicit TracedParts(std::span<const RasterPart> parts);
 
-  /// As overdraw_embree() does.
-  OverdrawCounts count(const Views& views, const OverdrawEmbreeOptions& options) const;
+  /// [part], in one view of `size` x `size` pixels, as overdraw_embree() counts.
+  std::vector<OverdrawCount> count(const View& view, int size, const OverdrawEmbreeOptions& options) const;
 
   struct Triangle {
-    std::array<std::uint32_t, 3> corners;
+    std::array<std::uint32_t, 3> corners;  ///< front faces counter-clockwise
     std::uint32_t part;
   };
-  struct Faces {
-    bool culls_back_faces;
-    bool is_mirrored;
-  };
   struct Surface {
-    std::vector<Faces> parts;
+    std::vector<bool> culls_back_faces;  ///< [part]
     std::vector<glm::dvec3> positions;  ///< of all parts, in radii from the centre of the sphere
     std::vector<Triangle> triangles;    ///< of all parts, in draw order
   };
 
  private:
-  std::vector<OverdrawCount> count(const View& view, int size, const OverdrawEmbreeOptions& options) const;
-
   Surface surface_;
   BoxTree tree_;  ///< around the triangles
 };

@@ -3,6 +3,7 @@
 
 #include <foredraw/analysis/overdraw_count.h>
 #include <foredraw/analysis/raster_part.h>
+#include <foredraw/base/parallel.h>
 #include <foredraw/scene/views.h>
 
 #include <span>
@@ -18,6 +19,9 @@ namespace foredraw {
 /// 2^-24 of the sphere's diameter. Triangles that repeat a corner or have no area in the picture cover nothing, nor do
 /// those with a position that is not finite. O(views * (triangles + fragments)).
 OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& views);
+
+/// The same with the views shared out over the threads. The counts are the same however they are.
+OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& views, const Executor& executor);
 
 struct Plugin;
 Plugin overdraw_raster_plugin();

@@ -1,6 +1,5 @@
 #include "overdraw_raster.h"
 
-#include <foredraw/analysis/view_shares.h>
 #include <foredraw/technique/overdraw_evaluator.h>
 
 namespace foredraw {
@@ -12,7 +11,7 @@ class OverdrawRaster final : public OverdrawService {
   using OverdrawService::OverdrawService;
 
   OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run& run) override {
-    return draw_in_shares(views, run.executor, [&](const Views& some) { return overdraw_raster(parts, some); });
+    return overdraw_raster(parts, views, run.executor);
   }
 
   bool can_capture() const override { return true; }

@@ -42,9 +42,9 @@ UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> p
     drawn.push_back({number, all_positions.size() * sizeof(glm::vec3), first * sizeof(std::uint32_t),
                      static_cast<std::uint32_t>(count), culled(parts[number])});
     triangles += count / 3;
-    for (const glm::dvec3& position : ready[number].positions) {
+    for (std::size_t v = 0; v < parts[number].positions.size(); ++v) {
       // Those that no triangle uses may lie anywhere, and too far out for a float.
-      all_positions.emplace_back(glm::clamp(position, -1.0, 1.0));
+      all_positions.emplace_back(glm::clamp(ready[number].position(v), -1.0, 1.0));
     }
   }
   vertices = DeviceBuffer(device, std::as_bytes(std::span(all_positions)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);

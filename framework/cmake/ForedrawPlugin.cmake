@@ -6,8 +6,7 @@
 #     <name>_plugin.cpp       its card and its option table; defines Plugin <name>_plugin()
 #     shaders/<x>.<stage>     GLSL, if any, which the function includes as "shaders/<x>_<stage>.h": the array <x>_<stage>
 #     README.md
-#   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp
-#   and, where one would be long, <name>_plugin_test.cpp beside it
+#   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp   (and <name>_<what>_test.cpp)
 #
 # It makes two static libraries. foredraw::<name> is the function, and links what LINK names and nothing else: without it
 # the standard library alone, for whose sake headers of the framework that need no .cpp file may be included all the same.
@@ -154,8 +153,11 @@ function(foredraw_add_plugin_tests)
   get_property(tests GLOBAL PROPERTY FOREDRAW_PLUGIN_TESTS)
   foreach(entry IN LISTS tests)
     string(REPLACE "|" ";" entry "${entry}")
-    list(POP_FRONT entry name)
-    foredraw_add_test(${name}_test SOURCES ${entry} LINK foredraw::${name}_plugin
+    list(GET entry 0 name)
+    list(GET entry 1 source)
+    string(REPLACE "_test.cpp" "_*_test.cpp" more "${source}")
+    file(GLOB more CONFIGURE_DEPENDS "${more}")
+    foredraw_add_test(${name}_test SOURCES "${source}" ${more} LINK foredraw::${name}_plugin
                       meshoptimizer::meshoptimizer)
   endforeach()
 endfunction()

@@ -26,9 +26,8 @@ bool write_heat_maps(const FileJob& job, const std::string& input, const Plan& p
   std::filesystem::path folder = job.arguments.heat_maps;
   if (is_folder(job.arguments.inputs[0]))
     folder /= std::filesystem::path(input).lexically_relative(job.arguments.inputs[0]);
-  const auto files =
-      heat_maps(before, after, looks_of(plan), job.arguments.heat_map_view, folder, job.executor, diagnostics);
-  return files && (files->empty() || (make_folder(folder, diagnostics) && write_files(*files, diagnostics)));
+  const auto files = heat_maps(before, after, looks_of(plan), job.arguments.heat_map_view, folder, job.executor);
+  return files.empty() || (make_folder(folder, diagnostics) && write_files(files, diagnostics));
 }
 
 /// Reads, plans and works; `written` puts the result somewhere, and may fail.
@@ -49,8 +48,10 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   const auto plan = with_memory(input, "plan for it",
                                 [&] { return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics); });
   if (!plan) return lost(users_mistake);
+  const bool draws = !job.arguments.heat_maps.empty();
+  if (draws && !are_views(job.arguments.heat_map_view, looks_of(*plan), diagnostics)) return lost(users_mistake);
 
-  const Scene before = job.arguments.heat_maps.empty() ? Scene() : file->scene;
+  const Scene before = draws ? file->scene : Scene();
   Analyses analyses;
   Result result = with_memory(input, "work on it", [&] {
     return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
@@ -60,7 +61,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
   result.report.diagnostics = diagnostics.all();
   if (!written(result, diagnostics)) return lost(something_failed);
-  if (!job.arguments.heat_maps.empty()) {
+  if (draws) {
     const Scene* after = result.report.optimized ? &result.scene : nullptr;
     if (!write_heat_maps(job, input, *plan, before, after, diagnostics)) result.failed = true;
   }

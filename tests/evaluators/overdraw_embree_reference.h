@@ -22,11 +22,11 @@ inline std::vector<OverdrawCount> overdraw_by_asking(std::span<const RasterPart>
   std::vector<Asked> triangles;  // that show a face, turning counter-clockwise
   const std::vector<PreparedPart> ready = prepared(parts);
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    for (const auto& [corners, _] : ready[part].triangles) {
+    for (std::size_t t = 0; t < ready[part].triangle_count(); ++t) {
       std::array<Corner, 3> c;
-      for (std::size_t i = 0; i < 3; ++i) c[i] = camera.project(ready[part].positions[corners[i]]);
+      for (std::size_t i = 0; i < 3; ++i) c[i] = camera.project(ready[part].position(ready[part].corners[i][t]));
       const std::int64_t area = doubled_area(c[0], c[1], c[2]);
-      if (area == 0 || (parts[part].culls_back_faces && (area > 0) == parts[part].is_mirrored)) continue;
+      if (area == 0 || (parts[part].culls_back_faces && area < 0)) continue;
       if (area < 0) std::swap(c[1], c[2]);
       triangles.push_back({c, part});
     }

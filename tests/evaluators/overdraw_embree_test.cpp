@@ -344,7 +344,7 @@ TEST(OverdrawEmbree, many_threads_may_ask_the_same_tree) {
   const TracedParts traced({&part, 1});
   std::vector<OverdrawCount> counts(views.views.size());
   executor.for_each(counts.size(), [&](std::size_t i) {
-    counts[i] = traced.count({{views.views[i]}, 64}, {2, 1})[0][0];
+    counts[i] = traced.count(views.views[i], 64, {2, 1})[0];
   });
   EXPECT_EQ(counts, expected[0]);
 }

@@ -38,7 +38,9 @@ TEST(OverdrawEvaluators, are_near_to_the_exact_one_on_real_models) {
       for (const std::string& evaluator : evaluators) {
         for (const std::string metric : {"ratio", "view-mean"}) {
           const Figure& expected = exact.at(metric);
-          EXPECT_NEAR(value(figures.at(evaluator).at(metric)), value(expected), expected.error / 8)
+          // Surfaces in one plane, cut into different triangles, tie or pass by the last bit of their depths, which each
+          // evaluator rounds in its own way; the house and the knight have many.
+          EXPECT_NEAR(value(figures.at(evaluator).at(metric)), value(expected), expected.error / 4)
               << evaluator << options << ' ' << metric << " of " << model;
         }
         const double pixels = *exact.at("ratio").denominator;

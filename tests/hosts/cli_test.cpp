@@ -112,6 +112,45 @@ TEST_F(Cli, MeshesGoToGltfAndBackToTheirOwnKind) {
   EXPECT_NE(broken.err.find("broken.stl:1:6: error: the file ends inside a solid"), std::string::npos) << broken.err;
 }
 
+TEST_F(Cli, DrawsHeatMaps) {
+  const Ended made = run("optimize " + spot() + " -o out.glb --heatmap deep/maps");
+  ASSERT_EQ(made.code, 0) << made.err;
+  ASSERT_EQ(run("measure " + spot() + " --heatmap maps --heatmap-view 7 --with 'overdraw-raster(views=axes)'").code, 1);
+  const Ended measured =
+      run("measure " + spot() + " --heatmap maps --heatmap-view 5 --with 'vertex-cache, overdraw-raster(views=axes)'");
+  ASSERT_EQ(measured.code, 0) << measured.err;
+  std::vector<std::string> names;
+  for (const char* maps : {"deep/maps", "maps"}) {
+    for (const auto& entry : fs::directory_iterator(folder_ / maps)) {
+      names.push_back(entry.path().filename().string());
+      EXPECT_EQ(content(entry.path()).substr(1, 3), "PNG");
+    }
+  }
+  ASSERT_EQ(names.size(), 2u);
+  EXPECT_TRUE(names[1].ends_with("-view005.png")) << names[1];
+}
+
+TEST_F(Cli, DrawsHeatMapsOfEachFileOfAFolder) {
+  fs::create_directories(folder_ / "in/deep");
+  fs::copy_file(testing::project_file("benchmarks/corpus/static/spot.glb"), folder_ / "in/a.glb");
+  fs::copy_file(testing::project_file("benchmarks/corpus/static/spot.glb"), folder_ / "in/deep/a.glb");
+  const Ended measured = run("measure in --heatmap maps");
+  ASSERT_EQ(measured.code, 0) << measured.err;
+  EXPECT_FALSE(fs::is_empty(folder_ / "maps/a.glb"));
+  EXPECT_FALSE(fs::is_empty(folder_ / "maps/deep/a.glb"));
+}
+
+TEST_F(Cli, SaysWhereHeatMapsCanNotBeDrawn) {
+  const Ended no_view = run("optimize " + spot() + " -o out.glb --heatmap maps --heatmap-view best");
+  EXPECT_EQ(no_view.code, 1);
+  EXPECT_EQ(no_view.err, "error: there is no view 'best' to draw\n    hint: worst, all, or a number from 0 to 99\n");
+  EXPECT_TRUE(files().empty());
+  std::ofstream(folder_ / "maps") << "a file";
+  const Ended no_folder = run("measure " + spot() + " --heatmap maps");
+  EXPECT_EQ(no_folder.code, 2);
+  EXPECT_NE(no_folder.err.find("maps: error: can not be made"), std::string::npos) << no_folder.err;
+}
+
 TEST_F(Cli, WritesTheSameBytesAtAnyThreadCount) {
   ASSERT_EQ(run("optimize " + model("animated/robot_expressive.glb") + " -o one.glb --threads 1").code, 0);
   ASSERT_EQ(run("optimize " + model("animated/robot_expressive.glb") + " -o many.glb --threads 6").code, 0);

@@ -19,12 +19,13 @@ class Painter {
     std::size_t triangles = 0;
     for (const RasterPart& part : parts) triangles += part.indices.size() / 3;
     fragments_.resize(triangles);
-    std::vector<Corner> corners;
+    Rasteriser rasteriser;
     for (const PreparedPart& part : prepared(parts)) {
-      for_each_fragment(part, Camera(view, size), corners,
-                        [&](int x, int y, std::uint32_t depth, std::uint32_t triangle) {
-                          fragments_[triangle].push_back({static_cast<std::size_t>(y * size + x), depth});
-                        });
+      rasteriser.draw(part, Camera(view, size), [&](const Fragments& some) {
+        for (std::size_t i = 0; i < some.count; ++i) {
+          fragments_[some.triangles[i]].push_back({some.pixels[i], some.depths[i]});
+        }
+      });
     }
   }
 

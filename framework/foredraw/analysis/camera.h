@@ -27,7 +27,11 @@ struct LineOfSight {
 class Camera {
  public:
   Camera(const View& view, int size)
-      : towards_(view.direction), distance_(view.distance), extent_(size * subpixels), half_(extent_ / 2.0) {
+      : size_(size),
+        towards_(view.direction),
+        distance_(view.distance),
+        extent_(size * subpixels),
+        half_(extent_ / 2.0) {
     // +Y is up, but for views along it.
     const glm::dvec3 up = std::abs(towards_.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
     const glm::dvec3 right = glm::cross(up, towards_);
@@ -37,6 +41,7 @@ class Camera {
     if (is_perspective()) focal_ = std::sqrt(distance_ * distance_ - 1);
   }
 
+  int size() const { return size_; }
   bool is_perspective() const { return distance_ > 0; }
   /// The picture's axes and the one towards the camera: each of length 1, and at right angles.
   const glm::dvec3& right() const { return right_; }
@@ -44,6 +49,10 @@ class Camera {
   const glm::dvec3& towards() const { return towards_; }
   /// From the eye to the plane on which the sphere's outline has radius 1; 1 where the view is orthographic.
   double focal() const { return focal_; }
+
+  double distance() const { return distance_; }
+  double extent() const { return extent_; }
+  double half() const { return half_; }
 
   /// Depth steps from the eye to depth 0; perspective only.
   double steps_before_sphere() const { return (distance_ - 1) * depth_steps; }
@@ -71,6 +80,7 @@ class Camera {
  private:
   static double rounded(double value, double most) { return std::clamp(std::floor(value + 0.5), 0.0, most); }
 
+  int size_;
   glm::dvec3 towards_;
   glm::dvec3 right_;
   glm::dvec3 up_;

@@ -17,15 +17,15 @@ class Capture {
       : size_(static_cast<std::size_t>(size)), ends_(size_ * size_), most_(most_bytes / sizeof(Fragment)) {}
 
   void draw(std::span<const PreparedPart> parts, const Camera& camera) {
-    std::vector<Corner> corners;
+    Rasteriser rasteriser;
     for (const PreparedPart& part : parts) {
-      for_each_fragment(part, camera, corners,
-                        [&](std::int32_t x, std::int32_t y, std::uint32_t depth, std::uint32_t triangle) {
-                          const std::size_t pixel = static_cast<std::size_t>(y) * size_ + static_cast<std::size_t>(x);
-                          if (fragments_.size() == most_) return void(is_full_ = true);
-                          fragments_.push_back({static_cast<std::uint32_t>(pixel), depth, triangle});
-                          ++ends_[pixel];
-                        });
+      rasteriser.draw(part, camera, [&](const Fragments& some) {
+        for (std::size_t i = 0; i < some.count; ++i) {
+          if (fragments_.size() == most_) return void(is_full_ = true);
+          fragments_.push_back({some.pixels[i], some.depths[i], some.triangles[i]});
+          ++ends_[some.pixels[i]];
+        }
+      });
     }
   }
 

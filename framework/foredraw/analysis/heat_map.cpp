@@ -9,18 +9,20 @@ HeatMap heat_map(std::span<const RasterPart> parts, const View& view, int size) 
   const auto edge = static_cast<std::size_t>(size);
   HeatMap map{size, std::vector<std::uint32_t>(edge * edge), {}};
   std::vector<std::uint32_t> depths(edge * edge, nothing);
-  std::vector<Corner> corners;
+  Rasteriser rasteriser;
   for (const PreparedPart& part : prepared(parts)) {
-    for_each_fragment(
-        part, Camera(view, size), corners, [&](std::int32_t x, std::int32_t y, std::uint32_t depth, std::uint32_t) {
-          const std::size_t pixel = (edge - 1 - static_cast<std::size_t>(y)) * edge + static_cast<std::size_t>(x);
-          if (depth == depths[pixel]) ++map.count.ties;
-          if (depth >= depths[pixel]) return;
-          if (depths[pixel] == nothing) ++map.count.visible;
-          depths[pixel] = depth;
-          ++map.times[pixel];
-          ++map.count.shaded;
-        });
+    rasteriser.draw(part, Camera(view, size), [&](const Fragments& some) {
+      for (std::size_t i = 0; i < some.count; ++i) {
+        const std::size_t y = some.pixels[i] / edge;
+        const std::size_t pixel = (edge - 1 - y) * edge + some.pixels[i] % edge;
+        if (some.depths[i] == depths[pixel]) ++map.count.ties;
+        if (some.depths[i] >= depths[pixel]) continue;
+        if (depths[pixel] == nothing) ++map.count.visible;
+        depths[pixel] = some.depths[i];
+        ++map.times[pixel];
+        ++map.count.shaded;
+      }
+    });
   }
   return map;
 }

@@ -18,17 +18,22 @@ struct RasterPart {
   bool is_mirrored = false;  ///< positions were moved by a transform that turns front faces clockwise
 };
 
-/// A part as every view draws it.
+/// A part as every view draws it: number after number, as vector registers take them, and padded with places in the
+/// centre and triangles without area, so that whole registers always do.
 struct PreparedPart {
-  struct Triangle {
-    std::array<std::uint32_t, 3> corners;
-    std::uint32_t number;  ///< counted through all parts, those that cover nothing too
-  };
+  static constexpr std::size_t padding = 16;
 
-  std::vector<glm::dvec3> positions;  ///< in radii from the centre of the sphere around all parts
-  std::vector<Triangle> triangles;    ///< those that may cover something: three corners, all of them finite
+  std::array<std::vector<double>, 3> positions;       ///< [axis][vertex], in radii from the centre of the sphere
+  std::array<std::vector<std::uint32_t>, 3> corners;  ///< [corner][triangle], front faces counter-clockwise; those left
+                                                      ///< that may cover something: three corners, all of them finite
+  std::vector<std::uint32_t> numbers;  ///< [triangle], counted through all parts, those that cover nothing too
   bool culls_back_faces = true;
-  bool is_mirrored = false;
+
+  glm::dvec3 position(std::size_t vertex) const {
+    return {positions[0][vertex], positions[1][vertex], positions[2][vertex]};
+  }
+  std::size_t vertex_count() const { return positions[0].size(); }  ///< with padding
+  std::size_t triangle_count() const { return numbers.size(); }     ///< with padding
 };
 
 /// All parts, in one bounding sphere. O(positions + triangles).

@@ -122,17 +122,20 @@ std::optional<std::size_t> number_in(const std::string& text) {
 
 }  // namespace
 
-std::optional<std::vector<OutputFile>> heat_maps(const Scene& before, const Scene* after,
-                                                 const OverdrawOptions& options, const std::string& which,
-                                                 const std::filesystem::path& folder, const Executor& executor,
-                                                 Diagnostics& diagnostics) {
+bool are_views(const std::string& which, const OverdrawOptions& options, Diagnostics& diagnostics) {
+  const std::size_t count = make_views(options).views.size();
+  const std::optional<std::size_t> number = number_in(which);
+  if (which == "worst" || which == "all" || (number && *number < count)) return true;
+  diagnostics.error({}, "bad-arguments", fmt::format("there is no view '{}' to draw", which),
+                    fmt::format("worst, all, or a number from 0 to {}", count - 1));
+  return false;
+}
+
+std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const OverdrawOptions& options,
+                                  const std::string& which, const std::filesystem::path& folder,
+                                  const Executor& executor) {
   const Views views = make_views(options);
   const std::optional<std::size_t> number = number_in(which);
-  if (which != "worst" && which != "all" && !(number && *number < views.views.size())) {
-    diagnostics.error({}, "bad-arguments", fmt::format("there is no view '{}' to draw", which),
-                      fmt::format("worst, all, or a number from 0 to {}", views.views.size() - 1));
-    return std::nullopt;
-  }
   const std::vector<Subject> subjects = subjects_of(before);
   const std::vector<DrawnSubject> old_ones = all_drawn(before, options.faces, executor);
   std::vector<DrawnSubject> new_ones;

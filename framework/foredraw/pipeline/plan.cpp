@@ -186,7 +186,10 @@ class Planner {
     if (pipeline.overdraw) return service_of(*pipeline.overdraw);
     const auto user = std::ranges::find_if(stages, [](const PlannedStage& s) { return s.plugin->card.uses_overdraw; });
     if (user == stages.end()) return nullptr;
-    for (const Plugin* plugin : registry_.all()) {
+    // The exact one, so that orders do not hang on what else a build or a machine has; others where they are all there is.
+    std::vector<const Plugin*> answering = registry_.all();
+    std::ranges::stable_partition(answering, [](const Plugin* p) { return p->card.name == "overdraw-raster"; });
+    for (const Plugin* plugin : answering) {
       if (plugin->overdraw_service && !(plugin->unavailable && plugin->unavailable())) {
         return plugin->overdraw_service({});
       }

@@ -222,7 +222,8 @@ class OverdrawEvaluator final : public Evaluator {
       run.note("blended", fmt::format("left out as blended: {}", listed(blended)));
     }
     if (!masked.empty()) run.note("masked", fmt::format("drawn as if opaque, though masked: {}", listed(masked)));
-    const std::size_t non_finite = std::accumulate(tallies.non_finite.begin(), tallies.non_finite.end(), std::size_t{0});
+    const std::size_t non_finite =
+        std::accumulate(tallies.non_finite.begin(), tallies.non_finite.end(), std::size_t{0});
     if (non_finite > 0) {
       run.count("triangles-left-out", static_cast<double>(non_finite));
       run.note("not-finite", fmt::format("{} triangles are left out: positions that are not finite", non_finite));

@@ -24,8 +24,7 @@ int balanced_size(std::size_t triangles) {
 }
 
 std::size_t views_for(std::size_t count, double error, double wanted) {
-  const double growth = std::pow(error / wanted, 1 / 0.8);
-  return static_cast<std::size_t>(std::ceil(static_cast<double>(count) * std::clamp(growth, 1.25, 8.0)));
+  return static_cast<std::size_t>(std::ceil(static_cast<double>(count) * std::clamp(error / wanted, 1.25, 8.0)));
 }
 
 std::vector<ViewTally> summed_by_sample(std::span<const ViewTally> tallies, std::size_t views_in_sample) {

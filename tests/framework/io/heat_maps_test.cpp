@@ -32,15 +32,8 @@ OverdrawOptions from_the_front() {
   return options;
 }
 
-struct Drawn {
-  std::optional<std::vector<OutputFile>> files;
-  Diagnostics diagnostics;
-};
-
-Drawn drawn(const Scene& before, const Scene* after, const std::string& which) {
-  Drawn result;
-  result.files = heat_maps(before, after, from_the_front(), which, "maps", Executor(2), result.diagnostics);
-  return result;
+std::vector<OutputFile> drawn(const Scene& before, const Scene* after, const std::string& which) {
+  return heat_maps(before, after, from_the_front(), which, "maps", Executor(2));
 }
 
 std::set<std::array<int, 3>> colours_in(const OutputFile& file, std::size_t first_column, std::size_t last_column) {
@@ -60,37 +53,41 @@ std::set<std::array<int, 3>> colours_in(const OutputFile& file, std::size_t firs
 }
 
 TEST(HeatMaps, shows_the_worst_view_of_each_subject) {
-  const Drawn maps = drawn(stack(true), nullptr, "worst");
-  ASSERT_TRUE(maps.files);
-  ASSERT_EQ(maps.files->size(), 1u);
-  EXPECT_EQ(maps.files->front().path.generic_string(), "maps/000-St__ck_1-view004.png");  // of +X, -X, +Y, -Y, +Z, -Z
-  const auto facts = image_facts(maps.files->front().bytes);
+  const auto maps = drawn(stack(true), nullptr, "worst");
+  ASSERT_EQ(maps.size(), 1u);
+  EXPECT_EQ(maps.front().path.generic_string(), "maps/000-St__ck_1-view004.png");  // of +X, -X, +Y, -Y, +Z, -Z
+  const auto facts = image_facts(maps.front().bytes);
   ASSERT_TRUE(facts);
   EXPECT_EQ(facts->width, 512u + 2 * 12);
   EXPECT_EQ(facts->channels, 3);
-  EXPECT_EQ(colours_in(maps.files->front(), 12, 524), (std::set<std::array<int, 3>>{{18, 18, 22}, {53, 183, 121}}));
+  EXPECT_EQ(colours_in(maps.front(), 12, 524), (std::set<std::array<int, 3>>{{18, 18, 22}, {53, 183, 121}}));
 }
 
 TEST(HeatMaps, shows_before_and_after_side_by_side) {
   const Scene after = stack(false);
-  const Drawn maps = drawn(stack(true), &after, "4");
-  ASSERT_EQ(maps.files->size(), 1u);
+  const auto maps = drawn(stack(true), &after, "4");
+  ASSERT_EQ(maps.size(), 1u);
   const std::array<int, 3> background = {18, 18, 22};
-  EXPECT_EQ(colours_in(maps.files->front(), 12, 524), (std::set<std::array<int, 3>>{background, {53, 183, 121}}));
-  EXPECT_EQ(colours_in(maps.files->front(), 536, 1048), (std::set<std::array<int, 3>>{background, {52, 62, 110}}));
+  EXPECT_EQ(colours_in(maps.front(), 12, 524), (std::set<std::array<int, 3>>{background, {53, 183, 121}}));
+  EXPECT_EQ(colours_in(maps.front(), 536, 1048), (std::set<std::array<int, 3>>{background, {52, 62, 110}}));
 }
 
 TEST(HeatMaps, leaves_out_views_that_show_nothing) {
-  EXPECT_EQ(drawn(stack(true), nullptr, "all").files->size(), 1u);  // the others see edges, or culled backs
-  EXPECT_TRUE(drawn(stack(true), nullptr, "5").files->empty());
-  EXPECT_TRUE(drawn(Scene(), nullptr, "worst").files->empty());
+  EXPECT_EQ(drawn(stack(true), nullptr, "all").size(), 1u);  // the others see edges, or culled backs
+  EXPECT_TRUE(drawn(stack(true), nullptr, "5").empty());
+  EXPECT_TRUE(drawn(Scene(), nullptr, "worst").empty());
 }
 
 TEST(HeatMaps, a_view_that_there_is_not_is_refused) {
-  for (const std::string which : {"6", "-1", "best", ""}) {
-    const Drawn maps = drawn(stack(true), nullptr, which);
-    EXPECT_FALSE(maps.files) << which;
-    EXPECT_TRUE(maps.diagnostics.has_errors());
+  for (const std::string which : {"worst", "all", "0", "5"}) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(are_views(which, from_the_front(), diagnostics)) << which;
+    EXPECT_TRUE(diagnostics.all().empty());
+  }
+  for (const std::string which : {"6", "-1", "best", "", "1x"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(are_views(which, from_the_front(), diagnostics)) << which;
+    EXPECT_TRUE(diagnostics.has_errors());
   }
 }
 

@@ -177,10 +177,16 @@ TEST(ViewRows, DefaultsAreTheViewSetsOwn) {
   EXPECT_EQ(table.read({}), ViewSet{});
   std::vector<std::string> names;
   for (const OptionSpec& spec : table.specs()) names.push_back(spec.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"views", "count", "seed", "distance", "size"}));
-  const ViewSet set = table.read(
-      {{"views", text("random")}, {"count", whole(7)}, {"seed", whole(3)}, {"distance", 2.5}, {"size", whole(64)}});
-  EXPECT_EQ(set, (ViewSet{"random", 7, 3, 2.5, 64}));
+  EXPECT_EQ(names, (std::vector<std::string>{"views", "count", "seed", "axis", "angle", "rotation", "distance", "size"}));
+  const ViewSet set = table.read({{"views", text("cone")},
+                                  {"count", whole(7)},
+                                  {"seed", whole(3)},
+                                  {"axis", text("1 0 0")},
+                                  {"angle", 30.5},
+                                  {"rotation", whole(4)},
+                                  {"distance", 2.5},
+                                  {"size", whole(64)}});
+  EXPECT_EQ(set, (ViewSet{"cone", 7, 3, "1 0 0", 30.5, 4, 2.5, 64}));
 }
 
 }  // namespace
