@@ -55,6 +55,14 @@ std::string worst_clusters(const Clusters& clusters, std::span<const double> hid
 
 }  // namespace
 
+std::string listed_draws(const std::vector<std::string>& names) {
+  constexpr std::size_t few = 5;
+  const std::size_t shown = std::min(few, names.size());
+  return fmt::format("{} {} ({}{})", names.size(), names.size() == 1 ? "draw" : "draws",
+                     fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                     shown < names.size() ? ", ..." : "");
+}
+
 void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& service, const Views& views, Run& run) {
   if (!service.can_capture()) {
     return run.note("no-details",
@@ -88,15 +96,21 @@ void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& servi
   for (std::size_t times = 1; times <= most_times; ++times) {
     run.count_at({}, fmt::format("shaded-times.{}", times), pixels[times]);
   }
+  std::vector<std::string> free_of_it;
   double all = 0;
   for (const auto& of_draw : hidden) all += sum_of(of_draw);
   for (DrawId draw = 0; draw < hidden.size(); ++draw) {
     const double of_draw = sum_of(hidden[draw]);
+    if (of_draw == 0 && !hidden[draw].empty()) free_of_it.push_back(scene.draws[draw].name);
     if (of_draw == 0 || of_draw < all / 100) continue;
     std::string message = fmt::format("shades {:.1f} % of what is hidden in the end", 100 * of_draw / all);
     const auto& clusters = scene.draws[draw].levels[0].orders[0].clusters;
     if (clusters) message += "; " + worst_clusters(*clusters, hidden[draw]);
     run.note_at({draw, {}, {}}, "causes-overdraw", message);
+  }
+  if (!free_of_it.empty()) {
+    run.note_at({}, "no-overdraw",
+                fmt::format("nothing that these shade is hidden, from any view: {}", listed_draws(free_of_it)));
   }
 }
 

@@ -15,15 +15,6 @@ namespace foredraw {
 
 namespace {
 
-/// "3 draws (Glass, Smoke, Flame/1)", with the first few names.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t few = 5;
-  const std::size_t shown = std::min(few, names.size());
-  return fmt::format("{} {} ({}{})", names.size(), names.size() == 1 ? "draw" : "draws",
-                     fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-                     shown < names.size() ? ", ..." : "");
-}
-
 std::vector<ViewTally> sums_by_view(std::span<const OverdrawTally> tallies, std::size_t views) {
   std::vector<ViewTally> sums(views);
   for (const OverdrawTally& tally : tallies) {
@@ -219,9 +210,9 @@ class OverdrawEvaluator final : public Evaluator {
     }
     if (!blended.empty()) {
       run.count("blended-left-out", static_cast<double>(blended.size()));
-      run.note("blended", fmt::format("left out as blended: {}", listed(blended)));
+      run.note("blended", fmt::format("left out as blended: {}", listed_draws(blended)));
     }
-    if (!masked.empty()) run.note("masked", fmt::format("drawn as if opaque, though masked: {}", listed(masked)));
+    if (!masked.empty()) run.note("masked", fmt::format("drawn as if opaque, though masked: {}", listed_draws(masked)));
     const std::size_t non_finite =
         std::accumulate(tallies.non_finite.begin(), tallies.non_finite.end(), std::size_t{0});
     if (non_finite > 0) {

@@ -49,6 +49,18 @@ double largest_difference(const Scene& scene, const Poses& poses) {
   return largest;
 }
 
+/// From rest.
+double largest_movement(const Scene& scene, const Poses& poses) {
+  double largest = 0;
+  for (const Pose& pose : poses.poses) {
+    for (const SubjectPart& part : subjects_of(scene)[0].parts) {
+      largest = std::max(largest, testing::difference(posed_positions(scene, part, posed_nodes(scene, pose)),
+                                                      testing::NaiveAnimation(scene, {}).positions(part)));
+    }
+  }
+  return largest;
+}
+
 TEST(GltfAnimation, characters_of_the_corpus_stand_as_an_independent_evaluation_has_them) {
   std::size_t characters = 0;
   for (const auto& entry : fs::directory_iterator(testing::project_file("benchmarks/corpus/animated"))) {
@@ -57,11 +69,7 @@ TEST(GltfAnimation, characters_of_the_corpus_stand_as_an_independent_evaluation_
     EXPECT_EQ(poses.poses.size(), 3u) << entry.path();
     EXPECT_LT(largest_difference(scene, poses), 1e-5) << entry.path();
     EXPECT_LT(largest_difference(scene, rest_pose), 1e-5) << entry.path();
-    EXPECT_GT(
-        testing::difference(posed_positions(scene, subjects_of(scene)[0].parts[0], posed_nodes(scene)),
-                            testing::NaiveAnimation(scene, poses.poses[1]).positions(subjects_of(scene)[0].parts[0])),
-        1e-3)
-        << entry.path() << ": stands still";
+    EXPECT_GT(largest_movement(scene, poses), 1e-2) << entry.path();
     ++characters;
   }
   EXPECT_EQ(characters, 6u);
