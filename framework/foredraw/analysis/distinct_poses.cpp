@@ -3,17 +3,11 @@
 #include <foredraw/analysis/posed_positions.h>
 #include <foredraw/base/content_hash.h>
 
-#include <algorithm>
 #include <map>
 
 namespace foredraw {
 
 namespace {
-
-/// Parts without a node are in their own space, which nothing moves.
-bool may_move(const Subject& subject) {
-  return std::ranges::any_of(subject.parts, [](const SubjectPart& part) { return part.node.has_value(); });
-}
 
 /// Of the positions of all parts, and which way their faces turn.
 Stamp looks(const Scene& scene, const Subject& subject, const PosedNodes& nodes) {
@@ -35,7 +29,7 @@ std::vector<DistinctPoses> distinct_poses(const Scene& scene, std::span<const Su
     executor.for_each(count, [&](std::size_t pose) {
       const PosedNodes nodes = posed_nodes(scene, poses.poses[pose]);
       for (std::size_t i = 0; i < subjects.size(); ++i) {
-        if (may_move(subjects[i])) stamps[pose][i] = looks(scene, subjects[i], nodes);
+        if (subjects[i].is_placed()) stamps[pose][i] = looks(scene, subjects[i], nodes);
       }
     });
   }

@@ -3,6 +3,7 @@
 
 #include <foredraw/scene/scene.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct SubjectPart {
 struct Subject {
   std::string name;
   std::vector<SubjectPart> parts;
+
+  /// Whether a node shows any of it. Else all parts are in their own space, where nothing moves them.
+  bool is_placed() const {
+    return std::any_of(parts.begin(), parts.end(), [](const SubjectPart& part) { return part.node.has_value(); });
+  }
 };
 
 /// The default subjects of a scene: a character (every mesh that shares a skin or hangs below one of its joints) where

@@ -40,7 +40,8 @@ class OverdrawService {
 
   /// The subject's parts at rest, in their sequence. Blended parts are left out.
   OverdrawCounts count(const Scene& scene, const Subject& subject, const Views& views, Run& run) {
-    return draw(drawn_subject(scene, subject, faces_, posed_nodes(scene)).parts, views, run);
+    const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene) : PosedNodes();
+    return draw(drawn_subject(scene, subject, faces_, nodes).parts, views, run);
   }
 
  private:
