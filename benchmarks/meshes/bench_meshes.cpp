@@ -1,6 +1,6 @@
 #include "bench_meshes.h"
 
-#include <foredraw/analysis/rest_positions.h>
+#include <foredraw/analysis/posed_positions.h>
 #include <foredraw/io/scene_file.h>
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ std::vector<TestMesh> meshes_of(const fs::path& path) {
     const Draw& draw = file->scene.draws[d];
     if (!draw.traits.has(traits::triangles)) continue;
     const auto indices = draw.levels[0].orders[0].indices.view();
-    meshes.push_back({rest_positions(file->scene, {d, {}}, {}), {indices.begin(), indices.end()}});
+    meshes.push_back({posed_positions(file->scene, {d, {}}, {}), {indices.begin(), indices.end()}});
   }
   return meshes;
 }

@@ -91,7 +91,10 @@ Measurement measured(const Plugin& plugin, const Settings& settings, const Scene
 }
 
 Settings looks(int count, int size, std::int64_t rotation) {
-  return {{"count", std::int64_t{count}}, {"size", std::int64_t{size}}, {"rotation", rotation}};
+  return {{"count", std::int64_t{count}},
+          {"size", std::int64_t{size}},
+          {"rotation", rotation},
+          {"poses", std::string("bind")}};
 }
 
 double median(std::vector<double> values) {
@@ -159,7 +162,7 @@ class Bench {
     std::vector<Measurement> measurements;
     int within = 0;
     for (int seed = 0; seed < trials; ++seed) {
-      const Settings settings = {{"error", wanted}, {"seed", std::int64_t{seed}}};
+      const Settings settings = {{"error", wanted}, {"seed", std::int64_t{seed}}, {"poses", std::string("bind")}};
       measurements.push_back(measured(*registry_.find("overdraw-raster"), settings, scene, 1));
       within += std::abs(measurements.back().ratio - truth) < wanted ? 1 : 0;
     }

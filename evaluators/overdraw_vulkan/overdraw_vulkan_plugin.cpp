@@ -28,8 +28,8 @@ class OverdrawVulkan final : public OverdrawService {
     return overdraw_vulkan(device(), parts, views, options_.method);
   }
 
-  void tell_more(const Scene& scene, std::span<const Subject> subjects, std::span<const DrawnSubject> drawn,
-                 const Views& views, Run& run) override {
+  /// Of the subjects at rest.
+  void tell_more(const Scene& scene, std::span<const Subject> subjects, const Views& views, Run& run) override {
     const std::lock_guard lock(one_at_a_time_);
     run.note("device", fmt::format("drawn by {}, whose depths have {} bits", device().name(), device().depth_bits()));
     const bool takes_times = options_.times && !device().is_processor();
@@ -39,9 +39,11 @@ class OverdrawVulkan final : public OverdrawService {
     std::vector<std::uint64_t> invocations(scene.draws.size());
     std::vector<std::size_t> triangles(scene.draws.size());
     GpuTime time;
+    const PosedNodes at_rest = posed_nodes(scene);
     for (std::size_t s = 0; s < subjects.size(); ++s) {
       if (run.cancelled()) return;
-      const std::span<const RasterPart> parts = drawn[s].parts;
+      const DrawnSubject drawn = drawn_subject(scene, subjects[s], faces(), at_rest);
+      const std::span<const RasterPart> parts = drawn.parts;
       if (const auto of_parts = vertex_shader_invocations(device(), parts)) {
         for (std::size_t i = 0; i < of_parts->size(); ++i) {
           const DrawId draw = subjects[s].parts[i].draw;

@@ -49,7 +49,8 @@ Rows golden_rows() {
 
 void write_rows(const Rows& rows) {
   std::ofstream file(golden_file());
-  file << "# model\tcontent hash of the output\tbefore and after: ACMR (FIFO 16), OVR (overdraw-raster, 100 views)\n";
+  file << "# model\tcontent hash of the output\tbefore and after: ACMR (FIFO 16), OVR (overdraw-raster, 100 views, "
+          "16 poses of animations)\n";
   for (const auto& [model, row] : rows) file << model << '\t' << row << '\n';
 }
 

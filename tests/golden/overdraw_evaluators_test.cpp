@@ -30,7 +30,7 @@ TEST(OverdrawEvaluators, are_near_to_the_exact_one_on_real_models) {
   if (evaluators.empty()) GTEST_SKIP() << "overdraw-raster alone can run here";
   for (const std::string model : {"static/spot.glb", "animated/kaykit_knight.glb", "scenes/house.glb"}) {
     const Scene scene = testing::read_model(testing::project_file("benchmarks/corpus/" + model));
-    for (const std::string options : {"", "(distance=1.5, faces=front, size=128)"}) {
+    for (const std::string options : {"(poses=2)", "(distance=1.5, faces=front, size=128, poses=bind)"}) {
       std::string measure = "overdraw-raster" + options;
       for (const std::string& evaluator : evaluators) measure += ", " + evaluator + options;
       const auto figures = testing::run_pipeline("", scene, 2, measure).report.after.metrics.all();

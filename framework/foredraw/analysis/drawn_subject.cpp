@@ -1,26 +1,27 @@
 #include "drawn_subject.h"
 
 #include <foredraw/analysis/mesh_facts.h>
-#include <foredraw/analysis/rest_positions.h>
-
-#include <glm/matrix.hpp>
+#include <foredraw/analysis/posed_positions.h>
 
 namespace foredraw {
 
 namespace {
 
+bool draws_triangles(const Scene& scene, const Draw& draw) {
+  return draw.topology == Topology::triangles && !is_blended(scene, draw);
+}
+
 RasterPart raster_part(const Scene& scene, const SubjectPart& part, std::span<const glm::vec3> positions,
-                       std::span<const glm::mat4> world, Faces faces) {
+                       const PosedNodes& nodes, Faces faces) {
   const Draw& draw = scene.draws[part.draw];
   const Material* material = scene.material_of(draw);
   RasterPart result;
   result.positions = positions;
-  if (draw.topology == Topology::triangles && !is_blended(scene, draw) && !positions.empty()) {
+  if (draws_triangles(scene, draw) && !positions.empty()) {
     result.indices = draw.levels[0].orders[0].indices.view();
   }
   result.culls_back_faces = faces == Faces::front || material == nullptr || !material->double_sided;
-  // glTF 2.0, 3.7.4: the node's transform decides, of skinned meshes too.
-  result.is_mirrored = part.node && glm::determinant(glm::dmat3(world[*part.node])) < 0;
+  result.is_mirrored = is_mirrored(part, nodes);
   return result;
 }
 
@@ -31,13 +32,22 @@ bool is_blended(const Scene& scene, const Draw& draw) {
   return material != nullptr && material->alpha_mode == AlphaMode::blend;
 }
 
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, std::span<const glm::mat4> world) {
+DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes) {
   DrawnSubject drawn;
-  for (const SubjectPart& part : subject.parts) drawn.positions.push_back(rest_positions(scene, part, world));
+  for (const SubjectPart& part : subject.parts) drawn.positions.push_back(posed_positions(scene, part, nodes));
   for (std::size_t i = 0; i < subject.parts.size(); ++i) {
-    drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], world, faces));
+    drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], nodes, faces));
   }
   return drawn;
+}
+
+std::size_t count_triangles(const Scene& scene, const Subject& subject) {
+  std::size_t count = 0;
+  for (const SubjectPart& part : subject.parts) {
+    const Draw& draw = scene.draws[part.draw];
+    if (draws_triangles(scene, draw)) count += draw.levels[0].orders[0].triangle_count();
+  }
+  return count;
 }
 
 std::size_t count_non_finite_triangles(const RasterPart& part) {

@@ -1,13 +1,11 @@
 #pragma once
 // From a scene to the triangles that are drawn.
 
+#include <foredraw/analysis/animation.h>
 #include <foredraw/analysis/raster_part.h>
 #include <foredraw/scene/subject.h>
 
-#include <glm/mat4x4.hpp>
-
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace foredraw {
@@ -15,17 +13,20 @@ namespace foredraw {
 /// Which back faces are culled: those of single-sided materials, or all.
 enum class Faces { material, front };
 
-/// A subject at rest, ready to be drawn.
+/// A subject in a pose, ready to be drawn.
 struct DrawnSubject {
   std::vector<std::vector<glm::vec3>> positions;  ///< what the parts look into
   std::vector<RasterPart> parts;  ///< as many as the subject's; those that are not drawn have no triangles
 };
 
-/// Triangle lists alone are drawn, and no blended draws; masked ones as if they were opaque. `world`:
-/// world_transforms(scene).
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, std::span<const glm::mat4> world);
+/// Triangle lists alone are drawn, and no blended draws; masked ones as if they were opaque. `nodes`: posed_nodes() of
+/// the scene.
+DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes);
 
 bool is_blended(const Scene& scene, const Draw& draw);
+
+/// How many triangles are drawn of a subject, in any pose.
+std::size_t count_triangles(const Scene& scene, const Subject& subject);
 
 /// How many triangles have a position that is not finite.
 std::size_t count_non_finite_triangles(const RasterPart& part);

@@ -83,10 +83,10 @@ Picture drawn(const std::vector<HeatMap>& maps, const std::vector<std::string>& 
 
 std::vector<DrawnSubject> all_drawn(const Scene& scene, Faces faces, const Executor& executor) {
   const std::vector<Subject> subjects = subjects_of(scene);
-  const std::vector<glm::mat4> world = world_transforms(scene);
+  const PosedNodes nodes = posed_nodes(scene);
   std::vector<DrawnSubject> drawn(subjects.size());
   executor.for_each(subjects.size(),
-                    [&](std::size_t i) { drawn[i] = drawn_subject(scene, subjects[i], faces, world); });
+                    [&](std::size_t i) { drawn[i] = drawn_subject(scene, subjects[i], faces, nodes); });
   return drawn;
 }
 

@@ -16,9 +16,6 @@ Choice choose(const PlannedStage& stage, const Scene& scene, const std::vector<T
 /// The traits in `wanted` that are not in `held`, as "clustered" or "uv0 and normals".
 std::string missing(const Traits& wanted, const Traits& held);
 
-/// A name against a pattern in which * stands for any text and ? for one character.
-bool matches(std::string_view pattern, std::string_view name);
-
 /// The traits after the stage has worked on a draw.
 Traits after_stage(const Card& card, Traits traits);
 

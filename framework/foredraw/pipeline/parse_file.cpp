@@ -37,10 +37,11 @@ class FileReader {
     check_version(root);
     const auto words = pipeline_words();
     Pipeline pipeline =
-        words.read(fitted(root, words.specs(), {"pipeline", "stages", "measure", "views", "services"}, ""));
+        words.read(fitted(root, words.specs(), {"pipeline", "stages", "measure", "views", "poses", "services"}, ""));
     pipeline.stages = read_list(root, "stages");
     pipeline.measure = read_list(root, "measure");
-    if (const toml::table* table = table_in(root, "views")) pipeline.views = read_views(*table);
+    if (const toml::table* table = table_in(root, "views")) pipeline.views = read_set(*table, "views", view_words());
+    if (const toml::table* table = table_in(root, "poses")) pipeline.poses = read_set(*table, "poses", pose_words());
     if (const toml::table* table = table_in(root, "services")) pipeline.overdraw = read_services(*table);
     return pipeline;
   }
@@ -179,11 +180,12 @@ class FileReader {
     return std::nullopt;
   }
 
-  ViewSet read_views(const toml::table& table) {
-    const auto words = view_words();
-    const ViewSet views = words.read(fitted(table, words.specs(), {}, "views"));
-    if (const auto mistake = mistake_in(views)) error(at(table.source(), "views"), "bad-views", *mistake);
-    return views;
+  /// A set of views or poses.
+  template <class Set>
+  Set read_set(const toml::table& table, const std::string& name, const OptionTable<Set>& words) {
+    const Set set = words.read(fitted(table, words.specs(), {}, name));
+    if (const auto mistake = mistake_in(set)) error(at(table.source(), name), "bad-" + name, *mistake);
+    return set;
   }
 
   std::optional<Stage> read_services(const toml::table& table) {

@@ -2,6 +2,7 @@
 // A pipeline as it was written: what to run, in which sequence, with which options. A value that says nothing yet of
 // whether it can run; plan() does.
 
+#include <foredraw/analysis/pose_set.h>
 #include <foredraw/analysis/view_sphere.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/technique/options.h>
@@ -32,6 +33,7 @@ struct Pipeline {
   std::vector<Stage> stages;
   std::vector<Stage> measure;
   ViewSet views;                  ///< what orders are optimised for
+  PoseSet poses;                  ///< and in which poses
   std::optional<Stage> overdraw;  ///< [services]: who answers for measured overdraw
   std::int64_t seed = 0;
 };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace foredraw {
 
@@ -24,6 +25,14 @@ class Planner {
       error({.file = {}, .inside = "views"}, "bad-views", *mistake);
     } else {
       plan.views = make_views(pipeline.views);
+    }
+    try {
+      plan.poses = make_poses(scene_, pipeline.poses);
+      if (const auto why = why_at_rest(scene_, pipeline.poses)) {
+        diagnostics_.warning({.file = {}, .inside = "poses"}, "at-rest", *why, "characters are looked at as they stand");
+      }
+    } catch (const std::invalid_argument& mistake) {
+      error({.file = {}, .inside = "poses"}, "bad-poses", mistake.what());
     }
     add_stages(pipeline.stages, false, plan.stages);
     add_stages(pipeline.measure, true, plan.measures);

@@ -37,6 +37,7 @@ struct Plan {
   std::vector<PlannedStage> stages;
   std::vector<PlannedStage> measures;
   Views views;
+  Poses poses;
   std::shared_ptr<OverdrawService> overdraw;  ///< null: no service is named or needed
 };
 

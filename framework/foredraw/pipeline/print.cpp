@@ -65,6 +65,16 @@ std::string views_in_file(const ViewSet& views) {
   return text;
 }
 
+std::string poses_in_file(const PoseSet& poses) {
+  const PoseSet usual;
+  std::string text = "\n[poses]\n";
+  if (poses.poses != usual.poses) text += row_in_file("poses", poses.poses) + '\n';
+  if (poses.clips != usual.clips) text += row_in_file("clips", poses.clips) + '\n';
+  if (poses.rate) text += row_in_file("rate", *poses.rate) + '\n';
+  if (poses.moments != usual.moments) text += row_in_file("moments", poses.moments) + '\n';
+  return text;
+}
+
 }  // namespace
 
 std::string print_file(const Pipeline& pipeline) {
@@ -74,6 +84,7 @@ std::string print_file(const Pipeline& pipeline) {
   text += list_in_file("stages", pipeline.stages);
   if (!pipeline.measure.empty()) text += list_in_file("measure", pipeline.measure);
   if (pipeline.views != ViewSet{}) text += views_in_file(pipeline.views);
+  if (pipeline.poses != PoseSet{}) text += poses_in_file(pipeline.poses);
   if (pipeline.overdraw) text += "\n[services]\noverdraw = " + stage_in_file(*pipeline.overdraw) + '\n';
   return text;
 }

@@ -110,6 +110,8 @@ std::string pipeline_schema(const Registry& registry) {
   properties["measure"] = list_of("any_measure", "What to measure, before and after");
   properties["views"] = closed_table(properties_of(view_words().specs()));
   properties["views"]["description"] = "Where orders are optimised to be looked at from";
+  properties["poses"] = closed_table(properties_of(pose_words().specs()));
+  properties["poses"]["description"] = "In which poses of animated characters";
   properties["services"] = closed_table({{"overdraw", reference("any_overdraw_service")}});
   properties["services"]["description"] = "Who answers what plugins ask";
 

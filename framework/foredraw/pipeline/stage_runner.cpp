@@ -197,6 +197,7 @@ class StageRunner {
               .executor = surroundings_.executor,
               .findings = outcome.findings,
               .views = plan_.views,
+              .poses = plan_.poses,
               .overdraw = stage_.plugin->card.uses_overdraw ? plan_.overdraw.get() : nullptr,
               .seed = seed_of(place_of(i)),
               .place = place_of(i),

@@ -1,5 +1,6 @@
 #include <foredraw/pipeline/private/words.h>
 
+#include <foredraw/technique/pose_options.h>
 #include <foredraw/technique/view_options.h>
 
 #include <algorithm>
@@ -16,6 +17,12 @@ OptionTable<Pipeline> pipeline_words() {
 OptionTable<ViewSet> view_words() {
   OptionTable<ViewSet> table;
   add_view_rows(table);
+  return table;
+}
+
+OptionTable<PoseSet> pose_words() {
+  OptionTable<PoseSet> table;
+  add_pose_rows(table);
   return table;
 }
 

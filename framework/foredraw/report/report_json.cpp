@@ -14,17 +14,23 @@ Json to_json(const Figure& figure) {
   return json;
 }
 
-/// "models.fifo-32.acmr" lies in the objects models, fifo-32.
+/// "models.fifo-32.acmr" as models, fifo-32, acmr. What is measured apart may have dots in its name: "poses.Walk@0.5.ratio".
+std::vector<std::string> parts_of(const std::string& metric) {
+  const std::size_t first = metric.find('.');
+  if (first == std::string::npos) return {metric};
+  const std::size_t last = metric.rfind('.');
+  if (first == last) return {metric.substr(0, first), metric.substr(last + 1)};
+  return {metric.substr(0, first), metric.substr(first + 1, last - first - 1), metric.substr(last + 1)};
+}
+
+/// Groups are objects.
 Json to_json(const Metrics& metrics) {
   Json json = Json::object();
   for (const auto& [plugin, by_metric] : metrics.all()) {
     for (const auto& [metric, figure] : by_metric) {
       Json* at = &json[plugin];
-      std::size_t begin = 0;
-      for (std::size_t dot; (dot = metric.find('.', begin)) != std::string::npos; begin = dot + 1) {
-        at = &(*at)[metric.substr(begin, dot - begin)];
-      }
-      (*at)[metric.substr(begin)] = to_json(figure);
+      for (const std::string& part : parts_of(metric)) at = &(*at)[part];
+      *at = to_json(figure);
     }
   }
   return json;

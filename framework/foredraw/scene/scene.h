@@ -9,12 +9,14 @@
 #include <glm/mat4x4.hpp>
 
 #include <optional>
+#include <span>
 
 namespace foredraw {
 
 using MeshId = std::uint32_t;
 using NodeId = std::uint32_t;
 using SkinId = std::uint32_t;
+using AnimationId = std::uint32_t;
 
 struct Mesh {
   std::string name;
@@ -26,6 +28,8 @@ struct Transform {
   glm::vec3 translation{0};
   glm::quat rotation{1, 0, 0, 0};
   glm::vec3 scale{1};
+
+  glm::mat4 matrix() const;
 };
 
 struct Node {
@@ -88,7 +92,8 @@ struct Scene {
   }
 };
 
-/// Each node's transform to the world. Nodes without a parent are roots.
-std::vector<glm::mat4> world_transforms(const Scene& scene);
+/// Each node's transform to the world, from its transform to its parent. Nodes without a parent are roots.
+std::vector<glm::mat4> world_transforms(const Scene& scene, std::span<const glm::mat4> locals);
+std::vector<glm::mat4> world_transforms(const Scene& scene);  ///< as the nodes stand
 
 }  // namespace foredraw

@@ -76,6 +76,22 @@ void add_parts(Subject& subject, const Mesh& mesh, std::optional<NodeId> node) {
   for (const DrawId draw : mesh.draws) subject.parts.push_back({draw, node});
 }
 
+/// Of each mesh, the nodes whose morph weights an animation moves.
+std::vector<std::set<NodeId>> morphing_nodes(const Scene& scene) {
+  std::vector<std::set<NodeId>> nodes(scene.meshes.size());
+  for (const Animation& animation : scene.animations) {
+    for (const AnimationChannel& channel : animation.channels) {
+      if (channel.path != AnimatedPath::weights || channel.node >= scene.nodes.size()) continue;
+      if (const auto mesh = scene.nodes[channel.node].mesh) nodes[*mesh].insert(channel.node);
+    }
+  }
+  return nodes;
+}
+
+std::string mesh_name(const Scene& scene, MeshId mesh) {
+  return scene.meshes[mesh].name.empty() ? "mesh " + std::to_string(mesh) : scene.meshes[mesh].name;
+}
+
 }  // namespace
 
 std::vector<Subject> subjects_of(const Scene& scene) {
@@ -96,12 +112,18 @@ std::vector<Subject> subjects_of(const Scene& scene) {
     by_skin[skin].name = character_name(scene, skin);
     subjects.push_back(std::move(by_skin[skin]));
   }
+  const auto add_mesh = [&](MeshId mesh, std::optional<NodeId> node) {
+    add_parts(subjects.emplace_back(Subject{mesh_name(scene, mesh), {}}), scene.meshes[mesh], node);
+  };
+  const std::vector<std::set<NodeId>> morphing = morphing_nodes(scene);
   for (MeshId mesh = 0; mesh < scene.meshes.size(); ++mesh) {
-    if (is_shown[mesh] || scene.meshes[mesh].draws.empty()) continue;
-    Subject subject;
-    subject.name = scene.meshes[mesh].name.empty() ? "mesh " + std::to_string(mesh) : scene.meshes[mesh].name;
-    add_parts(subject, scene.meshes[mesh], std::nullopt);
-    subjects.push_back(std::move(subject));
+    if (scene.meshes[mesh].draws.empty()) continue;
+    for (const NodeId node : morphing[mesh]) {
+      if (characters.of(node)) continue;
+      add_mesh(mesh, node);
+      is_shown[mesh] = 1;
+    }
+    if (!is_shown[mesh]) add_mesh(mesh, std::nullopt);
   }
   for (Subject& subject : subjects) {
     std::sort(subject.parts.begin(), subject.parts.end(), [](const SubjectPart& a, const SubjectPart& b) {

@@ -3,6 +3,7 @@
 
 #include <foredraw/scene/scene.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,16 @@ struct SubjectPart {
 struct Subject {
   std::string name;
   std::vector<SubjectPart> parts;
+
+  /// Whether a node shows any of it. Else all parts are in their own space, where nothing moves them.
+  bool is_placed() const {
+    return std::any_of(parts.begin(), parts.end(), [](const SubjectPart& part) { return part.node.has_value(); });
+  }
 };
 
 /// The default subjects of a scene: a character (every mesh that shares a skin or hangs below one of its joints) where
-/// there is a skin, else each mesh. Every draw that a mesh holds is in one subject at least.
+/// there is a skin; a mesh as each node shows it whose morph weights an animation moves; else each mesh in its own space.
+/// Every draw that a mesh holds is in one subject at least.
 std::vector<Subject> subjects_of(const Scene& scene);
 
 }  // namespace foredraw

@@ -14,29 +14,27 @@ namespace {
 
 constexpr std::size_t most_times = 8;  ///< shaded that often or more
 
-/// [draw][triangle]
-using Hidden = std::vector<std::vector<std::uint64_t>>;
+/// [draw][triangle] fragments, as heavy as their poses. Whole weights sum exactly.
+using Hidden = std::vector<std::vector<double>>;
 
-std::uint64_t sum_of(std::span<const std::uint64_t> counts) {
-  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-}
+double sum_of(std::span<const double> counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
 /// Shares out what a subject's triangles hide to the draws that they are of.
 void add_hidden(Hidden& hidden, const Subject& subject, const DrawnSubject& drawn,
-                std::span<const std::uint64_t> of_triangles) {
+                std::span<const std::uint64_t> of_triangles, double weight) {
   for (std::size_t part = 0; part < drawn.parts.size(); ++part) {
     const std::size_t triangles = drawn.parts[part].indices.size() / 3;
-    std::vector<std::uint64_t>& of_draw = hidden[subject.parts[part].draw];
+    std::vector<double>& of_draw = hidden[subject.parts[part].draw];
     of_draw.resize(std::max(of_draw.size(), triangles));
-    for (std::size_t t = 0; t < triangles; ++t) of_draw[t] += of_triangles[t];
+    for (std::size_t t = 0; t < triangles; ++t) of_draw[t] += weight * static_cast<double>(of_triangles[t]);
     of_triangles = of_triangles.subspan(triangles);
   }
 }
 
 /// "half of it is shaded by 3 of 150 clusters: 17 (31 %), 4 (12 %), 20 (9 %)"
-std::string worst_clusters(const Clusters& clusters, std::span<const std::uint64_t> hidden) {
-  const std::uint64_t all = sum_of(hidden);
-  std::vector<std::uint64_t> of_clusters(clusters.count());
+std::string worst_clusters(const Clusters& clusters, std::span<const double> hidden) {
+  const double all = sum_of(hidden);
+  std::vector<double> of_clusters(clusters.count());
   for (std::size_t c = 0; c < of_clusters.size(); ++c) {
     of_clusters[c] = sum_of(hidden.subspan(clusters.offsets[c], clusters.offsets[c + 1] - clusters.offsets[c]));
   }
@@ -44,13 +42,12 @@ std::string worst_clusters(const Clusters& clusters, std::span<const std::uint64
   std::iota(ranked.begin(), ranked.end(), std::size_t{0});
   std::ranges::stable_sort(ranked, std::greater(), [&](std::size_t c) { return of_clusters[c]; });
   std::size_t count = 0;
-  for (std::uint64_t sum = 0; 2 * sum < all; ++count) sum += of_clusters[ranked[count]];
+  for (double sum = 0; 2 * sum < all; ++count) sum += of_clusters[ranked[count]];
 
   constexpr std::size_t most_named = 5;
   std::vector<std::string> named;
   for (const std::size_t c : std::span(ranked).first(std::min(count, most_named))) {
-    named.push_back(
-        fmt::format("{} ({:.0f} %)", c, 100 * static_cast<double>(of_clusters[c]) / static_cast<double>(all)));
+    named.push_back(fmt::format("{} ({:.0f} %)", c, 100 * of_clusters[c] / all));
   }
   return fmt::format("half of it is shaded by {} of {} clusters: {}{}", count, ranked.size(), fmt::join(named, ", "),
                      count > named.size() ? ", ..." : "");
@@ -66,41 +63,47 @@ std::string listed_draws(const std::vector<std::string>& names) {
                      shown < names.size() ? ", ..." : "");
 }
 
-void tell_overdraw_details(const Scene& scene, std::span<const Subject> subjects, std::span<const DrawnSubject> drawn,
-                           OverdrawService& service, const Views& views, Run& run) {
+void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& service, const Views& views, Run& run) {
   if (!service.can_capture()) {
     return run.note("no-details",
                     "this evaluator counts fragments and does not keep whose they are; overdraw-raster does");
   }
+  const Scene& scene = subjects.scene;
   Hidden hidden(scene.draws.size());
-  std::vector<std::uint64_t> pixels(most_times + 1);
-  for (std::size_t i = 0; i < subjects.size(); ++i) {
-    const auto layers = service.capture(drawn[i].parts, views, run);
-    if (!layers) {
-      return run.note("no-details",
-                      fmt::format("the layers of {} take more than {} MB; ask for fewer views, or smaller ones",
-                                  subjects[i].name, default_layer_bytes >> 20));
-    }
-    std::vector<std::uint32_t> as_drawn(layers->owners);
-    std::iota(as_drawn.begin(), as_drawn.end(), 0u);
-    const OverdrawDetails details = overdraw_details(*layers, as_drawn);
-    add_hidden(hidden, subjects[i], drawn[i], details.hidden);
-    for (std::size_t times = 1; times < details.pixels_by_times.size(); ++times) {
-      pixels[std::min(times, most_times)] += details.pixels_by_times[times];
+  std::vector<double> pixels(most_times + 1);
+  for (std::size_t pose = 0; pose < subjects.poses.poses.size(); ++pose) {
+    const PosedNodes nodes = posed_nodes(scene, subjects.poses.poses[pose]);
+    for (std::size_t i = 0; i < subjects.subjects.size(); ++i) {
+      if (!subjects.is_new(i, pose)) continue;
+      const Subject& subject = subjects.subjects[i];
+      const DrawnSubject drawn = drawn_subject(scene, subject, service.faces(), nodes);
+      const auto layers = service.capture(drawn.parts, views, run);
+      if (!layers) {
+        return run.note("no-details",
+                        fmt::format("the layers of {} take more than {} MB; ask for fewer views, or smaller ones",
+                                    subject.name, default_layer_bytes >> 20));
+      }
+      std::vector<std::uint32_t> as_drawn(layers->owners);
+      std::iota(as_drawn.begin(), as_drawn.end(), 0u);
+      const OverdrawDetails details = overdraw_details(*layers, as_drawn);
+      const double weight = subjects.distinct[i].weights[pose];
+      add_hidden(hidden, subject, drawn, details.hidden, weight);
+      for (std::size_t times = 1; times < details.pixels_by_times.size(); ++times) {
+        pixels[std::min(times, most_times)] += weight * static_cast<double>(details.pixels_by_times[times]);
+      }
     }
   }
   for (std::size_t times = 1; times <= most_times; ++times) {
-    run.count_at({}, fmt::format("shaded-times.{}", times), static_cast<double>(pixels[times]));
+    run.count_at({}, fmt::format("shaded-times.{}", times), pixels[times]);
   }
   std::vector<std::string> free_of_it;
-  std::uint64_t all = 0;
+  double all = 0;
   for (const auto& of_draw : hidden) all += sum_of(of_draw);
   for (DrawId draw = 0; draw < hidden.size(); ++draw) {
-    const std::uint64_t of_draw = sum_of(hidden[draw]);
+    const double of_draw = sum_of(hidden[draw]);
     if (of_draw == 0 && !hidden[draw].empty()) free_of_it.push_back(scene.draws[draw].name);
     if (of_draw == 0 || of_draw < all / 100) continue;
-    std::string message = fmt::format("shades {:.1f} % of what is hidden in the end",
-                                      100 * static_cast<double>(of_draw) / static_cast<double>(all));
+    std::string message = fmt::format("shades {:.1f} % of what is hidden in the end", 100 * of_draw / all);
     const auto& clusters = scene.draws[draw].levels[0].orders[0].clusters;
     if (clusters) message += "; " + worst_clusters(*clusters, hidden[draw]);
     run.note_at({draw, {}, {}}, "causes-overdraw", message);

@@ -1,23 +1,26 @@
 #include <foredraw/technique/overdraw_evaluator.h>
 
-#include <foredraw/analysis/overdraw_figures.h>
 #include <foredraw/technique/overdraw_details.h>
 #include <foredraw/technique/overdraw_samples.h>
+#include <foredraw/technique/overdraw_tally.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <utility>
 
 namespace foredraw {
 
 namespace {
 
-OverdrawCount sum_of(std::span<const OverdrawCount> counts) {
-  OverdrawCount sum;
-  for (const OverdrawCount& count : counts) sum += count;
-  return sum;
+std::vector<ViewTally> sums_by_view(std::span<const OverdrawTally> tallies, std::size_t views) {
+  std::vector<ViewTally> sums(views);
+  for (const OverdrawTally& tally : tallies) {
+    for (std::size_t view = 0; view < tally.views.size(); ++view) sums[view] += tally.views[view];
+  }
+  return sums;
 }
 
 class OverdrawEvaluator final : public Evaluator {
@@ -26,41 +29,80 @@ class OverdrawEvaluator final : public Evaluator {
       : service_(std::move(service)), options_(options), samples_{make_views(options)} {}
 
   void evaluate(const Scene& scene, Run& run) override {
-    const std::vector<Subject> subjects = subjects_of(scene);
-    const std::vector<glm::mat4> world = world_transforms(scene);
-    std::vector<DrawnSubject> drawn(subjects.size());
-    run.executor.for_each(subjects.size(),
-                          [&](std::size_t i) { drawn[i] = drawn_subject(scene, subjects[i], options_.faces, world); });
-    const std::vector<OverdrawCounts> counts =
-        options_.error ? counted_to(*options_.error, drawn, run) : counted(drawn, run);
-    measure(scene, subjects, counts, run);
-    if (options_.details) tell_overdraw_details(scene, subjects, drawn, *service_, samples_.views, run);
-    tell_what_is_not_as_drawn(scene, drawn, run);
-    service_->tell_more(scene, subjects, drawn, samples_.views, run);
+    PosedSubjects subjects{scene, subjects_of(scene), make_poses(scene, options_), {}};
+    subjects.distinct = distinct_poses(scene, subjects.subjects, subjects.poses, run.executor);
+    const OverdrawTallies tallies =
+        options_.error ? counted_to(*options_.error, subjects, run) : counted(subjects, run);
+    measure(subjects, tallies, run);
+    if (options_.details) tell_overdraw_details(subjects, *service_, samples_.views, run);
+    tell_of_poses(subjects, tallies, run);
+    tell_what_is_not_as_drawn(scene, subjects.poses, tallies, run);
+    service_->tell_more(scene, subjects.subjects, samples_.views, run);
   }
 
  private:
-  /// [subject][part][view]
-  std::vector<OverdrawCounts> counted(std::span<const DrawnSubject> drawn, Run& run) const {
-    std::vector<OverdrawCounts> counts(drawn.size());
+  /// What a subject counts in a pose.
+  struct Counted {
+    OverdrawCounts counts;  ///< empty where the subject looked so before
+    std::size_t non_finite = 0;
+  };
+
+  /// Poses in parallel, few enough at a time that little is held, and merged in their sequence.
+  OverdrawTallies counted(const PosedSubjects& subjects, Run& run) const {
+    constexpr std::size_t at_a_time = 8;
+    OverdrawTallies tallies(subjects, samples_.views.views.size());
+    const std::size_t poses = subjects.poses.poses.size();
     std::atomic<std::size_t> done = 0;
-    run.executor.for_each(drawn.size(), [&](std::size_t i) {
+    for (std::size_t first = 0; first < poses; first += at_a_time) {
+      std::vector<std::vector<Counted>> some(std::min(at_a_time, poses - first));
+      run.executor.for_each(some.size(), [&](std::size_t i) {
+        some[i] = counted_in(subjects, first + i, run, [&] {
+          if (run.progress) {
+            run.progress(static_cast<double>(++done) / static_cast<double>(poses * subjects.subjects.size()));
+          }
+        });
+      });
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        for (std::size_t subject = 0; subject < some[i].size(); ++subject) {
+          if (!subjects.is_new(subject, first + i)) continue;
+          tallies.add(subjects, subject, first + i, some[i][subject].counts, samples_.views.views);
+          tallies.non_finite[subject] = std::max(tallies.non_finite[subject], some[i][subject].non_finite);
+        }
+      }
+    }
+    return tallies;
+  }
+
+  /// Each subject that looks new in the pose.
+  template <class Done>
+  std::vector<Counted> counted_in(const PosedSubjects& subjects, std::size_t pose, Run& run, Done one_is_done) const {
+    const PosedNodes nodes = posed_nodes(subjects.scene, subjects.poses.poses[pose]);
+    std::vector<Counted> counted(subjects.subjects.size());
+    run.executor.for_each(counted.size(), [&](std::size_t i) {
       if (run.cancelled()) throw std::runtime_error("cancelled");
-      counts[i] = service_->draw(drawn[i].parts, samples_.views, run);
-      if (run.progress) run.progress(static_cast<double>(++done) / static_cast<double>(drawn.size()));
+      if (subjects.is_new(i, pose)) {
+        const DrawnSubject drawn = drawn_subject(subjects.scene, subjects.subjects[i], options_.faces, nodes);
+        counted[i].counts = service_->draw(drawn.parts, samples_.views, run);
+        for (const RasterPart& part : drawn.parts) counted[i].non_finite += count_non_finite_triangles(part);
+      }
+      one_is_done();
     });
-    return counts;
+    return counted;
   }
 
   /// Looks from ever more sides until the error is as wanted.
-  std::vector<OverdrawCounts> counted_to(double wanted, std::span<const DrawnSubject> drawn, Run& run) {
+  OverdrawTallies counted_to(double wanted, const PosedSubjects& subjects, Run& run) {
     constexpr std::size_t first = 12;
     constexpr std::size_t most = 4096;
+    std::size_t most_triangles = 0;
+    for (const Subject& subject : subjects.subjects) {
+      most_triangles = std::max(most_triangles, count_triangles(subjects.scene, subject));
+    }
     for (std::size_t views = first;;) {
       samples_ = turned_sets(views, static_cast<std::uint64_t>(options_.seed), options_.distance.value_or(0),
-                             balanced_size(most_triangles(drawn)));
-      std::vector<OverdrawCounts> counts = counted(drawn, run);
-      const double bound = errors_to_bound * largest_error(counts);
+                             balanced_size(most_triangles));
+      OverdrawTallies tallies = counted(subjects, run);
+      const double bound = errors_to_bound * largest_error(tallies);
       if (bound > wanted && views < most) {
         views = std::min(most, views_for(views, bound, wanted));
         continue;
@@ -70,75 +112,94 @@ class OverdrawEvaluator final : public Evaluator {
       if (bound > wanted) {
         run.note("error-not-reached", fmt::format("the error is up to {:.2g}; more views were not tried", bound));
       }
-      return counts;
+      return tallies;
     }
-  }
-
-  static std::size_t most_triangles(std::span<const DrawnSubject> drawn) {
-    std::size_t most = 0;
-    for (const DrawnSubject& subject : drawn) {
-      std::size_t triangles = 0;
-      for (const RasterPart& part : subject.parts) triangles += part.indices.size() / 3;
-      most = std::max(most, triangles);
-    }
-    return most;
   }
 
   /// The standard error of the subject's ratio that is least sure.
-  double largest_error(std::span<const OverdrawCounts> counts) const {
+  double largest_error(const OverdrawTallies& tallies) const {
     double largest = 0;
-    for (const OverdrawCounts& parts : counts) {
-      std::vector<OverdrawCount> sum(samples_.views.views.size());
-      for (const auto& part : parts) add(sum, part);
-      largest = std::max(largest, ratio_of(sum).error);
-    }
+    for (const OverdrawTally& subject : tallies.subjects) largest = std::max(largest, ratio_of(subject.views).error);
     return largest;
   }
 
-  static void add(std::span<OverdrawCount> sum, std::span<const OverdrawCount> counts) {
-    for (std::size_t view = 0; view < sum.size(); ++view) sum[view] += counts[view];
-  }
-
   /// Views that are samples by themselves weigh as they say; in sets of views all weigh the same.
-  Estimate ratio_of(std::span<const OverdrawCount> views) const {
+  Estimate ratio_of(std::span<const ViewTally> views) const {
     return overdraw_ratio(summed_by_sample(views, samples_.views_in_sample), samples_.views.views);
   }
 
-  void measure(const Scene& scene, std::span<const Subject> subjects, std::span<const OverdrawCounts> counts,
-               const Run& run) const {
-    const std::size_t views = samples_.views.views.size();
-    OverdrawCounts by_draw(scene.draws.size(), std::vector<OverdrawCount>(views));
-    std::vector<OverdrawCount> by_view(views);
-    std::vector<OverdrawCount> pictures(subjects.size() * views);  // [subject * views + view]
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-      for (std::size_t part = 0; part < counts[i].size(); ++part) {
-        add(by_draw[subjects[i].parts[part].draw], counts[i][part]);
-        add(by_view, counts[i][part]);
-        add(std::span(pictures).subspan(i * views, views), counts[i][part]);
-      }
+  void measure(const PosedSubjects& subjects, const OverdrawTallies& tallies, const Run& run) const {
+    for (DrawId draw = 0; draw < tallies.draws.size(); ++draw) {
+      std::vector<OverdrawTally> in_subjects;
+      for (const auto& [subject, tally] : tallies.draws[draw]) in_subjects.push_back(tally);
+      measure_at({draw, {}, {}}, in_subjects, run);
     }
-    for (DrawId draw = 0; draw < by_draw.size(); ++draw) measure_at({draw, {}, {}}, by_draw[draw], by_draw[draw], run);
-    measure_at({}, by_view, pictures, run);
+    measure_at({}, tallies.subjects, run);
+    if (subjects.poses.poses.size() == 1 || subjects.poses.poses.size() > most_told_poses) return;
+    const std::vector<std::string> clips = clip_names(subjects.scene);
+    for (std::size_t pose = 0; pose < tallies.poses.size(); ++pose) {
+      const Estimate ratio = ratio_in_pose(tallies, pose);
+      if (ratio.denominator == 0) continue;
+      run.measure_at({}, fmt::format("poses.{}.ratio", pose_name(subjects.poses.poses[pose], clips)), ratio.numerator,
+                     ratio.denominator, ratio.error);
+    }
   }
 
-  /// `views`: summed over whatever the place holds; `pictures`: each picture that somebody sees.
-  void measure_at(Place place, std::span<const OverdrawCount> views, std::span<const OverdrawCount> pictures,
-                  const Run& run) const {
-    const OverdrawCount sum = sum_of(views);
-    if (sum.shaded + sum.ties == 0) return;  // never seen
-    const Estimate ratio = ratio_of(views);
+  Estimate ratio_in_pose(const OverdrawTallies& tallies, std::size_t pose) const {
+    const std::vector<ViewTally>& views = tallies.poses[pose];
+    const std::size_t in_sample = std::min(samples_.views_in_sample, views.size());
+    return overdraw_ratio(summed_by_sample(views, in_sample), std::vector<View>(1));
+  }
+
+  /// A place is its part in each of some subjects.
+  void measure_at(Place place, std::span<const OverdrawTally> tallies, const Run& run) const {
+    double hidden = 0;
+    double ties = 0;
+    OverdrawCount worst;
+    std::vector<ViewTally> pictures;
+    for (const OverdrawTally& tally : tallies) {
+      hidden += tally.hidden;
+      ties += tally.ties;
+      if (is_worse(tally.worst, worst)) worst = tally.worst;
+      pictures.insert(pictures.end(), tally.views.begin(), tally.views.end());
+    }
+    const Estimate ratio = ratio_of(sums_by_view(tallies, samples_.views.views.size()));
+    if (ratio.numerator + ties == 0) return;  // never seen
     const Estimate mean = overdraw_view_mean(pictures, samples_.views.views);
     run.measure_at(place, "ratio", ratio.numerator, ratio.denominator, ratio.error);
     run.measure_at(place, "view-mean", mean.numerator, mean.denominator, mean.error);
-    if (const auto worst = worst_picture(pictures)) {
-      run.measure_at(place, "worst-view", static_cast<double>(pictures[*worst].shaded),
-                     static_cast<double>(pictures[*worst].visible));
+    if (worst.visible > 0) {
+      run.measure_at(place, "worst-view", static_cast<double>(worst.shaded), static_cast<double>(worst.visible));
     }
-    run.count_at(place, "hidden", static_cast<double>(sum.shaded - sum.visible));
-    run.count_at(place, "ties", static_cast<double>(sum.ties));
+    run.count_at(place, "hidden", hidden);
+    run.count_at(place, "ties", ties);
   }
 
-  void tell_what_is_not_as_drawn(const Scene& scene, std::span<const DrawnSubject> drawn, const Run& run) const {
+  void tell_of_poses(const PosedSubjects& subjects, const OverdrawTallies& tallies, const Run& run) const {
+    if (const auto why = why_at_rest(subjects.scene, options_)) run.note("at-rest", "drawn at rest: " + *why);
+    const std::vector<Pose>& poses = subjects.poses.poses;
+    if (poses.size() == 1) return;
+    std::size_t worst = 0;
+    std::size_t different = 0;
+    double highest = 0;
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+      bool is_new = pose == 0;
+      for (std::size_t i = 0; i < subjects.subjects.size(); ++i) is_new = is_new || subjects.is_new(i, pose);
+      different += is_new ? 1 : 0;
+      const Estimate ratio = ratio_in_pose(tallies, pose);
+      if (ratio.denominator == 0 || ratio.numerator / ratio.denominator <= highest) continue;
+      highest = ratio.numerator / ratio.denominator;
+      worst = pose;
+    }
+    if (highest == 0) return;
+    run.note("worst-pose",
+             fmt::format("looked in {} poses, {} of them different; the worst is {}, with {:.4f} fragments "
+                         "per pixel",
+                         poses.size(), different, pose_name(poses[worst], clip_names(subjects.scene)), highest));
+  }
+
+  void tell_what_is_not_as_drawn(const Scene& scene, const Poses& poses, const OverdrawTallies& tallies,
+                                 const Run& run) const {
     std::vector<std::string> blended;
     std::vector<std::string> masked;
     for (const Draw& draw : scene.draws) {
@@ -152,15 +213,13 @@ class OverdrawEvaluator final : public Evaluator {
       run.note("blended", fmt::format("left out as blended: {}", listed_draws(blended)));
     }
     if (!masked.empty()) run.note("masked", fmt::format("drawn as if opaque, though masked: {}", listed_draws(masked)));
-    std::size_t non_finite = 0;
-    for (const DrawnSubject& subject : drawn) {
-      for (const RasterPart& part : subject.parts) non_finite += count_non_finite_triangles(part);
-    }
+    const std::size_t non_finite =
+        std::accumulate(tallies.non_finite.begin(), tallies.non_finite.end(), std::size_t{0});
     if (non_finite > 0) {
       run.count("triangles-left-out", static_cast<double>(non_finite));
       run.note("not-finite", fmt::format("{} triangles are left out: positions that are not finite", non_finite));
     }
-    if (samples_.views.views == run.views.views) {
+    if (samples_.views.views == run.views.views && poses == run.poses) {
       run.note("same-views", "these are the views that orders are optimised for; figures from others tell more");
     }
   }
@@ -175,11 +234,12 @@ class OverdrawEvaluator final : public Evaluator {
 std::vector<Metric> overdraw_metrics() {
   return {
       {"ratio", "fragments per pixel",
-       "Fragments that pass the depth test over those that stay, of all views; 1 is the limit"},
-      {"view-mean", "fragments per pixel", "The mean of the views' ratios, as papers print it"},
-      {"worst-view", "fragments per pixel", "The highest ratio of any view"},
-      {"hidden", "fragments", "Fragments that pass but do not stay, of all views: a draw's part of the overdraw"},
-      {"ties", "fragments", "Fragments exactly as near as what was drawn before them, of all views"},
+       "Fragments that pass the depth test over those that stay, of all views and poses; 1 is the limit"},
+      {"view-mean", "fragments per pixel", "The mean of the ratios of all views and poses, as papers print it"},
+      {"worst-view", "fragments per pixel", "The highest ratio of any view and pose"},
+      {"hidden", "fragments",
+       "Fragments that pass but do not stay, of all views and poses: a draw's part of the overdraw"},
+      {"ties", "fragments", "Fragments exactly as near as what was drawn before them, of all views and poses"},
       {"blended-left-out", "draws", "Blended draws, which are left out"},
       {"triangles-left-out", "triangles", "Triangles with positions that are not finite, which are left out"},
   };
@@ -187,7 +247,8 @@ std::vector<Metric> overdraw_metrics() {
 
 std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> service,
                                               const OverdrawOptions& options) {
-  if (const auto mistake = mistake_in(options)) throw std::invalid_argument(*mistake);
+  if (const auto mistake = mistake_in(static_cast<const ViewSet&>(options))) throw std::invalid_argument(*mistake);
+  if (const auto mistake = mistake_in(static_cast<const PoseSet&>(options))) throw std::invalid_argument(*mistake);
   return std::make_unique<OverdrawEvaluator>(std::move(service), options);
 }
 

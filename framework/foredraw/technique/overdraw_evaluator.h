@@ -3,6 +3,7 @@
 // subjects, views, figures and what is told about them are the same for all.
 
 #include <foredraw/technique/plugin.h>
+#include <foredraw/technique/pose_options.h>
 #include <foredraw/technique/view_options.h>
 
 #include <concepts>
@@ -13,9 +14,13 @@
 
 namespace foredraw {
 
-/// Looks from Fibonacci points by default, since orders are commonly optimised for an icosphere.
-struct OverdrawOptions : ViewSet {
-  OverdrawOptions() { views = "fibonacci"; }
+/// Looks from Fibonacci points by default, since orders are commonly optimised for an icosphere, and in poses between
+/// the keys for which they are made.
+struct OverdrawOptions : ViewSet, PoseSet {
+  OverdrawOptions() {
+    views = "fibonacci";
+    poses = "16";
+  }
   Faces faces = Faces::material;
   bool details = false;
   std::optional<double> error;  ///< wanted of every subject's ratio: views and size are then picked to reach it
@@ -36,8 +41,9 @@ std::vector<Metric> overdraw_metrics();
 template <class Options>
 requires std::derived_from<Options, OverdrawOptions>
 void add_evaluator_rows(OptionTable<Options>& table) {
-  table.template row<bool>(&OverdrawOptions::details, "details",
-                           "Tell how many pixels are shaded how often, and which draws and clusters cause the overdraw");
+  table.template row<bool>(
+      &OverdrawOptions::details, "details",
+      "Tell how many pixels are shaded how often, and which draws and clusters cause the overdraw");
   table.template row<std::optional<double>>(&OverdrawOptions::error, "error",
                                             "Pick views and size so that each subject's ratio is this exact, 19 times "
                                             "of 20; views, count and size are not used "
@@ -45,7 +51,7 @@ void add_evaluator_rows(OptionTable<Options>& table) {
                                             {1e-4, 1, "fragments per pixel"});
 }
 
-/// Draws every subject of a scene through the service. std::invalid_argument where the views have a mistake.
+/// Draws every subject of a scene through the service. std::invalid_argument where the views or poses have a mistake.
 std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> service, const OverdrawOptions& options);
 
 /// An evaluator and a service in one. `add_rows(table)` adds the rows of what Options has besides; `make(options)`
@@ -61,6 +67,7 @@ requires std::derived_from<Options, OverdrawOptions> Plugin overdraw_plugin(Card
 
   OptionTable<Options> table;
   add_view_rows(table);
+  add_pose_rows(table);
   add_faces_row(table);
   add_evaluator_rows(table);
   add_rows(table);

@@ -27,9 +27,9 @@ std::size_t views_for(std::size_t count, double error, double wanted) {
   return static_cast<std::size_t>(std::ceil(static_cast<double>(count) * std::clamp(error / wanted, 1.25, 8.0)));
 }
 
-std::vector<OverdrawCount> summed_by_sample(std::span<const OverdrawCount> counts, std::size_t views_in_sample) {
-  std::vector<OverdrawCount> samples(counts.size() / views_in_sample);
-  for (std::size_t i = 0; i < counts.size(); ++i) samples[i / views_in_sample] += counts[i];
+std::vector<ViewTally> summed_by_sample(std::span<const ViewTally> tallies, std::size_t views_in_sample) {
+  std::vector<ViewTally> samples(tallies.size() / views_in_sample);
+  for (std::size_t i = 0; i < tallies.size(); ++i) samples[i / views_in_sample] += tallies[i];
   return samples;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // From where to look to know a ratio as exactly as somebody asks.
 
-#include <foredraw/analysis/overdraw_count.h>
+#include <foredraw/analysis/overdraw_figures.h>
 #include <foredraw/scene/views.h>
 
 #include <cstddef>
@@ -40,7 +40,7 @@ int balanced_size(std::size_t triangles);
 /// about with their count, as measured on the corpus (docs/overdraw-error.md).
 std::size_t views_for(std::size_t count, double error, double wanted);
 
-/// What each sample counts: the sums of every `views_in_sample` counts.
-std::vector<OverdrawCount> summed_by_sample(std::span<const OverdrawCount> counts, std::size_t views_in_sample);
+/// What each sample counts: the sums of every `views_in_sample` tallies.
+std::vector<ViewTally> summed_by_sample(std::span<const ViewTally> tallies, std::size_t views_in_sample);
 
 }  // namespace foredraw

@@ -31,10 +31,8 @@ class OverdrawService {
 
   /// Figures and notes of its own, behind those that all evaluators of overdraw have, once it has drawn the scene's
   /// subjects from the views.
-  virtual void tell_more(const Scene& scene, std::span<const Subject> subjects, std::span<const DrawnSubject> drawn,
-                         const Views& views, Run& run) {
-    static_cast<void>(scene), static_cast<void>(subjects), static_cast<void>(drawn);
-    static_cast<void>(views), static_cast<void>(run);
+  virtual void tell_more(const Scene& scene, std::span<const Subject> subjects, const Views& views, Run& run) {
+    static_cast<void>(scene), static_cast<void>(subjects), static_cast<void>(views), static_cast<void>(run);
   }
 
   /// Which back faces who asks should have culled.
@@ -42,7 +40,8 @@ class OverdrawService {
 
   /// The subject's parts at rest, in their sequence. Blended parts are left out.
   OverdrawCounts count(const Scene& scene, const Subject& subject, const Views& views, Run& run) {
-    return draw(drawn_subject(scene, subject, faces_, world_transforms(scene)).parts, views, run);
+    const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene) : PosedNodes();
+    return draw(drawn_subject(scene, subject, faces_, nodes).parts, views, run);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/draw.h>
 #include <foredraw/scene/image.h>
+#include <foredraw/scene/poses.h>
 #include <foredraw/scene/views.h>
 
 #include <atomic>
@@ -56,6 +57,7 @@ struct Run {
   const Executor& executor;
   Findings& findings;
   const Views& views;                          ///< what orders are optimised for: the pipeline's [views]
+  const Poses& poses = rest_pose;              ///< and in which poses: the pipeline's [poses]
   OverdrawService* overdraw = nullptr;         ///< who answers for measured overdraw, where the card asks for it
   std::uint64_t seed = 0;                      ///< from the pipeline's seed, the stage and the place
   Place place;                                 ///< what figures and notes are about unless they say otherwise

@@ -1,6 +1,6 @@
 #include "tipsify.h"
 
-#include <foredraw/analysis/rest_positions.h>
+#include <foredraw/analysis/posed_positions.h>
 #include <foredraw/technique/cache_orderer.h>
 #include <foredraw/technique/plugin.h>
 
@@ -17,7 +17,7 @@ class Tipsify final : public CacheOrderer {
  private:
   IndexOrder order_for_cache(const DrawView& draw, const Run& run) const override {
     if (options_.parts > 1) {
-      const auto positions = rest_positions(draw.scene, {draw.id, {}}, {});
+      const auto positions = posed_positions(draw.scene, {draw.id, {}}, {});
       const auto for_each = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
         run.executor.for_each(count, task);
       };

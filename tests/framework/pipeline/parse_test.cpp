@@ -80,6 +80,14 @@ TEST(ParseFile, ReadsAllThereIs) {
   EXPECT_EQ(pipeline.overdraw->settings, (Settings{{"faces", std::string("front")}}));
 }
 
+TEST(ParseFile, ReadsPoses) {
+  const Pipeline pipeline = parsed("pipeline = 1\n[poses]\nposes = 'all'\nclips = 'Walk*'\nrate = 30\n");
+  EXPECT_EQ(pipeline.poses, (PoseSet{.poses = "all", .clips = "Walk*", .rate = 30}));
+  EXPECT_EQ(parsed("pipeline = 1\n[poses]\nposes = 64\n").poses, PoseSet{.poses = "64"});
+  EXPECT_EQ(refused("pipeline = 1\n[poses]\nrate = 30\nmoments = '1'\n"),
+            "p.toml:2:1: error: poses: rate and moments both say when; leave one of them out\n");
+}
+
 TEST(ParseFile, RemembersWhereThingsStand) {
   const Pipeline pipeline = parsed(props);
   const Stage& tipsify = pipeline.stages[1];

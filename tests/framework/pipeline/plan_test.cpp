@@ -134,5 +134,37 @@ TEST(Plan, TellsPeopleWhatRunsAndWhatDoesNot) {
   EXPECT_NE(text.find("count-draws"), std::string::npos) << text;
 }
 
+/// A scene with two clips of a key each, planned with these poses.
+Planned with_poses(const PoseSet& poses) {
+  Scene animated = scene();
+  for (const char* name : {"Walk", "Run"}) {
+    AnimationChannel channel;
+    channel.times = Shared<float>({0.5f});
+    channel.values = Shared<float>({0, 0, 0});
+    animated.animations.push_back({name, {channel}});
+  }
+  Planned planned("", animated);
+  Pipeline pipeline;
+  pipeline.poses = poses;
+  planned.plan = plan(pipeline, planned.plugins, animated, planned.diagnostics);
+  return planned;
+}
+
+TEST(Plan, MakesThePosesOfTheScene) {
+  EXPECT_EQ(with_poses({}).plan->poses, rest_pose);
+  EXPECT_EQ(with_poses({.poses = "all", .clips = "R*"}).plan->poses, (Poses{{{1, 0.5}}}));
+  EXPECT_EQ(with_poses({.poses = "64"}).plan->poses, (Poses{{{0, 0.5, 32}, {1, 0.5, 32}}}));
+}
+
+TEST(Plan, RefusesPosesThatCanNotBeMadeAndTellsOfThoseThatThereAreNot) {
+  const Planned wrong = with_poses({.poses = "al"});
+  EXPECT_FALSE(wrong.plan);
+  EXPECT_EQ(to_text(wrong.diagnostics), "error: poses: there is no pose set 'al'; did you mean 'all'?\n");
+  const Planned none = with_poses({.poses = "all", .clips = "Wlak"});
+  EXPECT_TRUE(none.plan);
+  EXPECT_EQ(none.codes(), Codes{"at-rest"});
+  EXPECT_EQ(none.plan->poses, rest_pose);
+}
+
 }  // namespace
 }  // namespace foredraw

@@ -73,12 +73,25 @@ ViewSet any_views() {
   return views;
 }
 
+PoseSet any_poses() {
+  PoseSet poses;
+  poses.poses = *rc::gen::element<std::string>("all", "bind", "64");
+  if (*rc::gen::arbitrary<bool>()) poses.clips = "Walk *\"";
+  if (*rc::gen::arbitrary<bool>()) {
+    poses.rate = *rc::gen::inRange(1, 1000) / 7.0;
+  } else if (*rc::gen::arbitrary<bool>()) {
+    poses.moments = "0 " + std::to_string(*rc::gen::inRange(1, 9)) + ".5";
+  }
+  return poses;
+}
+
 Pipeline any_pipeline() {
   Pipeline pipeline;
   pipeline.about = *any_text();
   pipeline.stages = any_stages();
   pipeline.measure = any_stages();
   pipeline.views = any_views();
+  pipeline.poses = any_poses();
   if (*rc::gen::arbitrary<bool>()) pipeline.overdraw = any_stage();
   pipeline.seed = *rc::gen::arbitrary<std::int64_t>();
   return pipeline;
@@ -178,6 +191,7 @@ TEST(Print, ALineHoldsStagesAlone) {
   EXPECT_EQ(more([](Pipeline& p) { p.seed = 1; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.measure = p.stages; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.views.size = 64; }), std::nullopt);
+  EXPECT_EQ(more([](Pipeline& p) { p.poses.rate = 30; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.overdraw = Stage{.use = "x"}; }), std::nullopt);
 }
 
@@ -201,6 +215,7 @@ TEST(SamePipeline, ComparesWhatDecidesWhatRuns) {
   EXPECT_FALSE(same_after([](Pipeline& p) { p.stages.push_back(p.stages[0]); }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.measure = p.stages; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.views.size = 64; }));
+  EXPECT_FALSE(same_after([](Pipeline& p) { p.poses.clips = "Walk"; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.seed = 1; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw.reset(); }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw->use = "y"; }));

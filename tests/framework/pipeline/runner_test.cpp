@@ -172,12 +172,17 @@ TEST_F(Runner, GivesTheSameAtAnyThreadCount) {
 TEST_F(Runner, ReportsAsJson) {
   Result result = run("reverse-draw", two_, "count-triangles");
   result.report.command = "optimize";
+  result.report.after.metrics.set("sight", "poses.root.001@0.5.ratio", {3, 2});
+  result.report.after.metrics.set("sight", "shaded-times.1", {7});
   const auto json = nlohmann::json::parse(to_json(result.report));
   EXPECT_EQ(json["report"], report_version);
   EXPECT_EQ(json["totals"]["metrics"]["count-triangles"]["triangles"]["value"], 6);
   EXPECT_EQ(json["totals"]["before"]["metrics"]["count-triangles"]["triangles"]["unit"], "triangles");
   EXPECT_EQ(json["draws"][1]["metrics"]["count-triangles"]["triangles"]["value"], 2);
   EXPECT_EQ(json["stages"][0]["use"], "reverse-draw");
+  const auto& sight = json["totals"]["metrics"]["sight"];
+  EXPECT_EQ(sight["poses"]["root.001@0.5"]["ratio"]["value"], 1.5);
+  EXPECT_EQ(sight["shaded-times"]["1"]["value"], 7);
   // The pipeline in the report runs again.
   Diagnostics diagnostics;
   EXPECT_TRUE(parse_file(json["pipeline"].get<std::string>(), "report", diagnostics));

@@ -52,6 +52,25 @@ TEST(Subjects, each_mesh_is_one_in_its_own_space) {
   EXPECT_EQ(told(Scene()), Lines());
 }
 
+TEST(Subjects, a_mesh_whose_shape_an_animation_changes_is_one_for_each_node_that_does) {
+  Scene scene = scene_with(3, 6);
+  for (const NodeId node : {1, 3, 4}) scene.nodes[node].mesh = 1;  // 4 is not animated
+  scene.nodes[2].mesh = 2;
+  scene.nodes[5].mesh = 0;
+  scene.nodes[5].skin = 0;
+  add_skin(scene, "Knight", {0});
+  const auto moves = [](NodeId node, AnimatedPath path) {
+    AnimationChannel channel;
+    channel.node = node;
+    channel.path = path;
+    return channel;
+  };
+  const AnimatedPath weights = AnimatedPath::weights;
+  scene.animations = {{"Wave", {moves(3, weights), moves(2, AnimatedPath::scale), moves(5, weights), moves(99, weights)}},
+                      {"Flow", {moves(1, weights), moves(3, weights), moves(0, weights)}}};
+  EXPECT_EQ(told(scene), (Lines{"Knight: 0@5", "b: 1@1", "b: 1@3", "c: 2@-"}));
+}
+
 TEST(Subjects, a_character_is_its_skinned_meshes_and_what_its_joints_carry) {
   Scene scene = scene_with(4, 6);
   scene.nodes[0].children = {1};  // joints 0, 1

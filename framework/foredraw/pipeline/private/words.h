@@ -8,6 +8,7 @@ namespace foredraw {
 /// Of a whole pipeline, beside its lists and tables.
 OptionTable<Pipeline> pipeline_words();
 OptionTable<ViewSet> view_words();
+OptionTable<PoseSet> pose_words();
 /// The reserved words of a stage. Every other word is an option of its plugin.
 OptionTable<Stage> stage_words();
 

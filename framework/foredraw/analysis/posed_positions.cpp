@@ -1,8 +1,10 @@
-#include <foredraw/analysis/rest_positions.h>
+#include <foredraw/analysis/posed_positions.h>
 
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 namespace foredraw {
@@ -45,19 +47,13 @@ glm::dmat4 blended(std::span<const glm::dmat4> joints, std::span<const Influence
   for (const Influences& set : sets) {
     for (std::size_t c = 0; c < set.components; ++c) {
       const double weight = decode_component(*set.weights, vertex, c);
-      const auto joint = static_cast<std::size_t>(decode_component(*set.joints, vertex, c));
-      if (weight == 0 || joint >= joints.size()) continue;
-      sum += weight * joints[joint];
+      const float joint = decode_component(*set.joints, vertex, c);
+      if (weight == 0 || !(joint >= 0 && joint < static_cast<float>(joints.size()))) continue;
+      sum += weight * joints[static_cast<std::size_t>(joint)];
       weights += weight;
     }
   }
   return weights == 0 ? otherwise : sum / weights;
-}
-
-/// The mesh through which the node draws; its weights stand where the node gives none.
-std::span<const float> morph_weights(const Scene& scene, const Node& node) {
-  if (!node.weights.empty() || !node.mesh) return node.weights;
-  return scene.meshes[*node.mesh].weights;
 }
 
 void add_morph_targets(std::vector<glm::dvec3>& positions, const VertexStreams& vertices,
@@ -76,7 +72,7 @@ void add_morph_targets(std::vector<glm::dvec3>& positions, const VertexStreams& 
 
 }  // namespace
 
-std::vector<glm::vec3> rest_positions(const Scene& scene, const SubjectPart& part, std::span<const glm::mat4> world) {
+std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes) {
   const VertexStreams& vertices = *scene.draws[part.draw].levels[0].vertices;
   const VertexStream* stream = vertices.find("POSITION");
   if (stream == nullptr) return {};
@@ -85,11 +81,11 @@ std::vector<glm::vec3> rest_positions(const Scene& scene, const SubjectPart& par
 
   const Node& node = scene.nodes[*part.node];
   std::vector<glm::dvec3> positions(stored.begin(), stored.end());
-  add_morph_targets(positions, vertices, morph_weights(scene, node));
+  add_morph_targets(positions, vertices, nodes.weights[*part.node]);
 
-  const glm::dmat4 by_node(world[*part.node]);
+  const glm::dmat4 by_node(nodes.world[*part.node]);
   if (node.skin) {
-    const std::vector<glm::dmat4> joints = joint_matrices(scene.skins[*node.skin], world);
+    const std::vector<glm::dmat4> joints = joint_matrices(scene.skins[*node.skin], nodes.world);
     const std::vector<Influences> sets = influences_of(vertices);
     for (std::size_t v = 0; v < positions.size(); ++v) {
       positions[v] = moved(blended(joints, sets, v, by_node), positions[v]);
@@ -98,6 +94,10 @@ std::vector<glm::vec3> rest_positions(const Scene& scene, const SubjectPart& par
     for (glm::dvec3& position : positions) position = moved(by_node, position);
   }
   return {positions.begin(), positions.end()};
+}
+
+bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes) {
+  return part.node && glm::determinant(glm::dmat3(nodes.world[*part.node])) < 0;
 }
 
 }  // namespace foredraw

@@ -1,4 +1,4 @@
-#include <foredraw/analysis/rest_positions.h>
+#include <foredraw/analysis/posed_positions.h>
 
 #include "support/meshes.h"
 
@@ -32,16 +32,16 @@ void change_vertices(Scene& scene, const std::function<void(VertexStreams&)>& ch
 }
 
 Positions at_rest(const Scene& scene, std::optional<NodeId> node) {
-  return rest_positions(scene, {0, node}, world_transforms(scene));
+  return posed_positions(scene, {0, node}, posed_nodes(scene));
 }
 
-TEST(RestPositions, are_as_stored_without_a_node) {
+TEST(PosedPositions, are_as_stored_without_a_node) {
   Scene scene = two_vertices();
   scene.nodes[0].transform.translation = {5, 0, 0};
   EXPECT_EQ(at_rest(scene, {}), (Positions{{1, 0, 0}, {2, 0, 0}}));
 }
 
-TEST(RestPositions, follow_the_node_and_its_parents) {
+TEST(PosedPositions, follow_the_node_and_its_parents) {
   Scene scene = two_vertices();
   scene.nodes[0].transform.scale = {-1, 1, 1};
   Node parent;
@@ -51,7 +51,7 @@ TEST(RestPositions, follow_the_node_and_its_parents) {
   EXPECT_EQ(at_rest(scene, 0), (Positions{{-1, 3, 0}, {-2, 3, 0}}));
 }
 
-TEST(RestPositions, add_morph_targets_at_the_nodes_weights_else_the_meshs) {
+TEST(PosedPositions, add_morph_targets_at_the_nodes_weights_else_the_meshs) {
   Scene scene = two_vertices();
   change_vertices(scene, [](VertexStreams& streams) {
     const auto target = [](std::vector<float> offsets) {
@@ -80,7 +80,7 @@ Scene skinned_vertices() {
   return scene;
 }
 
-TEST(RestPositions, follow_joints_by_weights_of_all_sets) {
+TEST(PosedPositions, follow_joints_by_weights_of_all_sets) {
   Scene scene = skinned_vertices();
   change_vertices(scene, [](VertexStreams& streams) {
     const auto add = [&](const char* n, std::vector<std::uint8_t> joints, std::vector<std::uint8_t> weights) {
@@ -94,12 +94,12 @@ TEST(RestPositions, follow_joints_by_weights_of_all_sets) {
   EXPECT_EQ(at_rest(scene, 0), (Positions{{1, 2, 0}, {2, 3, -0.5f}}));
 }
 
-TEST(RestPositions, follow_the_node_where_no_joint_has_a_weight) {
+TEST(PosedPositions, follow_the_node_where_no_joint_has_a_weight) {
   const Scene scene = skinned_vertices();
   EXPECT_EQ(at_rest(scene, 0), (Positions{{51, 0, 0}, {52, 0, 0}}));
 }
 
-TEST(RestPositions, are_none_without_a_position_stream) {
+TEST(PosedPositions, are_none_without_a_position_stream) {
   Scene scene = two_vertices();
   change_vertices(scene, [](VertexStreams& streams) { streams.base.clear(); });
   EXPECT_TRUE(at_rest(scene, 0).empty());

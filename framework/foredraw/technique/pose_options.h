@@ -1,0 +1,24 @@
+#pragma once
+#include <foredraw/analysis/pose_set.h>
+#include <foredraw/technique/options.h>
+
+#include <concepts>
+
+namespace foredraw {
+
+/// The rows of a pose set, for options that derive from PoseSet.
+template <class Options>
+requires std::derived_from<Options, PoseSet>
+void add_pose_rows(OptionTable<Options>& table) {
+  table.number_or_text(&PoseSet::poses, "poses",
+                       "In which poses: bind (as the file's nodes stand), all (every key of every clip), or at most so "
+                       "many, spread over the clips");
+  table.template row<std::string>(&PoseSet::clips, "clips", "Names of the clips to take poses from, with * and ?");
+  table.template row<std::optional<double>>(&PoseSet::rate, "rate",
+                                            "In place of poses: so many a second, from each clip's first key on",
+                                            {0.001, 1000, "poses a second"});
+  table.template row<std::string>(&PoseSet::moments, "moments",
+                                  "In place of poses: these seconds of each clip that lasts for them, as '0 0.5 2'");
+}
+
+}  // namespace foredraw

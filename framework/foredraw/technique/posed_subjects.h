@@ -1,0 +1,17 @@
+#pragma once
+#include <foredraw/analysis/distinct_poses.h>
+
+namespace foredraw {
+
+/// What an evaluator of a scene looks at: its subjects, in poses.
+struct PosedSubjects {
+  const Scene& scene;
+  std::vector<Subject> subjects;
+  Poses poses;
+  std::vector<DistinctPoses> distinct;  ///< [subject]
+
+  /// Whether the subject looks as in no pose before this one. Else there is nothing to draw.
+  bool is_new(std::size_t subject, std::size_t pose) const { return distinct[subject].first_alike[pose] == pose; }
+};
+
+}  // namespace foredraw
