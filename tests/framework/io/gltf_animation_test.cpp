@@ -51,9 +51,10 @@ double largest_difference(const Scene& scene, const Poses& poses) {
 
 /// From rest.
 double largest_movement(const Scene& scene, const Poses& poses) {
+  const std::vector<Subject> subjects = subjects_of(scene);
   double largest = 0;
   for (const Pose& pose : poses.poses) {
-    for (const SubjectPart& part : subjects_of(scene)[0].parts) {
+    for (const SubjectPart& part : subjects[0].parts) {
       largest = std::max(largest, testing::difference(posed_positions(scene, part, posed_nodes(scene, pose)),
                                                       testing::NaiveAnimation(scene, {}).positions(part)));
     }
