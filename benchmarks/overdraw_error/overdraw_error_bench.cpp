@@ -27,14 +27,9 @@
 namespace foredraw::bench {
 namespace {
 
-constexpr std::array models = {"static/spot",
-                               "static/head",
-                               "static/dutch_ship_medium_notex",
-                               "static/flight_helmet_notex",
-                               "animated/kaykit_knight",
-                               "animated/mannequiny",
-                               "animated/robot_expressive",
-                               "scenes/house"};
+constexpr std::array models = {
+    "static/spot", "static/head", "animated/kaykit_knight", "animated/mannequiny", "animated/robot_expressive",
+    "scenes/house"};
 constexpr std::array sizes = {32, 64, 128, 256, 512, 1024, 2048};
 constexpr std::array counts = {12, 42, 162, 642, 2562};
 
