@@ -11,7 +11,7 @@ import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
-from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 # Stands for the page's own colour, which the library has no word for; replaced when the file is written.
 PAGE = "#010203"
@@ -72,7 +72,7 @@ def draw_panel(axes, panel, style, worst, is_log):
     axes.set_xscale("log")
     axes.margins(x=0.08)
     axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axes.xaxis.set_major_formatter(ScalarFormatter())
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda time, _: f"{time:g}"))
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_title(panel.title, fontsize=9)
     axes.grid(color=PAGE, alpha=0.12, linewidth=0.6)
