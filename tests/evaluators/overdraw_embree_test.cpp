@@ -1,9 +1,9 @@
 #include "../../evaluators/overdraw_embree/overdraw_embree.h"
-#include "../../evaluators/overdraw_embree/box_tree.h"
 #include "../../evaluators/overdraw_embree/traced_parts.h"
 
 #include "overdraw_embree_reference.h"
 #include "support/meshes.h"
+#include "support/overdraw.h"
 #include "support/painter.h"
 
 #include <foredraw/analysis/view_sphere.h>
@@ -20,27 +20,15 @@ namespace foredraw {
 namespace {
 
 using testing::part_of;
+using testing::quad;
 using testing::TestMesh;
-
-Views from(const glm::dvec3& direction, int size = 64, double distance = 0) { return {{{direction, distance}}, size}; }
+using testing::total;
 
 Views all_sides(int size = 64, double distance = 0, int count = 12) {
-  ViewSet set;
-  set.views = "fibonacci";
-  set.count = count;
-  set.size = size;
-  if (distance > 0) set.distance = distance;
-  return make_views(set);
+  return testing::all_sides(size, distance, count);
 }
 
-/// Of all parts and views.
-OverdrawCount total(const OverdrawCounts& counts) {
-  OverdrawCount sum;
-  for (const auto& part : counts) {
-    for (const OverdrawCount& count : part) sum += count;
-  }
-  return sum;
-}
+Views from(const glm::dvec3& direction, int size = 64, double distance = 0) { return {{{direction, distance}}, size}; }
 
 OverdrawCount total(const TestMesh& mesh, const Views& views, bool culls_back_faces = true,
                     const OverdrawEmbreeOptions& options = {}) {
@@ -57,11 +45,6 @@ OverdrawCount drawn(const TestMesh& mesh, const Views& views, bool culls_back_fa
     sum += count;
   }
   return sum;
-}
-
-/// A square that faces +Z.
-TestMesh quad(float z, float half = 1) {
-  return {{{-half, -half, z}, {half, -half, z}, {-half, half, z}, {half, half, z}}, {0, 1, 2, 2, 1, 3}};
 }
 
 // --- what is counted
@@ -343,105 +326,8 @@ TEST(OverdrawEmbree, many_threads_may_ask_the_same_tree) {
   const Executor executor(2);
   const TracedParts traced({&part, 1});
   std::vector<OverdrawCount> counts(views.views.size());
-  executor.for_each(counts.size(), [&](std::size_t i) {
-    counts[i] = traced.count(views.views[i], 64, {2, 1})[0];
-  });
+  executor.for_each(counts.size(), [&](std::size_t i) { counts[i] = traced.count(views.views[i], 64, {2, 1})[0]; });
   EXPECT_EQ(counts, expected[0]);
-}
-
-// --- the plugin
-
-Findings evaluate(const Scene& scene, const Settings& settings, int threads = 2) {
-  const Technique technique = overdraw_embree_plugin().create(settings);
-  testing::RunFixture fixture;
-  const Executor executor(threads);
-  Run run{fixture.analyses, executor, fixture.findings, fixture.views};
-  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, run);
-  return fixture.findings;
-}
-
-const Measured* find(const Findings& findings, const std::string& metric, std::optional<DrawId> draw) {
-  for (const Measured& measured : findings.measured) {
-    if (measured.metric == metric && measured.place.draw == draw) return &measured;
-  }
-  return nullptr;
-}
-
-const Settings few_views = {
-    {"views", std::string("fibonacci")}, {"count", std::int64_t{10}}, {"size", std::int64_t{64}}};
-
-TEST(OverdrawEmbreePlugin, one_thread_counts_as_many_do) {
-  const Scene scene = testing::scene_of(testing::shuffled(testing::torus(40, 20), 2));
-  Settings settings = few_views;
-  settings["samples"] = std::int64_t{3};
-  const Findings one = evaluate(scene, settings, 1);
-  for (const int threads : {2, 5}) {
-    const Findings several = evaluate(scene, settings, threads);
-    ASSERT_EQ(several.measured.size(), one.measured.size());
-    for (std::size_t i = 0; i < one.measured.size(); ++i) {
-      EXPECT_EQ(several.measured[i].numerator, one.measured[i].numerator);
-      EXPECT_EQ(several.measured[i].denominator, one.measured[i].denominator);
-      EXPECT_EQ(several.measured[i].error, one.measured[i].error);
-    }
-  }
-}
-
-TEST(OverdrawEmbreePlugin, traces_as_many_samples_as_asked_at_places_of_the_seed) {
-  const Scene scene = testing::scene_of(testing::torus(40, 20));
-  const auto visible = [&](std::int64_t samples, std::int64_t seed) {
-    Settings settings = few_views;
-    settings["samples"] = samples;
-    settings["seed"] = seed;
-    return *find(evaluate(scene, settings), "ratio", {})->denominator;
-  };
-  EXPECT_NEAR(visible(9, 0) / visible(1, 0), 9, 0.1);
-  EXPECT_NE(visible(9, 0), visible(9, 1));
-  EXPECT_EQ(visible(1, 0), visible(1, 1));
-}
-
-TEST(OverdrawEmbreePlugin, culls_back_faces_as_the_material_or_faces_says) {
-  Scene scene = testing::scene_of(testing::sphere(16, 8));
-  scene.materials.resize(1);
-  scene.materials[0].double_sided = true;
-  scene.draws[0].material = 0;
-  const auto ratio = [&](const char* faces) {
-    Settings settings = few_views;
-    settings["faces"] = std::string(faces);
-    const Findings findings = evaluate(scene, settings);
-    return find(findings, "ratio", 0)->numerator / *find(findings, "ratio", 0)->denominator;
-  };
-  EXPECT_GT(ratio("material"), 1.1);
-  EXPECT_EQ(ratio("front"), 1);
-}
-
-TEST(OverdrawEmbreePlugin, answers_for_measured_overdraw) {
-  const TestMesh torus = testing::shuffled(testing::torus(24, 12), 1);
-  const Scene scene = testing::scene_of(torus);
-  const RasterPart part = part_of(torus);
-  for (const int samples : {1, 4}) {
-    const auto service = overdraw_embree_plugin().overdraw_service({{"samples", std::int64_t{samples}}});
-    EXPECT_FALSE(service->can_capture());
-    testing::RunFixture fixture;
-    EXPECT_EQ(service->count(scene, subjects_of(scene)[0], all_sides(), fixture.run),
-              overdraw_embree({&part, 1}, all_sides(), {samples, 0}));
-  }
-}
-
-TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
-  std::vector<Box> boxes;
-  for (int i = 0; i < 100; ++i)
-    boxes.push_back({glm::vec3(i % 10, i / 10, i) * 0.1f, glm::vec3(i % 10 + 1, i / 10 + 1, i + 1) * 0.1f});
-  const BoxTree tree(boxes);
-  std::vector<std::uint32_t> met;
-  tree.for_each_met({{0.45f, 0.75f, -1}, {0, 0, 1}, 20}, [&](std::uint32_t i) { met.push_back(i); });
-  EXPECT_EQ(met, std::vector<std::uint32_t>{74});
-  met.clear();
-  tree.for_each_met({{0.45f, 0.75f, -1}, {0, 0, 1}, 5}, [&](std::uint32_t i) { met.push_back(i); });
-  EXPECT_TRUE(met.empty());
-  EXPECT_THROW(
-      tree.for_each_met({{0.45f, 0.75f, -1}, {0, 0, 1}, 20}, [](std::uint32_t) { throw std::out_of_range("x"); }),
-      std::out_of_range);
-  BoxTree({}).for_each_met({{0, 0, 0}, {0, 0, 1}, 1}, [](std::uint32_t) { FAIL(); });
 }
 
 }  // namespace

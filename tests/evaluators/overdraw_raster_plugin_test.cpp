@@ -1,208 +1,216 @@
-// Overdraw over the poses of an animation.
-
 #include "../../evaluators/overdraw_raster/overdraw_raster.h"
 
-#include "support/meshes.h"
-
-#include <foredraw/technique/plugin.h>
+#include "support/overdraw.h"
+#include "support/painter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace foredraw {
 namespace {
 
-/// A ball that hangs from a joint and moves into a ring and out on its other side within two seconds; then it stands
-/// still.
-Scene ball_and_ring() {
-  Draw ball = testing::draw_of(testing::sphere(16, 8, 0.5f), "ball");
-  Draw ring = testing::draw_of(testing::torus(16, 8), "ring");
-  Scene scene = testing::scene_of({std::move(ball), std::move(ring)});
-  Node root;
-  root.children = {0, 1};
-  scene.nodes.push_back(root);
-  scene.skins.resize(1);
-  scene.skins[0].joints = {2};
-  const Shared<float> times({0, 1, 2, 3});
-  scene.animations.push_back({"Through",
-                              {{0, AnimatedPath::translation, Interpolation::linear, times,
-                                Shared<float>({0, -1.5f, 0, 0, 0, 0, 1.2f, 0, 0, 1.2f, 0, 0})}}});
-  scene.animations.push_back(
-      {"Still",
-       {{0, AnimatedPath::scale, Interpolation::step, Shared<float>({0, 5}), Shared<float>({1, 1, 1, 1, 1, 1})}}});
-  return scene;
-}
-
-Settings with(Settings settings) {
-  settings.insert({{"count", std::int64_t{12}}, {"size", std::int64_t{64}}});
-  return settings;
-}
+using testing::all_sides;
+using testing::crowd;
+using testing::find;
+using testing::part_of;
+using testing::quad;
+using testing::TestMesh;
 
 Findings evaluate(const Scene& scene, const Settings& settings, int threads = 2) {
-  const Technique technique = overdraw_raster_plugin().create(with(settings));
-  testing::RunFixture fixture;
-  const Executor executor(threads);
-  Run run{fixture.analyses, executor, fixture.findings, fixture.views};
-  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, run);
-  return fixture.findings;
+  return testing::evaluate(overdraw_raster_plugin(), scene, settings, threads);
 }
 
-const Measured& find(const Findings& findings, const std::string& metric, std::optional<DrawId> draw = {}) {
-  for (const Measured& measured : findings.measured) {
-    if (measured.metric == metric && measured.place.draw == draw) return measured;
-  }
-  throw std::out_of_range(metric);
+const Settings few_views = {
+    {"views", std::string("fibonacci")}, {"count", std::int64_t{10}}, {"size", std::int64_t{64}}};
+
+TEST(OverdrawRasterPlugin, measures_each_draw_inside_its_mesh) {
+  const TestMesh inner = testing::sphere(16, 8, 0.5f);
+  const TestMesh outer = testing::sphere(16, 8, 1.0f);
+  Scene scene = testing::scene_of({testing::draw_of(inner, "inner"), testing::draw_of(outer, "outer")});
+  const Findings apart = evaluate(scene, few_views);
+  EXPECT_NEAR(find(apart, "ratio", 0)->numerator / *find(apart, "ratio", 0)->denominator, 1, 0.001);
+
+  scene.meshes[0].draws = {0, 1};
+  scene.meshes.pop_back();
+  scene.nodes.pop_back();
+  const Findings together = evaluate(scene, few_views);
+  EXPECT_GT(find(together, "ratio", 0)->numerator, 1000);
+  EXPECT_EQ(find(together, "ratio", 0)->denominator, 0);  // hidden, but its fragments are paid for
+  EXPECT_EQ(find(together, "view-mean", 0)->denominator, 0);
+  EXPECT_EQ(find(together, "view-mean", 1)->denominator, 10);
 }
 
-const Settings all = {{"poses", std::string("all")}};
-
-/// The scene with the ball there to stay.
-Scene stopped(glm::vec3 at) {
-  Scene scene = ball_and_ring();
-  scene.nodes[0].transform.translation = at;
-  scene.animations.clear();
-  return scene;
-}
-
-TEST(OverdrawPoses, figures_are_the_sums_over_scenes_that_stand_like_that) {
-  const Findings moved = evaluate(ball_and_ring(), all);
-  // Keys at 0, 1, 2, 3 (as 2), and of the other clip 0 and 5 (at rest, as at 1).
-  std::vector<Findings> poses;
-  for (const glm::vec3 at : {glm::vec3(0, -1.5f, 0), glm::vec3(0), glm::vec3(1.2f, 0, 0), glm::vec3(1.2f, 0, 0),
-                             glm::vec3(0), glm::vec3(0)}) {
-    poses.push_back(evaluate(stopped(at), {}));
-  }
-  for (const std::optional<DrawId> draw :
-       {std::optional<DrawId>(), std::optional<DrawId>(0), std::optional<DrawId>(1)}) {
-    for (const char* metric : {"ratio", "view-mean"}) {
-      double numerator = 0;
-      double denominator = 0;
-      for (const Findings& pose : poses) {
-        numerator += find(pose, metric, draw).numerator;
-        denominator += *find(pose, metric, draw).denominator;
-      }
-      EXPECT_DOUBLE_EQ(find(moved, metric, draw).numerator, numerator) << metric;
-      EXPECT_EQ(find(moved, metric, draw).denominator, denominator) << metric;
-    }
-    double hidden = 0;
-    double worst = 0;
-    for (const Findings& pose : poses) {
-      hidden += find(pose, "hidden", draw).numerator;
-      const Measured& view = find(pose, "worst-view", draw);
-      worst = std::max(worst, view.numerator / *view.denominator);
-    }
-    EXPECT_EQ(find(moved, "hidden", draw).numerator, hidden);
-    EXPECT_EQ(find(moved, "worst-view", draw).numerator / *find(moved, "worst-view", draw).denominator, worst);
-  }
-  EXPECT_GT(find(moved, "hidden").numerator, 1000);
-  const char* names[] = {"Through@0", "Through@1", "Through@2", "Through@3", "Still@0", "Still@5"};
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Measured& told = find(moved, std::string("poses.") + names[i] + ".ratio");
-    EXPECT_EQ(told.numerator, find(poses[i], "ratio").numerator);
-    EXPECT_EQ(told.denominator, find(poses[i], "ratio").denominator);
-    EXPECT_EQ(told.error, find(poses[i], "ratio").error);
-  }
-}
-
-TEST(OverdrawPoses, a_scene_without_clips_is_at_rest_and_tells_of_no_poses) {
-  const Findings findings = evaluate(stopped({}), all);
-  for (const Measured& measured : findings.measured) EXPECT_FALSE(measured.metric.starts_with("poses."));
-  EXPECT_TRUE(findings.notes.empty());
-}
-
-TEST(OverdrawPoses, the_worst_pose_is_told) {
-  const Findings findings = evaluate(ball_and_ring(), all);
-  std::string worst;
-  double highest = 0;
-  for (const Measured& measured : findings.measured) {
-    if (!measured.metric.starts_with("poses.")) continue;
-    const double ratio = measured.numerator / *measured.denominator;
-    if (ratio > highest) {
-      highest = ratio;
-      worst = measured.metric.substr(6, measured.metric.rfind('.') - 6);
+TEST(OverdrawRasterPlugin, one_thread_counts_as_many_do) {
+  const Scene scene = testing::scene_of(testing::shuffled(testing::torus(40, 20), 2));
+  const Findings one = evaluate(scene, few_views, 1);
+  for (const int threads : {2, 3, 8}) {
+    const Findings several = evaluate(scene, few_views, threads);
+    ASSERT_EQ(several.measured.size(), one.measured.size());
+    for (std::size_t i = 0; i < one.measured.size(); ++i) {
+      EXPECT_EQ(several.measured[i].numerator, one.measured[i].numerator);
+      EXPECT_EQ(several.measured[i].denominator, one.measured[i].denominator);
+      EXPECT_EQ(several.measured[i].error, one.measured[i].error);
     }
   }
-  ASSERT_EQ(findings.notes.size(), 1u);
-  EXPECT_EQ(findings.notes[0].code, "worst-pose");
-  EXPECT_TRUE(findings.notes[0].message.starts_with("looked in 6 poses, 3 of them different; the worst is " + worst +
-                                                    ", with "))
-      << findings.notes[0].message;
 }
 
-TEST(OverdrawPoses, sixteen_are_looked_at_and_up_to_64_are_told_one_by_one) {
-  const auto told = [](const Settings& settings) {
-    const Findings findings = evaluate(ball_and_ring(), settings);
-    return std::ranges::count_if(findings.measured, [](const Measured& m) { return m.metric.starts_with("poses."); });
-  };
-  EXPECT_EQ(told({}), 16);
-  EXPECT_EQ(told({{"poses", std::string("64")}}), 64);
-  EXPECT_EQ(told({{"poses", std::string("65")}}), 0);
-  EXPECT_EQ(evaluate(ball_and_ring(), {{"poses", std::string("65")}}).notes[0].code, "worst-pose");
-  EXPECT_EQ(told({{"poses", std::string("bind")}}), 0);
+TEST(OverdrawRasterPlugin, materials_decide_about_back_faces_and_blending) {
+  Scene scene = testing::scene_of({testing::draw_of(testing::sphere(16, 8), "Shell"),
+                                   testing::draw_of(quad(0), "Glass"), testing::draw_of(quad(0), "Leaves")});
+  scene.materials.resize(3);
+  scene.materials[0].double_sided = true;
+  scene.materials[1].alpha_mode = AlphaMode::blend;
+  scene.materials[2].alpha_mode = AlphaMode::mask;
+  for (DrawId draw = 0; draw < 3; ++draw) scene.draws[draw].material = draw;
+  const Findings findings = evaluate(scene, few_views);
+  EXPECT_GT(find(findings, "ratio", 0)->numerator / *find(findings, "ratio", 0)->denominator, 1.1);
+  EXPECT_EQ(find(findings, "ratio", 1), nullptr);
+  EXPECT_NE(find(findings, "ratio", 2), nullptr);
+  EXPECT_EQ(find(findings, "blended-left-out", {})->numerator, 1);
+  ASSERT_EQ(findings.notes.size(), 2u);
+  EXPECT_EQ(findings.notes[0].message, "left out as blended: 1 draw (Glass)");
+  EXPECT_EQ(findings.notes[1].message, "drawn as if opaque, though masked: 1 draw (Leaves)");
+
+  Settings front = few_views;
+  front["faces"] = std::string("front");
+  const Findings culled = evaluate(scene, front);
+  EXPECT_NEAR(find(culled, "ratio", 0)->numerator / *find(culled, "ratio", 0)->denominator, 1, 0.001);
 }
 
-TEST(OverdrawPoses, figures_are_the_same_at_any_number_of_threads) {
-  const Settings settings = {{"poses", std::string("40")}, {"distance", 3.0}};
-  const Findings one = evaluate(ball_and_ring(), settings, 1);
-  const Findings many = evaluate(ball_and_ring(), settings, 5);
-  ASSERT_EQ(one.measured.size(), many.measured.size());
-  for (std::size_t i = 0; i < one.measured.size(); ++i) {
-    EXPECT_EQ(one.measured[i].metric, many.measured[i].metric);
-    EXPECT_EQ(one.measured[i].numerator, many.measured[i].numerator);
-    EXPECT_EQ(one.measured[i].denominator, many.measured[i].denominator);
-    EXPECT_EQ(one.measured[i].error, many.measured[i].error);
-  }
+TEST(OverdrawRasterPlugin, parts_of_one_draw_are_summed_and_mirrored_ones_turned) {
+  // A character whose two joints carry the same quad one above the other, both facing +Z.
+  Scene scene = testing::scene_of(quad(0));
+  scene.nodes.assign(2, Node());
+  scene.nodes[0].mesh = 0;
+  scene.nodes[1].mesh = 0;
+  scene.nodes[1].transform.translation = {0, 2, 0};
+  scene.nodes[1].transform.scale = {-1, 1, 1};
+  scene.skins.resize(1);
+  scene.skins[0].joints = {0, 1};
+  const Findings findings = evaluate(scene, {{"views", std::string("axes")}, {"size", std::int64_t{512}}});
+  EXPECT_EQ(find(findings, "view-mean", 0)->denominator, 1);  // +Z alone of the 6
+  const double pixels = 2 * std::pow(2 * 256 / std::sqrt(5.0), 2);
+  EXPECT_NEAR(*find(findings, "ratio", 0)->denominator / pixels, 1, 0.01);
 }
 
-TEST(OverdrawPoses, a_wanted_error_is_of_the_sum_over_the_poses) {
-  const Findings findings = evaluate(ball_and_ring(), {{"poses", std::string("3")}, {"error", 0.01}});
-  EXPECT_GT(find(findings, "ratio").error, 0);
-  EXPECT_LE(find(findings, "ratio").error, 0.01);
-}
-
-TEST(OverdrawPoses, details_are_of_all_poses) {
-  Settings settings = all;
-  settings["details"] = true;
-  const Findings findings = evaluate(ball_and_ring(), settings);
-  double pixels = 0;
-  double shaded = 0;
-  for (int times = 1; times <= 8; ++times) {
-    const double count = find(findings, "shaded-times." + std::to_string(times)).numerator;
-    pixels += count;
-    shaded += times * count;
-  }
-  EXPECT_EQ(pixels, *find(findings, "ratio").denominator);
-  EXPECT_EQ(shaded, find(findings, "ratio").numerator);
-}
-
-TEST(OverdrawPoses, an_animated_scene_that_is_looked_at_at_rest_says_why) {
-  const Findings findings = evaluate(ball_and_ring(), {{"clips", std::string("Trough")}});
-  ASSERT_EQ(findings.notes.size(), 1u);
-  EXPECT_EQ(findings.notes[0].message, "drawn at rest: no clip with keys is called 'Trough'; did you mean 'Through'?");
-  EXPECT_EQ(find(findings, "ratio").numerator, find(evaluate(stopped({}), {}), "ratio").numerator);
-}
-
-TEST(OverdrawPoses, broken_poses_are_left_out_and_counted_once) {
-  Scene scene = ball_and_ring();
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  scene.animations[0].channels[0].values = Shared<float>({0, 0, 0, nan, 0, 0, 0, 0, 0, 0, 0, 0});
-  const Findings findings = evaluate(scene, all);
-  const double triangles = static_cast<double>(scene.draws[0].levels[0].orders[0].triangle_count());
-  EXPECT_EQ(find(findings, "triangles-left-out").numerator, triangles);
-  // Nothing but a point is left of the ball.
-  scene.animations[0].channels[0] = {0, AnimatedPath::scale, Interpolation::linear, Shared<float>({0}),
-                                     Shared<float>({0, 0, 0})};
-  EXPECT_GT(find(evaluate(scene, all), "ratio").numerator, 0);
-}
-
-TEST(OverdrawPoses, sets_that_can_not_be_made_are_refused) {
+TEST(OverdrawRasterPlugin, answers_for_measured_overdraw) {
+  const Scene scene = testing::scene_of(testing::torus(24, 12));
   const Plugin plugin = overdraw_raster_plugin();
-  EXPECT_THROW(plugin.create({{"poses", std::string("al")}}), std::invalid_argument);
-  EXPECT_THROW(plugin.create({{"rate", 30.0}, {"moments", std::string("1")}}), std::invalid_argument);
-  EXPECT_NO_THROW(plugin.create({{"rate", 30.0}}));
+  const auto service = plugin.overdraw_service({});
+  testing::RunFixture fixture;
+  const OverdrawCounts overdraw = service->count(scene, subjects_of(scene)[0], all_sides(), fixture.run);
+  const TestMesh torus = testing::torus(24, 12);
+  const RasterPart part = part_of(torus);
+  const OverdrawCounts expected = overdraw_raster({&part, 1}, all_sides());
+  EXPECT_EQ(overdraw, expected);
+}
+
+/// The scene with the triangles of its only draw in another order.
+Scene with_order(const TestMesh& mesh, std::span<const std::uint32_t> order) {
+  TestMesh ordered{mesh.positions, {}};
+  for (const std::uint32_t t : order) {
+    for (std::uint32_t corner = 0; corner < 3; ++corner) ordered.indices.push_back(mesh.indices[3 * t + corner]);
+  }
+  return testing::scene_of(ordered);
+}
+
+TEST(OverdrawRasterPlugin, layers_count_any_order_as_drawing_it_does) {
+  const TestMesh mesh = testing::joined(testing::torus(24, 12), testing::joined(crowd(3), quad(0)));
+  const Scene scene = testing::scene_of(mesh);
+  const auto service = overdraw_raster_plugin().overdraw_service({{"faces", std::string("front")}});
+  ASSERT_TRUE(service->can_capture());
+  testing::RunFixture fixture;
+  const RasterPart part = part_of(mesh);
+  for (const double distance : {0.0, 2.0}) {
+    const Views views = all_sides(64, distance);
+    const auto layers = service->capture({&part, 1}, views, fixture.run);
+    ASSERT_TRUE(layers);
+    EXPECT_FALSE(service->capture({&part, 1}, views, fixture.run, layers->bytes() - 1));
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const std::vector<std::uint32_t> order = testing::random_order(mesh.indices.size() / 3, seed);
+      const Scene drawn = with_order(mesh, order);
+      const OverdrawCounts counts = service->count(drawn, subjects_of(drawn)[0], views, fixture.run);
+      EXPECT_EQ(count_overdraw_by_view(*layers, order), counts[0]);
+    }
+  }
+}
+
+TEST(OverdrawRasterPlugin, says_where_it_looks_from_where_orders_were_optimised_for) {
+  const Scene scene = testing::scene_of(quad(0));
+  testing::RunFixture fixture;
+  ViewSet axes;
+  axes.views = "axes";
+  fixture.views = make_views(axes);
+  const Technique technique = overdraw_raster_plugin().create({{"views", std::string("axes")}});
+  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, fixture.run);
+  ASSERT_EQ(fixture.findings.notes.size(), 1u);
+  EXPECT_EQ(fixture.findings.notes[0].code, "same-views");
+  EXPECT_TRUE(evaluate(scene, few_views).notes.empty());
+}
+
+TEST(OverdrawRasterPlugin, a_wanted_error_is_reached_and_true) {
+  const Scene scene =
+      testing::scene_of(testing::joined(testing::torus(24, 12), testing::sphere(16, 8, 0.8f, {0, 0.5f, 0})));
+  const auto ratio = [&](const Settings& settings) {
+    const Findings findings = evaluate(scene, settings);
+    const Measured* measured = find(findings, "ratio", {});
+    return std::pair(measured->numerator / *measured->denominator, measured->error);
+  };
+  const double truth = ratio({{"views", std::string("2562")}, {"size", std::int64_t{512}}}).first;
+  int far = 0;
+  for (std::int64_t seed = 0; seed < 20; ++seed) {
+    const auto [value, error] = ratio({{"error", 0.003}, {"seed", seed}});
+    EXPECT_LE(error, 0.003);
+    EXPECT_GT(error, 0);
+    far += std::abs(value - truth) > 0.003 ? 1 : 0;
+  }
+  EXPECT_LE(far, 1);
+  EXPECT_NE(ratio({{"error", 0.003}, {"seed", std::int64_t{1}}}), ratio({{"error", 0.003}, {"seed", std::int64_t{2}}}));
+}
+
+TEST(OverdrawRasterPlugin, what_has_no_overdraw_is_known_at_the_first_look) {
+  const Findings findings = evaluate(testing::scene_of(testing::sphere(16, 8)), {{"error", 1e-4}});
+  EXPECT_EQ(find(findings, "ratio", {})->error, 0);
+  ASSERT_EQ(findings.notes.size(), 1u);
+  EXPECT_EQ(findings.notes[0].message, "looked from 10 x 12 views of 64 x 64 pixels");
+}
+
+TEST(OverdrawRasterPlugin, details_tell_who_causes_the_overdraw) {
+  Scene scene = testing::scene_of({testing::draw_of(testing::sphere(16, 8, 0.5f), "inner"),
+                                   testing::draw_of(testing::sphere(16, 8, 1.0f), "outer")});
+  scene.meshes[0].draws = {0, 1};
+  scene.meshes.pop_back();
+  scene.nodes.pop_back();
+  scene.draws[0].levels[0].orders[0].clusters =
+      Clusters{{0, 4, static_cast<std::uint32_t>(scene.draws[0].levels[0].orders[0].triangle_count())}};
+  Settings settings = few_views;
+  settings["details"] = true;
+  const Findings findings = evaluate(scene, settings);
+  ASSERT_EQ(findings.notes.size(), 2u);
+  EXPECT_EQ(findings.notes[1].message, "nothing that these shade is hidden, from any view: 1 draw (outer)");
+  EXPECT_EQ(findings.notes[0].place.draw, 0u);
+  EXPECT_TRUE(findings.notes[0].message.starts_with(
+      "shades 100.0 % of what is hidden in the end; half of it is shaded by 1 of 2 clusters: 1 ("))
+      << findings.notes[0].message;
+  const double visible = *find(findings, "ratio", {})->denominator;
+  const double hidden = find(findings, "hidden", {})->numerator;
+  EXPECT_GT(hidden, 1000);
+  EXPECT_EQ(find(findings, "hidden", 0)->numerator, hidden);
+  EXPECT_EQ(find(findings, "shaded-times.1", {})->numerator, visible - hidden);
+  EXPECT_EQ(find(findings, "shaded-times.2", {})->numerator, hidden);
+  EXPECT_EQ(find(findings, "shaded-times.8", {})->numerator, 0);
+}
+
+TEST(OverdrawRasterPlugin, a_view_set_that_can_not_be_made_is_refused) {
+  const Plugin plugin = overdraw_raster_plugin();
+  EXPECT_THROW(plugin.create({{"views", std::string("icosphere")}, {"count", std::int64_t{100}}}),
+               std::invalid_argument);
+  EXPECT_NO_THROW(plugin.create({{"views", std::string("42")}}));
+  EXPECT_NO_THROW(plugin.create({{"views", std::string("axes")}}));
 }
 
 }  // namespace

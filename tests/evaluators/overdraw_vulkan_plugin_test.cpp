@@ -1,10 +1,7 @@
 #include "../../evaluators/overdraw_vulkan/overdraw_vulkan.h"
 
-#include "support/meshes.h"
+#include "support/overdraw.h"
 #include "support/painter.h"
-
-#include <foredraw/analysis/view_sphere.h>
-#include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +11,8 @@
 
 namespace foredraw {
 namespace {
+
+using testing::find;
 
 class OverdrawVulkanPlugin : public ::testing::Test {
  protected:
@@ -25,19 +24,7 @@ class OverdrawVulkanPlugin : public ::testing::Test {
 const Settings few_views = {{"count", std::int64_t{10}}, {"size", std::int64_t{64}}};
 
 Findings evaluate(const Scene& scene, const Settings& settings, int threads = 2) {
-  const Technique technique = overdraw_vulkan_plugin().create(settings);
-  testing::RunFixture fixture;
-  const Executor executor(threads);
-  Run run{fixture.analyses, executor, fixture.findings, fixture.views};
-  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, run);
-  return fixture.findings;
-}
-
-const Measured* find(const Findings& findings, const std::string& metric, std::optional<DrawId> draw) {
-  for (const Measured& measured : findings.measured) {
-    if (measured.metric == metric && measured.place.draw == draw) return &measured;
-  }
-  return nullptr;
+  return testing::evaluate(overdraw_vulkan_plugin(), scene, settings, threads);
 }
 
 const Note* find(const Findings& findings, const std::string& code) {

@@ -1,10 +1,8 @@
 #include "../../evaluators/overdraw_vulkan/overdraw_vulkan.h"
 #include "../../evaluators/overdraw_vulkan/vulkan_painter.h"
 
-#include "support/meshes.h"
+#include "support/overdraw.h"
 #include "support/painter.h"
-
-#include <foredraw/analysis/view_sphere.h>
 
 #include <gtest/gtest.h>
 
@@ -21,36 +19,12 @@
 namespace foredraw {
 namespace {
 
+using testing::all_sides;
 using testing::part_of;
+using testing::quad;
 using testing::TestMesh;
-
-Views views_of(std::vector<glm::dvec3> directions, int size = 64, double distance = 0) {
-  Views views{{}, size};
-  for (const glm::dvec3& direction : directions) views.views.push_back({direction, distance});
-  return views;
-}
-
-Views all_sides(int size = 64, double distance = 0, int count = 20) {
-  ViewSet set;
-  set.views = "fibonacci";
-  set.count = count;
-  set.size = size;
-  if (distance > 0) set.distance = distance;
-  return make_views(set);
-}
-
-OverdrawCount total(const OverdrawCounts& counts) {
-  OverdrawCount sum;
-  for (const auto& part : counts) {
-    for (const OverdrawCount& count : part) sum += count;
-  }
-  return sum;
-}
-
-/// A square that faces +Z.
-TestMesh quad(float z, float half = 1) {
-  return {{{-half, -half, z}, {half, -half, z}, {-half, half, z}, {half, half, z}}, {0, 1, 2, 2, 1, 3}};
-}
+using testing::total;
+using testing::views_of;
 
 std::vector<RasterPart> parts_of(std::span<const TestMesh> meshes, bool culls_back_faces = true) {
   std::vector<RasterPart> parts;
