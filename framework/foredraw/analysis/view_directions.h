@@ -23,6 +23,10 @@ Directions fibonacci_directions(std::size_t count, double angle = 180);
 /// +X, -X, +Y, -Y, +Z, -Z.
 Directions axis_directions();
 
+/// The middles of the cells that equal steps of theta (the angle from +Y, 0 to 180 degrees) and phi (atan2(z, x), from
+/// -180 degrees on) make of the sphere: [theta][phi]. As order tables number them.
+Directions grid_directions(std::size_t theta_steps, std::size_t phi_steps);
+
 /// Uniform on the sphere.
 Directions random_directions(std::size_t count, std::uint64_t seed);
 

@@ -1,0 +1,44 @@
+#pragma once
+// Orders by measured visibility: the pieces of an order are drawn in the sequence in which least is drawn that something
+// nearer hides later, within a budget of vertices shaded. Source: own; in place of the guess of Sander, Nehab, Barczak 2007
+// and of the sorting by distance of Han, Sander 2016.
+
+#include "atoms.h"
+#include "occlusions.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foredraw {
+
+/// One draw that is to be ordered.
+struct AtomicDraw {
+  std::span<const std::uint32_t> indices;  ///< three a triangle, each below `vertex_count`
+  std::size_t vertex_count = 0;
+  Clusters atoms;  ///< what is moved as one
+};
+
+/// How much is tried, against time.
+enum class OcclusionQuality { fast, balanced, high };
+
+struct OcclusionOrderOptions {
+  OcclusionQuality quality = OcclusionQuality::balanced;
+  double acmr_budget = 1.05;       ///< ACMR of the answer at most so many times that of the order that came in; 1 at least
+  std::uint32_t cache_size = 16;   ///< entries of the FIFO cache that the budget is reckoned for
+};
+
+/// The size of atoms that suits the quality.
+AtomSize atom_size(OcclusionQuality quality);
+
+/// The sequence of the draw's atoms ([place] = atom) that draws least of what does not stay, as far as a local search finds
+/// it. Atoms move one at a time to where they cost least; then those that came in one behind the other are joined where
+/// that costs least for each vertex that need not be shaded again, and the larger pieces move, until the budget is kept.
+/// `occlusions`: of the draw's atoms. O(what the occlusions hold * log atoms * log pieces in a row).
+std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions occlusions,
+                                           const OcclusionOrderOptions& options = {});
+
+struct Plugin;
+Plugin occlusion_order_plugin();
+
+}  // namespace foredraw
