@@ -97,7 +97,9 @@ class StageRunner {
           forget_tables_of(id);
           scene_.draws[id] = std::move(draw);
         }
-        scene_.order_tables.push_back(std::move(outcomes[i].answer->table));
+        OrderTable& table = outcomes[i].answer->table;
+        const bool has_choice = std::ranges::any_of(table.order, [](std::uint8_t order) { return order > 0; });
+        if (has_choice) scene_.order_tables.push_back(std::move(table));
       }
       for (DrawId id : draws[i]) update_traits(scene_.draws[id], outcomes[i]);
     }

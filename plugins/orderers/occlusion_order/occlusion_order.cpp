@@ -5,6 +5,7 @@
 #include <foredraw/analysis/vertex_cache.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -75,9 +76,9 @@ struct Pieces {
   std::vector<double> places;        // [piece] in the order
 
   /// Makes joints, each piece in one at most, until they save `wanted` misses or there are `most`. [old] = new piece.
-  std::vector<std::uint32_t> join(std::span<const Joint> joints, std::uint64_t wanted, std::size_t most) {
+  std::vector<std::uint32_t> join(std::span<const Joint> joints, double wanted, std::size_t most) {
     std::vector<bool> is_taken(places.size(), false), is_joined(places.size(), false);
-    std::uint64_t saving = 0;
+    double saving = 0;
     for (const auto& [price, second, at_first] : joints) {
       if (saving >= wanted || most == 0) break;
       if (is_taken[second - 1] || is_taken[second]) continue;
@@ -126,8 +127,7 @@ std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions oc
   if (draw.atoms.count() < 2) return as_numbered(draw.atoms.count());
   const Effort effort = effort_of(options.quality);
   std::vector<std::uint32_t> order = as_numbered(draw.atoms.count());
-  const auto budget = static_cast<std::uint64_t>(
-      options.acmr_budget * static_cast<double>(misses(draw, draw.atoms, order, options.cache_size)));
+  const double budget = options.acmr_budget * static_cast<double>(misses(draw, draw.atoms, order, options.cache_size));
   Pieces pieces{draw.atoms, misses_of_cuts(draw.indices, draw.vertex_count, options.cache_size, draw.atoms),
                 std::vector<double>(order.begin(), order.end())};
   for (;;) {
@@ -135,12 +135,15 @@ std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions oc
     search.improve(effort.sweeps);
     order = search.order();
     const std::uint64_t shaded = misses(draw, pieces.ranges, order, options.cache_size);
-    if (shaded <= budget) break;
-    const std::vector<Joint> joints = joints_of(search, pieces.saved);
+    std::vector<Joint> joints = joints_of(search, pieces.saved);
+    double wanted = static_cast<double>(shaded) - budget;
+    if (wanted <= 0) {  // what costs nothing is made all the same
+      std::erase_if(joints, [](const Joint& joint) { return joint.price > 0; });
+      wanted = std::numeric_limits<double>::infinity();
+    }
     if (joints.empty()) break;
     pieces.places = search.places();
-    const std::vector<std::uint32_t> joined = pieces.join(joints, shaded - budget, joints.size() / effort.joined + 1);
-    occlusions = with_joined_pieces(occlusions, joined);
+    occlusions = with_joined_pieces(occlusions, pieces.join(joints, wanted, joints.size() / effort.joined + 1));
   }
   return atoms_of(draw.atoms, pieces.ranges, order);
 }

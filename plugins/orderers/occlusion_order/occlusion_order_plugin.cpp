@@ -14,14 +14,13 @@ namespace foredraw {
 
 namespace {
 
-struct Options : KOrdersOptions {
-  std::optional<int> cache_size;  // in place of what the order was made for
-  OrderGrid grid;
+struct Options : KOrdersOptions, OrderGrid {
+  std::optional<int> made_for;  // entries of the cache, in place of what the draw says
 };
 
 std::uint32_t cache_size_of(const IndexStream& stream, const Options& options) {
   constexpr std::uint32_t usual = 16;
-  if (options.cache_size) return static_cast<std::uint32_t>(*options.cache_size);
+  if (options.made_for) return static_cast<std::uint32_t>(*options.made_for);
   return stream.cache_size > 0 ? stream.cache_size : usual;
 }
 
@@ -92,7 +91,10 @@ class Look {
       }
     }
     const auto captured = run_.overdraw->capture(drawn.parts, run_.views, run_);
-    if (!captured) throw std::runtime_error("its overdraw can not be captured: let [services] name overdraw-raster, or use fewer or smaller views");
+    if (!captured) {
+      throw std::runtime_error("what hides what can not be captured: let overdraw-raster answer in [services], or let "
+                               "[views] name fewer or smaller pictures");
+    }
     ClusterLayers layers = cluster_layers(*captured, all, run_.executor);
     subject_.layers.owners = layers.owners;
     first_node_.resize(pose + 1);
@@ -129,7 +131,7 @@ class OcclusionOrder final : public SubjectOrderer {
   SubjectOrders order(const SubjectView& view, Run& run) override {
     Options options = options_;
     options.seed = run.seed;
-    options.KOrdersOptions::cache_size = cache_size_of(view.scene.draws[view.draws[0]].levels[0].orders[0], options_);
+    options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].levels[0].orders[0], options_);
     const Look look(view, options, run);
     const SeenSubject& subject = look.subject();
     std::vector<std::vector<std::uint32_t>> as_it_came;
@@ -149,7 +151,9 @@ class OcclusionOrder final : public SubjectOrderer {
       return {};
     }
     SubjectOrders result;
-    result.table = order_table(view.scene, run.poses, run.views, serving_by_pose(look, found, run), options.grid);
+    result.table = found.orders.size() == 1
+                       ? OrderTable{.order = {0}}
+                       : order_table(view.scene, run.poses, run.views, serving_by_pose(look, found, run), options);
     result.table.draws = view.draws;
     for (const DrawId id : view.draws) {
       const std::size_t d = look.number_of(id);
@@ -195,9 +199,12 @@ Plugin occlusion_order_plugin() {
                {{"fast", OcclusionQuality::fast},
                 {"balanced", OcclusionQuality::balanced},
                 {"high", OcclusionQuality::high}});
-  table.row<std::optional<int>>(&Options::cache_size, "cache-size",
+  table.row<std::optional<int>>(&Options::made_for, "cache-size",
             "Size of the FIFO vertex cache that the budget is reckoned for; without it what the order was made for, or 16",
             {3, 65535, "entries"});
+  table.row<int>(&Options::theta_steps, "theta-steps",
+                 "Steps of the table that says which order to draw, from straight above to straight below", {1, 1024});
+  table.row<int>(&Options::phi_steps, "phi-steps", "The same, around the subject", {1, 1024});
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<OcclusionOrder>(options); });
   return plugin;
 }
