@@ -36,7 +36,7 @@ test asan tsan fuzz:
 
 bench:
 	packages/install build bench
-	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench overdraw-raster-bench overdraw-error-bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench
 
 vertex-orders: bench
 	build/release/benchmarks/vertex_order/vertex-order-bench --tsv=benchmarks/vertex_order/figures.tsv

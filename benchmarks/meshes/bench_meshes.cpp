@@ -125,6 +125,8 @@ MeshSet corpus() {
   return set;
 }
 
+MeshSet draws_of(const std::string& model) { return {model, meshes_of(corpus_folder() / model)}; }
+
 std::vector<MeshSet> subdivisions(const std::string& model, const std::vector<int>& levels) {
   const fs::path path = corpus_folder() / model;
   TestMesh mesh = welded(meshes_of(path));

@@ -18,7 +18,10 @@ struct MeshSet {
 /// All triangle draws of the corpus.
 MeshSet corpus();
 
-/// A model of the corpus ("static/spot.glb") as one mesh, vertices of equal position being one, and subdivided so many
+/// The triangle draws of one model of the corpus ("static/spot.glb").
+MeshSet draws_of(const std::string& model);
+
+/// A model of the corpus as one mesh, vertices of equal position being one, and subdivided so many
 /// times: "spot 6k", "spot 94k". The levels ascend.
 std::vector<MeshSet> subdivisions(const std::string& model, const std::vector<int>& levels);
 
