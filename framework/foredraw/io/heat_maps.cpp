@@ -81,12 +81,13 @@ Picture drawn(const std::vector<HeatMap>& maps, const std::vector<std::string>& 
   return picture;
 }
 
-std::vector<DrawnSubject> all_drawn(const Scene& scene, Faces faces, const Executor& executor) {
+std::vector<DrawnSubject> all_drawn(const Scene& scene, Faces faces, const Executor& executor,
+                                    Analyses& analyses) {
   const std::vector<Subject> subjects = subjects_of(scene);
   const PosedNodes nodes = posed_nodes(scene);
   std::vector<DrawnSubject> drawn(subjects.size());
   executor.for_each(subjects.size(),
-                    [&](std::size_t i) { drawn[i] = drawn_subject(scene, subjects[i], faces, nodes); });
+                    [&](std::size_t i) { drawn[i] = drawn_subject(scene, subjects[i], faces, nodes, analyses); });
   return drawn;
 }
 
@@ -133,13 +134,13 @@ bool are_views(const std::string& which, const OverdrawOptions& options, Diagnos
 
 std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const OverdrawOptions& options,
                                   const std::string& which, const std::filesystem::path& folder,
-                                  const Executor& executor) {
+                                  const Executor& executor, Analyses& analyses) {
   const Views views = make_views(options);
   const std::optional<std::size_t> number = number_in(which);
   const std::vector<Subject> subjects = subjects_of(before);
-  const std::vector<DrawnSubject> old_ones = all_drawn(before, options.faces, executor);
+  const std::vector<DrawnSubject> old_ones = all_drawn(before, options.faces, executor, analyses);
   std::vector<DrawnSubject> new_ones;
-  if (after != nullptr) new_ones = all_drawn(*after, options.faces, executor);
+  if (after != nullptr) new_ones = all_drawn(*after, options.faces, executor, analyses);
 
   struct Shot {
     std::size_t subject, view;

@@ -20,6 +20,6 @@ bool are_views(const std::string& which, const OverdrawOptions& options, Diagnos
 /// decided before. Subjects that a view does not show are left out.
 std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const OverdrawOptions& options,
                                   const std::string& which, const std::filesystem::path& folder,
-                                  const Executor& executor);
+                                  const Executor& executor, Analyses& analyses);
 
 }  // namespace foredraw

@@ -33,7 +33,8 @@ OverdrawOptions from_the_front() {
 }
 
 std::vector<OutputFile> drawn(const Scene& before, const Scene* after, const std::string& which) {
-  return heat_maps(before, after, from_the_front(), which, "maps", Executor(2));
+  Analyses analyses;
+  return heat_maps(before, after, from_the_front(), which, "maps", Executor(2), analyses);
 }
 
 std::set<std::array<int, 3>> colours_in(const OutputFile& file, std::size_t first_column, std::size_t last_column) {
