@@ -14,6 +14,7 @@ using Work = std::function<Result(const Plan&, Scene, const Surroundings&)>;
 OverdrawOptions looks_of(const Plan& plan) {
   OptionTable<OverdrawOptions> table;
   add_view_rows(table);
+  add_pose_rows(table);
   add_faces_row(table);
   for (const PlannedStage& measure : plan.measures) {
     if (measure.plugin->overdraw_service) return table.read(measure.settings);

@@ -73,6 +73,29 @@ TEST(HeatMaps, shows_before_and_after_side_by_side) {
   EXPECT_EQ(colours_in(maps.front(), 536, 1048), (std::set<std::array<int, 3>>{background, {52, 62, 110}}));
 }
 
+TEST(HeatMaps, shows_the_worst_pose_of_each_view) {
+  // Two squares that face +Z. A joint slides the one that is drawn first from beside the other to behind it.
+  Scene scene = testing::scene_of({testing::draw_of(quad(0)), testing::draw_of(quad(1))});
+  Node root;
+  root.children = {0, 1};
+  scene.nodes.push_back(root);
+  scene.nodes[0].transform.translation = {3, 0, 0};
+  scene.skins.resize(1);
+  scene.skins[0].joints = {2};
+  scene.animations.push_back({"Slide",
+                              {{0, AnimatedPath::translation, Interpolation::linear, Shared<float>({0, 1, 2}),
+                                Shared<float>({3, 0, 0, 0, 0, 0, 1, 0, 0})}}});
+  OverdrawOptions options = from_the_front();
+  options.poses = "all";
+  Analyses analyses;
+  for (const std::string which : {"worst", "4", "all"}) {
+    const auto maps = heat_maps(scene, nullptr, options, which, "maps", Executor(2), analyses);
+    ASSERT_EQ(maps.size(), 1u);
+    EXPECT_TRUE(maps[0].path.generic_string().ends_with("-Slide_1-view004.png")) << maps[0].path;
+    EXPECT_TRUE(colours_in(maps[0], 12, 524).contains({42, 120, 142}));  // shaded twice
+  }
+}
+
 TEST(HeatMaps, leaves_out_views_that_show_nothing) {
   EXPECT_EQ(drawn(stack(true), nullptr, "all").size(), 1u);  // the others see edges, or culled backs
   EXPECT_TRUE(drawn(stack(true), nullptr, "5").empty());
