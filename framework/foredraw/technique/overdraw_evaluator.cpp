@@ -177,6 +177,11 @@ class OverdrawEvaluator final : public Evaluator {
     }
     run.count_at(place, "hidden", hidden);
     run.count_at(place, "ties", ties);
+    if (place == Place() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
+      run.note("close", fmt::format("surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
+                                    "ties per pixel, more than its error; who rounds depths otherwise finds another one",
+                                    ties / ratio.denominator));
+    }
     if (discarded > 0) run.count_at(place, "discarded", discarded);
   }
 
