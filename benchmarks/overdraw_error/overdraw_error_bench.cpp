@@ -9,6 +9,7 @@
 
 #include "support/meshes.h"
 
+#include <foredraw/io/images.h>
 #include <foredraw/io/scene_file.h>
 #include <foredraw/technique/built_in_plugins.h>
 #include <foredraw/technique/registry.h>
@@ -69,7 +70,7 @@ struct Measurement {
 Measurement measured(const Plugin& plugin, const Settings& settings, const Scene& scene, int threads) {
   const auto begin = std::chrono::steady_clock::now();
   const Technique technique = plugin.create(settings);
-  Analyses analyses;
+  Analyses analyses(image_decoder({}));
   const Executor executor(threads);
   Findings findings;
   const Views views;

@@ -4,6 +4,7 @@
 #include "sample_pattern.h"
 
 #include <foredraw/analysis/camera.h>
+#include <foredraw/analysis/mask.h>
 
 #include <glm/common.hpp>
 
@@ -38,6 +39,8 @@ TracedParts::Surface joined(const std::vector<PreparedPart>& parts) {
     }
     for (std::size_t v = 0; v < part.vertex_count(); ++v) surface.positions.push_back(part.position(v));
     surface.culls_back_faces.push_back(part.culls_back_faces);
+    surface.masks.push_back(part.mask);
+    surface.first_vertex.push_back(first);
   }
   return surface;
 }
@@ -65,6 +68,7 @@ bool is_left(const Corner& p, const Corner& q, std::int64_t area) {
 struct Hit {
   std::uint32_t triangle;
   std::uint32_t depth;
+  bool is_there;
 };
 
 /// One view: where the corners lie in it, and what a ray hits there.
@@ -105,6 +109,16 @@ class TracedView {
     return depth_between({a.depth, b.depth, c.depth}, {of_a, of_b, of_c});
   }
 
+  /// Whether the surface of a triangle that is hit there is there, or is a hole of its mask.
+  bool is_there(std::uint32_t triangle, const Corner& point) const {
+    const auto& [corners, part] = surface_.triangles[triangle];
+    if (!surface_.masks[part]) return true;
+    const std::uint32_t first = surface_.first_vertex[part];
+    return MaskedTriangle(*surface_.masks[part], camera_, {corners[0] - first, corners[1] - first, corners[2] - first},
+                          {corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]})
+        .is_there(point.x, point.y);
+  }
+
  private:
   /// What runs evenly over the picture is depth, in perspective 1 / distance from the eye. Rounded to the nearest step,
   /// so that triangles that face the camera keep their corners' depth.
@@ -133,10 +147,12 @@ class TracedView {
 void draw(std::span<const Hit> hits, const TracedParts::Surface& surface, std::vector<OverdrawCount>& counts) {
   if (hits.empty()) return;
   std::uint32_t nearest = std::numeric_limits<std::uint32_t>::max();
-  std::uint32_t shown = 0;
-  for (const auto& [triangle, depth] : hits) {
+  std::optional<std::uint32_t> shown;
+  for (const auto& [triangle, depth, is_there] : hits) {
     const std::uint32_t part = surface.triangles[triangle].part;
-    if (depth < nearest) {
+    if (!is_there) {
+      counts[part].discarded += depth < nearest ? 1 : 0;
+    } else if (depth < nearest) {
       ++counts[part].shaded;
       nearest = depth;
       shown = part;
@@ -144,7 +160,7 @@ void draw(std::span<const Hit> hits, const TracedParts::Surface& surface, std::v
       ++counts[part].ties;
     }
   }
-  ++counts[shown].visible;
+  if (shown) ++counts[*shown].visible;
 }
 
 }  // namespace
@@ -165,7 +181,8 @@ std::vector<OverdrawCount> TracedParts::count(const View& view, int size, const 
         const Corner point = {x * SamplePattern::steps + right, y * SamplePattern::steps + up, 0};
         hits.clear();
         tree_.for_each_met(traced.ray(point), [&](std::uint32_t triangle) {
-          if (const auto depth = traced.depth(triangle, point)) hits.push_back({triangle, *depth});
+          const auto depth = traced.depth(triangle, point);
+          if (depth) hits.push_back({triangle, *depth, traced.is_there(triangle, point)});
         });
         std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.triangle < b.triangle; });
         draw(hits, surface_, counts);

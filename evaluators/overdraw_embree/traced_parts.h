@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,9 +26,11 @@ class TracedParts {
     std::uint32_t part;
   };
   struct Surface {
-    std::vector<bool> culls_back_faces;  ///< [part]
-    std::vector<glm::dvec3> positions;  ///< of all parts, in radii from the centre of the sphere
-    std::vector<Triangle> triangles;    ///< of all parts, in draw order
+    std::vector<bool> culls_back_faces;              ///< [part]
+    std::vector<std::shared_ptr<const Mask>> masks;  ///< [part]
+    std::vector<std::uint32_t> first_vertex;         ///< [part]
+    std::vector<glm::dvec3> positions;               ///< of all parts, in radii from the centre of the sphere
+    std::vector<Triangle> triangles;                 ///< of all parts, in draw order
   };
 
  private:

@@ -20,8 +20,9 @@ class Picture {
     std::fill(depths_.begin(), depths_.end(), nothing);
     if (parts.size() == 1) {
       OverdrawCount count;
-      rasteriser_.draw(parts[0], camera,
-                       [&](const Fragments& some) { some.is_row ? put_row(some, count) : put(some, count); });
+      rasteriser_.draw(
+          parts[0], camera, [&](const Fragments& some) { some.is_row ? put_row(some, count) : put(some, count); },
+          [&](const Fragments& some) { count_discarded(some, count); });
       return {count};
     }
     const auto nobody = static_cast<std::uint32_t>(parts.size());
@@ -29,7 +30,9 @@ class Picture {
     lost_.assign(parts.size() + 1, 0);
     std::vector<OverdrawCount> counts(parts.size());
     for (std::uint32_t part = 0; part < parts.size(); ++part) {
-      rasteriser_.draw(parts[part], camera, [&](const Fragments& some) { put(some, part, counts[part]); });
+      rasteriser_.draw(
+          parts[part], camera, [&](const Fragments& some) { put(some, part, counts[part]); },
+          [&](const Fragments& some) { count_discarded(some, counts[part]); });
     }
     for (std::size_t part = 0; part < parts.size(); ++part) counts[part].visible = counts[part].shaded - lost_[part];
     return counts;
@@ -67,7 +70,7 @@ class Picture {
       visible += nearest == nothing ? 1 : 0;
       pixels[i] = std::min(depth, nearest);
     }
-    count += {shaded, visible, ties};
+    count += {shaded, visible, ties, 0};
   }
 
   void put(const Fragments& some, std::uint32_t part, OverdrawCount& count) {
@@ -81,6 +84,12 @@ class Picture {
       lost_[owner] += passes ? 1 : 0;
       nearest = std::min(depth, nearest);
       owner = passes ? part : owner;
+    }
+  }
+
+  void count_discarded(const Fragments& some, OverdrawCount& count) const {
+    for (std::size_t i = 0; i < some.count; ++i) {
+      count.discarded += static_cast<std::int32_t>(some.depths[i]) < depths_[some.pixels[i]] ? 1 : 0;
     }
   }
 

@@ -9,7 +9,6 @@ FragmentCounters::FragmentCounters(const VulkanDevice& device, DrawPipelines& pi
     : device_(device), pipelines_(pipelines), method_(method), count_(count) {
   if (method == CountMethod::atomics) {
     atomics_ = VisibleBuffer(device, std::size_t{count} * sizeof(std::uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    return;
   }
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_OCCLUSION;
@@ -17,11 +16,10 @@ FragmentCounters::FragmentCounters(const VulkanDevice& device, DrawPipelines& pi
   queries_ = OwnedQueryPool(device.get(), info, "vkCreateQueryPool");
 }
 
-void FragmentCounters::start(VkCommandBuffer commands) const {
-  if (method_ == CountMethod::queries) {
-    vkCmdResetQueryPool(commands, queries_.get(), 0, count_);
-    return;
-  }
+void FragmentCounters::start(VkCommandBuffer commands) {
+  is_queried_.assign(count_, false);
+  vkCmdResetQueryPool(commands, queries_.get(), 0, count_);
+  if (method_ == CountMethod::queries) return;
   std::ranges::fill(atomics_.as<std::uint32_t>(), 0);  // seen by the device, for it is written before the hand-in
   const VkDescriptorSet set = pipelines_.counters_at(atomics_.get());
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 0, 1, &set, 0, nullptr);
@@ -33,25 +31,33 @@ void FragmentCounters::finish(VkCommandBuffer commands) const {
           VK_ACCESS_HOST_READ_BIT);
 }
 
-void FragmentCounters::begin(VkCommandBuffer commands, std::uint32_t counter) const {
-  if (method_ == CountMethod::atomics) return;
+void FragmentCounters::begin(VkCommandBuffer commands, std::uint32_t counter, bool has_holes) {
+  if (method_ == CountMethod::atomics && !has_holes) return;
+  is_queried_[counter] = true;
   vkCmdBeginQuery(commands, queries_.get(), counter, VK_QUERY_CONTROL_PRECISE_BIT);
 }
 
 void FragmentCounters::end(VkCommandBuffer commands, std::uint32_t counter) const {
-  if (method_ == CountMethod::atomics) return;
-  vkCmdEndQuery(commands, queries_.get(), counter);
+  if (is_queried_[counter]) vkCmdEndQuery(commands, queries_.get(), counter);
 }
 
 std::vector<std::uint64_t> FragmentCounters::read(std::uint32_t count) const {
-  if (method_ == CountMethod::atomics) {
-    const std::span<std::uint32_t> counted = atomics_.as<std::uint32_t>().first(count);
-    return {counted.begin(), counted.end()};
-  }
   std::vector<std::uint64_t> counted(count);
-  check(vkGetQueryPoolResults(device_.get(), queries_.get(), 0, count, count * sizeof(std::uint64_t), counted.data(),
+  for (std::uint32_t first = 0; first < count;) {
+    std::uint32_t end = first;  // of a run of queries
+    while (end < count && is_queried_[end]) ++end;
+    if (end == first) {
+      counted[first] = atomics_.as<std::uint32_t>()[first];
+      ++first;
+      continue;
+    }
+    const std::uint32_t some = end - first;
+    check(
+        vkGetQueryPoolResults(device_.get(), queries_.get(), first, some, some * sizeof(std::uint64_t), &counted[first],
                               sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "vkGetQueryPoolResults");
+    first = end;
+  }
   return counted;
 }
 

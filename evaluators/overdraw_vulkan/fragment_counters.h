@@ -6,7 +6,8 @@
 
 namespace foredraw {
 
-/// Numbered counters of fragments that pass.
+/// Numbered counters of fragments that pass. A shader that may discard can not count what passes, so parts with holes are
+/// counted by queries whatever the method is.
 class FragmentCounters {
  public:
   FragmentCounters(const VulkanDevice& device, DrawPipelines& pipelines, CountMethod method, std::uint32_t count);
@@ -14,10 +15,10 @@ class FragmentCounters {
   /// The fragment shader that goes with them.
   Shading shading() const { return method_ == CountMethod::atomics ? Shading::counted : Shading::owner; }
   /// Before the first picture is begun; `behind` when the last is done.
-  void start(VkCommandBuffer commands) const;
+  void start(VkCommandBuffer commands);
   void finish(VkCommandBuffer commands) const;
   /// Around each draw.
-  void begin(VkCommandBuffer commands, std::uint32_t counter) const;
+  void begin(VkCommandBuffer commands, std::uint32_t counter, bool has_holes);
   void end(VkCommandBuffer commands, std::uint32_t counter) const;
   /// Once the commands are done. Each of the first `count` counters has to have been used.
   std::vector<std::uint64_t> read(std::uint32_t count) const;
@@ -29,6 +30,7 @@ class FragmentCounters {
   std::uint32_t count_;
   OwnedQueryPool queries_;
   VisibleBuffer atomics_;
+  std::vector<bool> is_queried_;  ///< [counter]
 };
 
 }  // namespace foredraw

@@ -47,7 +47,7 @@ class Stopwatch {
 std::optional<GpuTime> gpu_time(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views) {
   VulkanPainter& painter = device.painter();
   if (painter.device().timestamp_mask() == 0) return std::nullopt;
-  const UploadedParts uploaded(painter.device(), parts);
+  const UploadedParts uploaded = painter.uploaded(parts);
   if (uploaded.drawn.empty()) return GpuTime{};
   const Pictures& pictures = painter.pictures(views.size);
   Stopwatch stopwatch(painter.device());

@@ -61,12 +61,13 @@ class BatchCount {
 
   void draw(VkCommandBuffer commands, const View& view, Passing passing, std::uint32_t v) {
     const std::uint32_t first = first_counter(v, passing);
-    painter_.draw(commands, parts_, view,
-                  {.shading = counters_.shading(),
-                   .passing = passing,
-                   .first_counter = first,
-                   .before = [&](std::uint32_t i) { counters_.begin(commands, first + i); },
-                   .after = [&](std::uint32_t i) { counters_.end(commands, first + i); }});
+    painter_.draw(
+        commands, parts_, view,
+        {.shading = counters_.shading(),
+         .passing = passing,
+         .first_counter = first,
+         .before = [&](std::uint32_t i) { counters_.begin(commands, first + i, parts_.drawn[i].holes.has_value()); },
+         .after = [&](std::uint32_t i) { counters_.end(commands, first + i); }});
   }
 
   VulkanPainter& painter_;
@@ -90,7 +91,7 @@ OverdrawCounts overdraw_vulkan(OverdrawDevice& device, std::span<const RasterPar
                                CountMethod method) {
   OverdrawCounts counts(parts.size());
   VulkanPainter& painter = device.painter();
-  const UploadedParts uploaded(painter.device(), parts);
+  const UploadedParts uploaded = painter.uploaded(parts);
   if (uploaded.drawn.empty()) return OverdrawCounts(parts.size(), std::vector<OverdrawCount>(views.views.size()));
   BatchCount batch(painter, uploaded, views.size, method);
   for_each_batch(views.views, batch.most_views(), [&](std::span<const View> some) { batch.count(some, counts); });

@@ -42,7 +42,8 @@ class OverdrawDevice {
 ///
 /// What is covered and how near it is are as the device rounds, which is not as overdraw_raster() does, and another
 /// device may count otherwise. A view's counts do not depend on the other views. Triangles with a position that is not
-/// finite are left out. Throws std::runtime_error where the device fails.
+/// finite are left out. How many fragments masks discard is not counted. Throws std::runtime_error where the device
+/// fails.
 OverdrawCounts overdraw_vulkan(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views,
                                CountMethod method = CountMethod::queries);
 

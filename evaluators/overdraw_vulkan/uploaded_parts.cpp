@@ -1,11 +1,13 @@
 #include "uploaded_parts.h"
 
+#include <foredraw/analysis/mask.h>
 #include <foredraw/analysis/mesh_facts.h>
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <stdexcept>
 
 namespace foredraw {
@@ -26,11 +28,38 @@ void append_finite(std::vector<std::uint32_t>& indices, const RasterPart& part) 
   }
 }
 
+/// Images that parts share are there once.
+struct UploadedMasks {
+  std::vector<glm::vec3> places;
+  std::vector<std::uint32_t> texels;
+  std::map<const AlphaImage*, std::size_t> first_texels;
+
+  UploadedParts::Holes append(const Mask& mask) {
+    UploadedParts::Holes holes{};
+    holes.places_at = places.size() * sizeof(glm::vec3);
+    holes.cutoff = static_cast<float>(mask.cutoff);
+    for (std::size_t v = 0; v < mask.alphas.size(); ++v) {
+      places.emplace_back(glm::vec2(mask.image ? mask.places[v] : glm::dvec2(0)), mask.alphas[v]);
+    }
+    if (!mask.image) return holes;
+    const auto [found, is_new] = first_texels.emplace(mask.image.get(), texels.size());
+    if (is_new) texels.insert(texels.end(), mask.image->alpha.begin(), mask.image->alpha.end());
+    holes.first_texel = static_cast<std::uint32_t>(found->second);
+    holes.width = mask.image->width;
+    holes.height = mask.image->height;
+    holes.wrap_u = static_cast<std::uint32_t>(mask.wrap[0]);
+    holes.wrap_v = static_cast<std::uint32_t>(mask.wrap[1]);
+    holes.is_nearest = mask.is_nearest ? 1 : 0;
+    return holes;
+  }
+};
+
 }  // namespace
 
 UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> parts) {
   std::vector<glm::vec3> all_positions;
   std::vector<std::uint32_t> all_indices;
+  UploadedMasks masks;
   const std::vector<PreparedPart> ready = prepared(parts);
   for (std::uint32_t number = 0; number < parts.size(); ++number) {
     const std::size_t first = all_indices.size();
@@ -40,7 +69,8 @@ UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> p
     if (count > 0xFFFFFFFF)
       throw std::runtime_error("overdraw-vulkan draws 2^32 indices at once at most; split the mesh");
     drawn.push_back({number, all_positions.size() * sizeof(glm::vec3), first * sizeof(std::uint32_t),
-                     static_cast<std::uint32_t>(count), culled(parts[number])});
+                     static_cast<std::uint32_t>(count), culled(parts[number]), std::nullopt});
+    if (parts[number].mask) drawn.back().holes = masks.append(*parts[number].mask);
     triangles += count / 3;
     for (std::size_t v = 0; v < parts[number].positions.size(); ++v) {
       // Those that no triangle uses may lie anywhere, and too far out for a float.
@@ -49,6 +79,12 @@ UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> p
   }
   vertices = DeviceBuffer(device, std::as_bytes(std::span(all_positions)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   indices = DeviceBuffer(device, std::as_bytes(std::span(all_indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  if (masks.places.empty()) return;
+  if (masks.texels.size() * sizeof(std::uint32_t) > device.limits().maxStorageBufferRange) {
+    throw std::runtime_error(device.name() + " can not hold the alpha of all masks at once; take overdraw-raster");
+  }
+  places = DeviceBuffer(device, std::as_bytes(std::span(masks.places)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  texels = DeviceBuffer(device, std::as_bytes(std::span(masks.texels)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 }  // namespace foredraw

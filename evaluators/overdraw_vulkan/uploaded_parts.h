@@ -4,6 +4,7 @@
 #include <foredraw/analysis/raster_part.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +17,22 @@ enum class Culled { none, clockwise, counter_clockwise };
 /// cache what it would find in a renderer's draw call. Positions are in radii from the centre of the sphere around all
 /// parts. Triangles with a position that is not finite are left out.
 struct UploadedParts {
+  /// As shaders/masked.frag wants it.
+  struct Holes {
+    VkDeviceSize places_at;  ///< in `places`
+    std::uint32_t first_texel;
+    std::uint32_t width, height;
+    std::uint32_t wrap_u, wrap_v;
+    std::uint32_t is_nearest;
+    float cutoff;
+  };
   struct Part {
     std::uint32_t number;  ///< among all parts
     VkDeviceSize vertices_at;
     VkDeviceSize indices_at;
     std::uint32_t index_count;
     Culled culled;
+    std::optional<Holes> holes;
   };
 
   UploadedParts(VulkanDevice& device, std::span<const RasterPart> parts);
@@ -30,6 +41,8 @@ struct UploadedParts {
   std::uint64_t triangles = 0;
   DeviceBuffer vertices;
   DeviceBuffer indices;
+  DeviceBuffer places;  ///< of the vertices of parts with holes: where in their image, and their alpha
+  DeviceBuffer texels;  ///< alphas of their images
 };
 
 }  // namespace foredraw

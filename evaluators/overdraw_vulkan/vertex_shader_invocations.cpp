@@ -10,7 +10,7 @@ std::optional<std::vector<std::uint64_t>> vertex_shader_invocations(OverdrawDevi
   VulkanDevice& device = painter.device();
   if (!device.counts_vertices()) return std::nullopt;
   std::vector<std::uint64_t> invocations(parts.size());
-  const UploadedParts uploaded(device, parts);
+  const UploadedParts uploaded = painter.uploaded(parts);
   if (uploaded.drawn.empty()) return invocations;
 
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};

@@ -11,16 +11,38 @@ Pictures& VulkanPainter::pictures(int size) {
   return *pictures_;
 }
 
+UploadedParts VulkanPainter::uploaded(std::span<const RasterPart> parts) {
+  UploadedParts made(device_, parts);
+  if (made.texels.get() != VK_NULL_HANDLE) pipelines_.put_texels(made.texels.get());
+  return made;
+}
+
 void VulkanPainter::draw(VkCommandBuffer commands, const UploadedParts& parts, const View& view,
                          const DrawManner& manner) {
-  DrawConstants constants{clip_from_position(view), 0, manner.first_counter};
+  DrawConstants constants{};
+  constants.clip_from_position = clip_from_position(view);
+  if (parts.texels.get() != VK_NULL_HANDLE) {
+    const VkDescriptorSet texels = pipelines_.texels();
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 1, 1, &texels, 0, nullptr);
+  }
   for (std::uint32_t i = 0; i < parts.drawn.size(); ++i) {
     const UploadedParts::Part& part = parts.drawn[i];
     constants.owner = part.number;
     constants.counter = manner.first_counter + i;
+    if (const auto& holes = part.holes) {
+      constants.first_texel = holes->first_texel;
+      constants.width = holes->width;
+      constants.height = holes->height;
+      constants.wrap_u = holes->wrap_u;
+      constants.wrap_v = holes->wrap_v;
+      constants.is_nearest = holes->is_nearest;
+      constants.cutoff = holes->cutoff;
+      const VkBuffer places = parts.places.get();
+      vkCmdBindVertexBuffers(commands, 1, 1, &places, &holes->places_at);
+    }
     const VkBuffer vertices = parts.vertices.get();
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      pipelines_.get(manner.shading, manner.passing, part.culled));
+                      pipelines_.get(manner.shading, manner.passing, part.culled, part.holes.has_value()));
     vkCmdPushConstants(commands, pipelines_.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                        sizeof(constants), &constants);
     vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &part.vertices_at);

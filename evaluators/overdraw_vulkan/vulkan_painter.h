@@ -34,6 +34,9 @@ class VulkanPainter {
   /// Those that there are, of whatever size.
   Pictures& any_pictures() { return pictures_ ? *pictures_ : pictures(16); }
 
+  /// Ready to be drawn, and the last ones that are: the shaders' texels are theirs from here on.
+  UploadedParts uploaded(std::span<const RasterPart> parts);
+
   /// Draws the parts one after the other into the picture that was begun.
   void draw(VkCommandBuffer commands, const UploadedParts& parts, const View& view, const DrawManner& manner);
 

@@ -1,6 +1,7 @@
 #include "file_runs.h"
 
 #include <foredraw/io/heat_maps.h>
+#include <foredraw/io/images.h>
 #include <foredraw/report/remap.h>
 
 namespace foredraw::cli {
@@ -13,6 +14,7 @@ using Work = std::function<Result(const Plan&, Scene, const Surroundings&)>;
 OverdrawOptions looks_of(const Plan& plan) {
   OptionTable<OverdrawOptions> table;
   add_view_rows(table);
+  add_pose_rows(table);
   add_faces_row(table);
   for (const PlannedStage& measure : plan.measures) {
     if (measure.plugin->overdraw_service) return table.read(measure.settings);
@@ -22,11 +24,12 @@ OverdrawOptions looks_of(const Plan& plan) {
 
 /// Into the folder that was asked for, or, of several inputs, one of the input's own in it.
 bool write_heat_maps(const FileJob& job, const std::string& input, const Plan& plan, const Scene& before,
-                     const Scene* after, Diagnostics& diagnostics) {
+                     const Scene* after, Analyses& analyses, Diagnostics& diagnostics) {
   std::filesystem::path folder = job.arguments.heat_maps;
   if (is_folder(job.arguments.inputs[0]))
     folder /= std::filesystem::path(input).lexically_relative(job.arguments.inputs[0]);
-  const auto files = heat_maps(before, after, looks_of(plan), job.arguments.heat_map_view, folder, job.executor);
+  const auto files =
+      heat_maps(before, after, looks_of(plan), job.arguments.heat_map_view, folder, job.executor, analyses);
   return files.empty() || (make_folder(folder, diagnostics) && write_files(files, diagnostics));
 }
 
@@ -52,7 +55,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   if (draws && !are_views(job.arguments.heat_map_view, looks_of(*plan), diagnostics)) return lost(users_mistake);
 
   const Scene before = draws ? file->scene : Scene();
-  Analyses analyses;
+  Analyses analyses(image_decoder(input));
   Result result = with_memory(input, "work on it", [&] {
     return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
   });
@@ -63,7 +66,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   if (!written(result, diagnostics)) return lost(something_failed);
   if (draws) {
     const Scene* after = result.report.optimized ? &result.scene : nullptr;
-    if (!write_heat_maps(job, input, *plan, before, after, diagnostics)) result.failed = true;
+    if (!write_heat_maps(job, input, *plan, before, after, analyses, diagnostics)) result.failed = true;
   }
   run.report = std::move(result.report);
   run.report.diagnostics = diagnostics.all();

@@ -2,6 +2,7 @@
 
 #include "file_runs.h"
 
+#include <foredraw/io/images.h>
 #include <foredraw/io/scene_folder.h>
 #include <foredraw/report/comparison.h>
 
@@ -144,7 +145,7 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   Exit worst = done;
   for (const std::string& input : *inputs) {
     Comparison comparison{{input, 0}, {}};
-    Analyses analyses;  // shared by the branches, gone with the file
+    Analyses analyses(image_decoder(input));  // shared by the branches, gone with the file
     for (std::size_t i = 0; i < texts.size(); ++i) {
       auto job = job_for(input, (*pipelines)[i], registry);
       if (const Exit* exit = std::get_if<Exit>(&job)) {

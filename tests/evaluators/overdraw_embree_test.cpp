@@ -23,6 +23,7 @@ using testing::part_of;
 using testing::quad;
 using testing::TestMesh;
 using testing::total;
+using testing::views_of;
 
 Views all_sides(int size = 64, double distance = 0, int count = 12) {
   return testing::all_sides(size, distance, count);
@@ -94,6 +95,32 @@ TEST(OverdrawEmbree, each_part_has_its_own_fragments) {
   // From behind, both are culled.
   EXPECT_EQ(overdraw[0][1], OverdrawCount());
   EXPECT_EQ(overdraw[1][1], OverdrawCount());
+}
+
+TEST(OverdrawEmbree, holes_show_what_lies_behind_and_are_counted_apart) {
+  const TestMesh far = quad(-0.1f);
+  const TestMesh near = quad(0.1f);
+  for (const double distance : {0.0, 1e6}) {
+    const Views front = views_of({{0, 0, 1}}, 64, distance);
+    std::vector<RasterPart> parts = {part_of(far), part_of(near)};
+    const std::uint64_t whole = overdraw_embree(parts, front)[1][0].visible;
+    EXPECT_EQ(whole % 2, 0u);
+    parts[1].mask = testing::half_a_hole();
+    OverdrawCounts counts = overdraw_embree(parts, front);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole, whole / 2, 0, 0}));
+    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, whole / 2}));
+    std::swap(parts[0], parts[1]);  // near to far
+    counts = overdraw_embree(parts, front);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, whole / 2}));
+    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+    std::swap(parts[0].mask, parts[1].mask);  // a hole that is hidden costs nothing
+    counts = overdraw_embree(parts, front);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole, whole, 0, 0}));
+    EXPECT_EQ(counts[1][0], OverdrawCount());
+    const OverdrawCounts alone = overdraw_embree(std::span(parts).last(1), front);
+    EXPECT_EQ(alone[0][0], (OverdrawCount{alone[0][0].visible, alone[0][0].visible, 0, alone[0][0].visible}));
+    EXPECT_GT(alone[0][0].visible, 1000u);
+  }
 }
 
 TEST(OverdrawEmbree, a_triangle_drawn_twice_ties_however_its_corners_are_numbered) {

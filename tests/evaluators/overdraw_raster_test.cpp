@@ -58,6 +58,32 @@ TEST(OverdrawRaster, each_part_has_its_own_fragments) {
   EXPECT_EQ(overdraw[1][1], OverdrawCount());
 }
 
+TEST(OverdrawRaster, holes_show_what_lies_behind_and_are_counted_apart) {
+  const TestMesh far = quad(-0.1f);
+  const TestMesh near = quad(0.1f);
+  for (const double distance : {0.0, 1e6}) {
+    const Views front = views_of({{0, 0, 1}}, 64, distance);
+    std::vector<RasterPart> parts = {part_of(far), part_of(near)};
+    const std::uint64_t whole = overdraw_raster(parts, front)[1][0].visible;
+    EXPECT_EQ(whole % 2, 0u);
+    parts[1].mask = testing::half_a_hole();
+    OverdrawCounts counts = overdraw_raster(parts, front);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole, whole / 2, 0, 0}));
+    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, whole / 2}));
+    std::swap(parts[0], parts[1]);  // near to far
+    counts = overdraw_raster(parts, front);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, whole / 2}));
+    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+    std::swap(parts[0].mask, parts[1].mask);  // a hole that is hidden costs nothing
+    counts = overdraw_raster(parts, front);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole, whole, 0, 0}));
+    EXPECT_EQ(counts[1][0], OverdrawCount());
+    const OverdrawCounts alone = overdraw_raster(std::span(parts).last(1), front);
+    EXPECT_EQ(alone[0][0], (OverdrawCount{alone[0][0].visible, alone[0][0].visible, 0, alone[0][0].visible}));
+    EXPECT_GT(alone[0][0].visible, 1000u);
+  }
+}
+
 TEST(OverdrawRaster, equally_near_fragments_do_not_pass_and_are_ties) {
   const OverdrawCount once = total(quad(0), views_of({{0, 0, 1}}));
   TestMesh other_diagonal = quad(0);

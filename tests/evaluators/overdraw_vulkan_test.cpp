@@ -88,6 +88,58 @@ TEST_F(OverdrawVulkan, quads_cost_as_often_as_each_is_nearer_than_those_before_i
   }
 }
 
+TEST_F(OverdrawVulkan, holes_show_what_lies_behind) {
+  const TestMesh far = quad(-0.1f);
+  const TestMesh near = quad(0.1f);
+  const Views front = views_of({{0, 0, 1}});
+  for (const CountMethod method : {CountMethod::queries, CountMethod::atomics}) {
+    std::vector<RasterPart> parts = {part_of(far), part_of(near)};
+    const std::uint64_t whole = draw(parts, front, method)[1][0].visible;
+    EXPECT_GT(whole, 1000u);
+    parts[1].mask = testing::half_a_hole();
+    OverdrawCounts counts = draw(parts, front, method);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole, whole / 2, 0, 0}));
+    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+    std::swap(parts[0], parts[1]);  // near to far
+    counts = draw(parts, front, method);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+    auto opaque_on_the_left = std::make_shared<Mask>(*parts[0].mask);
+    opaque_on_the_left->places = {{1, 1}, {0, 1}, {1, 0}, {0, 0}};
+    parts[1].mask = opaque_on_the_left;  // what the one lets through the other holds
+    counts = draw(parts, front, method);
+    EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+    EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
+  }
+}
+
+TEST_F(OverdrawVulkan, holes_are_where_the_exact_one_has_them) {
+  const TestMesh mesh = testing::shuffled(testing::sphere(24, 16), 1);
+  Random random(5);
+  auto image = std::make_shared<AlphaImage>(AlphaImage{7, 5, {}});
+  for (int i = 0; i < 35; ++i) image->alpha.push_back(static_cast<std::uint16_t>(65535 * random.unit()));
+  for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored, Wrap::clamped}) {
+    for (const bool is_nearest : {false, true}) {
+      auto mask = std::make_shared<Mask>(Mask{image, {wrap, Wrap::mirrored}, is_nearest, {}, {}, 0.4});
+      for (const glm::vec3& position : mesh.positions) {
+        mask->places.emplace_back(1.3 * position.x - 0.2, 1.7 * position.y + 0.4);
+        mask->alphas.push_back(0.9 + 0.1 * position.z);
+      }
+      RasterPart part = part_of(mesh, false);
+      part.mask = mask;
+      for (const double distance : {0.0, 3.0}) {
+        const Views views = all_sides(128, distance, 5);
+        const std::vector<std::uint32_t> order = testing::rising_order(mesh.indices.size() / 3);
+        const OverdrawCount exact = total({testing::painted({&part, 1}, views, order)});
+        const OverdrawCount count = total(draw({&part, 1}, views));
+        EXPECT_NEAR(static_cast<double>(count.visible) / static_cast<double>(exact.visible), 1, 0.001);
+        EXPECT_NEAR(static_cast<double>(count.shaded) / static_cast<double>(exact.shaded), 1, 0.001);
+        EXPECT_LT(exact.visible, 128u * 128 * 5 * 0.75);
+      }
+    }
+  }
+}
+
 TEST_F(OverdrawVulkan, nested_shells_cost_their_number_from_inside_out_and_nothing_from_outside_in) {
   constexpr int shells = 6;
   std::vector<TestMesh> meshes;

@@ -1,5 +1,6 @@
 #pragma once
 #include <foredraw/io/gltf.h>
+#include <foredraw/io/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/technique/built_in_plugins.h>
@@ -27,7 +28,7 @@ inline Result run_pipeline(const std::string& text, const Scene& scene, int thre
   const auto plan = pipeline ? foredraw::plan(*pipeline, registry, scene, diagnostics) : std::nullopt;
   if (!plan) throw std::runtime_error(to_text(diagnostics));
   const Executor executor(threads);
-  Analyses analyses;
+  Analyses analyses(image_decoder({}));
   return foredraw::optimize(*plan, scene, {executor, analyses});
 }
 

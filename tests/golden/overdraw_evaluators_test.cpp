@@ -45,6 +45,8 @@ TEST(OverdrawEvaluators, are_near_to_the_exact_one_on_real_models) {
         }
         const double pixels = *exact.at("ratio").denominator;
         EXPECT_NEAR(*figures.at(evaluator).at("ratio").denominator / pixels, 1, 1e-4) << evaluator << ' ' << model;
+        if (!figures.at(evaluator).contains("discarded")) continue;  // nothing is, or it is not counted
+        EXPECT_NEAR(figures.at(evaluator).at("discarded").numerator / exact.at("discarded").numerator, 1, 0.01) << model;
       }
     }
   }

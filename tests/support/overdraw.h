@@ -3,6 +3,7 @@
 
 #include "support/meshes.h"
 
+#include <foredraw/analysis/mask.h>
 #include <foredraw/analysis/overdraw_count.h>
 #include <foredraw/analysis/view_sphere.h>
 #include <foredraw/base/random.h>
@@ -43,6 +44,16 @@ inline OverdrawCount total(const OverdrawCounts& counts) {
 /// A square that faces +Z.
 inline TestMesh quad(float z, float half = 1) {
   return {{{-half, -half, z}, {half, -half, z}, {-half, half, z}, {half, half, z}}, {0, 1, 2, 2, 1, 3}};
+}
+
+/// Of a square whose left half is a hole.
+inline std::shared_ptr<const Mask> half_a_hole() {
+  auto mask = std::make_shared<Mask>();
+  mask->image = std::make_shared<const AlphaImage>(AlphaImage{2, 1, {0, 65535}});
+  mask->is_nearest = true;
+  mask->places = {{0, 1}, {1, 1}, {0, 0}, {1, 0}};
+  mask->alphas.assign(4, 1);
+  return mask;
 }
 
 /// Random triangles large enough to hide one another, each there twice so that there are ties.

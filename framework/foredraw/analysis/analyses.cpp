@@ -4,8 +4,7 @@
 
 namespace foredraw {
 
-std::shared_ptr<const void> Analyses::kept(const Key& key,
-                                           const std::function<std::shared_ptr<const void>()>& make) {
+std::shared_ptr<const void> Analyses::kept(const Key& key, const std::function<std::shared_ptr<const void>()>& make) {
   std::shared_ptr<Entry> entry;
   {
     const std::lock_guard lock(mutex_);
@@ -17,6 +16,11 @@ std::shared_ptr<const void> Analyses::kept(const Key& key,
   const std::lock_guard lock(entry->making);
   if (!entry->value) entry->value = make();
   return entry->value;
+}
+
+std::variant<Texels, std::string> Analyses::decode(const Image& image) const {
+  if (!decoder_) return "this program decodes no images";
+  return decoder_(image);
 }
 
 std::size_t Analyses::size() const {

@@ -1,5 +1,6 @@
 #include "drawn_subject.h"
 
+#include <foredraw/analysis/draw_mask.h>
 #include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/analysis/posed_positions.h>
 
@@ -12,13 +13,17 @@ bool draws_triangles(const Scene& scene, const Draw& draw) {
 }
 
 RasterPart raster_part(const Scene& scene, const SubjectPart& part, std::span<const glm::vec3> positions,
-                       const PosedNodes& nodes, Faces faces) {
+                       const PosedNodes& nodes, Faces faces, Analyses& analyses) {
   const Draw& draw = scene.draws[part.draw];
   const Material* material = scene.material_of(draw);
   RasterPart result;
   result.positions = positions;
   if (draws_triangles(scene, draw) && !positions.empty()) {
-    result.indices = draw.levels[0].orders[0].indices.view();
+    const auto mask = mask_of(analyses, scene, draw);
+    if (const auto* known = std::get_if<std::shared_ptr<const Mask>>(&mask)) {
+      result.indices = draw.levels[0].orders[0].indices.view();
+      result.mask = *known;
+    }
   }
   result.culls_back_faces = faces == Faces::front || material == nullptr || !material->double_sided;
   result.is_mirrored = is_mirrored(part, nodes);
@@ -32,11 +37,12 @@ bool is_blended(const Scene& scene, const Draw& draw) {
   return material != nullptr && material->alpha_mode == AlphaMode::blend;
 }
 
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes) {
+DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
+                           Analyses& analyses) {
   DrawnSubject drawn;
   for (const SubjectPart& part : subject.parts) drawn.positions.push_back(posed_positions(scene, part, nodes));
   for (std::size_t i = 0; i < subject.parts.size(); ++i) {
-    drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], nodes, faces));
+    drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], nodes, faces, analyses));
   }
   return drawn;
 }

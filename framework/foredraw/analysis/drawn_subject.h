@@ -1,6 +1,7 @@
 #pragma once
 // From a scene to the triangles that are drawn.
 
+#include <foredraw/analysis/analyses.h>
 #include <foredraw/analysis/animation.h>
 #include <foredraw/analysis/raster_part.h>
 #include <foredraw/scene/subject.h>
@@ -19,13 +20,14 @@ struct DrawnSubject {
   std::vector<RasterPart> parts;  ///< as many as the subject's; those that are not drawn have no triangles
 };
 
-/// Triangle lists alone are drawn, and no blended draws; masked ones as if they were opaque. `nodes`: posed_nodes() of
-/// the scene.
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes);
+/// Triangle lists alone are drawn, no blended draws, and of masked ones those of which it is known where their holes
+/// are (mask_of()). `nodes`: posed_nodes() of the scene.
+DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
+                           Analyses& analyses);
 
 bool is_blended(const Scene& scene, const Draw& draw);
 
-/// How many triangles are drawn of a subject, in any pose.
+/// How many triangles may be drawn of a subject, in any pose.
 std::size_t count_triangles(const Scene& scene, const Subject& subject);
 
 /// How many triangles have a position that is not finite.

@@ -1,6 +1,7 @@
 #include "fragments.h"
 
 #include "large_triangles.h"
+#include "masked_fragments.h"
 #include "seen_triangles.h"
 #include "small_triangles.h"
 
@@ -17,7 +18,14 @@ static_assert(chunk % PreparedPart::padding == 0);
 
 }  // namespace
 
-void Rasteriser::draw(const PreparedPart& part, const Camera& camera, const TakeFragments& take) {
+void Rasteriser::draw(const PreparedPart& part, const Camera& camera, const TakeFragments& take,
+                      const TakeFragments& take_discarded) {
+  if (!part.mask) return draw_whole(part, camera, take);
+  MaskedFragments masked(part, corners_, camera);
+  draw_whole(part, camera, [&](const Fragments& some) { masked.hand_over(some, take, take_discarded); });
+}
+
+void Rasteriser::draw_whole(const PreparedPart& part, const Camera& camera, const TakeFragments& take) {
   project(part, camera, corners_);
   seen_.resize(chunk + PreparedPart::padding);
   for (std::size_t begin = 0; begin < part.triangle_count(); begin += chunk) {

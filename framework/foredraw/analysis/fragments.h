@@ -41,10 +41,15 @@ using TakeFragments = std::function<void(const Fragments&)>;
 /// Draws parts, with memory that is kept from part to part.
 class Rasteriser {
  public:
-  /// Hands over every fragment of the part in batches, triangle by triangle.
-  void draw(const PreparedPart& part, const Camera& camera, const TakeFragments& take);
+  /// Hands over every fragment of the part in batches, triangle by triangle; but those that its mask discards go to
+  /// `take_discarded`, behind the others of their triangle.
+  void draw(
+      const PreparedPart& part, const Camera& camera, const TakeFragments& take,
+      const TakeFragments& take_discarded = [](const Fragments&) {});
 
  private:
+  void draw_whole(const PreparedPart& part, const Camera& camera, const TakeFragments& take);
+
   Corners corners_;
   std::vector<std::uint32_t> seen_;
   Fragments fragments_;

@@ -22,6 +22,7 @@ void pad(std::vector<T>& values) {
 PreparedPart prepared(const RasterPart& part, const BoundingSphere& sphere, std::uint32_t first) {
   PreparedPart result;
   result.culls_back_faces = part.culls_back_faces;
+  result.mask = part.mask;
   for (const glm::vec3& position : part.positions) {
     const bool has_place = is_finite(position) && sphere.radius > 0;
     const glm::dvec3 place = has_place ? (glm::dvec3(position) - sphere.centre) / sphere.radius : glm::dvec3(0);

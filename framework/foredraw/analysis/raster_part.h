@@ -5,17 +5,21 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace foredraw {
+
+struct Mask;
 
 /// The triangles of one draw call, in the order in which they are drawn. Front faces turn counter-clockwise.
 struct RasterPart {
   std::span<const glm::vec3> positions;
   std::span<const std::uint32_t> indices;  ///< three a triangle, each below the number of positions
   bool culls_back_faces = true;
-  bool is_mirrored = false;  ///< positions were moved by a transform that turns front faces clockwise
+  bool is_mirrored = false;                    ///< positions were moved by a transform that turns front faces clockwise
+  std::shared_ptr<const Mask> mask = nullptr;  ///< of its vertices; none: the surface has no holes
 };
 
 /// A part as every view draws it: number after number, as vector registers take them, and padded with places in the
@@ -28,6 +32,7 @@ struct PreparedPart {
                                                       ///< that may cover something: three corners, all of them finite
   std::vector<std::uint32_t> numbers;  ///< [triangle], counted through all parts, those that cover nothing too
   bool culls_back_faces = true;
+  std::shared_ptr<const Mask> mask;
 
   glm::dvec3 position(std::size_t vertex) const {
     return {positions[0][vertex], positions[1][vertex], positions[2][vertex]};

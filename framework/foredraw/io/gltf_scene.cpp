@@ -1,5 +1,6 @@
 // A sound document to a scene. tinygltf reads the structure; the bytes come from the layouts that the gate checked.
 #include <foredraw/io/images.h>
+#include <foredraw/io/private/gltf_base_colour.h>
 #include <foredraw/io/private/gltf_source.h>
 #include <foredraw/io/private/gltf_uri.h>
 
@@ -36,7 +37,8 @@ class Streams {
     for (const Accessor& a : document.accessors) {
       first_alike_.push_back(static_cast<int>(first_alike_.size()));
       if (!a.rows || a.sparse) continue;
-      const Layout layout{a.rows->view, a.rows->offset, a.rows->stride, a.count, a.format.component, a.format.components, a.format.normalized};
+      const Layout layout{a.rows->view,       a.rows->offset,      a.rows->stride,     a.count,
+                          a.format.component, a.format.components, a.format.normalized};
       first_alike_.back() = known.try_emplace(layout, first_alike_.back()).first->second;
     }
   }
@@ -289,7 +291,10 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
   for (const auto& node : model.nodes) scene.nodes.push_back(node_of(node));
   for (const auto& skin : model.skins) scene.skins.push_back(skin_of(skin, streams));
   for (const auto& animation : model.animations) scene.animations.push_back(animation_of(animation, streams));
-  for (const auto& material : model.materials) scene.materials.push_back(material_of(material));
+  for (std::size_t m = 0; m < model.materials.size(); ++m) {
+    scene.materials.push_back(material_of(model.materials[m]));
+    add_base_colour(scene.materials.back(), document.json["materials"][m], document.json);
+  }
   if (const auto images = document.json.find("images"); images != document.json.end()) {
     ViewBytes views;
     for (const Json& image : *images) scene.images.push_back(image_of(image, document, views));

@@ -2,6 +2,7 @@
 
 #include <foredraw/analysis/heat_map.h>
 #include <foredraw/io/private/picture.h>
+#include <foredraw/technique/posed_subjects.h>
 
 #include <fmt/format.h>
 
@@ -81,27 +82,50 @@ Picture drawn(const std::vector<HeatMap>& maps, const std::vector<std::string>& 
   return picture;
 }
 
-std::vector<DrawnSubject> all_drawn(const Scene& scene, Faces faces, const Executor& executor) {
-  const std::vector<Subject> subjects = subjects_of(scene);
-  const PosedNodes nodes = posed_nodes(scene);
-  std::vector<DrawnSubject> drawn(subjects.size());
-  executor.for_each(subjects.size(),
-                    [&](std::size_t i) { drawn[i] = drawn_subject(scene, subjects[i], faces, nodes); });
-  return drawn;
-}
-
 double ratio_of(const OverdrawCount& count) {
   return count.visible == 0 ? 0 : static_cast<double>(count.shaded) / static_cast<double>(count.visible);
 }
 
-/// The view with the highest ratio, the first of them.
-std::size_t worst_view(const DrawnSubject& subject, const Views& views, const Executor& executor) {
-  std::vector<double> ratios(views.views.size());
-  executor.for_each(ratios.size(), [&](std::size_t view) {
-    ratios[view] = ratio_of(heat_map(subject.parts, views.views[view], views.size).count);
-  });
-  return static_cast<std::size_t>(std::ranges::max_element(ratios) - ratios.begin());
-}
+/// Draws subjects as they look in one of the poses.
+class Photographer {
+ public:
+  Photographer(const PosedSubjects& subjects, const Views& views, Faces faces, Analyses& analyses)
+      : subjects_(subjects), views_(views), faces_(faces), analyses_(analyses) {}
+
+  HeatMap map(const Scene& scene, std::size_t subject, std::size_t pose, std::size_t view) const {
+    return heat_map(drawn(scene, subject, pose).parts, views_.views[view], views_.size);
+  }
+
+  struct Look {
+    std::size_t pose = 0;
+    double ratio = 0;
+  };
+
+  /// [view] the pose in which it has the highest ratio, the first of them.
+  std::vector<Look> worst_poses(std::size_t subject, const Executor& executor) const {
+    std::vector<Look> worst(views_.views.size());
+    for (std::size_t pose = 0; pose < subjects_.poses.poses.size(); ++pose) {
+      if (!subjects_.is_new(subject, pose)) continue;
+      const DrawnSubject posed = drawn(subjects_.scene, subject, pose);
+      executor.for_each(worst.size(), [&](std::size_t view) {
+        const double ratio = ratio_of(heat_map(posed.parts, views_.views[view], views_.size).count);
+        if (ratio > worst[view].ratio) worst[view] = {pose, ratio};
+      });
+    }
+    return worst;
+  }
+
+ private:
+  DrawnSubject drawn(const Scene& scene, std::size_t subject, std::size_t pose) const {
+    return drawn_subject(scene, subjects_.subjects[subject], faces_, posed_nodes(scene, subjects_.poses.poses[pose]),
+                         analyses_);
+  }
+
+  const PosedSubjects& subjects_;
+  const Views& views_;
+  Faces faces_;
+  Analyses& analyses_;
+};
 
 /// A name that any file system takes.
 std::string as_file_name(const std::string& name) {
@@ -133,43 +157,47 @@ bool are_views(const std::string& which, const OverdrawOptions& options, Diagnos
 
 std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const OverdrawOptions& options,
                                   const std::string& which, const std::filesystem::path& folder,
-                                  const Executor& executor) {
+                                  const Executor& executor, Analyses& analyses) {
   const Views views = make_views(options);
   const std::optional<std::size_t> number = number_in(which);
-  const std::vector<Subject> subjects = subjects_of(before);
-  const std::vector<DrawnSubject> old_ones = all_drawn(before, options.faces, executor);
-  std::vector<DrawnSubject> new_ones;
-  if (after != nullptr) new_ones = all_drawn(*after, options.faces, executor);
+  PosedSubjects subjects{before, subjects_of(before), make_poses(before, options), {}};
+  subjects.distinct = distinct_poses(before, subjects.subjects, subjects.poses, executor);
+  const Photographer photographer(subjects, views, options.faces, analyses);
 
   struct Shot {
-    std::size_t subject, view;
+    std::size_t subject, pose, view;
   };
   std::vector<Shot> shots;
-  for (std::size_t i = 0; i < subjects.size(); ++i) {
-    if (which == "all") {
-      for (std::size_t view = 0; view < views.views.size(); ++view) shots.push_back({i, view});
-    } else {
-      shots.push_back({i, number ? *number : worst_view(old_ones[i], views, executor)});
+  for (std::size_t i = 0; i < subjects.subjects.size(); ++i) {
+    const auto looks = photographer.worst_poses(i, executor);
+    const auto worst = std::ranges::max_element(looks, {}, &Photographer::Look::ratio) - looks.begin();
+    for (std::size_t view = 0; view < looks.size(); ++view) {
+      const bool is_wanted = which == "all" || view == number.value_or(static_cast<std::size_t>(worst));
+      if (is_wanted && looks[view].ratio > 0) shots.push_back({i, looks[view].pose, view});
     }
   }
+  const std::vector<std::string> clips = clip_names(before);
   std::vector<OutputFile> files(shots.size());
   executor.for_each(shots.size(), [&](std::size_t i) {
-    const auto [subject, view] = shots[i];
-    const View& from = views.views[view];
-    std::vector<HeatMap> maps = {heat_map(old_ones[subject].parts, from, views.size)};
+    const auto [subject, pose, view] = shots[i];
+    std::vector<HeatMap> maps = {photographer.map(before, subject, pose, view)};
     std::vector<std::string> titles = {""};
-    if (maps[0].count.visible == 0) return;
-    if (subject < new_ones.size()) {
-      maps.push_back(heat_map(new_ones[subject].parts, from, views.size));
+    if (after != nullptr) {
+      maps.push_back(photographer.map(*after, subject, pose, view));
       titles = {"before: ", "after: "};
     }
+    const std::string& name = subjects.subjects[subject].name;
+    const std::string moment = pose_name(subjects.poses.poses[pose], clips);
+    const bool has_poses =
+        std::ranges::any_of(subjects.distinct[subject].first_alike, [](std::size_t first) { return first > 0; });
+    const glm::dvec3& from = views.views[view].direction;
     const std::string footer =
-        fmt::format("{}, view {} of {}, from ({:.3f}, {:.3f}, {:.3f})", subjects[subject].name, view,
-                    views.views.size(), from.direction.x, from.direction.y, from.direction.z);
-    files[i] = {folder / fmt::format("{:03}-{}-view{:03}.png", subject, as_file_name(subjects[subject].name), view),
-                drawn(maps, titles, footer).as_png()};
+        fmt::format("{}{}, view {} of {}, from ({:.3f}, {:.3f}, {:.3f})", name, has_poses ? " in " + moment : "", view,
+                    views.views.size(), from.x, from.y, from.z);
+    const std::string file = fmt::format("{:03}-{}{}-view{:03}.png", subject, as_file_name(name),
+                                         has_poses ? "-" + as_file_name(moment) : "", view);
+    files[i] = {folder / file, drawn(maps, titles, footer).as_png()};
   });
-  std::erase_if(files, [](const OutputFile& file) { return file.bytes.empty(); });
   return files;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
+#include <foredraw/scene/texture.h>
+
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace foredraw {
@@ -14,6 +17,8 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
+  float alpha = 1;                     ///< the base colour's
+  std::optional<Texture> base_colour;  ///< whose alpha is multiplied with it
 };
 
 }  // namespace foredraw

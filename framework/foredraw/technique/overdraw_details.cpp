@@ -76,7 +76,7 @@ void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& servi
     for (std::size_t i = 0; i < subjects.subjects.size(); ++i) {
       if (!subjects.is_new(i, pose)) continue;
       const Subject& subject = subjects.subjects[i];
-      const DrawnSubject drawn = drawn_subject(scene, subject, service.faces(), nodes);
+      const DrawnSubject drawn = drawn_subject(scene, subject, service.faces(), nodes, run.analyses);
       const auto layers = service.capture(drawn.parts, views, run);
       if (!layers) {
         return run.note("no-details",

@@ -1,5 +1,6 @@
 #include <foredraw/technique/overdraw_evaluator.h>
 
+#include <foredraw/analysis/draw_mask.h>
 #include <foredraw/technique/overdraw_details.h>
 #include <foredraw/technique/overdraw_samples.h>
 #include <foredraw/technique/overdraw_tally.h>
@@ -81,7 +82,8 @@ class OverdrawEvaluator final : public Evaluator {
     run.executor.for_each(counted.size(), [&](std::size_t i) {
       if (run.cancelled()) throw std::runtime_error("cancelled");
       if (subjects.is_new(i, pose)) {
-        const DrawnSubject drawn = drawn_subject(subjects.scene, subjects.subjects[i], options_.faces, nodes);
+        const DrawnSubject drawn =
+            drawn_subject(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
         counted[i].counts = service_->draw(drawn.parts, samples_.views, run);
         for (const RasterPart& part : drawn.parts) counted[i].non_finite += count_non_finite_triangles(part);
       }
@@ -155,16 +157,18 @@ class OverdrawEvaluator final : public Evaluator {
   void measure_at(Place place, std::span<const OverdrawTally> tallies, const Run& run) const {
     double hidden = 0;
     double ties = 0;
+    double discarded = 0;
     OverdrawCount worst;
     std::vector<ViewTally> pictures;
     for (const OverdrawTally& tally : tallies) {
       hidden += tally.hidden;
       ties += tally.ties;
+      discarded += tally.discarded;
       if (is_worse(tally.worst, worst)) worst = tally.worst;
       pictures.insert(pictures.end(), tally.views.begin(), tally.views.end());
     }
     const Estimate ratio = ratio_of(sums_by_view(tallies, samples_.views.views.size()));
-    if (ratio.numerator + ties == 0) return;  // never seen
+    if (ratio.numerator + ties + discarded == 0) return;  // never seen
     const Estimate mean = overdraw_view_mean(pictures, samples_.views.views);
     run.measure_at(place, "ratio", ratio.numerator, ratio.denominator, ratio.error);
     run.measure_at(place, "view-mean", mean.numerator, mean.denominator, mean.error);
@@ -173,6 +177,12 @@ class OverdrawEvaluator final : public Evaluator {
     }
     run.count_at(place, "hidden", hidden);
     run.count_at(place, "ties", ties);
+    if (place == Place() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
+      run.note("close", fmt::format("surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
+                                    "ties per pixel, more than its error; who rounds depths otherwise finds another one",
+                                    ties / ratio.denominator));
+    }
+    if (discarded > 0) run.count_at(place, "discarded", discarded);
   }
 
   void tell_of_poses(const PosedSubjects& subjects, const OverdrawTallies& tallies, const Run& run) const {
@@ -201,18 +211,26 @@ class OverdrawEvaluator final : public Evaluator {
   void tell_what_is_not_as_drawn(const Scene& scene, const Poses& poses, const OverdrawTallies& tallies,
                                  const Run& run) const {
     std::vector<std::string> blended;
-    std::vector<std::string> masked;
+    std::vector<std::string> unknown;
+    std::string why;
     for (const Draw& draw : scene.draws) {
       if (draw.topology != Topology::triangles) continue;
-      const Material* material = scene.material_of(draw);
       if (is_blended(scene, draw)) blended.push_back(draw.name);
-      if (material != nullptr && material->alpha_mode == AlphaMode::mask) masked.push_back(draw.name);
+      const auto mask = mask_of(run.analyses, scene, draw);
+      if (const std::string* text = std::get_if<std::string>(&mask)) {
+        unknown.push_back(draw.name);
+        if (why.empty()) why = *text;
+      }
     }
     if (!blended.empty()) {
       run.count("blended-left-out", static_cast<double>(blended.size()));
       run.note("blended", fmt::format("left out as blended: {}", listed_draws(blended)));
     }
-    if (!masked.empty()) run.note("masked", fmt::format("drawn as if opaque, though masked: {}", listed_draws(masked)));
+    if (!unknown.empty()) {
+      run.count("masked-left-out", static_cast<double>(unknown.size()));
+      run.note("masked",
+               fmt::format("left out, for it is not known where their holes are: {}; {}", listed_draws(unknown), why));
+    }
     const std::size_t non_finite =
         std::accumulate(tallies.non_finite.begin(), tallies.non_finite.end(), std::size_t{0});
     if (non_finite > 0) {
@@ -240,7 +258,10 @@ std::vector<Metric> overdraw_metrics() {
       {"hidden", "fragments",
        "Fragments that pass but do not stay, of all views and poses: a draw's part of the overdraw"},
       {"ties", "fragments", "Fragments exactly as near as what was drawn before them, of all views and poses"},
+      {"discarded", "fragments",
+       "Fragments that pass the depth test and fall into the holes of a mask, of all views and poses; in no ratio"},
       {"blended-left-out", "draws", "Blended draws, which are left out"},
+      {"masked-left-out", "draws", "Masked draws of which it is not known where their holes are, which are left out"},
       {"triangles-left-out", "triangles", "Triangles with positions that are not finite, which are left out"},
   };
 }

@@ -38,10 +38,11 @@ class OverdrawService {
   /// Which back faces who asks should have culled.
   Faces faces() const { return faces_; }
 
-  /// The subject's parts at rest, in their sequence. Blended parts are left out.
+  /// The subject's parts at rest, in their sequence. Parts that are blended, or
+  /// masked one does not know how, are left out.
   OverdrawCounts count(const Scene& scene, const Subject& subject, const Views& views, Run& run) {
     const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene) : PosedNodes();
-    return draw(drawn_subject(scene, subject, faces_, nodes).parts, views, run);
+    return draw(drawn_subject(scene, subject, faces_, nodes, run.analyses).parts, views, run);
   }
 
  private:

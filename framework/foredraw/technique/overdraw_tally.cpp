@@ -18,6 +18,7 @@ void OverdrawTally::add(std::span<const OverdrawCount> pictures, double weight) 
     views[view].add(picture, weight);
     hidden += weight * static_cast<double>(picture.shaded - picture.visible);
     ties += weight * static_cast<double>(picture.ties);
+    discarded += weight * static_cast<double>(picture.discarded);
     if (is_worse(picture, worst)) worst = picture;
   }
 }

@@ -14,6 +14,7 @@ struct OverdrawTally {
   OverdrawCount worst;  ///< the picture with the highest ratio, the first of them
   double hidden = 0;
   double ties = 0;
+  double discarded = 0;
 
   /// `pictures`: one for each view.
   void add(std::span<const OverdrawCount> pictures, double weight);
@@ -25,7 +26,7 @@ inline constexpr std::size_t most_told_poses = 64;
 struct OverdrawTallies {
   std::vector<std::map<std::size_t, OverdrawTally>> draws;  ///< [draw] by the subjects that it is in
   std::vector<OverdrawTally> subjects;                      ///< [subject]
-  std::vector<std::size_t> non_finite;            ///< [subject] triangles, in the pose that has most of them
+  std::vector<std::size_t> non_finite;                      ///< [subject] triangles, in the pose that has most of them
   /// [pose] over all subjects, for each view; one sum over the views where there are too many poses to tell of each.
   /// Views weigh in already.
   std::vector<std::vector<ViewTally>> poses;

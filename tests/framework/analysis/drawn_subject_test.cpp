@@ -14,7 +14,8 @@ using testing::TestMesh;
 const TestMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}};
 
 DrawnSubject drawn(const Scene& scene, Faces faces = Faces::material) {
-  return drawn_subject(scene, subjects_of(scene)[0], faces, posed_nodes(scene));
+  Analyses analyses;
+  return drawn_subject(scene, subjects_of(scene)[0], faces, posed_nodes(scene), analyses);
 }
 
 /// One mesh of two draws.

@@ -1,5 +1,6 @@
 #include <foredraw/analysis/fragment_layers.h>
 
+#include "support/overdraw.h"
 #include "support/painter.h"
 
 #include <foredraw/analysis/view_sphere.h>
@@ -92,6 +93,19 @@ TEST(FragmentLayers, nested_shells_cost_all_from_the_inside_out_and_one_from_the
     std::ranges::reverse(order);
     EXPECT_EQ(count_overdraw(layers, order).shaded, inside_out.visible);
   }
+}
+
+TEST(FragmentLayers, what_a_mask_discards_is_in_no_layer) {
+  const TestMesh far = testing::quad(-0.1f), near = testing::quad(0.1f);
+  std::vector<RasterPart> parts = {part_of(far), part_of(near)};
+  parts[1].mask = testing::half_a_hole();
+  const Views front{{View{{0, 0, 1}}}, 64};
+  const FragmentLayers layers = *fragment_layers(parts, front, Executor(1));
+  const OverdrawCount far_first = count_overdraw(layers, std::vector<std::uint32_t>{0, 1, 2, 3});
+  EXPECT_EQ(2 * far_first.shaded, 3 * far_first.visible);
+  const OverdrawCount near_first = count_overdraw(layers, std::vector<std::uint32_t>{2, 3, 0, 1});
+  EXPECT_EQ(near_first, (OverdrawCount{far_first.visible, far_first.visible, 0, 0}));
+  EXPECT_GT(near_first.visible, 1000u);
 }
 
 TEST(FragmentLayers, a_stack_of_n_quads_costs_n_or_one) {

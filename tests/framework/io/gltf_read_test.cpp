@@ -151,6 +151,37 @@ TEST(GltfRead, structure_of_the_puppet) {
                                            traits::animated, traits::masked, traits::double_sided}));
 }
 
+TEST(GltfRead, the_texture_that_masks) {
+  GltfBuilder builder = testing::puppet();
+  const Texture plain = *read(builder).materials[0].base_colour;
+  EXPECT_EQ(plain.image, ImageId{0});
+  EXPECT_EQ(plain.texcoord, 0u);
+  EXPECT_EQ(plain.wrap, (std::array{Wrap::repeat, Wrap::repeat}));
+  EXPECT_FALSE(plain.is_nearest);
+  EXPECT_EQ(plain.scale, glm::dvec2(1));
+
+  builder.json["samplers"][0] = {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}};
+  GltfJson& surface = builder.json["materials"][0]["pbrMetallicRoughness"];
+  surface["baseColorFactor"] = {1, 1, 1, 0.25};
+  surface["baseColorTexture"]["texCoord"] = 1;
+  surface["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
+      {"offset", {0.5, 0.25}}, {"rotation", 1.5}, {"scale", {2, 3}}, {"texCoord", 2}};
+  builder.json["extensionsUsed"] = {"KHR_texture_transform"};
+  Material material = read(builder).materials[0];
+  EXPECT_EQ(material.alpha, 0.25f);
+  EXPECT_EQ(material.base_colour->wrap, (std::array{Wrap::clamped, Wrap::mirrored}));
+  EXPECT_TRUE(material.base_colour->is_nearest);
+  EXPECT_EQ(material.base_colour->texcoord, 2u);
+  EXPECT_EQ(material.base_colour->offset, glm::dvec2(0.5, 0.25));
+  EXPECT_EQ(material.base_colour->rotation, 1.5);
+  EXPECT_EQ(material.base_colour->scale, glm::dvec2(2, 3));
+
+  builder.json["textures"][0].erase("source");
+  EXPECT_EQ(read(builder).materials[0].base_colour->image, std::nullopt);
+  surface.erase("baseColorTexture");
+  EXPECT_FALSE(read(builder).materials[0].base_colour);
+}
+
 TEST(GltfRead, a_skeleton_that_moves_as_a_whole_does_not_bend) {
   const auto animated_by = [](std::size_t moved) {
     GltfBuilder builder = testing::puppet();

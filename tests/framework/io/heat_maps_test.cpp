@@ -33,7 +33,8 @@ OverdrawOptions from_the_front() {
 }
 
 std::vector<OutputFile> drawn(const Scene& before, const Scene* after, const std::string& which) {
-  return heat_maps(before, after, from_the_front(), which, "maps", Executor(2));
+  Analyses analyses;
+  return heat_maps(before, after, from_the_front(), which, "maps", Executor(2), analyses);
 }
 
 std::set<std::array<int, 3>> colours_in(const OutputFile& file, std::size_t first_column, std::size_t last_column) {
@@ -70,6 +71,29 @@ TEST(HeatMaps, shows_before_and_after_side_by_side) {
   const std::array<int, 3> background = {18, 18, 22};
   EXPECT_EQ(colours_in(maps.front(), 12, 524), (std::set<std::array<int, 3>>{background, {53, 183, 121}}));
   EXPECT_EQ(colours_in(maps.front(), 536, 1048), (std::set<std::array<int, 3>>{background, {52, 62, 110}}));
+}
+
+TEST(HeatMaps, shows_the_worst_pose_of_each_view) {
+  // Two squares that face +Z. A joint slides the one that is drawn first from beside the other to behind it.
+  Scene scene = testing::scene_of({testing::draw_of(quad(0)), testing::draw_of(quad(1))});
+  Node root;
+  root.children = {0, 1};
+  scene.nodes.push_back(root);
+  scene.nodes[0].transform.translation = {3, 0, 0};
+  scene.skins.resize(1);
+  scene.skins[0].joints = {2};
+  scene.animations.push_back({"Slide",
+                              {{0, AnimatedPath::translation, Interpolation::linear, Shared<float>({0, 1, 2}),
+                                Shared<float>({3, 0, 0, 0, 0, 0, 1, 0, 0})}}});
+  OverdrawOptions options = from_the_front();
+  options.poses = "all";
+  Analyses analyses;
+  for (const std::string which : {"worst", "4", "all"}) {
+    const auto maps = heat_maps(scene, nullptr, options, which, "maps", Executor(2), analyses);
+    ASSERT_EQ(maps.size(), 1u);
+    EXPECT_TRUE(maps[0].path.generic_string().ends_with("-Slide_1-view004.png")) << maps[0].path;
+    EXPECT_TRUE(colours_in(maps[0], 12, 524).contains({42, 120, 142}));  // shaded twice
+  }
 }
 
 TEST(HeatMaps, leaves_out_views_that_show_nothing) {

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 
 #include "support/gltf_builder.h"
@@ -214,6 +216,32 @@ TEST(Images, facts_are_known_of_a_scene_that_was_read) {
   ASSERT_TRUE(scene) << to_text(diagnostics);
   EXPECT_EQ(scene->images[0].facts, facts) << "by content, whatever the name says";
   EXPECT_EQ(scene->images[1].facts, std::nullopt);
+}
+
+TEST(Images, are_decoded_for_analyses_from_the_scene_or_from_beside_it) {
+  const ImageFacts facts{3, 2, 4, 8};
+  const std::vector<std::byte> png = testing::png_of(facts, values_of(facts));
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "images beside";
+  std::filesystem::create_directories(folder / "inner");
+  std::ofstream(folder / "inner" / "a leaf.png", std::ios::binary)
+      .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  Image image;
+  image.name = "leaf";
+  image.bytes = Shared<std::byte>(std::vector<std::byte>(png));
+  const auto texels = [&](const std::filesystem::path& scene_file) { return image_decoder(scene_file)(image); };
+  const auto why_not = [&](const std::filesystem::path& scene_file) { return std::get<std::string>(texels(scene_file)); };
+  EXPECT_EQ(std::get<Texels>(texels({})).facts, facts);
+  image.bytes = {};
+  image.uri = "inner/a%20leaf.png";
+  EXPECT_EQ(std::get<Texels>(texels(folder / "scene.gltf")).facts, facts);
+  EXPECT_EQ(why_not({}), "there is no image 'inner/a leaf.png' in the folder of the scene");
+  EXPECT_EQ(why_not(folder / "inner" / "scene.gltf"), "there is no image 'inner/a leaf.png' in the folder of the scene");
+  image.uri = "../images%20beside/inner/a%20leaf.png";
+  EXPECT_EQ(why_not(folder / "inner" / "scene.gltf"),
+            "the image's file '../images%20beside/inner/a%20leaf.png' leads out of the file's folder");
+  image.uri.clear();
+  EXPECT_EQ(why_not(folder / "scene.gltf"),
+            "the image 'leaf' is no image that can be decoded, or its header is damaged");
 }
 
 }  // namespace
