@@ -103,8 +103,9 @@ Indices occlusion_ordered(const TestMesh& mesh, const Indices& base, double acmr
   KOrdersOptions options;
   options.quality = setting.quality;
   options.acmr_budget = acmr_budget;
+  const KOrders found = k_orders(subject, options, executor);
   Indices result;
-  for (const std::uint32_t atom : k_orders(subject, options, executor).orders[0][0]) {
+  for (const std::uint32_t atom : found.orders[0][0]) {
     result.insert(result.end(), base.begin() + 3 * atoms.offsets[atom], base.begin() + 3 * atoms.offsets[atom + 1]);
   }
   return result;
