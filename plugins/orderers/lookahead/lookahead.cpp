@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <numeric>
 
 namespace foredraw {
 
@@ -88,6 +89,7 @@ BatchModel cache_of(const LookaheadOptions& options) {
 
 void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
                const LookaheadOptions& options, std::pmr::memory_resource& memory) {
+  if (!lookahead_takes(indices.size())) return std::iota(order.begin(), order.end(), 0u);
   const Effort effort = effort_of(options);
   FanWalk walk(order, indices, vertex_count, cache_of(options), weights_of(options), memory);
 
