@@ -56,7 +56,7 @@ FanWeights weights_of(const LookaheadOptions& options) {
             .prefer_old = 8,
             .avoid_large = -12,
             .avoid_new = 122,
-            .reserve = 3};
+            .reserve = 4};
   }
   return {.done = 1200,
           .waiting = -5,
@@ -65,7 +65,7 @@ FanWeights weights_of(const LookaheadOptions& options) {
           .prefer_old = 25,
           .avoid_large = 5,
           .avoid_new = 60,
-          .reserve = options.quality == LookaheadQuality::high ? 4 : 6};  // who looks further needs less
+          .reserve = options.quality == LookaheadQuality::high ? 5 : 6};  // who looks further needs less
 }
 
 struct Rival {
