@@ -13,11 +13,14 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from label_places import label_places
+
 # Stands for the page's own colour, which the library has no word for; replaced when the file is written.
 PAGE = "#010203"
 PAGE_STYLE = "<style>svg{color:#24292f}@media(prefers-color-scheme:dark){svg{color:#d0d7de}}</style>"
 COLOURS = ["#d9822b", "#2f81f7", "#2ea043", "#a371f7", "#e5534b", "#1b9e9e", "#c6469b", "#8d8d3a"]
 MARKERS = "os^Dv<>p"
+LABEL_FONT, LIMIT_FONT = 6.5, 7
 
 
 @dataclass
@@ -55,16 +58,10 @@ def draw_panel(axes, panel, style, worst, is_log):
     for name, quality in panel.limits:
         axes.axhline(quality, color=PAGE, linewidth=0.8, linestyle=(0, (4, 3)), zorder=0)
         axes.annotate(name, (1, quality), xycoords=("axes fraction", "data"), xytext=(-3, 2), ha="right",
-                      textcoords="offset points", fontsize=7)
-    for family, (colour, marker) in style.items():
-        own = sorted((p for p in panel.points if p.family == family), key=lambda p: (p.quality, p.label))
-        for point in own:
-            is_shown = point.quality <= worst
-            label = point.label if is_shown else f"{point.label} at {point.quality:.2f}".strip()
-            place = (point.time, min(point.quality, worst))
-            axes.plot(*place, marker, color=colour, markersize=5, zorder=3, clip_on=False)
-            axes.annotate(label, place, xytext=(5, -2 if is_shown else -9), textcoords="offset points", fontsize=6.5,
-                          color=colour, zorder=4)
+                      textcoords="offset points", fontsize=LIMIT_FONT)
+    for point in panel.points:
+        colour, marker = style[point.family]
+        axes.plot(point.time, min(point.quality, worst), marker, color=colour, markersize=5, zorder=3, clip_on=False)
     best = min([p.quality for p in panel.points] + [quality for _, quality in panel.limits])
     if is_log:
         axes.set_yscale("log")
@@ -76,6 +73,31 @@ def draw_panel(axes, panel, style, worst, is_log):
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_title(panel.title, fontsize=9)
     axes.grid(color=PAGE, alpha=0.12, linewidth=0.6)
+
+
+def size_of(text, font):
+    """In points, about: nothing is known of the font that the reader's machine will take."""
+    return 0.53 * font * len(text), font
+
+
+def label_points(axes, panel, style, worst):
+    """When nothing else moves any more."""
+    to_points = 72 / axes.figure.dpi
+    right, top = axes.transAxes.transform((1, 1)) * to_points
+    left, bottom = axes.transAxes.transform((0, 0)) * to_points
+    points = sorted(panel.points, key=lambda p: (p.quality, p.time, p.family, p.label))
+    labels = [p.label if p.quality <= worst else f"{p.label} at {p.quality:.2f}".strip() for p in points]
+    anchors = [axes.transData.transform((p.time, min(p.quality, worst))) * to_points for p in points]
+    taken = []
+    for name, quality in panel.limits:
+        width, height = size_of(name, LIMIT_FONT)
+        line = axes.transData.transform((1, quality))[1] * to_points
+        taken.append((right - 3 - width, line, right, line + 2 + height))
+    sizes = [size_of(label, LABEL_FONT) for label in labels]
+    places = label_places(anchors, sizes, (left, bottom, right, top), taken)
+    for point, label, anchor, place in zip(points, labels, anchors, places):
+        axes.annotate(label, (point.time, min(point.quality, worst)), xytext=place - anchor, va="bottom",
+                      textcoords="offset points", fontsize=LABEL_FONT, color=style[point.family][0], zorder=4)
 
 
 def write_svg(path, panels, time_axis, quality_axis, worst, columns=2, size=(4.9, 3.6), is_log=False):
@@ -100,6 +122,8 @@ def write_svg(path, panels, time_axis, quality_axis, worst, columns=2, size=(4.9
     shown.append(plt.Line2D([], [], color=PAGE, alpha=0.35, linewidth=5, label="Pareto front"))
     figure.legend(handles=shown, loc="upper center", ncol=4, fontsize=8)
     figure.tight_layout(rect=(0.01, 0, 1, 1 - 0.5 / (size[1] * rows + 0.5)))
+    for axes, panel in zip(grid.flat, panels):
+        label_points(axes, panel, style, worst)
     figure.savefig(path, transparent=True, metadata={"Date": None, "Creator": None})
     plt.close(figure)
 

@@ -79,6 +79,26 @@ class Tables(unittest.TestCase):
         self.assertEqual(text, page.replaced(page.PAGE, page.tables(figures)))
 
 
+class Labels(unittest.TestCase):
+    def test_stand_beside_their_points_and_cover_nothing_where_there_is_room(self):
+        from label_places import label_places, overlap
+
+        points = [(50, 50), (54, 50), (54, 53), (98, 50), (50, 100)]
+        area, taken, size = (0, 0, 100, 100), (60, 40, 90, 45), (20, 7)
+        places = label_places(points, [size] * len(points), area, [taken])
+        boxes = [(x, y, x + size[0], y + size[1]) for x, y in places]
+        things = [taken] + boxes + [(x - 3, y - 3, x + 3, y + 3) for x, y in points]
+        for i, box in enumerate(boxes):
+            self.assertAlmostEqual(overlap(box, area), size[0] * size[1], msg=f"label {i} leaves the area")
+            self.assertEqual(sum(overlap(box, thing) for thing in things), overlap(box, box), f"label {i} covers something")
+            self.assertLess(abs(places[i][0] - points[i][0]) + abs(places[i][1] - points[i][1]), 60)
+
+    def test_stand_to_the_right_of_points_that_are_alone(self):
+        from label_places import label_places
+
+        self.assertEqual(label_places([(10, 10)], [(20, 6)], (0, 0, 100, 100)), [(15, 7)])
+
+
 @unittest.skipUnless(HAS_MATPLOTLIB, "Matplotlib is not installed")
 class Plot(unittest.TestCase):
     def test_the_front_holds_what_nothing_beats(self):

@@ -90,8 +90,7 @@ int FanWalk::promise(const Vertex& v, std::uint32_t age) const {
   const int at_the_end = static_cast<int>(age) + (open + 1) / 2 + weights_.reserve;
   const int when = weights_.prefer_old * static_cast<int>(age);
   const int too_late = 1 << 20;
-  return (open == 0 ? weights_.prefer_free : 0) +
-         (at_the_end <= static_cast<int>(cache_.cache_size) ? when : -when - too_late) -
+  return (open == 0 ? unopposed : 0) + (at_the_end <= static_cast<int>(cache_.cache_size) ? when : -when - too_late) -
          weights_.avoid_large * static_cast<int>(v.live) - weights_.avoid_new * open;
 }
 
@@ -205,7 +204,7 @@ void FanWalk::touch(std::uint32_t vertex, std::uint32_t began) {
   if constexpr (!on_trial) trail_.push_back(vertex);
 }
 
-/// Puts a vertex into the cache; who has been in it for longest leaves.
+/// The last triangle is taken from a vertex of that age.
 void FanWalk::finish(std::uint32_t age) {
   cost_ += done_cost_[age];
   waiting_.remove(age);

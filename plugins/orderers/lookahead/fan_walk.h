@@ -26,7 +26,6 @@ struct FanWeights {
   int waiting_old;   ///< times age^3
   int waiting_open;  ///< times age, for each end of its remaining triangles that is not in the cache
   // How promising a vertex is as the next fan's centre.
-  int prefer_free;  ///< where all ends are in the cache
   int prefer_old;   ///< for each entry of age
   int avoid_large;  ///< for each triangle left
   int avoid_new;    ///< for each end that is not in the cache
@@ -36,6 +35,8 @@ struct FanWeights {
 class FanWalk {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
+  /// How promising a centre is whose fan brings in nothing new: more than all else that makes promising.
+  static constexpr int unopposed = 1 << 21;
 
   /// The triangles' numbers go into `order` as they are drawn. The spans must outlive the walk.
   FanWalk(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,

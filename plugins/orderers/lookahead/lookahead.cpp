@@ -2,7 +2,9 @@
 
 #include "fan_walk.h"
 
-#include <utility>
+#include <algorithm>
+#include <compare>
+#include <numeric>
 
 namespace foredraw {
 
@@ -13,23 +15,24 @@ struct Effort {
   int margin;  ///< of promise, behind the most promising: who is further behind is not tried
 };
 
-constexpr int unopposed = 1 << 21;  // by anyone: more than all else that makes promising
+constexpr std::size_t finalists = 3;  // who are tried out to the full depth
+constexpr int usual_cost = 100;       // of a triangle, in 1/1024 of a vertex: robust orders shade a tenth of one again
 
 Effort effort_of(const LookaheadOptions& options) {
-  constexpr Effort efforts[] = {{3, 2, 100}, {8, 8, unopposed - 1}, {10, 20, unopposed - 1}};
+  constexpr int all_rivals = FanWalk::unopposed - 1;
+  constexpr Effort efforts[] = {{2, 3, 80}, {16, 8, all_rivals}, {16, 20, all_rivals}};
   const Effort usual = efforts[static_cast<int>(options.quality)];
   return {options.candidates > 0 ? options.candidates : usual.candidates,
           options.depth > 0 ? options.depth : usual.depth, usual.margin};
 }
 
-/// Found by random search on four meshes.
+/// Found by random search on small meshes; README.md tells which.
 FanWeights weights_of(const LookaheadOptions& options) {
   if (options.target == LookaheadTarget::nvidia) {  // the cache is emptied so often that ages hardly matter
     return {.done = 231,
             .waiting = 68,
             .waiting_old = 1002,
             .waiting_open = 575,
-            .prefer_free = unopposed,
             .prefer_old = 5,
             .avoid_large = 14,
             .avoid_new = 3,
@@ -40,42 +43,37 @@ FanWeights weights_of(const LookaheadOptions& options) {
             .waiting = 18,
             .waiting_old = 870,
             .waiting_open = 52,
-            .prefer_free = unopposed,
             .prefer_old = 37,
             .avoid_large = 18,
             .avoid_new = 50,
             .reserve = 2};
   }
   if (options.quality == LookaheadQuality::fast) {  // the first guess counts for more
-    return {.done = 338,
-            .waiting = 22,
-            .waiting_old = 637,
-            .waiting_open = 74,
-            .prefer_free = unopposed,
-            .prefer_old = 50,
-            .avoid_large = 6,
-            .avoid_new = 103,
-            .reserve = 6};
+    return {.done = 2000,
+            .waiting = 70,
+            .waiting_old = 320,
+            .waiting_open = -10,
+            .prefer_old = 8,
+            .avoid_large = -12,
+            .avoid_new = 122,
+            .reserve = 4};
   }
-  return {.done = 1000,
+  return {.done = 1200,
           .waiting = -5,
           .waiting_old = 882,
           .waiting_open = 60,
-          .prefer_free = 0,
-          .prefer_old = 38,
-          .avoid_large = 17,
-          .avoid_new = 42,
-          .reserve = 6};
+          .prefer_old = 25,
+          .avoid_large = 5,
+          .avoid_new = 60,
+          .reserve = options.quality == LookaheadQuality::high ? 5 : 6};  // who looks further needs less
 }
 
-/// What a trial came to. The cost is what was paid and how the outlook changed.
-struct Outcome {
-  std::uint32_t center = FanWalk::none;
-  std::int64_t cost = 0, triangles = 0;
+struct Rival {
+  std::int64_t cost;
+  std::size_t rank;  ///< by promise, where costs are equal
+  std::uint32_t center;
 
-  bool is_cheaper_than(const Outcome& other) const {  // by triangle
-    return other.triangles == 0 || cost * other.triangles < other.cost * triangles;
-  }
+  auto operator<=>(const Rival&) const = default;
 };
 
 }  // namespace
@@ -91,43 +89,39 @@ BatchModel cache_of(const LookaheadOptions& options) {
 
 void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
                const LookaheadOptions& options, std::pmr::memory_resource& memory) {
+  if (!lookahead_takes(indices.size())) return std::iota(order.begin(), order.end(), 0u);
   const Effort effort = effort_of(options);
   FanWalk walk(order, indices, vertex_count, cache_of(options), weights_of(options), memory);
 
-  /// What becomes of the walk if it goes on around `center`, and then as far as `fans` wherever is most promising.
-  const auto try_out = [&](std::uint32_t center, int fans) {
+  /// What it costs to go on around `center`, and then `fans` times wherever is most promising: what is paid on the way
+  /// and the outlook at its end, beyond what so many triangles usually cost.
+  const auto cost_of = [&](std::uint32_t center, int fans) {
     const FanWalk::Trial trial(walk);
-    Outcome outcome{.center = center, .cost = -walk.outlook()};
-    for (; center != FanWalk::none && fans >= 0 && !trial.is_long(); --fans) {
-      outcome.triangles += walk.draw(center);
+    std::int64_t triangles = walk.draw(center);
+    for (; fans > 0 && !trial.is_long(); --fans) {
       center = walk.most_promising();
+      if (center == FanWalk::none) break;
+      triangles += walk.draw(center);
     }
-    outcome.cost += trial.cost() + walk.outlook();
-    return outcome;
+    return trial.cost() + walk.outlook() - usual_cost * triangles;
   };
 
-  /// Short trials tell most of the candidates apart.
-  const auto best_at_a_glance = [&](std::span<const std::uint32_t> centers) {
-    Outcome best, second;
-    for (const std::uint32_t center : centers) {
-      const Outcome outcome = try_out(center, effort.depth / 4);
-      if (outcome.is_cheaper_than(best)) {
-        second = std::exchange(best, outcome);
-      } else if (outcome.is_cheaper_than(second)) {
-        second = outcome;
-      }
-    }
-    return std::pair(best.center, second.center);
+  std::pmr::vector<Rival> rivals(&memory);
+  const auto keep_cheapest = [&](std::size_t count, int fans) {
+    if (rivals.size() <= count) return;
+    for (Rival& rival : rivals) rival.cost = cost_of(rival.center, fans);
+    std::ranges::sort(rivals);
+    rivals.resize(count);
   };
 
   for (std::size_t drawn = 0; drawn < order.size();) {
-    const auto centers = walk.promising(static_cast<std::size_t>(effort.candidates), effort.margin);
-    std::uint32_t center = centers[0];
-    if (centers.size() > 1) {
-      const auto [one, other] = centers.size() > 2 ? best_at_a_glance(centers) : std::pair(centers[0], centers[1]);
-      center = try_out(other, effort.depth).is_cheaper_than(try_out(one, effort.depth)) ? other : one;
+    rivals.clear();
+    for (const std::uint32_t center : walk.promising(static_cast<std::size_t>(effort.candidates), effort.margin)) {
+      rivals.push_back({0, rivals.size(), center});
     }
-    drawn += walk.draw(center);
+    keep_cheapest(finalists, 0);
+    keep_cheapest(1, effort.depth);
+    drawn += walk.draw(rivals[0].center);
   }
 }
 

@@ -30,12 +30,16 @@ struct LookaheadOptions {
   int cache_size = 16;  ///< entries of the FIFO cache, 3 to 256; the batch models have their own
 };
 
+/// Whether the size can be had. What enters the cache is counted in 32 bits: every index may, and a batch of
+/// NVIDIA-like GPUs, which ends with 30 vertices or more, is followed by 32 entries of nothing.
+constexpr bool lookahead_takes(std::uint64_t index_count) { return index_count <= 2'000'000'000; }
+
 /// The cache that these options order for; without batches it is a plain FIFO.
 BatchModel cache_of(const LookaheadOptions& options);
 
 /// The order of the triangles ([new] = old) for a vertex cache. `indices` holds three a triangle, each below
-/// `vertex_count`; any triangles will do, degenerate and non-manifold ones too. At most 2^31 indices.
-/// O(triangles * candidates * depth * cache size), whatever the valences.
+/// `vertex_count`; any triangles will do, degenerate and non-manifold ones too. Where lookahead_takes() does not hold
+/// the order stays as it is. O(triangles * (candidates + depth) * cache size), whatever the valences.
 std::vector<std::uint32_t> lookahead(std::span<const std::uint32_t> indices, std::size_t vertex_count,
                                      const LookaheadOptions& options = {});
 

@@ -77,7 +77,7 @@ class Look {
   void add_pose(std::size_t pose) {
     const Subject& subject = view_.subject;
     const PosedNodes nodes = subject.is_placed() ? posed_nodes(view_.scene, run_.poses.poses[pose]) : PosedNodes();
-    const DrawnSubject drawn = drawn_subject(view_.scene, subject, run_.overdraw->faces(), nodes);
+    const DrawnSubject drawn = drawn_subject(view_.scene, subject, run_.overdraw->faces(), nodes, run_.analyses);
     Clusters all{{0}};
     const bool is_first = subject_.owners.empty();
     for (std::uint32_t part = 0; part < drawn.parts.size(); ++part) {
