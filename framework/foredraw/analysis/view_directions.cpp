@@ -18,20 +18,6 @@ namespace foredraw {
 
 namespace {
 
-/// By its series at a 64th of the angle, doubled six times. Good to 1e-12.
-double cosine_of_degrees(double angle) {
-  const double x = angle * (3.141592653589793 / 180 / 64);
-  const double square = x * x;
-  double term = 1;
-  double cosine = 1;
-  for (int n = 2; n <= 10; n += 2) {
-    term *= -square / (n * (n - 1));
-    cosine += term;
-  }
-  for (int doubled = 0; doubled < 6; ++doubled) cosine = 2 * cosine * cosine - 1;
-  return cosine;
-}
-
 Directions turned(const glm::dmat3& by, std::span<const glm::dvec3> directions) {
   Directions result;
   for (const glm::dvec3& direction : directions) {
@@ -43,6 +29,20 @@ Directions turned(const glm::dmat3& by, std::span<const glm::dvec3> directions) 
 }  // namespace
 
 glm::dvec3 normalised(const glm::dvec3& v) { return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+double cosine_of_degrees(double angle) {
+  // By its series at a 64th of the angle, doubled six times.
+  const double x = angle * (3.141592653589793 / 180 / 64);
+  const double square = x * x;
+  double term = 1;
+  double cosine = 1;
+  for (int n = 2; n <= 10; n += 2) {
+    term *= -square / (n * (n - 1));
+    cosine += term;
+  }
+  for (int doubled = 0; doubled < 6; ++doubled) cosine = 2 * cosine * cosine - 1;
+  return cosine;
+}
 
 Directions icosphere_directions(std::size_t count) {
   const double golden = (1 + std::sqrt(5.0)) / 2;

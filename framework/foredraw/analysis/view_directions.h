@@ -34,4 +34,7 @@ Directions turned_at_random(std::span<const glm::dvec3> directions, std::uint64_
 
 glm::dvec3 normalised(const glm::dvec3& v);
 
+/// Good to 1e-12, of angles up to a full circle.
+double cosine_of_degrees(double angle);
+
 }  // namespace foredraw
