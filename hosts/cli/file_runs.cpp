@@ -1,6 +1,7 @@
 #include "file_runs.h"
 
 #include <foredraw/io/heat_maps.h>
+#include <foredraw/report/draw_orders.h>
 #include <foredraw/report/remap.h>
 
 namespace foredraw::cli {
@@ -75,7 +76,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
 
 FileRun optimize_file(const FileJob& job, const std::string& input, const std::string& output) {
   const Arguments& arguments = job.arguments;
-  // The scene, the report and the remap tables: all of them, or none and an explanation.
+  // The scene, the report, the remap tables and the orders: all of them, or none and an explanation.
   const auto write = [&](Result& result, Diagnostics& diagnostics) {
     const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
     auto files = encode_scene(result.scene, output, diagnostics, compression);
@@ -86,6 +87,9 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::s
     if (!is_folder(arguments.inputs[0])) {
       if (!arguments.report.empty()) files->push_back(text_file(arguments.report, to_json(report)));
       if (!arguments.remap.empty()) files->push_back(text_file(arguments.remap, remap_json(result.scene)));
+      if (!arguments.draw_orders.empty()) {
+        files->push_back(text_file(arguments.draw_orders, draw_orders_json(result.scene)));
+      }
     }
     if (output != "-") return write_scene(*files, diagnostics);
     return write_files(std::span(*files).subspan(1), diagnostics) &&
