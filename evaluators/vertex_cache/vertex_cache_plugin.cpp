@@ -1,9 +1,12 @@
 #include "vertex_cache.h"
 
+#include <foredraw/analysis/order_lookup.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 
@@ -26,26 +29,63 @@ std::vector<CacheModel> models_of(const std::string& names) {
   return models;
 }
 
+/// An order of a draw, and how much of all looks it serves.
+struct ServedOrder {
+  std::span<const std::uint32_t> indices;
+  double share = 1;
+};
+
+/// As the draw's table says; without one, all is drawn in the order that stands alone.
+std::vector<ServedOrder> served_orders(const DrawView& draw) {
+  const std::vector<OrderTable>& tables = draw.scene.order_tables;
+  const auto table = std::ranges::find_if(
+      tables, [&](const OrderTable& one) { return std::ranges::find(one.draws, draw.id) != one.draws.end(); });
+  if (table == tables.end()) return {{draw.indices()}};
+  std::vector<ServedOrder> orders;
+  const std::vector<double> shares = shares_of_orders(*table);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (shares[i] > 0) orders.push_back({draw.draw().levels[0].orders.at(i).indices.view(), shares[i]});
+  }
+  return orders;
+}
+
 class VertexCache final : public DrawEvaluator {
  public:
   explicit VertexCache(const VertexCacheOptions& options) : options_(options), models_(models_of(options.models)) {}
 
   void evaluate(const DrawView& draw, Run& run) override {
-    const auto indices = draw.indices();
+    const std::vector<ServedOrder> orders = served_orders(draw);
     const std::size_t vertices = draw.vertex_count();
-    measure(run, "", count_fifo(indices, vertices, static_cast<std::uint32_t>(options_.cache_size)));
+    const auto cache_size = static_cast<std::uint32_t>(options_.cache_size);
+    measure(run, "", orders, [&](auto indices) { return count_fifo(indices, vertices, cache_size); });
+    for (const CacheModel& model : models_) {
+      measure(run, "models." + model.name + ".", orders, [&](auto indices) { return count(indices, vertices, model); });
+    }
     const std::size_t vertex_size =
         options_.vertex_size ? static_cast<std::size_t>(*options_.vertex_size) : draw.vertices().bytes_per_vertex();
-    const FetchCount fetch = count_fetches(indices, vertices, vertex_size);
-    run.measure("overfetch", static_cast<double>(fetch.fetched), static_cast<double>(fetch.referenced));
-    for (const CacheModel& model : models_) measure(run, "models." + model.name + ".", count(indices, vertices, model));
+    double fetched = 0;
+    double referenced = 0;  // the same in all orders
+    for (const ServedOrder& order : orders) {
+      const FetchCount fetch = count_fetches(order.indices, vertices, vertex_size);
+      fetched += order.share * static_cast<double>(fetch.fetched);
+      referenced = static_cast<double>(fetch.referenced);
+    }
+    run.measure("overfetch", fetched, referenced);
   }
 
  private:
-  static void measure(const Run& run, const std::string& group, const CacheCount& count) {
-    const auto misses = static_cast<double>(count.misses);
-    run.measure(group + "acmr", misses, static_cast<double>(count.triangles));
-    run.measure(group + "atvr", misses, static_cast<double>(count.referenced));
+  using Count = std::function<CacheCount(std::span<const std::uint32_t>)>;
+
+  static void measure(const Run& run, const std::string& group, std::span<const ServedOrder> orders,
+                      const Count& count) {
+    double misses = 0;
+    CacheCount any;  // triangles and vertices are the same in all orders
+    for (const ServedOrder& order : orders) {
+      any = count(order.indices);
+      misses += order.share * static_cast<double>(any.misses);
+    }
+    run.measure(group + "acmr", misses, static_cast<double>(any.triangles));
+    run.measure(group + "atvr", misses, static_cast<double>(any.referenced));
   }
 
   VertexCacheOptions options_;
@@ -60,8 +100,9 @@ Plugin vertex_cache_plugin() {
             "Size of the FIFO cache that acmr and atvr are measured with", {3, 65535, "entries"});
   table.row(&VertexCacheOptions::vertex_size, "vertex-size",
             "Size of a vertex for overfetch; by default what the draw's attributes take together", {1, 1024, "bytes"});
-  table.row(&VertexCacheOptions::models, "models",
-            "Further caches to measure with, spaces between: fifo-N, lru-N, batches-CACHE-WARP-GROUP, nvidia, amd, intel");
+  table.row(
+      &VertexCacheOptions::models, "models",
+      "Further caches to measure with, spaces between: fifo-N, lru-N, batches-CACHE-WARP-GROUP, nvidia, amd, intel");
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;

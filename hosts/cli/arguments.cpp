@@ -58,6 +58,9 @@ class CommandLine {
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
     optimize_app.add_option("--remap", arguments_.remap,
                             "Write the triangle and vertex remap tables, as JSON, to this file");
+    optimize_app.add_option("--draw-orders", arguments_.draw_orders,
+                            "Write the draws' several orders, and the tables that choose among them, as JSON, to this "
+                            "file");
     optimize_app
         .add_option("--compression", arguments_.compression,
                     "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")

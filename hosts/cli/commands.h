@@ -22,6 +22,7 @@ struct Arguments {
   std::string with;                    ///< evaluators to measure with instead of the pipeline's
   std::string report;
   std::string remap;
+  std::string draw_orders;
   std::string compression = "keep";
   std::string heat_maps;               ///< folder of pictures
   std::string heat_map_view = "worst";

@@ -2,6 +2,7 @@
 
 #include <foredraw/io/heat_maps.h>
 #include <foredraw/io/images.h>
+#include <foredraw/report/draw_orders.h>
 #include <foredraw/report/remap.h>
 
 namespace foredraw::cli {
@@ -78,7 +79,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
 
 FileRun optimize_file(const FileJob& job, const std::string& input, const std::string& output) {
   const Arguments& arguments = job.arguments;
-  // The scene, the report and the remap tables: all of them, or none and an explanation.
+  // The scene, the report, the remap tables and the orders: all of them, or none and an explanation.
   const auto write = [&](Result& result, Diagnostics& diagnostics) {
     const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
     auto files = encode_scene(result.scene, output, diagnostics, compression);
@@ -89,6 +90,9 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::s
     if (!is_folder(arguments.inputs[0])) {
       if (!arguments.report.empty()) files->push_back(text_file(arguments.report, to_json(report)));
       if (!arguments.remap.empty()) files->push_back(text_file(arguments.remap, remap_json(result.scene)));
+      if (!arguments.draw_orders.empty()) {
+        files->push_back(text_file(arguments.draw_orders, draw_orders_json(result.scene)));
+      }
     }
     if (output != "-") return write_scene(*files, diagnostics);
     return write_files(std::span(*files).subspan(1), diagnostics) &&

@@ -130,6 +130,10 @@ Exit optimize_folder(const FileJob& job) {
     diagnostics.error({}, "bad-arguments", "--remap writes the tables of one scene, and the input is a folder",
                       "run it on the file whose tables are wanted");
   }
+  if (!arguments.draw_orders.empty()) {
+    diagnostics.error({}, "bad-arguments", "--draw-orders writes the orders of one scene, and the input is a folder",
+                      "run it on the file whose orders are wanted");
+  }
   const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, diagnostics);
   if (!scenes) return refuse(diagnostics);
   std::vector<fs::path> inputs;

@@ -52,17 +52,19 @@ bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
     std::error_code error;
     return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
   };
-  for (const std::string& text : {arguments.report, arguments.remap}) {
+  const std::string outputs[] = {arguments.report, arguments.remap, arguments.draw_orders};
+  for (const std::string& text : outputs) {
     if (text.empty()) continue;
     if (same(text, arguments.inputs[0])) {
       diagnostics.error({.file = text}, "bad-arguments", "is the input", "give the output a file of its own");
       return true;
     }
     if (text == "-")
-      diagnostics.error({}, "bad-arguments", "--report and --remap take the name of a file",
+      diagnostics.error({}, "bad-arguments", "--report, --remap and --draw-orders take the name of a file",
                         "--json prints the record");
-    const bool is_both = same(arguments.report, arguments.remap);
-    if (same(text, arguments.output) || (is_both && !arguments.report.empty())) {
+    const auto others =
+        std::ranges::count_if(outputs, [&](const std::string& other) { return !other.empty() && same(text, other); });
+    if (same(text, arguments.output) || others > 1) {
       diagnostics.error({.file = text}, "bad-arguments", "is to hold two outputs", "give each a file of its own");
       return true;
     }

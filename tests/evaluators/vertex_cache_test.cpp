@@ -93,6 +93,40 @@ TEST(VertexCache, figures_of_a_draw) {
   EXPECT_EQ(figures.size(), 3 + 2 * 9u);
 }
 
+TEST(VertexCache, several_orders_weigh_as_their_tables_say) {
+  const Plugin plugin = vertex_cache_plugin();
+  const Technique technique = plugin.create({{"vertex-size", std::int64_t{2048}}, {"models", std::string("lru-4")}});
+  const auto figures_of = [&](const Scene& scene) {
+    testing::RunFixture fixture;
+    std::get<std::unique_ptr<DrawEvaluator>>(technique)->evaluate({scene, 0}, fixture.run);
+    std::map<std::string, std::pair<double, double>> figures;
+    for (const Measured& measured : fixture.findings.measured) {
+      figures[measured.metric] = {measured.numerator, measured.denominator.value()};
+    }
+    return figures;
+  };
+  const TestMesh mesh = testing::grid(20, 20);
+  Scene scene = testing::scene_of(mesh);
+  IndexStream bad{Shared<std::uint32_t>(testing::shuffled(mesh, 3).indices)};
+  const auto good_figures = figures_of(scene);
+  scene.draws[0].levels[0].orders.push_back(bad);
+  EXPECT_EQ(figures_of(scene), good_figures) << "without a table nobody draws the second";
+  const auto bad_figures = figures_of([&] {
+    Scene alone = scene;
+    alone.draws[0].levels[0].orders = {bad};
+    return alone;
+  }());
+  // The cap down to 60 degrees from +Y is a quarter of the sphere; of two keyframes that makes an eighth.
+  scene.order_tables.push_back({{0}, {{"Walk", {0, 1}}}, 3, 1, {1, 0, 0, 0, 0, 0}});
+  const auto figures = figures_of(scene);
+  for (const auto& [metric, good] : good_figures) {
+    const auto& worse = bad_figures.at(metric);
+    EXPECT_NEAR(figures.at(metric).first, good.first * 7 / 8 + worse.first / 8, 1e-6) << metric;
+    EXPECT_EQ(figures.at(metric).second, good.second) << metric;
+    EXPECT_GT(worse.first, good.first) << metric;
+  }
+}
+
 TEST(VertexCache, a_model_is_what_its_name_says) {
   const TestMesh mesh = testing::shuffled(testing::grid(30, 30), 2);
   const std::size_t vertices = mesh.positions.size();

@@ -185,6 +185,17 @@ TEST_F(Cli, KeepsCompressionUnlessAskedOtherwise) {
   EXPECT_EQ(run("optimize " + spot + " -o - -p tipsify --compression none").out.substr(0, 4), "glTF");
 }
 
+TEST_F(Cli, WritesDrawOrdersOnRequest) {
+  const std::string in = model("static/spot.glb");
+  ASSERT_EQ(run("optimize " + in + " -o out.glb --draw-orders orders.json --with vertex-cache").code, 0);
+  const Json orders = Json::parse(content(folder_ / "orders.json"));
+  EXPECT_EQ(orders["draw-orders"], 1);
+  EXPECT_TRUE(orders["tables"].is_array());
+  EXPECT_EQ(run("optimize " + in + " -o out.glb --draw-orders out.glb").code, 1);
+  EXPECT_EQ(run("optimize " + in + " -o out.glb --draw-orders -").code, 1);
+  EXPECT_EQ(run("optimize " + in + " -o out.glb --draw-orders a.json --remap a.json").code, 1);
+}
+
 TEST_F(Cli, WritesTheRemapTables) {
   ASSERT_EQ(run("optimize " + model("static/head.glb") + " -o out.glb --remap remap.json --with vertex-cache").code, 0);
   const Json remap = Json::parse(content(folder_ / "remap.json"));

@@ -1,5 +1,6 @@
 #include <foredraw/analysis/distinct_poses.h>
 
+#include <foredraw/analysis/drawn_orders.h>
 #include <foredraw/analysis/posed_positions.h>
 #include <foredraw/base/content_hash.h>
 
@@ -9,9 +10,10 @@ namespace foredraw {
 
 namespace {
 
-/// Of the positions of all parts, and which way their faces turn.
-Stamp looks(const Scene& scene, const Subject& subject, const PosedNodes& nodes) {
-  std::vector<Stamp> stamps;
+/// Of the positions of all parts, which way their faces turn, and the orders in which they are drawn.
+Stamp looks(const Scene& scene, const Subject& subject, const Pose& pose, const PosedNodes& nodes) {
+  std::vector<Stamp> stamps = {orders_stamp(scene, subject, pose)};
+  if (!subject.is_placed()) return stamps[0];
   for (const SubjectPart& part : subject.parts) {
     stamps.push_back(content_hash(std::span<const glm::vec3>(posed_positions(scene, part, nodes))));
     stamps.push_back({0, is_mirrored(part, nodes)});
@@ -29,7 +31,7 @@ std::vector<DistinctPoses> distinct_poses(const Scene& scene, std::span<const Su
     executor.for_each(count, [&](std::size_t pose) {
       const PosedNodes nodes = posed_nodes(scene, poses.poses[pose]);
       for (std::size_t i = 0; i < subjects.size(); ++i) {
-        if (subjects[i].is_placed()) stamps[pose][i] = looks(scene, subjects[i], nodes);
+        stamps[pose][i] = looks(scene, subjects[i], poses.poses[pose], nodes);
       }
     });
   }

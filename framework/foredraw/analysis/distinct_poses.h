@@ -11,9 +11,9 @@ namespace foredraw {
 
 /// The poses of one subject, of which some may look alike: then it is drawn in the first of them alone.
 struct DistinctPoses {
-  std::vector<std::size_t>
-      first_alike;              ///< [pose] the first one with the same positions, bit by bit, and faces that turn alike
-  std::vector<double> weights;  ///< [pose] of all that look alike, at the first of them; 0 at the others
+  std::vector<std::size_t> first_alike;  ///< [pose] the first one with the same positions, bit by bit, faces that turn
+                                         ///< alike, and the same orders where the subject has several
+  std::vector<double> weights;           ///< [pose] of all that look alike, at the first of them; 0 at the others
 };
 
 /// Of each subject. Positions are made for one pose and subject at a time on each thread, and only their hash is kept.

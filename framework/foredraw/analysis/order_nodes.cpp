@@ -1,7 +1,7 @@
 #include "order_nodes.h"
 
+#include <foredraw/analysis/order_lookup.h>
 #include <foredraw/analysis/pose_set.h>
-#include <foredraw/analysis/view_directions.h>
 
 #include <glm/geometric.hpp>
 
@@ -13,15 +13,17 @@ namespace foredraw {
 namespace {
 
 /// [cell] the view whose direction is nearest to its middle.
-std::vector<std::size_t> nearest_views(const Views& views, const OrderGrid& grid) {
+std::vector<std::size_t> nearest_views(const OrderTable& table, const Views& views) {
   std::vector<std::size_t> nearest;
-  for (const glm::dvec3& middle : grid_directions(static_cast<std::size_t>(grid.theta_steps),
-                                                  static_cast<std::size_t>(grid.phi_steps))) {
-    std::size_t best = 0;
-    for (std::size_t v = 1; v < views.views.size(); ++v) {
-      if (glm::dot(views.views[v].direction, middle) > glm::dot(views.views[best].direction, middle)) best = v;
+  for (std::uint32_t theta = 0; theta < table.theta_steps; ++theta) {
+    for (std::uint32_t phi = 0; phi < table.phi_steps; ++phi) {
+      const glm::dvec3 middle = middle_of_cell(table, theta, phi);
+      std::size_t best = 0;
+      for (std::size_t v = 1; v < views.views.size(); ++v) {
+        if (glm::dot(views.views[v].direction, middle) > glm::dot(views.views[best].direction, middle)) best = v;
+      }
+      nearest.push_back(best);
     }
-    nearest.push_back(best);
   }
   return nearest;
 }
@@ -37,7 +39,7 @@ OrderTable order_table(const Scene& scene, const Poses& poses, const Views& view
   for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
     if (poses.poses[pose].clip) clips[*poses.poses[pose].clip].push_back(pose);
   }
-  const std::vector<std::size_t> nearest = nearest_views(views, grid);
+  const std::vector<std::size_t> nearest = nearest_views(table, views);
   const auto add_keyframe = [&](std::size_t pose) {
     for (const std::size_t view : nearest) table.order.push_back(serving[pose * views.views.size() + view]);
   };

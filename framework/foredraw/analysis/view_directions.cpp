@@ -18,20 +18,6 @@ namespace foredraw {
 
 namespace {
 
-/// By its series at a 64th of the angle, doubled six times. Good to 1e-12 for up to 270 degrees.
-double cosine_of_degrees(double angle) {
-  const double x = angle * (3.141592653589793 / 180 / 64);
-  const double square = x * x;
-  double term = 1;
-  double cosine = 1;
-  for (int n = 2; n <= 10; n += 2) {
-    term *= -square / (n * (n - 1));
-    cosine += term;
-  }
-  for (int doubled = 0; doubled < 6; ++doubled) cosine = 2 * cosine * cosine - 1;
-  return cosine;
-}
-
 Directions turned(const glm::dmat3& by, std::span<const glm::dvec3> directions) {
   Directions result;
   for (const glm::dvec3& direction : directions) {
@@ -43,6 +29,20 @@ Directions turned(const glm::dmat3& by, std::span<const glm::dvec3> directions) 
 }  // namespace
 
 glm::dvec3 normalised(const glm::dvec3& v) { return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+double cosine_of_degrees(double angle) {
+  // By its series at a 64th of the angle, doubled six times.
+  const double x = angle * (3.141592653589793 / 180 / 64);
+  const double square = x * x;
+  double term = 1;
+  double cosine = 1;
+  for (int n = 2; n <= 10; n += 2) {
+    term *= -square / (n * (n - 1));
+    cosine += term;
+  }
+  for (int doubled = 0; doubled < 6; ++doubled) cosine = 2 * cosine * cosine - 1;
+  return cosine;
+}
 
 Directions icosphere_directions(std::size_t count) {
   const double golden = (1 + std::sqrt(5.0)) / 2;
@@ -99,23 +99,6 @@ Directions fibonacci_directions(std::size_t count, double angle) {
 }
 
 Directions axis_directions() { return {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}; }
-
-Directions grid_directions(std::size_t theta_steps, std::size_t phi_steps) {
-  const auto middle = [](std::size_t i, double range, std::size_t steps) {
-    return (static_cast<double>(i) + 0.5) * range / static_cast<double>(steps);
-  };
-  Directions directions;
-  for (std::size_t i = 0; i < theta_steps; ++i) {
-    const double theta = middle(i, 180, theta_steps);
-    const double y = cosine_of_degrees(theta);
-    const double r = cosine_of_degrees(theta - 90);
-    for (std::size_t j = 0; j < phi_steps; ++j) {
-      const double phi = middle(j, 360, phi_steps) - 180;
-      directions.push_back(normalised({r * cosine_of_degrees(phi), y, r * cosine_of_degrees(phi - 90)}));
-    }
-  }
-  return directions;
-}
 
 Directions random_directions(std::size_t count, std::uint64_t seed) {
   // Points of the cube, those outside of the ball (and too near its centre to have a direction) thrown away.

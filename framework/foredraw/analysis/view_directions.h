@@ -23,10 +23,6 @@ Directions fibonacci_directions(std::size_t count, double angle = 180);
 /// +X, -X, +Y, -Y, +Z, -Z.
 Directions axis_directions();
 
-/// The middles of the cells that equal steps of theta (the angle from +Y, 0 to 180 degrees) and phi (atan2(z, x), from
-/// -180 degrees on) make of the sphere: [theta][phi]. As order tables number them.
-Directions grid_directions(std::size_t theta_steps, std::size_t phi_steps);
-
 /// Uniform on the sphere.
 Directions random_directions(std::size_t count, std::uint64_t seed);
 
@@ -37,5 +33,8 @@ Directions turned_to(const glm::dvec3& axis, std::span<const glm::dvec3> directi
 Directions turned_at_random(std::span<const glm::dvec3> directions, std::uint64_t seed);
 
 glm::dvec3 normalised(const glm::dvec3& v);
+
+/// Good to 1e-12, of angles up to a full circle.
+double cosine_of_degrees(double angle);
 
 }  // namespace foredraw

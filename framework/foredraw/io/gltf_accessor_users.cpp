@@ -1,4 +1,5 @@
 // Who refers to which accessor.
+#include <foredraw/io/private/gltf_draw_orders.h>
 #include <foredraw/io/private/gltf_write.h>
 
 namespace foredraw::gltf {
@@ -13,6 +14,7 @@ void collect_numbers(const Json& value, std::set<std::size_t>& numbers) {
 }
 
 bool says_where_its_accessors_are(const std::string& extension) {
+  if (extension == draw_orders) return true;
   return is_known_extension(extension) && extension != "EXT_mesh_gpu_instancing" &&
          extension.compare(0, 9, "FOREDRAW_") != 0;
 }
@@ -53,7 +55,7 @@ std::set<std::size_t> used_elsewhere(const Json& json) {
 }
 
 std::set<std::size_t> used_by_primitives(const Json& json) {
-  std::set<std::size_t> numbers;
+  std::set<std::size_t> numbers = used_by_orders(json);
   const auto meshes = json.find("meshes");
   if (meshes == json.end()) return numbers;
   for (const Json& mesh : *meshes) {

@@ -1,4 +1,5 @@
 #include <foredraw/io/private/gltf_accessor_store.h>
+#include <foredraw/io/private/gltf_draw_orders.h>
 #include <foredraw/io/private/gltf_write.h>
 
 #include <algorithm>
@@ -87,6 +88,7 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   AccessorStore store(document, written.json);
   if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
   if (!patch_meshes(scene, source, written.json, store, diagnostics)) return std::nullopt;
+  patch_order_tables(scene, source, written.json, store, diagnostics);
   relocate_images(written.json, document, target, diagnostics);
   written.changed =
       !may_stay || store.changed() || written.json != document.json || (!compress && is_compressed(document));

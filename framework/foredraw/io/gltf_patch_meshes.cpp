@@ -1,5 +1,6 @@
 // The draws of a scene put back into its document: only what differs from what was read is touched.
 #include <foredraw/io/private/gltf_accessor_store.h>
+#include <foredraw/io/private/gltf_draw_orders.h>
 #include <foredraw/io/private/gltf_rows.h>
 #include <foredraw/io/private/gltf_write.h>
 
@@ -17,6 +18,7 @@ struct Request {
   std::size_t primitive = 0;
   std::optional<std::size_t> target;    ///< a morph target
   std::string semantic;                 ///< empty: the indices
+  std::size_t order = 0;                ///< of the indices; those behind the first are an extension's
   std::optional<std::size_t> accessor;  ///< that it named so far
   std::optional<Content> content;       ///< none: as it was
 };
@@ -133,6 +135,7 @@ class MeshPatch {
     Json& json = primitives_[m].back();
     if (!vertices(now, was, json) || !extensions(now, json)) return false;
     corners(now, was, json);
+    further_orders(now, was, json);
     const std::optional<MaterialId> old_material = was == nullptr ? std::nullopt : was->material;
     if (now.material != old_material && now.material) json["material"] = *now.material;
     if (now.material != old_material && !now.material) json.erase("material");
@@ -158,7 +161,7 @@ class MeshPatch {
           if ((*old_list)[i].semantic == stream.semantic) before = &(*old_list)[i];
         }
         const bool same = before != nullptr && before->format == stream.format && before->bytes == stream.bytes;
-        Request request{mesh_, primitive_, target, stream.semantic, number_at(names, stream.semantic), std::nullopt};
+        Request request{mesh_, primitive_, target, stream.semantic, 0, number_at(names, stream.semantic), std::nullopt};
         if (!same && is_quantized(stream.semantic, stream.format)) {
           for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
             list_extension(json_, list, "KHR_mesh_quantization");
@@ -199,11 +202,15 @@ class MeshPatch {
   void corners(const Draw& now, const Draw* was, Json& json) {
     Shared<std::uint32_t> indices = now.levels[0].orders[0].indices;
     const std::size_t count = now.levels[0].vertices->count;
-    const bool same = was != nullptr && was->topology == now.topology && indices == was->levels[0].orders[0].indices;
+    // What has several orders is a plain list, so that all of them are.
+    const bool is_one_of_several = now.levels[0].orders.size() > 1;
+    const bool is_list = json.contains("indices") && json.value("mode", 4) == list_mode(now.topology);
+    const bool same = was != nullptr && was->topology == now.topology && indices == was->levels[0].orders[0].indices &&
+                      (is_list || !is_one_of_several);
     // glTF has no empty primitive: one that covers nothing stands for it.
     if (indices.empty()) indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(corners_of(now.topology), 0));
 
-    Request request{mesh_, primitive_, std::nullopt, {}, number_at(json, "indices"), std::nullopt};
+    Request request{mesh_, primitive_, std::nullopt, {}, 0, number_at(json, "indices"), std::nullopt};
     const bool same_vertices = same && was->levels[0].vertices->count == count;
     // Corners left over, which no draw holds, may name vertices that are no longer there.
     const int old_mode = json.value("mode", 4);
@@ -216,11 +223,34 @@ class MeshPatch {
     }
     const int mode = list_mode(now.topology);
     if (json.value("mode", 4) != mode) json["mode"] = mode;
-    if (!request.accessor && is_each_vertex_in_turn(indices.view(), count)) return;
+    if (!request.accessor && !is_one_of_several && is_each_vertex_in_turn(indices.view(), count)) return;
     Component component = Component::uint16;
     if (request.accessor) component = source_.document.accessors[*request.accessor].format.component;
     request.content = index_content(indices.view(), component);
     requests_.push_back(std::move(request));
+  }
+
+  /// Orders 1 and on.
+  void further_orders(const Draw& now, const Draw* was, Json& json) {
+    const std::vector<IndexStream>& orders = now.levels[0].orders;
+    const Json* before = extension_of(json, draw_orders);
+    const Json old = before == nullptr ? Json::array() : before->at("orders");
+    if (orders.size() == 1) {
+      take_extension(json, draw_orders);
+      return;
+    }
+    Json numbers = Json::array();
+    for (std::size_t order = 1; order < orders.size(); ++order) {
+      Shared<std::uint32_t> indices = orders[order].indices;
+      if (indices.empty()) indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(corners_of(now.topology), 0));
+      Request request{mesh_, primitive_, std::nullopt, {}, order, std::nullopt, std::nullopt};
+      if (order <= old.size()) request.accessor = old[order - 1].get<std::size_t>();
+      const bool same = request.accessor && was != nullptr && indices == was->levels[0].orders[order].indices;
+      if (!same) request.content = index_content(indices.view(), Component::uint16);
+      numbers.push_back(request.accessor.value_or(0));
+      requests_.push_back(std::move(request));
+    }
+    json["extensions"][draw_orders]["orders"] = std::move(numbers);
   }
 
   bool extensions(const Draw& now, Json& json) {
@@ -243,7 +273,8 @@ class MeshPatch {
 
   /// An accessor that everybody wants to hold the same takes it on in place; where wishes differ, new ones are added.
   void resolve() {
-    const std::set<std::size_t> elsewhere = used_elsewhere(source_.document.json);
+    std::set<std::size_t> elsewhere = used_elsewhere(source_.document.json);
+    elsewhere.merge(used_by_tables(source_.document.json));
     std::map<std::size_t, std::vector<const Request*>> wishes;
     for (const Request& request : requests_) {
       if (request.accessor) wishes[*request.accessor].push_back(&request);
@@ -266,7 +297,9 @@ class MeshPatch {
         continue;
       const std::size_t number = store_.append(content, request.accessor);
       Json& json = primitives_[request.mesh][request.primitive];
-      if (request.semantic.empty()) {
+      if (request.order > 0) {
+        json["extensions"][draw_orders]["orders"][request.order - 1] = number;
+      } else if (request.semantic.empty()) {
         json["indices"] = number;
       } else {
         (request.target ? json["targets"][*request.target] : json["attributes"])[request.semantic] = number;

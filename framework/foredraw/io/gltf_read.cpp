@@ -1,5 +1,6 @@
 #include <foredraw/io/gltf.h>
 
+#include <foredraw/io/private/gltf_draw_orders.h>
 #include <foredraw/io/private/gltf_gate.h>
 #include <foredraw/io/private/gltf_source.h>
 
@@ -13,6 +14,7 @@ std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const
   if (!document) return std::nullopt;
   auto scene = gltf::scene_of(*document, diagnostics);
   if (!scene) return std::nullopt;
+  gltf::read_draw_orders(*document, *scene, diagnostics);
   scene->source = std::make_shared<const gltf::Source>(std::move(*document), *scene);
   return scene;
 }

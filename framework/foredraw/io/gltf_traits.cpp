@@ -1,4 +1,5 @@
 // The traits that an asset brings with it.
+#include <foredraw/io/private/gltf_draw_orders.h>
 #include <foredraw/io/private/gltf_source.h>
 
 #include <algorithm>
@@ -96,10 +97,10 @@ std::vector<MeshUse> mesh_uses(const Scene& scene, const Document& document) {
   return uses;
 }
 
-/// Extensions of a primitive that say nothing about its triangles or vertices, or that the writer takes along or leaves
-/// out.
+/// Extensions of a primitive that say nothing about its triangles or vertices, or that the writer makes anew, takes
+/// along or leaves out.
 bool is_harmless(std::string_view name) {
-  return name == "KHR_materials_variants" || name == "KHR_draco_mesh_compression";
+  return name == "KHR_materials_variants" || name == "KHR_draco_mesh_compression" || name == draw_orders;
 }
 
 bool is_extended(const Json& primitive) {

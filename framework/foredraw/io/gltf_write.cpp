@@ -55,9 +55,6 @@ void warn_of_what_stays_out(const Scene& scene, Diagnostics& diagnostics) {
     if (draw.levels.size() > 1) {
       diagnostics.warning(where, "levels-left-out", "glTF holds one level of detail; the full one is written");
     }
-    if (draw.levels[0].orders.size() > 1) {
-      diagnostics.warning(where, "orders-left-out", "glTF holds one triangle order; the first is written");
-    }
   }
 }
 

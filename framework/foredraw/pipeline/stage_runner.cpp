@@ -3,6 +3,7 @@
 #include <foredraw/base/random.h>
 #include <foredraw/pipeline/answers.h>
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/report/draw_orders.h>
 
 #include <fmt/format.h>
 
@@ -42,6 +43,7 @@ class StageRunner {
 
   std::vector<Measured> run() {
     std::visit([this](const auto& technique) { run(*technique); }, *stage_.technique);
+    forget_broken_tables();
     return std::move(measured_);
   }
 
@@ -99,7 +101,10 @@ class StageRunner {
         }
         OrderTable& table = outcomes[i].answer->table;
         const bool has_choice = std::ranges::any_of(table.order, [](std::uint8_t order) { return order > 0; });
-        if (has_choice) scene_.order_tables.push_back(std::move(table));
+        if (has_choice) {
+          scene_.order_tables.push_back(std::move(table));
+          record_.notes.push_back({subjects[i].name, "memory", memory_text(scene_, scene_.order_tables.back())});
+        }
       }
       for (DrawId id : draws[i]) update_traits(scene_.draws[id], outcomes[i]);
     }
@@ -291,10 +296,29 @@ class StageRunner {
     }
   }
 
-  /// A table whose orders are no longer there would lead an engine astray.
+  /// A table whose orders are no longer there would lead an engine astray, and without it orders are of no use.
+  template <class Condition>
+  void forget_tables(Condition is_wrong) {
+    std::erase_if(scene_.order_tables, [&](const OrderTable& table) {
+      if (!is_wrong(table)) return false;
+      for (const DrawId id : table.draws) {
+        if (id < scene_.draws.size()) scene_.draws[id].levels[0].orders.resize(1);
+      }
+      return true;
+    });
+  }
+
   void forget_tables_of(DrawId id) {
-    std::erase_if(scene_.order_tables, [id](const OrderTable& table) {
-      return std::ranges::find(table.draws, id) != table.draws.end();
+    forget_tables([id](const OrderTable& table) { return std::ranges::find(table.draws, id) != table.draws.end(); });
+  }
+
+  /// Those that name what a processor has taken away.
+  void forget_broken_tables() {
+    forget_tables([this](const OrderTable& table) {
+      const std::size_t most = table.order.empty() ? 0 : *std::ranges::max_element(table.order);
+      return std::ranges::any_of(table.draws, [&](DrawId id) {
+        return id >= scene_.draws.size() || scene_.draws[id].levels[0].orders.size() <= most;
+      });
     });
   }
 

@@ -1,6 +1,7 @@
 #include <foredraw/report/inspection.h>
 
 #include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/report/draw_orders.h>
 #include <foredraw/report/table.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/scene/vertex_groups.h>
@@ -69,6 +70,37 @@ std::string images_text(const Scene& scene) {
   return text;
 }
 
+std::string order_tables_text(const Scene& scene) {
+  std::string text;
+  for (const OrderTable& table : scene.order_tables) {
+    text += fmt::format("  {}: {} x {} directions", draws_text(scene, table), table.theta_steps, table.phi_steps);
+    if (!table.clips.empty()) text += fmt::format(", {} keyframes of {} clips", table.keyframes(), table.clips.size());
+    text += fmt::format("; {}\n", memory_text(scene, table));
+  }
+  return text;
+}
+
+Json order_tables_json(const Scene& scene) {
+  Json json = Json::array();
+  for (const OrderTable& table : scene.order_tables) {
+    Json draws = Json::array();
+    for (const DrawId id : table.draws) draws.push_back(scene.draws[id].name);
+    Json clips = Json::array();
+    for (const OrderTable::Clip& clip : table.clips) {
+      clips.push_back({{"name", clip.name}, {"keyframes", clip.times.size()}});
+    }
+    const OrderMemory memory = memory_of(scene, table);
+    json.push_back({{"draws", std::move(draws)},
+                    {"orders", memory.orders},
+                    {"theta-steps", table.theta_steps},
+                    {"phi-steps", table.phi_steps},
+                    {"clips", std::move(clips)},
+                    {"bytes", memory.bytes},
+                    {"bytes-for-each-keyframe", memory.bytes_for_each_keyframe}});
+  }
+  return json;
+}
+
 Json images_json(const Scene& scene) {
   Json json = Json::array();
   for (const Image& image : scene.images) {
@@ -105,6 +137,9 @@ std::string inspection_text(const Scene& scene, Analyses& analyses) {
   }
   text += table.text();
   if (!odd.empty()) text += "\nodd:\n" + odd;
+  if (!scene.order_tables.empty()) {
+    text += "\norders (chosen by direction, and by clip and keyframe):\n" + order_tables_text(scene);
+  }
   if (!scene.images.empty()) text += "\nimages:\n" + images_text(scene);
   text += "\nsubjects (seen and judged together):\n";
   for (const Subject& subject : subjects_of(scene)) {
@@ -136,6 +171,7 @@ std::string inspection_json(const Scene& scene, Analyses& analyses) {
     json["draws"].push_back({{"name", draw.name},
                              {"topology", text_of(draw.topology)},
                              {"elements", elements(draw)},
+                             {"orders", draw.levels[0].orders.size()},
                              {"vertices", vertices.count},
                              {"bytes-per-vertex", vertices.bytes_per_vertex()},
                              {"attributes", attributes},
@@ -143,6 +179,7 @@ std::string inspection_json(const Scene& scene, Analyses& analyses) {
                              {"traits", std::vector<std::string>(draw.traits.begin(), draw.traits.end())},
                              {"facts", facts}});
   }
+  json["order-tables"] = order_tables_json(scene);
   json["subjects"] = Json::array();
   for (const Subject& subject : subjects_of(scene)) {
     Json draws = Json::array();

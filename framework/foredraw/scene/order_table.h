@@ -8,12 +8,14 @@
 
 namespace foredraw {
 
-/// For every (clip, keyframe, theta, phi) the number of an order, the same number for all draws of the subject.
-/// theta is the angle from +Y in [0, pi], phi = atan2(z, x) in [-pi, pi), both in equal steps.
+/// For every (clip, keyframe, theta, phi) the number of an order, the same number for all draws of the subject; a draw
+/// is in one table at most. theta is the angle from +Y in [0, pi], phi = atan2(z, x) in [-pi, pi), both in equal steps:
+/// runtime/order_table.h is the one definition of where cells and keyframes end.
 struct OrderTable {
   struct Clip {
-    std::string name;
-    std::vector<float> times;  ///< of the keyframes, seconds
+    std::string name;          ///< as clip_names() of the scene tells it
+    std::vector<float> times;  ///< of the keyframes, seconds, rising
+    friend bool operator==(const Clip&, const Clip&) = default;
   };
   std::vector<DrawId> draws;
   std::vector<Clip> clips;  ///< none: the pose does not matter
@@ -27,6 +29,8 @@ struct OrderTable {
     return n == 0 ? 1 : n;
   }
   std::size_t cells() const { return keyframes() * theta_steps * phi_steps; }
+
+  friend bool operator==(const OrderTable&, const OrderTable&) = default;
 };
 
 }  // namespace foredraw

@@ -1,6 +1,7 @@
 #include <foredraw/scene/reorder.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace foredraw {
@@ -78,6 +79,40 @@ std::vector<std::uint32_t> sources(std::span<const std::uint32_t> destination, s
 }
 
 }  // namespace
+
+namespace {
+
+/// A triangle with its corners turned so that the sequence is the least there is, and its number.
+using NumberedTriangle = std::array<std::uint32_t, 4>;
+
+std::vector<NumberedTriangle> sorted_triangles(std::span<const std::uint32_t> indices) {
+  std::vector<NumberedTriangle> triangles;
+  triangles.reserve(indices.size() / 3);
+  for (std::uint32_t t = 0; t < indices.size() / 3; ++t) {
+    const auto corner = [&](std::size_t i) { return indices[3 * std::size_t{t} + i % 3]; };
+    NumberedTriangle least = {corner(0), corner(1), corner(2), t};
+    for (const std::size_t turn : {1, 2}) {
+      least = std::min(least, {corner(turn), corner(turn + 1), corner(turn + 2), t});
+    }
+    triangles.push_back(least);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+}  // namespace
+
+std::optional<IndexOrder> order_between(std::span<const std::uint32_t> from, std::span<const std::uint32_t> to) {
+  if (from.size() != to.size()) return std::nullopt;
+  const std::vector<NumberedTriangle> old = sorted_triangles(from);
+  const std::vector<NumberedTriangle> now = sorted_triangles(to);
+  IndexOrder order(now.size());
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (!std::equal(now[i].begin(), now[i].end() - 1, old[i].begin())) return std::nullopt;
+    order[now[i][3]] = old[i][3];
+  }
+  return order;
+}
 
 IndexStream with_triangle_order(const IndexStream& stream, std::span<const std::uint32_t> order) {
   const std::span<const std::uint32_t> old = stream.indices.view();

@@ -3,6 +3,7 @@
 
 #include <foredraw/scene/draw.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,10 @@ using IndexOrder = std::vector<std::uint32_t>;
 using VertexOrder = std::vector<std::uint32_t>;
 
 bool is_permutation(std::span<const std::uint32_t> order, std::size_t count);
+
+/// The order that makes the triangles `to` of the triangles `from`; corners may be turned, and equal triangles keep
+/// their sequence. Nothing where these are not the same triangles. O(n log n).
+std::optional<IndexOrder> order_between(std::span<const std::uint32_t> from, std::span<const std::uint32_t> to);
 
 /// The index stream in the new order; corners are not rotated. Clusters stay where each is still contiguous in it, in
 /// their new sequence, and are lost where one is torn.

@@ -1,5 +1,6 @@
 #include <foredraw/technique/overdraw_details.h>
 
+#include <foredraw/analysis/drawn_orders.h>
 #include <foredraw/analysis/overdraw_details.h>
 
 #include <fmt/format.h>
@@ -76,20 +77,24 @@ void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& servi
     for (std::size_t i = 0; i < subjects.subjects.size(); ++i) {
       if (!subjects.is_new(i, pose)) continue;
       const Subject& subject = subjects.subjects[i];
-      const DrawnSubject drawn = drawn_subject(scene, subject, service.faces(), nodes, run.analyses);
-      const auto layers = service.capture(drawn.parts, views, run);
-      if (!layers) {
-        return run.note("no-details",
-                        fmt::format("the layers of {} take more than {} MB; ask for fewer views, or smaller ones",
-                                    subject.name, default_layer_bytes >> 20));
-      }
-      std::vector<std::uint32_t> as_drawn(layers->owners);
-      std::iota(as_drawn.begin(), as_drawn.end(), 0u);
-      const OverdrawDetails details = overdraw_details(*layers, as_drawn);
-      const double weight = subjects.distinct[i].weights[pose];
-      add_hidden(hidden, subject, drawn, details.hidden, weight);
-      for (std::size_t times = 1; times < details.pixels_by_times.size(); ++times) {
-        pixels[std::min(times, most_times)] += weight * static_cast<double>(details.pixels_by_times[times]);
+      DrawnSubject drawn = drawn_subject(scene, subject, service.faces(), nodes, run.analyses);
+      const Pose& moment = subjects.poses.poses[pose];
+      for (const ViewsOfOrders& some : views_by_orders(scene, subject, moment, views.views)) {
+        set_orders(drawn, scene, subject, some.orders);
+        const auto layers = service.capture(drawn.parts, chosen(views, some.views), run);
+        if (!layers) {
+          return run.note("no-details",
+                          fmt::format("the layers of {} take more than {} MB; ask for fewer views, or smaller ones",
+                                      subject.name, default_layer_bytes >> 20));
+        }
+        std::vector<std::uint32_t> as_drawn(layers->owners);
+        std::iota(as_drawn.begin(), as_drawn.end(), 0u);
+        const OverdrawDetails details = overdraw_details(*layers, as_drawn);
+        const double weight = subjects.distinct[i].weights[pose];
+        add_hidden(hidden, subject, drawn, details.hidden, weight);
+        for (std::size_t times = 1; times < details.pixels_by_times.size(); ++times) {
+          pixels[std::min(times, most_times)] += weight * static_cast<double>(details.pixels_by_times[times]);
+        }
       }
     }
   }
@@ -104,8 +109,10 @@ void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& servi
     if (of_draw == 0 && !hidden[draw].empty()) free_of_it.push_back(scene.draws[draw].name);
     if (of_draw == 0 || of_draw < all / 100) continue;
     std::string message = fmt::format("shades {:.1f} % of what is hidden in the end", 100 * of_draw / all);
-    const auto& clusters = scene.draws[draw].levels[0].orders[0].clusters;
-    if (clusters) message += "; " + worst_clusters(*clusters, hidden[draw]);
+    const std::vector<IndexStream>& orders = scene.draws[draw].levels[0].orders;
+    const auto& clusters = orders[0].clusters;
+    // In several orders a triangle has several numbers, and so has a cluster.
+    if (clusters && orders.size() == 1) message += "; " + worst_clusters(*clusters, hidden[draw]);
     run.note_at({draw, {}, {}}, "causes-overdraw", message);
   }
   if (!free_of_it.empty()) {

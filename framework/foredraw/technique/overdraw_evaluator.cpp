@@ -1,6 +1,7 @@
 #include <foredraw/technique/overdraw_evaluator.h>
 
 #include <foredraw/analysis/draw_mask.h>
+#include <foredraw/analysis/drawn_orders.h>
 #include <foredraw/technique/overdraw_details.h>
 #include <foredraw/technique/overdraw_samples.h>
 #include <foredraw/technique/overdraw_tally.h>
@@ -82,14 +83,31 @@ class OverdrawEvaluator final : public Evaluator {
     run.executor.for_each(counted.size(), [&](std::size_t i) {
       if (run.cancelled()) throw std::runtime_error("cancelled");
       if (subjects.is_new(i, pose)) {
-        const DrawnSubject drawn =
-            drawn_subject(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
-        counted[i].counts = service_->draw(drawn.parts, samples_.views, run);
+        DrawnSubject drawn = drawn_subject(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
+        counted[i].counts = drawn_in_orders(drawn, subjects, i, pose, run);
         for (const RasterPart& part : drawn.parts) counted[i].non_finite += count_non_finite_triangles(part);
       }
       one_is_done();
     });
     return counted;
+  }
+
+  /// From each view in the orders that the subject's tables give there.
+  OverdrawCounts drawn_in_orders(DrawnSubject& drawn, const PosedSubjects& subjects, std::size_t i, std::size_t pose,
+                                 Run& run) const {
+    const Views& views = samples_.views;
+    const auto by_orders =
+        views_by_orders(subjects.scene, subjects.subjects[i], subjects.poses.poses[pose], views.views);
+    OverdrawCounts counts(drawn.parts.size(), std::vector<OverdrawCount>(views.views.size()));
+    for (const ViewsOfOrders& some : by_orders) {
+      set_orders(drawn, subjects.scene, subjects.subjects[i], some.orders);
+      if (by_orders.size() == 1) return service_->draw(drawn.parts, views, run);
+      const OverdrawCounts seen = service_->draw(drawn.parts, chosen(views, some.views), run);
+      for (std::size_t part = 0; part < counts.size(); ++part) {
+        for (std::size_t v = 0; v < some.views.size(); ++v) counts[part][some.views[v]] = seen[part][v];
+      }
+    }
+    return counts;
   }
 
   /// Looks from ever more sides until the error is as wanted.

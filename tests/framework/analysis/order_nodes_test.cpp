@@ -1,28 +1,11 @@
 #include <foredraw/analysis/order_nodes.h>
 
-#include <foredraw/analysis/view_directions.h>
-
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace foredraw {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-TEST(GridDirections, AreTheMiddlesOfTheCells) {
-  const Directions grid = grid_directions(4, 6);
-  ASSERT_EQ(grid.size(), 24u);
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const double theta = (static_cast<double>(i / 6) + 0.5) / 4 * pi;
-    const double phi = (static_cast<double>(i % 6) + 0.5) / 6 * 2 * pi - pi;
-    EXPECT_NEAR(std::acos(grid[i].y), theta, 1e-9);
-    EXPECT_NEAR(std::atan2(grid[i].z, grid[i].x), phi, 1e-9);
-  }
-}
-
-TEST(OrderTable, NamesTheOrderOfTheNearestView) {
+TEST(OrderNodes, NameTheOrderOfTheNearestView) {
   const Views views{{{{0, 1, 0}}, {{0, -1, 0}}, {{1, 0, 0}}, {{-1, 0, 0}}}};
   const std::vector<std::uint8_t> serving = {7, 8, 9, 6};
   const OrderTable table = order_table({}, {}, views, serving, {3, 4});
@@ -32,7 +15,7 @@ TEST(OrderTable, NamesTheOrderOfTheNearestView) {
   EXPECT_EQ(table.order, (std::vector<std::uint8_t>{7, 7, 7, 7, 6, 9, 9, 6, 8, 8, 8, 8}));
 }
 
-TEST(OrderTable, HoldsKeyframesClipByClip) {
+TEST(OrderNodes, AreKeyframesClipByClip) {
   Scene scene;
   scene.animations.resize(2);
   scene.animations[0].name = "Walk";

@@ -145,6 +145,32 @@ TEST_F(Runner, ForgetsTablesWhoseOrdersAreGone) {
   EXPECT_EQ(after.scene.draws[0].levels[0].orders.size(), 1u);
 }
 
+TEST_F(Runner, OrdersWithoutTheirTableAreForgottenToo) {
+  Scene scene = two_;
+  for (Draw& draw : scene.draws) {
+    draw.levels[0].orders.push_back(draw.levels[0].orders[0]);
+    draw.levels[0].orders.push_back(draw.levels[0].orders[0]);
+  }
+  scene.order_tables.push_back({{0, 1}, {}, 1, 1, {2}});
+  const Result kept = run("pairs, reverse-vertices", scene);
+  EXPECT_EQ(kept.scene.order_tables, scene.order_tables);
+  EXPECT_EQ(kept.scene.draws[1].levels[0].orders.size(), 3u);
+  for (const char* stages : {"reverse-draw(only=\"A\")", "double-triangles(only=\"A\")"}) {
+    const Result result = run(stages, scene);
+    EXPECT_FALSE(result.failed);
+    EXPECT_TRUE(result.scene.order_tables.empty()) << stages;
+    EXPECT_EQ(result.scene.draws[0].levels[0].orders.size(), 1u) << stages;
+    EXPECT_EQ(result.scene.draws[1].levels[0].orders.size(), 1u) << stages;
+  }
+}
+
+TEST_F(Runner, TellsTheMemoryOfOrders) {
+  const Result result = run("two-orders", two_);
+  ASSERT_EQ(result.report.stages[0].notes.size(), 2u);
+  EXPECT_EQ(result.report.stages[0].notes[0].code, "memory");
+  EXPECT_EQ(result.report.stages[0].notes[0].message, "2 orders of 4 triangles: 48 bytes");
+}
+
 TEST_F(Runner, KeepsWhatADrawHadWhereNothingIsToBeGained) {
   const Result result = run("pairs, keeps-everything", two_);
   EXPECT_FALSE(result.failed);

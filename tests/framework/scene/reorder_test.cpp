@@ -285,5 +285,14 @@ TEST(VerticesMovedInDraw, ExtensionsBelongToTheFullLevel) {
   EXPECT_EQ(numbers(result.levels[1].orders[0].indices), (Numbers{3, 0, 1, 1, 0, 2}));
 }
 
+TEST(Reorder, OrderBetweenIsFoundWhateverCornersTurn) {
+  const Numbers from = {0, 1, 2, 2, 1, 3, 0, 1, 2, 4, 4, 1};
+  EXPECT_EQ(order_between(from, from), (IndexOrder{0, 1, 2, 3}));
+  EXPECT_EQ(order_between(from, Numbers{4, 1, 4, 1, 2, 0, 3, 2, 1, 2, 0, 1}), (IndexOrder{3, 0, 1, 2}));
+  EXPECT_EQ(order_between(from, Numbers{4, 1, 4, 1, 0, 2, 3, 2, 1, 2, 0, 1}), std::nullopt) << "one is turned over";
+  EXPECT_EQ(order_between(from, Numbers{0, 1, 2}), std::nullopt);
+  EXPECT_EQ(order_between(Numbers{}, Numbers{}), IndexOrder{});
+}
+
 }  // namespace
 }  // namespace foredraw

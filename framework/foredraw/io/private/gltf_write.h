@@ -31,10 +31,11 @@ bool patch_meshes(const Scene& scene, const Source& source, Json& json, Accessor
 bool patch_structure(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
                      Diagnostics& diagnostics);
 
-/// Accessors that primitives name as attributes, targets or indices.
+/// Accessors that primitives name as attributes, targets, indices or further orders.
 std::set<std::size_t> used_by_primitives(const Json& json);
 
-/// Accessors that somebody else may refer to. An extension that we do not know may mean any number that it holds.
+/// Accessors that somebody else may refer to, order tables apart. An extension that we do not know may mean any number
+/// that it holds.
 std::set<std::size_t> used_elsewhere(const Json& json);
 
 /// Images by uri still mean the same files when the document lies in another folder.

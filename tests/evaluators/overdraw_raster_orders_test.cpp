@@ -1,0 +1,124 @@
+// Overdraw of subjects that have several orders and a table.
+
+#include "../../evaluators/overdraw_raster/overdraw_raster.h"
+
+#include "support/overdraw.h"
+
+#include <foredraw/scene/reorder.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace foredraw {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+using testing::TestMesh;
+
+constexpr std::uint32_t floors = 5;
+
+/// Squares one above the other, from the highest to the lowest. Drawn so, nothing is shaded twice from above, and all
+/// of them from below.
+Draw tower() {
+  TestMesh mesh;
+  for (std::uint32_t floor = 0; floor < floors; ++floor) {
+    TestMesh square = testing::quad(0);
+    for (glm::vec3& p : square.positions) p = {p.x, 0.1f * static_cast<float>(floors - floor), -p.y};
+    mesh = testing::joined(mesh, square);
+  }
+  Draw draw = testing::draw_of(mesh, "tower");
+  Numbers backwards(2 * floors);
+  std::iota(backwards.rbegin(), backwards.rend(), 0u);
+  draw.levels[0].orders.push_back(with_triangle_order(draw.levels[0].orders[0], backwards));
+  return draw;
+}
+
+Scene scene_with(std::vector<std::uint8_t> order, std::uint32_t theta_steps) {
+  Scene scene = testing::scene_of({tower()});
+  scene.materials.emplace_back().double_sided = true;
+  scene.draws[0].material = 0;
+  scene.order_tables.push_back({{0}, {}, theta_steps, 1, std::move(order)});
+  return scene;
+}
+
+Findings evaluate(const Scene& scene, Settings settings = {}) {
+  settings.insert({{"views", std::string("axes")}, {"size", std::int64_t{32}}});
+  return testing::evaluate(overdraw_raster_plugin(), scene, settings);
+}
+
+double ratio(const Findings& findings) {
+  const Measured& ratio = *testing::find(findings, "ratio", {});
+  return ratio.numerator / *ratio.denominator;
+}
+
+TEST(OverdrawOrders, each_view_is_drawn_in_the_order_of_the_table) {
+  EXPECT_EQ(ratio(evaluate(scene_with({0, 1}, 2))), 1);
+  EXPECT_EQ(ratio(evaluate(scene_with({1, 0}, 2))), floors) << "of the two views that show anything the worst";
+  EXPECT_EQ(ratio(evaluate(scene_with({0, 0}, 2))), (1.0 + floors) / 2);
+  EXPECT_EQ(ratio(evaluate(scene_with({1}, 1))), (1.0 + floors) / 2);
+}
+
+TEST(OverdrawOrders, figures_are_those_of_the_orders_drawn_alone) {
+  // Slanted views, so that both orders shade something twice.
+  const Settings views = {{"views", std::string("random")}, {"count", std::int64_t{40}}};
+  const Findings both = evaluate(scene_with({0, 1, 0, 1}, 4), views);
+  Scene alone = scene_with({0}, 1);
+  double shaded = 0;
+  ViewSet set;
+  set.views = "random";
+  set.count = 40;
+  set.size = 32;
+  const auto positions = decode_vec3(*alone.draws[0].levels[0].vertices->find("POSITION"));
+  for (const View& view : make_views(set).views) {
+    const auto cell = static_cast<std::size_t>(std::acos(view.direction.y) / 3.14159265358979 * 4);
+    const RasterPart part{positions, alone.draws[0].levels[0].orders[cell % 2].indices.view(), false};
+    shaded += static_cast<double>(overdraw_raster(std::span(&part, 1), {{view}, 32})[0][0].shaded);
+  }
+  EXPECT_EQ(testing::find(both, "ratio", {})->numerator, shaded);
+  EXPECT_EQ(testing::find(both, "ratio", {})->denominator,
+            testing::find(evaluate(alone, views), "ratio", {})->denominator);
+}
+
+TEST(OverdrawOrders, details_tell_the_same_overdraw) {
+  for (const std::vector<std::uint8_t>& order : {std::vector<std::uint8_t>{0, 1}, {1, 0}, {0, 0}}) {
+    const Findings findings = evaluate(scene_with(order, 2), {{"details", true}});
+    double shaded = 0;
+    for (const Measured& measured : findings.measured) {
+      if (!measured.metric.starts_with("shaded-times.")) continue;
+      shaded += measured.numerator * std::stod(measured.metric.substr(13));
+    }
+    EXPECT_EQ(shaded, testing::find(findings, "ratio", {})->numerator);
+  }
+}
+
+TEST(OverdrawOrders, poses_draw_what_their_keyframe_says) {
+  Scene scene = scene_with({}, 1);
+  scene.order_tables[0].theta_steps = 2;
+  scene.order_tables[0].clips = {{"Good", {0}}, {"Bad", {0, 1}}};
+  scene.order_tables[0].order = {0, 1, 1, 0, 0, 1};
+  // A joint above the tower makes it a character, which clips of one and two keys do not bend.
+  Node root;
+  root.children = {0};
+  scene.nodes.push_back(root);
+  scene.skins.resize(1);
+  scene.skins[0].joints = {1};
+  const auto still = [](std::vector<float> times) {
+    std::vector<float> values(3 * times.size(), 1);
+    return AnimationChannel{0, AnimatedPath::scale, Interpolation::step, Shared<float>(std::move(times)),
+                            Shared<float>(std::move(values))};
+  };
+  scene.animations = {{"Bad", {still({0, 1})}}, {"Good", {still({0})}}};
+  const Findings findings = evaluate(scene, {{"poses", std::string("all")}});
+  const auto in_pose = [&](const std::string& pose) {
+    const Measured& ratio = *testing::find(findings, "poses." + pose + ".ratio", {});
+    return ratio.numerator / *ratio.denominator;
+  };
+  EXPECT_EQ(in_pose("Bad@0"), floors);
+  EXPECT_EQ(in_pose("Bad@1"), 1);
+  EXPECT_EQ(in_pose("Good@0"), 1);
+}
+
+}  // namespace
+}  // namespace foredraw
