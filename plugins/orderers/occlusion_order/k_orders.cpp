@@ -9,12 +9,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace foredraw {
 
 namespace {
 
 using Sequences = std::vector<std::vector<std::uint32_t>>;  // [draw][place] = atom
+
+/// A hundredth more vertices shaded has to save a thousandth of the fragments at least.
+constexpr double fragments_for_vertices = 0.1;
 
 /// Of a pixel of each node: every picture counts alike but for its weight, however much of it is covered.
 std::vector<std::int64_t> weights_of_pixels(const SeenSubject& subject) {
@@ -84,15 +88,36 @@ class Alternation {
     for (const AtomicDraw& draw : subject_.draws) pieces.push_back(static_cast<std::uint32_t>(draw.atoms.count()));
     OcclusionOrderOptions options = options_;
     options.acmr_budget = budget;
+    const double vertices = static_cast<double>(vertices_as_it_came());
     std::vector<Sequences> orders(k_, Sequences(subject_.draws.size()));
     executor_.for_each(k_, [&](std::size_t j) {
       const std::vector<WeightedLayers> served = some_served_by(j);
+      OcclusionOrderOptions of_order = options;
+      of_order.vertex_cost = fragments_for_vertices * visible_in(served) / vertices;
       std::vector<Occlusions> occlusions = occlusions_of(served, subject_.owners, pieces);
       executor_.for_each(subject_.draws.size(), [&](std::size_t d) {
-        orders[j][d] = occlusion_order(subject_.draws[d], std::move(occlusions[d]), options);
+        orders[j][d] = occlusion_order(subject_.draws[d], std::move(occlusions[d]), of_order);
       });
     });
     return orders;
+  }
+
+  std::uint64_t vertices_as_it_came() const {
+    std::uint64_t sum = 0;
+    for (const AtomicDraw& draw : subject_.draws) {
+      std::vector<std::uint32_t> order(draw.atoms.count());
+      std::iota(order.begin(), order.end(), 0u);
+      sum += shaded_vertices(draw, draw.atoms, order, options_.cache_size);
+    }
+    return std::max<std::uint64_t>(sum, 1);
+  }
+
+  static double visible_in(std::span<const WeightedLayers> nodes) {
+    double sum = 0;
+    for (const auto& [layers, weight] : nodes) {
+      sum += static_cast<double>(weight) * static_cast<double>(layers->always.visible);
+    }
+    return sum;
   }
 
   /// Nodes are much like their neighbours: of many, some spread evenly over them say as much.

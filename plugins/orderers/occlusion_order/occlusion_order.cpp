@@ -28,18 +28,6 @@ Effort effort_of(OcclusionQuality quality) {
   return {{2, 8}, 8, 4};
 }
 
-/// Vertices that are shaded where the pieces are drawn in this order.
-std::uint64_t misses(const AtomicDraw& draw, const Clusters& pieces, std::span<const std::uint32_t> order,
-                     std::uint32_t cache_size) {
-  FifoCache cache(draw.vertex_count, cache_size);
-  std::uint64_t sum = 0;
-  for (const std::uint32_t piece : order) {
-    const std::size_t first = 3 * std::size_t{pieces.offsets[piece]};
-    sum += cache.misses(draw.indices.subspan(first, 3 * std::size_t{pieces.offsets[piece + 1]} - first));
-  }
-  return sum;
-}
-
 std::vector<std::uint32_t> as_numbered(std::size_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
@@ -120,6 +108,17 @@ std::vector<std::uint32_t> atoms_of(const Clusters& atoms, const Clusters& piece
 
 }  // namespace
 
+std::uint64_t shaded_vertices(const AtomicDraw& draw, const Clusters& ranges, std::span<const std::uint32_t> order,
+                              std::uint32_t cache_size) {
+  FifoCache cache(draw.vertex_count, cache_size);
+  std::uint64_t sum = 0;
+  for (const std::uint32_t range : order) {
+    const std::size_t first = 3 * std::size_t{ranges.offsets[range]};
+    sum += cache.misses(draw.indices.subspan(first, 3 * std::size_t{ranges.offsets[range + 1]} - first));
+  }
+  return sum;
+}
+
 AtomSize atom_size(OcclusionQuality quality) { return effort_of(quality).atoms; }
 
 std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions occlusions,
@@ -127,18 +126,18 @@ std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions oc
   if (draw.atoms.count() < 2) return as_numbered(draw.atoms.count());
   const Effort effort = effort_of(options.quality);
   std::vector<std::uint32_t> order = as_numbered(draw.atoms.count());
-  const double budget = options.acmr_budget * static_cast<double>(misses(draw, draw.atoms, order, options.cache_size));
+  const double budget = options.acmr_budget * static_cast<double>(shaded_vertices(draw, draw.atoms, order, options.cache_size));
   Pieces pieces{draw.atoms, misses_of_cuts(draw.indices, draw.vertex_count, options.cache_size, draw.atoms),
                 std::vector<double>(order.begin(), order.end())};
   for (;;) {
     PieceOrder search(occlusions, std::move(pieces.places));
     search.improve(effort.sweeps);
     order = search.order();
-    const std::uint64_t shaded = misses(draw, pieces.ranges, order, options.cache_size);
+    const std::uint64_t shaded = shaded_vertices(draw, pieces.ranges, order, options.cache_size);
     std::vector<Joint> joints = joints_of(search, pieces.saved);
     double wanted = static_cast<double>(shaded) - budget;
-    if (wanted <= 0) {  // what costs nothing is made all the same
-      std::erase_if(joints, [](const Joint& joint) { return joint.price > 0; });
+    if (wanted <= 0) {  // what costs less than it saves is made all the same
+      std::erase_if(joints, [&](const Joint& joint) { return joint.price > options.vertex_cost; });
       wanted = std::numeric_limits<double>::infinity();
     }
     if (joints.empty()) break;

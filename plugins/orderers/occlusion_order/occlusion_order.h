@@ -26,7 +26,13 @@ struct OcclusionOrderOptions {
   OcclusionQuality quality = OcclusionQuality::balanced;
   double acmr_budget = 1.05;       ///< ACMR of the answer at most so many times that of the order that came in; 1 at least
   std::uint32_t cache_size = 16;   ///< entries of the FIFO cache that the budget is reckoned for
+  double vertex_cost = 0;          ///< of a vertex that is shaded again, in the occlusions' weights: what saves less is
+                                   ///< not bought, whatever the budget
 };
+
+/// Vertices that the cache shades where ranges of the draw's triangles are drawn in this order.
+std::uint64_t shaded_vertices(const AtomicDraw& draw, const Clusters& ranges, std::span<const std::uint32_t> order,
+                              std::uint32_t cache_size);
 
 /// The size of atoms that suits the quality.
 AtomSize atom_size(OcclusionQuality quality);
