@@ -218,7 +218,7 @@ TEST_F(Cli, TellsThePlanWithoutRunningIt) {
   const Ended plan = run("plan " + model("static/flight_helmet_notex.glb"));
   EXPECT_EQ(plan.code, 0);
   EXPECT_NE(plan.out.find("alpha-blended"), std::string::npos) << plan.out;
-  EXPECT_EQ(Json::parse(run("plan " + spot() + " --json").out)["stages"].size(), 5u);
+  EXPECT_EQ(Json::parse(run("plan " + spot() + " --json").out)["stages"].size(), 4u);
   EXPECT_TRUE(files().empty());
 }
 

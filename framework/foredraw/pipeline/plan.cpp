@@ -188,7 +188,8 @@ class Planner {
     if (user == stages.end()) return nullptr;
     // The exact one, so that orders do not hang on what else a build or a machine has; others where they are all there is.
     std::vector<const Plugin*> answering = registry_.all();
-    std::ranges::stable_partition(answering, [](const Plugin* p) { return p->card.name == "overdraw-raster"; });
+    std::stable_partition(answering.begin(), answering.end(),
+                          [](const Plugin* plugin) { return plugin->card.name == "overdraw-raster"; });
     for (const Plugin* plugin : answering) {
       if (plugin->overdraw_service && !(plugin->unavailable && plugin->unavailable())) {
         return plugin->overdraw_service({});

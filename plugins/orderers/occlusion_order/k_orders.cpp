@@ -50,17 +50,17 @@ class Alternation {
 
   KOrders run() {
     part_by_direction();
-    // While nodes move, orders are made without a budget: what they show of each other is the same, in half the time.
+    // While nodes move, orders are made of fewer of them and without a budget: it is enough to tell who serves what.
     std::uint64_t least = ~std::uint64_t{0};
     for (int round = 0; k_ > 1 && round < options_.rounds; ++round) {
-      serve(made(std::numeric_limits<double>::infinity()));
+      serve(made(most_nodes(options_.quality) / 8, std::numeric_limits<double>::infinity()));
       const std::uint64_t cost = cost_of(counts_);
-      if (cost + cost / 1000 >= least) break;
+      if (cost + cost / 100 >= least) break;
       least = cost;
       give_work_to_idle_orders();
     }
     KOrders result;
-    result.orders = made(options_.acmr_budget);
+    result.orders = made(most_nodes(options_.quality), options_.acmr_budget);
     serve(result.orders);
     result.serving = serving_;
     result.counts = counts_;
@@ -82,8 +82,8 @@ class Alternation {
     }
   }
 
-  /// Orders for the nodes that each serves.
-  std::vector<Sequences> made(double budget) const {
+  /// Orders for the nodes that each serves, made of so many of these.
+  std::vector<Sequences> made(std::size_t most, double budget) const {
     std::vector<std::uint32_t> pieces;
     for (const AtomicDraw& draw : subject_.draws) pieces.push_back(static_cast<std::uint32_t>(draw.atoms.count()));
     OcclusionOrderOptions options = options_;
@@ -91,7 +91,7 @@ class Alternation {
     const double vertices = static_cast<double>(vertices_as_it_came());
     std::vector<Sequences> orders(k_, Sequences(subject_.draws.size()));
     executor_.for_each(k_, [&](std::size_t j) {
-      const std::vector<WeightedLayers> served = some_served_by(j);
+      const std::vector<WeightedLayers> served = some_served_by(j, most);
       OcclusionOrderOptions of_order = options;
       of_order.vertex_cost = fragments_for_vertices * visible_in(served) / vertices;
       std::vector<Occlusions> occlusions = occlusions_of(served, subject_.owners, pieces);
@@ -121,12 +121,11 @@ class Alternation {
   }
 
   /// Nodes are much like their neighbours: of many, some spread evenly over them say as much.
-  std::vector<WeightedLayers> some_served_by(std::size_t order) const {
+  std::vector<WeightedLayers> some_served_by(std::size_t order, std::size_t most) const {
     std::vector<WeightedLayers> served;
     for (std::size_t node = 0; node < nodes(); ++node) {
       if (serving_[node] == order) served.push_back({&subject_.layers.views[node], weights_[node]});
     }
-    const std::size_t most = most_nodes(options_.quality);
     if (served.size() <= most) return served;
     constexpr std::uint32_t golden = 2654435769u;  // 2^32 / golden ratio: multiples of it are spread evenly
     const auto limit = static_cast<std::uint32_t>((std::uint64_t{most} << 32) / served.size());
