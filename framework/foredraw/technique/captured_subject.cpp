@@ -89,7 +89,7 @@ std::vector<std::uint8_t> CapturedSubject::by_pose(std::span<const std::uint8_t>
 
 CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
                                  const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
-                                 const std::function<void(const DrawnSubject&)>& look) {
+                                 const std::function<void(const SeenSubject&, const DrawnSubject&)>& look) {
   CapturedSubject captured;
   captured.views = run.views.views.size();
   add_draws(captured, view, atoms_of);
@@ -103,8 +103,8 @@ CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
     captured.first_node.push_back(captured.seen.layers.views.size());
     const PosedNodes nodes = view.subject.is_placed() ? posed_nodes(view.scene, poses.poses[pose]) : PosedNodes();
     const DrawnSubject drawn = drawn_subject(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
-    if (look) look(drawn);
     add_nodes(captured, view, drawn, distinct.weights[pose], run);
+    if (look) look(captured.seen, drawn);
   }
   return captured;
 }

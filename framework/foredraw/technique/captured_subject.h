@@ -27,11 +27,11 @@ struct CapturedSubject {
 
 /// Captures the subject in the poses and from the run's views, by the run's overdraw service. `atoms_of`: what of the
 /// view's draws is moved as one, a partition of the draw's triangles; the subject's other draws are one atom each.
-/// `look`, where there is one, is called for every pose that looks different, in their sequence, with the subject as it
-/// is drawn there. Positions are made for one pose at a time. std::runtime_error where the service can not capture
-/// and where the run is cancelled.
+/// `look`, where there is one, is called for every pose that looks different, in their sequence, with what is captured
+/// up to it and the subject as it is drawn there. Positions are made for one pose at a time. std::runtime_error where
+/// the service can not capture and where the run is cancelled.
 CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
                                  const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
-                                 const std::function<void(const DrawnSubject&)>& look = {});
+                                 const std::function<void(const SeenSubject&, const DrawnSubject&)>& look = {});
 
 }  // namespace foredraw
