@@ -90,7 +90,7 @@ def overall(figures):
 
 def by_motion(figures):
     ways = [column for column in COLUMNS if column[1] != "lambda = 3"]
-    lines = [[model, motion] + [f"{float(rows[way[:3]]['ratio']):.4f}" if way[:3] in rows else "" for way in ways]
+    lines = [[model, motion.replace("|", "\\|")] + [f"{float(rows[way[:3]]['ratio']):.4f}" if way[:3] in rows else "" for way in ways]
              for (model, motion), rows in figures.motions.items()]
     return table(["model", "motion"] + [way[3] for way in ways], lines, 2)
 
