@@ -3,7 +3,7 @@ MODEL ?= benchmarks/corpus/scenes/house.glb
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test bench vertex-orders overdraw-error asan tsan fuzz clean
+.PHONY: help demo build test bench vertex-orders overdraw-error han-sander-2016 asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
@@ -12,6 +12,7 @@ help:
 	@echo '              our plugins, techniques/techniques-bench, which times both sides, and vertex_order/vertex-order-bench'
 	@echo 'make vertex-orders  run the last one, and make docs/vertex-orders.md of its figures'
 	@echo 'make overdraw-error  how far evaluators of overdraw are from the truth, and docs/overdraw-error.md of it'
+	@echo 'make han-sander-2016  the experiment of that paper on our animated models, and docs/han-sander-2016.md of it'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
 	@echo 'make clean    remove build/'
@@ -36,7 +37,7 @@ test asan tsan fuzz:
 
 bench:
 	packages/install build bench
-	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench han-sander-2016-bench
 
 vertex-orders: bench
 	build/release/benchmarks/vertex_order/vertex-order-bench --tsv=benchmarks/vertex_order/figures.tsv
@@ -45,6 +46,10 @@ vertex-orders: bench
 overdraw-error: bench
 	build/release/benchmarks/overdraw_error/overdraw-error-bench --tsv=benchmarks/overdraw_error/figures.tsv
 	benchmarks/overdraw_error/overdraw_error_page.py benchmarks/overdraw_error/figures.tsv
+
+han-sander-2016: bench
+	build/release/benchmarks/han_sander_2016/han-sander-2016-bench --tsv=benchmarks/han_sander_2016/figures.tsv --motions=2 --sweeps=cesium_man_notex
+	benchmarks/han_sander_2016/han_sander_2016_page.py benchmarks/han_sander_2016/figures.tsv
 
 clean:
 	rm -rf build

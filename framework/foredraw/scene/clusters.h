@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace foredraw {
@@ -15,5 +16,8 @@ struct Clusters {
 
 /// Whether the offsets are a partition of `triangles` triangles as described above.
 bool is_partition(const Clusters& clusters, std::size_t triangles);
+
+/// The order of the triangles, [new] = old, in which the clusters are drawn in this sequence, [new] = old.
+std::vector<std::uint32_t> in_sequence(const Clusters& clusters, std::span<const std::uint32_t> sequence);
 
 }  // namespace foredraw

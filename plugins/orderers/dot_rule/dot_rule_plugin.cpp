@@ -12,15 +12,6 @@ struct DotRuleOptions {
   bool check = true;
 };
 
-IndexOrder in_sequence(const Clusters& clusters, const std::vector<std::uint32_t>& sequence) {
-  IndexOrder order;
-  order.reserve(clusters.offsets.back());
-  for (std::uint32_t c : sequence) {
-    for (std::uint32_t t = clusters.offsets[c]; t < clusters.offsets[c + 1]; ++t) order.push_back(t);
-  }
-  return order;
-}
-
 class DotRule final : public DrawOrderer {
  public:
   explicit DotRule(DotRuleOptions options) : options_(options) {}

@@ -199,17 +199,6 @@ class Alternation {
 
 }  // namespace
 
-std::vector<OverdrawCount> counts_of(const SeenSubject& subject, std::span<const Sequences::value_type> atoms) {
-  std::vector<std::uint32_t> order;
-  order.reserve(subject.owners.size());
-  for (std::size_t first = 0; first < subject.owners.size();) {
-    const std::vector<std::uint32_t>& sequence = atoms[subject.owners[first].draw];
-    for (const std::uint32_t atom : sequence) order.push_back(static_cast<std::uint32_t>(first) + atom);
-    first += sequence.size();
-  }
-  return count_overdraw_by_view(subject.layers, order);
-}
-
 KOrders k_orders(const SeenSubject& subject, const KOrdersOptions& options, const Executor& executor) {
   return Alternation(subject, options, executor).run();
 }

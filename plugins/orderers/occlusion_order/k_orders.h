@@ -8,18 +8,7 @@
 
 #include <foredraw/base/parallel.h>
 
-#include <glm/vec3.hpp>
-
 namespace foredraw {
-
-/// A subject as it was seen.
-struct SeenSubject {
-  std::vector<AtomicDraw> draws;
-  std::vector<LayerOwner> owners;      ///< of the layers: the atoms of each part, part by part as they are drawn
-  Layers layers;                       ///< [node] in place of views
-  std::vector<glm::dvec3> directions;  ///< [node] to the camera
-  std::vector<double> weights;         ///< [node]
-};
 
 struct KOrders {
   /// [order][draw][place] = atom. The first is the one that serves best where there may be only one.
@@ -35,9 +24,5 @@ struct KOrdersOptions : OcclusionOrderOptions {
 };
 
 KOrders k_orders(const SeenSubject& subject, const KOrdersOptions& options, const Executor& executor);
-
-/// What the nodes count, drawn in one order: [draw][place] = atom.
-std::vector<OverdrawCount> counts_of(const SeenSubject& subject,
-                                     std::span<const std::vector<std::uint32_t>> atoms);
 
 }  // namespace foredraw

@@ -6,18 +6,13 @@
 #include "atoms.h"
 #include "occlusions.h"
 
+#include <foredraw/analysis/seen_subject.h>
+
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace foredraw {
-
-/// One draw that is to be ordered.
-struct AtomicDraw {
-  std::span<const std::uint32_t> indices;  ///< three a triangle, each below `vertex_count`
-  std::size_t vertex_count = 0;
-  Clusters atoms;  ///< what is moved as one
-};
 
 /// How much is tried, against time.
 enum class OcclusionQuality { fast, balanced, high };

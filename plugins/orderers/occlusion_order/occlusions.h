@@ -1,7 +1,7 @@
 #pragma once
 // Who hides whom: fragment layers as a search for orders asks them.
 
-#include <foredraw/analysis/layers.h>
+#include <foredraw/analysis/seen_subject.h>
 
 #include <cstdint>
 #include <span>
@@ -30,13 +30,6 @@ struct Occlusions {
   /// The lists that piece p is in: [first_list[p], first_list[p + 1]) of `lists`.
   std::vector<std::uint32_t> first_list;
   std::vector<std::uint32_t> lists;
-};
-
-/// An owner of layers as a piece of the draw that is ordered. A draw that is seen twice has two owners for a piece.
-struct LayerOwner {
-  std::uint32_t part = 0;  ///< in the sequence in which parts are drawn
-  std::uint32_t draw = 0;
-  std::uint32_t piece = 0;  ///< of the draw
 };
 
 /// A view's layers, and how much one of its pixels counts.

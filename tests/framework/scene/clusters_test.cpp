@@ -29,5 +29,11 @@ TEST(Clusters, CountIsOneLessThanOffsets) {
   EXPECT_EQ((Clusters{{0, 3, 4}}.count()), 2u);
 }
 
+TEST(Clusters, in_sequence_keep_their_triangles_together) {
+  EXPECT_EQ(in_sequence({{0, 2, 5, 6}}, std::vector<std::uint32_t>{2, 0, 1}),
+            (std::vector<std::uint32_t>{5, 0, 1, 2, 3, 4}));
+  EXPECT_TRUE(in_sequence({{0}}, {}).empty());
+}
+
 }  // namespace
 }  // namespace foredraw

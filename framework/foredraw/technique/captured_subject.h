@@ -1,0 +1,37 @@
+#pragma once
+// A subject captured in poses and from all views, for orderers that judge orders of it without drawing again.
+
+#include <foredraw/analysis/distinct_poses.h>
+#include <foredraw/analysis/seen_subject.h>
+#include <foredraw/technique/orderer.h>
+#include <foredraw/technique/overdraw_service.h>
+
+#include <functional>
+
+namespace foredraw {
+
+/// Nodes are the poses that look different, each from all views in turn.
+struct CapturedSubject {
+  SeenSubject seen;                     ///< its indices lie in the scene
+  std::vector<DrawId> draws;            ///< [draw of `seen`]
+  std::vector<std::size_t> first_node;  ///< [pose]; poses that look alike share their nodes
+  std::size_t views = 0;
+
+  /// The draw's number in `seen`.
+  std::size_t number_of(DrawId draw) const;
+  /// [draw of `seen`][place] = atom: the order that there is.
+  std::vector<std::vector<std::uint32_t>> as_it_came() const;
+  /// [node] -> [pose * number of views + view], as order_table() takes it.
+  std::vector<std::uint8_t> by_pose(std::span<const std::uint8_t> serving) const;
+};
+
+/// Captures the subject in the poses and from the run's views, by the run's overdraw service. `atoms_of`: what of the
+/// view's draws is moved as one, a partition of the draw's triangles; the subject's other draws are one atom each.
+/// `look`, where there is one, is called for every pose that looks different, in their sequence, with what is captured
+/// up to it and the subject as it is drawn there. Positions are made for one pose at a time. std::runtime_error where
+/// the service can not capture and where the run is cancelled.
+CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
+                                 const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
+                                 const std::function<void(const SeenSubject&, const DrawnSubject&)>& look = {});
+
+}  // namespace foredraw

@@ -1,0 +1,146 @@
+#include "animated_kmeans.h"
+
+#include <foredraw/analysis/order_nodes.h>
+#include <foredraw/base/random.h>
+#include <foredraw/technique/captured_subject.h>
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <map>
+#include <stdexcept>
+
+namespace foredraw {
+
+namespace {
+
+enum class Clips { joint, single };
+
+struct Options : AnimatedKMeansOptions, OrderGrid {
+  Clips clips = Clips::joint;
+  std::int64_t start = 0;
+};
+
+/// Poses that share their index buffers, by their numbers.
+std::vector<std::vector<std::size_t>> shares(const Poses& poses, Clips clips) {
+  std::map<std::optional<AnimationId>, std::vector<std::size_t>> by_clip;
+  for (std::size_t i = 0; i < poses.poses.size(); ++i) {
+    by_clip[clips == Clips::single ? poses.poses[i].clip : std::nullopt].push_back(i);
+  }
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& [clip, numbers] : by_clip) result.push_back(std::move(numbers));
+  return result;
+}
+
+/// Sums over the buffers of all clips.
+struct Answer {
+  std::vector<std::vector<IndexOrder>> orders;  // [draw of the view][buffer]
+  std::vector<std::uint8_t> serving;            // [pose * number of views + view]
+  ViewTally before, after;
+};
+
+class AnimatedKMeans final : public SubjectOrderer {
+ public:
+  explicit AnimatedKMeans(Options options) : options_(options) {}
+
+  SubjectOrders order(const SubjectView& view, Run& run) override {
+    const auto sets = shares(run.poses, options_.clips);
+    require_room(sets.size());
+    Answer answer;
+    answer.orders.resize(view.draws.size());
+    answer.serving.resize(run.poses.poses.size() * run.views.views.size());
+    for (const std::vector<std::size_t>& poses : sets) add_buffers(answer, poses, view, run);
+    const auto ratio = [](const ViewTally& tally) { return tally.visible > 0 ? tally.shaded / tally.visible : 1; };
+    if (ratio(answer.before) == 1) {
+      run.keep("nothing in it is drawn that does not stay");
+      return {};
+    }
+    if (ratio(answer.after) >= ratio(answer.before)) {
+      run.keep(fmt::format("ordered anew, its overdraw would be {:.4f} and not {:.4f} as it is", ratio(answer.after),
+                           ratio(answer.before)));
+      return {};
+    }
+    SubjectOrders result;
+    result.table = answer.orders[0].size() == 1
+                       ? OrderTable{.order = {0}}
+                       : order_table(view.scene, run.poses, run.views, answer.serving, options_);
+    result.table.draws = view.draws;
+    result.orders = std::move(answer.orders);
+    return result;
+  }
+
+ private:
+  void require_room(std::size_t sets) const {
+    constexpr std::size_t most = 255;
+    const std::size_t orders = sets * static_cast<std::size_t>(options_.k);
+    if (orders <= most) return;
+    throw std::invalid_argument(
+        fmt::format("{} orders for each of {} clips are {}, and a table names {} at most: set clips = \"joint\", lower "
+                    "k to {}, or let "
+                    "[poses] name fewer clips",
+                    options_.k, sets, orders, most, std::max<std::size_t>(1, most / sets)));
+  }
+
+  void add_buffers(Answer& answer, const std::vector<std::size_t>& numbers, const SubjectView& view, Run& run) const {
+    Poses poses{{}};
+    for (const std::size_t number : numbers) poses.poses.push_back(run.poses.poses[number]);
+    PatchPlaces places(run.views.views);
+    const CapturedSubject captured = captured_subject(
+        view, poses, [](const Draw& draw) { return *draw.levels[0].orders[0].clusters; }, run,
+        [&](const SeenSubject& seen, const DrawnSubject& drawn) { places.add_pose(seen, drawn.parts, run.executor); });
+    AnimatedKMeansOptions options = options_;
+    options.seed = derive_seed(run.seed, static_cast<std::uint64_t>(options_.start), 0);
+    const IndexBuffers found = animated_kmeans(captured.seen, places, options, run.executor);
+    answer.before += tally_of(captured.seen, counts_of(captured.seen, captured.as_it_came()));
+    answer.after += tally_of(captured.seen, found.counts);
+
+    const std::size_t first = answer.orders[0].size();
+    for (std::size_t i = 0; i < view.draws.size(); ++i) {
+      const std::size_t d = captured.number_of(view.draws[i]);
+      for (const auto& order : found.orders) {
+        answer.orders[i].push_back(in_sequence(captured.seen.draws[d].atoms, order[d]));
+      }
+    }
+    const std::size_t views = run.views.views.size();
+    const std::vector<std::uint8_t> serving = captured.by_pose(found.serving);
+    for (std::size_t i = 0; i < serving.size(); ++i) {
+      answer.serving[numbers[i / views] * views + i % views] = static_cast<std::uint8_t>(first + serving[i]);
+    }
+  }
+
+  Options options_;
+};
+
+}  // namespace
+
+Plugin animated_kmeans_plugin() {
+  Plugin plugin;
+  plugin.kind = Kind::orderer;
+  plugin.card = {
+      .name = "animated-kmeans",
+      .summary = "Sorts clusters front to back in a few orders, of which each pose and side is drawn in the best",
+      .reference = "Han, Sander 2016, section 3",
+      .acts_on = {traits::triangles, traits::animated},
+      .needs = {traits::clustered},
+      .provides = {traits::overdraw_ordered},
+      .breaks = {traits::fetch_ordered},
+      .pays_if = "something is drawn that does not stay, and the new orders draw less of it",
+      .uses_overdraw = true,
+  };
+  OptionTable<Options> table;
+  table.row<int>(&Options::k, "k", "Orders of each draw, of which the engine draws one by view and pose",
+                 {1, 255, "orders"});
+  table.choice<Clips>(&Options::clips, "clips",
+                      "joint: one set of orders for all animations; single: a set of k for each, 255 in all at most",
+                      {{"joint", Clips::joint}, {"single", Clips::single}});
+  table.row<int>(&Options::restarts, "restarts", "How often it begins anew, from other nodes; the best of all is kept",
+                 {0, 1000, "times"});
+  table.row<std::int64_t>(&Options::start, "seed", "Of the nodes that it begins with, besides the pipeline's seed");
+  table.row<int>(&Options::theta_steps, "theta-steps",
+                 "Steps of the table that says which order to draw, from straight above to straight below", {1, 1024});
+  table.row<int>(&Options::phi_steps, "phi-steps", "The same, around the subject", {1, 1024});
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<AnimatedKMeans>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw

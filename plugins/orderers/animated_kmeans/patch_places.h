@@ -1,0 +1,46 @@
+#pragma once
+// Where the patches of a subject are in each pose, and from where they are seen: what sorting by distance asks.
+
+#include <foredraw/analysis/raster_part.h>
+#include <foredraw/analysis/seen_subject.h>
+#include <foredraw/base/parallel.h>
+#include <foredraw/scene/views.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace foredraw {
+
+/// A sum of distances and of the weights of the nodes that they are from.
+struct IntegratedDistance {
+  double distance = 0;
+  double nodes = 0;
+};
+
+/// Patches are the owners of a SeenSubject's layers; nodes are its nodes. Distances are in radii of the subject's
+/// bounding sphere in the node's pose; where a view is orthographic, along its direction from the plane through the
+/// centre. Of each pose the centroids of the patches are kept, of each node one bit a patch.
+class PatchPlaces {
+ public:
+  explicit PatchPlaces(std::span<const View> views) : views_(views) {}  ///< of every pose; they must outlive this
+
+  /// The next pose. `parts`: as the subject's owners tell them, with those that are not drawn.
+  void add_pose(const SeenSubject& subject, std::span<const RasterPart> parts, const Executor& executor);
+
+  double distance(std::size_t node, std::size_t patch) const;
+  /// Whether a triangle of the patch turns its front to the camera, or one that is seen from behind too is there.
+  bool is_facing(std::size_t node, std::size_t patch) const { return facing_[node][patch]; }
+
+  /// Adds, of every patch that is facing there, the distance in the node, so heavy as the node is.
+  void integrate(std::size_t node, double weight, std::span<IntegratedDistance> patches) const;
+
+ private:
+  const View& view_of(std::size_t node) const { return views_[node % views_.size()]; }
+
+  std::span<const View> views_;
+  std::vector<std::vector<glm::dvec3>> centroids_;  // [pose][patch]
+  std::vector<std::vector<bool>> facing_;           // [node][patch]
+};
+
+}  // namespace foredraw
