@@ -1,6 +1,17 @@
 #include "seen_subject.h"
 
+#include <numeric>
+
 namespace foredraw {
+
+std::vector<std::vector<std::uint32_t>> as_it_came(const SeenSubject& subject) {
+  std::vector<std::vector<std::uint32_t>> order;
+  for (const AtomicDraw& draw : subject.draws) {
+    order.emplace_back(draw.atoms.count());
+    std::iota(order.back().begin(), order.back().end(), 0u);
+  }
+  return order;
+}
 
 std::vector<OverdrawCount> counts_of(const SeenSubject& subject, std::span<const std::vector<std::uint32_t>> atoms) {
   std::vector<std::uint32_t> order;

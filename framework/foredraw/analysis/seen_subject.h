@@ -37,6 +37,9 @@ struct SeenSubject {
   std::vector<double> weights;         ///< [node]
 };
 
+/// [draw][place] = atom: the order that there is.
+std::vector<std::vector<std::uint32_t>> as_it_came(const SeenSubject& subject);
+
 /// What the nodes count, drawn in one order: [draw][place] = atom.
 std::vector<OverdrawCount> counts_of(const SeenSubject& subject, std::span<const std::vector<std::uint32_t>> atoms);
 

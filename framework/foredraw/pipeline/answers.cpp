@@ -20,6 +20,24 @@ void require_permutation(std::span<const std::uint32_t> order, std::size_t count
   require(is_permutation(order, count), "its order of {} entries is no permutation of {} {}", order.size(), count, what);
 }
 
+/// An order that the table never names would only take memory; the first one stands alone and stays.
+void leave_out_unnamed(SubjectOrders& answer) {
+  std::vector<bool> is_named(answer.orders.front().size(), false);
+  is_named[0] = true;
+  for (const std::uint8_t order : answer.table.order) is_named[order] = true;
+  std::vector<std::uint8_t> number;
+  std::uint8_t named = 0;
+  for (const bool is : is_named) number.push_back(is ? named++ : named);
+  for (std::uint8_t& order : answer.table.order) order = number[order];
+  for (std::vector<IndexOrder>& orders : answer.orders) {
+    std::size_t kept = 0;
+    for (std::size_t j = 0; j < orders.size(); ++j) {
+      if (is_named[j]) std::swap(orders[kept++], orders[j]);
+    }
+    orders.resize(kept);
+  }
+}
+
 }  // namespace
 
 void certify(const Draw& before, const Draw& after, Analyses& analyses) {
@@ -63,22 +81,27 @@ OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyse
   require(std::ranges::all_of(table.order, [k](std::size_t order) { return order < k; }),
           "its table names an order beyond the {} there are", k);
 
-  OrderedSubject result;
   for (std::size_t i = 0; i < table.draws.size(); ++i) {
     const DrawId id = table.draws[i];
     require(std::ranges::find(subject.draws, id) != subject.draws.end(), "it orders draw {}, which it was not given", id);
     require(answer.orders[i].size() == k, "it answers with {} orders for one draw and {} for another", k,
             answer.orders[i].size());
-    const Draw& before = subject.scene.draws[id];
+    const std::size_t triangles = subject.scene.draws[id].levels[0].orders[0].triangle_count();
+    for (const IndexOrder& order : answer.orders[i]) require_permutation(order, triangles, "triangles");
+  }
+  leave_out_unnamed(answer);
+
+  OrderedSubject result;
+  for (std::size_t i = 0; i < table.draws.size(); ++i) {
+    const Draw& before = subject.scene.draws[table.draws[i]];
     const IndexStream stream = before.levels[0].orders[0];
-    for (const IndexOrder& order : answer.orders[i]) require_permutation(order, stream.triangle_count(), "triangles");
     Draw draw = with_triangle_order(before, answer.orders[i][0]);
     draw.levels[0].orders.resize(1);
-    for (std::size_t j = 1; j < k; ++j) {
+    for (std::size_t j = 1; j < answer.orders[i].size(); ++j) {
       draw.levels[0].orders.push_back(with_triangle_order(stream, answer.orders[i][j]));
     }
     certify(before, draw, analyses);
-    result.draws.emplace_back(id, std::move(draw));
+    result.draws.emplace_back(table.draws[i], std::move(draw));
   }
   result.table = std::move(answer.table);
   return result;

@@ -2,8 +2,9 @@
 
 #include <foredraw/analysis/cluster_layers.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
 namespace foredraw {
@@ -69,15 +70,6 @@ std::size_t CapturedSubject::number_of(DrawId draw) const {
   return static_cast<std::size_t>(std::ranges::find(draws, draw) - draws.begin());
 }
 
-std::vector<std::vector<std::uint32_t>> CapturedSubject::as_it_came() const {
-  std::vector<std::vector<std::uint32_t>> order;
-  for (const AtomicDraw& draw : seen.draws) {
-    order.emplace_back(draw.atoms.count());
-    std::iota(order.back().begin(), order.back().end(), 0u);
-  }
-  return order;
-}
-
 std::vector<std::uint8_t> CapturedSubject::by_pose(std::span<const std::uint8_t> serving) const {
   std::vector<std::uint8_t> result;
   for (const std::size_t first : first_node) {
@@ -107,6 +99,19 @@ CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
     if (look) look(captured.seen, drawn);
   }
   return captured;
+}
+
+bool has_overdraw(const ViewTally& before, Run& run) {
+  if (before.shaded > before.visible) return true;
+  run.keep("nothing in it is drawn that does not stay");
+  return false;
+}
+
+bool lowers_overdraw(const ViewTally& before, const ViewTally& after, Run& run) {
+  if (after.shaded < before.shaded) return true;
+  run.keep(fmt::format("ordered anew, its overdraw would be {:.4f} and not {:.4f} as it is",
+                       after.shaded / after.visible, before.shaded / before.visible));
+  return false;
 }
 
 }  // namespace foredraw

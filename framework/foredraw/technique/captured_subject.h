@@ -19,8 +19,6 @@ struct CapturedSubject {
 
   /// The draw's number in `seen`.
   std::size_t number_of(DrawId draw) const;
-  /// [draw of `seen`][place] = atom: the order that there is.
-  std::vector<std::vector<std::uint32_t>> as_it_came() const;
   /// [node] -> [pose * number of views + view], as order_table() takes it.
   std::vector<std::uint8_t> by_pose(std::span<const std::uint8_t> serving) const;
 };
@@ -33,5 +31,11 @@ struct CapturedSubject {
 CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
                                  const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
                                  const std::function<void(const SeenSubject&, const DrawnSubject&)>& look = {});
+
+/// Whether anything is drawn that does not stay. Else tells the run that nothing can be gained.
+bool has_overdraw(const ViewTally& before, Run& run);
+
+/// Whether the new orders draw less of it. Else tells the run that what there is stays, and why.
+bool lowers_overdraw(const ViewTally& before, const ViewTally& after, Run& run);
 
 }  // namespace foredraw

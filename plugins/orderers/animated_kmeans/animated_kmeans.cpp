@@ -177,15 +177,7 @@ IndexBuffers of_use(Clustering clustering) {
 
 IndexBuffers animated_kmeans(const SeenSubject& subject, const PatchPlaces& places,
                              const AnimatedKMeansOptions& options, const Executor& executor) {
-  if (subject.layers.views.empty()) {
-    IndexBuffers as_it_came;
-    Order& order = as_it_came.orders.emplace_back();
-    for (const AtomicDraw& draw : subject.draws) {
-      std::vector<std::uint32_t>& sequence = order.emplace_back(draw.atoms.count());
-      std::iota(sequence.begin(), sequence.end(), 0u);
-    }
-    return as_it_came;
-  }
+  if (subject.layers.views.empty()) return {{as_it_came(subject)}, {}, {}};
   return of_use(KMeans(subject, places, options, executor).run());
 }
 

@@ -50,20 +50,9 @@ class AnimatedKMeans final : public SubjectOrderer {
     answer.orders.resize(view.draws.size());
     answer.serving.resize(run.poses.poses.size() * run.views.views.size());
     for (const std::vector<std::size_t>& poses : sets) add_buffers(answer, poses, view, run);
-    const auto ratio = [](const ViewTally& tally) { return tally.visible > 0 ? tally.shaded / tally.visible : 1; };
-    if (ratio(answer.before) == 1) {
-      run.keep("nothing in it is drawn that does not stay");
-      return {};
-    }
-    if (ratio(answer.after) >= ratio(answer.before)) {
-      run.keep(fmt::format("ordered anew, its overdraw would be {:.4f} and not {:.4f} as it is", ratio(answer.after),
-                           ratio(answer.before)));
-      return {};
-    }
+    if (!has_overdraw(answer.before, run) || !lowers_overdraw(answer.before, answer.after, run)) return {};
     SubjectOrders result;
-    result.table = answer.orders[0].size() == 1
-                       ? OrderTable{.order = {0}}
-                       : order_table(view.scene, run.poses, run.views, answer.serving, options_);
+    result.table = order_table(view.scene, run.poses, run.views, answer.serving, options_);
     result.table.draws = view.draws;
     result.orders = std::move(answer.orders);
     return result;
@@ -91,7 +80,7 @@ class AnimatedKMeans final : public SubjectOrderer {
     AnimatedKMeansOptions options = options_;
     options.seed = derive_seed(run.seed, static_cast<std::uint64_t>(options_.start), 0);
     const IndexBuffers found = animated_kmeans(captured.seen, places, options, run.executor);
-    answer.before += tally_of(captured.seen, counts_of(captured.seen, captured.as_it_came()));
+    answer.before += tally_of(captured.seen, counts_of(captured.seen, as_it_came(captured.seen)));
     answer.after += tally_of(captured.seen, found.counts);
 
     const std::size_t first = answer.orders[0].size();

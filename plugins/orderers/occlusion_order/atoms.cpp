@@ -41,7 +41,10 @@ void cut_piece(std::span<const std::uint32_t> parted, std::uint32_t first, std::
                std::vector<std::uint32_t>& ends) {
   const std::uint32_t n = end - first;
   const std::size_t begin_at = ends.size();
-  if (n < 2 * size.least) { ends.push_back(end); return; }
+  if (n < 2 * size.least) {
+    ends.push_back(end);
+    return;
+  }
   constexpr std::uint64_t none = ~std::uint64_t{0};
   std::vector<std::uint64_t> least(n + 1, none);
   std::vector<std::uint32_t> begin(n + 1, 0);

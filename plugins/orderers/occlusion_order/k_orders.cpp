@@ -1,7 +1,5 @@
 #include "k_orders.h"
 
-#include "piece_order.h"
-
 #include <foredraw/analysis/view_directions.h>
 
 #include <glm/geometric.hpp>
@@ -9,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace foredraw {
 
@@ -46,7 +43,11 @@ std::size_t most_nodes(OcclusionQuality quality) {
 class Alternation {
  public:
   Alternation(const SeenSubject& subject, const KOrdersOptions& options, const Executor& executor)
-      : subject_(subject), options_(options), executor_(executor), k_(static_cast<std::size_t>(options.k)), weights_(weights_of_pixels(subject)) {}
+      : subject_(subject),
+        options_(options),
+        executor_(executor),
+        k_(static_cast<std::size_t>(options.k)),
+        weights_(weights_of_pixels(subject)) {}
 
   KOrders run() {
     part_by_direction();
@@ -103,11 +104,10 @@ class Alternation {
   }
 
   std::uint64_t vertices_as_it_came() const {
+    const Sequences order = as_it_came(subject_);
     std::uint64_t sum = 0;
-    for (const AtomicDraw& draw : subject_.draws) {
-      std::vector<std::uint32_t> order(draw.atoms.count());
-      std::iota(order.begin(), order.end(), 0u);
-      sum += shaded_vertices(draw, draw.atoms, order, options_.cache_size);
+    for (std::size_t d = 0; d < order.size(); ++d) {
+      sum += shaded_vertices(subject_.draws[d], subject_.draws[d].atoms, order[d], options_.cache_size);
     }
     return std::max<std::uint64_t>(sum, 1);
   }

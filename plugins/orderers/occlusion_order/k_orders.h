@@ -1,8 +1,8 @@
 #pragma once
-// Several orders for the draws of a subject, and which of them serves where: nodes (a pose seen from a direction) are given
-// to the order that draws them with least overdraw, and each order is made anew for the nodes that it serves, in turn. The
-// alternation is that of Han, Sander: Triangle Reordering for Reduced Overdraw in Animated Scenes, I3D 2016, section 3; the
-// orders are occlusion_order's.
+// Several orders for the draws of a subject, and which of them serves where: nodes (a pose seen from a direction) are
+// given to the order that draws them with least overdraw, and each order is made anew for the nodes that it serves, in
+// turn. The alternation is that of Han, Sander: Triangle Reordering for Reduced Overdraw in Animated Scenes, I3D 2016,
+// section 3; the orders are occlusion_order's.
 
 #include "occlusion_order.h"
 
@@ -13,12 +13,12 @@ namespace foredraw {
 struct KOrders {
   /// [order][draw][place] = atom. The first is the one that serves best where there may be only one.
   std::vector<std::vector<std::vector<std::uint32_t>>> orders;
-  std::vector<std::uint8_t> serving;     ///< [node] which order
-  std::vector<OverdrawCount> counts;     ///< [node] drawn in it
+  std::vector<std::uint8_t> serving;  ///< [node] which order
+  std::vector<OverdrawCount> counts;  ///< [node] drawn in it
 };
 
 struct KOrdersOptions : OcclusionOrderOptions {
-  int k = 1;               ///< 1 to 255; fewer where there are fewer nodes
+  int k = 1;               ///< 1 to 255; those beyond the nodes serve nothing
   std::uint64_t seed = 0;  ///< of the directions by which nodes are parted to begin with
   int rounds = 30;         ///< at most
 };

@@ -126,7 +126,8 @@ std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions oc
   if (draw.atoms.count() < 2) return as_numbered(draw.atoms.count());
   const Effort effort = effort_of(options.quality);
   std::vector<std::uint32_t> order = as_numbered(draw.atoms.count());
-  const double budget = options.acmr_budget * static_cast<double>(shaded_vertices(draw, draw.atoms, order, options.cache_size));
+  const double budget =
+      options.acmr_budget * static_cast<double>(shaded_vertices(draw, draw.atoms, order, options.cache_size));
   Pieces pieces{draw.atoms, misses_of_cuts(draw.indices, draw.vertex_count, options.cache_size, draw.atoms),
                 std::vector<double>(order.begin(), order.end())};
   for (;;) {

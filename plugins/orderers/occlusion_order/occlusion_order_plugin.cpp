@@ -4,8 +4,6 @@
 #include <foredraw/technique/captured_subject.h>
 #include <foredraw/technique/plugin.h>
 
-#include <fmt/format.h>
-
 namespace foredraw {
 
 namespace {
@@ -28,11 +26,6 @@ Clusters atoms_of(const Draw& draw, const Options& options) {
                    atom_size(options.quality));
 }
 
-double ratio_of(const SeenSubject& subject, std::span<const OverdrawCount> counts) {
-  const ViewTally tally = tally_of(subject, counts);
-  return tally.visible > 0 ? tally.shaded / tally.visible : 1;
-}
-
 class OcclusionOrder final : public SubjectOrderer {
  public:
   explicit OcclusionOrder(Options options) : options_(options) {}
@@ -41,29 +34,21 @@ class OcclusionOrder final : public SubjectOrderer {
     Options options = options_;
     options.seed = run.seed;
     options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].levels[0].orders[0], options_);
-    const CapturedSubject captured =
-        captured_subject(view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run);
+    const CapturedSubject captured = captured_subject(
+        view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run);
     const SeenSubject& subject = captured.seen;
-    const double before = ratio_of(subject, counts_of(subject, captured.as_it_came()));
-    if (before == 1) {
-      run.keep("nothing in it is drawn that does not stay");
-      return {};
-    }
+    const ViewTally before = tally_of(subject, counts_of(subject, as_it_came(subject)));
+    if (!has_overdraw(before, run)) return {};
     const KOrders found = k_orders(subject, options, run.executor);
-    const double after = ratio_of(subject, found.counts);
-    if (after >= before) {
-      run.keep(fmt::format("ordered anew, its overdraw would be {:.4f} and not {:.4f} as it is", after, before));
-      return {};
-    }
+    if (!lowers_overdraw(before, tally_of(subject, found.counts), run)) return {};
     SubjectOrders result;
-    result.table = found.orders.size() == 1
-                       ? OrderTable{.order = {0}}
-                       : order_table(view.scene, run.poses, run.views, captured.by_pose(found.serving), options);
+    result.table = order_table(view.scene, run.poses, run.views, captured.by_pose(found.serving), options);
     result.table.draws = view.draws;
     for (const DrawId id : view.draws) {
       const std::size_t d = captured.number_of(id);
       result.orders.emplace_back();
-      for (const auto& order : found.orders) result.orders.back().push_back(in_sequence(subject.draws[d].atoms, order[d]));
+      for (const auto& order : found.orders)
+        result.orders.back().push_back(in_sequence(subject.draws[d].atoms, order[d]));
     }
     return result;
   }
@@ -88,16 +73,17 @@ Plugin occlusion_order_plugin() {
       .uses_overdraw = true,
   };
   OptionTable<Options> table;
-  table.row<int>(&Options::k, "k", "Orders of each draw, of which the engine draws one by view and pose", {1, 255, "orders"});
+  table.row<int>(&Options::k, "k", "Orders of each draw, of which the engine draws one by view and pose",
+                 {1, 255, "orders"});
   table.row<double>(&Options::acmr_budget, "acmr-budget",
-            "What the orders may cost in the vertex cache: times the ACMR of the order that came in", {1, 100});
-  table.choice<OcclusionQuality>(&Options::quality, "quality", "How much is tried out, against time",
-               {{"fast", OcclusionQuality::fast},
-                {"balanced", OcclusionQuality::balanced},
-                {"high", OcclusionQuality::high}});
-  table.row<std::optional<int>>(&Options::made_for, "cache-size",
-            "Size of the FIFO vertex cache that the budget is reckoned for; without it what the order was made for, or 16",
-            {3, 65535, "entries"});
+                    "What the orders may cost in the vertex cache: times the ACMR of the order that came in", {1, 100});
+  table.choice<OcclusionQuality>(
+      &Options::quality, "quality", "How much is tried out, against time",
+      {{"fast", OcclusionQuality::fast}, {"balanced", OcclusionQuality::balanced}, {"high", OcclusionQuality::high}});
+  table.row<std::optional<int>>(
+      &Options::made_for, "cache-size",
+      "Size of the FIFO vertex cache that the budget is reckoned for; without it what the order was made for, or 16",
+      {3, 65535, "entries"});
   table.row<int>(&Options::theta_steps, "theta-steps",
                  "Steps of the table that says which order to draw, from straight above to straight below", {1, 1024});
   table.row<int>(&Options::phi_steps, "phi-steps", "The same, around the subject", {1, 1024});

@@ -11,9 +11,7 @@ namespace {
 /// Occlusions of one draw while they are collected.
 class Collected {
  public:
-  void add_pair(std::uint32_t piece, std::uint32_t other, std::int64_t net) {
-    pairs_.push_back({piece, other, net});
-  }
+  void add_pair(std::uint32_t piece, std::uint32_t other, std::int64_t net) { pairs_.push_back({piece, other, net}); }
 
   void add(std::span<const std::uint32_t> list, std::int64_t weight) {
     if (std::ranges::all_of(list, [&](std::uint32_t piece) { return piece == list[0]; })) return;

@@ -9,8 +9,8 @@
 
 namespace foredraw {
 
-/// Which pieces of a draw hide which others, summed over views. A fragment that is drawn though it does not stay costs its
-/// weight. All that no order changes is left out.
+/// Which pieces of a draw hide which others, summed over views. A fragment that is drawn though it does not stay costs
+/// its weight. All that no order changes is left out.
 struct Occlusions {
   std::uint32_t pieces = 0;
 
@@ -40,13 +40,13 @@ struct WeightedLayers {
 
 /// Of each draw of a subject. `pieces`: how many each has; `owners`: what the layers' owners are. What lies behind
 /// another part's nearer fragment that is drawn before it never passes, and what later parts hide is theirs: so a pixel
-/// falls apart into one list for each part, and draws are ordered one by one. Of fragments that are equally near the first
-/// in the list stands for all.
+/// falls apart into one list for each part, and draws are ordered one by one. Of fragments that are equally near the
+/// first in the list stands for all.
 std::vector<Occlusions> occlusions_of(std::span<const WeightedLayers> views, std::span<const LayerOwner> owners,
                                       std::span<const std::uint32_t> pieces);
 
-/// Of larger pieces: each one or several of the old ones, one behind the other, drawn in their sequence. `joined`: [old]
-/// = new, ascending, each new one there.
+/// Of larger pieces: each one or several of the old ones, one behind the other, drawn in their sequence. `joined`:
+/// [old] = new, ascending, each new one there.
 Occlusions with_joined_pieces(const Occlusions& occlusions, std::span<const std::uint32_t> joined);
 
 }  // namespace foredraw

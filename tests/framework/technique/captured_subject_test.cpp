@@ -86,7 +86,7 @@ TEST_F(CapturedSubjects, poses_that_look_alike_share_their_nodes) {
 TEST_F(CapturedSubjects, layers_judge_orders_of_atoms) {
   const CapturedSubject both = captured({0, 1});
   ASSERT_EQ(both.seen.owners.size(), 4u);
-  const auto counts = counts_of(both.seen, both.as_it_came());
+  const auto counts = counts_of(both.seen, as_it_came(both.seen));
   ASSERT_GT(counts[0].visible, 0u);
   EXPECT_EQ(counts[0].shaded, 2 * counts[0].visible) << "both squares of the hat, which hide the head";
   EXPECT_EQ(counts[1].shaded, 0u) << "they turn their backs";
@@ -99,7 +99,7 @@ TEST_F(CapturedSubjects, draws_that_are_not_ordered_are_one_atom) {
   const CapturedSubject hat = captured({0});
   EXPECT_EQ(hat.seen.draws[hat.number_of(0)].atoms.offsets, (Numbers{0, 2, 4}));
   EXPECT_EQ(hat.seen.draws[hat.number_of(1)].atoms.offsets, (Numbers{0, 4}));
-  EXPECT_EQ(hat.as_it_came(), (std::vector<Numbers>{{0, 1}, {0}}));
+  EXPECT_EQ(as_it_came(hat.seen), (std::vector<Numbers>{{0, 1}, {0}}));
 }
 
 TEST_F(CapturedSubjects, what_can_not_be_captured_is_told) {
