@@ -68,6 +68,7 @@ TEST_F(Runner, NumbersVerticesForEveryDrawThatSharesThem) {
 TEST_F(Runner, AppliesTheOrdersOfASubject) {
   const Result result = run("two-orders", two_);
   ASSERT_EQ(result.scene.order_tables.size(), 2u);
+  EXPECT_EQ(result.scene.order_tables[1].order, (std::vector<std::uint8_t>{0, 1}));  // the unnamed one is left out
   ASSERT_EQ(result.scene.draws[1].levels[0].orders.size(), 2u);
   EXPECT_EQ(indices(result.scene, 1, 0), indices(two_, 1));
   EXPECT_EQ(indices(result.scene, 1, 1), (std::vector<std::uint32_t>{2, 1, 3, 0, 1, 2}));
