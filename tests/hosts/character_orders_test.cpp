@@ -1,6 +1,5 @@
-// The example engine walks round a character and draws what the table says.
+// The example engine walks round a character and draws what the table says; and what else tells of orders.
 
-#include <foredraw/analysis/order_lookup.h>
 #include <foredraw/report/draw_orders.h>
 #include <foredraw/scene/reorder.h>
 
@@ -9,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <regex>
 #include <set>
 
@@ -40,43 +38,61 @@ class CharacterOrders : public testing::InFolder {
  protected:
   std::string walk(const std::string& arguments) {
     const std::string out = (folder_ / "out").string();
-    const std::string command = std::string("'") + FOREDRAW_CHARACTER_ORDERS + "' " + arguments + " > '" + out + "' 2>&1";
+    const std::string command =
+        std::string("'") + FOREDRAW_CHARACTER_ORDERS + "' " + arguments + " > '" + out + "' 2>&1";
     code_ = std::system(command.c_str());
     return content(out);
   }
   int code_ = 0;
 };
 
-TEST_F(CharacterOrders, AreThoseOfTheTable) {
-  const Scene scene = character();
-  put(folder_ / "orders.json", draw_orders_json(scene));
-  for (const AnimationId clip : {0u, 1u}) {
-    const std::string told =
-        walk("'" + (folder_ / "orders.json").string() + "' " + std::to_string(clip) + " 100");
+/// The numbers in every line of the walk that looks like this.
+std::vector<std::vector<double>> found(const std::string& told, const std::string& line) {
+  std::vector<std::vector<double>> numbers;
+  const std::regex pattern(line);
+  for (std::sregex_iterator at(told.begin(), told.end(), pattern); at != std::sregex_iterator(); ++at) {
+    numbers.emplace_back();
+    for (std::size_t i = 1; i < at->size(); ++i) numbers.back().push_back(std::stod((*at)[i]));
+  }
+  return numbers;
+}
+
+/// From frames of its own, looked up by the C header: the same overdraw as the evaluator's.
+TEST_F(CharacterOrders, DrawWhatTheReportPromised) {
+  for (const std::string model : {"fox", "cesium_man_notex"}) {
+    const std::string file = testing::project_file("benchmarks/corpus/animated/" + model + ".glb").string();
+    const testing::Ended made =
+        testing::run_program(folder_, "optimize '" + file + "' -o out.glb --pipeline @character --report r.json");
+    ASSERT_EQ(made.code, 0) << made.err;
+    const nlohmann::json report = nlohmann::json::parse(content(folder_ / "r.json"));
+    const nlohmann::json& ratio = report["totals"]["metrics"]["overdraw-raster"]["ratio"];
+
+    const std::string told = walk("'" + (folder_ / "out.glb").string() + "' 100");
     ASSERT_EQ(code_, 0) << told;
-    const OrderLookup lookup(scene.order_tables[0], std::vector<std::string>{"\"times\":[9]", "Walk"});
-    foredraw_order_state state = {};
-    const std::regex line(R"(([0-9.]+) degrees, ([0-9.]+) s: order (\d)\n)");
-    std::set<std::string> seen;
-    int lines = 0;
-    for (std::sregex_iterator at(told.begin(), told.end(), line); at != std::sregex_iterator(); ++at, ++lines) {
-      const auto& times = scene.order_tables[0].clips[clip].times;
-      const float part = static_cast<float>(lines) / 100;
-      const float time = times.front() + part * (times.back() - times.front());
-      const float towards_camera[3] = {std::cos(part * 6.28318531f), 0.3f, std::sin(part * 6.28318531f)};
-      EXPECT_EQ((*at)[3], std::to_string(foredraw_order_at(&lookup.table(), clip, time, towards_camera, &state)));
-      seen.insert((*at)[3]);
+    const auto frames =
+        found(told, R"(clip \d+, .*: order (\d+), ([\d.]+) fragments per pixel, ([\d.]+) with order 0)");
+    const auto whole = found(told, R"(the whole walk: ([\d.]+) fragments per pixel, ([\d.]+) with order 0)");
+    ASSERT_EQ(whole.size(), 1u) << told;
+    EXPECT_EQ(frames.size() % 100, 0u);
+    std::set<double> orders;
+    for (const auto& frame : frames) {
+      orders.insert(frame[0]);
+      if (frame[0] > 0) continue;
+      EXPECT_EQ(frame[1], frame[2]);
     }
-    EXPECT_EQ(lines, 100) << told;
-    EXPECT_EQ(seen.size(), 3u);
+    EXPECT_EQ(orders.size(), 5u);
+    EXPECT_NEAR(whole[0][0], ratio["value"].get<double>(), 0.001) << model;
+    EXPECT_GT(whole[0][1], whole[0][0] + 0.02) << model;
   }
 }
 
 TEST_F(CharacterOrders, RefusesWhatHasNoTable) {
-  put(folder_ / "none.json", draw_orders_json(testing::scene_of(testing::grid(1, 1))));
-  EXPECT_NE(walk("'" + (folder_ / "none.json").string() + "'").find("--draw-orders"), std::string::npos);
+  EXPECT_NE(walk("'" + testing::project_file("benchmarks/corpus/animated/fox.glb").string() + "'").find("no table"),
+            std::string::npos);
   EXPECT_NE(code_, 0);
-  walk("absent.json");
+  EXPECT_NE(walk("absent.glb").find("absent.glb"), std::string::npos);
+  EXPECT_NE(code_, 0);
+  walk("");
   EXPECT_NE(code_, 0);
 }
 
@@ -88,9 +104,10 @@ TEST(DrawOrdersJson, OrdersAreToldByTheTrianglesOfTheFirst) {
   EXPECT_EQ(table["phi-steps"], 6);
   EXPECT_EQ(table["order"].size(), 5u * 4 * 6);
   EXPECT_EQ(table["clips"][1], nlohmann::json::parse(R"({"name": "Walk", "times": [1.0, 2.0, 4.0]})"));
-  EXPECT_EQ(table["draws"][1],
-            nlohmann::json::parse(
-                R"({"name": "head", "mesh": 1, "primitive": 0, "orders": [[0, 1, 2, 3], [3, 2, 1, 0], [2, 0, 3, 1]]})"));
+  EXPECT_EQ(
+      table["draws"][1],
+      nlohmann::json::parse(
+          R"({"name": "head", "mesh": 1, "primitive": 0, "orders": [[0, 1, 2, 3], [3, 2, 1, 0], [2, 0, 3, 1]]})"));
 }
 
 TEST(DrawOrders, MemoryIsToldAgainstAnOrderForEachKeyframe) {

@@ -1,97 +1,79 @@
-/* Walks a camera once around a character while a clip plays, and prints which of its index buffers a frame loop would
- * draw. Reads what `foredraw optimize in.glb -o out.glb --draw-orders orders.json` writes.
+/* Walks a camera all around a character while its clips play, draws with each frame the index buffer that the table
+ * names, and counts what that saves. Reads what `foredraw optimize in.glb -o out.glb --pipeline @character` writes.
  *
- *   character_orders orders.json [clip, 0 if left out] [steps of the walk, 36] */
+ *   character_orders out.glb [frames of the walk through each clip, 200] */
 
-#include <foredraw/runtime/order_table.h>
+#include "character.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-/* The whole file, as text. */
-static char* text_of(const char* path, size_t* size) {
-  FILE* file = fopen(path, "rb");
-  char* text = NULL;
-  long length = -1;
-  if (file && fseek(file, 0, SEEK_END) == 0) length = ftell(file);
-  if (length >= 0 && fseek(file, 0, SEEK_SET) == 0) text = (char*)malloc((size_t)length + 1);
-  if (text) {
-    *size = fread(text, 1, (size_t)length, file);
-    text[*size] = '\0';
-  }
-  if (file) fclose(file);
-  return text;
+/* A spiral from the upper pole to the lower one that comes by everywhere alike. */
+static void camera_at(float part, uint32_t frames, float towards_camera[3]) {
+  const float height = 1 - 2 * part;
+  const float ring = sqrtf(1 - height * height);
+  const float turns = sqrtf((float)frames / 3.14159265f);
+  const float angle = turns * 3.14159265f * acosf(height);
+  towards_camera[0] = ring * cosf(angle);
+  towards_camera[1] = height;
+  towards_camera[2] = ring * sinf(angle);
 }
 
-/* Behind the next `key`; NULL where there is none before `end`. Names can not hold a key: their quotes are escaped. */
-static const char* behind(const char* text, const char* key, const char* end) {
-  const char* found = strstr(text, key);
-  return found && found < end ? found + strlen(key) : NULL;
+static void add(character_fragments* sum, const character_fragments* one) {
+  sum->drawn += one->drawn;
+  sum->visible += one->visible;
 }
 
-/* Reads "1,2,3]" and returns how many numbers these are. */
-static uint32_t numbers(const char* text, float* times, uint8_t* order) {
-  uint32_t count = 0;
-  char* next;
-  for (;; text = next + (*next == ',')) {
-    const double value = strtod(text, &next);
-    if (next == text) return count;
-    if (times) times[count] = (float)value;
-    if (order) order[count] = (uint8_t)value;
-    ++count;
-  }
+static double overdraw(const character_fragments* fragments) {
+  return fragments->visible > 0 ? fragments->drawn / fragments->visible : 1;
 }
 
 int main(int argc, char** argv) {
-  const float turn = 6.28318531f;
-  const uint32_t clip = argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 0;
-  const uint32_t steps = argc > 3 ? (uint32_t)strtoul(argv[3], NULL, 10) : 36;
-  size_t size = 0;
-  char* text = argc > 1 ? text_of(argv[1], &size) : NULL;
-  const char* end = text ? strstr(text, "\"theta-steps\":") : NULL;
-  const char* phi_steps = end ? behind(end, "\"phi-steps\":", text + size) : NULL;
-  const char* cells = end ? behind(end, "\"order\":[", text + size) : NULL;
-  /* No table has more numbers than its text has bytes. */
-  uint32_t* keyframes = (uint32_t*)malloc((size + 1) * sizeof(uint32_t));
-  float* times = (float*)malloc((size + 1) * sizeof(float));
-  uint8_t* order = (uint8_t*)malloc(size + 1);
-  foredraw_order_table table = {0, NULL, NULL, 1, 1, NULL};
-  foredraw_order_state state = {0, 0, 0};
-  float first = 0, last = 0;
-  uint32_t known = 0, step;
-  const char* at;
-  if (!phi_steps || !cells || !keyframes || !times || !order) {
-    fprintf(stderr, "character_orders: give it what --draw-orders wrote, with one table at least\n");
-    return 1;
+  const unsigned long asked = argc > 2 ? strtoul(argv[2], NULL, 10) : 200;
+  const uint32_t frames = asked > 1000000 ? 1000000 : (uint32_t)asked;
+  const foredraw_order_table* table;
+  const float* times;
+  character_fragments with_table = {0, 0}, with_one = {0, 0};
+  character* hero;
+  uint32_t clip, frame;
+  if (argc < 2 || frames == 0) {
+    fprintf(stderr, "usage: character_orders FILE [frames of the walk through each clip, 200]\n");
+    return 2;
   }
+  hero = character_load(argv[1]);
+  if (!hero) return 1;
 
-  table.keyframes = keyframes;
-  table.times = times;
-  table.order = order;
-  for (at = behind(text, "\"times\":[", end); at; at = behind(at, "\"times\":[", end)) {
-    const uint32_t count = numbers(at, times + known, NULL);
-    if (table.clips == clip && count > 0) {
-      first = times[known];
-      last = times[known + count - 1];
+  table = character_table(hero);
+  times = table->times;
+  for (clip = 0; clip < (table->clips > 0 ? table->clips : 1); ++clip) {
+    const uint32_t keyframes = table->clips > 0 ? table->keyframes[clip] : 0;
+    foredraw_order_state state = {0, 0, 0};
+    for (frame = 0; frame < frames; ++frame) {
+      const float part = ((float)frame + 0.5f) / (float)frames;
+      const float loops = part * 7.39f; /* the clip is at another moment whenever the camera comes by */
+      const float moment = loops - floorf(loops);
+      const float time = keyframes > 0 ? times[0] + moment * (times[keyframes - 1] - times[0]) : 0;
+      float towards_camera[3];
+      character_fragments chosen, first;
+      uint32_t order;
+
+      camera_at(part, frames, towards_camera);
+      order = foredraw_order_at(table, clip, time, towards_camera, &state);
+
+      if (!character_pose(hero, clip, time) || !character_draw(hero, towards_camera, order, &chosen) ||
+          !character_draw(hero, towards_camera, 0, &first)) {
+        character_free(hero);
+        return 1;
+      }
+      printf("clip %u, %.3f s, camera %+.2f %+.2f %+.2f: order %u, %.4f fragments per pixel, %.4f with order 0\n",
+             (unsigned)clip, (double)time, (double)towards_camera[0], (double)towards_camera[1],
+             (double)towards_camera[2], (unsigned)order, overdraw(&chosen), overdraw(&first));
+      add(&with_table, &chosen);
+      add(&with_one, &first);
     }
-    keyframes[table.clips++] = count;
-    known += count;
+    if (times) times += keyframes;
   }
-  table.theta_steps = (uint32_t)strtoul(behind(end, "\"theta-steps\":", text + size), NULL, 10);
-  table.phi_steps = (uint32_t)strtoul(phi_steps, NULL, 10);
-  numbers(cells, NULL, order);
-
-  for (step = 0; step < steps; ++step) {
-    const float part = (float)step / (float)steps;
-    const float time = first + part * (last - first);
-    const float towards_camera[3] = {cosf(part * turn), 0.3f, sinf(part * turn)};
-    printf("%g degrees, %g s: order %u\n", 360 * (double)part, (double)time,
-           (unsigned)foredraw_order_at(&table, clip, time, towards_camera, &state));
-  }
-  free(order);
-  free(times);
-  free(keyframes);
-  free(text);
+  printf("the whole walk: %.4f fragments per pixel, %.4f with order 0\n", overdraw(&with_table), overdraw(&with_one));
+  character_free(hero);
   return 0;
 }

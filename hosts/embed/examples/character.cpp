@@ -1,0 +1,109 @@
+#include "character.h"
+
+#include <foredraw/analysis/drawn_orders.h>
+#include <foredraw/analysis/order_lookup.h>
+#include <foredraw/analysis/pose_set.h>
+#include <foredraw/io/scene_file.h>
+
+#include <evaluators/overdraw_raster/overdraw_raster.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace {
+
+constexpr int picture_size = 256;
+
+using foredraw::Subject;
+using foredraw::SubjectPart;
+
+bool chooses_for(const foredraw::OrderTable& table, const SubjectPart& part) {
+  return std::ranges::find(table.draws, part.draw) != table.draws.end();
+}
+
+/// The first that the table chooses for.
+Subject subject_of(const foredraw::Scene& scene, const foredraw::OrderTable& table) {
+  for (Subject& subject : subjects_of(scene)) {
+    const auto is_chosen = [&](const SubjectPart& part) { return chooses_for(table, part); };
+    if (std::ranges::any_of(subject.parts, is_chosen)) return std::move(subject);
+  }
+  throw std::runtime_error("nothing shows what its table of draw orders chooses for");
+}
+
+/// The first table, in a scene that stays where it is.
+const foredraw::OrderTable& table_of(const foredraw::Scene& scene) {
+  if (scene.order_tables.empty()) throw std::runtime_error("no table of draw orders: optimise it with @character");
+  return scene.order_tables.front();
+}
+
+/// No exception passes into C.
+template <class Work>
+auto said(Work work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "character_orders: %s\n", error.what());
+  }
+  return {};
+}
+
+}  // namespace
+
+struct character {
+  foredraw::Scene scene;
+  const foredraw::OrderTable& table = table_of(scene);
+  Subject subject = subject_of(scene, table);
+  std::vector<std::string> clips = clip_names(scene);
+  foredraw::OrderLookup lookup = {table, clips};
+  foredraw::Analyses analyses = {};
+  foredraw::DrawnSubject drawn = {};
+};
+
+character* character_load(const char* path) {
+  return said([&]() -> character* {
+    foredraw::Diagnostics diagnostics;
+    std::optional<foredraw::SceneFile> file = foredraw::read_scene(path, diagnostics);
+    std::fprintf(stderr, "%s", foredraw::to_text(diagnostics).c_str());
+    if (!file) return nullptr;
+    character* hero = new character{std::move(file->scene)};
+    if (hero->table.clips.empty()) character_pose(hero, FOREDRAW_NO_CLIP, 0);
+    return hero;
+  });
+}
+
+void character_free(character* hero) { delete hero; }
+
+const foredraw_order_table* character_table(const character* hero) { return &hero->lookup.table(); }
+
+int character_pose(character* hero, uint32_t clip, float time) {
+  return said([&] {
+    foredraw::Pose pose;
+    if (clip < hero->table.clips.size()) {
+      const auto known = std::ranges::find(hero->clips, hero->table.clips[clip].name);
+      if (known == hero->clips.end()) throw std::runtime_error("the scene has no clip that its table names");
+      pose = {static_cast<foredraw::AnimationId>(known - hero->clips.begin()), time};
+    }
+    hero->drawn = drawn_subject(hero->scene, hero->subject, foredraw::Faces::material, posed_nodes(hero->scene, pose),
+                                hero->analyses);
+    return 1;
+  });
+}
+
+int character_draw(character* hero, const float towards_camera[3], uint32_t order, character_fragments* fragments) {
+  return said([&] {
+    std::vector<uint32_t> orders;
+    for (const SubjectPart& part : hero->subject.parts) orders.push_back(chooses_for(hero->table, part) ? order : 0);
+    set_orders(hero->drawn, hero->scene, hero->subject, orders);
+    const glm::dvec3 direction(towards_camera[0], towards_camera[1], towards_camera[2]);
+    const foredraw::Views views{{{normalize(direction)}}, picture_size};
+    *fragments = {0, 0};
+    for (const auto& part : foredraw::overdraw_raster(hero->drawn.parts, views)) {
+      fragments->drawn += static_cast<double>(part.front().shaded);
+      fragments->visible += static_cast<double>(part.front().visible);
+    }
+    return 1;
+  });
+}
