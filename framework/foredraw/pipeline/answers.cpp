@@ -1,6 +1,7 @@
 #include <foredraw/pipeline/answers.h>
 
 #include <foredraw/analysis/certificate.h>
+#include <foredraw/analysis/pose_set.h>
 
 #include <fmt/format.h>
 
@@ -17,7 +18,8 @@ void require(bool good, fmt::format_string<Arguments...> message, Arguments&&...
 }
 
 void require_permutation(std::span<const std::uint32_t> order, std::size_t count, std::string_view what) {
-  require(is_permutation(order, count), "its order of {} entries is no permutation of {} {}", order.size(), count, what);
+  require(is_permutation(order, count), "its order of {} entries is no permutation of {} {}", order.size(), count,
+          what);
 }
 
 /// An order that the table never names would only take memory; the first one stands alone and stays.
@@ -73,17 +75,20 @@ OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyse
   const OrderTable& table = answer.table;
   require(answer.orders.size() == table.draws.size(), "it answers for {} draws, but its table names {}",
           answer.orders.size(), table.draws.size());
-  require(!table.draws.empty(), "its table names no draw");
+  require(!answer.orders.empty() && !answer.orders.front().empty(), "it answers with no order");
   const std::size_t k = answer.orders.front().size();
-  require(k > 0, "it answers with no order");
-  require(table.order.size() == table.cells(), "its table has {} cells, but {} were expected", table.order.size(),
-          table.cells());
-  require(std::ranges::all_of(table.order, [k](std::size_t order) { return order < k; }),
-          "its table names an order beyond the {} there are", k);
+  const std::optional<std::string> mistake = mistake_in(table, k);
+  require(!mistake, "its table {}", mistake.value_or(""));
+  const std::vector<std::string> clips = clip_names(subject.scene);
+  for (const OrderTable::Clip& clip : table.clips) {
+    require(std::ranges::find(clips, clip.name) != clips.end(), "its table has clip '{}', which the scene has not",
+            clip.name);
+  }
 
   for (std::size_t i = 0; i < table.draws.size(); ++i) {
     const DrawId id = table.draws[i];
-    require(std::ranges::find(subject.draws, id) != subject.draws.end(), "it orders draw {}, which it was not given", id);
+    require(std::ranges::find(subject.draws, id) != subject.draws.end(), "it orders draw {}, which it was not given",
+            id);
     require(answer.orders[i].size() == k, "it answers with {} orders for one draw and {} for another", k,
             answer.orders[i].size());
     const std::size_t triangles = subject.scene.draws[id].levels[0].orders[0].triangle_count();

@@ -3,6 +3,9 @@
 
 #include <foredraw/scene/draw.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,5 +35,10 @@ struct OrderTable {
 
   friend bool operator==(const OrderTable&, const OrderTable&) = default;
 };
+
+/// What is wrong with a table that chooses among `orders`, as the rest of a sentence that begins with it: what it names
+/// twice, times that do not rise, more steps than 2^16, too many or too few cells, an order beyond those there are.
+/// Whether its draws and clips exist is the scene's to say.
+std::optional<std::string> mistake_in(const OrderTable& table, std::size_t orders);
 
 }  // namespace foredraw
