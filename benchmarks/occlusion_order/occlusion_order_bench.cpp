@@ -1,8 +1,9 @@
 // Orders by measured visibility against meshopt_optimizeOverdraw, on models that do not move. Every draw is ordered and
 // judged alone, back faces culled, from random directions that no order was made for. The peer starts from
-// meshopt_optimizeVertexCache and takes its own threshold 1.05; ours starts from lookahead and may shade as many vertices
-// as 1.05 times the best of tipsify, meshopt_optimizeVertexCache and ...Fifo does. Times are of the step from the cache
-// order on, on two threads.
+// meshopt_optimizeVertexCache and takes its own threshold 1.05; ours starts from lookahead and may shade as many
+// vertices as 1.05 times the best of tipsify, meshopt_optimizeVertexCache and ...Fifo does. Times are of the step from
+// the cache order on, on two threads. With the argument `scale`: times and memory of one model cut ever finer, to 1.1
+// million triangles.
 
 #include "bench_meshes.h"
 
@@ -10,6 +11,7 @@
 #include <foredraw/analysis/cluster_layers.h>
 #include <foredraw/analysis/vertex_cache.h>
 #include <foredraw/analysis/view_sphere.h>
+#include <foredraw/platform/memory.h>
 #include <plugins/orderers/lookahead/lookahead.h>
 #include <plugins/orderers/occlusion_order/k_orders.h>
 #include <plugins/orderers/tipsify/tipsify.h>
@@ -23,14 +25,20 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <span>
+#include <string_view>
 
 namespace foredraw::bench {
 namespace {
 
 constexpr double budget = 1.05;
 constexpr std::size_t rounds = 7;
-constexpr std::array models = {"static/chess_board_notex", "static/dutch_ship_medium_notex", "static/flight_helmet_notex",
-                               "static/head", "static/spot", "scenes/house"};
+constexpr std::array models = {"static/chess_board_notex",
+                               "static/dutch_ship_medium_notex",
+                               "static/flight_helmet_notex",
+                               "static/head",
+                               "static/spot",
+                               "scenes/house"};
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -48,6 +56,11 @@ struct Setting {
 constexpr std::array settings = {Setting{"fast", OcclusionQuality::fast, 42},
                                  Setting{"balanced", OcclusionQuality::balanced, 162},
                                  Setting{"high", OcclusionQuality::high, 642}};
+
+double median(std::array<double, rounds> times) {
+  std::ranges::sort(times);
+  return times[rounds / 2];
+}
 
 /// Sums over the draws of a model.
 struct Figures {
@@ -68,11 +81,7 @@ struct Figures {
   double excess() const {
     return static_cast<double>(fragments.shaded - fragments.visible) / static_cast<double>(fragments.visible);
   }
-  double time() const {
-    auto sorted = times;
-    std::ranges::sort(sorted);
-    return sorted[rounds / 2];
-  }
+  double time() const { return median(times); }
 };
 
 struct Contest {
@@ -126,25 +135,22 @@ void add_draw(Contest& contest, const TestMesh& mesh) {
   std::array<Indices, settings.size()> ours;
   for (std::size_t round = 0; round < rounds; ++round) {
     contest.peer.times[round] += milliseconds([&] {
-      meshopt_optimizeOverdraw(peer.data(), cache.data(), peer.size(), &mesh.positions[0].x, vertices, sizeof(glm::vec3),
-                               static_cast<float>(budget));
+      meshopt_optimizeOverdraw(peer.data(), cache.data(), peer.size(), &mesh.positions[0].x, vertices,
+                               sizeof(glm::vec3), static_cast<float>(budget));
     });
     for (std::size_t i = 0; i < settings.size(); ++i) {
-      contest.ours[i].times[round] += milliseconds(
-          [&] { ours[i] = occlusion_ordered(mesh, base, std::max(1.0, wanted), settings[i], two); });
+      contest.ours[i].times[round] +=
+          milliseconds([&] { ours[i] = occlusion_ordered(mesh, base, std::max(1.0, wanted), settings[i], two); });
     }
   }
   contest.peer.add(mesh, peer);
   for (std::size_t i = 0; i < settings.size(); ++i) contest.ours[i].add(mesh, ours[i]);
 }
 
-}  // namespace
-}  // namespace foredraw::bench
-
-int main() {
-  using namespace foredraw::bench;
+void contest_all() {
   fmt::print("| model | triangles | best ACMR | meshopt: ACMR, excess, ms |");
-  for (const Setting& setting : settings) fmt::print(" {}: ACMR, excess | of meshopt's | ms | ms for 100k |", setting.name);
+  for (const Setting& setting : settings)
+    fmt::print(" {}: ACMR, excess | of meshopt's | ms | ms for 100k |", setting.name);
   fmt::print("\n|---|---:|---:|---|");
   for (std::size_t i = 0; i < settings.size(); ++i) fmt::print("---|---:|---:|---:|");
   fmt::print("\n");
@@ -171,5 +177,37 @@ int main() {
   for (std::size_t i = 0; i < settings.size(); ++i) {
     fmt::print("{}: geometric mean {:.3f}, worst {:.3f}\n", settings[i].name,
                std::exp(logs[i] / static_cast<double>(models.size())), worst[i]);
+  }
+}
+
+/// How time grows: from one size to the next there are four times the triangles. The peak is of the whole process so
+/// far.
+void scale() {
+  const Executor two(2);
+  fmt::print("| triangles | fast: ms | ms for 100k | balanced: ms | ms for 100k | peak, MB |\n");
+  fmt::print("|---:|---:|---:|---:|---:|---:|\n");
+  for (const MeshSet& size : subdivisions("static/head.glb", {0, 1, 2, 3})) {
+    const TestMesh& mesh = size.meshes.front();
+    const Indices base = reordered(mesh.indices, lookahead(mesh.indices, mesh.positions.size()));
+    const double hundred_thousands = static_cast<double>(base.size()) / 3e5;
+    fmt::print("| {} |", base.size() / 3);
+    for (const Setting& setting : std::span(settings).first(2)) {
+      std::array<double, rounds> times{};
+      for (double& time : times) time = milliseconds([&] { occlusion_ordered(mesh, base, budget, setting, two); });
+      fmt::print(" {:.0f} | {:.0f} |", median(times), median(times) / hundred_thousands);
+    }
+    fmt::print(" {:.0f} |\n", static_cast<double>(peak_memory()) / 1e6);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace foredraw::bench
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "scale") {
+    foredraw::bench::scale();
+  } else {
+    foredraw::bench::contest_all();
   }
 }

@@ -72,6 +72,17 @@ bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
   return diagnostics.has_errors();
 }
 
+/// Whether the files can be put into their folders: who learns it after the work has lost it.
+bool have_folders(std::initializer_list<std::string> files, Diagnostics& diagnostics) {
+  for (const std::string& file : files) {
+    const auto folder = std::filesystem::path(file).parent_path();
+    if (folder.empty() || is_folder(folder.string())) continue;
+    diagnostics.error({.file = file}, "no-such-folder", "can not be written: there is no folder '" + folder.string() + "'",
+                      "make it, or name another one");
+  }
+  return !diagnostics.has_errors();
+}
+
 /// The inputs, folders among them replaced by the scenes that they hold.
 std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>& inputs, Diagnostics& diagnostics) {
   std::vector<std::string> files;
@@ -94,9 +105,13 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   const std::string& input = arguments.inputs[0];
   const auto pipeline = one_pipeline(arguments, diagnostics);
   if (!pipeline || outputs_clash(arguments, diagnostics)) return refuse(diagnostics);
+  if (!have_folders({arguments.report, arguments.remap, arguments.draw_orders}, diagnostics)) {
+    return refuse_file(diagnostics);
+  }
   const Executor executor(arguments.threads);
   if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor});
   if (!can_write_scene(arguments.output, input, diagnostics)) return refuse(diagnostics);
+  if (!have_folders({arguments.output}, diagnostics)) return refuse_file(diagnostics);
 
   const FileRun run =
       optimize_file({arguments, *pipeline, registry, executor, progress_line()}, input, arguments.output);
@@ -141,6 +156,7 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
 
   const auto inputs = scenes_of(arguments.inputs, diagnostics);
   if (!inputs) return refuse(diagnostics);
+  if (!have_folders({arguments.report}, diagnostics)) return refuse_file(diagnostics);
 
   const Executor executor(arguments.threads);
   std::vector<Comparison> comparisons;

@@ -1,5 +1,6 @@
 #include <foredraw/io/heat_maps.h>
 
+#include <foredraw/analysis/drawn_orders.h>
 #include <foredraw/analysis/heat_map.h>
 #include <foredraw/io/private/picture.h>
 #include <foredraw/technique/posed_subjects.h>
@@ -86,14 +87,18 @@ double ratio_of(const OverdrawCount& count) {
   return count.visible == 0 ? 0 : static_cast<double>(count.shaded) / static_cast<double>(count.visible);
 }
 
-/// Draws subjects as they look in one of the poses.
+/// Draws subjects as they look in one of the poses, in the orders that their tables give there.
 class Photographer {
  public:
   Photographer(const PosedSubjects& subjects, const Views& views, Faces faces, Analyses& analyses)
       : subjects_(subjects), views_(views), faces_(faces), analyses_(analyses) {}
 
   HeatMap map(const Scene& scene, std::size_t subject, std::size_t pose, std::size_t view) const {
-    return heat_map(drawn(scene, subject, pose).parts, views_.views[view], views_.size);
+    const View& from = views_.views[view];
+    DrawnSubject posed = drawn(scene, subject, pose);
+    const auto orders = views_by_orders(scene, subjects_.subjects[subject], subjects_.poses.poses[pose], {&from, 1});
+    set_orders(posed, scene, subjects_.subjects[subject], orders.front().orders);
+    return heat_map(posed.parts, from, views_.size);
   }
 
   struct Look {
@@ -106,11 +111,17 @@ class Photographer {
     std::vector<Look> worst(views_.views.size());
     for (std::size_t pose = 0; pose < subjects_.poses.poses.size(); ++pose) {
       if (!subjects_.is_new(subject, pose)) continue;
-      const DrawnSubject posed = drawn(subjects_.scene, subject, pose);
-      executor.for_each(worst.size(), [&](std::size_t view) {
-        const double ratio = ratio_of(heat_map(posed.parts, views_.views[view], views_.size).count);
-        if (ratio > worst[view].ratio) worst[view] = {pose, ratio};
-      });
+      const Subject& whole = subjects_.subjects[subject];
+      DrawnSubject posed = drawn(subjects_.scene, subject, pose);
+      for (const ViewsOfOrders& some :
+           views_by_orders(subjects_.scene, whole, subjects_.poses.poses[pose], views_.views)) {
+        set_orders(posed, subjects_.scene, whole, some.orders);
+        executor.for_each(some.views.size(), [&](std::size_t i) {
+          const std::size_t view = some.views[i];
+          const double ratio = ratio_of(heat_map(posed.parts, views_.views[view], views_.size).count);
+          if (ratio > worst[view].ratio) worst[view] = {pose, ratio};
+        });
+      }
     }
     return worst;
   }

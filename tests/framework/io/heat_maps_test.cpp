@@ -3,6 +3,7 @@
 #include "support/meshes.h"
 
 #include <foredraw/io/images.h>
+#include <foredraw/scene/reorder.h>
 
 #include <gtest/gtest.h>
 
@@ -94,6 +95,18 @@ TEST(HeatMaps, shows_the_worst_pose_of_each_view) {
     EXPECT_TRUE(maps[0].path.generic_string().ends_with("-Slide_1-view004.png")) << maps[0].path;
     EXPECT_TRUE(colours_in(maps[0], 12, 524).contains({42, 120, 142}));  // shaded twice
   }
+}
+
+TEST(HeatMaps, shows_the_order_that_the_table_gives) {
+  Scene scene = stack(true);
+  std::vector<IndexStream>& orders = scene.draws[0].levels[0].orders;
+  orders.push_back(with_triangle_order(orders[0], std::vector<std::uint32_t>{4, 5, 2, 3, 0, 1}));
+  scene.order_tables = {{{0}, {}, 1, 1, {1}}};
+  const auto maps = drawn(stack(true), &scene, "4");
+  ASSERT_EQ(maps.size(), 1u);
+  EXPECT_TRUE(colours_in(maps.front(), 12, 524).contains({53, 183, 121}));
+  EXPECT_FALSE(colours_in(maps.front(), 536, 1048).contains({53, 183, 121}));
+  EXPECT_TRUE(colours_in(drawn(scene, nullptr, "4").front(), 12, 524).contains({52, 62, 110}));
 }
 
 TEST(HeatMaps, leaves_out_views_that_show_nothing) {
