@@ -51,11 +51,12 @@ double milliseconds(const std::function<void()>& work) {
 struct Setting {
   const char* name;
   OcclusionQuality quality;
-  int views;
+  const char* views;
+  int count;
 };
-constexpr std::array settings = {Setting{"fast", OcclusionQuality::fast, 42},
-                                 Setting{"balanced", OcclusionQuality::balanced, 162},
-                                 Setting{"high", OcclusionQuality::high, 642}};
+constexpr std::array settings = {Setting{"fast", OcclusionQuality::fast, "icosphere", 42},
+                                 Setting{"balanced", OcclusionQuality::balanced, "fibonacci", 80},
+                                 Setting{"high", OcclusionQuality::high, "icosphere", 642}};
 
 double median(std::array<double, rounds> times) {
   std::ranges::sort(times);
@@ -97,10 +98,10 @@ std::uint64_t misses_of(const TestMesh& mesh, const Indices& indices) {
 
 Indices occlusion_ordered(const TestMesh& mesh, const Indices& base, double acmr_budget, const Setting& setting,
                           const Executor& executor) {
-  const Views views = make_views({.views = "icosphere", .count = setting.views, .rotation = 1, .size = 128});
+  const Views views = make_views({.views = setting.views, .count = setting.count, .rotation = 1, .size = 128});
   const RasterPart part{mesh.positions, base};
   SeenSubject subject;
-  const Clusters atoms = cut_atoms(base, mesh.positions.size(), 16, atom_size(setting.quality));
+  const Clusters atoms = cut_atoms(base, mesh.positions.size(), 16, atom_size(setting.quality, base.size() / 3));
   static_cast<Layers&>(subject.layers) =
       cluster_layers(fragment_layers({&part, 1}, views, executor).value(), atoms, executor);
   for (std::uint32_t atom = 0; atom < atoms.count(); ++atom) subject.owners.push_back({0, 0, atom});

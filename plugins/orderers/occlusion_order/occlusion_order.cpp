@@ -14,18 +14,18 @@ namespace foredraw {
 namespace {
 
 struct Effort {
-  AtomSize atoms;
-  int sweeps;          // of the search, at most
-  std::size_t joined;  // one of so many joints is made before the search goes on
+  std::uint32_t finest, coarsest;  // atoms, by the most triangles that they may have
+  int sweeps;                      // of the search, at most
+  std::size_t joined;              // one of so many joints is made before the search goes on
 };
 
 Effort effort_of(OcclusionQuality quality) {
   switch (quality) {
-    case OcclusionQuality::fast: return {{8, 24}, 1, 2};
-    case OcclusionQuality::balanced: return {{4, 12}, 2, 3};
+    case OcclusionQuality::fast: return {24, 48, 1, 2};
+    case OcclusionQuality::balanced: return {12, 24, 2, 3};
     case OcclusionQuality::high: break;
   }
-  return {{2, 8}, 8, 4};
+  return {8, 8, 8, 4};
 }
 
 std::vector<std::uint32_t> as_numbered(std::size_t count) {
@@ -119,7 +119,13 @@ std::uint64_t shaded_vertices(const AtomicDraw& draw, const Clusters& ranges, st
   return sum;
 }
 
-AtomSize atom_size(OcclusionQuality quality) { return effort_of(quality).atoms; }
+AtomSize atom_size(OcclusionQuality quality, std::size_t triangles) {
+  constexpr std::size_t plenty = 512;  // atoms of a draw: with fewer, what hides what is blurred
+  const Effort effort = effort_of(quality);
+  const auto most =
+      static_cast<std::uint32_t>(std::clamp<std::size_t>(triangles / plenty, effort.finest, effort.coarsest));
+  return {most / 3, most};
+}
 
 std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions occlusions,
                                            const OcclusionOrderOptions& options) {

@@ -29,8 +29,8 @@ struct OcclusionOrderOptions {
 std::uint64_t shaded_vertices(const AtomicDraw& draw, const Clusters& ranges, std::span<const std::uint32_t> order,
                               std::uint32_t cache_size);
 
-/// The size of atoms that suits the quality.
-AtomSize atom_size(OcclusionQuality quality);
+/// The size of atoms that suits the quality and a draw of so many triangles: of a small one they may be finer.
+AtomSize atom_size(OcclusionQuality quality, std::size_t triangles);
 
 /// The sequence of the draw's atoms ([place] = atom) that draws least of what does not stay, as far as a local search
 /// finds it. Atoms move one at a time to where they cost least; then those that came in one behind the other are joined

@@ -23,7 +23,7 @@ Clusters atoms_of(const Draw& draw, const Options& options) {
   const IndexStream& stream = draw.levels[0].orders[0];
   if (stream.clusters) return *stream.clusters;
   return cut_atoms(stream.indices.view(), draw.levels[0].vertices->count, cache_size_of(stream, options),
-                   atom_size(options.quality));
+                   atom_size(options.quality, stream.triangle_count()));
 }
 
 class OcclusionOrder final : public SubjectOrderer {
