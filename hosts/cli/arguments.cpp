@@ -87,6 +87,10 @@ class CommandLine {
     compare_app.add_option("inputs", arguments_.inputs, "Scenes: .glb, .gltf, .obj, .ply, .off or .stl")->required();
     pipeline(compare_app, "; give it once for each pipeline");
     with(compare_app);
+    compare_app
+        .add_option("--repeat", arguments_.repeat,
+                    "Run the stages so many times, the pipelines in turn; times are medians (default: 1)")
+        ->check(CLI::Range(1, 1000));
     compare_app.add_option("--report", arguments_.report, "Write the comparison, as JSON, to this file");
     json(compare_app);
     threads(compare_app);

@@ -29,6 +29,7 @@ struct Arguments {
   std::string kind;
   std::string name;
   int threads = 0;
+  int repeat = 1;
   std::uint64_t memory_limit = 0;      ///< in bytes; 0: none
   bool json = false;
 };

@@ -147,6 +147,7 @@ Exit optimize_folder(const FileJob& job) {
   for (const fs::path& output : outputs) {
     if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);
   }
+  if (!have_folders({arguments.report}, diagnostics)) return refuse_file(diagnostics);
 
   Batch batch;
   const auto run_one = [&](const FileJob& each, std::size_t i) {

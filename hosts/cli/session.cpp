@@ -102,4 +102,16 @@ bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics) 
   return !error;
 }
 
+bool have_folders(std::initializer_list<std::string> files, Diagnostics& diagnostics) {
+  std::error_code none;
+  for (const std::string& file : files) {
+    const auto folder = std::filesystem::path(file).parent_path();
+    if (folder.empty() || std::filesystem::is_directory(folder, none)) continue;
+    diagnostics.error({.file = file}, "no-such-folder",
+                      "can not be written: there is no folder '" + folder.string() + "'",
+                      "make it, or name another one");
+  }
+  return !diagnostics.has_errors();
+}
+
 }  // namespace foredraw::cli

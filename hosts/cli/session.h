@@ -7,6 +7,7 @@
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/platform/files.h>
 
+#include <initializer_list>
 #include <new>
 
 namespace foredraw::cli {
@@ -51,6 +52,9 @@ void end_progress();
 
 /// The folder, and those that it lies in, unless they are there.
 bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
+
+/// Whether the files can be put into their folders: who learns it after the work has lost it. Empty names are no files.
+bool have_folders(std::initializer_list<std::string> files, Diagnostics& diagnostics);
 
 OutputFile text_file(const std::string& path, const std::string& text);
 

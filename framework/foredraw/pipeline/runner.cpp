@@ -31,36 +31,53 @@ std::map<std::string, OptionValue> whole_settings(const PlannedStage& stage) {
 class PlanRunner {
  public:
   PlanRunner(const Plan& plan, Scene scene, const Surroundings& surroundings)
-      : plan_(plan), surroundings_(surroundings) {
+      : plan_(&plan), surroundings_(&surroundings) {
     result_.scene = std::move(scene);
   }
 
-  Result run(bool optimize) {
+  /// With stages to come there is a before and an after.
+  void begin(bool with_stages) {
     const Clock clock;
     Report& report = result_.report;
-    report.pipeline = print_file(plan_.pipeline);
-    report.seed = plan_.pipeline.seed;
-    report.threads = surroundings_.executor.threads();
-    report.optimized = optimize;
-    steps_ = optimize ? plan_.stages.size() + 2 * plan_.measures.size() : plan_.measures.size();
+    report.threads = surroundings_->executor.threads();
+    report.optimized = with_stages;
     describe_input();
+    count_steps();
+    if (with_stages) measure(&DrawRecord::before, &ImageRecord::before, report.before, "measuring the input: ");
+    report.seconds += clock.seconds();
+  }
 
-    if (report.optimized) {
-      measure(&DrawRecord::before, &ImageRecord::before, report.before, "measuring the input: ");
-      for (std::size_t i = 0; i < plan_.stages.size(); ++i) {
-        report.stages.push_back(run_one(plan_.stages[i], i + 1, "", [&](const Measured& measured) {
-          book(measured, plan_.stages[i], &DrawRecord::after, &ImageRecord::after, report.after);
-        }));
-      }
+  /// Goes on with another plan, which is the same up to here.
+  void go_on_with(const Plan& plan) {
+    plan_ = &plan;
+    count_steps();
+  }
+
+  void run_stages(std::size_t first, std::size_t end) {
+    const Clock clock;
+    Report& report = result_.report;
+    for (std::size_t i = first; i < end; ++i) {
+      report.stages.push_back(run_one(plan_->stages[i], i + 1, "", [&](const Measured& measured) {
+        book(measured, plan_->stages[i], &DrawRecord::after, &ImageRecord::after, report.after);
+      }));
     }
+    report.seconds += clock.seconds();
+  }
+
+  const std::vector<StageRecord>& stages() const { return result_.report.stages; }
+
+  Result end() {
+    const Clock clock;
+    Report& report = result_.report;
+    report.pipeline = print_file(plan_->pipeline);
+    report.seed = plan_->pipeline.seed;
     describe_output();
     report.measures.clear();
     measure(&DrawRecord::after, &ImageRecord::after, report.after,
             report.optimized ? "measuring the output: " : "measuring: ");
-
     report.diagnostics = diagnostics_.all();
     result_.failed = diagnostics_.has_errors();
-    report.seconds = clock.seconds();
+    report.seconds += clock.seconds();
     report.peak_memory = peak_memory();
     return std::move(result_);
   }
@@ -69,17 +86,21 @@ class PlanRunner {
   using DrawState = StateRecord DrawRecord::*;
   using ImageState = Metrics ImageRecord::*;
 
+  void count_steps() {
+    steps_ = result_.report.optimized ? plan_->stages.size() + 2 * plan_->measures.size() : plan_->measures.size();
+  }
+
   void describe_input() {
     const Scene& scene = result_.scene;
     Report& report = result_.report;
     report.draws.resize(scene.draws.size());
-    surroundings_.executor.for_each(scene.draws.size(), [&](std::size_t i) {
+    surroundings_->executor.for_each(scene.draws.size(), [&](std::size_t i) {
       const Draw& draw = scene.draws[i];
       DrawRecord& record = report.draws[i];
       record.name = draw.name;
       record.before = state_of(draw);
       if (draw.topology == Topology::triangles) {
-        const auto positions = positions_of(surroundings_.analyses, *draw.levels[0].vertices);
+        const auto positions = positions_of(surroundings_->analyses, *draw.levels[0].vertices);
         record.facts = mesh_facts(positions->values, draw.levels[0].orders[0].indices.view());
       }
     });
@@ -116,10 +137,10 @@ class PlanRunner {
   }
 
   void measure(DrawState draw_state, ImageState image_state, StateRecord& total, std::string_view what) {
-    for (std::size_t i = 0; i < plan_.measures.size(); ++i) {
-      const PlannedStage& stage = plan_.measures[i];
+    for (std::size_t i = 0; i < plan_->measures.size(); ++i) {
+      const PlannedStage& stage = plan_->measures[i];
       StageRecord record =
-          run_one(stage, plan_.stages.size() + i + 1, what, [&](const Measured& measured) {
+          run_one(stage, plan_->stages.size() + i + 1, what, [&](const Measured& measured) {
             book(measured, stage, draw_state, image_state, total);
           });
       result_.report.measures.push_back(std::move(record));
@@ -129,10 +150,10 @@ class PlanRunner {
 
   template <class Book>
   StageRecord run_one(const PlannedStage& stage, std::size_t number, std::string_view what, Book book) {
-    Surroundings surroundings = surroundings_;
-    if (surroundings_.progress) {
+    Surroundings surroundings = *surroundings_;
+    if (surroundings_->progress) {
       surroundings.progress = [&](std::string_view, double part) {
-        surroundings_.progress(std::string(what) + stage.label, (done_ + part) / static_cast<double>(steps_));
+        surroundings_->progress(std::string(what) + stage.label, (done_ + part) / static_cast<double>(steps_));
       };
       surroundings.progress(stage.label, 0);
     }
@@ -145,7 +166,7 @@ class PlanRunner {
     if (stage.left_out) {
       record.skipped.push_back({"unavailable", *stage.left_out, {}});
     } else {
-      auto measured = run_stage(stage, number, result_.scene, plan_, surroundings, record, diagnostics_);
+      auto measured = run_stage(stage, number, result_.scene, *plan_, surroundings, record, diagnostics_);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
       std::stable_partition(measured.begin(), measured.end(),
                             [](const Measured& figure) { return figure.place != Place{}; });
@@ -173,22 +194,88 @@ class PlanRunner {
     }
   }
 
-  const Plan& plan_;
-  const Surroundings& surroundings_;
+  const Plan* plan_;
+  const Surroundings* surroundings_;
   Diagnostics diagnostics_;
   Result result_;
   std::size_t steps_ = 0;
   double done_ = 0;
 };
 
+/// Whether stages find the same surroundings in both.
+bool run_alike(const Pipeline& a, const Pipeline& b) {
+  const auto without_stages = [](Pipeline pipeline) {
+    pipeline.stages.clear();
+    pipeline.measure.clear();
+    return pipeline;
+  };
+  return same_pipeline(without_stages(a), without_stages(b));
+}
+
+/// How many stages all plans begin with alike.
+std::size_t shared_stages(std::span<const Plan> plans) {
+  std::size_t shared = plans.front().stages.size();
+  for (const Plan& plan : plans) {
+    if (!run_alike(plan.pipeline, plans.front().pipeline)) return 0;
+    std::size_t alike = 0;
+    while (alike < std::min(shared, plan.stages.size()) &&
+           print_stage(plan.stages[alike].stage) == print_stage(plans.front().stages[alike].stage)) {
+      ++alike;
+    }
+    shared = alike;
+  }
+  return shared;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
 }  // namespace
 
 Result optimize(const Plan& plan, Scene scene, const Surroundings& surroundings) {
-  return PlanRunner(plan, std::move(scene), surroundings).run(true);
+  PlanRunner runner(plan, std::move(scene), surroundings);
+  runner.begin(true);
+  runner.run_stages(0, plan.stages.size());
+  return runner.end();
 }
 
 Result measure(const Plan& plan, Scene scene, const Surroundings& surroundings) {
-  return PlanRunner(plan, std::move(scene), surroundings).run(false);
+  PlanRunner runner(plan, std::move(scene), surroundings);
+  runner.begin(false);
+  return runner.end();
+}
+
+std::vector<Result> compare(std::span<const Plan> plans, const Scene& scene, int rounds,
+                            const Surroundings& surroundings) {
+  const std::size_t shared = shared_stages(plans);
+  PlanRunner input(plans.front(), scene, surroundings);
+  input.begin(true);
+  std::vector<Result> results;
+  std::vector<std::vector<std::vector<double>>> seconds(plans.size());  // [plan][stage][round]
+  for (int round = 0; round < rounds; ++round) {
+    surroundings.analyses.clear();
+    PlanRunner common = input;
+    common.run_stages(0, shared);
+    for (std::size_t p = 0; p < plans.size(); ++p) {
+      surroundings.analyses.clear();
+      PlanRunner branch = common;
+      branch.go_on_with(plans[p]);
+      branch.run_stages(shared, plans[p].stages.size());
+      seconds[p].resize(branch.stages().size());
+      for (std::size_t s = 0; s < seconds[p].size(); ++s) seconds[p][s].push_back(branch.stages()[s].seconds);
+      if (round == 0) results.push_back(branch.end());
+    }
+  }
+  for (std::size_t p = 0; rounds > 1 && p < plans.size(); ++p) {
+    for (std::size_t s = 0; s < seconds[p].size(); ++s) {
+      results[p].report.stages[s].seconds = median(seconds[p][s]);
+      results[p].report.stages[s].rounds = std::move(seconds[p][s]);
+    }
+  }
+  return results;
 }
 
 }  // namespace foredraw

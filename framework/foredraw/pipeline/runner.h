@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <functional>
+#include <span>
+#include <vector>
 
 namespace foredraw {
 
@@ -29,5 +31,11 @@ Result optimize(const Plan& plan, Scene scene, const Surroundings& surroundings)
 
 /// Measures once; the plan's stages are not run.
 Result measure(const Plan& plan, Scene scene, const Surroundings& surroundings);
+
+/// The same scene in several plans, which all measure as the first one does: [plan]. The input is measured once, and the
+/// stages that all plans begin with alike run once. Stages run in so many rounds, every plan once in each, and none lives
+/// on analyses that another one made: a stage's time is the median of its rounds.
+std::vector<Result> compare(std::span<const Plan> plans, const Scene& scene, int rounds,
+                            const Surroundings& surroundings);
 
 }  // namespace foredraw

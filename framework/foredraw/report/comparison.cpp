@@ -1,4 +1,6 @@
 #include <foredraw/report/comparison.h>
+
+#include <foredraw/report/pareto.h>
 #include <foredraw/report/table.h>
 
 #include <fmt/format.h>
@@ -55,9 +57,88 @@ double stages_seconds(const Report& report) {
   return seconds;
 }
 
-std::string shown(const Figure* figure, double best) {
+/// How much more than the baseline, in parts of it; nothing where there is nothing to tell: none of them, no
+/// difference, or one that their errors may make up (two of the larger, for errors of the same views go together).
+std::string difference(const Figure& figure, const Figure* baseline) {
+  if (baseline == nullptr || !std::isfinite(baseline->value()) || baseline->value() == 0) return "";
+  const double change = figure.value() - baseline->value();
+  if (change == 0) return "";
+  if (std::abs(change) < 2 * std::max(figure.error, baseline->error)) return " ~";
+  return fmt::format(" {:+.1f} %", 100 * change / std::abs(baseline->value()));
+}
+
+std::string shown(const Figure* figure, double best, const Figure* baseline = nullptr) {
   if (figure == nullptr || !std::isfinite(figure->value())) return "-";
-  return to_text(*figure) + (figure->value() == best ? " *" : "");
+  return to_text(*figure) + difference(*figure, baseline) + (figure->value() == best ? " *" : "");
+}
+
+/// Seconds of all stages in each round; the one time that there is where there were none.
+std::vector<double> rounds_of(const Report& report) {
+  std::vector<double> sums;
+  for (const StageRecord& stage : report.stages) {
+    const std::vector<double> once{stage.seconds};
+    const std::vector<double>& rounds = stage.rounds.empty() ? once : stage.rounds;
+    sums.resize(rounds.size());
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += rounds[i];
+  }
+  return sums;
+}
+
+/// "40.9 to 43.0 ms, slower than [1] in 7 of 7 rounds"; nothing where there was one round.
+std::string spread_text(const Report& report, const Report* baseline) {
+  const std::vector<double> rounds = rounds_of(report);
+  if (rounds.size() < 2) return "";
+  const auto [least, most] = std::ranges::minmax(rounds);
+  std::string text = fmt::format("{:.1f} to {:.1f} ms", 1000 * least, 1000 * most);
+  if (baseline == nullptr) return text;
+  const std::vector<double> others = rounds_of(*baseline);
+  std::size_t faster = 0, slower = 0;
+  for (std::size_t i = 0; i < std::min(rounds.size(), others.size()); ++i) {
+    faster += rounds[i] < others[i] ? 1 : 0;
+    slower += rounds[i] > others[i] ? 1 : 0;
+  }
+  return text + fmt::format(", {} than [1] in {} of {} rounds", faster > slower ? "faster" : "slower",
+                            std::max(faster, slower), rounds.size());
+}
+
+/// What branches are judged by two of at a time.
+struct Axis {
+  std::string name;
+  std::vector<double> values;  ///< [branch] the less the better
+};
+
+Axis axis_of(const Comparison& comparison, const MetricName& metric) {
+  Axis axis{metric.first + " " + metric.second, {}};
+  for (const Branch& branch : comparison.branches) {
+    const Figure* figure = branch.report.after.metrics.find(metric.first, metric.second);
+    const double value = figure == nullptr ? std::nan("") : figure->value();
+    axis.values.push_back(figure != nullptr && !figure->lower_is_better ? -value : value);
+  }
+  return axis;
+}
+
+Axis axis_of_time(const Comparison& comparison) {
+  Axis axis{"time", {}};
+  for (const Branch& branch : comparison.branches) axis.values.push_back(stages_seconds(branch.report));
+  return axis;
+}
+
+/// "on the front of A and B: [1], [3]"; nothing where nobody has both.
+std::string front_text(const Axis& x, const Axis& y) {
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t i = 0; i < x.values.size(); ++i) points.emplace_back(x.values[i], y.values[i]);
+  std::vector<std::string> names;
+  for (const std::size_t branch : pareto_front(points)) names.push_back(fmt::format("[{}]", branch + 1));
+  if (names.empty()) return "";
+  return fmt::format("not beaten in both {} and {}: {}\n", x.name, y.name, fmt::join(names, " "));
+}
+
+/// Of what most people weigh against each other.
+std::string fronts_text(const Comparison& comparison) {
+  if (comparison.branches.size() < 3) return "";
+  const Axis overdraw = axis_of(comparison, {"overdraw-raster", "ratio"});
+  return front_text(axis_of(comparison, {"vertex-cache", "acmr"}), overdraw) +
+         front_text(axis_of_time(comparison), overdraw);
 }
 
 std::string text_of(const Comparison& comparison) {
@@ -73,11 +154,11 @@ std::string text_of(const Comparison& comparison) {
     if (name.second.find('.') != std::string::npos) continue;
     const double best = best_of(comparison, name);
     const Figure* input = before(comparison, name);
-    std::vector<std::string> row{name.first == last_plugin ? "" : name.first, name.second,
-                                 shown(input, best)};
+    std::vector<std::string> row{name.first == last_plugin ? "" : name.first, name.second, shown(input, best)};
     for (const Branch& branch : comparison.branches) {
-      const Figure* figure = branch.report.after.metrics.find(name.first, name.second);
-      row.push_back(shown(figure, best));
+      const Metrics& baseline = comparison.branches.front().report.after.metrics;
+      row.push_back(shown(branch.report.after.metrics.find(name.first, name.second), best,
+                          &branch == &comparison.branches.front() ? nullptr : baseline.find(name.first, name.second)));
     }
     table.add(row);
     last_plugin = name.first;
@@ -94,9 +175,12 @@ std::string text_of(const Comparison& comparison) {
     for (const StageRecord& stage : stages) {
       text += fmt::format("{}{} {:.1f} ms", &stage == &stages.front() ? "" : ", ", stage.use, 1000 * stage.seconds);
     }
-    text += stages.empty() ? "no stages\n" : "\n";
+    text += stages.empty() ? "no stages" : "";
+    const Report& report = comparison.branches[i].report;
+    const std::string spread = spread_text(report, i == 0 ? nullptr : &comparison.branches[0].report);
+    text += (spread.empty() ? "" : "; " + spread) + '\n';
   }
-  return text;
+  return text + fronts_text(comparison);
 }
 
 Json json_of(const Comparison& comparison) {
@@ -132,7 +216,7 @@ std::string to_json(const std::vector<Comparison>& comparisons) {
 std::string to_text(const std::vector<Comparison>& comparisons) {
   std::string text;
   for (const Comparison& comparison : comparisons) text += (text.empty() ? "" : "\n") + text_of(comparison);
-  return text + "\n* the best of its row\n";
+  return text + "\n* the best of its row; in per cent: against [1]; ~: no more than the errors\n";
 }
 
 }  // namespace foredraw

@@ -56,7 +56,8 @@ struct StageRecord {
   std::string use;
   std::string text;  ///< as in the one-line form
   Kind kind = Kind::orderer;
-  double seconds = 0;
+  double seconds = 0;          ///< the median, where it ran several times
+  std::vector<double> rounds;  ///< seconds of each time, where it ran several times
   std::size_t changed = 0;     ///< places that it worked on with success
   std::size_t candidates = 0;  ///< places there were
   std::string places;          ///< what these are: "draws", "vertex streams"

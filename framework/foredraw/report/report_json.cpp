@@ -68,9 +68,11 @@ Json to_json(const StageRecord& stage) {
   for (const NoteRecord& note : stage.notes) {
     notes.push_back({{"place", note.place}, {"code", note.code}, {"message", note.message}});
   }
-  return {{"use", stage.use},         {"text", stage.text},       {"kind", to_text(stage.kind)},
-          {"seconds", stage.seconds}, {"places", stage.places},   {"changed", stage.changed},
-          {"candidates", stage.candidates}, {"skipped", skipped}, {"notes", notes}};
+  Json json{{"use", stage.use},         {"text", stage.text},       {"kind", to_text(stage.kind)},
+            {"seconds", stage.seconds}, {"places", stage.places},   {"changed", stage.changed},
+            {"candidates", stage.candidates}, {"skipped", skipped}, {"notes", notes}};
+  if (!stage.rounds.empty()) json["rounds"] = stage.rounds;
+  return json;
 }
 
 Json to_json(const std::vector<StageRecord>& stages) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -172,6 +173,40 @@ TEST_F(Runner, TwoUsesOfAnEvaluatorAreKeptApart) {
   const Result result = run("", two_, "count-draws, count-draws");
   EXPECT_EQ(result.report.after.metrics.find("count-draws", "draws")->value(), 2);
   EXPECT_EQ(result.report.after.metrics.find("count-draws#2", "draws")->value(), 2);
+}
+
+TEST_F(Runner, ComparesPlansAsIfEachRanAlone) {
+  const std::vector<std::string> lines = {"pairs, reverse-draw", "pairs", "pairs, faulty(fault=\"throw\"), reverse-vertices"};
+  std::vector<Plan> plans;
+  for (const std::string& line : lines) {
+    Diagnostics diagnostics;
+    Pipeline pipeline = *parse_line(line, diagnostics);
+    pipeline.measure = *parse_stages("count-triangles", "measure", diagnostics);
+    plans.push_back(*foredraw::plan(pipeline, registry_, two_, diagnostics));
+  }
+  const Executor executor(2);
+  Analyses analyses;
+  for (const int rounds : {1, 4}) {
+    const std::vector<Result> compared = compare(plans, two_, rounds, {executor, analyses});
+    ASSERT_EQ(compared.size(), lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const Result alone = run(lines[i], two_, "count-triangles");
+      for (DrawId draw = 0; draw < 2; ++draw) EXPECT_EQ(indices(compared[i].scene, draw), indices(alone.scene, draw));
+      EXPECT_EQ(compared[i].failed, alone.failed);
+      EXPECT_EQ(compared[i].report.diagnostics.size(), alone.report.diagnostics.size());
+      EXPECT_EQ(compared[i].report.pipeline, alone.report.pipeline);
+      EXPECT_EQ(compared[i].report.before.metrics.all().size(), alone.report.before.metrics.all().size());
+      ASSERT_EQ(compared[i].report.stages.size(), alone.report.stages.size());
+      for (const StageRecord& stage : compared[i].report.stages) {
+        ASSERT_EQ(stage.rounds.size(), rounds == 1 ? 0u : 4u);
+        if (rounds == 1) continue;
+        std::vector<double> sorted = stage.rounds;
+        std::ranges::sort(sorted);
+        EXPECT_EQ(stage.seconds, (sorted[1] + sorted[2]) / 2);
+      }
+    }
+    EXPECT_EQ(compared[0].report.stages[0].seconds, compared[1].report.stages[0].seconds);  // it ran for all of them
+  }
 }
 
 class Fault : public Runner, public ::testing::WithParamInterface<const char*> {};

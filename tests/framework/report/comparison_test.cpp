@@ -1,9 +1,11 @@
 #include <foredraw/report/comparison.h>
+#include <foredraw/report/pareto.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <sstream>
 
 namespace foredraw {
@@ -43,10 +45,55 @@ std::string line_with(const std::string& text, const std::string& words) {
 TEST(ComparisonText, AColumnForEachBranchAndAStarAtTheBest) {
   const std::string text = to_text({two_branches()});
   EXPECT_THAT(text, HasSubstr("in.glb\n  [1] A\n  [2] B\n"));
-  EXPECT_EQ(line_with(text, "acmr"), "cache  acmr        3.0000  2.0000    1.0000 *");
+  EXPECT_EQ(line_with(text, "acmr"), "cache  acmr        3.0000  2.0000    1.0000 -50.0 % *");
   EXPECT_EQ(line_with(text, "all stages"), "time   all stages          500.0 ms  1000.0 ms");
   EXPECT_THAT(text, HasSubstr("  [1] tipsify 250.0 ms, tipsify 250.0 ms"));
   EXPECT_THAT(text, HasSubstr("* the best of its row"));
+}
+
+TEST(ComparisonText, DifferencesWithinTheErrorsAreNone) {
+  Comparison comparison = two_branches();
+  Figure near = ratio(2.01, 1);
+  near.error = 0.01;
+  comparison.branches[1].report.after.metrics.set("cache", "acmr", near);
+  EXPECT_THAT(line_with(to_text({comparison}), "acmr"), HasSubstr("2.0100 ±0.0100 ~"));
+  near.error = 0.004;
+  comparison.branches[1].report.after.metrics.set("cache", "acmr", near);
+  EXPECT_THAT(line_with(to_text({comparison}), "acmr"), HasSubstr("2.0100 ±0.0040 +0.5 %"));
+}
+
+TEST(ComparisonText, RoundsTellHowSureTimesAre) {
+  Comparison comparison = two_branches();
+  comparison.branches[0].report.stages[0].rounds = {0.2, 0.25, 0.6};
+  comparison.branches[0].report.stages[1].rounds = {0.2, 0.25, 0.6};
+  comparison.branches[1].report.stages[0].rounds = {0.5, 0.5, 0.5};
+  comparison.branches[1].report.stages[1].rounds = {0.5, 0.5, 0.5};
+  const std::string text = to_text({comparison});
+  EXPECT_THAT(text, HasSubstr("  [1] tipsify 250.0 ms, tipsify 250.0 ms; 400.0 to 1200.0 ms\n"));
+  EXPECT_THAT(text, HasSubstr("; 1000.0 to 1000.0 ms, slower than [1] in 2 of 3 rounds\n"));
+}
+
+TEST(ComparisonText, FrontsAreToldOfThreeBranches) {
+  Comparison comparison = two_branches();
+  const auto judged = [&](std::string name, double acmr, double overdraw, double seconds) {
+    Branch made = branch(std::move(name), ratio(acmr, 1), seconds);
+    made.report.after.metrics.set("vertex-cache", "acmr", ratio(acmr, 1));
+    made.report.after.metrics.set("overdraw-raster", "ratio", ratio(overdraw, 1));
+    return made;
+  };
+  comparison.branches = {judged("fast", 0.7, 1.3, 0.1), judged("good", 0.8, 1.1, 0.3), judged("bad", 0.9, 1.2, 0.4)};
+  const std::string text = to_text({comparison});
+  EXPECT_THAT(text, HasSubstr("not beaten in both vertex-cache acmr and overdraw-raster ratio: [1] [2]\n"));
+  EXPECT_THAT(text, HasSubstr("not beaten in both time and overdraw-raster ratio: [1] [2]\n"));
+  EXPECT_THAT(to_text({two_branches()}), Not(HasSubstr("beaten")));
+}
+
+TEST(ParetoFront, IsWhatNoneBeatsInBoth) {
+  using Points = std::vector<std::pair<double, double>>;
+  using Numbers = std::vector<std::size_t>;
+  EXPECT_EQ(pareto_front(Points{}), Numbers{});
+  EXPECT_EQ(pareto_front(Points{{1, 3}, {2, 2}, {3, 3}, {3, 1}, {2, 2}, {1, 4}}), (Numbers{0, 1, 3, 4}));
+  EXPECT_EQ(pareto_front(Points{{std::nan(""), 0}, {0, INFINITY}, {5, 5}}), Numbers{2});
 }
 
 TEST(ComparisonText, TheInputMayBeTheBest) {
