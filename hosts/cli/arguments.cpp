@@ -43,7 +43,7 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", std::string("foredraw ") + FOREDRAW_VERSION);
     app_.footer(
-        "Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed.\n"
+        "Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed, 3 a --fail-if was met.\n"
         "A first try: foredraw optimize in.glb -o out.glb");
 
     auto& optimize_app =
@@ -91,6 +91,13 @@ class CommandLine {
         .add_option("--repeat", arguments_.repeat,
                     "Run the stages so many times, the pipelines in turn; times are medians (default: 1)")
         ->check(CLI::Range(1, 1000));
+    compare_app.add_option("--fail-if", arguments_.fail_if,
+                           "End with exit code 3 where a figure is so, such as 'overdraw-raster.ratio > baseline * 1.01'; "
+                           "also beside input, or a number; may be given several times")
+        ->allow_extra_args(false);
+    compare_app.add_option("--baseline", arguments_.baseline,
+                           "What --fail-if means by baseline: a report, or comparison, of an earlier run; without it the "
+                           "first pipeline");
     compare_app.add_option("--report", arguments_.report, "Write the comparison, as JSON, to this file");
     json(compare_app);
     threads(compare_app);

@@ -11,7 +11,7 @@
 namespace foredraw::cli {
 
 /// What a program ends with.
-enum Exit { done = 0, users_mistake = 1, something_failed = 2 };
+enum Exit { done = 0, users_mistake = 1, something_failed = 2, out_of_bounds = 3 };
 
 /// What was typed.
 struct Arguments {
@@ -21,6 +21,8 @@ struct Arguments {
   std::vector<std::string> set;
   std::string with;                    ///< evaluators to measure with instead of the pipeline's
   std::string report;
+  std::vector<std::string> fail_if;    ///< bounds that figures have to keep
+  std::string baseline;                ///< a stored report that they are held against
   std::string remap;
   std::string draw_orders;
   std::string compression = "keep";

@@ -4,7 +4,7 @@
 
 #include <foredraw/io/images.h>
 #include <foredraw/io/scene_folder.h>
-#include <foredraw/report/comparison.h>
+#include <foredraw/report/bound.h>
 
 #include <algorithm>
 
@@ -74,6 +74,46 @@ std::optional<Comparison> compared(const std::string& input, const NamedPipeline
   return comparison;
 }
 
+/// What figures are held to.
+struct Budget {
+  std::vector<Bound> bounds;
+  std::optional<std::map<std::string, StoredFigures>> stored;
+};
+
+std::optional<Budget> budget_of(const Arguments& arguments, std::size_t pipelines, Diagnostics& diagnostics) {
+  Budget budget;
+  bool needs_baseline = false;
+  for (const std::string& text : arguments.fail_if) {
+    const auto bound = parse_bound(text, diagnostics);
+    if (!bound) continue;
+    needs_baseline = needs_baseline || bound->beside == Bound::Beside::baseline;
+    budget.bounds.push_back(*bound);
+  }
+  if (arguments.baseline.empty()) {
+    if (needs_baseline && pipelines < 2) {
+      diagnostics.error({}, "bad-arguments", "--fail-if names a baseline, and there is none",
+                        "give --baseline a stored report, or a pipeline before the one that is judged");
+    }
+  } else if (!needs_baseline) {
+    diagnostics.error({}, "bad-arguments", "--baseline is given, but no --fail-if names it", "");
+  } else if (const auto bytes = read_file(arguments.baseline, diagnostics)) {
+    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    budget.stored = read_stored_figures(text, arguments.baseline, diagnostics);
+  }
+  return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(budget));
+}
+
+/// Tells of what is out of bounds.
+Exit judged(const Budget& budget, std::span<const Comparison> comparisons) {
+  Diagnostics diagnostics;
+  judge(budget.bounds, comparisons, budget.stored ? &*budget.stored : nullptr, diagnostics);
+  tell(diagnostics);
+  if (!diagnostics.has_errors()) return done;
+  const bool is_out =
+      std::ranges::any_of(diagnostics.all(), [](const Diagnostic& d) { return d.code == "out-of-bounds"; });
+  return is_out ? out_of_bounds : users_mistake;
+}
+
 }  // namespace
 
 Exit compare(const Arguments& arguments, const Registry& registry) {
@@ -84,6 +124,8 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   if (!pipelines) return refuse(diagnostics);
   const auto inputs = scenes_of(arguments.inputs, diagnostics);
   if (!inputs) return refuse(diagnostics);
+  const auto budget = budget_of(arguments, pipelines->size(), diagnostics);
+  if (!budget) return refuse(diagnostics);
   if (!have_folders({arguments.report}, diagnostics)) return refuse_file(diagnostics);
 
   const Executor executor(arguments.threads);
@@ -98,7 +140,8 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
     const OutputFile report = text_file(arguments.report, to_json(comparisons));
     if (!write_files(std::span(&report, 1), diagnostics)) return refuse_file(diagnostics);
   }
-  return std::max(worst, print(arguments.json ? to_json(comparisons) : to_text(comparisons)));
+  worst = std::max(worst, print(arguments.json ? to_json(comparisons) : to_text(comparisons)));
+  return std::max(worst, judged(*budget, comparisons));
 }
 
 }  // namespace foredraw::cli

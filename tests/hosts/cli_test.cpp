@@ -234,6 +234,22 @@ TEST_F(Cli, ComparesPipelines) {
   EXPECT_NE(run("compare " + spot() + " -p weld -p weld,tipsify").out.find("acmr"), std::string::npos);
 }
 
+TEST_F(Cli, HoldsFiguresToABudget) {
+  const std::string both = "compare " + spot() + " -p tipsify -p weld,tipsify --with vertex-cache ";
+  EXPECT_EQ(run(both + "--fail-if 'vertex-cache.acmr > baseline'").code, 0);
+  const Ended out = run(both + "--repeat 3 --fail-if 'vertex-cache.acmr <= baseline' --fail-if 'time < 1e6'");
+  EXPECT_EQ(out.code, 3);
+  EXPECT_NE(out.err.find("vertex-cache.acmr <= baseline"), std::string::npos) << out.err;
+  EXPECT_NE(out.err.find("time < 1e6"), std::string::npos) << out.err;
+  EXPECT_NE(out.out.find("acmr"), std::string::npos);  // and the comparison is told all the same
+
+  ASSERT_EQ(run("optimize " + spot() + " -o o.glb -p weld,tipsify --with vertex-cache --report r.json").code, 0);
+  const std::string one = "compare " + spot() + " -p weld,tipsify --with vertex-cache --fail-if ";
+  EXPECT_EQ(run(one + "'vertex-cache.acmr > baseline' --baseline r.json").code, 0);
+  EXPECT_EQ(run(one + "'vertex-cache.acmr > baseline * 0.99' --baseline r.json").code, 3);
+  EXPECT_EQ(run(one + "'vertex-cache.acm > 1'").code, 1);
+}
+
 TEST_F(Cli, ShowsWhatThereIs) {
   EXPECT_NE(run("list").out.find("tipsify"), std::string::npos);
   EXPECT_EQ(run("list --kind evaluator").out.find("tipsify"), std::string::npos);
@@ -293,6 +309,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"two_pipelines", "optimize SPOT -o out.glb -p weld -p tipsify", 1, "foredraw compare"},
         Mistake{"two_outputs_in_one_file", "optimize SPOT -o out.glb --report out.glb", 1, "two outputs"},
         Mistake{"report_in_no_folder", "optimize SPOT -o out.glb --report no/r.json", 2, "no folder 'no'"},
+        Mistake{"bad_bound", "compare SPOT --fail-if 'acmr > 1'", 1, "EVALUATOR.METRIC or time was expected"},
+        Mistake{"bound_without_baseline", "compare SPOT -p weld --fail-if 'x.y > baseline'", 1, "--baseline"},
+        Mistake{"baseline_that_is_not_there", "compare SPOT -p weld --fail-if 'x.y > baseline' --baseline no.json", 1,
+                "no.json"},
+        Mistake{"baseline_of_no_bound", "compare SPOT -p weld --baseline no.json", 1, "no --fail-if names it"},
         Mistake{"comparison_in_no_folder", "compare SPOT --report no/r.json", 2, "no folder 'no'"},
         Mistake{"empty_name", "measure ''", 1, "empty"},
         Mistake{"full_disk", "schema >/dev/full; exit $?", 2, "can not be written"},

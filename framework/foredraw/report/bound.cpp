@@ -1,0 +1,175 @@
+#include <foredraw/report/bound.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+namespace foredraw {
+
+namespace {
+
+/// Reads a bound from left to right.
+class BoundReader {
+ public:
+  BoundReader(const std::string& text, Diagnostics& diagnostics) : text_(text), diagnostics_(diagnostics) {}
+
+  std::optional<Bound> read() {
+    Bound bound;
+    bound.text = text_;
+    bound.figure = word();
+    if (bound.figure != "time" && bound.figure.find('.') == std::string::npos) {
+      return wrong("EVALUATOR.METRIC or time");
+    }
+    const auto than = comparison();
+    if (!than) return wrong("one of > >= < <=");
+    bound.than = *than;
+    skip_spaces();
+    const std::size_t limit = at_;
+    const std::string beside = word();
+    if (beside == "baseline" || beside == "input") {
+      bound.beside = beside == "input" ? Bound::Beside::input : Bound::Beside::baseline;
+      bound.factor = 1;
+      if (take('*') && !number(bound.factor)) return wrong("a number");
+      const bool less = take('-');
+      if ((less || take('+')) && !number(bound.added)) return wrong("a number");
+      if (less) bound.added = -bound.added;
+    } else {
+      at_ = limit;
+      if (!number(bound.added)) return wrong("a number, baseline or input");
+    }
+    skip_spaces();
+    return at_ == text_.size() ? std::optional(bound) : wrong("its end");
+  }
+
+ private:
+  void skip_spaces() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+  }
+
+  bool take(char letter) {
+    skip_spaces();
+    if (at_ == text_.size() || text_[at_] != letter) return false;
+    ++at_;
+    return true;
+  }
+
+  /// Up to a space or what can not be in a figure's name.
+  std::string word() {
+    skip_spaces();
+    const std::size_t end = std::min(text_.find_first_of(" <>=*", at_), text_.size());
+    const std::string word = text_.substr(at_, end - at_);
+    at_ = end;
+    return word;
+  }
+
+  std::optional<Bound::Than> comparison() {
+    if (take('>')) return at_ < text_.size() && text_[at_] == '=' ? (++at_, Bound::Than::from) : Bound::Than::above;
+    if (take('<')) return at_ < text_.size() && text_[at_] == '=' ? (++at_, Bound::Than::to) : Bound::Than::below;
+    return std::nullopt;
+  }
+
+  bool number(double& value) {
+    skip_spaces();
+    const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) return false;
+    at_ = static_cast<std::size_t>(end - text_.data());
+    return true;
+  }
+
+  std::nullopt_t wrong(const std::string& expected) {
+    diagnostics_.error({}, "bad-bound",
+                       fmt::format("'{}' is no bound: {} was expected at '{}'", text_, expected, text_.substr(at_)),
+                       "such as: overdraw-raster.ratio > baseline * 1.01");
+    return std::nullopt;
+  }
+
+  const std::string& text_;
+  Diagnostics& diagnostics_;
+  std::size_t at_ = 0;
+};
+
+std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
+
+std::optional<double> figure_in(const Metrics& metrics, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const Figure* figure = metrics.find(name.substr(0, dot), name.substr(dot + 1));
+  return figure == nullptr ? std::nullopt : finite(figure->value());
+}
+
+std::optional<double> figure_of(const Branch& branch, const std::string& name) {
+  if (name != "time") return figure_in(branch.report.after.metrics, name);
+  double seconds = 0;
+  for (const StageRecord& stage : branch.report.stages) seconds += stage.seconds;
+  return seconds;
+}
+
+const StoredFigures* stored_for(const std::string& path, const std::map<std::string, StoredFigures>& stored) {
+  if (const auto same = stored.find(path); same != stored.end()) return &same->second;
+  const auto name = std::filesystem::path(path).filename();
+  for (const auto& [other, figures] : stored) {
+    if (std::filesystem::path(other).filename() == name) return &figures;
+  }
+  return nullptr;
+}
+
+bool is_out(const Bound& bound, double value, double limit) {
+  switch (bound.than) {
+    case Bound::Than::above: return value > limit;
+    case Bound::Than::from: return value >= limit;
+    case Bound::Than::below: return value < limit;
+    case Bound::Than::to: break;
+  }
+  return value <= limit;
+}
+
+void judge_file(const Bound& bound, const Comparison& comparison, const std::map<std::string, StoredFigures>* stored,
+                Diagnostics& diagnostics) {
+  const std::string& path = comparison.input.path;
+  const auto unknown = [&](const std::string& whose) {
+    diagnostics.error({.file = path}, "unknown-figure",
+                      fmt::format("'{}' can not be judged: {} has no figure '{}'", bound.text, whose, bound.figure),
+                      "--json lists all figures by evaluator and metric; --with says which evaluators measure");
+  };
+  std::optional<double> beside = 0;
+  if (bound.beside == Bound::Beside::input) {
+    beside = figure_in(comparison.branches.front().report.before.metrics, bound.figure);
+    if (!beside) return unknown("the input");
+  } else if (bound.beside == Bound::Beside::baseline && stored != nullptr) {
+    const StoredFigures* figures = stored_for(path, *stored);
+    if (figures == nullptr || !figures->contains(bound.figure)) return unknown("the stored baseline of this file");
+    beside = figures->at(bound.figure);
+  } else if (bound.beside == Bound::Beside::baseline) {
+    beside = figure_of(comparison.branches.front(), bound.figure);
+    if (!beside) return unknown("the first pipeline");
+  }
+  const double limit = bound.factor * *beside + bound.added;
+  const bool is_baseline_first = bound.beside == Bound::Beside::baseline && stored == nullptr;
+  for (std::size_t i = is_baseline_first ? 1 : 0; i < comparison.branches.size(); ++i) {
+    const Branch& branch = comparison.branches[i];
+    const std::optional<double> value = figure_of(branch, bound.figure);
+    if (!value) return unknown(branch.name);
+    if (!is_out(bound, *value, limit)) continue;
+    diagnostics.error({.file = path}, "out-of-bounds",
+                      fmt::format("{} is {:.6g} after {}; the bound is {:.6g}: {}", bound.figure, *value, branch.name,
+                                  limit, bound.text));
+  }
+}
+
+}  // namespace
+
+std::optional<Bound> parse_bound(const std::string& text, Diagnostics& diagnostics) {
+  return BoundReader(text, diagnostics).read();
+}
+
+void judge(std::span<const Bound> bounds, std::span<const Comparison> comparisons,
+           const std::map<std::string, StoredFigures>* stored, Diagnostics& diagnostics) {
+  for (const Comparison& comparison : comparisons) {
+    for (const Bound& bound : bounds) judge_file(bound, comparison, stored, diagnostics);
+  }
+}
+
+}  // namespace foredraw

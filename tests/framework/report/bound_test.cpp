@@ -1,0 +1,152 @@
+#include <foredraw/report/bound.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace foredraw {
+namespace {
+
+std::optional<Bound> parsed(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto bound = parse_bound(text, diagnostics);
+  EXPECT_EQ(bound.has_value(), diagnostics.empty()) << to_text(diagnostics);
+  return bound;
+}
+
+Branch branch(std::string name, double acmr, double seconds = 1) {
+  Branch branch{std::move(name), {}};
+  branch.report.optimized = true;
+  branch.report.before.metrics.set("vertex-cache", "acmr", {2, 1, 0, "", true});
+  branch.report.after.metrics.set("vertex-cache", "acmr", {acmr, 1, 0, "", true});
+  branch.report.after.metrics.set("vertex-cache", "models.amd.acmr", {3 * acmr, 1, 0, "", true});
+  StageRecord stage;
+  stage.seconds = seconds;
+  branch.report.stages = {stage};
+  return branch;
+}
+
+const std::vector<Comparison> two = {{{"a/rock.glb", 1}, {branch("old", 1), branch("new", 1.2, 4)}}};
+
+/// The codes of what is told, and the texts.
+std::string told(const std::string& text, const std::map<std::string, StoredFigures>* stored = nullptr) {
+  Diagnostics diagnostics;
+  const Bound bound = parsed(text).value();
+  judge({&bound, 1}, two, stored, diagnostics);
+  std::string codes;
+  for (const Diagnostic& diagnostic : diagnostics.all()) codes += diagnostic.code + ": " + diagnostic.message + '\n';
+  return codes;
+}
+
+TEST(Bound, IsAFigureBesideALimit) {
+  const Bound bound = parsed("vertex-cache.models.fifo-32.acmr>=baseline*1.5 - 0.25").value();
+  EXPECT_EQ(bound.figure, "vertex-cache.models.fifo-32.acmr");
+  EXPECT_EQ(bound.than, Bound::Than::from);
+  EXPECT_EQ(bound.beside, Bound::Beside::baseline);
+  EXPECT_EQ(bound.factor, 1.5);
+  EXPECT_EQ(bound.added, -0.25);
+  EXPECT_EQ(parsed("  time  <  0.5  ")->beside, Bound::Beside::nothing);
+  EXPECT_EQ(parsed("time < -1e3")->added, -1000);
+  EXPECT_EQ(parsed("x.y <= input + 2")->added, 2);
+  EXPECT_EQ(parsed("x.y <= input + 2")->factor, 1);
+}
+
+TEST(Bound, WhatIsNoneIsToldWithItsPlace) {
+  for (const auto& [text, expected] :
+       std::map<std::string, std::string>{{"", "EVALUATOR.METRIC or time was expected at ''"},
+                                          {"acmr > 1", "EVALUATOR.METRIC or time was expected at ' > 1'"},
+                                          {"x.y = 1", "one of > >= < <= was expected at '= 1'"},
+                                          {"x.y >", "a number, baseline or input was expected at ''"},
+                                          {"x.y > basline", "a number, baseline or input was expected at 'basline'"},
+                                          {"x.y > baseline *", "a number was expected at ''"},
+                                          {"x.y > baseline * inf", "a number was expected at 'inf'"},
+                                          {"x.y > nan", "a number, baseline or input was expected at 'nan'"},
+                                          {"x.y > 1 2", "its end was expected at '2'"}}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_bound(text, diagnostics)) << text;
+    ASSERT_EQ(diagnostics.all().size(), 1u);
+    EXPECT_NE(diagnostics.all()[0].message.find(expected), std::string::npos) << diagnostics.all()[0].message;
+  }
+}
+
+TEST(Judge, TellsOfEachBranchThatIsOut) {
+  EXPECT_EQ(told("vertex-cache.acmr > 1.2"), "");
+  EXPECT_EQ(told("vertex-cache.acmr >= 1.2"),
+            "out-of-bounds: vertex-cache.acmr is 1.2 after new; the bound is 1.2: vertex-cache.acmr >= 1.2\n");
+  EXPECT_EQ(told("vertex-cache.acmr < 1.1"),
+            "out-of-bounds: vertex-cache.acmr is 1 after old; the bound is 1.1: vertex-cache.acmr < 1.1\n");
+  EXPECT_EQ(told("vertex-cache.models.amd.acmr > 3"),
+            "out-of-bounds: vertex-cache.models.amd.acmr is 3.6 after new; the bound is 3: "
+            "vertex-cache.models.amd.acmr > 3\n");
+  EXPECT_EQ(told("time > 3"), "out-of-bounds: time is 4 after new; the bound is 3: time > 3\n");
+}
+
+TEST(Judge, BesideTheInputAndTheFirstPipeline) {
+  EXPECT_EQ(told("vertex-cache.acmr > input * 0.6"), "");
+  EXPECT_EQ(told("vertex-cache.acmr > input * 0.55"),
+            "out-of-bounds: vertex-cache.acmr is 1.2 after new; the bound is 1.1: vertex-cache.acmr > input * 0.55\n");
+  EXPECT_EQ(told("vertex-cache.acmr > baseline + 0.2"), "");
+  EXPECT_EQ(
+      told("vertex-cache.acmr > baseline * 1.1"),
+      "out-of-bounds: vertex-cache.acmr is 1.2 after new; the bound is 1.1: vertex-cache.acmr > baseline * 1.1\n");
+  EXPECT_EQ(told("vertex-cache.acmr <= baseline"), "");  // the baseline is not judged beside itself
+}
+
+TEST(Judge, BesideStoredFigures) {
+  std::map<std::string, StoredFigures> stored = {{"elsewhere/rock.glb", {{"vertex-cache.acmr", 0.5}}}};
+  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("1 after old; the bound is 0.5"), std::string::npos);
+  stored["a/rock.glb"] = {{"vertex-cache.acmr", 1.1}};  // nearer than one of that name
+  EXPECT_EQ(told("vertex-cache.acmr > baseline", &stored),
+            "out-of-bounds: vertex-cache.acmr is 1.2 after new; the bound is 1.1: vertex-cache.acmr > baseline\n");
+  stored = {{"other.glb", {{"vertex-cache.acmr", 1}}}};
+  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("unknown-figure"), std::string::npos);
+}
+
+TEST(Judge, WhatNobodyMeasuredIsNotPassed) {
+  EXPECT_NE(told("vertex-cache.acm > 1").find("unknown-figure"), std::string::npos);
+  EXPECT_NE(told("overdraw-raster.ratio > baseline").find("the first pipeline has no figure"), std::string::npos);
+  EXPECT_NE(told("time > input").find("the input has no figure"), std::string::npos);
+}
+
+std::map<std::string, StoredFigures> stored(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto figures = read_stored_figures(text, "r.json", diagnostics);
+  EXPECT_TRUE(figures) << to_text(diagnostics);
+  return figures.value_or(std::map<std::string, StoredFigures>());
+}
+
+TEST(StoredFigures, AreReadOutOfEveryForm) {
+  Report report = two[0].branches[1].report;
+  report.input.path = "a/rock.glb";
+  const StoredFigures expected = {{"vertex-cache.acmr", 1.2}, {"vertex-cache.models.amd.acmr", 3 * 1.2}, {"time", 4}};
+  EXPECT_EQ(stored(to_json(report)).at("a/rock.glb"), expected);
+  std::vector<Comparison> comparisons = two;
+  comparisons[0].branches[0].report = report;
+  EXPECT_EQ(stored(to_json(comparisons)).at("a/rock.glb"), expected);
+  EXPECT_EQ(stored(R"({"batch": 1, "files": [{"outcome": "lost", "report": {}},
+                      {"outcome": "done", "report": )" +
+                   to_json(report) + "}]}")
+                .at("a/rock.glb"),
+            expected);
+}
+
+TEST(StoredFigures, WhatCanNotBeReadIsRefused) {
+  for (const auto& [text, expected] : std::map<std::string, std::string>{
+           {"", "no JSON object"},
+           {"[1]", "no JSON object"},
+           {"{}", "neither a report, nor a batch, nor a comparison"},
+           {R"({"report": "1"})", "neither a report"},
+           {R"({"report": 7})", "is a report of version 7, but this program knows versions to 1"},
+           {R"({"report": 1})", "no whole report"},
+           {R"({"comparison": 1, "files": [{"branches": []}]})", "no whole comparison"},
+           {R"({"batch": 1, "files": 3})", "no whole batch"}}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_stored_figures(text, "r.json", diagnostics)) << text;
+    ASSERT_EQ(diagnostics.all().size(), 1u) << text;
+    EXPECT_EQ(diagnostics.all()[0].where.file, "r.json");
+    EXPECT_NE(diagnostics.all()[0].message.find(expected), std::string::npos) << diagnostics.all()[0].message;
+  }
+}
+
+}  // namespace
+}  // namespace foredraw
