@@ -63,7 +63,8 @@ Figures occlusion_ordered(Lab& lab, const Scene& scene, int k, double most_acmr,
   const Scene cached = lab.run(scene, base, keyframes).scene;
   const double budget = std::max(1.0, most_acmr / lab.measured(cached, motion, 1).acmr);
   return ordered(lab, scene,
-                 fmt::format(R"({}, {{ use = "occlusion-order", k = {}, acmr-budget = {:.4f} }})", base, k, budget),
+                 fmt::format(R"({}, {{ use = "occlusion-order", k = {}, acmr-budget = {:.4f}, vertex-weight = 0 }})",
+                             base, k, budget),
                  motion, keyframes);
 }
 

@@ -101,10 +101,7 @@ std::optional<double> figure_in(const Metrics& metrics, const std::string& name)
 }
 
 std::optional<double> figure_of(const Branch& branch, const std::string& name) {
-  if (name != "time") return figure_in(branch.report.after.metrics, name);
-  double seconds = 0;
-  for (const StageRecord& stage : branch.report.stages) seconds += stage.seconds;
-  return seconds;
+  return name == "time" ? stages_seconds(branch.report) : figure_in(branch.report.after.metrics, name);
 }
 
 const StoredFigures* stored_for(const std::string& path, const std::map<std::string, StoredFigures>& stored) {

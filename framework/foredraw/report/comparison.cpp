@@ -51,12 +51,6 @@ double best_of(const Comparison& comparison, const MetricName& name) {
   return lower_is_better ? least : most;
 }
 
-double stages_seconds(const Report& report) {
-  double seconds = 0;
-  for (const StageRecord& stage : report.stages) seconds += stage.seconds;
-  return seconds;
-}
-
 /// How much more than the baseline, in parts of it; nothing where there is nothing to tell: none of them, no
 /// difference, or one that their errors may make up (two of the larger, for errors of the same views go together).
 std::string difference(const Figure& figure, const Figure* baseline) {
@@ -206,6 +200,12 @@ Json json_of(const Comparison& comparison) {
 }
 
 }  // namespace
+
+double stages_seconds(const Report& report) {
+  double seconds = 0;
+  for (const StageRecord& stage : report.stages) seconds += stage.seconds;
+  return seconds;
+}
 
 std::string to_json(const std::vector<Comparison>& comparisons) {
   Json json{{"comparison", 1}, {"files", Json::array()}};

@@ -16,6 +16,9 @@ struct Comparison {
   std::vector<Branch> branches;
 };
 
+/// Of all its stages, without measuring.
+double stages_seconds(const Report& report);
+
 /// The JSON form: for each file and branch the whole report, and a table of every total metric over the branches.
 std::string to_json(const std::vector<Comparison>& comparisons);
 

@@ -14,9 +14,6 @@ namespace {
 
 using Sequences = std::vector<std::vector<std::uint32_t>>;  // [draw][place] = atom
 
-/// A hundredth more vertices shaded has to save a thousandth of the fragments at least.
-constexpr double fragments_for_vertices = 0.1;
-
 /// Of a pixel of each node: every picture counts alike but for its weight, however much of it is covered.
 std::vector<std::int64_t> weights_of_pixels(const SeenSubject& subject) {
   constexpr double picture = 0x1p32;  // of the heaviest node: sums over all of them stay far below 2^63
@@ -50,16 +47,8 @@ class Alternation {
         weights_(weights_of_pixels(subject)) {}
 
   KOrders run() {
-    part_by_direction();
-    // While nodes move, orders are made of fewer of them and without a budget: it is enough to tell who serves what.
-    std::uint64_t least = ~std::uint64_t{0};
-    for (int round = 0; k_ > 1 && round < options_.rounds; ++round) {
-      serve(made(most_nodes(options_.quality) / 8, std::numeric_limits<double>::infinity()));
-      const std::uint64_t cost = cost_of(counts_);
-      if (cost + cost / 100 >= least) break;
-      least = cost;
-      give_work_to_idle_orders();
-    }
+    part_by_direction(0);
+    if (k_ > 1) serving_ = best_of_all_starts();
     KOrders result;
     result.orders = made(most_nodes(options_.quality), options_.acmr_budget);
     serve(result.orders);
@@ -72,8 +61,36 @@ class Alternation {
  private:
   std::size_t nodes() const { return subject_.layers.views.size(); }
 
-  void part_by_direction() {
-    const Directions middles = turned_at_random(fibonacci_directions(k_), options_.seed);
+  std::vector<std::uint8_t> best_of_all_starts() {
+    std::vector<std::uint8_t> best;
+    std::uint64_t least = ~std::uint64_t{0};
+    for (int start = 0; start <= options_.restarts; ++start) {
+      part_by_direction(static_cast<std::uint64_t>(start));
+      const std::uint64_t cost = alternate();
+      if (cost >= least && !best.empty()) continue;
+      least = cost;
+      best = serving_;
+    }
+    return best;
+  }
+
+  /// Until the cost falls no further; returns the last. While nodes move, orders are made of fewer of them and without
+  /// a budget: it is enough to tell who serves what.
+  std::uint64_t alternate() {
+    std::uint64_t least = ~std::uint64_t{0};
+    for (int round = 0; round < options_.rounds; ++round) {
+      serve(made(most_nodes(options_.quality) / 8, std::numeric_limits<double>::infinity()));
+      const std::uint64_t cost = cost_of(counts_);
+      if (cost + cost / 100 >= least) return cost;
+      least = cost;
+      give_work_to_idle_orders();
+    }
+    return least;
+  }
+
+  void part_by_direction(std::uint64_t start) {
+    const Directions middles = turned_at_random(fibonacci_directions(k_), options_.seed + start);
+    serving_.clear();
     for (const glm::dvec3& direction : subject_.directions) {
       std::size_t nearest = 0;
       for (std::size_t j = 1; j < k_; ++j) {
@@ -94,7 +111,7 @@ class Alternation {
     executor_.for_each(k_, [&](std::size_t j) {
       const std::vector<WeightedLayers> served = some_served_by(j, most);
       OcclusionOrderOptions of_order = options;
-      of_order.vertex_cost = fragments_for_vertices * visible_in(served) / vertices;
+      of_order.vertex_cost = options_.vertex_weight * visible_in(served) / vertices;
       std::vector<Occlusions> occlusions = occlusions_of(served, subject_.owners, pieces);
       executor_.for_each(subject_.draws.size(), [&](std::size_t d) {
         orders[j][d] = occlusion_order(subject_.draws[d], std::move(occlusions[d]), of_order);

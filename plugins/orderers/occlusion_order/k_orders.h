@@ -18,9 +18,13 @@ struct KOrders {
 };
 
 struct KOrdersOptions : OcclusionOrderOptions {
+  /// What a vertex weighs beside a fragment: who shades a hundredth more of all vertices has to save so many hundredths
+  /// of all visible fragments, or it is not done. 0: whatever the budget allows is spent.
+  double vertex_weight = 0.1;
   int k = 1;               ///< 1 to 255; those beyond the nodes serve nothing
   std::uint64_t seed = 0;  ///< of the directions by which nodes are parted to begin with
-  int rounds = 30;         ///< at most
+  int restarts = 0;        ///< so often it begins anew, parted by other directions; the best of all goes on
+  int rounds = 30;         ///< of each start, at most
 };
 
 KOrders k_orders(const SeenSubject& subject, const KOrdersOptions& options, const Executor& executor);

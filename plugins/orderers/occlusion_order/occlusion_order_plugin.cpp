@@ -10,6 +10,7 @@ namespace {
 
 struct Options : KOrdersOptions, OrderGrid {
   std::optional<int> made_for;  // entries of the cache, in place of what the draw says
+  std::int64_t start = 0;
 };
 
 std::uint32_t cache_size_of(const IndexStream& stream, const Options& options) {
@@ -32,7 +33,7 @@ class OcclusionOrder final : public SubjectOrderer {
 
   SubjectOrders order(const SubjectView& view, Run& run) override {
     Options options = options_;
-    options.seed = run.seed;
+    options.seed = run.seed + static_cast<std::uint64_t>(options_.start);
     options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].levels[0].orders[0], options_);
     const CapturedSubject captured = captured_subject(
         view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run);
@@ -77,6 +78,11 @@ Plugin occlusion_order_plugin() {
                  {1, 255, "orders"});
   table.row<double>(&Options::acmr_budget, "acmr-budget",
                     "What the orders may cost in the vertex cache: times the ACMR of the order that came in", {1, 100});
+  table.row<double>(
+      &Options::vertex_weight, "vertex-weight",
+      "Below the budget: shading a hundredth more vertices has to save so many hundredths of the fragments; "
+      "0 spends all of the budget",
+      {0, 1000});
   table.choice<OcclusionQuality>(
       &Options::quality, "quality", "How much is tried out, against time",
       {{"fast", OcclusionQuality::fast}, {"balanced", OcclusionQuality::balanced}, {"high", OcclusionQuality::high}});
@@ -84,6 +90,10 @@ Plugin occlusion_order_plugin() {
       &Options::made_for, "cache-size",
       "Size of the FIFO vertex cache that the budget is reckoned for; without it what the order was made for, or 16",
       {3, 65535, "entries"});
+  table.row<int>(&Options::restarts, "restarts",
+                 "With several orders: how often it begins anew, from other sides; the best of all is kept",
+                 {0, 1000, "times"});
+  table.row<std::int64_t>(&Options::start, "seed", "Of the sides that it begins with, besides the pipeline's seed");
   table.row<int>(&Options::theta_steps, "theta-steps",
                  "Steps of the table that says which order to draw, from straight above to straight below", {1, 1024});
   table.row<int>(&Options::phi_steps, "phi-steps", "The same, around the subject", {1, 1024});
