@@ -117,7 +117,7 @@ Axis axis_of_time(const Comparison& comparison) {
   return axis;
 }
 
-/// "on the front of A and B: [1], [3]"; nothing where nobody has both.
+/// "not beaten in both A and B: [1] [3]"; nothing where nobody has both.
 std::string front_text(const Axis& x, const Axis& y) {
   std::vector<std::pair<double, double>> points;
   for (std::size_t i = 0; i < x.values.size(); ++i) points.emplace_back(x.values[i], y.values[i]);

@@ -9,8 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
 namespace foredraw {
 namespace {
@@ -77,70 +75,6 @@ TEST_F(Runner, AppliesTheOrdersOfASubject) {
   ASSERT_EQ(result.scene.draws[1].levels[0].orders.size(), 2u);
   EXPECT_EQ(indices(result.scene, 1, 0), indices(two_, 1));
   EXPECT_EQ(indices(result.scene, 1, 1), (std::vector<std::uint32_t>{2, 1, 3, 0, 1, 2}));
-}
-
-/// Reverses nothing; answers with the table that it is given.
-struct Tabled final : SubjectOrderer {
-  explicit Tabled(OrderTable table) : table_(std::move(table)) {}
-  SubjectOrders order(const SubjectView& subject, Run&) override {
-    SubjectOrders answer;
-    answer.table = table_;
-    for (DrawId id : table_.draws) {
-      IndexOrder order(subject.scene.draws[id].levels[0].orders[0].triangle_count());
-      std::iota(order.begin(), order.end(), 0u);
-      answer.orders.push_back({order, order});
-    }
-    return answer;
-  }
-  OrderTable table_;
-};
-
-TEST_F(Runner, RefusesTablesThatCanNotBeLookedUp) {
-  const float never = std::numeric_limits<float>::quiet_NaN();
-  Scene moves = two_;
-  moves.animations = {{.name = "Walk"}};
-  const OrderTable good{{0}, {{"Walk", {0, 1}}}, 2, 1, {0, 1, 1, 0}};
-  const auto changed = [&](auto change) {
-    OrderTable table = good;
-    change(table);
-    return table;
-  };
-  const std::vector<std::pair<std::string, OrderTable>> tables = {
-      {"", good},
-      {"it answers with no order", changed([](auto& table) { table.draws.clear(); })},
-      {"names a draw twice", changed([](auto& table) {
-         table.draws = {0, 0};
-       })},
-      {"draw 1, which it was not given", changed([](auto& table) { table.draws = {1}; })},
-      {"clip 'Run', which the scene has not", changed([](auto& table) { table.clips[0].name = "Run"; })},
-      {"clip 'Walk' twice", changed([](auto& table) { table.clips.push_back(table.clips[0]); })},
-      {"times do not rise", changed([](auto& table) { table.clips[0].times = {}; })},
-      {"times do not rise", changed([](auto& table) {
-         table.clips[0].times = {1, 0};
-       })},
-      {"times do not rise", changed([&](auto& table) {
-         table.clips[0].times = {0, never};
-       })},
-      {"has 0 steps of theta", changed([](auto& table) { table.theta_steps = 0; })},
-      {"may have 1 to 65536", changed([](auto& table) { table.phi_steps = 65537; })},
-      {"has 3 cells, but should have 4", changed([](auto& table) { table.order.pop_back(); })},
-      {"names order 2 of 2", changed([](auto& table) { table.order[1] = 2; })}};
-  for (const auto& [mistake, table] : tables) {
-    Plugin tabled;
-    tabled.card = {.name = "tabled", .acts_on = {traits::triangles}};
-    tabled.create = [answer = table](const Settings&) -> Technique { return std::make_unique<Tabled>(answer); };
-    registry_ = Registry();
-    registry_.add(std::move(tabled));
-    const Result result = run("tabled(only=\"A\")", moves);
-    std::string told;
-    for (const Diagnostic& diagnostic : result.report.diagnostics) told += to_text(diagnostic) + '\n';
-    if (mistake.empty()) {
-      EXPECT_EQ(result.scene.order_tables.size(), 1u) << told;
-    } else {
-      EXPECT_TRUE(result.scene.order_tables.empty()) << mistake;
-      EXPECT_NE(told.find(mistake), std::string::npos) << mistake << " in " << told;
-    }
-  }
 }
 
 TEST_F(Runner, RunsProcessorsOfEveryShape) {

@@ -1,0 +1,70 @@
+#include <foredraw/pipeline/answers.h>
+
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+namespace foredraw {
+namespace {
+
+/// Why the framework does not take the table with two orders for each of its draws; empty: it takes it.
+std::string mistake_of(const Scene& scene, const OrderTable& table) {
+  SubjectOrders answer{{}, table};
+  for (const DrawId id : table.draws) {
+    IndexOrder order(scene.draws[id].levels[0].orders[0].triangle_count());
+    std::iota(order.begin(), order.end(), 0u);
+    answer.orders.push_back({order, order});
+  }
+  const Subject subject{"A", {{0, {}}}};
+  Analyses analyses;
+  try {
+    EXPECT_EQ(ordered({scene, subject, {0}}, std::move(answer), analyses).table, table);
+    return "";
+  } catch (const std::runtime_error& mistake) {
+    return mistake.what();
+  }
+}
+
+TEST(Answers, TablesThatCanNotBeLookedUpAreRefused) {
+  const float never = std::numeric_limits<float>::quiet_NaN();
+  Scene moves =
+      testing::scene_of({testing::draw_of(testing::grid(2, 1), "A"), testing::draw_of(testing::grid(1, 1), "B")});
+  moves.animations = {{.name = "Walk"}};
+  const OrderTable good{{0}, {{"Walk", {0, 1}}}, 2, 1, {0, 1, 1, 0}};
+  const auto changed = [&](auto change) {
+    OrderTable table = good;
+    change(table);
+    return table;
+  };
+  const std::vector<std::pair<std::string, OrderTable>> tables = {
+      {"", good},
+      {"it answers with no order", changed([](auto& table) { table.draws.clear(); })},
+      {"names a draw twice", changed([](auto& table) {
+         table.draws = {0, 0};
+       })},
+      {"draw 1, which it was not given", changed([](auto& table) { table.draws = {1}; })},
+      {"clip 'Run', which the scene has not", changed([](auto& table) { table.clips[0].name = "Run"; })},
+      {"clip 'Walk' twice", changed([](auto& table) { table.clips.push_back(table.clips[0]); })},
+      {"times do not rise", changed([](auto& table) { table.clips[0].times = {}; })},
+      {"times do not rise", changed([](auto& table) {
+         table.clips[0].times = {1, 0};
+       })},
+      {"times do not rise", changed([&](auto& table) {
+         table.clips[0].times = {0, never};
+       })},
+      {"has 0 steps of theta", changed([](auto& table) { table.theta_steps = 0; })},
+      {"may have 1 to 65536", changed([](auto& table) { table.phi_steps = 65537; })},
+      {"has 3 cells, but should have 4", changed([](auto& table) { table.order.pop_back(); })},
+      {"names order 2 of 2", changed([](auto& table) { table.order[1] = 2; })}};
+  for (const auto& [expected, table] : tables) {
+    const std::string mistake = mistake_of(moves, table);
+    EXPECT_EQ(mistake.empty(), expected.empty()) << mistake;
+    EXPECT_NE(mistake.find(expected), std::string::npos) << expected << " in " << mistake;
+  }
+}
+
+}  // namespace
+}  // namespace foredraw
