@@ -222,34 +222,6 @@ TEST_F(Cli, TellsThePlanWithoutRunningIt) {
   EXPECT_TRUE(files().empty());
 }
 
-TEST_F(Cli, ComparesPipelines) {
-  const Ended compared = run("compare " + spot() + " -p weld -p weld,tipsify --json");
-  ASSERT_EQ(compared.code, 0) << compared.err;
-  const Json json = Json::parse(compared.out);
-  const Json& branches = json["files"][0]["branches"];
-  ASSERT_EQ(branches.size(), 2u);
-  EXPECT_GT(metric(branches[0]["report"]["totals"], "vertex-cache", "acmr"),
-            metric(branches[1]["report"]["totals"], "vertex-cache", "acmr"));
-  EXPECT_EQ(branches[1]["report"]["stages"][1]["use"], "tipsify");
-  EXPECT_NE(run("compare " + spot() + " -p weld -p weld,tipsify").out.find("acmr"), std::string::npos);
-}
-
-TEST_F(Cli, HoldsFiguresToABudget) {
-  const std::string both = "compare " + spot() + " -p tipsify -p weld,tipsify --with vertex-cache ";
-  EXPECT_EQ(run(both + "--fail-if 'vertex-cache.acmr > baseline'").code, 0);
-  const Ended out = run(both + "--repeat 3 --fail-if 'vertex-cache.acmr <= baseline' --fail-if 'time < 1e6'");
-  EXPECT_EQ(out.code, 3);
-  EXPECT_NE(out.err.find("vertex-cache.acmr <= baseline"), std::string::npos) << out.err;
-  EXPECT_NE(out.err.find("time < 1e6"), std::string::npos) << out.err;
-  EXPECT_NE(out.out.find("acmr"), std::string::npos);  // and the comparison is told all the same
-
-  ASSERT_EQ(run("optimize " + spot() + " -o o.glb -p weld,tipsify --with vertex-cache --report r.json").code, 0);
-  const std::string one = "compare " + spot() + " -p weld,tipsify --with vertex-cache --fail-if ";
-  EXPECT_EQ(run(one + "'vertex-cache.acmr > baseline' --baseline r.json").code, 0);
-  EXPECT_EQ(run(one + "'vertex-cache.acmr > baseline * 0.99' --baseline r.json").code, 3);
-  EXPECT_EQ(run(one + "'vertex-cache.acm > 1'").code, 1);
-}
-
 TEST_F(Cli, ShowsWhatThereIs) {
   EXPECT_NE(run("list").out.find("tipsify"), std::string::npos);
   EXPECT_EQ(run("list --kind evaluator").out.find("tipsify"), std::string::npos);
@@ -309,12 +281,6 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"two_pipelines", "optimize SPOT -o out.glb -p weld -p tipsify", 1, "foredraw compare"},
         Mistake{"two_outputs_in_one_file", "optimize SPOT -o out.glb --report out.glb", 1, "two outputs"},
         Mistake{"report_in_no_folder", "optimize SPOT -o out.glb --report no/r.json", 2, "no folder 'no'"},
-        Mistake{"bad_bound", "compare SPOT --fail-if 'acmr > 1'", 1, "EVALUATOR.METRIC or time was expected"},
-        Mistake{"bound_without_baseline", "compare SPOT -p weld --fail-if 'x.y > baseline'", 1, "--baseline"},
-        Mistake{"baseline_that_is_not_there", "compare SPOT -p weld --fail-if 'x.y > baseline' --baseline no.json", 1,
-                "no.json"},
-        Mistake{"baseline_of_no_bound", "compare SPOT -p weld --baseline no.json", 1, "no --fail-if names it"},
-        Mistake{"comparison_in_no_folder", "compare SPOT --report no/r.json", 2, "no folder 'no'"},
         Mistake{"empty_name", "measure ''", 1, "empty"},
         Mistake{"full_disk", "schema >/dev/full; exit $?", 2, "can not be written"},
         Mistake{"option_of_no_service", "plan SPOT -p service.toml", 1, "no option 'views'"},
@@ -334,20 +300,6 @@ TEST_F(Cli, WritesThroughALink) {
   ASSERT_EQ(run("optimize " + spot() + " -o link.glb -p weld --with vertex-cache").code, 0);
   EXPECT_TRUE(fs::is_symlink(folder_ / "link.glb"));
   EXPECT_EQ(content(folder_ / "real.glb").substr(0, 4), "glTF");
-}
-
-TEST_F(Cli, ComparesTheGoodFilesThoughOneIsBad) {
-  std::ofstream(folder_ / "bad.glb") << "glTF but not really";
-  const Ended compared = run("compare " + spot() + " bad.glb -p weld --with vertex-cache");
-  EXPECT_EQ(compared.code, 2);
-  EXPECT_NE(compared.out.find("spot.glb"), std::string::npos);
-  EXPECT_NE(compared.err.find("bad.glb: error"), std::string::npos);
-}
-
-TEST_F(Cli, SetsAnOptionWhereverThereIsItsStage) {
-  EXPECT_EQ(run("compare " + spot() + " -p weld,tipsify -p weld --set tipsify.cache-size=24 --with vertex-cache").code,
-            0);
-  EXPECT_EQ(run("compare " + spot() + " -p weld -p weld --set tipsify.cache-size=24 --with vertex-cache").code, 1);
 }
 
 TEST_F(Cli, TellsEveryMistakeOfAPipelineAtOnce) {

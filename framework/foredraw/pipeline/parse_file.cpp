@@ -33,20 +33,49 @@ class FileReader {
  public:
   FileReader(const std::string& name, Diagnostics& diagnostics) : name_(name), diagnostics_(diagnostics) {}
 
-  Pipeline read(const toml::table& root) {
+  std::vector<NamedPipeline> read(const toml::table& root) {
+    const Pipeline whole = read_pipeline(root);
+    const toml::table* rows = table_in(root, "compare");
+    if (rows == nullptr) return {{name_, whole}};
+    std::vector<NamedPipeline> branches;
+    for (const std::string& row : rows_from_the_top(*rows)) {
+      Pipeline branch = whole;
+      for (Stage& stage : read_list(*rows, row, "compare." + row)) branch.stages.push_back(std::move(stage));
+      branches.push_back({name_ + ": " + row, std::move(branch)});
+    }
+    if (branches.empty()) {
+      error(at(rows->source(), "compare"), "bad-value", "'compare' has no pipelines",
+            "add rows such as sorted = [\"linear-clusters\", \"dot-rule\"]");
+    }
+    return branches;
+  }
+
+ private:
+  Pipeline read_pipeline(const toml::table& root) {
     check_version(root);
     const auto words = pipeline_words();
-    Pipeline pipeline =
-        words.read(fitted(root, words.specs(), {"pipeline", "stages", "measure", "views", "poses", "services"}, ""));
-    pipeline.stages = read_list(root, "stages");
-    pipeline.measure = read_list(root, "measure");
+    Pipeline pipeline = words.read(fitted(
+        root, words.specs(), {"pipeline", "stages", "measure", "compare", "views", "poses", "services"}, ""));
+    pipeline.stages = read_list(root, "stages", "stages");
+    pipeline.measure = read_list(root, "measure", "measure");
     if (const toml::table* table = table_in(root, "views")) pipeline.views = read_set(*table, "views", view_words());
     if (const toml::table* table = table_in(root, "poses")) pipeline.poses = read_set(*table, "poses", pose_words());
     if (const toml::table* table = table_in(root, "services")) pipeline.overdraw = read_services(*table);
     return pipeline;
   }
 
- private:
+  /// toml++ keeps a table by its keys' names; the first pipeline of a comparison is the one that was written first.
+  static std::vector<std::string> rows_from_the_top(const toml::table& table) {
+    std::vector<std::tuple<toml::source_index, toml::source_index, std::string>> rows;
+    for (const auto& [key, node] : table) {
+      rows.emplace_back(key.source().begin.line, key.source().begin.column, std::string(key.str()));
+    }
+    std::ranges::sort(rows);
+    std::vector<std::string> names;
+    for (const auto& row : rows) names.push_back(std::get<2>(row));
+    return names;
+  }
+
   Where at(const toml::source_region& region, std::string inside) const {
     return {name_, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), std::move(inside)};
   }
@@ -123,17 +152,17 @@ class FileReader {
     return nullptr;
   }
 
-  std::vector<Stage> read_list(const toml::table& root, const std::string& name) {
+  std::vector<Stage> read_list(const toml::table& table, const std::string& name, const std::string& inside) {
     std::vector<Stage> stages;
-    const toml::node* node = root.get(name);
+    const toml::node* node = table.get(name);
     if (node == nullptr) return stages;
     if (!node->is_array()) {
-      wrong_kind(*node, "", fmt::format("'{}'", name), "a list", fmt::format("write {} = [ ... ]", name));
+      wrong_kind(*node, "", fmt::format("'{}'", inside), "a list", fmt::format("write {} = [ ... ]", name));
       return stages;
     }
     const toml::array& list = *node->as_array();
     for (std::size_t i = 0; i < list.size(); ++i) {
-      if (auto stage = read_stage(list[i], fmt::format("{}[{}]", name, i))) stages.push_back(std::move(*stage));
+      if (auto stage = read_stage(list[i], fmt::format("{}[{}]", inside, i))) stages.push_back(std::move(*stage));
     }
     return stages;
   }
@@ -206,16 +235,17 @@ std::vector<Diagnostic> from_the_top(std::vector<Diagnostic> found) {
 
 }  // namespace
 
-std::optional<Pipeline> parse_file(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
+std::optional<std::vector<NamedPipeline>> parse_branches(std::string_view text, const std::string& name,
+                                                         Diagnostics& diagnostics) {
   if (std::ranges::count(text, '.') > most_dots) {
     diagnostics.error({.file = name}, "too-large",
                       fmt::format("the file has more than {} dots, as no pipeline has", most_dots));
     return std::nullopt;
   }
   Diagnostics found;
-  std::optional<Pipeline> pipeline;
+  std::vector<NamedPipeline> branches;
   try {
-    pipeline = FileReader(name, found).read(toml::parse(text, std::string_view(name)));
+    branches = FileReader(name, found).read(toml::parse(text, std::string_view(name)));
   } catch (const toml::parse_error& problem) {
     const toml::source_position place = problem.source().begin;
     found.error({name, static_cast<int>(place.line), static_cast<int>(place.column), {}}, "syntax",
@@ -223,7 +253,21 @@ std::optional<Pipeline> parse_file(std::string_view text, const std::string& nam
   }
   for (const Diagnostic& diagnostic : from_the_top(found.all())) diagnostics.add(diagnostic);
   if (found.has_errors()) return std::nullopt;
-  return pipeline;
+  return branches;
+}
+
+std::optional<Pipeline> only_one(std::optional<std::vector<NamedPipeline>> branches, const std::string& name,
+                                 Diagnostics& diagnostics) {
+  if (!branches) return std::nullopt;
+  if (branches->size() == 1) return std::move(branches->front().pipeline);
+  diagnostics.error({.file = name, .inside = "compare"}, "has-branches",
+                    fmt::format("there are {} pipelines, and one is asked for", branches->size()),
+                    "foredraw compare runs them side by side");
+  return std::nullopt;
+}
+
+std::optional<Pipeline> parse_file(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
+  return only_one(parse_branches(text, name, diagnostics), name, diagnostics);
 }
 
 }  // namespace foredraw

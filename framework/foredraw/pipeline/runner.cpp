@@ -3,6 +3,7 @@
 #include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/stage_runner.h>
+#include <foredraw/platform/machine.h>
 #include <foredraw/platform/memory.h>
 
 #include <algorithm>
@@ -30,8 +31,9 @@ std::map<std::string, OptionValue> whole_settings(const PlannedStage& stage) {
 
 class PlanRunner {
  public:
-  PlanRunner(const Plan& plan, Scene scene, const Surroundings& surroundings)
-      : plan_(&plan), surroundings_(&surroundings) {
+  /// `watches_memory`: of every stage; nothing else may run in the process meanwhile.
+  PlanRunner(const Plan& plan, Scene scene, const Surroundings& surroundings, bool watches_memory = false)
+      : plan_(&plan), surroundings_(&surroundings), watches_memory_(watches_memory) {
     result_.scene = std::move(scene);
   }
 
@@ -40,6 +42,7 @@ class PlanRunner {
     const Clock clock;
     Report& report = result_.report;
     report.threads = surroundings_->executor.threads();
+    report.machine = machine_text();
     report.optimized = with_stages;
     describe_input();
     count_steps();
@@ -78,7 +81,7 @@ class PlanRunner {
     report.diagnostics = diagnostics_.all();
     result_.failed = diagnostics_.has_errors();
     report.seconds += clock.seconds();
-    report.peak_memory = peak_memory();
+    report.peak_memory = std::max(peak_memory_, peak_memory());
     return std::move(result_);
   }
 
@@ -162,6 +165,7 @@ class PlanRunner {
     record.text = print_stage(stage.stage);
     record.kind = stage.plugin->kind;
     record.places = stage.places();
+    const std::optional<MemoryWatch> memory = watch_memory();
     const Clock clock;
     if (stage.left_out) {
       record.skipped.push_back({"unavailable", *stage.left_out, {}});
@@ -173,8 +177,15 @@ class PlanRunner {
       for (const Measured& figure : measured) book(figure);
     }
     record.seconds = clock.seconds();
+    if (memory) record.memory = memory->growth();
     ++done_;
     return record;
+  }
+
+  std::optional<MemoryWatch> watch_memory() {
+    if (!watches_memory_) return std::nullopt;
+    peak_memory_ = std::max(peak_memory_, peak_memory());  // which the watch begins anew
+    return MemoryWatch();
   }
 
   void book(const Measured& measured, const PlannedStage& stage, DrawState draw_state, ImageState image_state,
@@ -200,6 +211,8 @@ class PlanRunner {
   Result result_;
   std::size_t steps_ = 0;
   double done_ = 0;
+  bool watches_memory_ = false;
+  std::uint64_t peak_memory_ = 0;  ///< before the last watch began
 };
 
 /// Whether stages find the same surroundings in both.
@@ -251,7 +264,7 @@ Result measure(const Plan& plan, Scene scene, const Surroundings& surroundings) 
 std::vector<Result> compare(std::span<const Plan> plans, const Scene& scene, int rounds,
                             const Surroundings& surroundings) {
   const std::size_t shared = shared_stages(plans);
-  PlanRunner input(plans.front(), scene, surroundings);
+  PlanRunner input(plans.front(), scene, surroundings, true);
   input.begin(true);
   std::vector<Result> results;
   std::vector<std::vector<std::vector<double>>> seconds(plans.size());  // [plan][stage][round]

@@ -108,6 +108,10 @@ std::string pipeline_schema(const Registry& registry) {
   properties.update(properties_of(pipeline_words().specs()));
   properties["stages"] = list_of("any_stage", "What to run, in this sequence");
   properties["measure"] = list_of("any_measure", "What to measure, before and after");
+  properties["compare"] = {{"type", "object"},
+                           {"description", "Several pipelines in one: each goes on from the stages with its own"},
+                           {"minProperties", 1},
+                           {"additionalProperties", list_of("any_stage", "What this one runs behind the stages")}};
   properties["views"] = closed_table(properties_of(view_words().specs()));
   properties["views"]["description"] = "Where orders are optimised to be looked at from";
   properties["poses"] = closed_table(properties_of(pose_words().specs()));

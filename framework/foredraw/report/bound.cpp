@@ -91,19 +91,6 @@ class BoundReader {
   std::size_t at_ = 0;
 };
 
-std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
-
-std::optional<double> figure_in(const Metrics& metrics, const std::string& name) {
-  const std::size_t dot = name.find('.');
-  if (dot == std::string::npos) return std::nullopt;
-  const Figure* figure = metrics.find(name.substr(0, dot), name.substr(dot + 1));
-  return figure == nullptr ? std::nullopt : finite(figure->value());
-}
-
-std::optional<double> figure_of(const Branch& branch, const std::string& name) {
-  return name == "time" ? stages_seconds(branch.report) : figure_in(branch.report.after.metrics, name);
-}
-
 const StoredFigures* stored_for(const std::string& path, const std::map<std::string, StoredFigures>& stored) {
   if (const auto same = stored.find(path); same != stored.end()) return &same->second;
   const auto name = std::filesystem::path(path).filename();
@@ -133,21 +120,21 @@ void judge_file(const Bound& bound, const Comparison& comparison, const std::map
   };
   std::optional<double> beside = 0;
   if (bound.beside == Bound::Beside::input) {
-    beside = figure_in(comparison.branches.front().report.before.metrics, bound.figure);
+    beside = input_value(comparison, bound.figure);
     if (!beside) return unknown("the input");
   } else if (bound.beside == Bound::Beside::baseline && stored != nullptr) {
     const StoredFigures* figures = stored_for(path, *stored);
     if (figures == nullptr || !figures->contains(bound.figure)) return unknown("the stored baseline of this file");
     beside = figures->at(bound.figure);
   } else if (bound.beside == Bound::Beside::baseline) {
-    beside = figure_of(comparison.branches.front(), bound.figure);
+    beside = value_of(comparison.branches.front(), bound.figure);
     if (!beside) return unknown("the first pipeline");
   }
   const double limit = bound.factor * *beside + bound.added;
   const bool is_baseline_first = bound.beside == Bound::Beside::baseline && stored == nullptr;
   for (std::size_t i = is_baseline_first ? 1 : 0; i < comparison.branches.size(); ++i) {
     const Branch& branch = comparison.branches[i];
-    const std::optional<double> value = figure_of(branch, bound.figure);
+    const std::optional<double> value = value_of(branch, bound.figure);
     if (!value) return unknown(branch.name);
     if (!is_out(bound, *value, limit)) continue;
     diagnostics.error({.file = path}, "out-of-bounds",

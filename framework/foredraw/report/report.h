@@ -5,6 +5,7 @@
 #include <foredraw/report/metrics.h>
 #include <foredraw/analysis/mesh_facts.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,7 @@ struct StageRecord {
   Kind kind = Kind::orderer;
   double seconds = 0;          ///< the median, where it ran several times
   std::vector<double> rounds;  ///< seconds of each time, where it ran several times
+  std::optional<std::uint64_t> memory;  ///< bytes that the process held more while it ran, at most, than before
   std::size_t changed = 0;     ///< places that it worked on with success
   std::size_t candidates = 0;  ///< places there were
   std::string places;          ///< what these are: "draws", "vertex streams"
@@ -72,6 +74,7 @@ struct Report {
   std::string pipeline;  ///< TOML; parses back
   std::int64_t seed = 0;
   int threads = 1;
+  std::string machine;   ///< what it ran on, for people
   bool optimized = false;  ///< there is a before and an after; else only an after
   std::vector<StageRecord> stages;
   std::vector<StageRecord> measures;

@@ -72,6 +72,7 @@ Json to_json(const StageRecord& stage) {
             {"seconds", stage.seconds}, {"places", stage.places},   {"changed", stage.changed},
             {"candidates", stage.candidates}, {"skipped", skipped}, {"notes", notes}};
   if (!stage.rounds.empty()) json["rounds"] = stage.rounds;
+  if (stage.memory) json["memory"] = *stage.memory;
   return json;
 }
 
@@ -102,6 +103,7 @@ std::string to_json(const Report& report) {
   json["pipeline"] = report.pipeline;
   json["seed"] = report.seed;
   json["threads"] = report.threads;
+  json["machine"] = report.machine;
   json["seconds"] = report.seconds;
   json["peak-memory"] = report.peak_memory;
 

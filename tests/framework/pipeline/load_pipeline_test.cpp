@@ -26,6 +26,15 @@ TEST(LoadPipeline, TakesALineAPresetOrAFile) {
   EXPECT_TRUE(diagnostics.empty());
 }
 
+TEST(LoadBranches, CallsALineByItself) {
+  Diagnostics diagnostics;
+  const auto branches = load_branches("weld, tipsify", diagnostics);
+  ASSERT_TRUE(branches);
+  EXPECT_EQ(branches->front().name, "weld, tipsify");
+  EXPECT_EQ(load_branches("@default", diagnostics)->front().name, "@default");
+  EXPECT_FALSE(load_branches("@defualt", diagnostics));
+}
+
 TEST(LoadPipeline, SaysWhatItLookedFor) {
   const auto refusal = [](const std::string& argument) {
     Diagnostics diagnostics;

@@ -1,5 +1,5 @@
 #include <foredraw/report/comparison.h>
-#include <foredraw/report/pareto.h>
+#include <foredraw/report/fronts.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(ComparisonText, AColumnForEachBranchAndAStarAtTheBest) {
   EXPECT_EQ(line_with(text, "acmr"), "cache  acmr        3.0000  2.0000    1.0000 -50.0 % *");
   EXPECT_EQ(line_with(text, "all stages"), "time   all stages          500.0 ms  1000.0 ms");
   EXPECT_THAT(text, HasSubstr("  [1] tipsify 250.0 ms, tipsify 250.0 ms"));
-  EXPECT_THAT(text, HasSubstr("* the best of its row"));
+  EXPECT_THAT(text, HasSubstr("* the best of all"));
 }
 
 TEST(ComparisonText, DifferencesWithinTheErrorsAreNone) {
@@ -145,8 +145,92 @@ TEST(ComparisonJson, HoldsWholeReportsAndATableOfMetrics) {
   EXPECT_EQ(file["branches"][1]["seconds"], 1.0);
   EXPECT_EQ(file["branches"][1]["report"]["report"], report_version);
   EXPECT_EQ(file["metrics"], json::parse(R"([
-    {"evaluator": "cache", "metric": "acmr", "input": 3.0, "values": [2.0, 1.0]},
-    {"evaluator": "cache", "metric": "models.amd.acmr", "input": null, "values": [3.5, null]}])"));
+    {"evaluator": "cache", "metric": "acmr", "lower-is-better": true, "input": 3.0, "values": [2.0, 1.0]},
+    {"evaluator": "cache", "metric": "models.amd.acmr", "lower-is-better": true, "input": null, "values": [3.5, null]}])"));
+}
+
+/// A comparison whose first pipeline could not be planned.
+Comparison with_a_lost_branch() {
+  Comparison comparison = two_branches();
+  Branch lost{"odd", {}, true};
+  lost.report.diagnostics = {{Severity::error, {}, "unknown-plugin", "there is no plugin 'odd'", ""}};
+  comparison.branches.insert(comparison.branches.begin(), lost);
+  return comparison;
+}
+
+TEST(LostBranch, KeepsItsNumberAndLosesNoOther) {
+  const std::string text = to_text({with_a_lost_branch()});
+  EXPECT_THAT(text, HasSubstr("  [1] odd\n  [2] A\n  [3] B\n"));
+  EXPECT_EQ(line_with(text, "acmr"), "cache  acmr        3.0000  -    2.0000    1.0000 *");
+  EXPECT_EQ(line_with(text, "all stages"), "time   all stages          -    500.0 ms  1000.0 ms");
+  EXPECT_THAT(text, HasSubstr("  [1] could not be planned\n"));
+  const json branch = json::parse(to_json({with_a_lost_branch()}))["files"][0]["branches"][0];
+  EXPECT_EQ(branch["lost"], true);
+  EXPECT_EQ(branch["seconds"], nullptr);
+  EXPECT_EQ(branch["report"]["diagnostics"][0]["code"], "unknown-plugin");
+  EXPECT_EQ(value_of(with_a_lost_branch().branches[0], "time"), std::nullopt);
+  EXPECT_EQ(input_value(with_a_lost_branch(), "cache.acmr"), 3.0);
+}
+
+TEST(ComparisonText, ManyBranchesAreARowEach) {
+  Comparison comparison = two_branches();
+  for (int i = 0; i < 5; ++i) comparison.branches.push_back(branch("more", ratio(4 + i, 1), 0.1));
+  const std::string text = to_text({comparison});
+  EXPECT_EQ(line_with(text, "cache acmr"), "       cache acmr        time");
+  EXPECT_EQ(line_with(text, "input "), "input  3.0000");
+  EXPECT_EQ(line_with(text, "[2]    "), "[2]    1.0000 -50.0 % *  1000.0 ms");
+  EXPECT_EQ(line_with(text, "[7]    "), "[7]    8.0000 +300.0 %   200.0 ms");
+}
+
+TEST(Fronts, AreTheOnesAskedFor) {
+  Comparison comparison = two_branches();
+  comparison.fronts = {{"time", "cache.acmr"}, {"time", "cache.nothing"}};
+  const auto fronts = fronts_of(comparison);
+  ASSERT_EQ(fronts.size(), 1u);
+  EXPECT_EQ(fronts[0].branches, (std::vector<std::size_t>{0, 1}));
+  EXPECT_THAT(to_text({comparison}), HasSubstr("not beaten in both time and cache acmr: [1] [2]\n"));
+  EXPECT_EQ(json::parse(to_json({comparison}))["files"][0]["fronts"],
+            json::parse(R"([{"x": "time", "y": "cache.acmr", "branches": [0, 1]}])"));
+  EXPECT_EQ(unknown_figures(comparison), std::vector<std::string>{"cache.nothing"});
+}
+
+TEST(Fronts, OfWhatIsBetterHigherTheHighestIsOnThem) {
+  Comparison comparison = two_branches();
+  comparison.branches[0].report.after.metrics.set("cache", "hits", ratio(3, 4, false));
+  comparison.branches[1].report.after.metrics.set("cache", "hits", ratio(1, 4, false));
+  comparison.fronts = {{"time", "cache.hits"}};
+  EXPECT_EQ(fronts_of(comparison)[0].branches, std::vector<std::size_t>{0});
+}
+
+TEST(Fronts, AreReadFromTwoNames) {
+  Diagnostics diagnostics;
+  EXPECT_EQ(parse_front("time,a.b", diagnostics), std::pair(std::string("time"), std::string("a.b")));
+  EXPECT_EQ(parse_front("a.models.x, a.b", diagnostics), std::pair(std::string("a.models.x"), std::string("a.b")));
+  EXPECT_TRUE(diagnostics.empty());
+  for (const char* text : {"", ",", "time", "time,", "time, ", ",a.b", "a,b"}) {
+    EXPECT_FALSE(parse_front(text, diagnostics)) << text;
+  }
+  EXPECT_THAT(to_text(diagnostics.all()[2]),
+              HasSubstr("--front: error: expected two figures, found 'time'\n    hint: such as time,"));
+}
+
+TEST(ComparisonCsv, HasALineForEveryFigure) {
+  Comparison comparison = two_branches();
+  comparison.input.path = "a, \"b\".glb";
+  comparison.branches.resize(1);
+  Report& report = comparison.branches[0].report;
+  report.draws.resize(1);
+  report.draws[0].name = "rock";
+  report.draws[0].after.metrics.set("cache", "acmr", ratio(1, 8));
+  report.stages.resize(1);
+  report.stages[0].memory = 4096;
+  EXPECT_EQ(to_csv({comparison}),
+            "file,branch,pipeline,draw,evaluator,metric,value,unit,error\r\n"
+            "\"a, \"\"b\"\".glb\",input,,,cache,acmr,3,per triangle,0\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,,cache,acmr,2,per triangle,0\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,rock,cache,acmr,0.125,per triangle,0\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,,stage,tipsify.seconds,0.25,s,\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,,stage,tipsify.memory,4096,bytes,\r\n");
 }
 
 TEST(ComparisonJson, NothingComparedIsNoFiles) {
