@@ -41,7 +41,7 @@ class CommandLine {
  public:
   explicit CommandLine(const Registry& registry) : registry_(registry) {
     app_.require_subcommand(1);
-    app_.set_version_flag("--version", std::string("foredraw ") + FOREDRAW_VERSION);
+    app_.set_version_flag("--version", program_name());
     app_.footer(
         "Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed, 3 a --fail-if was met.\n"
         "A first try: foredraw optimize in.glb -o out.glb");
@@ -56,6 +56,7 @@ class CommandLine {
     pipeline(optimize_app);
     with(optimize_app);
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
+    html(optimize_app);
     optimize_app.add_option("--remap", arguments_.remap,
                             "Write the triangle and vertex remap tables, as JSON, to this file");
     optimize_app.add_option("--draw-orders", arguments_.draw_orders,
@@ -88,6 +89,11 @@ class CommandLine {
     pipeline(compare_app, "; give it once for each pipeline");
     with(compare_app);
     compare_app
+        .add_option("--sweep", arguments_.sweeps,
+                    "Run the pipelines at every value of an option: stage.option=FIRST:LAST:STEP or =A,B,C; given several "
+                    "times, at every combination")
+        ->allow_extra_args(false);
+    compare_app
         .add_option("--repeat", arguments_.repeat,
                     "Run the stages so many times, the pipelines in turn; times are medians (default: 1)")
         ->check(CLI::Range(1, 1000));
@@ -98,7 +104,14 @@ class CommandLine {
     compare_app.add_option("--baseline", arguments_.baseline,
                            "What --fail-if means by baseline: a report, or comparison, of an earlier run; without it the "
                            "first pipeline");
+    compare_app
+        .add_option("--front", arguments_.fronts,
+                    "Say which pipelines no other one beats in both of two figures, such as "
+                    "time,overdraw-raster.ratio; may be given several times")
+        ->allow_extra_args(false);
     compare_app.add_option("--report", arguments_.report, "Write the comparison, as JSON, to this file");
+    compare_app.add_option("--csv", arguments_.csv, "Write every figure on a line of its own, as CSV, to this file");
+    html(compare_app);
     json(compare_app);
     threads(compare_app);
     memory_limit(compare_app);
@@ -214,6 +227,10 @@ class CommandLine {
     app.add_option("--heatmap-view", arguments_.heat_map_view,
                    "Views to draw, of those that the first overdraw evaluator looks from: worst, all, or a number "
                    "(default: worst)");
+  }
+  void html(CLI::App& app) {
+    app.add_option("--html", arguments_.html,
+                   "Write a page with tables, a plot and the scene in three dimensions, for any browser, to this file");
   }
   void json(CLI::App& app, const std::string& what = "Print JSON to standard output") {
     app.add_flag("--json", arguments_.json, what);

@@ -20,8 +20,12 @@ struct Arguments {
   std::vector<std::string> pipelines;  ///< none: @default
   std::vector<std::string> set;
   std::string with;                    ///< evaluators to measure with instead of the pipeline's
+  std::vector<std::string> sweeps;     ///< options at many values
   std::string report;
+  std::string csv;
+  std::string html;
   std::vector<std::string> fail_if;    ///< bounds that figures have to keep
+  std::vector<std::string> fronts;     ///< two figures each
   std::string baseline;                ///< a stored report that they are held against
   std::string remap;
   std::string draw_orders;

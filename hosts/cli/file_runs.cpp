@@ -1,5 +1,7 @@
 #include "file_runs.h"
 
+#include <hosts/report/page.h>
+
 #include <foredraw/io/heat_maps.h>
 #include <foredraw/io/images.h>
 #include <foredraw/report/draw_orders.h>
@@ -34,9 +36,10 @@ bool write_heat_maps(const FileJob& job, const std::string& input, const Plan& p
   return files.empty() || (make_folder(folder, diagnostics) && write_files(files, diagnostics));
 }
 
-/// Reads, plans and works; `written` puts the result somewhere, and may fail.
+/// Reads, plans and works; `written` puts the result somewhere, beside what the scene was where that is shown, and may
+/// fail.
 FileRun run_file(const FileJob& job, const std::string& command, const std::string& input, const Work& work,
-                 const std::function<bool(Result&, Diagnostics&)>& written) {
+                 const std::function<bool(const Scene&, Result&, Diagnostics&)>& written) {
   FileRun run;
   Diagnostics diagnostics;
   const auto lost = [&](Exit exit) {
@@ -55,7 +58,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   const bool draws = !job.arguments.heat_maps.empty();
   if (draws && !are_views(job.arguments.heat_map_view, looks_of(*plan), diagnostics)) return lost(users_mistake);
 
-  const Scene before = draws ? file->scene : Scene();
+  const Scene before = draws || !job.arguments.html.empty() ? file->scene : Scene();
   Analyses analyses(image_decoder(input));
   Result result = with_memory(input, "work on it", [&] {
     return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
@@ -64,7 +67,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   result.report.input = {input, file->bytes};
   for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
   result.report.diagnostics = diagnostics.all();
-  if (!written(result, diagnostics)) return lost(something_failed);
+  if (!written(before, result, diagnostics)) return lost(something_failed);
   if (draws) {
     const Scene* after = result.report.optimized ? &result.scene : nullptr;
     if (!write_heat_maps(job, input, *plan, before, after, analyses, diagnostics)) result.failed = true;
@@ -75,12 +78,21 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   return run;
 }
 
+/// One pipeline beside the input.
+std::string page_of(const Scene& before, const Result& result, const FileJob& job) {
+  const std::string name = job.arguments.pipelines.empty() ? "@default" : job.arguments.pipelines.front();
+  const Comparison comparison{result.report.input, {{name, result.report}}, {}};
+  const std::optional<Scene> after = result.scene;
+  const Display shown = display(before, {&after, 1}, 0);
+  return page({&comparison, 1}, {&shown, 1}, program_name());
+}
+
 }  // namespace
 
 FileRun optimize_file(const FileJob& job, const std::string& input, const std::string& output) {
   const Arguments& arguments = job.arguments;
   // The scene, the report, the remap tables and the orders: all of them, or none and an explanation.
-  const auto write = [&](Result& result, Diagnostics& diagnostics) {
+  const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
     const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
     auto files = encode_scene(result.scene, output, diagnostics, compression);
     if (!files) return false;
@@ -89,6 +101,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::s
     report.diagnostics = diagnostics.all();
     if (!is_folder(arguments.inputs[0])) {
       if (!arguments.report.empty()) files->push_back(text_file(arguments.report, to_json(report)));
+      if (!arguments.html.empty()) files->push_back(text_file(arguments.html, page_of(before, result, job)));
       if (!arguments.remap.empty()) files->push_back(text_file(arguments.remap, remap_json(result.scene)));
       if (!arguments.draw_orders.empty()) {
         files->push_back(text_file(arguments.draw_orders, draw_orders_json(result.scene)));
@@ -98,13 +111,14 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::s
     return write_files(std::span(*files).subspan(1), diagnostics) &&
            write_standard_output(files->front().bytes, diagnostics);
   };
-  return run_file(job, "optimize", input, foredraw::optimize, [&](Result& result, Diagnostics& diagnostics) {
-    return with_memory(output, "write it", [&] { return write(result, diagnostics); });
+  return run_file(job, "optimize", input, foredraw::optimize,
+                  [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
+    return with_memory(output, "write it", [&] { return write(before, result, diagnostics); });
   });
 }
 
 FileRun measure_file(const FileJob& job, const std::string& input) {
-  return run_file(job, "measure", input, foredraw::measure, [](Result&, Diagnostics&) { return true; });
+  return run_file(job, "measure", input, foredraw::measure, [](const Scene&, Result&, Diagnostics&) { return true; });
 }
 
 }  // namespace foredraw::cli

@@ -126,6 +126,10 @@ Exit optimize_folder(const FileJob& job) {
     diagnostics.error({.file = arguments.output}, "bad-arguments", "is the input folder itself",
                       "give -o another folder: several scenes may share a .bin, and need what is in it");
   }
+  if (!arguments.html.empty()) {
+    diagnostics.error({}, "bad-arguments", "--html makes the page of one scene, and the input is a folder",
+                      "foredraw compare makes one of several scenes");
+  }
   if (!arguments.remap.empty()) {
     diagnostics.error({}, "bad-arguments", "--remap writes the tables of one scene, and the input is a folder",
                       "run it on the file whose tables are wanted");

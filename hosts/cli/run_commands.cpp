@@ -16,8 +16,7 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, Diagnostics& di
     return std::nullopt;
   }
   const std::string text = arguments.pipelines.empty() ? "@default" : arguments.pipelines.front();
-  auto pipelines = pipelines_for(arguments, {text}, diagnostics);
-  return pipelines ? std::optional(std::move(pipelines->front())) : std::nullopt;
+  return only_one(pipelines_for(arguments, {text}, diagnostics), text, diagnostics);
 }
 
 /// Reports and scene would stand in each other's way.
@@ -26,23 +25,19 @@ bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
     diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
                       "use --report FILE for the record");
   }
-  const auto same = [](const std::string& a, const std::string& b) {
-    std::error_code error;
-    return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
-  };
-  const std::string outputs[] = {arguments.report, arguments.remap, arguments.draw_orders};
+  const std::string outputs[] = {arguments.report, arguments.html, arguments.remap, arguments.draw_orders};
   for (const std::string& text : outputs) {
     if (text.empty()) continue;
-    if (same(text, arguments.inputs[0])) {
+    if (is_same_file(text, arguments.inputs[0])) {
       diagnostics.error({.file = text}, "bad-arguments", "is the input", "give the output a file of its own");
       return true;
     }
     if (text == "-")
-      diagnostics.error({}, "bad-arguments", "--report, --remap and --draw-orders take the name of a file",
+      diagnostics.error({}, "bad-arguments", "--report, --html, --remap and --draw-orders take the name of a file",
                         "--json prints the record");
     const auto others =
-        std::ranges::count_if(outputs, [&](const std::string& other) { return !other.empty() && same(text, other); });
-    if (same(text, arguments.output) || others > 1) {
+        std::ranges::count_if(outputs, [&](const std::string& other) { return !other.empty() && is_same_file(text, other); });
+    if (is_same_file(text, arguments.output) || others > 1) {
       diagnostics.error({.file = text}, "bad-arguments", "is to hold two outputs", "give each a file of its own");
       return true;
     }
@@ -60,7 +55,7 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   const Executor executor(arguments.threads);
   if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor});
   if (!can_write_scene(arguments.output, input, diagnostics)) return refuse(diagnostics);
-  if (!have_folders({arguments.output, arguments.report, arguments.remap, arguments.draw_orders}, diagnostics)) {
+  if (!have_folders({arguments.output, arguments.report, arguments.html, arguments.remap, arguments.draw_orders}, diagnostics)) {
     return refuse_file(diagnostics);
   }
 
@@ -93,9 +88,9 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
   if (!pipelines) return refuse(diagnostics);
   const Executor executor(arguments.threads);
   const std::string& input = arguments.inputs[0];
-  if (is_folder(input)) return measure_folder({arguments, pipelines->front(), registry, executor});
+  if (is_folder(input)) return measure_folder({arguments, pipelines->front().pipeline, registry, executor});
 
-  const FileRun run = measure_file({arguments, pipelines->front(), registry, executor, progress_line()}, input);
+  const FileRun run = measure_file({arguments, pipelines->front().pipeline, registry, executor, progress_line()}, input);
   end_progress();
   tell(run.report.diagnostics);
   if (run.is_lost) return run.exit;

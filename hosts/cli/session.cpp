@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace foredraw::cli {
 
@@ -38,12 +39,12 @@ Exit print(const std::string& text) {
 
 namespace {
 
-bool set_wherever_it_is(std::vector<Pipeline>& pipelines, const std::string& assignment, Diagnostics& diagnostics) {
+bool set_wherever_it_is(std::vector<NamedPipeline>& pipelines, const std::string& assignment, Diagnostics& diagnostics) {
   Diagnostics nowhere;
   bool found = false;
-  for (Pipeline& pipeline : pipelines) {
+  for (NamedPipeline& named : pipelines) {
     Diagnostics here;
-    if (set_option(pipeline, assignment, here)) {
+    if (set_option(named.pipeline, assignment, here)) {
       found = true;
       continue;
     }
@@ -57,18 +58,20 @@ bool set_wherever_it_is(std::vector<Pipeline>& pipelines, const std::string& ass
 
 }  // namespace
 
-std::optional<std::vector<Pipeline>> pipelines_for(const Arguments& arguments, const std::vector<std::string>& texts,
-                                                   Diagnostics& diagnostics) {
-  std::vector<Pipeline> pipelines;
+std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments,
+                                                        const std::vector<std::string>& texts,
+                                                        Diagnostics& diagnostics) {
+  std::vector<NamedPipeline> pipelines;
   for (const std::string& text : texts) {
-    if (auto pipeline = load_pipeline(text, diagnostics)) pipelines.push_back(std::move(*pipeline));
+    auto branches = load_branches(text, diagnostics);
+    if (branches) std::ranges::move(*branches, std::back_inserter(pipelines));
   }
   auto measure = arguments.with.empty() ? std::optional<std::vector<Stage>>()
                                         : parse_stages(arguments.with, "--with", diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  if (!measure) measure = pipelines.front().measure;
+  if (!measure) measure = pipelines.front().pipeline.measure;
   if (measure->empty()) measure = load_pipeline("@default", diagnostics)->measure;
-  for (Pipeline& pipeline : pipelines) pipeline.measure = *measure;
+  for (NamedPipeline& named : pipelines) named.pipeline.measure = *measure;
   bool good = true;
   for (const std::string& assignment : arguments.set)
     good = set_wherever_it_is(pipelines, assignment, diagnostics) && good;
@@ -86,6 +89,13 @@ std::function<void(std::string_view, double)> progress_line() {
 void end_progress() {
   if (stderr_is_terminal()) fmt::print(stderr, "\r\033[K");
 }
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
+std::string program_name() { return std::string("foredraw ") + FOREDRAW_VERSION; }
 
 OutputFile text_file(const std::string& path, const std::string& text) {
   const auto bytes = std::as_bytes(std::span(text));

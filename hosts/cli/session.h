@@ -4,6 +4,7 @@
 #include "commands.h"
 
 #include <foredraw/io/scene_file.h>
+#include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/platform/files.h>
 
@@ -25,11 +26,12 @@ Exit exit_for_file(const Diagnostics& diagnostics);  ///< the code alone
 /// Prints a result to standard output.
 Exit print(const std::string& text);
 
-/// The pipelines of the texts, with --with and --set put in. All measure alike: with what --with names, else as the
+/// The pipelines of the texts, of a file with several all of them, with --with and --set put in. All measure alike: with what --with names, else as the
 /// first does, else as @default. An option is set wherever there is its stage; it is a mistake where there is none in
 /// any.
-std::optional<std::vector<Pipeline>> pipelines_for(const Arguments& arguments, const std::vector<std::string>& texts,
-                                                   Diagnostics& diagnostics);
+std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments,
+                                                        const std::vector<std::string>& texts,
+                                                        Diagnostics& diagnostics);
 
 /// What a step that lacks memory is left by; main() tells it in one line.
 struct OutOfMemory {
@@ -55,6 +57,12 @@ bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
 
 /// Whether the files can be put into their folders: who learns it after the work has lost it. Empty names are no files.
 bool have_folders(std::initializer_list<std::string> files, Diagnostics& diagnostics);
+
+/// Whether two paths lead to the same place, there or not.
+bool is_same_file(const std::string& a, const std::string& b);
+
+/// "foredraw 0.1.0".
+std::string program_name();
 
 OutputFile text_file(const std::string& path, const std::string& text);
 

@@ -1,0 +1,24 @@
+#pragma once
+// What the viewer of a page shows: geometry, poses, and the orders of every pipeline.
+
+#include <foredraw/base/parallel.h>
+#include <foredraw/scene/scene.h>
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace foredraw {
+
+/// One file as the script reads it; docs/report.md tells its form.
+struct Display {
+  std::string scene;   ///< JSON
+  std::string buffer;  ///< base64
+};
+
+/// Subject by subject, as overdraw is measured: every part in at most 64 poses, the input's triangles, and how each
+/// pipeline sorts them. Subjects above 200,000 triangles are shown by some of theirs. `branches`: [pipeline] its scene,
+/// nothing where it was lost. `file`: the number by which the page knows it.
+Display display(const Scene& input, std::span<const std::optional<Scene>> branches, std::size_t file);
+
+}  // namespace foredraw

@@ -1,0 +1,19 @@
+#pragma once
+// The parts of a page that need no script. Each is the inside of a section, as HTML.
+
+#include <foredraw/report/comparison.h>
+
+#include <span>
+#include <string>
+
+namespace foredraw {
+
+std::string summary_html(std::span<const Comparison> comparisons);
+std::string figures_html(std::span<const Comparison> comparisons);
+std::string draws_html(std::span<const Comparison> comparisons);
+std::string stages_html(std::span<const Comparison> comparisons);
+std::string diagnostics_html(std::span<const Comparison> comparisons);
+std::string pipelines_html(std::span<const Comparison> comparisons);
+std::string run_html(std::span<const Comparison> comparisons, const std::string& program);
+
+}  // namespace foredraw

@@ -1,0 +1,126 @@
+// How triangles and counts become colours. All colours are as they show: nothing is converted on the way.
+
+import {
+  AddEquation,
+  BackSide,
+  CustomBlending,
+  DoubleSide,
+  FrontSide,
+  GLSL3,
+  LessDepth,
+  NoBlending,
+  OneFactor,
+  RawShaderMaterial,
+  Vector2,
+  Vector3,
+} from 'three';
+import { heat, heat_background } from './colours.js';
+
+const vertex_shader = `
+uniform mat4 projectionMatrix;
+uniform mat4 modelViewMatrix;
+in vec3 position;
+#ifdef TINTED
+in vec4 tint;
+out vec3 base;
+#endif
+out vec3 seen;
+void main() {
+  vec4 at = modelViewMatrix * vec4(position, 1.0);
+  seen = at.xyz;
+#ifdef TINTED
+  base = tint.rgb;
+#endif
+  gl_Position = projectionMatrix * at;
+}`;
+
+// Facets as they are, lit from the upper left by a large soft light, from below by a cool one. Both sides alike.
+const solid_shader = `
+precision highp float;
+uniform mat4 projectionMatrix;
+in vec3 seen;
+#ifdef TINTED
+in vec3 base;
+#endif
+out vec4 colour;
+void main() {
+  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+  vec3 towards = projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : normalize(-seen);
+  if (dot(normal, towards) < 0.0) normal = -normal;
+  float key = max(0.0, dot(normal, normalize(vec3(-0.45, 0.7, 0.65))));
+  float fill = 0.5 + 0.5 * normal.y;
+  float rim = pow(1.0 - max(0.0, dot(normal, towards)), 3.0);
+#ifdef TINTED
+  colour = vec4(base * (0.72 + 0.36 * key) + 0.06 * rim, 1.0);
+#else
+  vec3 light = mix(vec3(0.42, 0.43, 0.48), vec3(0.62, 0.62, 0.63), fill) + key * vec3(0.50, 0.47, 0.42);
+  colour = vec4(vec3(0.83, 0.79, 0.75) * light + rim * vec3(0.10, 0.11, 0.14), 1.0);
+#endif
+}`;
+
+const counting_shader = `
+precision highp float;
+out vec4 colour;
+void main() { colour = vec4(1.0 / 255.0); }`;
+
+const full_screen_shader = `
+in vec3 position;
+void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;
+
+const heat_shader = `
+precision highp float;
+uniform highp sampler2D counts;
+uniform vec2 corner;
+uniform vec3 background;
+uniform vec3 palette[${heat.length}];
+out vec4 colour;
+void main() {
+  int count = int(texelFetch(counts, ivec2(gl_FragCoord.xy - corner), 0).r * 255.0 + 0.5);
+  colour = vec4(count == 0 ? background : palette[min(count, ${heat.length}) - 1], 1.0);
+}`;
+
+const as_vector = (rgb) => new Vector3(...rgb).divideScalar(255);
+
+function material(properties) {
+  return new RawShaderMaterial({ glslVersion: GLSL3, blending: NoBlending, ...properties });
+}
+
+export function make_materials() {
+  const solid = material({ vertexShader: vertex_shader, fragmentShader: solid_shader, side: DoubleSide });
+  const tinted = material({
+    vertexShader: vertex_shader,
+    fragmentShader: solid_shader,
+    side: DoubleSide,
+    defines: { TINTED: 1 },
+  });
+  // Fragments that pass in the sequence of drawing add one each.
+  const counting = new Map(
+    [FrontSide, BackSide, DoubleSide].map((side) => [
+      side,
+      material({
+        vertexShader: vertex_shader,
+        fragmentShader: counting_shader,
+        side,
+        depthFunc: LessDepth,
+        blending: CustomBlending,
+        blendEquation: AddEquation,
+        blendSrc: OneFactor,
+        blendDst: OneFactor,
+      }),
+    ]),
+  );
+  const side_of = (part, pose) => (part['double-sided'] ? DoubleSide : part.mirrored?.[pose] ? BackSide : FrontSide);
+  const heat_map = material({
+    vertexShader: full_screen_shader,
+    fragmentShader: heat_shader,
+    depthTest: false,
+    depthWrite: false,
+    uniforms: {
+      counts: { value: null },
+      corner: { value: new Vector2() },
+      background: { value: as_vector(heat_background) },
+      palette: { value: heat.map(as_vector) },
+    },
+  });
+  return { solid, tinted, counting: (part, pose) => counting.get(side_of(part, pose)), heat_map };
+}

@@ -1,0 +1,20 @@
+// What the page carries beside its text: the comparison, the scenes and their buffers.
+
+/** The parsed content of a script element, or null where the page has none. */
+export function read_json(id) {
+  const holder = document.getElementById(id);
+  return holder === null ? null : JSON.parse(holder.textContent);
+}
+
+function bytes_of_base64(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+/** @returns {ArrayBuffer} the decoded bytes of one scene; nothing is kept of it here */
+export function decoded_buffer(id) {
+  return bytes_of_base64(document.getElementById(id).textContent).buffer;
+}

@@ -1,0 +1,149 @@
+// The plot of branches over any two figures, with what chooses them and what tells the same in words.
+
+import { element, fill_select, labelled_select } from './elements.js';
+import { axes_of, axis_title, default_axes, figure_text, short_paths, state_name } from './figures.js';
+import { highlight, on_highlight, pin } from './highlight.js';
+import { pareto_front } from './pareto.js';
+import { make_chart } from './plot_chart.js';
+
+const axis_choices = (axes) =>
+  axes.map((axis) => ({
+    value: axis.key,
+    text: axis.unit ? `${axis.name} (${axis.unit})` : axis.name,
+    group: axis.group,
+  }));
+
+/**
+ * Fills the section `holder` from the comparison.
+ * @returns {object} what tests and others may use: axes, set_axes, set_file, set_log, points, front, tooltip, positions, redraw
+ */
+export function start_plot(holder, comparison) {
+  const state = { file: 0, axes: [], x: null, y: null, is_log: false, highlighted: null };
+  const canvas = element('canvas', { role: 'img' });
+  const legend = element('ol', { class: 'legend' });
+  const front_line = element('p', { class: 'front', 'aria-live': 'polite' });
+  const file_select = labelled_select(
+    'File',
+    short_paths(comparison.files).map((text, i) => ({ value: i, text })),
+    (value) => set_file(Number(value)),
+  );
+  const x_select = labelled_select('Across', [], (key) => set_axes(key, state.y.key));
+  const y_select = labelled_select('Upwards', [], (key) => set_axes(state.x.key, key));
+  const log_box = element('input', { type: 'checkbox', onchange: () => set_log(log_box.checked) });
+  const article = element(
+    'article',
+    { class: 'plot' },
+    element(
+      'div',
+      { class: 'controls' },
+      comparison.files.length > 1 && file_select.whole,
+      x_select.whole,
+      y_select.whole,
+      element('label', { class: 'check' }, log_box, ' logarithmic across'),
+    ),
+    element('div', { class: 'chart' }, canvas),
+    legend,
+    front_line,
+  );
+  holder.append(article);
+
+  const branch_of = (place) => (place === null || place === 0 ? null : { file: state.file, branch: place - 1 });
+  const chart = make_chart(
+    canvas,
+    (place) => highlight(branch_of(place)),
+    (place) => place > 0 && pin(branch_of(place)),
+  );
+  canvas.addEventListener('pointerleave', () => highlight(null));
+
+  const file = () => comparison.files[state.file];
+
+  /** The places that have both figures, above 0 where the scale asks for it. */
+  function places() {
+    return state.x.values.flatMap((x, place) =>
+      Number.isFinite(x) && Number.isFinite(state.y.values[place]) && (!state.is_log || x > 0) ? [place] : [],
+    );
+  }
+
+  /** The branches that no other one beats in both; the input is not among those that are judged. */
+  function front() {
+    const { x, y } = state;
+    const judged = places().filter((place) => place > 0);
+    const better = (axis, place) => (axis.less_is_better ? 1 : -1) * axis.values[place];
+    return pareto_front(judged.map((place) => [better(x, place), better(y, place)])).map((i) => judged[i]);
+  }
+
+  function redraw() {
+    chart.draw({ ...state, file: file(), places: places(), front: front() });
+  }
+
+  function fill_legend() {
+    const entry = (place) =>
+      element(
+        'li',
+        place > 0 ? { 'data-branch': place - 1 } : {},
+        element('button', { type: 'button', 'data-branch': place > 0 ? place - 1 : null }, state_name(file(), place)),
+        element('span', { class: 'values' }, `${figure_text(state.x, place)}, ${figure_text(state.y, place)}`),
+      );
+    legend.replaceChildren(...places().map(entry));
+  }
+
+  function changed() {
+    const { x, y } = state;
+    fill_legend();
+    const names = front()
+      .map((place) => `[${place}]`)
+      .join(' ');
+    const two = `${axis_title(x)} and ${axis_title(y)}`;
+    front_line.textContent =
+      names === ''
+        ? `No branch has both ${two}.`
+        : `Beaten by none in both ${two}: ${names}. These are filled and joined; ` +
+          `${x.less_is_better ? 'left' : 'right'} and ${y.less_is_better ? 'down' : 'up'} is better.`;
+    canvas.setAttribute('aria-label', `Scatter plot of ${two}. The list below holds the same figures.`);
+    redraw();
+  }
+
+  function set_axes(x, y) {
+    const find = (key) => state.axes.find((axis) => axis.key === key) ?? state.axes[0];
+    [state.x, state.y] = [find(x), find(y)];
+    [x_select.select.value, y_select.select.value] = [state.x.key, state.y.key];
+    changed();
+  }
+
+  function set_file(number) {
+    const kept = state.x === null ? null : [state.x.key, state.y.key];
+    state.file = number;
+    state.axes = axes_of(file());
+    article.dataset.file = String(number);
+    file_select.select.value = String(number);
+    for (const { select } of [x_select, y_select]) fill_select(select, axis_choices(state.axes));
+    set_axes(...(kept ?? default_axes(state.axes)));
+  }
+
+  function set_log(is_log) {
+    state.is_log = is_log;
+    log_box.checked = is_log;
+    changed();
+  }
+
+  on_highlight((what) => {
+    state.highlighted = what?.file === state.file ? what.branch + 1 : null;
+    redraw();
+    chart.point_out(state.highlighted);
+  });
+  set_file(0);
+
+  return {
+    axes: () => state.axes.map((axis) => axis.key),
+    chosen: () => [state.x.key, state.y.key],
+    /** [place, x, y]: place 0 is the input, place i + 1 branch i. */
+    points: () => places().map((place) => [place, state.x.values[place], state.y.values[place]]),
+    set_axes,
+    set_file,
+    set_log,
+    front,
+    redraw,
+    tooltip: chart.tooltip,
+    positions: chart.positions,
+  };
+}

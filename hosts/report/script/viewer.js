@@ -1,0 +1,227 @@
+// The viewer: what is shown, and everything that changes it. Controls, tests and the frame all go through here.
+
+import { colour_of } from './elements.js';
+import { state_name } from './figures.js';
+import { measuring_camera, Orbit } from './orbit.js';
+import { order_at } from './order_table.js';
+import { decoded_buffer } from './page_data.js';
+import { Subject } from './subject.js';
+import { overdraw_of, worst_view } from './worst_view.js';
+import { Vector3 } from 'three';
+
+export const modes = ['heat', 'shaded', 'order', 'clusters'];
+const measured_size = 256; // as the evaluators have it
+const worst_view_size = 128;
+const quiet_ms = 120; // after the last change, before counts are read back
+
+export class Viewer {
+  /**
+   * @param comparison  the page's
+   * @param scenes      the page's list
+   * @param {import('./drawing.js').Drawing} drawing
+   * @param {import('./viewer_panes.js').Panes} panes
+   */
+  constructor(comparison, scenes, drawing, panes) {
+    Object.assign(this, { comparison, scenes, drawing, panes });
+    this.orbit = new Orbit();
+    this.mode = 'heat';
+    this.listeners = [];
+    this.frame = null;
+    this.set_scene(0);
+  }
+
+  // What is shown.
+
+  get file() {
+    return this.comparison.files[this.scenes[this.scene].file];
+  }
+
+  state_name(state) {
+    return state_name(this.file, state);
+  }
+
+  /** Which of its orders the pane's state is drawn in now. */
+  order_of(pane) {
+    const { table } = this.subject.states[this.states[pane]];
+    return order_at(table, this.subject.poses[this.pose], this.orbit.direction.toArray());
+  }
+
+  /** The numbers of the triangles that are drawn now, in the sequence of drawing; numbered over all parts. */
+  drawn_triangles(pane) {
+    const k = this.order_of(pane);
+    return this.subject.parts.flatMap((_, part) => {
+      const order = this.subject.order(this.states[pane], k, part);
+      const first = this.subject.first_triangle[part];
+      return Array.from(order.subarray(0, this.subject.drawn_of(part, this.drawn)), (triangle) => first + triangle);
+    });
+  }
+
+  // What changes it.
+
+  set_scene(scene) {
+    this.scene = scene;
+    this.buffer = decoded_buffer(this.scenes[scene].buffer);
+    this.set_subject(0);
+  }
+
+  set_subject(number) {
+    this.subject_number = number;
+    this.subject = new Subject(this.scenes[this.scene].subjects[number], this.buffer);
+    this.drawing.set_subject(this.subject);
+    this.states = [0, this.most_interesting_state()];
+    this.pose = 0;
+    this.drawn = this.subject.triangles;
+    this.changed();
+  }
+
+  /** The branch with the least overdraw, or the first one that is shown; null where there is none. */
+  most_interesting_state() {
+    const shown = this.subject.states.flatMap((state, i) => (i > 0 && state !== null ? [i] : []));
+    const row = this.file.metrics.find(
+      ({ evaluator, metric }) => evaluator === 'overdraw-raster' && metric === 'ratio',
+    );
+    const ratio = (state) => row?.values?.[state - 1] ?? Infinity;
+    return shown.reduce((best, state) => (best === null || ratio(state) < ratio(best) ? state : best), null);
+  }
+
+  /** @param {number|null} state  0: the input; i + 1: branch i; null: nothing, which the second pane alone can show */
+  set_state(pane, state) {
+    if (state === null ? pane === 0 : !this.subject.states[state]) return;
+    this.states[pane] = state;
+    this.changed();
+  }
+
+  set_mode(mode) {
+    this.mode = modes.includes(mode) ? mode : this.mode;
+    this.changed();
+  }
+
+  set_drawn(n) {
+    this.drawn = Math.max(0, Math.min(this.subject.triangles, Math.round(n)));
+    this.changed();
+  }
+
+  set_pose(pose) {
+    this.pose = pose;
+    this.changed();
+  }
+
+  set_direction(direction) {
+    this.orbit.set_direction(direction);
+    this.changed();
+  }
+
+  set_orthographic(is_orthographic) {
+    this.orbit.is_orthographic = is_orthographic;
+    this.changed();
+  }
+
+  reset_camera() {
+    this.orbit.reset();
+    this.changed();
+  }
+
+  // Drawing, when something changed and only then.
+
+  on_change(listener) {
+    this.listeners.push(listener);
+  }
+
+  changed() {
+    for (const listener of this.listeners) listener();
+    this.frame ??= requestAnimationFrame(() => this.draw());
+  }
+
+  draw() {
+    if (this.frame !== null) cancelAnimationFrame(this.frame);
+    this.frame = null;
+    this.panes.show(this.states.map((state) => state !== null));
+    this.panes.fit((width, height, ratio) => this.drawing.set_size(width, height, ratio));
+    const background = colour_of('--stage');
+    this.drawing.clear();
+    for (const pane of this.shown_panes()) {
+      const place = this.panes.place(pane);
+      if (place.width < 1 || place.height < 1) continue;
+      this.drawing.draw_pane(
+        place,
+        this.mode,
+        this.drawing.order(this.states[pane], this.order_of(pane), this.pose),
+        this.orbit.camera(place.width / place.height),
+        this.drawn,
+        background,
+      );
+    }
+    this.tell();
+    this.first_drawn?.();
+  }
+
+  shown_panes() {
+    return [0, 1].filter((pane) => this.states[pane] !== null);
+  }
+
+  // Counts.
+
+  /** Pictures of one state in the pose and up to the triangle that are shown, from several directions. */
+  counted(state, directions, size) {
+    const pose = this.subject.poses[this.pose];
+    const { centre, radius } = this.subject.sphere(this.pose);
+    const from = this.subject.centre;
+    const middle = new Vector3(...centre.map((c, axis) => (c - from[axis]) / this.subject.radius));
+    const { table } = this.subject.states[state];
+    return this.drawing.counted(
+      directions.map((direction) => ({
+        order: () => this.drawing.order(state, order_at(table, pose, direction), this.pose),
+        camera: () => measuring_camera(new Vector3(...direction), middle, radius / this.subject.radius),
+      })),
+      size,
+      this.drawn,
+    );
+  }
+
+  /**
+   * How often each pixel of size x size is shaded, from the camera's direction, orthographic; row 0 at the bottom.
+   * @returns {Promise<Uint8Array>}
+   */
+  async pixel_counts(pane, size) {
+    return (await this.counted(this.states[pane], [this.orbit.direction.toArray()], size))[0];
+  }
+
+  /** What an evaluator would say of this one view: {shaded, visible, ratio}. */
+  async overdraw(pane) {
+    return overdraw_of(await this.pixel_counts(pane, measured_size));
+  }
+
+  /** Turns the camera to where the first pane's state has the highest ratio. */
+  async show_worst_view() {
+    const { subject } = this;
+    const state = this.states[0];
+    const worst = await worst_view((directions) => this.counted(state, directions, worst_view_size));
+    if (worst !== null && subject === this.subject) this.set_direction(worst.direction);
+    return worst;
+  }
+
+  /** Captions: at once what is known, the ratios when nothing has changed for a moment. */
+  tell() {
+    for (const pane of this.shown_panes()) {
+      const state = this.states[pane];
+      this.panes.tell(pane, this.state_name(state), this.order_of(pane) + 1, this.subject.order_count(state));
+    }
+    clearTimeout(this.counting);
+    this.counting = setTimeout(() => this.tell_ratios(), quiet_ms);
+  }
+
+  async tell_ratios() {
+    const mine = this.counting;
+    for (const pane of this.shown_panes()) {
+      const { ratio } = await this.overdraw(pane);
+      if (mine !== this.counting) return;
+      this.panes.tell_ratio(pane, ratio);
+    }
+  }
+
+  /** What the pane shows: {width, height, data} with four bytes for each pixel, row 0 at the bottom. */
+  picture(pane) {
+    this.draw();
+    return this.drawing.read(this.panes.place(pane));
+  }
+}
