@@ -2,21 +2,31 @@
 // The packages of package-lock.json must be installed beside this file.
 
 import { build } from 'esbuild';
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const piece_bytes = 16000; // compilers limit the length of a literal
 
+const folder = path.dirname(fileURLToPath(import.meta.url));
+
+/// Every copy of the packages must carry these.
+function licences() {
+  return ['three/LICENSE', 'chart.js/LICENSE.md', '@kurkle/color/LICENSE.md']
+    .map((file) => `/*! ${file}\n${readFileSync(path.join(folder, 'node_modules', file), 'utf8').trim()}\n*/`)
+    .join('\n');
+}
+
 async function bundled() {
   const result = await build({
-    absWorkingDir: path.dirname(fileURLToPath(import.meta.url)),
+    absWorkingDir: folder,
     entryPoints: ['script/page.js'],
     bundle: true,
     minify: true,
     format: 'iife',
     target: 'es2022',
     legalComments: 'eof',
+    footer: { js: licences() },
     write: false,
   });
   return result.outputFiles[0].text;

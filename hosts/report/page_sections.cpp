@@ -19,18 +19,27 @@ constexpr std::size_t most_draw_rows = 2000;
 
 std::string number_of(std::size_t branch) { return fmt::format("[{}]", branch + 1); }
 
-std::string article(const Comparison& comparison, const std::string& content) {
-  return element("article", element("h3", escaped(comparison.input.path)) + '\n' + content, "class=\"file\"") + '\n';
+/// `file`: its number, or "all".
+std::string article(const Comparison& comparison, const std::string& file, const std::string& content) {
+  return element("article", element("h3", escaped(comparison.input.path)) + '\n' + content,
+                 fmt::format("class=\"file\" data-file=\"{}\"", file)) + '\n';
 }
 
 template <class Content>
 std::string articles(std::span<const Comparison> comparisons, Content content) {
   std::string html;
-  for (const Comparison& comparison : comparisons) {
-    const std::string inside = content(comparison);
-    if (!inside.empty()) html += article(comparison, inside);
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    const std::string inside = content(comparisons[i]);
+    if (!inside.empty()) html += article(comparisons[i], std::to_string(i), inside);
   }
   return html;
+}
+
+/// The same, and all files as one before them.
+template <class Content>
+std::string articles_and_sum(std::span<const Comparison> comparisons, Content content) {
+  const auto sum = sum_of({comparisons.begin(), comparisons.end()});
+  return (sum ? article(*sum, "all", content(*sum)) : "") + articles(comparisons, content);
 }
 
 std::string table(const std::string& heads, const std::string& rows, const std::string& kind) {
@@ -206,7 +215,7 @@ std::string stages_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string summary_html(std::span<const Comparison> comparisons) { return articles(comparisons, summary_of); }
+std::string summary_html(std::span<const Comparison> comparisons) { return articles_and_sum(comparisons, summary_of); }
 
 std::string figures_html(std::span<const Comparison> comparisons) {
   const std::string legend =
@@ -214,7 +223,7 @@ std::string figures_html(std::span<const Comparison> comparisons) {
                        ? "Errors are one standard error."
                        : "In per cent: against [1]; ~: no more than the errors may make up. The best of a row is marked.",
               "class=\"legend\"");
-  return legend + '\n' + articles(comparisons, [](const Comparison& comparison) {
+  return legend + '\n' + articles_and_sum(comparisons, [](const Comparison& comparison) {
     std::string rows;
     for (const FigureRow& row : total_rows(comparison)) {
       if (is_detail(row)) continue;

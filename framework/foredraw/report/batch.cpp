@@ -66,9 +66,7 @@ StateRecord totals(const Batch& batch, StateRecord Report::*state) {
     const StateRecord& one = file.report.*state;
     sum.triangles += one.triangles;
     sum.vertices += one.vertices;
-    for (const auto& [evaluator, by_metric] : one.metrics.all()) {
-      for (const auto& [metric, figure] : by_metric) sum.metrics.add(evaluator, metric, figure);
-    }
+    sum.metrics.add(one.metrics);
   }
   return sum;
 }

@@ -14,6 +14,34 @@ std::optional<double> value_in(const Metrics& metrics, const std::string& figure
   return found != nullptr && std::isfinite(found->value()) ? std::optional(found->value()) : std::nullopt;
 }
 
+bool is_whole(const Comparison& comparison) {
+  return std::ranges::none_of(comparison.branches, &Branch::is_lost);
+}
+
+void add(StateRecord& sum, const StateRecord& state) {
+  sum.triangles += state.triangles;
+  sum.vertices += state.vertices;
+  sum.metrics.add(state.metrics);
+}
+
+/// Stage by stage: the same pipeline has the same stages on every file.
+void add(std::vector<StageRecord>& sums, const std::vector<StageRecord>& stages) {
+  sums.resize(stages.size());
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    StageRecord& sum = sums[i];
+    sum.use = stages[i].use;
+    sum.text = stages[i].text;
+    sum.kind = stages[i].kind;
+    sum.places = stages[i].places;
+    sum.seconds += stages[i].seconds;
+    sum.changed += stages[i].changed;
+    sum.candidates += stages[i].candidates;
+    sum.rounds.resize(stages[i].rounds.size());
+    for (std::size_t round = 0; round < sum.rounds.size(); ++round) sum.rounds[round] += stages[i].rounds[round];
+    if (stages[i].memory) sum.memory = std::max(sum.memory.value_or(0), *stages[i].memory);
+  }
+}
+
 }  // namespace
 
 double stages_seconds(const Report& report) {
@@ -42,6 +70,37 @@ std::optional<double> input_value(const Comparison& comparison, const std::strin
   const auto branch = std::ranges::find(comparison.branches, false, &Branch::is_lost);
   if (branch == comparison.branches.end()) return std::nullopt;
   return value_in(branch->report.before.metrics, figure);
+}
+
+std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons) {
+  Comparison sum;
+  std::size_t count = 0;
+  for (const Comparison& comparison : comparisons) {
+    if (!is_whole(comparison)) continue;
+    ++count;
+    sum.fronts = comparison.fronts;
+    sum.input.bytes += comparison.input.bytes;
+    sum.branches.resize(comparison.branches.size());
+    for (std::size_t i = 0; i < sum.branches.size(); ++i) {
+      const Report& report = comparison.branches[i].report;
+      sum.branches[i].name = comparison.branches[i].name;
+      Report& whole = sum.branches[i].report;
+      whole.command = report.command;
+      whole.pipeline = report.pipeline;
+      whole.seed = report.seed;
+      whole.threads = report.threads;
+      whole.machine = report.machine;
+      whole.optimized = report.optimized;
+      whole.seconds += report.seconds;
+      whole.peak_memory = std::max(whole.peak_memory, report.peak_memory);
+      add(whole.before, report.before);
+      add(whole.after, report.after);
+      add(whole.stages, report.stages);
+    }
+  }
+  if (count < 2) return std::nullopt;
+  sum.input.path = "all " + std::to_string(count) + " files";
+  return sum;
 }
 
 }  // namespace foredraw

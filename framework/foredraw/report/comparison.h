@@ -35,7 +35,12 @@ std::optional<double> value_of(const Branch& branch, const std::string& figure);
 /// The same of the input; it took no time.
 std::optional<double> input_value(const Comparison& comparison, const std::string& figure);
 
-/// The JSON form: for each file and branch the whole report, and a table of every total metric over the branches.
+/// All files as one, by branch: figures and times are summed over the files that no branch lost. Nothing where these are
+/// fewer than two.
+std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons);
+
+/// The JSON form: for each file and branch the whole report, and a table of every total metric over the branches; the
+/// same of all files as one.
 std::string to_json(const std::vector<Comparison>& comparisons);
 
 /// A table for each file: a row a metric, a column a branch, the best of a row marked; below it the stages' times. Where

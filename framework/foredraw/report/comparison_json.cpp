@@ -48,6 +48,7 @@ Json json_of(const Comparison& comparison) {
 std::string to_json(const std::vector<Comparison>& comparisons) {
   Json json{{"comparison", 1}, {"files", Json::array()}};
   for (const Comparison& comparison : comparisons) json["files"].push_back(json_of(comparison));
+  if (const auto sum = sum_of(comparisons)) json["all"] = json_of(*sum);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

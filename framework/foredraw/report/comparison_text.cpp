@@ -135,6 +135,7 @@ std::string text_of(const Comparison& comparison) {
 std::string to_text(const std::vector<Comparison>& comparisons) {
   std::string text;
   for (const Comparison& comparison : comparisons) text += (text.empty() ? "" : "\n") + text_of(comparison);
+  if (const auto sum = sum_of(comparisons)) text += '\n' + text_of(*sum);
   return text + "\n* the best of all; in per cent: against [1]; ~: no more than the errors\n";
 }
 

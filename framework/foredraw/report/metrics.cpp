@@ -27,6 +27,12 @@ void Metrics::add(const std::string& plugin, const std::string& metric, const Fi
   sum.numerator += figure.numerator;
 }
 
+void Metrics::add(const Metrics& others) {
+  for (const auto& [plugin, by_metric] : others.all()) {
+    for (const auto& [metric, figure] : by_metric) add(plugin, metric, figure);
+  }
+}
+
 void Metrics::set(const std::string& plugin, const std::string& metric, const Figure& figure) {
   by_plugin_[plugin][metric] = figure;
 }

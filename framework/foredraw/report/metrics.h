@@ -28,6 +28,7 @@ class Metrics {
   /// Adds to what is there: numerators and denominators add up; errors are averaged by their denominators (those of counts
   /// add up), which is never too low, however the errors are correlated.
   void add(const std::string& plugin, const std::string& metric, const Figure& figure);
+  void add(const Metrics& others);
   /// Puts the figure in the place of what is there.
   void set(const std::string& plugin, const std::string& metric, const Figure& figure);
 

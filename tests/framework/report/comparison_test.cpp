@@ -214,6 +214,20 @@ TEST(Fronts, AreReadFromTwoNames) {
               HasSubstr("--front: error: expected two figures, found 'time'\n    hint: such as time,"));
 }
 
+TEST(SumOf, AddsFractionsAndTimesOverWholeFiles) {
+  EXPECT_FALSE(sum_of({two_branches()}));
+  Comparison other = two_branches();
+  other.branches[0].report.after.metrics.set("cache", "acmr", ratio(8, 3));
+  const auto sum = sum_of({two_branches(), with_a_lost_branch(), other});
+  ASSERT_TRUE(sum);
+  EXPECT_EQ(sum->input.path, "all 2 files");
+  EXPECT_EQ(value_of(sum->branches[0], "cache.acmr"), 2.5);  // (2 + 8) / (1 + 3)
+  EXPECT_EQ(value_of(sum->branches[1], "time"), 2.0);
+  EXPECT_THAT(to_text({two_branches(), other}), HasSubstr("\nall 2 files\n  [1] A\n"));
+  const json all = json::parse(to_json({two_branches(), other}))["all"];
+  EXPECT_EQ(all["metrics"][0]["values"], json::parse("[2.5, 1.0]"));
+}
+
 TEST(ComparisonCsv, HasALineForEveryFigure) {
   Comparison comparison = two_branches();
   comparison.input.path = "a, \"b\".glb";
