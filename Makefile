@@ -19,8 +19,8 @@ help:
 
 demo: build
 	@mkdir -p $(DEMO)
-	$(FOREDRAW) optimize $(MODEL) -o $(DEMO)/$(notdir $(MODEL)) --report $(DEMO)/report.json
-	@echo 'The model that was made: $(DEMO)/$(notdir $(MODEL)); all figures: $(DEMO)/report.json'
+	$(FOREDRAW) optimize $(MODEL) -o $(DEMO)/$(notdir $(MODEL)) --report $(DEMO)/report.json --html $(DEMO)/report.html
+	@echo 'The model that was made: $(DEMO)/$(notdir $(MODEL)); all figures: $(DEMO)/report.json; a page of them: $(DEMO)/report.html'
 
 build:
 	packages/install build

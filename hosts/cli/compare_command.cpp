@@ -179,6 +179,10 @@ bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
   if (!arguments.baseline.empty()) taken.push_back(arguments.baseline);
   for (const std::string& output : {arguments.report, arguments.csv, arguments.html}) {
     if (output.empty()) continue;
+    if (output == "-") {
+      diagnostics.error({}, "bad-arguments", "--report, --csv and --html take the name of a file",
+                        "--json prints the comparison");
+    }
     if (std::ranges::any_of(taken, [&](const std::string& other) { return is_same_file(other, output); })) {
       diagnostics.error({.file = output}, "bad-arguments", "is an input or another output",
                         "give the output a file of its own");

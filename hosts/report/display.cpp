@@ -50,7 +50,9 @@ class SubjectDisplay {
     add_parts(json);
     json["states"] = Json::array({state_of(input_)});
     for (const auto& branch : branches) {
-      json["states"].push_back(branch && has_the_same_draws(*branch) ? state_of(*branch) : Json(nullptr));
+      const std::string why = why_absent(branch);
+      if (!why.empty()) json["absent"][std::to_string(json["states"].size())] = why;
+      json["states"].push_back(why.empty() ? state_of(*branch) : Json(nullptr));
     }
     if (const std::string note = this->note(); !note.empty()) json["note"] = note;
     return json;
@@ -144,12 +146,15 @@ class SubjectDisplay {
     json["radius"] = sphere.radius;
   }
 
-  bool has_the_same_draws(const Scene& scene) const {
-    return std::ranges::all_of(parts_, [&](const ShownPart& part) {
+  /// Why what a pipeline made can not be shown as an order of the input's triangles; empty where it can.
+  std::string why_absent(const std::optional<Scene>& scene) const {
+    if (!scene) return "could not be planned for this file";
+    const bool has_them = std::ranges::all_of(parts_, [&](const ShownPart& part) {
       const DrawId draw = part.part.draw;
-      return draw < scene.draws.size() &&
-             order_of(scene, draw).triangle_count() == order_of(input_, draw).triangle_count();
+      return draw < scene->draws.size() &&
+             order_of(*scene, draw).triangle_count() == order_of(input_, draw).triangle_count();
     });
+    return has_them ? "" : "draws other triangles than the input";
   }
 
   Json state_of(const Scene& scene) {

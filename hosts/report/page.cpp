@@ -5,6 +5,7 @@
 #include "page_sections.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace foredraw {
 
@@ -29,9 +30,13 @@ std::string data(const std::string& type, const std::string& id, std::string_vie
   return element("script", content, fmt::format("type=\"{}\" id=\"{}\"", type, id)) + '\n';
 }
 
+/// The JSON form without the spaces that are for people.
+std::string compact_json(std::span<const Comparison> comparisons) {
+  return nlohmann::ordered_json::parse(to_json({comparisons.begin(), comparisons.end()})).dump();
+}
+
 std::string scripts(std::span<const Comparison> comparisons, std::span<const Display> displays) {
-  std::string text =
-      data("application/json", "comparison", script_safe(to_json({comparisons.begin(), comparisons.end()})));
+  std::string text = data("application/json", "comparison", script_safe(compact_json(comparisons)));
   if (page_script().empty()) return text;
   std::string scenes;
   for (const Display& display : displays) scenes += (scenes.empty() ? "" : ",") + display.scene;

@@ -176,6 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"report_in_no_folder", "--report no/r.json", 2, "no folder 'no'"},
         Mistake{"page_in_no_folder", "--html no/r.html", 2, "no folder 'no'"},
         Mistake{"two_outputs_in_one_file", "--html r --csv r", 1, "r: error: is an input or another output"},
+        Mistake{"page_to_standard_output", "--html -", 1, "take the name of a file"},
         Mistake{"empty_sweep", "--sweep tipsify.cache-size=", 1, "a value is empty"},
         Mistake{"sweep_that_leads_nowhere", "--sweep tipsify.cache-size=9:1:1", 1, "no steps of 1 lead from 9 to 1"},
         Mistake{"sweep_of_no_stage", "-p weld --sweep tipsify.cache-size=8:16:8", 1, "no stage 'tipsify'"},

@@ -15,6 +15,8 @@ export function element(tag, properties = {}, ...children) {
   return made;
 }
 
+export const button = (text, onclick) => element('button', { type: 'button', onclick }, text);
+
 /** A select with its label: choices are {value, text, disabled?, group?}. */
 export function labelled_select(label, choices, on_choice) {
   const select = element('select', { onchange: () => on_choice(select.value) });

@@ -1,7 +1,7 @@
 // One branch at a time stands out: its columns, its entries in lists, its point in the plot.
 
 const listeners = [];
-let pinned = null; // {file, branch} that stays, by a click
+let pinned = null; // {file, branch} that stays, by a click; branches are numbered by file
 let shown = null;
 
 // One rule in place of a class on each of what may be thousands of cells.
@@ -26,7 +26,7 @@ export function on_highlight(listener) {
   listeners.push(listener);
 }
 
-/** @param {{file: number, branch: number}|null} what  null: back to what was pinned */
+/** @param {{file: string, branch: number}|null} what  null: back to what was pinned */
 export function highlight(what) {
   show(what ?? pinned);
 }
@@ -39,22 +39,10 @@ export function pin(what) {
 function branch_at(target) {
   const place = target.closest?.('th[data-branch], li[data-branch], button[data-branch]');
   const file = place?.closest('[data-file]');
-  return file ? { file: Number(file.dataset.file), branch: Number(place.dataset.branch) } : null;
+  return file ? { file: file.dataset.file, branch: Number(place.dataset.branch) } : null;
 }
 
-/** Branches are numbered by file, so each part of the page has to know whose it is. */
-function number_files(file_count) {
-  for (const section of document.querySelectorAll('main > section')) {
-    const articles = section.querySelectorAll('article.file');
-    if (articles.length !== file_count) continue; // some have nothing to tell: which, only their own numbers say
-    articles.forEach((article, i) => {
-      article.dataset.file ??= String(i);
-    });
-  }
-}
-
-export function start_highlight(file_count) {
-  number_files(file_count);
+export function start_highlight() {
   document.addEventListener('pointerover', (event) => highlight(branch_at(event.target)));
   document.addEventListener('focusin', (event) => highlight(branch_at(event.target)));
   document.addEventListener('click', (event) => {

@@ -82,7 +82,7 @@ function look_from(camera, direction, from, target) {
 
 const measuring = new OrthographicCamera();
 
-/** The evaluators' camera: orthographic, a square that just holds the sphere, whose depths are spread over its diameter. */
+/** The evaluators' camera: orthographic, a square that just holds the sphere, depths spread over its diameter. */
 export function measuring_camera(direction, centre, radius) {
   const slack = 1e-6; // for what lies exactly on the sphere
   [measuring.left, measuring.right, measuring.bottom, measuring.top] = [-radius, radius, -radius, radius];

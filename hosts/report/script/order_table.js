@@ -1,7 +1,7 @@
 // Which of its orders a state is drawn in: the same cells as in framework/foredraw/runtime/order_table.h, without the
 // margin around them.
 
-/** The number of the nearest keyframe among those of all clips, of two equally near ones the earlier; null: no such clip. */
+/** The number of the nearest keyframe among those of all clips, of two the earlier one; null: no such clip. */
 function keyframe_at(table, pose) {
   if (table.clips.length === 0) return 0;
   let first = 0;

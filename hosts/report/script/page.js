@@ -36,7 +36,7 @@ function start() {
   const redraws = []; // of what does not follow the style sheet by itself
   const comparison = read_json('comparison');
   start_tables();
-  start_highlight(comparison?.files.length ?? 0);
+  start_highlight();
   start_theme(() => redraws.forEach((redraw) => redraw()));
   const page = { plot: null, viewer: null };
   window.foredraw = page;

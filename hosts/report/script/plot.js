@@ -13,19 +13,29 @@ const axis_choices = (axes) =>
     group: axis.group,
   }));
 
+/** What can be plotted: all files as one, where there are several, and each of them, by the page's names for them. */
+function plotted_files(comparison) {
+  const names = short_paths(comparison.files);
+  const files = comparison.files.map((file, i) => [String(i), { name: names[i], file }]);
+  return new Map(
+    comparison.all ? [['all', { name: comparison.all.input.path, file: comparison.all }], ...files] : files,
+  );
+}
+
 /**
  * Fills the section `holder` from the comparison.
- * @returns {object} what tests and others may use: axes, set_axes, set_file, set_log, points, front, tooltip, positions, redraw
+ * @returns {object} what tests and the page may use
  */
 export function start_plot(holder, comparison) {
-  const state = { file: 0, axes: [], x: null, y: null, is_log: false, highlighted: null };
+  const files = plotted_files(comparison);
+  const state = { file: null, axes: [], x: null, y: null, is_log: false, highlighted: null };
   const canvas = element('canvas', { role: 'img' });
   const legend = element('ol', { class: 'legend' });
   const front_line = element('p', { class: 'front', 'aria-live': 'polite' });
   const file_select = labelled_select(
     'File',
-    short_paths(comparison.files).map((text, i) => ({ value: i, text })),
-    (value) => set_file(Number(value)),
+    [...files].map(([value, { name }]) => ({ value, text: name })),
+    (value) => set_file(value),
   );
   const x_select = labelled_select('Across', [], (key) => set_axes(key, state.y.key));
   const y_select = labelled_select('Upwards', [], (key) => set_axes(state.x.key, key));
@@ -36,7 +46,7 @@ export function start_plot(holder, comparison) {
     element(
       'div',
       { class: 'controls' },
-      comparison.files.length > 1 && file_select.whole,
+      files.size > 1 && file_select.whole,
       x_select.whole,
       y_select.whole,
       element('label', { class: 'check' }, log_box, ' logarithmic across'),
@@ -55,7 +65,7 @@ export function start_plot(holder, comparison) {
   );
   canvas.addEventListener('pointerleave', () => highlight(null));
 
-  const file = () => comparison.files[state.file];
+  const file = () => files.get(state.file).file;
 
   /** The places that have both figures, above 0 where the scale asks for it. */
   function places() {
@@ -110,12 +120,12 @@ export function start_plot(holder, comparison) {
     changed();
   }
 
-  function set_file(number) {
+  function set_file(key) {
     const kept = state.x === null ? null : [state.x.key, state.y.key];
-    state.file = number;
+    state.file = key;
     state.axes = axes_of(file());
-    article.dataset.file = String(number);
-    file_select.select.value = String(number);
+    article.dataset.file = key;
+    file_select.select.value = key;
     for (const { select } of [x_select, y_select]) fill_select(select, axis_choices(state.axes));
     set_axes(...(kept ?? default_axes(state.axes)));
   }
@@ -131,7 +141,7 @@ export function start_plot(holder, comparison) {
     redraw();
     chart.point_out(state.highlighted);
   });
-  set_file(0);
+  set_file([...files.keys()][0]);
 
   return {
     axes: () => state.axes.map((axis) => axis.key),

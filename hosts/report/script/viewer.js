@@ -1,5 +1,6 @@
 // The viewer: what is shown, and everything that changes it. Controls, tests and the frame all go through here.
 
+import { Vector3 } from 'three';
 import { colour_of } from './elements.js';
 import { state_name } from './figures.js';
 import { measuring_camera, Orbit } from './orbit.js';
@@ -7,7 +8,6 @@ import { order_at } from './order_table.js';
 import { decoded_buffer } from './page_data.js';
 import { Subject } from './subject.js';
 import { overdraw_of, worst_view } from './worst_view.js';
-import { Vector3 } from 'three';
 
 export const modes = ['heat', 'shaded', 'order', 'clusters'];
 const measured_size = 256; // as the evaluators have it
@@ -27,6 +27,7 @@ export class Viewer {
     this.mode = 'heat';
     this.listeners = [];
     this.frame = null;
+    this.counting = null;
     this.set_scene(0);
   }
 
@@ -128,6 +129,8 @@ export class Viewer {
   }
 
   changed() {
+    clearTimeout(this.counting); // what is being counted is no longer what is shown
+    this.counting = null;
     for (const listener of this.listeners) listener();
     this.frame ??= requestAnimationFrame(() => this.draw());
   }
@@ -195,8 +198,11 @@ export class Viewer {
   async show_worst_view() {
     const { subject } = this;
     const state = this.states[0];
-    const worst = await worst_view((directions) => this.counted(state, directions, worst_view_size));
-    if (worst !== null && subject === this.subject) this.set_direction(worst.direction);
+    const is_shown = () => subject === this.subject;
+    const worst = await worst_view((directions) =>
+      is_shown() ? this.counted(state, directions, worst_view_size) : [],
+    );
+    if (worst !== null && is_shown()) this.set_direction(worst.direction);
     return worst;
   }
 

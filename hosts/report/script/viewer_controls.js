@@ -1,16 +1,12 @@
-// Everything of the viewer that can be chosen, pressed or moved.
+// What of the viewer can be chosen and pressed, and what its colours mean.
 
 import { heat, ramp } from './colours.js';
-import { css_colour, element, fill_select, labelled_select } from './elements.js';
+import { button, css_colour, element, fill_select, labelled_select } from './elements.js';
 import { short_paths } from './figures.js';
-import { clips_of, Player, pose_at } from './player.js';
 import { modes } from './viewer.js';
+import { make_drawn_slider, make_pose_slider } from './viewer_sliders.js';
 
 const mode_names = { heat: 'Overdraw', shaded: 'Shaded', order: 'Triangle order', clusters: 'Clusters' };
-const drawing_seconds = 6;
-const number = new Intl.NumberFormat('en');
-
-const button = (text, onclick) => element('button', { type: 'button', onclick }, text);
 
 function radio_group(label, name, choices, on_choice) {
   const inputs = new Map(
@@ -77,121 +73,6 @@ function make_selects(viewer) {
   return { whole: element('div', { class: 'controls' }, file.whole, subject.whole, left.whole, right.whole), update };
 }
 
-/** A slider with a play button before and a text behind it. */
-function slider_row(label, player_label, on_input, on_play) {
-  const play = button('Play', on_play);
-  const slider = element('input', {
-    type: 'range',
-    min: 0,
-    step: 1,
-    'aria-label': label,
-    oninput: () => on_input(Number(slider.value)),
-  });
-  const text = element('output', {});
-  const whole = element('div', { class: 'slider' }, play, slider, text);
-  function update(is_playing, value, most, words) {
-    play.textContent = is_playing ? 'Pause' : 'Play';
-    play.setAttribute('aria-label', `${is_playing ? 'Pause' : 'Play'}: ${player_label}`);
-    slider.max = String(most);
-    slider.value = String(value);
-    slider.setAttribute('aria-valuetext', words);
-    text.textContent = words;
-  }
-  return { whole, play, update };
-}
-
-/** Watch the mesh being drawn. */
-function make_drawn_slider(viewer) {
-  let began = 0;
-  const player = new Player(
-    (seconds) => {
-      viewer.set_drawn(began + (seconds / drawing_seconds) * viewer.subject.triangles);
-      return viewer.drawn < viewer.subject.triangles;
-    },
-    () => update(),
-  );
-  const row = slider_row(
-    'Triangles drawn',
-    'the triangles, one after the other',
-    (n) => {
-      player.stop();
-      viewer.set_drawn(n);
-    },
-    () => {
-      began = viewer.drawn < viewer.subject.triangles ? viewer.drawn : 0;
-      player.toggle();
-    },
-  );
-  function update() {
-    const { drawn, subject } = viewer;
-    row.update(
-      player.is_playing,
-      drawn,
-      subject.triangles,
-      `triangles drawn: ${number.format(drawn)} of ${number.format(subject.triangles)}`,
-    );
-  }
-  return { whole: row.whole, update };
-}
-
-/** Poses of one clip: no moment between them, for nobody has measured it. */
-function make_pose_slider(viewer) {
-  let clips = [];
-  let of_subject = null;
-  const clip_now = () => clips.find(({ poses }) => poses.includes(viewer.pose)) ?? clips[0];
-  let began = 0;
-  const player = new Player(
-    (seconds) => {
-      const pose = pose_at(clip_now(), viewer.subject.poses, began + seconds);
-      if (pose !== viewer.pose) viewer.set_pose(pose);
-    },
-    () => update(),
-  );
-  const clip_select = labelled_select('Clip', [], (i) => {
-    player.stop();
-    viewer.set_pose(clips[Number(i)].poses[0]);
-  });
-  const row = slider_row(
-    'Pose',
-    'the poses of the clip',
-    (i) => {
-      player.stop();
-      viewer.set_pose(clip_now().poses[i]);
-    },
-    () => {
-      const { poses } = viewer.subject;
-      began = poses[viewer.pose].time - poses[clip_now().poses[0]].time;
-      player.toggle();
-    },
-  );
-  const whole = element('div', { class: 'poses' }, clip_select.whole, row.whole);
-
-  function update() {
-    if (of_subject !== viewer.subject) {
-      of_subject = viewer.subject;
-      clips = clips_of(viewer.subject.poses);
-      player.stop();
-      fill_select(
-        clip_select.select,
-        clips.map(({ name }, i) => ({ value: i, text: name ?? 'at rest' })),
-      );
-      clip_select.whole.hidden = clips.length < 2;
-      whole.hidden = viewer.subject.poses.length < 2;
-    }
-    const clip = clip_now();
-    const place = clip.poses.indexOf(viewer.pose);
-    clip_select.select.value = String(clips.indexOf(clip));
-    row.whole.hidden = clip.poses.length < 2;
-    row.update(
-      player.is_playing,
-      place,
-      clip.poses.length - 1,
-      `pose ${place + 1} of ${clip.poses.length}, ${viewer.subject.poses[viewer.pose].time.toFixed(3)} s`,
-    );
-  }
-  return { whole, update };
-}
-
 /** What the colours of the mode mean. */
 function make_legend(viewer) {
   const whole = element('div', { class: 'colours' });
@@ -227,7 +108,7 @@ function make_legend(viewer) {
   }
 
   function update() {
-    const key = `${viewer.mode} ${viewer.mode === 'clusters' ? `${viewer.states} ${viewer.scene} ${viewer.subject_number}` : ''}`;
+    const key = [viewer.mode, viewer.scene, viewer.subject_number, ...viewer.states].join(' ');
     if (key === shown) return;
     shown = key;
     whole.replaceChildren(...content());
@@ -256,9 +137,10 @@ export function add_controls(holder, viewer, panes) {
   const worst = button('Worst view', async () => {
     worst.disabled = true;
     worst.textContent = 'Looking …';
-    await viewer.show_worst_view();
-    worst.textContent = 'Worst view';
-    worst.disabled = false;
+    await viewer.show_worst_view().finally(() => {
+      worst.textContent = 'Worst view';
+      worst.disabled = false;
+    });
   });
   worst.title = 'Turns to where what is shown first has the most fragments per pixel, of 100 directions';
   const reset = button('Reset view', () => viewer.reset_camera());

@@ -28,7 +28,6 @@ export class Panes {
     this.panes.forEach(({ figure }, i) => {
       figure.hidden = !are_shown[i];
     });
-    this.whole.classList.toggle('single', !are_shown[1]);
   }
 
   /** The canvas lies below all of it, so that the style sheet alone decides where panes are. */

@@ -81,7 +81,8 @@ stages = ["weld", "lookahead", "linear-clusters", "dot-rule", "vertex-fetch"])")
             std::vector<std::uint32_t>(given.begin(), given.end()));
 
   ASSERT_EQ(subject["states"].size(), 3u);
-  EXPECT_EQ(subject["states"][2], nullptr);  // lost
+  EXPECT_EQ(subject["states"][2], nullptr);
+  EXPECT_EQ(subject["absent"], Json::parse(R"({"2": "could not be planned for this file"})"));
   const Json& order = subject["states"][1]["orders"][0][0];
   const auto sorted = shown.numbers<std::uint32_t>(order["triangles"], triangles);
   EXPECT_TRUE(is_permutation(sorted, triangles));

@@ -1,0 +1,122 @@
+// What of the viewer can be moved and played: how much is drawn, and the pose.
+
+import { button, element, fill_select, labelled_select } from './elements.js';
+import { clips_of, Player, pose_at } from './player.js';
+
+const drawing_seconds = 6;
+const number = new Intl.NumberFormat('en');
+
+/** A slider with a play button before and a text behind it. */
+function slider_row(label, player_label, on_input, on_play) {
+  const play = button('Play', on_play);
+  const slider = element('input', {
+    type: 'range',
+    min: 0,
+    step: 1,
+    'aria-label': label,
+    oninput: () => on_input(Number(slider.value)),
+  });
+  const text = element('output', {});
+  const whole = element('div', { class: 'slider' }, play, slider, text);
+  function update(is_playing, value, most, words) {
+    play.textContent = is_playing ? 'Pause' : 'Play';
+    play.setAttribute('aria-label', `${is_playing ? 'Pause' : 'Play'}: ${player_label}`);
+    slider.max = String(most);
+    slider.value = String(value);
+    slider.setAttribute('aria-valuetext', words);
+    text.textContent = words;
+  }
+  return { whole, play, update };
+}
+
+/** Watch the mesh being drawn. */
+export function make_drawn_slider(viewer) {
+  let began = 0;
+  const player = new Player(
+    (seconds) => {
+      viewer.set_drawn(began + (seconds / drawing_seconds) * viewer.subject.triangles);
+      return viewer.drawn < viewer.subject.triangles;
+    },
+    () => update(),
+  );
+  const row = slider_row(
+    'Triangles drawn',
+    'the triangles, one after the other',
+    (n) => {
+      player.stop();
+      viewer.set_drawn(n);
+    },
+    () => {
+      began = viewer.drawn < viewer.subject.triangles ? viewer.drawn : 0;
+      player.toggle();
+    },
+  );
+  function update() {
+    const { drawn, subject } = viewer;
+    row.update(
+      player.is_playing,
+      drawn,
+      subject.triangles,
+      `triangles drawn: ${number.format(drawn)} of ${number.format(subject.triangles)}`,
+    );
+  }
+  return { whole: row.whole, update };
+}
+
+/** Poses of one clip: no moment between them, for nobody has measured it. */
+export function make_pose_slider(viewer) {
+  let clips = [];
+  let of_subject = null;
+  const clip_now = () => clips.find(({ poses }) => poses.includes(viewer.pose)) ?? clips[0];
+  let began = 0;
+  const player = new Player(
+    (seconds) => {
+      const pose = pose_at(clip_now(), viewer.subject.poses, began + seconds);
+      if (pose !== viewer.pose) viewer.set_pose(pose);
+    },
+    () => update(),
+  );
+  const clip_select = labelled_select('Clip', [], (i) => {
+    player.stop();
+    viewer.set_pose(clips[Number(i)].poses[0]);
+  });
+  const row = slider_row(
+    'Pose',
+    'the poses of the clip',
+    (i) => {
+      player.stop();
+      viewer.set_pose(clip_now().poses[i]);
+    },
+    () => {
+      const { poses } = viewer.subject;
+      began = poses[viewer.pose].time - poses[clip_now().poses[0]].time;
+      player.toggle();
+    },
+  );
+  const whole = element('div', { class: 'poses' }, clip_select.whole, row.whole);
+
+  function update() {
+    if (of_subject !== viewer.subject) {
+      of_subject = viewer.subject;
+      clips = clips_of(viewer.subject.poses);
+      player.stop();
+      fill_select(
+        clip_select.select,
+        clips.map(({ name }, i) => ({ value: i, text: name ?? 'at rest' })),
+      );
+      clip_select.whole.hidden = clips.length < 2;
+      whole.hidden = viewer.subject.poses.length < 2;
+    }
+    const clip = clip_now();
+    const place = clip.poses.indexOf(viewer.pose);
+    clip_select.select.value = String(clips.indexOf(clip));
+    row.whole.hidden = clip.poses.length < 2;
+    row.update(
+      player.is_playing,
+      place,
+      clip.poses.length - 1,
+      `pose ${place + 1} of ${clip.poses.length}, ${viewer.subject.poses[viewer.pose].time.toFixed(3)} s`,
+    );
+  }
+  return { whole, update };
+}

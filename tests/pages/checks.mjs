@@ -1,0 +1,40 @@
+// Named checks: all are made, and those that fail are told of at the end.
+
+const failed = [];
+let made = 0;
+
+const shown = (value) => (typeof value === 'string' ? value : JSON.stringify(value));
+
+export function check(name, holds, detail = '') {
+  ++made;
+  if (holds) {
+    console.log(`ok    ${name}`);
+  } else {
+    failed.push(name);
+    console.log(`FAIL  ${name}${detail === '' ? '' : `: ${shown(detail)}`}`);
+  }
+}
+
+export function check_equal(name, is, should_be) {
+  check(name, JSON.stringify(is) === JSON.stringify(should_be), `${shown(is)}, should be ${shown(should_be)}`);
+}
+
+export function check_near(name, is, should_be, tolerance) {
+  const off = Math.abs(is - should_be) / Math.abs(should_be);
+  check(name, off <= tolerance, `${is}, should be ${should_be}`);
+}
+
+/** A group of checks: what it throws is one more that fails, and the other groups go on. */
+export async function group(name, run) {
+  console.log(`-- ${name}`);
+  try {
+    await run();
+  } catch (error) {
+    check(`${name} comes to its end`, false, error.stack);
+  }
+}
+
+export function exit_code() {
+  console.log(`${made} checks, ${failed.length} failed${failed.map((name) => `\n  ${name}`).join('')}`);
+  return made > 0 && failed.length === 0 ? 0 : 1;
+}

@@ -1,0 +1,195 @@
+// The report page in a browser: node pages.mjs PROGRAM CORPUS OUTPUT_FOLDER
+// Makes pages with the program and looks at them. Pictures of them are left in the folder.
+// Exit 77 where the program was built without the page's script, 1 where a check failed.
+
+import { mkdirSync } from 'node:fs';
+import path from 'node:path';
+import { launch, open, settled } from './browser.mjs';
+import { check, check_equal, exit_code, group } from './checks.mjs';
+import { check_colours, check_paper, check_widths, check_without_gl, check_without_script } from './look_checks.mjs';
+import { rectangles, torus, write_gltf } from './models.mjs';
+import { check_pose_ratios, check_ratios, check_stacks, write_stacks } from './overdraw_checks.mjs';
+import { check_plot } from './plot_checks.mjs';
+import { Program } from './program.mjs';
+import {
+  check_figures,
+  check_filter,
+  check_highlight,
+  check_highlight_of_one_file,
+  check_sorting,
+} from './table_checks.mjs';
+import {
+  check_drawn,
+  check_keyboard,
+  check_modes,
+  check_panes,
+  check_poses,
+  check_table,
+  check_worst_view,
+  viewer,
+} from './viewer_checks.mjs';
+
+const [program_path, corpus, folder] = process.argv.slice(2);
+mkdirSync(folder, { recursive: true });
+const program = new Program(program_path, folder);
+const spot = path.join(corpus, 'static', 'spot.glb');
+const pipelines = ['tipsify', 'lookahead', '@default', 'lookahead, linear-clusters(growth=1.3), dot-rule'];
+
+const made = program.compare('spot', [spot], pipelines);
+if (made.scenes === null) {
+  console.log('skipped: the program was built without the script of its page');
+  process.exit(77);
+}
+const browser = await launch();
+
+/** A page of its own for a group of checks; what it complains of or asks for is one of them. */
+async function on_page(name, html, run) {
+  await group(name, async () => {
+    const { page, complaints, requests } = await open(browser, html);
+    await run(page);
+    check(`${name}: the console is silent`, complaints.length === 0, complaints);
+    check(`${name}: nothing is asked for beside the file`, requests.length === 0, requests);
+    await page.close();
+  });
+}
+
+await on_page('tables', made.html, async (page) => {
+  await check_figures(page, made.comparison);
+  await check_sorting(page);
+  await check_highlight(page);
+});
+
+await on_page('plot', made.html, (page) => check_plot(page, made.comparison));
+
+await on_page('viewer', made.html, async (page) => {
+  await check_modes(page);
+  await check_panes(page);
+  await check_drawn(page, program.remap(spot, pipelines[0]), pipelines[0]);
+  await check_keyboard(page);
+  await check_worst_view(page, made.comparison);
+  const picture = async (name) => {
+    await settled(page);
+    await page.waitForFunction(() => !document.querySelector('#viewer figure:not([hidden]) .stale'));
+    await page.locator('#viewer .viewer').screenshot({ path: path.join(folder, name) });
+  };
+  await viewer(page, 'set_direction', [-0.5, 0.25, 0.8]);
+  await picture('viewer-pair.png');
+  await viewer(page, 'set_state', 1, null);
+  await picture('viewer-heat.png');
+});
+
+await on_page(
+  'overdraw of rectangles',
+  program.compare('stacks', write_stacks(folder), ['tipsify']).html,
+  check_stacks,
+);
+
+await on_page('overdraw of a model', made.html, (page) =>
+  check_ratios(page, program, spot, made.scenes[0].subjects.length),
+);
+
+await group('a character', async () => {
+  const fox = path.join(corpus, 'animated', 'fox.glb');
+  const { html, scenes } = program.compare('fox', [fox], ['@character']);
+  await on_page('poses', html, async (page) => {
+    await check_table(page, html, scenes);
+    await check_poses(page);
+    await check_pose_ratios(page, program, fox, scenes[0].subjects[0].poses);
+  });
+});
+
+await group('many files', async () => {
+  const house = path.join(corpus, 'scenes', 'house.glb');
+  const { html, comparison } = program.compare('two', [house, spot], ['tipsify', '@default']);
+  await on_page('two files', html, async (page) => {
+    await check_figures(page, comparison);
+    await check_highlight_of_one_file(page);
+    const plotted = async () => (await page.evaluate(() => window.foredraw.plot.points())).map(([, , y]) => y);
+    const ratios = ({ metrics }) => metrics.find(({ metric }) => metric === 'ratio').values;
+    check_equal('two files: the plot begins with both as one', await plotted(), ratios(comparison.all));
+    await page.selectOption('#plot label:has-text("File") select', '1');
+    check_equal('two files: the plot shows the other one', await plotted(), ratios(comparison.files[1]));
+    await page.selectOption('#viewer label:has-text("File") select', '1');
+    check_equal(
+      'two files: the viewer shows the other one',
+      await viewer(page, 'triangles'),
+      comparison.files[1].branches[0].report.totals.triangles,
+    );
+  });
+});
+
+await group('names', async () => {
+  const markup = '<img src=x onerror="window.harmed=1">';
+  const model = write_gltf(path.join(folder, '<img src=x onerror=window.harmed=1>.gltf'), [
+    { name: markup, ...rectangles([-1, -1, 1, 1, 0]) },
+    { name: `</script>${markup}`, ...rectangles([-1, -1, 1, 1, 0]) },
+    ...Array.from({ length: 30 }, (_, i) => ({ name: `${markup} ${i}`, ...rectangles([i, 0, i + 1, 1, 0]) })),
+  ]);
+  const { html } = program.compare('names', [model], ['tipsify', 'lookahead']);
+  await on_page('names with markup', html, async (page) => {
+    check_equal('names: nothing runs', await page.evaluate(() => [window.harmed ?? null, document.images.length]), [
+      null,
+      0,
+    ]);
+    const texts = await page.$$eval('#viewer label:has-text("Subject") option', (options) =>
+      options.map((o) => o.textContent),
+    );
+    check(
+      'names: shown as they are',
+      texts.some((text) => text.includes(markup)),
+      texts.slice(0, 3),
+    );
+    check('names: the file as well', (await page.textContent('#figures h3')).includes('<img src=x onerror='));
+    await check_filter(page, '#draws table');
+  });
+});
+
+await group('little to show', async () => {
+  const glass = write_gltf(path.join(folder, 'glass.gltf'), [{ name: 'pane', ...rectangles([-1, -1, 1, 1, 0]) }], {
+    alphaMode: 'BLEND',
+  });
+  await on_page(
+    'a model without opaque triangles',
+    program.compare('glass', [glass], ['tipsify']).html,
+    async (page) => {
+      const said = await page.textContent('#viewer');
+      check('little to show: the viewer says so', said.includes('no triangles') && !said.includes('has not run'), said);
+    },
+  );
+  const { html } = program.compare('lost', [spot], ['tipsify', 'dot-rule'], { exit_code: 1 });
+  await on_page('a pipeline that could not be planned', html, async (page) => {
+    check_equal('lost: it is no point', (await page.evaluate(() => window.foredraw.plot.points())).length, 1);
+    const disabled = await page.$$eval('#viewer option:disabled', (all) => all.map((option) => option.textContent));
+    check('lost: it can not be chosen', disabled.length === 2 && disabled[0].includes('dot-rule'), disabled);
+  });
+});
+
+await on_page('looks', made.html, async (page) => {
+  await check_colours(page, folder);
+  await check_widths(page, folder);
+  await check_paper(page);
+});
+await group('without scripts', () => check_without_script(browser, made.html));
+await group('without WebGL', () => check_without_gl(made.html));
+
+await group('time', async () => {
+  const large = write_gltf(path.join(folder, 'large.gltf'), [{ name: 'torus', ...torus(320, 160) }]);
+  const sizes = [8, 10, 12, 14, 16, 20, 24, 32];
+  const { html } = program.compare(
+    'large',
+    [large],
+    sizes.map((size) => `tipsify(cache-size=${size})`),
+    { more: ['--with', 'vertex-cache'] },
+  );
+  const times = [];
+  for (let i = 0; i < 5; ++i) {
+    const { page } = await open(browser, html);
+    times.push(await page.evaluate(() => performance.getEntriesByName('viewer-ready')[0].startTime));
+    await page.close();
+  }
+  console.log(`      ready after ${times.map((time) => time.toFixed(0)).join(', ')} ms`);
+  check('time: 102,400 triangles in 9 states are there within 2 s', Math.min(...times) < 2000, times);
+});
+
+await browser.close();
+process.exit(exit_code());
