@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_triangles = 200'000;     // of a subject: what a small machine's browser turns smoothly
 constexpr std::size_t most_poses = 64;              // of all clips
-constexpr std::size_t most_bytes_of_poses = 12'000'000;  // of a subject
+constexpr std::size_t most_bytes_of_poses = 6'000'000;  // of a subject
 
 /// Draws of which the viewer can show every order: as those who measure overdraw see them, but without holes.
 bool is_shown(const Scene& scene, const Draw& draw) {
