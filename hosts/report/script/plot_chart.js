@@ -64,10 +64,13 @@ function room_around(values) {
   return { suggestedMin: least >= 0 ? Math.max(0, least - room) : least - room, suggestedMax: most + room };
 }
 
+/** Of the line that shows the error. */
+const ends_of = ({ values, errors }, place) => [values[place] - errors[place], values[place] + errors[place]];
+
 function scale_of(axis, places, is_log, ink, grid) {
   return {
     type: is_log ? 'logarithmic' : 'linear',
-    ...(is_log ? {} : room_around(places.map((place) => axis.values[place]))),
+    ...(is_log ? {} : room_around(places.flatMap((place) => ends_of(axis, place)))),
     title: { display: true, text: axis.unit ? `${axis_title(axis)} (${axis.unit})` : axis_title(axis), color: ink },
     ticks: { color: ink, maxRotation: 0, maxTicksLimit: 8 },
     grid: { color: grid },
