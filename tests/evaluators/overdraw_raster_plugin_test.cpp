@@ -194,6 +194,17 @@ TEST(OverdrawRasterPlugin, what_has_no_overdraw_is_known_at_the_first_look) {
   EXPECT_EQ(findings.notes[0].message, "looked from 10 x 12 views of 64 x 64 pixels");
 }
 
+TEST(OverdrawRasterPlugin, details_name_what_can_have_no_overdraw) {
+  Settings settings = few_views;
+  settings["details"] = true;
+  const Findings findings = evaluate(testing::scene_of({testing::draw_of(testing::sphere(16, 8), "ball"),
+                                                        testing::draw_of(testing::torus(16, 8), "ring")}),
+                                     settings);
+  EXPECT_TRUE(std::ranges::any_of(findings.notes, [](const Note& note) {
+    return note.message == "convex, or nearly so, so that no order overdraws more than 1.001: 1 draw (ball)";
+  }));
+}
+
 TEST(OverdrawRasterPlugin, details_tell_who_causes_the_overdraw) {
   Scene scene = testing::scene_of({testing::draw_of(testing::sphere(16, 8, 0.5f), "inner"),
                                    testing::draw_of(testing::sphere(16, 8, 1.0f), "outer")});

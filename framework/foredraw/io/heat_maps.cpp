@@ -199,8 +199,7 @@ std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const
     }
     const std::string& name = subjects.subjects[subject].name;
     const std::string moment = pose_name(subjects.poses.poses[pose], clips);
-    const bool has_poses =
-        std::ranges::any_of(subjects.distinct[subject].first_alike, [](std::size_t first) { return first > 0; });
+    const bool has_poses = subjects.moves(subject);
     const glm::dvec3& from = views.views[view].direction;
     const std::string footer =
         fmt::format("{}{}, view {} of {}, from ({:.3f}, {:.3f}, {:.3f})", name, has_poses ? " in " + moment : "", view,

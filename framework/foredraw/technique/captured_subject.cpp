@@ -1,6 +1,7 @@
 #include <foredraw/technique/captured_subject.h>
 
 #include <foredraw/analysis/cluster_layers.h>
+#include <foredraw/analysis/overdraw_bound.h>
 
 #include <fmt/format.h>
 
@@ -99,6 +100,18 @@ CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
     if (look) look(captured.seen, drawn);
   }
   return captured;
+}
+
+bool may_overdraw(const SubjectView& view, Run& run) {
+  const bool moves = view.subject.is_placed() && run.poses.poses.size() > 1;
+  if (moves) return true;
+  const PosedNodes nodes =
+      view.subject.is_placed() ? posed_nodes(view.scene, run.poses.poses.front()) : PosedNodes();
+  const DrawnSubject drawn = drawn_subject(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
+  const auto bound = overdraw_bound(drawn.parts, least_overdraw);
+  if (!bound) return true;
+  run.keep(fmt::format("it is convex, or nearly so: no order of it overdraws more than {:.4f}", *bound));
+  return false;
 }
 
 bool has_overdraw(const ViewTally& before, Run& run) {

@@ -32,6 +32,10 @@ CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
                                  const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
                                  const std::function<void(const SeenSubject&, const DrawnSubject&)>& look = {});
 
+/// Whether some order of a subject that stands still may overdraw more than `least_overdraw`, as overdraw_bound() knows
+/// without drawing it. Else tells the run that nothing can be gained. True of subjects that move: each pose has its own hull.
+bool may_overdraw(const SubjectView& view, Run& run);
+
 /// Whether anything is drawn that does not stay. Else tells the run that nothing can be gained.
 bool has_overdraw(const ViewTally& before, Run& run);
 

@@ -1,6 +1,7 @@
 #include <foredraw/technique/overdraw_details.h>
 
 #include <foredraw/analysis/drawn_orders.h>
+#include <foredraw/analysis/overdraw_bound.h>
 #include <foredraw/analysis/overdraw_details.h>
 
 #include <fmt/format.h>
@@ -72,12 +73,14 @@ void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& servi
   const Scene& scene = subjects.scene;
   Hidden hidden(scene.draws.size());
   std::vector<double> pixels(most_times + 1);
+  std::vector<std::string> convex;
   for (std::size_t pose = 0; pose < subjects.poses.poses.size(); ++pose) {
     const PosedNodes nodes = posed_nodes(scene, subjects.poses.poses[pose]);
     for (std::size_t i = 0; i < subjects.subjects.size(); ++i) {
       if (!subjects.is_new(i, pose)) continue;
       const Subject& subject = subjects.subjects[i];
       DrawnSubject drawn = drawn_subject(scene, subject, service.faces(), nodes, run.analyses);
+      if (!subjects.moves(i) && overdraw_bound(drawn.parts, least_overdraw)) convex.push_back(subject.name);
       const Pose& moment = subjects.poses.poses[pose];
       for (const ViewsOfOrders& some : views_by_orders(scene, subject, moment, views.views)) {
         set_orders(drawn, scene, subject, some.orders);
@@ -114,6 +117,10 @@ void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& servi
     // In several orders a triangle has several numbers, and so has a cluster.
     if (clusters && orders.size() == 1) message += "; " + worst_clusters(*clusters, hidden[draw]);
     run.note_at({draw, {}, {}}, "causes-overdraw", message);
+  }
+  if (!convex.empty()) {
+    run.note_at({}, "convex", fmt::format("convex, or nearly so, so that no order overdraws more than {}: {}",
+                                          least_overdraw, listed_draws(convex)));
   }
   if (!free_of_it.empty()) {
     run.note_at({}, "no-overdraw",

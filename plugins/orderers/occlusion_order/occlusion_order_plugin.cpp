@@ -32,6 +32,7 @@ class OcclusionOrder final : public SubjectOrderer {
   explicit OcclusionOrder(Options options) : options_(options) {}
 
   SubjectOrders order(const SubjectView& view, Run& run) override {
+    if (!may_overdraw(view, run)) return {};
     Options options = options_;
     options.seed = run.seed + static_cast<std::uint64_t>(options_.start);
     options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].levels[0].orders[0], options_);

@@ -108,5 +108,24 @@ TEST_F(CapturedSubjects, what_can_not_be_captured_is_told) {
   EXPECT_THROW(captured({0, 1}), std::runtime_error);
 }
 
+/// Whether an order is worth looking for, and what is told where it is not.
+std::optional<std::string> left_alone(const testing::TestMesh& mesh) {
+  const Scene scene = testing::scene_of(mesh);
+  testing::RunFixture fixture;
+  Captures service(false);  // nothing may be drawn
+  foredraw::Run run{fixture.analyses, fixture.executor, fixture.findings, fixture.views, rest_pose, &service};
+  const bool may = may_overdraw({scene, {"mesh", {{0, {}}}}, {0}}, run);
+  EXPECT_NE(may, run.keeps());
+  return fixture.findings.nothing_to_gain;
+}
+
+TEST(MayOverdraw, IsNotSoOfWhatIsConvexOrNearlySo) {
+  EXPECT_EQ(left_alone(testing::sphere(32, 16)), "it is convex, or nearly so: no order of it overdraws more than 1.0000");
+  const auto marble = testing::sphere(16, 8, 0.02f);  // inside of a ball
+  EXPECT_EQ(left_alone(testing::joined(marble, testing::sphere(32, 16))),
+            "it is convex, or nearly so: no order of it overdraws more than 1.0004");
+  EXPECT_EQ(left_alone(testing::torus(32, 16)), std::nullopt);
+}
+
 }  // namespace
 }  // namespace foredraw
