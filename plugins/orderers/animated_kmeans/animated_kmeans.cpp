@@ -17,8 +17,8 @@ struct Clustering {
   std::vector<Order> orders;
   std::vector<std::uint8_t> serving;  // [node]
   std::vector<OverdrawCount> counts;  // [node]
-  std::vector<double> alone;          // [buffer] fragments shaded if it served all nodes
-  double shaded = std::numeric_limits<double>::infinity();
+  std::vector<double> alone;          // [buffer] its cost if it served all nodes
+  double cost = std::numeric_limits<double>::infinity();
 };
 
 class KMeans {
@@ -40,9 +40,9 @@ class KMeans {
       std::vector<std::uint8_t> before;
       for (int round = 0; round < options_.rounds; ++round) {
         const Clustering now = assigned(std::move(orders));
-        if (now.shaded < best.shaded) best = now;
-        if (now.serving == before || now.shaded >= least) break;
-        least = now.shaded;
+        if (now.cost < best.cost) best = now;
+        if (now.serving == before || now.cost >= least) break;
+        least = now.cost;
         before = now.serving;
         orders = computed(with_none_empty(now));
       }
@@ -73,7 +73,7 @@ class KMeans {
     std::vector<std::vector<OverdrawCount>> counts(orders.size());
     executor_.for_each(orders.size(), [&](std::size_t j) { counts[j] = counts_of(subject_, orders[j]); });
     Clustering result;
-    for (const auto& of_buffer : counts) result.alone.push_back(tally_of(subject_, of_buffer).shaded);
+    for (const auto& of_buffer : counts) result.alone.push_back(cost_of(of_buffer));
     for (std::size_t node = 0; node < nodes_; ++node) {
       std::size_t best = 0;
       for (std::size_t j = 1; j < counts.size(); ++j) {
@@ -82,9 +82,15 @@ class KMeans {
       result.serving.push_back(static_cast<std::uint8_t>(best));
       result.counts.push_back(counts[best][node]);
     }
-    result.shaded = tally_of(subject_, result.counts).shaded;
+    result.cost = cost_of(result.counts);
     result.orders = std::move(orders);
     return result;
+  }
+
+  /// What is covered is the same in every order, so that the less is shaded the lower is the ratio.
+  double cost_of(const std::vector<OverdrawCount>& counts) const {
+    const ViewTally tally = tally_of(subject_, counts);
+    return options_.metric == OverdrawMetric::ratio ? tally.shaded : tally.ratios;
   }
 
   /// Step 2, index buffer computation: patches by the distance integrated over the nodes that see them.

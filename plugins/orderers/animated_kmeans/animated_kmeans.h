@@ -9,11 +9,16 @@
 
 namespace foredraw {
 
+/// By what one clustering is better than another: fragments shaded in all nodes over pixels covered in all, so that near
+/// looks weigh more than thin ones, or the mean of the nodes' own ratios.
+enum class OverdrawMetric { ratio, view_mean };
+
 struct AnimatedKMeansOptions {
   int k = 5;               ///< 1 to 255; fewer where there are fewer nodes
   int restarts = 0;        ///< so often it begins anew, from other nodes; the best of all is kept
   int rounds = 30;         ///< at most, each time
   std::uint64_t seed = 0;  ///< of the nodes that it begins with
+  OverdrawMetric metric = OverdrawMetric::ratio;  ///< of rounds and starts, of which the best is kept
 };
 
 struct IndexBuffers {

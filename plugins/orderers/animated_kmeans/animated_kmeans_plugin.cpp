@@ -122,6 +122,11 @@ Plugin animated_kmeans_plugin() {
   table.choice<Clips>(&Options::clips, "clips",
                       "joint: one set of orders for all animations; single: a set of k for each, 255 in all at most",
                       {{"joint", Clips::joint}, {"single", Clips::single}});
+  table.choice<OverdrawMetric>(
+      &Options::metric, "metric",
+      "By what the best of all rounds and starts is told: ratio, all fragments over all pixels; view-mean, the mean of the "
+      "views' own ratios",
+      {{"ratio", OverdrawMetric::ratio}, {"view-mean", OverdrawMetric::view_mean}});
   table.row<int>(&Options::restarts, "restarts", "How often it begins anew, from other nodes; the best of all is kept",
                  {0, 1000, "times"});
   table.row<std::int64_t>(&Options::start, "seed", "Of the nodes that it begins with, besides the pipeline's seed");

@@ -208,6 +208,19 @@ TEST(AnimatedKMeans, MoreOrdersAndMoreStartsLeaveLess) {
   }
 }
 
+TEST(AnimatedKMeans, TheBestOfItsStartsIsTheBestByItsMetric) {
+  const std::vector<TestMesh> poses = turning_rings();
+  const Animated rings(poses, testing::all_sides(64, 3, 42),
+                       runs_of(8, static_cast<std::uint32_t>(poses[0].indices.size() / 3)));
+  const auto tally_by = [&](OverdrawMetric metric) {  // one round: both choose among the same starts
+    const AnimatedKMeansOptions options{.k = 2, .restarts = 15, .rounds = 1, .metric = metric};
+    return tally_of(rings.subject, animated_kmeans(rings.subject, rings.places, options, Executor(2)).counts);
+  };
+  const ViewTally by_ratio = tally_by(OverdrawMetric::ratio), by_mean = tally_by(OverdrawMetric::view_mean);
+  EXPECT_LE(by_ratio.shaded, by_mean.shaded);
+  EXPECT_LE(by_mean.ratios, by_ratio.ratios);
+}
+
 TEST(AnimatedKMeans, IsTheSameOnAnyNumberOfThreads) {
   const std::vector<TestMesh> poses = turning_rings();
   const Animated rings(poses, testing::all_sides(64, 0, 42),
