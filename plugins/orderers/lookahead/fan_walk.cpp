@@ -9,6 +9,7 @@ namespace foredraw {
 namespace {
 
 constexpr std::uint32_t longest_trial = 512;  // entrants
+constexpr std::uint32_t farthest_start = 64;  // places behind the first, where a strip begins
 
 /// age^power, of `scale` at an age of 1.
 int at_age(int scale, std::uint32_t age, std::uint32_t cache_size, int power) {
@@ -41,7 +42,7 @@ FanWalk::FanWalk(std::span<std::uint32_t> order, std::span<const std::uint32_t> 
   find_corners(indices, vertex_count, memory);
   std::ranges::fill(entrants_, static_cast<std::uint32_t>(vertices_.size() - 2));  // nobody
   for (std::uint32_t age = 0; age <= cache.cache_size; ++age) {
-    done_cost_[age] = at_age(weights.done, age, cache.cache_size, 2);
+    done_cost_[age] = at_age(weights.done, age, cache.cache_size, weights.done_power);
     waiting_cost_[age] = weights.waiting + done_cost_[age] + at_age(weights.waiting_old, age, cache.cache_size, 3);
   }
 }
@@ -59,16 +60,28 @@ std::span<const std::uint32_t> FanWalk::promising(std::size_t most, int margin) 
   std::partial_sort(ranking_.begin(), ranking_.begin() + count, ranking_.end());
   ranked_.clear();
   for (std::size_t i = 0; i < count; ++i) ranked_.push_back(ranking_[i].second);
-  if (ranked_.empty()) restart();
+  if (ranked_.empty()) begin_anew(most);
   return ranked_;
 }
 
-void FanWalk::restart() {
+/// A strip has run dry, or a part of the mesh is done that touches no other. What stands close to the place where it is
+/// easiest to begin is on offer too: a strip is the better for a good beginning, such as a corner.
+void FanWalk::begin_anew(std::size_t most) {
   const auto is_done = [&](std::uint32_t v) { return vertices_[v].live == 0; };
-  while (!trail_.empty() && is_done(trail_.back())) trail_.pop_back();
+  const auto offer = [&](std::uint32_t v) {
+    const bool is_new = !is_done(v) && std::ranges::find(ranked_, v) == ranked_.end();
+    if (is_new && ranked_.size() < most) ranked_.push_back(v);
+  };
   const auto nobody = static_cast<std::uint32_t>(vertices_.size() - 2);
+  while (!trail_.empty() && is_done(trail_.back())) trail_.pop_back();
   while (cursor_ < nobody && is_done(cursor_)) ++cursor_;
-  if (cursor_ < nobody) ranked_.push_back(trail_.empty() ? cursor_ : trail_.back());
+  if (!trail_.empty()) {
+    const std::size_t places = std::min<std::size_t>(trail_.size(), farthest_start);
+    for (std::size_t i = 1; i <= places; ++i) offer(trail_[trail_.size() - i]);
+  } else {
+    const std::uint32_t places = std::min(nobody - cursor_, farthest_start);
+    for (std::uint32_t i = 0; i < places; ++i) offer(cursor_ + i);
+  }
 }
 
 std::uint32_t FanWalk::most_promising() const {
@@ -87,10 +100,11 @@ std::uint32_t FanWalk::most_promising() const {
 /// new.
 int FanWalk::promise(const Vertex& v, std::uint32_t age) const {
   const int open = static_cast<int>(2 * v.live - v.met);
-  const int at_the_end = static_cast<int>(age) + (open + 1) / 2 + weights_.reserve;
+  const int size = static_cast<int>(cache_.cache_size);
+  const bool in_time = 2 * static_cast<int>(age) + open + weights_.reserve <= 2 * size;  // in half entries
   const int when = weights_.prefer_old * static_cast<int>(age);
   const int too_late = 1 << 20;
-  return (open == 0 ? unopposed : 0) + (at_the_end <= static_cast<int>(cache_.cache_size) ? when : -when - too_late) -
+  return (open == 0 ? unopposed : 0) + (in_time ? when : -when - too_late) -
          weights_.avoid_large * static_cast<int>(v.live) - weights_.avoid_new * open;
 }
 

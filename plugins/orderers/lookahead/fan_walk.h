@@ -20,7 +20,8 @@ struct FanWeights {
   // A vertex is paid for when it leaves the cache with triangles left, for then it is shaded again: 1024. A smaller
   // cache than the one that is modelled would have lost it before, so that even a vertex that is done costs something
   // by its age.
-  int done;  ///< times age^2: a vertex whose last triangle is drawn
+  int done;        ///< times age^done_power: a vertex whose last triangle is drawn
+  int done_power;  ///< the higher, the fewer smaller caches are minded
   // The outlook is what the vertices in the cache that have triangles left will probably cost.
   int waiting;       ///< for each such vertex
   int waiting_old;   ///< times age^3
@@ -29,7 +30,7 @@ struct FanWeights {
   int prefer_old;   ///< for each entry of age
   int avoid_large;  ///< for each triangle left
   int avoid_new;    ///< for each end that is not in the cache
-  int reserve;      ///< entries to spare when its fan is drawn; else it will be too late
+  int reserve;      ///< half entries to spare when its fan is drawn; else it will be too late
 };
 
 class FanWalk {
@@ -43,7 +44,7 @@ class FanWalk {
           const BatchModel& cache, const FanWeights& weights, std::pmr::memory_resource& memory);
 
   /// Where to go on: of the vertices with triangles left those in the cache, the most promising first, `most` of them
-  /// at most; where there are none, the one that entered it last; where they are done too, the next in input order.
+  /// at most; where there are none, those that entered it last; where they are done too, the next in input order.
   /// Left out is who is less promising than the first by more than `margin`. None when all is drawn. Valid until the
   /// next call.
   std::span<const std::uint32_t> promising(std::size_t most, int margin);
@@ -108,7 +109,7 @@ class FanWalk {
   bool is_live(const Corner& c) const { return std::min(vertices_[c.next].live, vertices_[c.last].live) != 0; }
   std::uint32_t& entrant(std::uint32_t time) { return entrants_[time & (entrants_.size() - 1)]; }
   std::uint32_t entrant(std::uint32_t time) const { return entrants_[time & (entrants_.size() - 1)]; }
-  void restart();
+  void begin_anew(std::size_t most);
   int promise(const Vertex& v, std::uint32_t age) const;
 
   template <bool on_trial>

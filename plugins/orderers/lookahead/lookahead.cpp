@@ -20,7 +20,7 @@ constexpr int usual_cost = 100;       // of a triangle, in 1/1024 of a vertex: r
 
 Effort effort_of(const LookaheadOptions& options) {
   constexpr int all_rivals = FanWalk::unopposed - 1;
-  constexpr Effort efforts[] = {{2, 3, 80}, {16, 8, all_rivals}, {16, 20, all_rivals}};
+  constexpr Effort efforts[] = {{2, 3, 60}, {16, 8, all_rivals}, {16, 20, all_rivals}};
   const Effort usual = efforts[static_cast<int>(options.quality)];
   return {options.candidates > 0 ? options.candidates : usual.candidates,
           options.depth > 0 ? options.depth : usual.depth, usual.margin};
@@ -30,6 +30,7 @@ Effort effort_of(const LookaheadOptions& options) {
 FanWeights weights_of(const LookaheadOptions& options) {
   if (options.target == LookaheadTarget::nvidia) {  // the cache is emptied so often that ages hardly matter
     return {.done = 231,
+            .done_power = 2,
             .waiting = 68,
             .waiting_old = 1002,
             .waiting_open = 575,
@@ -40,32 +41,46 @@ FanWeights weights_of(const LookaheadOptions& options) {
   }
   if (options.target != LookaheadTarget::robust) {
     return {.done = 24,
+            .done_power = 2,
             .waiting = 18,
             .waiting_old = 870,
             .waiting_open = 52,
             .prefer_old = 37,
             .avoid_large = 18,
             .avoid_new = 50,
-            .reserve = 2};
-  }
-  if (options.quality == LookaheadQuality::fast) {  // the first guess counts for more
-    return {.done = 2000,
-            .waiting = 70,
-            .waiting_old = 320,
-            .waiting_open = -10,
-            .prefer_old = 8,
-            .avoid_large = -12,
-            .avoid_new = 122,
             .reserve = 4};
   }
+  if (options.quality == LookaheadQuality::fast) {  // the first guess counts for more
+    return {.done = 1043,
+            .done_power = 1,
+            .waiting = 48,
+            .waiting_old = 298,
+            .waiting_open = -5,
+            .prefer_old = 5,
+            .avoid_large = -29,
+            .avoid_new = 75,
+            .reserve = 8};
+  }
+  if (options.quality == LookaheadQuality::high) {  // who looks further needs less in reserve
+    return {.done = 900,
+            .done_power = 3,
+            .waiting = -19,
+            .waiting_old = 972,
+            .waiting_open = 53,
+            .prefer_old = 28,
+            .avoid_large = -7,
+            .avoid_new = 40,
+            .reserve = 11};
+  }
   return {.done = 1200,
+          .done_power = 2,
           .waiting = -5,
           .waiting_old = 882,
           .waiting_open = 60,
           .prefer_old = 25,
           .avoid_large = 5,
           .avoid_new = 60,
-          .reserve = options.quality == LookaheadQuality::high ? 5 : 6};  // who looks further needs less
+          .reserve = 12};
 }
 
 struct Rival {
