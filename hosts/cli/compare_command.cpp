@@ -1,6 +1,7 @@
 // Several pipelines on the same scenes.
 
 #include "file_runs.h"
+#include "text_outputs.h"
 
 #include <hosts/report/page.h>
 
@@ -47,44 +48,62 @@ struct ComparedFile {
   std::vector<std::optional<Scene>> scenes;  ///< [pipeline] nothing where it was lost
 };
 
-/// All pipelines on one file. Those that can not be planned for it are lost; `worst` tells of them and of stages that
-/// failed.
-std::optional<ComparedFile> compared(const std::string& input, const Contest& contest, const Registry& registry,
-                                     const Executor& executor, Exit& worst) {
+/// The plans of the pipelines that can be planned, and whose they are. The others are lost.
+struct Planned {
+  std::vector<Plan> plans;
+  std::vector<std::size_t> branches;  ///< [plan]
+};
+
+Planned planned(const Contest& contest, const Registry& registry, const Scene& scene, Comparison& comparison) {
+  Planned all;
+  for (const NamedPipeline& named : contest.pipelines) {
+    const std::size_t number = comparison.branches.size();
+    Branch& branch = comparison.branches.emplace_back(Branch{named.name, {}});
+    Diagnostics diagnostics;
+    auto plan = with_memory(comparison.input.path, "plan for it",
+                            [&] { return foredraw::plan(named.pipeline, registry, scene, diagnostics); });
+    if (plan) {
+      all.plans.push_back(std::move(*plan));
+      all.branches.push_back(number);
+    } else {
+      branch.is_lost = true;
+      branch.report.pipeline = print_file(named.pipeline);
+      branch.report.diagnostics = diagnostics.all();
+      Diagnostics lost;
+      lost.error({.file = comparison.input.path}, "can-not-be-planned",
+                 fmt::format("[{}] {} can not be planned for it:", number + 1, named.name));
+      tell(lost);
+    }
+    tell(diagnostics);
+  }
+  return all;
+}
+
+/// All pipelines on one file; a file that can not be read has none. `worst` tells of what failed.
+ComparedFile compared(const std::string& input, const Contest& contest, const Registry& registry,
+                      const Executor& executor, Exit& worst) {
+  ComparedFile made{{{input, 0}, {}, contest.fronts, {}}, {}, {}};
+  Comparison& comparison = made.comparison;
   Diagnostics diagnostics;
   const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
+  comparison.diagnostics = diagnostics.all();
   if (!file) {
     worst = std::max(worst, refuse_file(diagnostics));
-    return std::nullopt;
+    return made;
   }
   tell(diagnostics);
-  ComparedFile made{{{input, file->bytes}, {}, contest.fronts}, file->scene, {}};
-  Comparison& comparison = made.comparison;
-  std::vector<Plan> plans;
-  std::vector<std::size_t> branches;  // [plan]
-  for (const NamedPipeline& named : contest.pipelines) {
-    Diagnostics of_plan;
-    auto plan = with_memory(input, "plan for it",
-                            [&] { return foredraw::plan(named.pipeline, registry, file->scene, of_plan); });
-    tell(of_plan);
-    comparison.branches.push_back({named.name, {}, !plan});
-    if (plan) {
-      branches.push_back(comparison.branches.size() - 1);
-      plans.push_back(std::move(*plan));
-    } else {
-      comparison.branches.back().report.pipeline = print_file(named.pipeline);
-      comparison.branches.back().report.diagnostics = of_plan.all();
-      worst = std::max(worst, users_mistake);
-    }
-  }
-  if (plans.empty()) return std::nullopt;
+  made.input = file->scene;
+  comparison.input.bytes = file->bytes;
+  const auto [plans, branches] = planned(contest, registry, file->scene, comparison);
+  if (plans.size() < contest.pipelines.size()) worst = std::max(worst, users_mistake);
+  made.scenes.resize(comparison.branches.size());
+  if (plans.empty()) return made;
 
   Analyses analyses(image_decoder(input));
   std::vector<Result> results = with_memory(input, "work on it", [&] {
     return foredraw::compare(plans, file->scene, contest.rounds, {executor, analyses, nullptr, progress_line()});
   });
   end_progress();
-  made.scenes.resize(comparison.branches.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (results[i].failed) worst = something_failed;
     made.scenes[branches[i]] = std::move(results[i].scene);
@@ -173,25 +192,6 @@ Exit unknown_fronts(std::span<const Comparison> comparisons) {
   return diagnostics.has_errors() ? refuse(diagnostics) : done;
 }
 
-/// Two outputs in one file, or one in an input's place.
-bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
-  std::vector<std::string> taken = arguments.inputs;
-  if (!arguments.baseline.empty()) taken.push_back(arguments.baseline);
-  for (const std::string& output : {arguments.report, arguments.csv, arguments.html}) {
-    if (output.empty()) continue;
-    if (output == "-") {
-      diagnostics.error({}, "bad-arguments", "--report, --csv and --html take the name of a file",
-                        "--json prints the comparison");
-    }
-    if (std::ranges::any_of(taken, [&](const std::string& other) { return is_same_file(other, output); })) {
-      diagnostics.error({.file = output}, "bad-arguments", "is an input or another output",
-                        "give the output a file of its own");
-    }
-    taken.push_back(output);
-  }
-  return diagnostics.has_errors();
-}
-
 }  // namespace
 
 Exit compare(const Arguments& arguments, const Registry& registry) {
@@ -202,7 +202,7 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   const auto inputs = scenes_of(arguments.inputs, diagnostics);
   if (!inputs) return refuse(diagnostics);
   const auto budget = budget_of(arguments, pipelines->size(), diagnostics);
-  if (!budget || outputs_clash(arguments, diagnostics)) return refuse(diagnostics);
+  if (!budget || !have_files_of_their_own(arguments, diagnostics)) return refuse(diagnostics);
   if (!have_folders({arguments.report, arguments.csv, arguments.html}, diagnostics)) return refuse_file(diagnostics);
 
   const Executor executor(arguments.threads);
@@ -210,14 +210,13 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   std::vector<Display> displays;
   Exit worst = done;
   for (const std::string& input : *inputs) {
-    auto file = compared(input, {*pipelines, arguments.repeat, *fronts}, registry, executor, worst);
-    if (!file) continue;
-    if (!arguments.html.empty() && comparisons.size() < most_displays) {
-      displays.push_back(with_memory(input, "show it", [&] { return display(file->input, file->scenes, comparisons.size()); }));
+    ComparedFile file = compared(input, {*pipelines, arguments.repeat, *fronts}, registry, executor, worst);
+    if (!arguments.html.empty() && displays.size() < most_displays && !file.scenes.empty()) {
+      displays.push_back(with_memory(input, "show it", [&] { return display(file.input, file.scenes, comparisons.size()); }));
     }
-    comparisons.push_back(std::move(file->comparison));
+    comparisons.push_back(std::move(file.comparison));
   }
-  if (comparisons.empty()) return worst;
+  if (std::ranges::all_of(comparisons, &Comparison::is_lost)) return worst;
   std::vector<OutputFile> files;
   if (!arguments.report.empty()) files.push_back(text_file(arguments.report, to_json(comparisons)));
   if (!arguments.csv.empty()) files.push_back(text_file(arguments.csv, to_csv(comparisons)));

@@ -37,11 +37,10 @@ std::vector<fs::path> files_read_from(const fs::path& from, const fs::path& to) 
 
 /// "prop.glb" and "prop.obj" would both become "prop.glb"; and no file may become what another has yet to be read from.
 bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::path>& inputs,
-                  const std::vector<fs::path>& outputs, const fs::path& report, Diagnostics& diagnostics) {
+                  const std::vector<fs::path>& outputs, Diagnostics& diagnostics) {
   std::map<fs::path, fs::path> taken;
   std::error_code error;
   for (const fs::path& input : inputs) taken.emplace(fs::weakly_canonical(input, error), "an input");
-  if (!report.empty()) taken.emplace(fs::weakly_canonical(report, error), "the report");
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     for (const fs::path& file : paths_written_for(outputs[i])) {
       const auto [at, is_new] = taken.emplace(fs::weakly_canonical(file, error), scenes[i]);
@@ -146,7 +145,7 @@ Exit optimize_folder(const FileJob& job) {
     inputs.push_back(from / scene);
     outputs.push_back(output_of(scene, to));
   }
-  if (outputs_meet(*scenes, files_read_from(from, to), outputs, arguments.report, diagnostics))
+  if (outputs_meet(*scenes, files_read_from(from, to), outputs, diagnostics))
     return refuse(diagnostics);
   for (const fs::path& output : outputs) {
     if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);

@@ -1,6 +1,7 @@
 // The commands that read a scene and run a pipeline on it.
 
 #include "file_runs.h"
+#include "text_outputs.h"
 
 #include <fmt/format.h>
 
@@ -19,30 +20,13 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, Diagnostics& di
   return only_one(pipelines_for(arguments, {text}, diagnostics), text, diagnostics);
 }
 
-/// Reports and scene would stand in each other's way.
+/// Record and scene would stand in each other's way.
 bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
   if (arguments.json && arguments.output == "-") {
     diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
                       "use --report FILE for the record");
   }
-  const std::string outputs[] = {arguments.report, arguments.html, arguments.remap, arguments.draw_orders};
-  for (const std::string& text : outputs) {
-    if (text.empty()) continue;
-    if (is_same_file(text, arguments.inputs[0])) {
-      diagnostics.error({.file = text}, "bad-arguments", "is the input", "give the output a file of its own");
-      return true;
-    }
-    if (text == "-")
-      diagnostics.error({}, "bad-arguments", "--report, --html, --remap and --draw-orders take the name of a file",
-                        "--json prints the record");
-    const auto others =
-        std::ranges::count_if(outputs, [&](const std::string& other) { return !other.empty() && is_same_file(text, other); });
-    if (is_same_file(text, arguments.output) || others > 1) {
-      diagnostics.error({.file = text}, "bad-arguments", "is to hold two outputs", "give each a file of its own");
-      return true;
-    }
-  }
-  return diagnostics.has_errors();
+  return !have_files_of_their_own(arguments, diagnostics);
 }
 
 }  // namespace

@@ -92,7 +92,10 @@ void end_progress() {
 
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;
-  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+  const auto place = [&](const std::string& path) {  // what is not there yet stays relative unless it is asked for
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  return place(a) == place(b);
 }
 
 std::string program_name() { return std::string("foredraw ") + FOREDRAW_VERSION; }

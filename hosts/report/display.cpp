@@ -238,7 +238,7 @@ Display display(const Scene& input, std::span<const std::optional<Scene>> branch
     SubjectDisplay shown(input, subject, buffer);
     if (!shown.empty()) scene["subjects"].push_back(shown.json(branches));
   }
-  return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), buffer.base64()};
+  return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_name, buffer.base64()};
 }
 
 }  // namespace foredraw

@@ -1,12 +1,14 @@
 #include "html.h"
 
+#include <foredraw/base/printable.h>
+
 #include <fmt/format.h>
 
 namespace foredraw {
 
 std::string escaped(std::string_view text) {
   std::string safe;
-  for (const char c : text) {
+  for (const char c : printable(text, "\n\t")) {
     switch (c) {
       case '&': safe += "&amp;"; break;
       case '<': safe += "&lt;"; break;

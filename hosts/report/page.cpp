@@ -42,7 +42,7 @@ std::string scripts(std::span<const Comparison> comparisons, std::span<const Dis
   for (const Display& display : displays) scenes += (scenes.empty() ? "" : ",") + display.scene;
   text += data("application/json", "scenes", script_safe("{\"scenes\":[" + scenes + "]}"));
   for (std::size_t i = 0; i < displays.size(); ++i) {
-    text += data("application/octet-stream", fmt::format("buffer-{}", i), displays[i].buffer);
+    text += data("application/octet-stream", displays[i].buffer_name, displays[i].buffer);
   }
   return text + element("script", page_script()) + '\n';
 }

@@ -30,7 +30,9 @@ std::string skips_html(const std::vector<StageRecord>& stages) {
   std::string items;
   for (const StageRecord& stage : stages) {
     for (const SkipRecord& skip : stage.skipped) {
-      const std::string places = skip.places.empty()      ? "everything"
+      const bool is_scene = skip.places.size() == 1 && skip.places[0].empty();
+      const std::string places = is_scene                 ? "the scene"
+                                 : skip.places.empty()    ? "everything"
                                  : skip.places.size() > 5 ? fmt::format("{} {}", skip.places.size(), stage.places)
                                                           : fmt::format("{}", fmt::join(skip.places, ", "));
       items += element("li", escaped(fmt::format("{} left {} alone: {}", stage.use, places, skip.reason))) + '\n';
@@ -66,6 +68,9 @@ std::string stages_html(std::span<const Comparison> comparisons) { return articl
 std::string diagnostics_html(std::span<const Comparison> comparisons) {
   return articles(comparisons, [](const Comparison& comparison) {
     std::string items;
+    for (const Diagnostic& diagnostic : comparison.diagnostics) {
+      items += element("li", escaped(to_text(diagnostic)), fmt::format("class=\"{}\"", to_text(diagnostic.severity))) + '\n';
+    }
     for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
       for (const Diagnostic& diagnostic : comparison.branches[i].report.diagnostics) {
         items += element("li", escaped(number_of(i) + ' ' + to_text(diagnostic)),
@@ -78,8 +83,9 @@ std::string diagnostics_html(std::span<const Comparison> comparisons) {
 
 std::string pipelines_html(std::span<const Comparison> comparisons) {
   std::string html;
-  if (comparisons.empty()) return html;
-  const std::vector<Branch>& branches = comparisons.front().branches;  // the same on every file
+  const auto whole = std::ranges::find(comparisons, false, &Comparison::is_lost);
+  if (whole == comparisons.end()) return html;
+  const std::vector<Branch>& branches = whole->branches;  // the same on every file
   for (std::size_t i = 0; i < branches.size(); ++i) {
     html += element("details", element("summary", number_of(i) + ' ' + escaped(branches[i].name)) +
                                    element("pre", escaped(branches[i].report.pipeline))) + '\n';

@@ -56,6 +56,7 @@ std::string fronts_html(const Comparison& comparison) {
 }
 
 std::string summary_of(const Comparison& comparison) {
+  if (comparison.is_lost()) return element("p", "Could not be read: see Diagnostics.");
   const std::vector<FigureRow> rows = total_rows(comparison);
   std::string branches, findings;
   for (std::size_t i = 0; i < comparison.branches.size(); ++i) {

@@ -75,6 +75,7 @@ std::string figures_html(std::span<const Comparison> comparisons) {
                        : "In per cent: against [1]; ~: no more than the errors may make up. The best of a row is marked.",
               "class=\"legend\"");
   return legend + '\n' + articles_and_sum(comparisons, [](const Comparison& comparison) {
+    if (comparison.is_lost()) return std::string();
     std::string rows;
     for (const FigureRow& row : total_rows(comparison)) {
       if (is_detail(row)) continue;

@@ -68,6 +68,7 @@ TEST_F(Compare, ComparesTheGoodFilesThoughOneIsBad) {
   const Ended compared = run("compare " + spot() + " bad.glb -p weld --with vertex-cache");
   EXPECT_EQ(compared.code, 2);
   EXPECT_NE(compared.out.find("spot.glb"), std::string::npos);
+  EXPECT_THAT(compared.out, HasSubstr("bad.glb\n  could not be read\n"));
   EXPECT_NE(compared.err.find("bad.glb: error"), std::string::npos);
 }
 
@@ -100,8 +101,9 @@ TEST_F(Compare, StagesBeforeTheForkRunOnce) {
 
 TEST_F(Compare, SweepsAnOption) {
   const Json file = compared("-p weld -p tipsify --sweep tipsify.cache-size=8:32:8 --front time,vertex-cache.acmr");
-  EXPECT_EQ(names(file), (std::vector<std::string>{"weld", "tipsify with cache-size=8", "tipsify with cache-size=16",
-                                                   "tipsify with cache-size=24", "tipsify with cache-size=32"}));
+  EXPECT_EQ(names(file), (std::vector<std::string>{"weld", "tipsify with tipsify.cache-size=8", "tipsify with tipsify.cache-size=16",
+                                                   "tipsify with tipsify.cache-size=24",
+                                                   "tipsify with tipsify.cache-size=32"}));
   for (const std::size_t other : {1u, 4u}) EXPECT_LT(acmr(file["branches"][2]), acmr(file["branches"][other]));
   const Json& front = file["fronts"][0];
   EXPECT_EQ(front["x"], "time");
@@ -125,9 +127,9 @@ TEST_F(Compare, APipelineThatCanNotBePlannedLosesNoOther) {
 TEST_F(Compare, WritesATableOfValues) {
   ASSERT_EQ(run("compare " + spot() + " -p tipsify --with vertex-cache --csv t.csv").code, 0);
   const std::string table = content(folder_ / "t.csv");
-  EXPECT_TRUE(table.starts_with("file,branch,pipeline,draw,evaluator,metric,value,unit,error\r\n")) << table;
-  EXPECT_THAT(table, HasSubstr(",[1],tipsify,,vertex-cache,acmr,0."));
-  EXPECT_THAT(table, HasSubstr(",[1],tipsify,,stage,tipsify.seconds,"));
+  EXPECT_TRUE(table.starts_with("file,branch,pipeline,draw,name,evaluator,metric,value,unit,error\r\n")) << table;
+  EXPECT_THAT(table, HasSubstr(",[1],tipsify,,,vertex-cache,acmr,0."));
+  EXPECT_THAT(table, HasSubstr(",[1],tipsify,,,time,tipsify,"));
 }
 
 TEST_F(Compare, WritesAPage) {
@@ -156,6 +158,7 @@ class CompareMistakes : public Compare, public ::testing::WithParamInterface<Mis
 
 TEST_P(CompareMistakes, AreToldInOneClearLineBeforeTheWork) {
   put(folder_ / "newer.json", "{\"report\": 99}");
+  put(folder_ / "old.json", R"({"batch": 1, "files": []})");
   put(folder_ / "noise.json", "not JSON");
   put(folder_ / "empty.toml", "pipeline = 1\ncompare = {}\n");
   const Ended ended = run("compare " + spot() + ' ' + GetParam().arguments);
@@ -175,7 +178,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"baseline_is_noise", "--fail-if 'x.y > baseline' --baseline noise.json", 1, "no JSON object"},
         Mistake{"report_in_no_folder", "--report no/r.json", 2, "no folder 'no'"},
         Mistake{"page_in_no_folder", "--html no/r.html", 2, "no folder 'no'"},
-        Mistake{"two_outputs_in_one_file", "--html r --csv r", 1, "r: error: is an input or another output"},
+        Mistake{"two_outputs_in_one_file", "--html r --csv ./r", 1, "r: error: is to hold two outputs"},
+        Mistake{"page_in_a_pipelines_place", "-p empty.toml --html empty.toml", 1, "'compare' has no pipelines"},
+        Mistake{"page_in_a_buffers_place", "--html in/bench.bin", 1, "in/bench.bin: error: is called like a scene"},
+        Mistake{"table_in_a_baselines_place", "--fail-if 'x.y > baseline' --baseline old.json --csv old.json", 1,
+                "old.json: error: is read by this very run"},
+        Mistake{"sweep_of_an_evaluator", "-p tipsify --sweep vertex-cache.cache-size=8,16", 1, "measured alike"},
         Mistake{"page_to_standard_output", "--html -", 1, "take the name of a file"},
         Mistake{"empty_sweep", "--sweep tipsify.cache-size=", 1, "a value is empty"},
         Mistake{"sweep_that_leads_nowhere", "--sweep tipsify.cache-size=9:1:1", 1, "no steps of 1 lead from 9 to 1"},

@@ -140,7 +140,7 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
   testing::put(folder_ / "in/spot.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   refused("optimize in -o out", "would both be here");
   refused("optimize in -o in", "is the input folder itself");
-  refused("optimize in -o out --report out/spot.glb", "would both be here");
+  refused("optimize in -o out --report out/spot.glb", "is called like a scene");
   fs::create_directories(folder_ / "named");
   for (const char* name : {"named/bench.gltf", "named/bench.fallback.gltf"})
     copy("scenes/kaykit_city/bench.gltf", name);

@@ -1,4 +1,5 @@
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/base/printable.h>
 
 #include <algorithm>
 #include <numeric>
@@ -33,14 +34,14 @@ std::string_view to_text(Severity severity) {
 }
 
 std::string to_text(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.where.file;
+  std::string text = printable(diagnostic.where.file);
   if (diagnostic.where.line > 0) {
     text += ':' + std::to_string(diagnostic.where.line) + ':' + std::to_string(diagnostic.where.column);
   }
   if (!text.empty()) text += ": ";
   text += std::string(to_text(diagnostic.severity)) + ": ";
-  if (!diagnostic.where.inside.empty()) text += diagnostic.where.inside + ": ";
-  text += diagnostic.message;
+  if (!diagnostic.where.inside.empty()) text += printable(diagnostic.where.inside) + ": ";
+  text += printable(diagnostic.message, "\n");
   if (!diagnostic.hint.empty()) text += "\n    hint: " + diagnostic.hint;
   return text;
 }

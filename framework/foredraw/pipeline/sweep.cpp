@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -75,22 +76,40 @@ std::variant<std::vector<std::string>, Refusal> values_in(const std::string& tex
   return values_of_range(first, last, step);
 }
 
-/// What of an option is told in a name: its stage is among the pipeline's.
-std::string_view word_of(std::string_view option) {
-  const std::size_t dot = option.find('.');
-  return dot == std::string_view::npos ? option : option.substr(dot + 1);
-}
-
 /// A pipeline on its way through the sweeps.
 struct Variant {
   Pipeline pipeline;
   std::string name;
-  std::string set;  ///< "growth=1.05, quality=high"
+  std::string set;  ///< "linear-clusters.growth=1.05, lookahead.quality=high"
 };
 
+/// What set_option() says, and where it put a value, are of a sweep.
 Diagnostic as_of_sweep(Diagnostic diagnostic) {
   if (diagnostic.where.file == "--set") diagnostic.where.file = "--sweep";
   return diagnostic;
+}
+void tell_as_of_sweep(Pipeline& pipeline) {
+  for (Stage& stage : pipeline.stages) {
+    for (auto& [option, where] : stage.option_where) {
+      if (where.file == "--set") where.file = "--sweep";
+    }
+  }
+}
+
+bool measures_with(const Pipeline& pipeline, const Sweep& sweep) {
+  const std::string stage = sweep.option.substr(0, sweep.option.find('.'));
+  return std::ranges::find(pipeline.measure, stage, &Stage::use) != pipeline.measure.end();
+}
+
+Diagnostic only_measures(const Sweep& sweep) {
+  return {Severity::error, {"--sweep", 1, 1, {}}, "only-measures",
+          fmt::format("'{}' is of an evaluator, and all pipelines are measured alike", sweep.option),
+          "--set changes what all of them are measured with"};
+}
+
+/// Of several pipelines without the stage, what is told of the one that has a stage of nearly that name.
+void remember(std::optional<Diagnostic>& nowhere, Diagnostic diagnostic) {
+  if (!nowhere || diagnostic.hint.starts_with("did you mean")) nowhere = std::move(diagnostic);
 }
 
 std::optional<std::vector<Variant>> swept_once(const std::vector<Variant>& variants, const Sweep& sweep,
@@ -101,20 +120,23 @@ std::optional<std::vector<Variant>> swept_once(const std::vector<Variant>& varia
   for (const Variant& variant : variants) {
     for (const std::string& value : sweep.values) {
       Variant one = variant;
+      one.pipeline.measure.clear();  // figures measured differently are no comparison
       Diagnostics here;
-      if (set_option(one.pipeline, sweep.option + '=' + value, here)) {
-        found = true;
-        one.set += fmt::format("{}{}={}", one.set.empty() ? "" : ", ", word_of(sweep.option), value);
-        made.push_back(std::move(one));
-        continue;
+      if (!set_option(one.pipeline, sweep.option + '=' + value, here)) {
+        const Diagnostic& why = here.all().front();
+        if (why.code != "no-such-stage") {
+          diagnostics.add(as_of_sweep(why));
+          return std::nullopt;
+        }
+        remember(nowhere, measures_with(variant.pipeline, sweep) ? only_measures(sweep) : as_of_sweep(why));
+        made.push_back(variant);
+        break;
       }
-      nowhere = as_of_sweep(here.all().front());
-      if (nowhere->code != "no-such-stage") {
-        diagnostics.add(*nowhere);
-        return std::nullopt;
-      }
-      made.push_back(variant);
-      break;
+      one.pipeline.measure = variant.pipeline.measure;
+      found = true;
+      tell_as_of_sweep(one.pipeline);
+      one.set += fmt::format("{}{}={}", one.set.empty() ? "" : ", ", sweep.option, value);
+      made.push_back(std::move(one));
     }
   }
   if (!found) diagnostics.add(*nowhere);
@@ -142,7 +164,13 @@ std::optional<std::vector<NamedPipeline>> swept(std::vector<NamedPipeline> pipel
                                                 Diagnostics& diagnostics) {
   std::vector<Variant> variants;
   for (NamedPipeline& named : pipelines) variants.push_back({std::move(named.pipeline), std::move(named.name), ""});
-  for (const Sweep& sweep : sweeps) {
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const Sweep& sweep = sweeps[i];
+    if (std::ranges::count(sweeps.first(i), sweep.option, &Sweep::option) > 0) {
+      diagnostics.error({"--sweep", 1, 1, {}}, "bad-value", fmt::format("'{}' is swept twice", sweep.option),
+                        "name all its values in one sweep");
+      return std::nullopt;
+    }
     auto made = swept_once(variants, sweep, diagnostics);
     if (!made) return std::nullopt;
     if (made->size() > most) {

@@ -91,13 +91,18 @@ class BoundReader {
   std::size_t at_ = 0;
 };
 
+/// Of the file of that path, however it is written, else of the only one of that name.
 const StoredFigures* stored_for(const std::string& path, const std::map<std::string, StoredFigures>& stored) {
-  if (const auto same = stored.find(path); same != stored.end()) return &same->second;
-  const auto name = std::filesystem::path(path).filename();
+  const auto place = [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal(); };
+  const StoredFigures* of_name = nullptr;
+  std::size_t of_that_name = 0;
   for (const auto& [other, figures] : stored) {
-    if (std::filesystem::path(other).filename() == name) return &figures;
+    if (place(other) == place(path)) return &figures;
+    if (std::filesystem::path(other).filename() != std::filesystem::path(path).filename()) continue;
+    of_name = &figures;
+    ++of_that_name;
   }
-  return nullptr;
+  return of_that_name == 1 ? of_name : nullptr;
 }
 
 bool is_out(const Bound& bound, double value, double limit) {
@@ -124,7 +129,12 @@ void judge_file(const Bound& bound, const Comparison& comparison, const std::map
     if (!beside) return unknown("the input");
   } else if (bound.beside == Bound::Beside::baseline && stored != nullptr) {
     const StoredFigures* figures = stored_for(path, *stored);
-    if (figures == nullptr || !figures->contains(bound.figure)) return unknown("the stored baseline of this file");
+    if (figures == nullptr) {
+      return diagnostics.error({.file = path}, "unknown-baseline",
+                               fmt::format("'{}' can not be judged: the stored baseline says nothing of this file", bound.text),
+                               "it has to hold the file under the same path, or under a name that no other file there has");
+    }
+    if (!figures->contains(bound.figure)) return unknown("the stored baseline of this file");
     beside = figures->at(bound.figure);
   } else if (bound.beside == Bound::Beside::baseline) {
     beside = value_of(comparison.branches.front(), bound.figure);
@@ -138,8 +148,8 @@ void judge_file(const Bound& bound, const Comparison& comparison, const std::map
     if (!value) return unknown(branch.name);
     if (!is_out(bound, *value, limit)) continue;
     diagnostics.error({.file = path}, "out-of-bounds",
-                      fmt::format("{} is {:.6g} after {}; the bound is {:.6g}: {}", bound.figure, *value, branch.name,
-                                  limit, bound.text));
+                      fmt::format("{} is {:.6g} after [{}] {}; the bound is {:.6g}: {}", bound.figure, *value, i + 1,
+                                  branch.name, limit, bound.text));
   }
 }
 
@@ -152,6 +162,7 @@ std::optional<Bound> parse_bound(const std::string& text, Diagnostics& diagnosti
 void judge(std::span<const Bound> bounds, std::span<const Comparison> comparisons,
            const std::map<std::string, StoredFigures>* stored, Diagnostics& diagnostics) {
   for (const Comparison& comparison : comparisons) {
+    if (comparison.is_lost()) continue;  // which is an error of its own
     for (const Bound& bound : bounds) judge_file(bound, comparison, stored, diagnostics);
   }
 }

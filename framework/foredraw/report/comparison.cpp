@@ -14,10 +14,6 @@ std::optional<double> value_in(const Metrics& metrics, const std::string& figure
   return found != nullptr && std::isfinite(found->value()) ? std::optional(found->value()) : std::nullopt;
 }
 
-bool is_whole(const Comparison& comparison) {
-  return std::ranges::none_of(comparison.branches, &Branch::is_lost);
-}
-
 void add(StateRecord& sum, const StateRecord& state) {
   sum.triangles += state.triangles;
   sum.vertices += state.vertices;
@@ -76,7 +72,7 @@ std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons) {
   Comparison sum;
   std::size_t count = 0;
   for (const Comparison& comparison : comparisons) {
-    if (!is_whole(comparison)) continue;
+    if (comparison.is_lost()) continue;
     ++count;
     sum.fronts = comparison.fronts;
     sum.input.bytes += comparison.input.bytes;
@@ -84,6 +80,7 @@ std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons) {
     for (std::size_t i = 0; i < sum.branches.size(); ++i) {
       const Report& report = comparison.branches[i].report;
       sum.branches[i].name = comparison.branches[i].name;
+      sum.branches[i].is_lost = sum.branches[i].is_lost || comparison.branches[i].is_lost;
       Report& whole = sum.branches[i].report;
       whole.command = report.command;
       whole.pipeline = report.pipeline;
@@ -99,6 +96,9 @@ std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons) {
     }
   }
   if (count < 2) return std::nullopt;
+  for (Branch& branch : sum.branches) {
+    if (branch.is_lost) branch.report = {};  // some of the files are not all of them
+  }
   sum.input.path = "all " + std::to_string(count) + " files";
   return sum;
 }

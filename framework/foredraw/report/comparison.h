@@ -20,6 +20,10 @@ struct Comparison {
   FileRecord input;
   std::vector<Branch> branches;
   std::vector<std::pair<std::string, std::string>> fronts;  ///< asked for: two figures as value_of() names them
+  std::vector<Diagnostic> diagnostics;                      ///< of reading the file
+
+  /// It could not be read: there are no branches.
+  bool is_lost() const { return branches.empty(); }
 };
 
 /// Of all its stages, without measuring.
@@ -35,8 +39,8 @@ std::optional<double> value_of(const Branch& branch, const std::string& figure);
 /// The same of the input; it took no time.
 std::optional<double> input_value(const Comparison& comparison, const std::string& figure);
 
-/// All files as one, by branch: figures and times are summed over the files that no branch lost. Nothing where these are
-/// fewer than two.
+/// All files as one, by branch: figures and times are summed over the files that could be read. A branch that one of them
+/// lost is lost. Nothing where the files are fewer than two.
 std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons);
 
 /// The JSON form: for each file and branch the whole report, and a table of every total metric over the branches; the

@@ -32,6 +32,7 @@ Json json_of(const FigureRow& row) {
 
 Json json_of(const Comparison& comparison) {
   Json json{{"input", {{"path", comparison.input.path}, {"bytes", comparison.input.bytes}}}};
+  if (comparison.is_lost()) json["lost"] = true;
   json["branches"] = Json::array();
   for (const Branch& branch : comparison.branches) json["branches"].push_back(json_of(branch));
   json["metrics"] = Json::array();

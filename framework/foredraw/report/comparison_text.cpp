@@ -1,3 +1,4 @@
+#include <foredraw/base/printable.h>
 #include <foredraw/report/figure_rows.h>
 #include <foredraw/report/fronts.h>
 #include <foredraw/report/table.h>
@@ -13,6 +14,8 @@ namespace {
 
 /// With more branches than that a table is turned: a row a branch.
 constexpr std::size_t most_columns = 6;
+
+bool is_wide(const Comparison& comparison) { return comparison.branches.size() > most_columns; }
 
 std::string difference_text(const Figure* figure, const Figure* baseline) {
   const auto found = difference(figure, baseline);
@@ -114,11 +117,12 @@ std::string spaced(std::string figure) {
 }
 
 std::string text_of(const Comparison& comparison) {
-  std::string text = comparison.input.path + '\n';
+  std::string text = printable(comparison.input.path) + '\n';
+  if (comparison.is_lost()) return text + "  could not be read\n";
   for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
-    text += fmt::format("  [{}] {}\n", i + 1, comparison.branches[i].name);
+    text += fmt::format("  [{}] {}\n", i + 1, printable(comparison.branches[i].name));
   }
-  text += '\n' + (comparison.branches.size() > most_columns ? turned_table(comparison) : upright_table(comparison));
+  text += '\n' + (is_wide(comparison) ? turned_table(comparison) : upright_table(comparison));
   for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
     text += fmt::format("  [{}] {}\n", i + 1, stages_text(comparison, i));
   }
@@ -136,7 +140,9 @@ std::string to_text(const std::vector<Comparison>& comparisons) {
   std::string text;
   for (const Comparison& comparison : comparisons) text += (text.empty() ? "" : "\n") + text_of(comparison);
   if (const auto sum = sum_of(comparisons)) text += '\n' + text_of(*sum);
-  return text + "\n* the best of all; in per cent: against [1]; ~: no more than the errors\n";
+  const bool is_turned = std::ranges::any_of(comparisons, is_wide);
+  return text + fmt::format("\n* the best of its {}; in per cent: against [1]; ~: no more than the errors\n",
+                            is_turned ? "column" : "row");
 }
 
 }  // namespace foredraw

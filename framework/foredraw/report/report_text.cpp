@@ -1,3 +1,4 @@
+#include <foredraw/base/printable.h>
 #include <foredraw/report/report.h>
 #include <foredraw/report/table.h>
 
@@ -29,7 +30,8 @@ std::string time_text(double seconds) {
 }
 
 std::string file_text(const FileRecord& file) {
-  return file.bytes == 0 ? file.path : fmt::format("{} ({} bytes)", file.path, counted(file.bytes));
+  const std::string path = printable(file.path);
+  return file.bytes == 0 ? path : fmt::format("{} ({} bytes)", path, counted(file.bytes));
 }
 
 std::string changed_count(std::string_view what, std::uint64_t before, std::uint64_t after) {
@@ -79,7 +81,7 @@ std::string places_text(const std::vector<std::string>& places) {
   std::string text;
   for (std::size_t i = 0; i < places.size() && i < shown; ++i) {
     if (i > 0) text += ", ";
-    text += places[i].empty() ? "the scene" : places[i];
+    text += places[i].empty() ? "the scene" : printable(places[i]);
   }
   if (places.size() > shown) text += fmt::format(" and {} more", places.size() - shown);
   return text;
@@ -107,7 +109,7 @@ std::string skips_text(const StageRecord& stage) {
 std::string stage_text(const StageRecord& stage) {
   std::string text = skips_text(stage);
   for (const NoteRecord& note : stage.notes) {
-    text += fmt::format("  {}{}{}: {}\n", stage.use, note.place.empty() ? "" : " on ", note.place, note.message);
+    text += fmt::format("  {}{}{}: {}\n", stage.use, note.place.empty() ? "" : " on ", printable(note.place), printable(note.message));
   }
   return text;
 }

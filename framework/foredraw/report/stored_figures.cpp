@@ -42,7 +42,10 @@ std::map<std::string, StoredFigures> figures_in(const Json& json, const std::str
     }
   }
   if (form == "comparison") {
-    for (const Json& file : json.at("files")) add_report(files, file.at("branches").at(0).at("report"));
+    for (const Json& file : json.at("files")) {
+      if (file.value("lost", false) || file.at("branches").at(0).value("lost", false)) continue;
+      add_report(files, file.at("branches").at(0).at("report"));
+    }
   }
   return files;
 }

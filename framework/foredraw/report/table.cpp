@@ -1,5 +1,7 @@
 #include <foredraw/report/table.h>
 
+#include <foredraw/base/printable.h>
+
 #include <algorithm>
 
 namespace foredraw {
@@ -7,6 +9,11 @@ namespace foredraw {
 std::size_t shown_width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+void Table::add(std::vector<std::string> cells) {
+  for (std::string& cell : cells) cell = printable(cell);
+  rows_.push_back(std::move(cells));
 }
 
 std::string Table::text() const {

@@ -16,7 +16,9 @@ const axis_choices = (axes) =>
 /** What can be plotted: all files as one, where there are several, and each of them, by the page's names for them. */
 function plotted_files(comparison) {
   const names = short_paths(comparison.files);
-  const files = comparison.files.map((file, i) => [String(i), { name: names[i], file }]);
+  const files = comparison.files
+    .map((file, i) => [String(i), { name: names[i], file }])
+    .filter(([, { file }]) => file.metrics.length > 0); // times alone are nothing to weigh against
   return new Map(
     comparison.all ? [['all', { name: comparison.all.input.path, file: comparison.all }], ...files] : files,
   );
@@ -28,6 +30,10 @@ function plotted_files(comparison) {
  */
 export function start_plot(holder, comparison) {
   const files = plotted_files(comparison);
+  if (files.size === 0) {
+    holder.append(element('p', {}, 'Nothing was measured that could be plotted.'));
+    return { redraw() {} };
+  }
   const state = { file: null, axes: [], x: null, y: null, is_log: false, highlighted: null };
   const canvas = element('canvas', { role: 'img' });
   const legend = element('ol', { class: 'legend' });
@@ -106,7 +112,7 @@ export function start_plot(holder, comparison) {
     const two = `${axis_title(x)} and ${axis_title(y)}`;
     front_line.textContent =
       names === ''
-        ? `No branch has both ${two}.`
+        ? `No branch has both ${two}${state.is_log ? ' above 0' : ''}.`
         : `Beaten by none in both ${two}: ${names}. These are filled and joined; ` +
           `${x.less_is_better ? 'left' : 'right'} and ${y.less_is_better ? 'down' : 'up'} is better.`;
     canvas.setAttribute('aria-label', `Scatter plot of ${two}. The list below holds the same figures.`);

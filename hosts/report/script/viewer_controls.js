@@ -45,6 +45,10 @@ function make_selects(viewer) {
   file.whole.hidden = viewer.scenes.length < 2;
   let filled = null;
 
+  /** Several subjects may have the same name. */
+  const numbered = (name, i, subjects) =>
+    subjects.some((other, j) => j !== i && other.name === name) ? `${name} (${i + 1})` : name;
+
   function update() {
     const key = `${viewer.scene} ${viewer.subject_number}`;
     if (key !== filled) {
@@ -52,7 +56,7 @@ function make_selects(viewer) {
       const { subjects } = viewer.scenes[viewer.scene];
       fill_select(
         subject.select,
-        subjects.map(({ name }, i) => ({ value: i, text: name })),
+        subjects.map(({ name }, i) => ({ value: i, text: numbered(name, i, subjects) })),
       );
       subject.whole.hidden = subjects.length < 2;
       const states = viewer.subject.states.map((state, i) => ({

@@ -72,8 +72,10 @@ class Swept : public ::testing::Test {
 
 TEST_F(Swept, EveryCombinationWhereThereIsTheStage) {
   EXPECT_THAT(names({"tipsify, dot-rule", "weld"}, {"tipsify.cache-size=16,24", "dot-rule.x=1:2:1"}),
-              ElementsAre("tipsify, dot-rule with cache-size=16, x=1", "tipsify, dot-rule with cache-size=16, x=2",
-                          "tipsify, dot-rule with cache-size=24, x=1", "tipsify, dot-rule with cache-size=24, x=2",
+              ElementsAre("tipsify, dot-rule with tipsify.cache-size=16, dot-rule.x=1",
+                          "tipsify, dot-rule with tipsify.cache-size=16, dot-rule.x=2",
+                          "tipsify, dot-rule with tipsify.cache-size=24, dot-rule.x=1",
+                          "tipsify, dot-rule with tipsify.cache-size=24, dot-rule.x=2",
                           "weld"));
   EXPECT_EQ((*made_)[3].pipeline.stages[0].settings.at("cache-size"), OptionValue(std::int64_t{24}));
   EXPECT_EQ((*made_)[3].pipeline.stages[1].settings.at("x"), OptionValue(std::int64_t{2}));
@@ -87,6 +89,30 @@ TEST_F(Swept, NamesOfPipelinesStayWhatTheyAre) {
 TEST_F(Swept, SaysWhereThereIsNoSuchStage) {
   EXPECT_THAT(names({"weld"}, {"tipsify.cache-size=16,24"}), ElementsAre());
   EXPECT_THAT(to_text(diagnostics_), HasSubstr("--sweep:1:1: error: the pipeline has no stage 'tipsify'"));
+}
+
+TEST_F(Swept, NamesTheNearestStageOfAnyPipeline) {
+  EXPECT_THAT(names({"tipsify", "weld"}, {"tipsfy.cache-size=16,24"}), ElementsAre());
+  EXPECT_THAT(to_text(diagnostics_), HasSubstr("did you mean 'tipsify'?"));
+}
+
+TEST_F(Swept, LeavesAloneWhatAllAreMeasuredWith) {
+  std::vector<NamedPipeline> measured = pipelines({"tipsify"});
+  measured[0].pipeline.measure = *parse_stages("overdraw-raster(count=10)", "--with", diagnostics_);
+  const Sweep views = parse_sweep("overdraw-raster.count=10,400", diagnostics_).value();
+  EXPECT_FALSE(swept(measured, {&views, 1}, diagnostics_));
+  EXPECT_THAT(to_text(diagnostics_), HasSubstr("--sweep:1:1: error: 'overdraw-raster.count' is of an evaluator, and all "
+                                               "pipelines are measured alike\n    hint: --set changes"));
+}
+
+TEST_F(Swept, AnOptionOnce) {
+  EXPECT_THAT(names({"tipsify"}, {"tipsify.cache-size=16,24", "tipsify.cache-size=8"}), ElementsAre());
+  EXPECT_THAT(to_text(diagnostics_), HasSubstr("'tipsify.cache-size' is swept twice"));
+}
+
+TEST_F(Swept, MistakesAreToldWhereTheyStand) {
+  EXPECT_THAT(names({"tipsify"}, {"tipsify.cache-size=16"}), ElementsAre("tipsify with tipsify.cache-size=16"));
+  EXPECT_EQ((*made_)[0].pipeline.stages[0].option_where.at("cache-size").file, "--sweep");
 }
 
 TEST_F(Swept, KnowsWhenItIsTooMuch) {

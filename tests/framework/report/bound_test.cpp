@@ -72,34 +72,44 @@ TEST(Bound, WhatIsNoneIsToldWithItsPlace) {
 TEST(Judge, TellsOfEachBranchThatIsOut) {
   EXPECT_EQ(told("vertex-cache.acmr > 1.2"), "");
   EXPECT_EQ(told("vertex-cache.acmr >= 1.2"),
-            "out-of-bounds: vertex-cache.acmr is 1.2 after new; the bound is 1.2: vertex-cache.acmr >= 1.2\n");
+            "out-of-bounds: vertex-cache.acmr is 1.2 after [2] new; the bound is 1.2: vertex-cache.acmr >= 1.2\n");
   EXPECT_EQ(told("vertex-cache.acmr < 1.1"),
-            "out-of-bounds: vertex-cache.acmr is 1 after old; the bound is 1.1: vertex-cache.acmr < 1.1\n");
+            "out-of-bounds: vertex-cache.acmr is 1 after [1] old; the bound is 1.1: vertex-cache.acmr < 1.1\n");
   EXPECT_EQ(told("vertex-cache.models.amd.acmr > 3"),
-            "out-of-bounds: vertex-cache.models.amd.acmr is 3.6 after new; the bound is 3: "
+            "out-of-bounds: vertex-cache.models.amd.acmr is 3.6 after [2] new; the bound is 3: "
             "vertex-cache.models.amd.acmr > 3\n");
-  EXPECT_EQ(told("time > 3"), "out-of-bounds: time is 4 after new; the bound is 3: time > 3\n");
+  EXPECT_EQ(told("time > 3"), "out-of-bounds: time is 4 after [2] new; the bound is 3: time > 3\n");
 }
 
 TEST(Judge, BesideTheInputAndTheFirstPipeline) {
   EXPECT_EQ(told("vertex-cache.acmr > input * 0.6"), "");
   EXPECT_EQ(told("vertex-cache.acmr > input * 0.55"),
-            "out-of-bounds: vertex-cache.acmr is 1.2 after new; the bound is 1.1: vertex-cache.acmr > input * 0.55\n");
+            "out-of-bounds: vertex-cache.acmr is 1.2 after [2] new; the bound is 1.1: vertex-cache.acmr > input * 0.55\n");
   EXPECT_EQ(told("vertex-cache.acmr > baseline + 0.2"), "");
   EXPECT_EQ(
       told("vertex-cache.acmr > baseline * 1.1"),
-      "out-of-bounds: vertex-cache.acmr is 1.2 after new; the bound is 1.1: vertex-cache.acmr > baseline * 1.1\n");
+      "out-of-bounds: vertex-cache.acmr is 1.2 after [2] new; the bound is 1.1: vertex-cache.acmr > baseline * 1.1\n");
   EXPECT_EQ(told("vertex-cache.acmr <= baseline"), "");  // the baseline is not judged beside itself
 }
 
 TEST(Judge, BesideStoredFigures) {
   std::map<std::string, StoredFigures> stored = {{"elsewhere/rock.glb", {{"vertex-cache.acmr", 0.5}}}};
-  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("1 after old; the bound is 0.5"), std::string::npos);
+  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("1 after [1] old; the bound is 0.5"), std::string::npos);
   stored["a/rock.glb"] = {{"vertex-cache.acmr", 1.1}};  // nearer than one of that name
   EXPECT_EQ(told("vertex-cache.acmr > baseline", &stored),
-            "out-of-bounds: vertex-cache.acmr is 1.2 after new; the bound is 1.1: vertex-cache.acmr > baseline\n");
+            "out-of-bounds: vertex-cache.acmr is 1.2 after [2] new; the bound is 1.1: vertex-cache.acmr > baseline\n");
   stored = {{"other.glb", {{"vertex-cache.acmr", 1}}}};
-  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("unknown-figure"), std::string::npos);
+  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("unknown-baseline: 'vertex-cache.acmr > baseline' can not be "
+                                                               "judged: the stored baseline says nothing of this file"),
+            std::string::npos);
+}
+
+TEST(Judge, BesideTheSameFileHoweverItsPathIsWritten) {
+  std::map<std::string, StoredFigures> stored = {{"./a/../a/rock.glb", {{"vertex-cache.acmr", 0.5}}},
+                                                 {"b/rock.glb", {{"vertex-cache.acmr", 9}}}};
+  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("the bound is 0.5"), std::string::npos);
+  stored = {{"b/rock.glb", {{"vertex-cache.acmr", 9}}}, {"c/rock.glb", {{"vertex-cache.acmr", 0.5}}}};  // which?
+  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("unknown-baseline"), std::string::npos);
 }
 
 TEST(Judge, WhatNobodyMeasuredIsNotPassed) {

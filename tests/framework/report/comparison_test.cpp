@@ -48,7 +48,7 @@ TEST(ComparisonText, AColumnForEachBranchAndAStarAtTheBest) {
   EXPECT_EQ(line_with(text, "acmr"), "cache  acmr        3.0000  2.0000    1.0000 -50.0 % *");
   EXPECT_EQ(line_with(text, "all stages"), "time   all stages          500.0 ms  1000.0 ms");
   EXPECT_THAT(text, HasSubstr("  [1] tipsify 250.0 ms, tipsify 250.0 ms"));
-  EXPECT_THAT(text, HasSubstr("* the best of all"));
+  EXPECT_THAT(text, HasSubstr("* the best of its row; in per cent"));
 }
 
 TEST(ComparisonText, DifferencesWithinTheErrorsAreNone) {
@@ -180,6 +180,7 @@ TEST(ComparisonText, ManyBranchesAreARowEach) {
   EXPECT_EQ(line_with(text, "input "), "input  3.0000");
   EXPECT_EQ(line_with(text, "[2]    "), "[2]    1.0000 -50.0 % *  1000.0 ms");
   EXPECT_EQ(line_with(text, "[7]    "), "[7]    8.0000 +300.0 %   200.0 ms");
+  EXPECT_THAT(text, HasSubstr("* the best of its column"));
 }
 
 TEST(Fronts, AreTheOnesAskedFor) {
@@ -218,11 +219,19 @@ TEST(SumOf, AddsFractionsAndTimesOverWholeFiles) {
   EXPECT_FALSE(sum_of({two_branches()}));
   Comparison other = two_branches();
   other.branches[0].report.after.metrics.set("cache", "acmr", ratio(8, 3));
-  const auto sum = sum_of({two_branches(), with_a_lost_branch(), other});
+  const Comparison lost_file{{"gone.glb", 0}, {}, {}, {}};
+  const auto sum = sum_of({two_branches(), lost_file, other});
   ASSERT_TRUE(sum);
   EXPECT_EQ(sum->input.path, "all 2 files");
   EXPECT_EQ(value_of(sum->branches[0], "cache.acmr"), 2.5);  // (2 + 8) / (1 + 3)
   EXPECT_EQ(value_of(sum->branches[1], "time"), 2.0);
+  Comparison partly = other;
+  partly.branches[0].is_lost = true;
+  const auto without_the_first = sum_of({two_branches(), partly});
+  EXPECT_TRUE(without_the_first->branches[0].is_lost);
+  EXPECT_EQ(value_of(without_the_first->branches[1], "cache.acmr"), 1);
+  EXPECT_THAT(to_text({two_branches(), lost_file}), HasSubstr("gone.glb\n  could not be read\n"));
+  EXPECT_EQ(json::parse(to_json({lost_file}))["files"][0]["lost"], true);
   EXPECT_THAT(to_text({two_branches(), other}), HasSubstr("\nall 2 files\n  [1] A\n"));
   const json all = json::parse(to_json({two_branches(), other}))["all"];
   EXPECT_EQ(all["metrics"][0]["values"], json::parse("[2.5, 1.0]"));
@@ -239,12 +248,14 @@ TEST(ComparisonCsv, HasALineForEveryFigure) {
   report.stages.resize(1);
   report.stages[0].memory = 4096;
   EXPECT_EQ(to_csv({comparison}),
-            "file,branch,pipeline,draw,evaluator,metric,value,unit,error\r\n"
-            "\"a, \"\"b\"\".glb\",input,,,cache,acmr,3,per triangle,0\r\n"
-            "\"a, \"\"b\"\".glb\",[1],A,,cache,acmr,2,per triangle,0\r\n"
-            "\"a, \"\"b\"\".glb\",[1],A,rock,cache,acmr,0.125,per triangle,0\r\n"
-            "\"a, \"\"b\"\".glb\",[1],A,,stage,tipsify.seconds,0.25,s,\r\n"
-            "\"a, \"\"b\"\".glb\",[1],A,,stage,tipsify.memory,4096,bytes,\r\n");
+            "file,branch,pipeline,draw,name,evaluator,metric,value,unit,error\r\n"
+            "\"a, \"\"b\"\".glb\",input,,,,cache,acmr,3,per triangle,0\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,,,cache,acmr,2,per triangle,0\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,0,rock,cache,acmr,0.125,per triangle,0\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,,,time,all stages,0.25,s,\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,,,time,tipsify,0.25,s,\r\n"
+            "\"a, \"\"b\"\".glb\",[1],A,,,memory,tipsify,4096,bytes,\r\n");
+  EXPECT_THAT(to_csv({two_branches(), two_branches()}), HasSubstr("\r\nall 2 files,[1],A,,,cache,acmr,2,"));
 }
 
 TEST(ComparisonJson, NothingComparedIsNoFiles) {

@@ -1,0 +1,55 @@
+#include "text_outputs.h"
+
+#include "session.h"
+
+#include <algorithm>
+#include <array>
+
+namespace foredraw::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 19> kinds_of_assets = {
+    ".glb", ".gltf", ".bin", ".obj",  ".mtl", ".ply",  ".off", ".stl", ".toml", ".png",
+    ".jpg", ".jpeg", ".tga", ".webp", ".exr", ".ktx2", ".dds", ".hdr", ".bmp"};
+
+bool is_called_like_an_asset(const std::string& file) {
+  std::string kind = std::filesystem::path(file).extension().string();
+  std::ranges::transform(kind, kind.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return std::ranges::find(kinds_of_assets, kind) != kinds_of_assets.end();
+}
+
+bool is_among(const std::vector<std::string>& files, const std::string& file) {
+  return std::ranges::any_of(files, [&](const std::string& other) { return is_same_file(other, file); });
+}
+
+}  // namespace
+
+bool have_files_of_their_own(const Arguments& arguments, Diagnostics& diagnostics) {
+  std::vector<std::string> read = arguments.inputs;
+  read.insert(read.end(), arguments.pipelines.begin(), arguments.pipelines.end());
+  if (!arguments.baseline.empty()) read.push_back(arguments.baseline);
+  std::vector<std::string> written;
+  if (!arguments.output.empty()) written.push_back(arguments.output);
+  const auto refuse = [&](const std::string& file, const char* why, const char* hint) {
+    diagnostics.error({.file = file}, "bad-arguments", why, hint);
+  };
+  for (const std::string& file :
+       {arguments.report, arguments.csv, arguments.html, arguments.remap, arguments.draw_orders}) {
+    if (file.empty()) continue;
+    if (file == "-") {
+      refuse("", "--report, --csv, --html, --remap and --draw-orders take the name of a file", "--json prints the record");
+    } else if (is_among(read, file)) {
+      refuse(file, "is read by this very run", "give the output a file of its own");
+    } else if (is_among(written, file)) {
+      refuse(file, "is to hold two outputs", "give each a file of its own");
+    } else if (is_called_like_an_asset(file)) {
+      refuse(file, "is called like a scene, what belongs to one, or a pipeline, and would become a text",
+             "let its name end in .json, .csv or .html");
+    }
+    written.push_back(file);
+  }
+  return !diagnostics.has_errors();
+}
+
+}  // namespace foredraw::cli

@@ -1,0 +1,15 @@
+#pragma once
+// Reports, pages and tables, which are written beside what the user has.
+
+#include "commands.h"
+
+#include <foredraw/base/diagnostics.h>
+
+namespace foredraw::cli {
+
+/// Whether every text that is to be written has a file of its own: no other output's, none that this run reads, and
+/// none that is called as scenes, their buffers and images, and pipelines are: of these a folder may hold many, and a
+/// scene names more than were typed.
+bool have_files_of_their_own(const Arguments& arguments, Diagnostics& diagnostics);
+
+}  // namespace foredraw::cli
