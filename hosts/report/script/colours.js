@@ -20,7 +20,7 @@ const to_byte = (linear) => {
   return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 };
 
-/** From OKLCH, in which equal steps look equally far apart: lightness 0 to 1, chroma, hue in degrees. */
+/** From OKLCH (Ottosson 2020), in which equal steps look equally far apart: lightness 0 to 1, chroma, hue in degrees. */
 export function oklch(lightness, chroma, hue) {
   const a = chroma * Math.cos((hue * Math.PI) / 180);
   const b = chroma * Math.sin((hue * Math.PI) / 180);
