@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace foredraw::cli {
 
@@ -179,6 +180,29 @@ std::optional<Fronts> fronts_in(const Arguments& arguments, Diagnostics& diagnos
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(fronts));
 }
 
+/// Whether some evaluator or stage may have each of the figures that are named: who learns it after the work has lost it.
+bool have_sources(const Fronts& fronts, const Budget& budget, const std::vector<NamedPipeline>& pipelines,
+                  Diagnostics& diagnostics) {
+  std::set<std::string> sources;
+  for (const NamedPipeline& named : pipelines) {
+    for (const Stage& stage : named.pipeline.stages) sources.insert(stage.use);
+    for (const Stage& stage : named.pipeline.measure) sources.insert(stage.use);
+  }
+  const auto check = [&](const std::string& figure, const std::string& argument) {
+    const std::string source = figure.substr(0, figure.find_first_of(".#"));  // a second use is "tipsify#2"
+    if (figure == "time" || sources.contains(source)) return;
+    diagnostics.error({.file = argument}, "unknown-figure",
+                      fmt::format("there is no figure '{}': figures are of {}", figure, fmt::join(sources, ", ")),
+                      "--with says which evaluators measure");
+  };
+  for (const auto& [x, y] : fronts) {
+    check(x, "--front");
+    check(y, "--front");
+  }
+  for (const Bound& bound : budget.bounds) check(bound.figure, "--fail-if");
+  return !diagnostics.has_errors();
+}
+
 /// Tells of fronts that were asked for, and that nobody has the figures for.
 Exit unknown_fronts(std::span<const Comparison> comparisons) {
   Diagnostics diagnostics;
@@ -202,7 +226,10 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   const auto inputs = scenes_of(arguments.inputs, diagnostics);
   if (!inputs) return refuse(diagnostics);
   const auto budget = budget_of(arguments, pipelines->size(), diagnostics);
-  if (!budget || !have_files_of_their_own(arguments, diagnostics)) return refuse(diagnostics);
+  if (!budget || !have_sources(*fronts, *budget, *pipelines, diagnostics) ||
+      !have_files_of_their_own(arguments, diagnostics)) {
+    return refuse(diagnostics);
+  }
   if (!have_folders({arguments.report, arguments.csv, arguments.html}, diagnostics)) return refuse_file(diagnostics);
 
   const Executor executor(arguments.threads);
