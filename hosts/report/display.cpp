@@ -21,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_triangles = 200'000;     // of a subject: what a small machine's browser turns smoothly
+constexpr std::size_t most_branches = 24;           // each takes four bytes a triangle
 constexpr std::size_t most_poses = 64;              // of all clips
 constexpr std::size_t most_bytes_of_poses = 6'000'000;  // of a subject
 
@@ -50,7 +51,9 @@ class SubjectDisplay {
     add_parts(json);
     json["states"] = Json::array({state_of(input_)});
     for (const auto& branch : branches) {
-      const std::string why = why_absent(branch);
+      const bool is_one_too_many = json["states"].size() > most_branches;  // the input is the first of them
+      const std::string why = is_one_too_many ? fmt::format("only the first {} are shown", most_branches)
+                                              : why_absent(branch);
       if (!why.empty()) json["absent"][std::to_string(json["states"].size())] = why;
       json["states"].push_back(why.empty() ? state_of(*branch) : Json(nullptr));
     }

@@ -18,8 +18,8 @@ struct Display {
 };
 
 /// Subject by subject, as overdraw is measured: every part in at most 64 poses, the input's triangles, and how each
-/// pipeline sorts them. Subjects above 200,000 triangles are shown by some of theirs. `branches`: [pipeline] its scene,
-/// nothing where it was lost. `file`: the number by which the page knows it.
+/// pipeline sorts them. Subjects above 200,000 triangles are shown by some of theirs, and the first 24 pipelines alone.
+/// `branches`: [pipeline] its scene, nothing where it was lost. `file`: the number by which the page knows it.
 Display display(const Scene& input, std::span<const std::optional<Scene>> branches, std::size_t file);
 
 }  // namespace foredraw

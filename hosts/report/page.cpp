@@ -26,6 +26,12 @@ std::string with_script() {
   return element("p", page_script().empty() ? without_script : script_is_off, "class=\"without-script\"");
 }
 
+/// Of many files the first ones have a viewer.
+std::string left_out(std::size_t files, std::size_t displays) {
+  if (files <= most_displays) return "";
+  return '\n' + element("p", fmt::format("Of {} files the first {} are shown here.", files, displays), "class=\"note\"");
+}
+
 std::string data(const std::string& type, const std::string& id, std::string_view content) {
   return element("script", content, fmt::format("type=\"{}\" id=\"{}\"", type, id)) + '\n';
 }
@@ -54,7 +60,7 @@ std::string page(std::span<const Comparison> comparisons, std::span<const Displa
   const Section sections[] = {{"summary", "Summary", summary_html(comparisons)},
                               {"figures", "Figures", figures_html(comparisons)},
                               {"plot", "One against another", with_script()},
-                              {"viewer", "In three dimensions", with_script()},
+                              {"viewer", "In three dimensions", with_script() + left_out(comparisons.size(), displays.size())},
                               {"draws", "Draws", draws_html(comparisons)},
                               {"stages", "Stages", stages_html(comparisons)},
                               {"diagnostics", "Diagnostics", diagnostics_html(comparisons)},

@@ -96,6 +96,16 @@ stages = ["weld", "lookahead", "linear-clusters", "dot-rule", "vertex-fetch"])")
   EXPECT_NEAR(subject["radius"], 1.0, 0.5);
 }
 
+TEST(Display, HoldsTheFirstPipelinesOfMany) {
+  const Scene scene = testing::scene_of(testing::grid(2, 2));
+  const std::vector<std::optional<Scene>> branches(30, scene);
+  const Json subject = Json::parse(display(scene, branches, 0).scene)["subjects"][0];
+  EXPECT_EQ(subject["states"].size(), 31u);
+  EXPECT_NE(subject["states"][24], nullptr);
+  EXPECT_EQ(subject["states"][25], nullptr);
+  EXPECT_EQ(subject["absent"]["25"], "only the first 24 are shown");
+}
+
 TEST(Display, HoldsEveryOrderOfACharacterItsTableAndItsPoses) {
   const Shown shown("animated/fox.glb", R"(pipeline = 1
 stages = [{ use = "lookahead", quality = "fast" }, { use = "occlusion-order", k = 3 }]
