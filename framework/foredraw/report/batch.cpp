@@ -63,10 +63,7 @@ StateRecord totals(const Batch& batch, StateRecord Report::*state) {
   StateRecord sum;
   for (const BatchFile& file : batch.files) {
     if (file.outcome == Outcome::lost) continue;
-    const StateRecord& one = file.report.*state;
-    sum.triangles += one.triangles;
-    sum.vertices += one.vertices;
-    sum.metrics.add(one.metrics);
+    sum.add(file.report.*state);
   }
   return sum;
 }

@@ -8,16 +8,8 @@ namespace foredraw {
 namespace {
 
 std::optional<double> value_in(const Metrics& metrics, const std::string& figure) {
-  const std::size_t dot = figure.find('.');
-  if (dot == std::string::npos) return std::nullopt;
-  const Figure* found = metrics.find(figure.substr(0, dot), figure.substr(dot + 1));
+  const Figure* found = metrics.find(figure);
   return found != nullptr && std::isfinite(found->value()) ? std::optional(found->value()) : std::nullopt;
-}
-
-void add(StateRecord& sum, const StateRecord& state) {
-  sum.triangles += state.triangles;
-  sum.vertices += state.vertices;
-  sum.metrics.add(state.metrics);
 }
 
 /// Stage by stage: the same pipeline has the same stages on every file.
@@ -90,8 +82,8 @@ std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons) {
       whole.optimized = report.optimized;
       whole.seconds += report.seconds;
       whole.peak_memory = std::max(whole.peak_memory, report.peak_memory);
-      add(whole.before, report.before);
-      add(whole.after, report.after);
+      whole.before.add(report.before);
+      whole.after.add(report.after);
       add(whole.stages, report.stages);
     }
   }

@@ -12,10 +12,8 @@ namespace {
 /// [branch] the less the better.
 std::vector<double> costs_of(const Comparison& comparison, const std::string& name) {
   std::vector<double> costs;
-  const std::size_t dot = name.find('.');
   for (const Branch& branch : comparison.branches) {
-    const Figure* figure = dot == std::string::npos ? nullptr
-                                                    : branch.report.after.metrics.find(name.substr(0, dot), name.substr(dot + 1));
+    const Figure* figure = branch.report.after.metrics.find(name);
     const double sign = figure != nullptr && !figure->lower_is_better ? -1 : 1;
     costs.push_back(sign * value_of(branch, name).value_or(std::nan("")));
   }

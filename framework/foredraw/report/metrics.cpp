@@ -37,6 +37,11 @@ void Metrics::set(const std::string& plugin, const std::string& metric, const Fi
   by_plugin_[plugin][metric] = figure;
 }
 
+const Figure* Metrics::find(const std::string& name) const {
+  const std::size_t dot = name.find('.');
+  return dot == std::string::npos ? nullptr : find(name.substr(0, dot), name.substr(dot + 1));
+}
+
 const Figure* Metrics::find(const std::string& plugin, const std::string& metric) const {
   const auto by_metric = by_plugin_.find(plugin);
   if (by_metric == by_plugin_.end()) return nullptr;

@@ -33,6 +33,8 @@ class Metrics {
   void set(const std::string& plugin, const std::string& metric, const Figure& figure);
 
   const Figure* find(const std::string& plugin, const std::string& metric) const;
+  /// By both with a dot between them: "vertex-cache.models.amd.acmr".
+  const Figure* find(const std::string& name) const;
   const std::map<std::string, std::map<std::string, Figure>>& all() const { return by_plugin_; }
   bool empty() const { return by_plugin_.empty(); }
 

@@ -24,6 +24,12 @@ struct StateRecord {
   std::uint64_t triangles = 0;
   std::uint64_t vertices = 0;  ///< stored, whether used or not
   Metrics metrics;
+
+  void add(const StateRecord& other) {
+    triangles += other.triangles;
+    vertices += other.vertices;
+    metrics.add(other.metrics);
+  }
 };
 
 struct DrawRecord {
