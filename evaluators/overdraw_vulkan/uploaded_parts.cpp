@@ -47,9 +47,9 @@ struct UploadedMasks {
     holes.first_texel = static_cast<std::uint32_t>(found->second);
     holes.width = mask.image->width;
     holes.height = mask.image->height;
-    holes.wrap_u = static_cast<std::uint32_t>(mask.wrap[0]);
-    holes.wrap_v = static_cast<std::uint32_t>(mask.wrap[1]);
-    holes.is_nearest = mask.is_nearest ? 1 : 0;
+    holes.wrap_u = static_cast<std::uint32_t>(mask.sampling.wrap[0]);
+    holes.wrap_v = static_cast<std::uint32_t>(mask.sampling.wrap[1]);
+    holes.is_nearest = mask.sampling.is_nearest ? 1 : 0;
     return holes;
   }
 };

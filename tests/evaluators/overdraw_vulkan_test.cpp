@@ -120,7 +120,7 @@ TEST_F(OverdrawVulkan, holes_are_where_the_exact_one_has_them) {
   for (int i = 0; i < 35; ++i) image->alpha.push_back(static_cast<std::uint16_t>(65535 * random.unit()));
   for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored, Wrap::clamped}) {
     for (const bool is_nearest : {false, true}) {
-      auto mask = std::make_shared<Mask>(Mask{image, {wrap, Wrap::mirrored}, is_nearest, {}, {}, 0.4});
+      auto mask = std::make_shared<Mask>(Mask{image, {{wrap, Wrap::mirrored}, is_nearest}, {}, {}, 0.4});
       for (const glm::vec3& position : mesh.positions) {
         mask->places.emplace_back(1.3 * position.x - 0.2, 1.7 * position.y + 0.4);
         mask->alphas.push_back(0.9 + 0.1 * position.z);

@@ -50,7 +50,7 @@ inline TestMesh quad(float z, float half = 1) {
 inline std::shared_ptr<const Mask> half_a_hole() {
   auto mask = std::make_shared<Mask>();
   mask->image = std::make_shared<const AlphaImage>(AlphaImage{2, 1, {0, 65535}});
-  mask->is_nearest = true;
+  mask->sampling.is_nearest = true;
   mask->places = {{0, 1}, {1, 1}, {0, 0}, {1, 0}};
   mask->alphas.assign(4, 1);
   return mask;

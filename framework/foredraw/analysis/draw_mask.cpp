@@ -1,87 +1,12 @@
 #include <foredraw/analysis/draw_mask.h>
 
+#include <foredraw/analysis/texture_places.h>
+
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
 
 namespace foredraw {
 
 namespace {
-
-/// What alphas_of() keeps: an image's alpha, or why there is none.
-struct DecodedAlpha {
-  std::shared_ptr<const AlphaImage> image;
-  std::string why_not;
-};
-
-template <class T>
-T channel(const Texels& texels, std::size_t at) {
-  T value;
-  std::memcpy(&value, texels.bytes.data() + at * sizeof(T), sizeof(T));
-  return value;
-}
-
-std::uint16_t alpha_of(const Texels& texels, std::size_t at) {
-  if (texels.facts.bits == 8) return static_cast<std::uint16_t>(257 * channel<std::uint8_t>(texels, at));
-  if (texels.facts.bits == 16) return channel<std::uint16_t>(texels, at);
-  const float value = channel<float>(texels, at);
-  return static_cast<std::uint16_t>(value > 0 ? std::min(1.0f, value) * 65535.0f + 0.5f : 0.0f);
-}
-
-AlphaImage alpha_image(const Texels& texels) {
-  const ImageFacts& facts = texels.facts;
-  AlphaImage image{facts.width, facts.height, {}};
-  const auto channels = static_cast<std::size_t>(facts.channels);
-  const std::size_t count = std::size_t{facts.width} * facts.height;
-  if (channels % 2 == 1) {
-    image.alpha.assign(count, 65535);
-    return image;
-  }
-  image.alpha.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) image.alpha.push_back(alpha_of(texels, (i + 1) * channels - 1));
-  return image;
-}
-
-/// By its bytes, or by where they lie.
-std::shared_ptr<const DecodedAlpha> alphas_of(Analyses& analyses, const Image& image) {
-  const Stamp parts[] = {image.bytes.stamp(), content_hash(std::span<const char>(image.uri))};
-  return analyses.get<DecodedAlpha>(combine(parts), [&]() -> DecodedAlpha {
-    const auto decoded = analyses.decode(image);
-    if (const std::string* why = std::get_if<std::string>(&decoded)) return {nullptr, *why};
-    return {std::make_shared<const AlphaImage>(alpha_image(std::get<Texels>(decoded))), {}};
-  });
-}
-
-struct Turn {
-  double sine, cosine;
-};
-
-/// By their series, because what a library says may depend on the processor in the last bit.
-Turn turn_by(double angle) {
-  constexpr double circle = 6.283185307179586;
-  if (!std::isfinite(angle)) return {0, 1};
-  const double x = angle - circle * std::floor(angle / circle + 0.5);
-  Turn turn{0, 0};
-  double term = 1;
-  for (int n = 0; n < 40; ++n) {  // x is below 4
-    double& sum = n % 2 == 0 ? turn.cosine : turn.sine;
-    sum += n % 4 < 2 ? term : -term;
-    term *= x / (n + 1);
-  }
-  return turn;
-}
-
-std::vector<glm::dvec2> places_of(const VertexStream& texcoords, const Texture& texture) {
-  const Turn turn = turn_by(texture.rotation);
-  std::vector<glm::dvec2> places;
-  for (const glm::vec3& texcoord : decode_vec3(texcoords)) {
-    const glm::dvec2 scaled = texture.scale * glm::dvec2(texcoord);
-    places.push_back(texture.offset + glm::dvec2(turn.cosine * scaled.x + turn.sine * scaled.y,
-                                                 turn.cosine * scaled.y - turn.sine * scaled.x));
-  }
-  return places;
-}
 
 /// The base colour's, times the vertices' colour's.
 std::vector<double> alphas_of(const VertexStreams& vertices, double factor) {
@@ -108,12 +33,11 @@ std::variant<std::shared_ptr<const Mask>, std::string> mask_of(Analyses& analyse
     if (texcoords == nullptr || texcoords->count() < vertices.count) {
       return "it has no TEXCOORD_" + std::to_string(texture->texcoord);
     }
-    const auto decoded = alphas_of(analyses, scene.images[*texture->image]);
-    if (!decoded->image) return decoded->why_not;
-    mask->image = decoded->image;
-    mask->wrap = texture->wrap;
-    mask->is_nearest = texture->is_nearest;
-    mask->places = places_of(*texcoords, *texture);
+    auto decoded = alpha_image_of(analyses, scene.images[*texture->image]);
+    if (std::string* why = std::get_if<std::string>(&decoded)) return std::move(*why);
+    mask->image = std::move(std::get<std::shared_ptr<const AlphaImage>>(decoded));
+    mask->sampling = {texture->wrap, texture->is_nearest};
+    mask->places = texture_places(*texcoords, *texture);
   }
   const auto is_full = [](std::uint16_t alpha) { return alpha == 65535; };
   const bool has_holes = (mask->image && !std::ranges::all_of(mask->image->alpha, is_full)) ||

@@ -1,8 +1,8 @@
 #pragma once
 // Holes in a surface, as glTF's alpha mode MASK cuts them.
 
+#include <foredraw/analysis/alpha_image.h>
 #include <foredraw/analysis/camera.h>
-#include <foredraw/scene/texture.h>
 
 #include <glm/vec2.hpp>
 
@@ -13,26 +13,14 @@
 
 namespace foredraw {
 
-/// The alpha of an image's texels, row after row from the top.
-struct AlphaImage {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-  std::vector<std::uint16_t> alpha;  ///< 0 to 65535
-};
-
 /// A surface is there where its alpha is `cutoff` or more: that of the image, times the vertices'.
 struct Mask {
   std::shared_ptr<const AlphaImage> image;  ///< none: 1 everywhere
-  std::array<Wrap, 2> wrap{};
-  bool is_nearest = false;
+  Sampling sampling;
   std::vector<glm::dvec2> places;  ///< [vertex] in the image, (0, 0) upper left, (1, 1) lower right
   std::vector<double> alphas;      ///< [vertex]
   double cutoff = 0.5;
 };
-
-/// The image's alpha at a place, 0 to 1. Of the texels themselves, no smaller version of them: the nearest one, or four
-/// blended by the place between their centres, which is rounded to 1/256 texel.
-double alpha_at(const Mask& mask, const glm::dvec2& place);
 
 /// A triangle in the picture. Whoever asks at the same point hears the same, whichever corner came first.
 class MaskedTriangle {

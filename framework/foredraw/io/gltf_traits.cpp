@@ -1,4 +1,5 @@
 // The traits that an asset brings with it.
+#include <foredraw/analysis/sprite_pieces.h>
 #include <foredraw/io/private/gltf_draw_orders.h>
 #include <foredraw/io/private/gltf_source.h>
 
@@ -112,6 +113,11 @@ bool is_extended(const Json& primitive) {
   return false;
 }
 
+bool is_sprite(const Draw& draw, const Material* material) {
+  return material != nullptr && material->alpha_mode != AlphaMode::opaque && material->base_colour &&
+         material->base_colour->image && is_made_of_quads(draw, material->base_colour->texcoord);
+}
+
 }  // namespace
 
 void find_traits(Scene& scene, const Document& document) {
@@ -133,6 +139,7 @@ void find_traits(Scene& scene, const Document& document) {
     add(material != nullptr && material->alpha_mode == AlphaMode::mask, traits::masked);
     add(material != nullptr && material->double_sided, traits::double_sided);
     add(use.instanced, traits::instanced);
+    add(is_sprite(draw, material), traits::sprite);
     const VertexStream* positions = vertices.find("POSITION");
     add(positions != nullptr && positions->format.component != Component::float32, traits::quantized);
     add(is_extended(document.json["meshes"][draw.origin->mesh]["primitives"][draw.origin->primitive]),

@@ -4,6 +4,7 @@
 #include <foredraw/scene/clusters.h>
 #include <foredraw/scene/extension.h>
 #include <foredraw/scene/material.h>
+#include <foredraw/scene/sprite.h>
 #include <foredraw/scene/traits.h>
 #include <foredraw/scene/vertex_streams.h>
 
@@ -52,6 +53,7 @@ struct Draw {
   Traits traits;
   std::vector<Extension> extensions;  ///< what stages added
   std::optional<DrawOrigin> origin;
+  std::optional<SpriteFrame> frame;   ///< of a draw that shows a part of an image
 };
 
 }  // namespace foredraw

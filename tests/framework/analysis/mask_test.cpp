@@ -2,57 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 namespace foredraw {
 namespace {
-
-/// Of 4 x 2 texels: 0, 1/3, 2/3, 1 above, all 1 below.
-Mask mask_of(Wrap wrap, bool is_nearest) {
-  Mask mask;
-  mask.image = std::make_shared<const AlphaImage>(
-      AlphaImage{4, 2, {0, 65535 / 3, 65535 / 3 * 2, 65535, 65535, 65535, 65535, 65535}});
-  mask.wrap = {wrap, wrap};
-  mask.is_nearest = is_nearest;
-  return mask;
-}
-
-TEST(Mask, the_nearest_texel_is_the_one_that_the_place_lies_in) {
-  const Mask mask = mask_of(Wrap::repeat, true);
-  EXPECT_EQ(alpha_at(mask, {0.01, 0.2}), 0);
-  EXPECT_EQ(alpha_at(mask, {0.26, 0.2}), 1.0 / 3);
-  EXPECT_EQ(alpha_at(mask, {0.99, 0.49}), 1);
-  EXPECT_EQ(alpha_at(mask, {0.01, 0.51}), 1);
-}
-
-TEST(Mask, texels_are_blended_between_their_centres) {
-  const Mask mask = mask_of(Wrap::clamped, false);
-  EXPECT_EQ(alpha_at(mask, {0.125, 0.25}), 0);
-  EXPECT_EQ(alpha_at(mask, {0.375, 0.25}), 1.0 / 3);
-  EXPECT_DOUBLE_EQ(alpha_at(mask, {0.25, 0.25}), 1.0 / 6);
-  EXPECT_DOUBLE_EQ(alpha_at(mask, {0.125, 0.5}), 0.5);
-  EXPECT_DOUBLE_EQ(alpha_at(mask, {0.25, 0.5}), (1.0 / 6 + 1) / 2);
-}
-
-TEST(Mask, beyond_the_edges_an_image_repeats_turns_back_or_stays) {
-  EXPECT_EQ(alpha_at(mask_of(Wrap::repeat, true), {1.3, -0.9}), 1.0 / 3);
-  EXPECT_EQ(alpha_at(mask_of(Wrap::mirrored, true), {1.3, 0.1}), 2.0 / 3);
-  EXPECT_EQ(alpha_at(mask_of(Wrap::mirrored, true), {-0.3, -0.1}), 1.0 / 3);
-  EXPECT_EQ(alpha_at(mask_of(Wrap::clamped, true), {1.3, 0.1}), 1);
-  EXPECT_EQ(alpha_at(mask_of(Wrap::clamped, true), {-7, -7}), 0);
-  // Halfway between the last texel and what comes behind it.
-  EXPECT_DOUBLE_EQ(alpha_at(mask_of(Wrap::repeat, false), {1, 0.25}), 0.5);
-  EXPECT_DOUBLE_EQ(alpha_at(mask_of(Wrap::mirrored, false), {1, 0.25}), 1);
-}
-
-TEST(Mask, places_that_are_nowhere_are_at_the_corner) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const double place : {nan, infinity, -infinity, 1e30}) {
-    EXPECT_EQ(alpha_at(mask_of(Wrap::repeat, true), {place, place}), 0);
-    EXPECT_EQ(alpha_at(mask_of(Wrap::mirrored, false), {place, place}), 0);
-  }
-}
 
 TEST(MaskedTriangle, is_there_where_the_alpha_between_its_corners_reaches_the_cutoff) {
   Mask mask;
@@ -89,7 +40,9 @@ TEST(MaskedTriangle, in_perspective_the_middle_of_the_picture_is_nearer_to_the_n
 }
 
 TEST(MaskedTriangle, does_not_depend_on_which_corner_comes_first) {
-  Mask mask = mask_of(Wrap::repeat, false);
+  Mask mask;
+  mask.image = std::make_shared<const AlphaImage>(
+      AlphaImage{4, 2, {0, 65535 / 3, 65535 / 3 * 2, 65535, 65535, 65535, 65535, 65535}});
   mask.places = {{0.1, 0.2}, {7.3, 0.9}, {2.1, 5.7}};
   mask.alphas = {0.9, 0.8, 0.7};
   mask.cutoff = 0.55;
