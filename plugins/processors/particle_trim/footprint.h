@@ -1,0 +1,75 @@
+#pragma once
+// Where an image shows: the places at which its sampler finds more than a threshold.
+
+#include "convex_hull.h"
+
+#include <foredraw/analysis/alpha_image.h>
+
+#include <memory>
+#include <mutex>
+
+namespace foredraw::trim {
+
+enum class Footprint : std::uint8_t {
+  texels,          ///< the texels themselves: right where nothing is blended
+  bilinear_loose,  ///< whatever blends with a texel that shows: half a texel more on each side
+  bilinear,        ///< where the blend exceeds the threshold
+};
+
+struct FootprintOptions {
+  double threshold = 0;    ///< what is above it shows; 0 to 1
+  Footprint footprint = Footprint::bilinear;
+  int mip_levels = 0;      ///< smaller versions of the image that may be sampled as well
+  double padding = 0;      ///< texels more on each side
+};
+
+/// Upright, in steps of 1/256 texel.
+struct Box {
+  Point least, most;
+
+  double area() const { return static_cast<double>(most.x - least.x) * static_cast<double>(most.y - least.y); }
+};
+
+class ShownCells;
+
+/// An image that is drawn in parts.
+class ShownImage {
+ public:
+  /// The image has to stay.
+  ShownImage(const AlphaImage& image, const Sampling& sampling, const FootprintOptions& options);
+  ~ShownImage();
+
+  /// Points in the frame round all that shows there: every place at which it shows lies in their convex hull. Those of each
+  /// row of texels; none where nothing shows.
+  std::vector<Point> shown_points(const Box& frame) const;
+
+  /// Which half texels of the image show; found on the first ask.
+  const ShownCells& cells() const;
+
+  const AlphaImage& image() const { return image_; }
+  /// The image itself, and then the smaller versions that may be sampled.
+  std::size_t levels() const { return 1 + smaller_.size(); }
+  const AlphaImage& level(std::size_t i) const { return i == 0 ? image_ : smaller_[i - 1]; }
+  const Sampling& sampling() const { return sampling_; }
+  const FootprintOptions& options() const { return options_; }
+
+  /// Whether texels blend with their neighbours.
+  bool is_blended() const { return options_.footprint != Footprint::texels && !sampling_.is_nearest; }
+  /// As in the image: what is above it shows.
+  std::uint16_t limit() const { return limit_; }
+
+ private:
+  const AlphaImage& image_;
+  std::vector<AlphaImage> smaller_;
+  Sampling sampling_;
+  FootprintOptions options_;
+  std::uint16_t limit_;
+  mutable std::once_flag finding_cells_;
+  mutable std::unique_ptr<const ShownCells> cells_;
+};
+
+/// The corners of the hull of what shows in a frame, with a sampler's step and the padding round it, as far as it lies in
+/// the frame.
+std::vector<Point> padded_hull(const std::vector<Point>& shown, const Box& frame, const FootprintOptions& options);
+
+}  // namespace foredraw::trim
