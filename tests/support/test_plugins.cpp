@@ -75,7 +75,7 @@ struct Pairs final : Clusterer {
 };
 
 struct AddDraw final : Processor {
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run&) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
     if (draws.empty()) return {};
     Draw copy = scene.draws[draws.front()];
     copy.name += " again";
@@ -83,6 +83,8 @@ struct AddDraw final : Processor {
     const auto id = static_cast<DrawId>(scene.draws.size());
     scene.draws.push_back(std::move(copy));
     scene.meshes.front().draws.push_back(id);
+    run.count_at({id}, "added", 1);
+    run.note_at({id}, "added", "it was not there before");
     return draws;
   }
 };

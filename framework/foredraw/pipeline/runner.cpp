@@ -192,6 +192,9 @@ class PlanRunner {
             StateRecord& total) {
     Report& report = result_.report;
     const Figure figure = figure_of(measured, stage.plugin->card);
+    // A stage may have added draws or images.
+    report.draws.resize(std::max(report.draws.size(), result_.scene.draws.size()));
+    report.images.resize(std::max(report.images.size(), result_.scene.images.size()));
     if (measured.place.draw && *measured.place.draw < report.draws.size()) {
       (report.draws[*measured.place.draw].*draw_state).metrics.add(stage.label, measured.metric, figure);
     }

@@ -149,7 +149,7 @@ class StageRunner {
       }
       outcome.answer = std::move(changed);
     });
-    accept(outcomes[0], "");
+    accept(outcomes[0], "", outcomes[0].answer ? *outcomes[0].answer : scene_);
     if (outcomes[0].answer) scene_ = std::move(*outcomes[0].answer);
     for (DrawId id : worked_on) {
       if (id < scene_.draws.size()) update_traits(scene_.draws[id], outcomes[0]);
@@ -246,12 +246,21 @@ class StageRunner {
         [&](std::size_t i, Run& run, Outcome<Answer>& outcome) { task(scene_.images[i], run, outcome); });
   }
 
-  /// Books what came of a place.
   template <class Answer>
   void accept(Outcome<Answer>& outcome, const std::string& place) {
+    accept(outcome, place, scene_);
+  }
+
+  /// Books what came of a place. Notes call draws what they were called before the stage; those that it added are in
+  /// `changed`.
+  template <class Answer>
+  void accept(Outcome<Answer>& outcome, const std::string& place, const Scene& changed) {
     for (Measured& measured : outcome.findings.measured) measured_.push_back(std::move(measured));
+    const auto name_of = [&](DrawId id) {
+      return id < scene_.draws.size() ? scene_.draws[id].name : id < changed.draws.size() ? changed.draws[id].name : "";
+    };
     for (Note& note : outcome.findings.notes) {
-      const std::string where = note.place.draw ? scene_.draws[*note.place.draw].name : note.place == Place{} ? "" : place;
+      const std::string where = note.place.draw ? name_of(*note.place.draw) : note.place == Place{} ? "" : place;
       record_.notes.push_back({where, std::move(note.code), std::move(note.message)});
     }
     if (outcome.answer) {

@@ -95,6 +95,21 @@ TEST_F(Runner, RunsProcessorsOfEveryShape) {
   EXPECT_EQ(report.after.metrics.find("count-bytes", "bytes")->value(), 0);
 }
 
+TEST_F(Runner, BooksWhatIsMeasuredOfDrawsThatAStageAdded) {
+  const Result result = run("add-draw, double-triangles", two_, "count-triangles");
+  const std::vector<DrawRecord>& draws = result.report.draws;
+  ASSERT_EQ(draws.size(), 3u);
+  EXPECT_EQ(draws[2].name, "A again");
+  EXPECT_TRUE(draws[2].before.metrics.empty());
+  ASSERT_NE(draws[2].after.metrics.find("add-draw", "added"), nullptr);
+  EXPECT_EQ(draws[2].after.metrics.find("add-draw", "added")->value(), 1);
+  ASSERT_NE(draws[2].after.metrics.find("count-triangles", "triangles"), nullptr);
+  EXPECT_EQ(draws[2].after.metrics.find("count-triangles", "triangles")->value(), 8);
+  EXPECT_EQ(draws[2].after.triangles, 8u);
+  ASSERT_EQ(result.report.stages[0].notes.size(), 1u);
+  EXPECT_EQ(result.report.stages[0].notes[0].place, "A again");
+}
+
 TEST_F(Runner, TotalsAreSumsOfNumeratorsOverSumsOfDenominators) {
   const Result result = run("", two_, "count-triangles");
   const Figure* total = result.report.after.metrics.find("count-triangles", "corners-per-vertex");

@@ -1,0 +1,118 @@
+#include "sprite_fill.h"
+
+#include <foredraw/analysis/texture_places.h>
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace foredraw {
+
+namespace {
+
+/// What is kept of an image for all draws that show it.
+struct KeptLevels {
+  AlphaLevels levels;
+};
+
+class SpriteFillEvaluator final : public DrawEvaluator {
+ public:
+  explicit SpriteFillEvaluator(const SpriteFillOptions& options) : options_(options), looks_(sprite_looks(options)) {}
+
+  void evaluate(const DrawView& draw, Run& run) override {
+    const Texture& texture = texture_of(draw);
+    const std::string semantic = fmt::format("TEXCOORD_{}", texture.texcoord);
+    const VertexStream* texcoords = draw.vertices().find(semantic);
+    if (texcoords == nullptr || texcoords->count() < draw.vertex_count()) {
+      throw std::runtime_error(fmt::format("it has no {}, with which its material's texture is laid on", semantic));
+    }
+    const auto kept = levels_of(draw.scene.images[*texture.image], run);
+    const auto triangles = placed_triangles(texture_places(*texcoords, texture), draw.indices());
+    const Sampling sampling{texture.wrap, texture.is_nearest};
+
+    std::vector<SpriteFill> fills(looks_.size());
+    run.executor.for_each(looks_.size(), [&](std::size_t i) {
+      if (!run.cancelled()) fills[i] = sprite_fill(triangles, kept->levels, sampling, looks_[i], options_);
+    });
+    if (run.cancelled()) throw std::runtime_error("cancelled");
+    double filled = 0, needed = 0;
+    for (const SpriteFill& fill : fills) {
+      filled += static_cast<double>(fill.filled);
+      needed += static_cast<double>(fill.needed);
+    }
+    run.count("filled", filled);
+    run.count("needed", needed);
+    run.measure("fill", filled, needed);
+  }
+
+ private:
+  static const Texture& texture_of(const DrawView& draw) {
+    const Material* material = draw.scene.material_of(draw.draw());
+    if (material == nullptr || !material->base_colour) throw std::runtime_error("its material has no texture");
+    const Texture& texture = *material->base_colour;
+    if (!texture.image || *texture.image >= draw.scene.images.size()) {
+      throw std::runtime_error("its texture is of an unknown kind");
+    }
+    return texture;
+  }
+
+  /// Kept by the image, the channel and whether more than the first level is wanted.
+  std::shared_ptr<const KeptLevels> levels_of(const Image& image, const Run& run) const {
+    auto decoded = alpha_image_of(run.analyses, image, options_.channel);
+    if (const std::string* why = std::get_if<std::string>(&decoded)) {
+      throw std::runtime_error(fmt::format("its image can not be read: {}", *why));
+    }
+    const char asked[] = {static_cast<char>(options_.channel), options_.mipmaps ? '\1' : '\0'};
+    const Stamp parts[] = {image.bytes.stamp(), content_hash(std::span<const char>(image.uri)),
+                           content_hash(std::span<const char>(asked))};
+    return run.analyses.get<KeptLevels>(combine(parts), [&]() -> KeptLevels {
+      auto& alpha = std::get<std::shared_ptr<const AlphaImage>>(decoded);
+      if (!options_.mipmaps) return {{std::move(alpha)}};
+      return {alpha_levels(std::move(alpha))};
+    });
+  }
+
+  SpriteFillOptions options_;
+  std::vector<SpriteLook> looks_;
+};
+
+}  // namespace
+
+Plugin sprite_fill_plugin() {
+  OptionTable<SpriteFillOptions> table;
+  table.row(&SpriteFillOptions::scales, "scales",
+            "Pixels a texel that sprites are drawn with, spaces between; each above 0, at most 16");
+  table.row(&SpriteFillOptions::turns, "turns", "In how many turns at each scale; the first is upright",
+            {1, 64, "turns"});
+  table.row(&SpriteFillOptions::threshold, "threshold", "A pixel shows where it has more alpha than this", {0, 1, ""});
+  table.choice(
+      &SpriteFillOptions::channel, "channel", "What counts as alpha: the image's, or, for sprites that are added to what "
+      "is there, its colour's luminance, or the greatest of its channels",
+      {{"alpha", AlphaChannel::alpha}, {"luminance", AlphaChannel::luminance}, {"any", AlphaChannel::any}});
+  table.row(&SpriteFillOptions::mipmaps, "mipmaps", "Sample mip levels where sprites are drawn smaller than their images");
+  table.row(&SpriteFillOptions::seed, "seed", "Seed of the parts of a pixel by which sprites are moved", {.least = 0});
+
+  Plugin plugin;
+  plugin.kind = Kind::evaluator;
+  plugin.card = {
+      .name = "sprite-fill",
+      .summary = "Counts the pixels that sprites fill, and those of them that show",
+      .reference = "Persson 2012 (particle trimming)",
+      .acts_on = {traits::sprite},
+      .metrics =
+          {
+              {"fill", "pixels filled per pixel that shows",
+               "Pixels filled for each pixel that shows; 1 is the limit"},
+              {"filled", "pixels", "Pixels that triangles cover, over all scales and turns"},
+              {"needed", "pixels",
+               "Those of them that show. A stage that trims must leave it as it is: fewer of them, and something is lost",
+               false},
+          },
+  };
+  bind_options(plugin, std::move(table),
+               [](const SpriteFillOptions& options) { return std::make_unique<SpriteFillEvaluator>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw
