@@ -4,6 +4,7 @@
 #include "odd_scenes.h"
 
 #include <foredraw/analysis/vertex_rows.h>
+#include <foredraw/io/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/technique/built_in_plugins.h>
@@ -60,7 +61,7 @@ Outcome run(const Pipeline& pipeline, int threads) {
   auto plan = foredraw::plan(pipeline, registry(), scene, diagnostics);
   if (!plan) throw std::runtime_error(to_text(diagnostics));
   const Executor executor(threads);
-  Analyses analyses;
+  Analyses analyses(image_decoder({}));
   Result result = foredraw::optimize(*plan, scene, {executor, analyses});
   return {std::move(result), std::move(*plan)};
 }

@@ -1,6 +1,8 @@
 #include "odd_scenes.h"
 
+#include "support/image_builder.h"
 #include "support/meshes.h"
+#include "support/sprite_scenes.h"
 
 #include <limits>
 
@@ -92,6 +94,30 @@ Draw without_positions() {
   return draw;
 }
 
+/// Two blots of unlike size, one of which reaches the edge.
+void add_sprite(Scene& scene) {
+  const ImageFacts facts{13, 6, 2, 16, false};
+  std::vector<std::uint16_t> values;
+  for (std::uint32_t y = 0; y < facts.height; ++y) {
+    for (std::uint32_t x = 0; x < facts.width; ++x) {
+      const bool shows = (x < 4 && y < 5 && x + y > 1) || (x > 6 && x < 12 && y == x / 3);
+      values.insert(values.end(), {65535, static_cast<std::uint16_t>(shows ? 5000 * x + 1 : 0)});
+    }
+  }
+  Image image;
+  image.media_type = "image/png";
+  image.bytes = Shared<std::byte>(png_of(facts, values));
+  image.facts = facts;
+  Scene sprite = sprite_scene(std::move(image));
+  sprite.nodes[0].mesh = static_cast<MeshId>(scene.meshes.size());
+  sprite.meshes[0].draws = {static_cast<DrawId>(scene.draws.size())};
+  scene.nodes.push_back(std::move(sprite.nodes[0]));
+  scene.meshes.push_back(std::move(sprite.meshes[0]));
+  scene.draws.push_back(std::move(sprite.draws[0]));
+  scene.materials = std::move(sprite.materials);
+  scene.images = std::move(sprite.images);
+}
+
 }  // namespace
 
 Scene odd_scene() {
@@ -132,7 +158,9 @@ Scene odd_scene() {
   Draw glass = draw_of(torus(5, 4), "glass");
   glass.traits.add(traits::blended);
   draws.push_back(std::move(glass));
-  return scene_of(std::move(draws));
+  Scene scene = scene_of(std::move(draws));
+  add_sprite(scene);
+  return scene;
 }
 
 }  // namespace foredraw::testing
