@@ -1,16 +1,12 @@
 // The outermost layer: GLB or JSON text, and the text parsed.
 #include <foredraw/io/private/gltf_gate.h>
+#include <foredraw/io/private/json_text.h>
 
 #include <fmt/format.h>
-
-#include <set>
 
 namespace foredraw::gltf {
 
 namespace {
-
-constexpr int deepest = 64;
-constexpr std::size_t most_keys = 2048;  // of one object, whose keys are looked for one after the other
 
 std::uint32_t word(Bytes bytes, std::size_t at) {
   std::uint32_t value;
@@ -84,75 +80,6 @@ std::optional<Container> open_glb(Gate& gate, Bytes file) {
   return container;
 }
 
-/// Parsers recurse, so that depth has to be bounded before one is let loose. Returns the byte where it gets too deep.
-std::optional<std::size_t> too_deep(std::string_view text) {
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\') ++i;
-      if (c == '"') quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > deepest) return i;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return std::nullopt;
-}
-
-/// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." without what we say ourselves.
-std::string reason(const std::string& what) {
-  const std::size_t from = what.find("syntax error");
-  if (from != std::string::npos) return what.substr(from);
-  const std::size_t bracket = what.find("] ");
-  return bracket == std::string::npos ? what : what.substr(bracket + 2);
-}
-
-/// Reads along for what a tree of values no longer shows or has no room for. The parser's own callback would ask all of
-/// an array at the end of each of its objects.
-class Reading final : public Json::json_sax_t {
- public:
-  std::string twice;                 ///< the first key that stands twice in one object
-  bool is_crowded = false;           ///< some object has too many keys
-  std::optional<std::size_t> stuck;  ///< the byte at which it is no JSON
-  std::string why;
-
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_array() override { return true; }
-  bool start_object(std::size_t) override {
-    keys_.emplace_back();
-    return true;
-  }
-  bool end_object() override {
-    keys_.pop_back();
-    return true;
-  }
-  bool key(string_t& key) override {
-    if (!keys_.back().insert(key).second && twice.empty()) twice = key;
-    is_crowded = keys_.back().size() > most_keys;
-    return !is_crowded;
-  }
-  bool parse_error(std::size_t byte, const std::string&, const Json::exception& mistake) override {
-    stuck = byte == 0 ? 0 : byte - 1;
-    why = reason(mistake.what());
-    return false;
-  }
-
- private:
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
-};
-
 }  // namespace
 
 std::optional<Container> open_container(Gate& gate) {
@@ -179,24 +106,17 @@ bool parse_json(Gate& gate, std::string_view text) {
                   "save it as UTF-8 without byte order mark");
     return false;
   }
-  if (const auto byte = too_deep(text)) {
-    gate.error_at(*byte, text, "json-nesting", fmt::format("the JSON is nested deeper than {} levels", deepest));
+  auto parsed = parse_json_text(text);
+  if (const JsonFault* fault = std::get_if<JsonFault>(&parsed)) {
+    if (fault->byte) {
+      gate.error_at(*fault->byte, text, fault->code, fault->message, fault->hint);
+    } else {
+      gate.error({}, fault->code, fault->message, fault->hint);
+    }
     return false;
   }
-  Reading reading;
-  Json::sax_parse(text.begin(), text.end(), &reading);
-  if (reading.stuck) {
-    gate.error_at(*reading.stuck, text, "json-syntax", "is not JSON: " + reading.why);
-  } else if (reading.is_crowded) {
-    gate.error({}, "json-crowd", fmt::format("an object has more than {} keys", most_keys), "put them into an array");
-  } else if (!reading.twice.empty()) {
-    gate.error({}, "json-duplicate-key", fmt::format("the key '{}' stands twice in one object", reading.twice),
-               "keep one of them; readers differ in which they take");
-  } else {
-    gate.document().json = Json::parse(text.begin(), text.end());
-    return true;
-  }
-  return false;
+  gate.document().json = std::move(std::get<Json>(parsed));
+  return true;
 }
 
 }  // namespace foredraw::gltf

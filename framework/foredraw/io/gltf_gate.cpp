@@ -1,4 +1,5 @@
 #include <foredraw/io/private/gltf_gate.h>
+#include <foredraw/io/private/json_text.h>
 
 #include <fmt/format.h>
 
@@ -39,12 +40,8 @@ void Gate::warning(const std::string& place, std::string code, std::string messa
 }
 
 void Gate::error_at(std::size_t byte, std::string_view text, std::string code, std::string message, std::string hint) {
-  const std::string_view before = text.substr(0, std::min(byte, text.size()));
-  const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
-  const std::size_t start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   ++mistakes_;
-  diagnostics_.error({.file = document_.name, .line = line, .column = static_cast<int>(before.size() - start) + 1},
-                     std::move(code), std::move(message), std::move(hint));
+  diagnostics_.error(place_in(document_.name, text, byte), std::move(code), std::move(message), std::move(hint));
 }
 
 void Gate::note(const std::string& place, std::string code, std::string message) {

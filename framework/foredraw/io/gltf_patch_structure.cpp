@@ -122,6 +122,41 @@ void put_material(Json& json, const Material& now, const Material& was) {
   if (now.double_sided != was.double_sided) json["doubleSided"] = now.double_sided;
 }
 
+int word(Wrap wrap) { return wrap == Wrap::clamped ? 33071 : wrap == Wrap::mirrored ? 33648 : 10497; }
+
+/// The number of what is in the list, or was put into it.
+std::size_t listed(Json& list, const Json& value) {
+  if (!list.is_array()) list = Json::array();
+  const auto found = std::find(list.begin(), list.end(), value);
+  if (found != list.end()) return static_cast<std::size_t>(found - list.begin());
+  list.push_back(value);
+  return list.size() - 1;
+}
+
+/// The base colour of a material that had no texture.
+void put_base_colour(Json& document, Json& material, const Material& now) {
+  Json& surface = material["pbrMetallicRoughness"];
+  if (now.alpha != 1) surface["baseColorFactor"] = {1, 1, 1, now.alpha};
+  if (!now.base_colour || !now.base_colour->image) return;
+  const Texture& texture = *now.base_colour;
+  const int filter = texture.is_nearest ? 9728 : 9729;
+  const Json sampler{{"magFilter", filter},
+                     {"minFilter", filter},
+                     {"wrapS", word(texture.wrap[0])},
+                     {"wrapT", word(texture.wrap[1])}};
+  const std::size_t number = listed(document["samplers"], sampler);
+  Json use{{"index", listed(document["textures"], {{"sampler", number}, {"source", *texture.image}})}};
+  if (texture.texcoord != 0) use["texCoord"] = texture.texcoord;
+  if (texture.scale != glm::dvec2(1) || texture.rotation != 0 || texture.offset != glm::dvec2(0)) {
+    use["extensions"]["KHR_texture_transform"] = {{"offset", {texture.offset.x, texture.offset.y}},
+                                                  {"rotation", texture.rotation},
+                                                  {"scale", {texture.scale.x, texture.scale.y}}};
+    listed(document["extensionsUsed"], "KHR_texture_transform");
+  }
+  surface["baseColorTexture"] = std::move(use);
+  surface["metallicFactor"] = 0;
+}
+
 std::string media_type_of(std::span<const std::byte> bytes) {
   const auto starts = [&](std::initializer_list<unsigned char> with) {
     return bytes.size() >= with.size() && std::equal(with.begin(), with.end(), bytes.begin(),
@@ -186,6 +221,9 @@ class StructurePatch {
       if (i >= was_.materials.size()) json_["materials"][i] = Json::object();
       put_material(json_["materials"][i], scene_.materials[i],
                    i < was_.materials.size() ? was_.materials[i] : Material{});
+      const bool had_texture = i < was_.materials.size() && was_.materials[i].base_colour;
+      const Material& now = scene_.materials[i];
+      if (now.base_colour && !had_texture) put_base_colour(json_, json_["materials"][i], now);
     }
     return true;
   }

@@ -31,15 +31,9 @@ std::variant<std::vector<std::byte>, std::string> file_beside(const std::string&
   return std::move(*bytes);
 }
 
-}  // namespace
-
-std::optional<ImageFacts> image_facts(std::span<const std::byte> bytes) {
-  const auto header = images::header_of(bytes);
-  return header ? std::optional(header->facts) : std::nullopt;
-}
-
-std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where& where, Diagnostics& diagnostics,
-                                   const ImageLimits& limits) {
+/// Of an image that may be decoded; or an error.
+std::optional<images::Header> checked_header(std::span<const std::byte> bytes, const Where& where,
+                                             Diagnostics& diagnostics, const ImageLimits& limits) {
   const auto header = images::header_of(bytes);
   if (!header) {
     diagnostics.error(where, "image-kind", "is no image that can be decoded, or its header is damaged",
@@ -61,14 +55,34 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
         "it was cut off or damaged");
     return std::nullopt;
   }
+  return header;
+}
+
+}  // namespace
+
+std::optional<ImageFacts> image_facts(std::span<const std::byte> bytes) {
+  const auto header = images::header_of(bytes);
+  return header ? std::optional(header->facts) : std::nullopt;
+}
+
+std::optional<ImageFacts> checked_image_facts(std::span<const std::byte> bytes, const Where& where,
+                                              Diagnostics& diagnostics, const ImageLimits& limits) {
+  const auto header = checked_header(bytes, where, diagnostics, limits);
+  return header ? std::optional(header->facts) : std::nullopt;
+}
+
+std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where& where, Diagnostics& diagnostics,
+                                   const ImageLimits& limits) {
+  const auto header = checked_header(bytes, where, diagnostics, limits);
+  if (!header) return std::nullopt;
   const bool is_exr = header->kind == images::Kind::exr;
   auto made = is_exr ? images::exr_texels(bytes) : images::stb_texels(bytes, *header);
   if (const std::string* why = std::get_if<std::string>(&made)) {
     diagnostics.error(where, "image-data", "can not be decoded: " + *why);
     return std::nullopt;
   }
-  Texels result{facts, std::move(std::get<std::vector<std::byte>>(made))};
-  result.facts.bits = is_exr ? 32 : facts.bits > 8 ? 16 : 8;
+  Texels result{header->facts, std::move(std::get<std::vector<std::byte>>(made))};
+  result.facts.bits = is_exr ? 32 : header->facts.bits > 8 ? 16 : 8;
   return result;
 }
 

@@ -20,6 +20,10 @@ struct ImageLimits {
   std::uint64_t texels = std::uint64_t{1} << 28;  ///< width times height: 16384 squared
 };
 
+/// As above, with an error at `where` for what decode_image would refuse by its header.
+std::optional<ImageFacts> checked_image_facts(std::span<const std::byte> bytes, const Where& where,
+                                              Diagnostics& diagnostics, const ImageLimits& limits = {});
+
 /// Decodes an image. nullopt, with an error at `where`, for what is damaged, is of another kind, exceeds the limits, or
 /// claims more texels than its bytes can hold at its format's best compression: that is known before anything is
 /// allocated.

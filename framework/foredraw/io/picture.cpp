@@ -1,18 +1,17 @@
+#include <foredraw/io/private/image_encode.h>
 #include <foredraw/io/private/picture.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
-#include <stdexcept>
 
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#include <stb/stb_image_write.h>
-// After the other: it wants what that includes.
 #include <stb/stb_easy_font.h>
 #pragma GCC diagnostic pop
 
@@ -49,6 +48,35 @@ void Picture::fill(int x, int y, int width, int height, Colour colour) {
   }
 }
 
+void Picture::blend(int x, int y, Colour colour, float part) {
+  if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
+  std::uint8_t* texel = &rgb_[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                   static_cast<std::size_t>(x))];
+  const std::uint8_t channels[] = {colour.red, colour.green, colour.blue};
+  for (int c = 0; c < 3; ++c) {
+    const float was = texel[c];
+    texel[c] = static_cast<std::uint8_t>(was + (static_cast<float>(channels[c]) - was) * part + 0.5f);
+  }
+}
+
+void Picture::line(glm::vec2 from, glm::vec2 to, float width, Colour colour, float part) {
+  const float reach = width / 2 + 0.5f;
+  const glm::vec2 least = glm::min(from, to) - reach, most = glm::max(from, to) + reach;
+  const glm::vec2 along = to - from;
+  const float length = glm::dot(along, along);
+  const int right = std::min(static_cast<int>(std::ceil(most.x)), width_);
+  const int bottom = std::min(static_cast<int>(std::ceil(most.y)), height_);
+  for (int y = std::max(static_cast<int>(std::floor(least.y)), 0); y < bottom; ++y) {
+    for (int x = std::max(static_cast<int>(std::floor(least.x)), 0); x < right; ++x) {
+      const glm::vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const float at = length > 0 ? std::clamp(glm::dot(centre - from, along) / length, 0.0f, 1.0f) : 0;
+      const glm::vec2 off = centre - from - along * at;
+      const float covered = std::clamp(reach - std::sqrt(glm::dot(off, off)), 0.0f, 1.0f);
+      if (covered > 0) blend(x, y, colour, covered * part);
+    }
+  }
+}
+
 void Picture::write(int x, int y, const std::string& text, Colour colour, int scale) {
   struct Corner {
     float x, y, z;
@@ -70,17 +98,6 @@ int Picture::width_of(const std::string& text, int scale) {
   return stb_easy_font_width(letters.data()) * scale;
 }
 
-std::vector<std::byte> Picture::as_png() const {
-  std::vector<std::byte> png;
-  const auto append = [](void* to, void* bytes, int count) {
-    const auto* first = static_cast<const std::byte*>(bytes);
-    static_cast<std::vector<std::byte>*>(to)->insert(static_cast<std::vector<std::byte>*>(to)->end(), first,
-                                                     first + count);
-  };
-  if (stbi_write_png_to_func(append, &png, width_, height_, 3, rgb_.data(), 3 * width_) == 0) {
-    throw std::runtime_error("the picture can not be encoded");
-  }
-  return png;
-}
+std::vector<std::byte> Picture::as_png() const { return png_of(width_, height_, 3, rgb_.data()); }
 
 }  // namespace foredraw::images

@@ -6,8 +6,10 @@
 #include <foredraw/io/private/gltf_stand_ins.h>
 #include <foredraw/io/private/gltf_write.h>
 #include <foredraw/io/private/mesh_source.h>
+#include <foredraw/io/sprite_files.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace foredraw {
 
@@ -39,7 +41,7 @@ bool is_scene_file(const fs::path& path) { return is_gltf_file(path) || mesh_kin
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics) {
   if (path.empty()) {
     diagnostics.error({}, "no-such-file", "the input's name is empty",
-                      "give the path of a .glb, .gltf, .obj, .ply, .off or .stl, or -");
+                      "give the path of a scene, an image or a frame list, or -");
     return std::nullopt;
   }
   const bool is_standard = path == "-";
@@ -47,21 +49,27 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
   if (!bytes) return std::nullopt;
   const std::size_t length = bytes->size();
   const auto mesh_kind = is_standard ? std::nullopt : mesh_kind_of(path);
-  auto scene = mesh_kind     ? read_mesh_file(*bytes, *mesh_kind, path, folder_of(path), diagnostics)
-               : is_standard ? read_gltf(std::move(*bytes), "standard input", {}, diagnostics)
-                             : read_gltf(std::move(*bytes), path, folder_of(path), diagnostics);
+  auto scene = mesh_kind               ? read_mesh_file(*bytes, *mesh_kind, path, folder_of(path), diagnostics)
+               : is_standard           ? read_gltf(std::move(*bytes), "standard input", {}, diagnostics)
+               : is_frame_list(path)   ? read_sprite_list(*bytes, path, folder_of(path), diagnostics)
+               : is_sprite_input(path) ? read_sprite_image(std::move(*bytes), path, diagnostics)
+                                       : read_gltf(std::move(*bytes), path, folder_of(path), diagnostics);
   if (!scene) return std::nullopt;
   return SceneFile{std::move(*scene), length};
 }
 
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {
   if (path == "-" || is_gltf_file(path)) return true;
+  if (is_sprite_output(path) && input != "-" && is_sprite_input(input)) return true;
   const auto mesh_kind = mesh_kind_of(path);
   if (mesh_kind && input != "-" && mesh_kind == mesh_kind_of(input)) return true;
   if (mesh_kind) {
     diagnostics.error({.file = path}, "unknown-kind",
                       "a file of kind " + std::string(extension_of(*mesh_kind)) + " is written only from one",
                       "give the output the extension .glb, or that of the input");
+  } else if (is_sprite_output(path)) {
+    diagnostics.error({.file = path}, "unknown-kind", "a file of this kind is written only of sprites",
+                      "give the output the extension .glb, or as input an image or a frame list");
   } else {
     diagnostics.error({.file = path}, "unknown-kind",
                       "scenes are written as .glb or .gltf, or as the kind they came from",
@@ -72,6 +80,10 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics, Compression compression) {
+  if (is_sprite_output(path)) {
+    auto file = encode_sprites({&scene, 1}, path, diagnostics);
+    return file ? std::optional(std::vector<OutputFile>{std::move(*file)}) : std::nullopt;
+  }
   if (!can_write_scene(path, scene.name, diagnostics)) return std::nullopt;
   const bool is_standard = path == "-";
   const auto mesh_source = std::dynamic_pointer_cast<const mesh_files::MeshSource>(scene.source);
@@ -82,9 +94,11 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
     if (mesh_source) tell_growth(mesh_source->bytes(), files, diagnostics);
     return files;
   }
-  Scene for_gltf = scene;
-  if (mesh_source) for_gltf.source = mesh_source->gltf;
-  auto files = encode_gltf(for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression);
+  auto for_gltf = sprites_for_gltf(scene, path, diagnostics);
+  if (!for_gltf) return std::nullopt;
+  if (mesh_source) for_gltf->source = mesh_source->gltf;
+  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression);
+  if (files && !spares_its_inputs(scene, *files, diagnostics)) return std::nullopt;
   if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);
   if (!files || !is_standard) return files;
   if (files->size() > 1) {
@@ -106,10 +120,23 @@ std::vector<fs::path> paths_written_for(const fs::path& path) {
 }
 
 bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics) {
-  const std::vector<OutputFile> first = gltf::stand_ins(files);
+  return write_scenes({{files.begin(), files.end()}}, diagnostics);
+}
+
+bool write_scenes(std::vector<std::vector<OutputFile>> scenes, Diagnostics& diagnostics) {
+  std::vector<OutputFile> first;
+  for (const auto& files : scenes) std::ranges::move(gltf::stand_ins(files), std::back_inserter(first));
   if (!first.empty() && !write_files(first, diagnostics)) return false;
-  if (!write_files(files, diagnostics)) return false;
-  for (const OutputFile& file : files.subspan(1)) gltf::remove_stand_ins(file);  // those of a run that was killed, too
+  std::vector<OutputFile> all;
+  std::vector<fs::path> others;
+  for (auto& files : scenes) {
+    for (const OutputFile& file : std::span(files).subspan(1)) others.push_back(file.path);
+    // No file comes before those that it names; the very first comes last of all.
+    if (!all.empty()) std::ranges::rotate(files, files.begin() + 1);
+    std::ranges::move(files, std::back_inserter(all));
+  }
+  if (!write_files(all, diagnostics)) return false;
+  for (const fs::path& other : others) gltf::remove_stand_ins({other, {}});  // those of a run that was killed, too
   return true;
 }
 

@@ -19,14 +19,16 @@ struct SceneFile {
   std::uint64_t bytes = 0;  ///< of the file itself, without those beside it
 };
 
-/// Whether the extension is one of those that read_scene knows; whether it is .glb or .gltf.
+/// Whether the extension is one that scenes of meshes are read from (images and frame lists are read too, see
+/// sprite_files.h); whether it is .glb or .gltf.
 bool is_scene_file(const std::filesystem::path& path);
 bool is_gltf_file(const std::filesystem::path& path);
 
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics);
 
 /// Whether scenes can be written to a path of this kind; a diagnostic says why not. `input`: where the scene is to come
-/// from, for an OBJ, PLY, OFF or STL is written only from a file of its own kind.
+/// from, for an OBJ, PLY, OFF or STL is written only from a file of its own kind, and files of sprites only from images
+/// and frame lists.
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics);
 
 /// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written
@@ -41,5 +43,8 @@ std::vector<std::filesystem::path> paths_written_for(const std::filesystem::path
 /// Writes the files of a scene, the main one first, and whatever others come with them. As write_files does it: all or
 /// none, and a process that is killed meanwhile leaves the old scene or the new one whole, of however many files it is.
 bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics);
+
+/// Several of these, or one written as several kinds: all or none. None may be empty.
+bool write_scenes(std::vector<std::vector<OutputFile>> scenes, Diagnostics& diagnostics);
 
 }  // namespace foredraw

@@ -1,4 +1,6 @@
 #pragma once
+#include <glm/vec2.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -20,6 +22,13 @@ class Picture {
 
   /// Fills what of the box is inside of the picture.
   void fill(int x, int y, int width, int height, Colour colour);
+
+  /// Lays a colour over one pixel, as much of it as `part` says (0 to 1). Nothing where it is outside.
+  void blend(int x, int y, Colour colour, float part);
+
+  /// A line with round ends and smooth edges. Places are in pixels, (0, 0) is the upper left corner of the first one; a
+  /// line from a place to itself is a dot.
+  void line(glm::vec2 from, glm::vec2 to, float width, Colour colour, float part = 1);
 
   /// ASCII, `scale` times 12 pixels high, from its upper left corner.
   void write(int x, int y, const std::string& text, Colour colour, int scale = 1);

@@ -1,0 +1,49 @@
+#pragma once
+// Sprites: images and frame lists read as scenes, and what is written of sprites.
+
+#include <foredraw/base/diagnostics.h>
+#include <foredraw/platform/files.h>
+#include <foredraw/scene/scene.h>
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foredraw {
+
+/// Whether the extension is one that sprites are read from: .png, .jpg, .jpeg, .tga, .exr; .json for a frame list.
+bool is_sprite_input(const std::filesystem::path& path);
+bool is_frame_list(const std::filesystem::path& path);
+
+/// Reads an image as one sprite, or a frame list and its images as one sprite a frame. `folder`: where the images of a
+/// list lie. Positions are local to the frame's centre: x right, y up, z 0, one unit the longer side of the image; the
+/// node puts the frame where it lies in the image, whose centre is the origin. Images stay encoded; only their headers
+/// are looked at. nullopt, with errors that name file and frame, where something is missing or wrong.
+std::optional<Scene> read_sprite_image(std::vector<std::byte> bytes, const std::string& name, Diagnostics& diagnostics);
+std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const std::string& name,
+                                      const std::filesystem::path& folder, Diagnostics& diagnostics);
+
+/// The images that a frame list names; nullopt where the file is none, such as other JSON in the same folder. A text
+/// that speaks of frames and can not be read counts as one that names no image.
+std::optional<std::vector<std::filesystem::path>> images_of_list(const std::filesystem::path& list);
+
+/// Whether the extension is one that sprites alone are written as: .json, .h, .svg, .png, .html.
+bool is_sprite_output(const std::filesystem::path& path);
+
+/// The file that the sprites of one scene, or of several, are written as, by its extension: a frame list (.json), C99
+/// arrays (.h), the image with what is drawn of it on top (.svg), or pictures of all sprites (.png, .html). Sprites are
+/// the draws with a frame; their polygons are the triangles that they have now. nullopt, with an error, where a scene
+/// has none, where an image can not be read, or where the file would replace one that a scene was read from.
+std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const std::filesystem::path& target,
+                                         Diagnostics& diagnostics);
+
+/// Whether no file of these is one that the scene's sprites were read from; else an error.
+bool spares_its_inputs(const Scene& scene, std::span<const OutputFile> files, Diagnostics& diagnostics);
+
+/// Sprites as glTF can hold them: images that are neither PNG nor JPEG become PNG. nullopt, with an error, where one has
+/// floats, which glTF has no image for.
+std::optional<Scene> sprites_for_gltf(const Scene& scene, const std::filesystem::path& target, Diagnostics& diagnostics);
+
+}  // namespace foredraw
