@@ -158,7 +158,10 @@ std::vector<Point> cut(const std::vector<Point>& hull, std::int64_t least, std::
 std::vector<Point> padded_hull(const std::vector<Point>& shown, const Box& frame, const FootprintOptions& options) {
   std::vector<Point> hull = convex_hull(shown);
   if (hull.empty()) return hull;
-  const std::int64_t more = 1 + static_cast<std::int64_t>(std::ceil(options.padding * static_cast<double>(texel)));
+  // A sampler rounds a place to the next step, and a rasteriser a corner to 1/256 pixel: of the smallest version of the
+  // image that is sampled, a pixel is as large as so many texels.
+  const std::int64_t rounding = 1 + (std::int64_t{1} << options.mip_levels);
+  const std::int64_t more = rounding + static_cast<std::int64_t>(std::ceil(options.padding * static_cast<double>(texel)));
   std::vector<Point> padded;
   for (const Point& p : hull) add_corners({{p.x - more, p.y - more}, {p.x + more, p.y + more}}, padded);
   hull = convex_hull(std::move(padded));

@@ -68,8 +68,8 @@ class ShownImage {
   mutable std::unique_ptr<const ShownCells> cells_;
 };
 
-/// The corners of the hull of what shows in a frame, with a sampler's step and the padding round it, as far as it lies in
-/// the frame.
+/// The corners of the hull of what shows in a frame, with the padding and what samplers and rasterisers round off round it,
+/// as far as it lies in the frame.
 std::vector<Point> padded_hull(const std::vector<Point>& shown, const Box& frame, const FootprintOptions& options);
 
 }  // namespace foredraw::trim
