@@ -65,30 +65,41 @@ void add_rows(const AlphaImage& level, const AlphaImage& image, const Sampling& 
   }
 }
 
-/// Of each row of cells between texels' centres, what shows in those that have a part in the outline.
+/// Of each row of cells between texels' centres, what shows in those that may have a part in the outline. In the others it
+/// lies between what shows on the lines through the centres, above and below; only, what the frame cuts in two has no such
+/// line on one side, and is looked at whole.
 void add_cells(const AlphaImage& image, const Sampling& sampling, double threshold, std::uint16_t limit, const Box& frame,
                std::vector<Point>& points) {
   constexpr std::int64_t half = texel / 2;
   const Range columns{floor_div(frame.least.x - half, texel), ceil_div(frame.most.x + half, texel) - 1};
   const Range rows{floor_div(frame.least.y - half, texel), ceil_div(frame.most.y + half, texel) - 1};
+  const auto extent_of = [&](const TexelRow& row) {  // of those whose centres lie in the frame
+    return row.extent(ceil_div(frame.least.x - half, texel), floor_div(frame.most.x - half, texel), limit);
+  };
   TexelRow above(image, sampling, rows.first);
-  auto above_extent = above.extent(columns.first, columns.last, limit);
+  auto above_extent = extent_of(above);
   for (std::int64_t row = rows.first; row < rows.last; ++row) {
     const TexelRow below(image, sampling, row + 1);
-    const auto below_extent = below.extent(columns.first, columns.last, limit);
+    const auto below_extent = extent_of(below);
     const auto add = [&](std::int64_t from, std::int64_t to) {
       for (std::int64_t c = std::max(from, columns.first); c <= std::min(to, columns.last - 1); ++c) {
         const BlendCell cell{{c * texel + half, row * texel + half}, {above[c], above[c + 1], below[c], below[c + 1]}};
         cell.add_shown(threshold * 65535, frame, points);
       }
     };
-    if (above_extent && below_extent) {
-      // Between the outlines on both rows; the rest lies between these.
-      add(std::min(above_extent->first, below_extent->first) - 1, std::max(above_extent->first, below_extent->first));
-      add(std::min(above_extent->last, below_extent->last) - 1, std::max(above_extent->last, below_extent->last));
-    } else if (above_extent || below_extent) {
-      const Extent& only = above_extent ? *above_extent : *below_extent;
-      add(only.first - 1, only.last);
+    const bool is_cut = row * texel + half < frame.least.y || (row + 1) * texel + half > frame.most.y;
+    if (is_cut) {
+      add(columns.first, columns.last);
+    } else {
+      add(columns.first, columns.first);
+      add(columns.last - 1, columns.last - 1);
+      if (above_extent && below_extent) {
+        add(std::min(above_extent->first, below_extent->first) - 1, std::max(above_extent->first, below_extent->first));
+        add(std::min(above_extent->last, below_extent->last) - 1, std::max(above_extent->last, below_extent->last));
+      } else if (above_extent || below_extent) {
+        const Extent& only = above_extent ? *above_extent : *below_extent;
+        add(only.first - 1, only.last);
+      }
     }
     above = below;
     above_extent = below_extent;
