@@ -191,7 +191,7 @@ Plugin particle_trim_plugin() {
       .breaks = {traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered},
       .pays_if = "a sprite has empty corners",
       .metrics = {{"area", "of the frame", "What is drawn of each frame, of its area; 1: the whole quad"},
-                  {"alpha-lost", "", "Largest value that may show outside of the polygon, 0 to 1; at most the threshold"},
+                  {"alpha-lost", "alpha", "Largest value that may show outside of the polygon, 0 to 1; at most the threshold"},
                   {"texels", "texels", "Texels that were checked: all that show are drawn", false}},
   };
   OptionTable<ParticleTrimOptions> table;
