@@ -22,9 +22,9 @@ inline std::int64_t quotient_down(std::int64_t number, std::int64_t divisor) {
   return number % divisor < 0 ? quotient - 1 : quotient;
 }
 
-/// Calls row(y, first, last) for every row of pixels in which centres lie in the triangle, with the first and the last of
-/// these. Exact: a centre on an edge lies in the triangle below it or to the right of it, so each centre of two triangles
-/// that share an edge is in one of them. Triangles of either winding; without area they hold none.
+/// Calls row(y, first, last) for every row of pixels in which centres lie in the triangle, with the first and the last
+/// of these. Exact: a centre on an edge lies in the triangle below it or to the right of it, so each centre of two
+/// triangles that share an edge is in one of them. Triangles of either winding; without area they hold none.
 template <class Row>
 void for_each_row(std::array<PixelPlace, 3> corners, const Row& row) {
   const auto cross = [](const PixelPlace& a, const PixelPlace& b, const PixelPlace& c) {

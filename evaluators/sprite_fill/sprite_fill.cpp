@@ -82,7 +82,8 @@ Blend levels_at(const AlphaLevels& levels, double scale, bool mipmaps) {
 std::int64_t sampled(const AlphaImage& image, const Sampling& sampling, double u, double v) {
   constexpr std::int64_t steps = steps_per_texel;
   const auto texel = [&](std::int64_t x, std::int64_t y) {
-    return std::int64_t{image.at(wrapped(x, image.width, sampling.wrap[0]), wrapped(y, image.height, sampling.wrap[1]))};
+    return std::int64_t{
+        image.at(wrapped(x, image.width, sampling.wrap[0]), wrapped(y, image.height, sampling.wrap[1]))};
   };
   std::int64_t x = rounded_down(u * image.width * static_cast<double>(steps) + 0.5);
   std::int64_t y = rounded_down(v * image.height * static_cast<double>(steps) + 0.5);

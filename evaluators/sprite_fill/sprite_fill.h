@@ -19,8 +19,8 @@ struct SpriteFillOptions {
   int turns = 3;                      ///< at each scale, 1 to 64
   double threshold = 0;               ///< what shows has more alpha than this, 0 to 1
   AlphaChannel channel = AlphaChannel::alpha;
-  bool mipmaps = true;                ///< else the image is sampled as it is at every scale
-  std::int64_t seed = 1;              ///< of the offsets
+  bool mipmaps = true;    ///< else the image is sampled as it is at every scale
+  std::int64_t seed = 1;  ///< of the offsets
 };
 
 /// How a sprite is laid onto the pixels: its image scaled and turned about the image's upper left corner, which then is
@@ -32,8 +32,8 @@ struct SpriteLook {
 };
 
 /// Every scale in as many turns as the options say: the first of a scale is upright, each further one a golden angle
-/// (137.5 degrees) on, and each is moved by a part of a pixel. They depend on the options alone, so all draws get the same
-/// looks, before a stage and after it. Throws std::invalid_argument where `scales` is no list of scales.
+/// (137.5 degrees) on, and each is moved by a part of a pixel. They depend on the options alone, so all draws get the
+/// same looks, before a stage and after it. Throws std::invalid_argument where `scales` is no list of scales.
 std::vector<SpriteLook> sprite_looks(const SpriteFillOptions& options);
 
 /// A triangle in the image, (0, 0) upper left, (1, 1) lower right, and how often it is drawn.
@@ -57,12 +57,12 @@ struct SpriteFill {
 };
 
 /// Draws the triangles in one look. Corners are rounded to 1/256 pixel, and which centres lie inside is exact (a centre
-/// on an edge belongs to the triangle below it or to the right of it). A centre is sampled where it lies in the image, so
-/// what it shows does not depend on the triangle that covers it: trilinear, the level being the one whose texels are as
-/// large as pixels, in steps of 1/256; nearest texels where the sampling says so, of the same levels.
+/// on an edge belongs to the triangle below it or to the right of it). A centre is sampled where it lies in the image,
+/// so what it shows does not depend on the triangle that covers it: trilinear, the level being the one whose texels are
+/// as large as pixels, in steps of 1/256; nearest texels where the sampling says so, of the same levels.
 ///
-/// O(pixels). Throws std::runtime_error where the triangles cover more than 2^30 pixels, or reach further from the image's
-/// corner than 2^20 pixels or sides of the image.
+/// O(pixels). Throws std::runtime_error where the triangles cover more than 2^30 pixels, or reach further from the
+/// image's corner than 2^20 pixels or sides of the image.
 SpriteFill sprite_fill(std::span<const PlacedTriangle> triangles, const AlphaLevels& levels, const Sampling& sampling,
                        const SpriteLook& look, const SpriteFillOptions& options = {});
 

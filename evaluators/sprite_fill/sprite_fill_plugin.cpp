@@ -1,6 +1,7 @@
 #include "sprite_fill.h"
 
 #include <foredraw/analysis/texture_places.h>
+#include <foredraw/technique/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -86,11 +87,9 @@ Plugin sprite_fill_plugin() {
   table.row(&SpriteFillOptions::turns, "turns", "In how many turns at each scale; the first is upright",
             {1, 64, "turns"});
   table.row(&SpriteFillOptions::threshold, "threshold", "A pixel shows where it has more alpha than this", {0, 1, ""});
-  table.choice(
-      &SpriteFillOptions::channel, "channel", "What counts as alpha: the image's, or, for sprites that are added to what "
-      "is there, its colour's luminance, or the greatest of its channels",
-      {{"alpha", AlphaChannel::alpha}, {"luminance", AlphaChannel::luminance}, {"any", AlphaChannel::any}});
-  table.row(&SpriteFillOptions::mipmaps, "mipmaps", "Sample mip levels where sprites are drawn smaller than their images");
+  add_alpha_channel(table, &SpriteFillOptions::channel);
+  table.row(&SpriteFillOptions::mipmaps, "mipmaps",
+            "Sample mip levels where sprites are drawn smaller than their images");
   table.row(&SpriteFillOptions::seed, "seed", "Seed of the parts of a pixel by which sprites are moved", {.least = 0});
 
   Plugin plugin;
@@ -102,11 +101,11 @@ Plugin sprite_fill_plugin() {
       .acts_on = {traits::sprite},
       .metrics =
           {
-              {"fill", "pixels filled per pixel that shows",
-               "Pixels filled for each pixel that shows; 1 is the limit"},
+              {"fill", "pixels filled per pixel that shows", "Pixels filled for each pixel that shows; 1 is the limit"},
               {"filled", "pixels", "Pixels that triangles cover, over all scales and turns"},
               {"needed", "pixels",
-               "Those of them that show. A stage that trims must leave it as it is: fewer of them, and something is lost",
+               "Those of them that show. A stage that trims must leave it as it is: fewer of them, and something is "
+               "lost",
                false},
           },
   };

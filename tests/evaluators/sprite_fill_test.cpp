@@ -95,8 +95,8 @@ TEST(SpriteFill, a_quad_round_a_disc_fills_four_pixels_for_every_pi_and_an_octag
   EXPECT_NEAR(static_cast<double>(of_quad.filled) / static_cast<double>(of_quad.needed), 1.273, 0.07);
 
   const double cut = 1 - std::sqrt(0.5);  // of a regular octagon round the circle
-  const std::vector<glm::dvec2> octagon = {{cut, 0}, {1 - cut, 0}, {1, cut}, {1, 1 - cut},
-                                           {1 - cut, 1}, {cut, 1}, {0, 1 - cut}, {0, cut}};
+  const std::vector<glm::dvec2> octagon = {{cut, 0},     {1 - cut, 0}, {1, cut},     {1, 1 - cut},
+                                           {1 - cut, 1}, {cut, 1},     {0, 1 - cut}, {0, cut}};
   Triangles fan;
   for (std::uint32_t v = 1; v + 1 < octagon.size(); ++v) fan.insert(fan.end(), {0, v, v + 1});
   const SpriteFill of_octagon = fill_of(octagon, fan, image, options);
@@ -150,7 +150,8 @@ TEST(SpriteFill, triangles_that_share_edges_fill_each_pixel_once_and_overlaps_fi
 
 TEST(SpriteFill, triangles_without_area_or_place_fill_nothing) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<glm::dvec2> places = {{0, 0}, {1, 1}, {0.5, 0.5}, {nan, 0}, {1, std::numeric_limits<double>::infinity()}};
+  const std::vector<glm::dvec2> places = {
+      {0, 0}, {1, 1}, {0.5, 0.5}, {nan, 0}, {1, std::numeric_limits<double>::infinity()}};
   EXPECT_EQ(fill_of(places, {0, 1, 2, 0, 0, 1, 0, 1, 3, 4, 0, 1}, image_of(64, 64, 65535), {}).filled, 0u);
 }
 
@@ -219,7 +220,8 @@ TEST(SpriteFill, the_evaluator_measures_images_of_every_depth_by_their_channel) 
     EXPECT_EQ(figures.at("fill").numerator, 2);
     EXPECT_EQ(figures.at("fill").denominator, figures.at("needed").numerator);
   }
-  EXPECT_EQ(measured(coarse, {{"scales", "1"}}).at("needed").numerator, measured(coarse, {{"scales", "1"}}).at("filled").numerator);
+  EXPECT_EQ(measured(coarse, {{"scales", "1"}}).at("needed").numerator,
+            measured(coarse, {{"scales", "1"}}).at("filled").numerator);
 }
 
 TEST(SpriteFill, the_evaluator_sees_the_texture_as_it_is_laid_on) {

@@ -18,8 +18,8 @@ namespace foredraw::testing {
 
 enum class SpriteFilter { nearest, bilinear, trilinear };
 
-/// Where and how a sprite is painted: its image scaled (pixels a texel), turned (radians) about its upper left corner, and
-/// moved (pixels).
+/// Where and how a sprite is painted: its image scaled (pixels a texel), turned (radians) about its upper left corner,
+/// and moved (pixels).
 struct SpriteStand {
   double scale = 1;
   double angle = 0;
@@ -55,8 +55,9 @@ inline double painted_alpha(std::span<const AlphaImage> levels, std::array<Wrap,
   return fine + (coarse - fine) * (level - first);
 }
 
-/// Whether a triangle (in 1/256 pixel) holds the centre of a pixel. One that lies on an edge is thought a very little to
-/// the right, and far less than that down: the rule by which each centre belongs to one of two triangles with that edge.
+/// Whether a triangle (in 1/256 pixel) holds the centre of a pixel. One that lies on an edge is thought a very little
+/// to the right, and far less than that down: the rule by which each centre belongs to one of two triangles with that
+/// edge.
 inline bool holds_centre(const std::array<std::array<std::int64_t, 2>, 3>& corners,
                          const std::array<std::int64_t, 2>& pixel) {
   const std::array<__int128, 2> centre = {256 * pixel[0] + 128, 256 * pixel[1] + 128};
@@ -121,8 +122,8 @@ inline SpritePicture painted(const Scene& scene, const Draw& draw, std::span<con
                  stand);
 }
 
-/// The pixels that show (with more alpha than the threshold) in one picture, and in the other show otherwise, more often
-/// or less, or not at all.
+/// The pixels that show (with more alpha than the threshold) in one picture, and in the other show otherwise, more
+/// often or less, or not at all.
 inline std::size_t differing_pixels(const SpritePicture& a, const SpritePicture& b, double threshold) {
   std::size_t differing = 0;
   const auto compare = [&](const SpritePicture& from, const SpritePicture& to, bool counts_both) {

@@ -20,8 +20,8 @@ Shared<std::byte> shared_bytes(const std::vector<T>& values) {
 Image texel_image(const ImageFacts& facts, const std::vector<std::uint16_t>& values) {
   Image image;
   image.facts = facts;
-  image.bytes = facts.bits == 16 ? shared_bytes(values)
-                                 : shared_bytes(std::vector<std::uint8_t>(values.begin(), values.end()));
+  image.bytes =
+      facts.bits == 16 ? shared_bytes(values) : shared_bytes(std::vector<std::uint8_t>(values.begin(), values.end()));
   return image;
 }
 
@@ -46,8 +46,9 @@ Scene sprite_scene(Image image, std::string name) {
   const float width = static_cast<float>(image.facts->width), height = static_cast<float>(image.facts->height);
   VertexStreams vertices;
   vertices.count = 4;
-  vertices.base.push_back({"POSITION", Format{},
-                           shared_bytes(std::vector<glm::vec3>{{0, -height, 0}, {width, -height, 0}, {width, 0, 0}, {0, 0, 0}})});
+  vertices.base.push_back(
+      {"POSITION", Format{},
+       shared_bytes(std::vector<glm::vec3>{{0, -height, 0}, {width, -height, 0}, {width, 0, 0}, {0, 0, 0}})});
   vertices.base.push_back({"TEXCOORD_0", Format{Component::float32, 2, false, 8},
                            shared_bytes(std::vector<glm::vec2>{{0, 1}, {1, 1}, {1, 0}, {0, 0}})});
   Scene scene;

@@ -68,9 +68,9 @@ void TexelBox::add(const TexelBox& other) {
 
 std::vector<TexelBox> image_parts(const AlphaImage& image, const SpriteFrame& frame, std::uint16_t limit,
                                   std::uint32_t reach) {
-  // Each texel is made a square of `reach` by `reach` to the right and downwards. Two such squares overlap or touch, be it
-  // by a corner, where their texels are no more than `reach` apart along both axes. So parts are what hangs together of
-  // all that squares cover, and rows of it need only be compared with the row above.
+  // Each texel is made a square of `reach` by `reach` to the right and downwards. Two such squares overlap or touch, be
+  // it by a corner, where their texels are no more than `reach` apart along both axes. So parts are what hangs together
+  // of all that squares cover, and rows of it need only be compared with the row above.
   const std::int64_t width = frame.width, height = frame.height, side = reach;
   constexpr std::int64_t never = -(std::int64_t{1} << 40);
   std::vector<std::int64_t> last_row(frame.width, never);  // in which a square began that covers the column

@@ -15,9 +15,9 @@ struct TexelBox {
   void add(const TexelBox& other);
 };
 
-/// The bounding boxes of what hangs together inside the frame: texels above `limit` that are no more than `reach` texels
-/// apart along both axes, through any number of others. In the sequence of their first texels. O(texels), whatever the
-/// reach.
+/// The bounding boxes of what hangs together inside the frame: texels above `limit` that are no more than `reach`
+/// texels apart along both axes, through any number of others. In the sequence of their first texels. O(texels),
+/// whatever the reach.
 std::vector<TexelBox> image_parts(const AlphaImage& image, const SpriteFrame& frame, std::uint16_t limit,
                                   std::uint32_t reach);
 

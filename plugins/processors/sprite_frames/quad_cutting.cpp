@@ -79,8 +79,8 @@ class ShownQuad {
 
 bool is_plain(const VertexStreams& vertices) {
   return vertices.morph_targets.empty() && std::ranges::all_of(vertices.base, [&](const VertexStream& stream) {
-    return stream.format.component == Component::float32 && stream.count() == vertices.count;
-  });
+           return stream.format.component == Component::float32 && stream.count() == vertices.count;
+         });
 }
 
 }  // namespace

@@ -67,9 +67,9 @@ SpriteFrame with_margin(const TexelBox& box, const SpriteFrame& whole) {
 
 std::vector<SpriteFrame> grid_frames(const SpriteFrame& whole, int columns, int rows) {
   const auto edge = [](std::uint32_t side, int cell, int cells) {
-    return static_cast<std::uint32_t>((std::uint64_t{2} * side * static_cast<std::uint64_t>(cell) +
-                                       static_cast<std::uint64_t>(cells)) /
-                                      (2 * static_cast<std::uint64_t>(cells)));
+    return static_cast<std::uint32_t>(
+        (std::uint64_t{2} * side * static_cast<std::uint64_t>(cell) + static_cast<std::uint64_t>(cells)) /
+        (2 * static_cast<std::uint64_t>(cells)));
   };
   if (static_cast<std::uint32_t>(columns) > whole.width || static_cast<std::uint32_t>(rows) > whole.height) {
     throw std::invalid_argument(std::to_string(whole.width) + " x " + std::to_string(whole.height) +

@@ -10,12 +10,12 @@
 namespace foredraw {
 
 struct SpriteFramesOptions {
-  int columns = 1;       ///< of a grid of equal cells
+  int columns = 1;  ///< of a grid of equal cells
   int rows = 1;
   bool find = false;     ///< look for the parts instead
   double threshold = 0;  ///< a texel shows that has more alpha than this, 0 to 1
   AlphaChannel channel = AlphaChannel::alpha;
-  int gutter = 1;        ///< empty texels between parts, at least
+  int gutter = 1;  ///< empty texels between parts, at least
 };
 
 /// The cells of a grid, row after row. Where the sides can not be divided, edges lie at the nearest whole texel, halves
@@ -24,8 +24,8 @@ std::vector<SpriteFrame> grid_frames(const SpriteFrame& whole, int columns, int 
 
 /// The parts of an image inside a frame that lies in it. Two texels that show belong together where fewer than `gutter`
 /// others lie between them along both axes, and whatever hangs together by such pairs is a part. Parts whose bounding
-/// rectangles overlap or touch are one. Each gets a margin of one texel, for what samplers blend into the neighbours, as
-/// far as the frame reaches.
+/// rectangles overlap or touch are one. Each gets a margin of one texel, for what samplers blend into the neighbours,
+/// as far as the frame reaches.
 ///
 /// In reading order: the highest part begins a line, which all parts belong to whose middle lies above its lower edge;
 /// lines downwards, parts in a line from the left.

@@ -2,6 +2,7 @@
 
 #include "quad_cutting.h"
 
+#include <foredraw/technique/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -147,10 +148,7 @@ Plugin sprite_frames_plugin() {
   table.row(&SpriteFramesOptions::find, "find", "Look for the parts that empty gaps part, in place of a grid");
   table.row(&SpriteFramesOptions::threshold, "threshold", "A texel belongs to a part where it has more alpha than this",
             {0, 1, ""});
-  table.choice(
-      &SpriteFramesOptions::channel, "channel", "What counts as alpha: the image's, or, for sprites that are added to what "
-      "is there, its colour's luminance, or the greatest of its channels",
-      {{"alpha", AlphaChannel::alpha}, {"luminance", AlphaChannel::luminance}, {"any", AlphaChannel::any}});
+  add_alpha_channel(table, &SpriteFramesOptions::channel);
   table.row(&SpriteFramesOptions::gutter, "gutter", "Empty texels between two parts, at least", {1, 1024, "texels"});
 
   Plugin plugin;

@@ -33,8 +33,8 @@ std::vector<SpriteFrame> found(const AlphaImage& image, int gutter = 1) {
 
 TEST(SpriteFrames, a_grid_has_its_edges_at_the_nearest_texels) {
   using Frames = std::vector<SpriteFrame>;
-  EXPECT_EQ(grid_frames({5, 7, 10, 4}, 3, 2), (Frames{{5, 7, 3, 2}, {8, 7, 4, 2}, {12, 7, 3, 2},
-                                                      {5, 9, 3, 2}, {8, 9, 4, 2}, {12, 9, 3, 2}}));
+  EXPECT_EQ(grid_frames({5, 7, 10, 4}, 3, 2),
+            (Frames{{5, 7, 3, 2}, {8, 7, 4, 2}, {12, 7, 3, 2}, {5, 9, 3, 2}, {8, 9, 4, 2}, {12, 9, 3, 2}}));
   EXPECT_EQ(grid_frames({0, 0, 3, 1}, 2, 1), (Frames{{0, 0, 2, 1}, {2, 0, 1, 1}}));
   EXPECT_EQ(grid_frames({0, 0, 1, 1}, 1, 1), (Frames{{0, 0, 1, 1}}));
   EXPECT_EQ(grid_frames({0, 0, 1024, 3}, 1024, 3).size(), 3072u);
@@ -80,16 +80,13 @@ TEST(SpriteFrames, parts_whose_rectangles_overlap_or_touch_are_one) {
   EXPECT_EQ(found(drawn({"#    ", "#    ", "  ###", "#    ", "#    "})).size(), 3u);
   EXPECT_EQ(found(drawn({"## ## ## ## ", "            ", "## ## ## ## "})).size(), 8u);
   // Each one reaches into the next one's rectangle only after it was united with the one before.
-  EXPECT_EQ(found(drawn({"#######   ", "#         ", "#   ####  ", "#      #  ", "#    # #  ", "        ##"})).size(), 1u);
+  EXPECT_EQ(found(drawn({"#######   ", "#         ", "#   ####  ", "#      #  ", "#    # #  ", "        ##"})).size(),
+            1u);
 }
 
 TEST(SpriteFrames, parts_are_read_line_by_line_from_the_left) {
-  const std::vector<SpriteFrame> frames = found(drawn({"   ##   ##    ",
-                                                       "#  ##   ##  # ",
-                                                       "#           # ",
-                                                       "#           # ",
-                                                       "              ",
-                                                       "##      ##    "}));
+  const std::vector<SpriteFrame> frames = found(drawn(
+      {"   ##   ##    ", "#  ##   ##  # ", "#           # ", "#           # ", "              ", "##      ##    "}));
   std::vector<std::uint32_t> lefts;
   for (const SpriteFrame& frame : frames) lefts.push_back(frame.x);
   EXPECT_EQ(lefts, (std::vector<std::uint32_t>{2, 7, 0, 11, 0, 7}));
@@ -108,7 +105,8 @@ std::vector<TexelBox> naive_parts(const AlphaImage& image, std::int64_t reach) {
   for (std::size_t a = 0; a < texels.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const std::int64_t dx = std::abs(texels[a][0] - texels[b][0]), dy = std::abs(texels[a][1] - texels[b][1]);
-      if (dx <= reach && dy <= reach) std::replace(part.begin(), part.end(), std::size_t{part[a]}, std::size_t{part[b]});
+      if (dx <= reach && dy <= reach)
+        std::replace(part.begin(), part.end(), std::size_t{part[a]}, std::size_t{part[b]});
     }
   }
   std::map<std::size_t, TexelBox> boxes;
@@ -130,7 +128,8 @@ std::vector<std::array<std::int64_t, 4>> sorted(const std::vector<TexelBox>& box
 TEST(SpriteFrames, parts_are_exact) {
   Random random(11);
   for (int round = 0; round < 300; ++round) {
-    AlphaImage image{static_cast<std::uint32_t>(1 + random.below(24)), static_cast<std::uint32_t>(1 + random.below(24)), {}};
+    AlphaImage image{
+        static_cast<std::uint32_t>(1 + random.below(24)), static_cast<std::uint32_t>(1 + random.below(24)), {}};
     image.alpha.resize(std::size_t{image.width} * image.height);
     const std::uint64_t one_in = 2 + random.below(30);
     for (std::uint16_t& alpha : image.alpha) alpha = random.below(one_in) == 0 ? 1 : 0;
@@ -173,7 +172,8 @@ const Settings three_by_two = {{"columns", std::int64_t{3}}, {"rows", std::int64
 Scene noisy_sheet(std::uint32_t width, std::uint32_t height) {
   AlphaImage image{width, height, {}};
   Random random(width);
-  for (std::uint32_t i = 0; i < width * height; ++i) image.alpha.push_back(static_cast<std::uint16_t>(random.below(65536)));
+  for (std::uint32_t i = 0; i < width * height; ++i)
+    image.alpha.push_back(static_cast<std::uint16_t>(random.below(65536)));
   return testing::sprite_scene(testing::texel_image(image), "sheet");
 }
 
@@ -288,7 +288,8 @@ TEST(SpriteFrames, finds_parts_of_images_of_any_depth) {
   const Cutting by_alpha = cut(sheet, {{"find", true}});
   EXPECT_TRUE(by_alpha.findings.nothing_to_gain);
   EXPECT_EQ(by_alpha.findings.notes[0].message, "not cut into frames: it is one part, which fills it");
-  const Cutting one = cut(testing::sprite_scene(testing::texel_image({1, 1, 4, 16, false}, {1, 2, 3, 0})), {{"find", true}});
+  const Cutting one =
+      cut(testing::sprite_scene(testing::texel_image({1, 1, 4, 16, false}, {1, 2, 3, 0})), {{"find", true}});
   EXPECT_EQ(one.findings.notes[0].message, "not cut into frames: nothing in it is above the threshold");
 }
 

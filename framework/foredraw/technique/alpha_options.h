@@ -1,0 +1,18 @@
+#pragma once
+// Options that techniques for sprites share, so that they are spelled alike.
+
+#include <foredraw/analysis/alpha_image.h>
+#include <foredraw/technique/options.h>
+
+namespace foredraw {
+
+/// The row `channel`.
+template <class Options>
+void add_alpha_channel(OptionTable<Options>& table, AlphaChannel Options::*channel) {
+  table.choice(channel, "channel",
+               "What counts as alpha: the image's, or, for sprites that are added to what is there, the luminance of its "
+               "colour, or the greatest of its channels",
+               {{"alpha", AlphaChannel::alpha}, {"luminance", AlphaChannel::luminance}, {"any", AlphaChannel::any}});
+}
+
+}  // namespace foredraw
