@@ -61,6 +61,7 @@ TEST(SpriteFiles, frames_of_a_sheet_are_written_and_read_back_each_as_a_node_wit
     EXPECT_EQ(again->draws[id].name, result.scene.draws[id].name);
     EXPECT_EQ(again->draws[id].levels[0].vertices->stamp(), result.scene.draws[id].levels[0].vertices->stamp());
     EXPECT_EQ(again->draws[id].material, 0u);
+    EXPECT_TRUE(again->draws[id].traits.has(traits::sprite));
   }
   EXPECT_EQ(again->images[0].bytes, result.scene.images[0].bytes);
 }
