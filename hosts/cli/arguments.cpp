@@ -50,9 +50,13 @@ class CommandLine {
         add("optimize", "Make a scene cheaper to draw", [this] { return optimize(arguments_, registry_); });
     input(optimize_app);
     optimize_app
-        .add_option("-o,--output", arguments_.output,
-                    "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output")
-        ->required();
+        .add_option("-o,--output", arguments_.outputs,
+                    "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; sprites also "
+                    "as .json, .h, .svg, .png or .html. May be given several times; all are written or none. Of a folder: "
+                    "a folder, and files of sprites that hold those of all its files")
+        ->required()
+        ->expected(1)
+        ->take_all();
     pipeline(optimize_app);
     with(optimize_app);
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
@@ -85,7 +89,7 @@ class CommandLine {
 
     auto& compare_app = add("compare", "Run several pipelines on the same scenes and compare them",
                             [this] { return compare(arguments_, registry_); });
-    compare_app.add_option("inputs", arguments_.inputs, "Scenes: .glb, .gltf, .obj, .ply, .off or .stl")->required();
+    compare_app.add_option("inputs", arguments_.inputs, "Scenes, images or frame lists, or folders of them")->required();
     pipeline(compare_app, "; give it once for each pipeline");
     with(compare_app);
     compare_app
@@ -201,7 +205,8 @@ class CommandLine {
   }
 
   void input(CLI::App& app) {
-    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input")
+    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input; an image (.png, .jpg, .tga, "
+                   ".exr) or a frame list (.json) as sprites; or a folder of these")
         ->required()
         ->expected(1);
     memory_limit(app);

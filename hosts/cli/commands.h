@@ -16,7 +16,7 @@ enum Exit { done = 0, users_mistake = 1, something_failed = 2, out_of_bounds = 3
 /// What was typed.
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output;
+  std::vector<std::string> outputs;    ///< of an optimize that is being run: one at least
   std::vector<std::string> pipelines;  ///< none: @default
   std::vector<std::string> set;
   std::string with;                    ///< evaluators to measure with instead of the pipeline's

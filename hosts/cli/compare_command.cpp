@@ -21,14 +21,15 @@ namespace foredraw::cli {
 namespace {
 
 /// The inputs, folders among them replaced by the scenes that they hold.
-std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>& inputs, Diagnostics& diagnostics) {
+std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>& inputs, FolderScenes which,
+                                                  Diagnostics& diagnostics) {
   std::vector<std::string> files;
   for (const std::string& input : inputs) {
     if (!is_folder(input)) {
       files.push_back(input);
       continue;
     }
-    const auto scenes = scenes_below(input, {}, diagnostics);
+    const auto scenes = scenes_below(input, {}, which, diagnostics);
     if (!scenes) return std::nullopt;
     for (const auto& scene : *scenes) files.push_back((input / scene).string());
   }
@@ -223,7 +224,10 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   const auto pipelines = contestants(arguments, diagnostics);
   const auto fronts = fronts_in(arguments, diagnostics);
   if (!pipelines || !fronts) return refuse(diagnostics);
-  const auto inputs = scenes_of(arguments.inputs, diagnostics);
+  const bool has_sprites = std::ranges::any_of(
+      *pipelines, [&](const NamedPipeline& named) { return works_on_sprites(named.pipeline, registry); });
+  const auto inputs =
+      scenes_of(arguments.inputs, has_sprites ? FolderScenes::and_sprites : FolderScenes::meshes, diagnostics);
   if (!inputs) return refuse(diagnostics);
   const auto budget = budget_of(arguments, pipelines->size(), diagnostics);
   if (!budget || !have_sources(*fronts, *budget, *pipelines, diagnostics) ||

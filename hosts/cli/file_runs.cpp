@@ -75,6 +75,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   run.report = std::move(result.report);
   run.report.diagnostics = diagnostics.all();
   run.exit = result.failed ? something_failed : done;
+  if (job.keeps_scenes) run.scene = std::move(result.scene);
   return run;
 }
 
@@ -89,31 +90,42 @@ std::string page_of(const Scene& before, const Result& result, const FileJob& jo
 
 }  // namespace
 
-FileRun optimize_file(const FileJob& job, const std::string& input, const std::string& output) {
+FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<std::string>& outputs) {
   const Arguments& arguments = job.arguments;
   // The scene, the report, the remap tables and the orders: all of them, or none and an explanation.
   const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
     const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
-    auto files = encode_scene(result.scene, output, diagnostics, compression);
-    if (!files) return false;
     Report& report = result.report;
-    report.output = {output, files->front().bytes.size()};
-    report.diagnostics = diagnostics.all();
-    if (!is_folder(arguments.inputs[0])) {
-      if (!arguments.report.empty()) files->push_back(text_file(arguments.report, to_json(report)));
-      if (!arguments.html.empty()) files->push_back(text_file(arguments.html, page_of(before, result, job)));
-      if (!arguments.remap.empty()) files->push_back(text_file(arguments.remap, remap_json(result.scene)));
-      if (!arguments.draw_orders.empty()) {
-        files->push_back(text_file(arguments.draw_orders, draw_orders_json(result.scene)));
+    std::vector<std::vector<OutputFile>> scenes;
+    std::vector<std::byte> standard;
+    for (const std::string& output : outputs) {
+      auto files = encode_scene(result.scene, output, diagnostics, compression);
+      if (!files) return false;
+      if (report.output.path.empty()) report.output = {output, files->front().bytes.size()};
+      if (output == "-") {
+        standard = std::move(files->front().bytes);
+      } else {
+        scenes.push_back(std::move(*files));
       }
     }
-    if (output != "-") return write_scene(*files, diagnostics);
-    return write_files(std::span(*files).subspan(1), diagnostics) &&
-           write_standard_output(files->front().bytes, diagnostics);
+    report.diagnostics = diagnostics.all();
+    if (!is_folder(arguments.inputs[0])) {
+      std::vector<OutputFile> texts;
+      if (!arguments.report.empty()) texts.push_back(text_file(arguments.report, to_json(report)));
+      if (!arguments.html.empty()) texts.push_back(text_file(arguments.html, page_of(before, result, job)));
+      if (!arguments.remap.empty()) texts.push_back(text_file(arguments.remap, remap_json(result.scene)));
+      if (!arguments.draw_orders.empty()) {
+        texts.push_back(text_file(arguments.draw_orders, draw_orders_json(result.scene)));
+      }
+      if (!texts.empty()) scenes.push_back(std::move(texts));
+    }
+    return write_scenes(std::move(scenes), diagnostics) &&
+           (standard.empty() || write_standard_output(standard, diagnostics));
   };
   return run_file(job, "optimize", input, foredraw::optimize,
                   [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
-    return with_memory(output, "write it", [&] { return write(before, result, diagnostics); });
+    return with_memory(outputs.empty() ? input : outputs.front(), "write it",
+                       [&] { return write(before, result, diagnostics); });
   });
 }
 

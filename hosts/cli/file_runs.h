@@ -14,15 +14,18 @@ struct FileJob {
   const Registry& registry;
   const Executor& executor;
   std::function<void(std::string_view, double)> progress = {};
+  bool keeps_scenes = false;  ///< for who writes several in one file
 };
 
 struct FileRun {
   Report report;  ///< with everything there is to tell among its diagnostics
   Exit exit = done;
   bool is_lost = false;  ///< nothing was measured or written
+  std::optional<Scene> scene = {};  ///< as it was written, where the job keeps scenes
 };
 
-FileRun optimize_file(const FileJob& job, const std::string& input, const std::string& output);
+/// All outputs are written or none; there may be none.
+FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<std::string>& outputs);
 FileRun measure_file(const FileJob& job, const std::string& input);
 
 bool is_folder(const std::string& path);

@@ -1,6 +1,7 @@
 #include "file_runs.h"
 
 #include <foredraw/io/scene_folder.h>
+#include <foredraw/io/sprite_files.h>
 
 #include <fmt/format.h>
 
@@ -15,10 +16,48 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the scene goes: to the same place in the output folder, as its own kind where that is glTF, else as a GLB.
+/// Where the scene goes: to the same place in the output folder, as its own kind where that is glTF, sprites as a frame
+/// list, else as a GLB.
 fs::path output_of(const fs::path& scene, const fs::path& folder) {
   fs::path output = folder / scene;
+  if (is_sprite_input(scene)) return output.replace_extension(".json");
   return is_gltf_file(output) ? output : output.replace_extension(".glb");
+}
+
+/// Where things go, of several inputs.
+struct FolderOutputs {
+  std::string folder;                 ///< each scene by itself; empty: nowhere
+  std::vector<std::string> gathered;  ///< files of sprites that hold those of all scenes
+};
+
+FolderOutputs outputs_in(const std::vector<std::string>& outputs, Diagnostics& diagnostics) {
+  FolderOutputs result;
+  for (const std::string& output : outputs) {
+    if (is_sprite_output(output) && !is_folder(output)) {
+      result.gathered.push_back(output);
+    } else if (result.folder.empty()) {
+      result.folder = output;
+    } else {
+      diagnostics.error({.file = output}, "bad-arguments", "is a second folder for the same scenes",
+                        "give -o one folder, and besides it files of sprites: .json, .h, .svg, .png or .html");
+    }
+  }
+  return result;
+}
+
+/// All sprites in one file each; scenes that were lost are missing.
+bool gather(const std::vector<FileRun>& runs, const std::vector<std::string>& gathered, Diagnostics& diagnostics) {
+  std::vector<Scene> scenes;
+  for (const FileRun& run : runs) {
+    if (run.scene && is_sprite_input(run.scene->name)) scenes.push_back(*run.scene);
+  }
+  std::vector<OutputFile> files;
+  for (const std::string& target : gathered) {
+    auto file = encode_sprites(scenes, target, diagnostics);
+    if (!file) return false;
+    files.push_back(std::move(*file));
+  }
+  return write_files(files, diagnostics);
 }
 
 /// Every file of the input folder: a scene, or what one is read from. What is below the output folder is neither.
@@ -36,8 +75,12 @@ std::vector<fs::path> files_read_from(const fs::path& from, const fs::path& to) 
 }
 
 /// "prop.glb" and "prop.obj" would both become "prop.glb"; and no file may become what another has yet to be read from.
-bool outputs_meet(const std::vector<fs::path>& scenes, const std::vector<fs::path>& inputs,
-                  const std::vector<fs::path>& outputs, Diagnostics& diagnostics) {
+bool outputs_meet(std::vector<fs::path> scenes, const std::vector<fs::path>& inputs, std::vector<fs::path> outputs,
+                  const std::vector<std::string>& gathered, Diagnostics& diagnostics) {
+  for (const std::string& file : gathered) {
+    scenes.emplace_back("all sprites");
+    outputs.emplace_back(file);
+  }
   std::map<fs::path, fs::path> taken;
   std::error_code error;
   for (const fs::path& input : inputs) taken.emplace(fs::weakly_canonical(input, error), "an input");
@@ -78,7 +121,8 @@ FileRun guarded(const fs::path& input, const std::function<FileRun()>& run) {
 
 /// Works on all files at once, tells of them in their sequence, and sums up.
 Exit run_batch(const FileJob& job, const std::string& command, const std::vector<fs::path>& inputs,
-               const std::function<FileRun(const FileJob&, std::size_t)>& run_one, Batch& batch) {
+               const std::function<FileRun(const FileJob&, std::size_t)>& run_one, Batch& batch,
+               const std::function<bool(const std::vector<FileRun>&)>& finish = {}) {
   const auto begin = std::chrono::steady_clock::now();
   const auto progress = progress_line();
   std::vector<FileRun> runs(inputs.size());
@@ -100,6 +144,7 @@ Exit run_batch(const FileJob& job, const std::string& command, const std::vector
     const Outcome outcome = run.is_lost ? Outcome::lost : run.exit != done ? Outcome::in_part : Outcome::done;
     batch.files.push_back({std::move(run.report), outcome});
   }
+  if (finish && !finish(runs)) worst = something_failed;
   batch.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return worst;
 }
@@ -115,14 +160,15 @@ Exit optimize_folder(const FileJob& job) {
   const Arguments& arguments = job.arguments;
   Diagnostics diagnostics;
   const fs::path from = arguments.inputs[0];
-  const fs::path to = arguments.output;
+  const FolderOutputs wanted = outputs_in(arguments.outputs, diagnostics);
+  const fs::path to = wanted.folder;
   std::error_code error;
-  if (to == "-" || (fs::exists(to, error) && !is_folder(arguments.output))) {
-    diagnostics.error({.file = arguments.output}, "bad-arguments", "is no folder, and the input is one",
+  if (to == "-" || (fs::exists(to, error) && !is_folder(wanted.folder))) {
+    diagnostics.error({.file = wanted.folder}, "bad-arguments", "is no folder, and the input is one",
                       "give -o the name of a folder; it is made where there is none");
   }
   if (fs::equivalent(from, to, error)) {
-    diagnostics.error({.file = arguments.output}, "bad-arguments", "is the input folder itself",
+    diagnostics.error({.file = wanted.folder}, "bad-arguments", "is the input folder itself",
                       "give -o another folder: several scenes may share a .bin, and need what is in it");
   }
   if (!arguments.html.empty()) {
@@ -137,26 +183,45 @@ Exit optimize_folder(const FileJob& job) {
     diagnostics.error({}, "bad-arguments", "--draw-orders writes the orders of one scene, and the input is a folder",
                       "run it on the file whose orders are wanted");
   }
-  const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, diagnostics);
+  const FolderScenes which = scenes_for(job.pipeline, job.registry);
+  const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, which, diagnostics);
   if (!scenes) return refuse(diagnostics);
+  if (!wanted.gathered.empty() && std::ranges::none_of(*scenes, is_sprite_input)) {
+    diagnostics.error({.file = wanted.gathered[0]}, "bad-arguments",
+                      "is a file of sprites, and none is worked on: the folder has none, or the pipeline no stage for them",
+                      "of a folder of meshes, -o is a folder");
+    return refuse(diagnostics);
+  }
   std::vector<fs::path> inputs;
   std::vector<fs::path> outputs;
   for (const fs::path& scene : *scenes) {
     inputs.push_back(from / scene);
-    outputs.push_back(output_of(scene, to));
+    if (!wanted.folder.empty()) outputs.push_back(output_of(scene, to));
   }
-  if (outputs_meet(*scenes, files_read_from(from, to), outputs, diagnostics))
-    return refuse(diagnostics);
+  const auto written_of = wanted.folder.empty() ? std::vector<fs::path>() : *scenes;
+  if (outputs_meet(written_of, files_read_from(from, to), outputs, wanted.gathered, diagnostics)) return refuse(diagnostics);
   for (const fs::path& output : outputs) {
     if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);
   }
-  if (!have_folders({arguments.report}, diagnostics)) return refuse_file(diagnostics);
+  std::vector<std::string> written = wanted.gathered;
+  written.push_back(arguments.report);
+  if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
 
   Batch batch;
   const auto run_one = [&](const FileJob& each, std::size_t i) {
-    return optimize_file(each, inputs[i].string(), outputs[i].string());
+    std::vector<std::string> own;
+    if (!outputs.empty()) own.push_back(outputs[i].string());
+    return optimize_file(each, inputs[i].string(), own);
   };
-  const Exit worst = run_batch(job, "optimize", inputs, run_one, batch);
+  const auto finish = [&](const std::vector<FileRun>& runs) {
+    Diagnostics gathering;
+    const bool good = wanted.gathered.empty() || gather(runs, wanted.gathered, gathering);
+    tell(gathering);
+    return good;
+  };
+  FileJob keeping = job;
+  keeping.keeps_scenes = !wanted.gathered.empty();
+  const Exit worst = run_batch(keeping, "optimize", inputs, run_one, batch, finish);
   fmt::print(stderr, "{}", to_text(batch));
   if (!arguments.report.empty()) {
     const OutputFile report = text_file(arguments.report, to_json(batch));
@@ -168,7 +233,7 @@ Exit optimize_folder(const FileJob& job) {
 Exit measure_folder(const FileJob& job) {
   Diagnostics diagnostics;
   const fs::path from = job.arguments.inputs[0];
-  const auto scenes = scenes_below(from, {}, diagnostics);
+  const auto scenes = scenes_below(from, {}, scenes_for(job.pipeline, job.registry), diagnostics);
   if (!scenes) return refuse(diagnostics);
   std::vector<fs::path> inputs;
   for (const fs::path& scene : *scenes) inputs.push_back(from / scene);

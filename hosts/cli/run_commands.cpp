@@ -22,7 +22,7 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, Diagnostics& di
 
 /// Record and scene would stand in each other's way.
 bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
-  if (arguments.json && arguments.output == "-") {
+  if (arguments.json && std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
     diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
                       "use --report FILE for the record");
   }
@@ -38,13 +38,14 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   if (!pipeline || outputs_clash(arguments, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
   if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor});
-  if (!can_write_scene(arguments.output, input, diagnostics)) return refuse(diagnostics);
-  if (!have_folders({arguments.output, arguments.report, arguments.html, arguments.remap, arguments.draw_orders}, diagnostics)) {
-    return refuse_file(diagnostics);
-  }
+  for (const std::string& output : arguments.outputs) can_write_scene(output, input, diagnostics);
+  if (diagnostics.has_errors()) return refuse(diagnostics);
+  std::vector<std::string> written = {arguments.report, arguments.html, arguments.remap, arguments.draw_orders};
+  written.insert(written.end(), arguments.outputs.begin(), arguments.outputs.end());
+  if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
 
   const FileRun run =
-      optimize_file({arguments, *pipeline, registry, executor, progress_line()}, input, arguments.output);
+      optimize_file({arguments, *pipeline, registry, executor, progress_line()}, input, arguments.outputs);
   end_progress();
   tell(run.report.diagnostics);
   if (run.is_lost) return run.exit;

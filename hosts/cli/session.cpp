@@ -115,7 +115,7 @@ bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics) 
   return !error;
 }
 
-bool have_folders(std::initializer_list<std::string> files, Diagnostics& diagnostics) {
+bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostics) {
   std::error_code none;
   for (const std::string& file : files) {
     const auto folder = std::filesystem::path(file).parent_path();

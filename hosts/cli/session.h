@@ -8,7 +8,6 @@
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/platform/files.h>
 
-#include <initializer_list>
 #include <new>
 
 namespace foredraw::cli {
@@ -56,7 +55,7 @@ void end_progress();
 bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
 
 /// Whether the files can be put into their folders: who learns it after the work has lost it. Empty names are no files.
-bool have_folders(std::initializer_list<std::string> files, Diagnostics& diagnostics);
+bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostics);
 
 /// Whether two paths lead to the same place, there or not.
 bool is_same_file(const std::string& a, const std::string& b);

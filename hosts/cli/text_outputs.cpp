@@ -2,6 +2,8 @@
 
 #include "session.h"
 
+#include <foredraw/io/sprite_files.h>
+
 #include <algorithm>
 #include <array>
 
@@ -23,14 +25,37 @@ bool is_among(const std::vector<std::string>& files, const std::string& file) {
   return std::ranges::any_of(files, [&](const std::string& other) { return is_same_file(other, file); });
 }
 
+/// Whether no scene that is to be written takes a file of another, and no file of sprites one that is read: a picture of
+/// an image is not what the image is.
+void check_scenes(const std::vector<std::string>& outputs, const std::vector<std::string>& read,
+                  Diagnostics& diagnostics) {
+  std::vector<std::string> taken;
+  for (const std::string& output : outputs) {
+    const bool is_standard = output == "-";
+    std::vector<std::string> files;
+    for (const auto& path : paths_written_for(output)) files.push_back(path.string());
+    if (is_sprite_output(output) && is_among(read, output)) {
+      diagnostics.error({.file = output}, "bad-arguments", "is read by this very run",
+                        "give the output another name or folder");
+    }
+    const bool meets = is_standard ? std::ranges::find(taken, output) != taken.end()
+                                   : std::ranges::any_of(files, [&](const auto& file) { return is_among(taken, file); });
+    if (meets) {
+      diagnostics.error({.file = is_standard ? "" : output}, "bad-arguments", "is to hold two outputs",
+                        "give each -o a file of its own");
+    }
+    taken.insert(taken.end(), files.begin(), files.end());
+  }
+}
+
 }  // namespace
 
 bool have_files_of_their_own(const Arguments& arguments, Diagnostics& diagnostics) {
   std::vector<std::string> read = arguments.inputs;
   read.insert(read.end(), arguments.pipelines.begin(), arguments.pipelines.end());
   if (!arguments.baseline.empty()) read.push_back(arguments.baseline);
-  std::vector<std::string> written;
-  if (!arguments.output.empty()) written.push_back(arguments.output);
+  check_scenes(arguments.outputs, read, diagnostics);
+  std::vector<std::string> written = arguments.outputs;
   const auto refuse = [&](const std::string& file, const char* why, const char* hint) {
     diagnostics.error({.file = file}, "bad-arguments", why, hint);
   };

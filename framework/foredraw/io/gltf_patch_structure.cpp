@@ -133,15 +133,17 @@ std::size_t listed(Json& list, const Json& value) {
   return list.size() - 1;
 }
 
-/// How a material names the texture, which is put into the document where it lacks it.
-Json use_of(const Texture& texture, ImageId image, Json& document) {
+/// What a texture that the material did not have makes of it. Whatever the document lists may move in memory.
+Json textured_surface(Json& document, const Material& now, const Texture& texture) {
+  Json surface = Json::object();
+  if (now.alpha != 1) surface["baseColorFactor"] = {1, 1, 1, now.alpha};
   const int filter = texture.is_nearest ? 9728 : 9729;
   const Json sampler{{"magFilter", filter},
                      {"minFilter", filter},
                      {"wrapS", word(texture.wrap[0])},
                      {"wrapT", word(texture.wrap[1])}};
   const std::size_t number = listed(document["samplers"], sampler);
-  Json use{{"index", listed(document["textures"], {{"sampler", number}, {"source", image}})}};
+  Json use{{"index", listed(document["textures"], {{"sampler", number}, {"source", *texture.image}})}};
   if (texture.texcoord != 0) use["texCoord"] = texture.texcoord;
   if (texture.scale != glm::dvec2(1) || texture.rotation != 0 || texture.offset != glm::dvec2(0)) {
     use["extensions"]["KHR_texture_transform"] = {{"offset", {texture.offset.x, texture.offset.y}},
@@ -149,18 +151,9 @@ Json use_of(const Texture& texture, ImageId image, Json& document) {
                                                   {"scale", {texture.scale.x, texture.scale.y}}};
     listed(document["extensionsUsed"], "KHR_texture_transform");
   }
-  return use;
-}
-
-/// The base colour of a material that had no texture.
-void put_base_colour(Json& document, std::size_t material, const Material& now) {
-  if (!now.base_colour || !now.base_colour->image) return;
-  Json use = use_of(*now.base_colour, *now.base_colour->image, document);
-  // Looked up only now: where keys keep their sequence, a new one may move all others.
-  Json& surface = document["materials"][material]["pbrMetallicRoughness"];
-  if (now.alpha != 1) surface["baseColorFactor"] = {1, 1, 1, now.alpha};
   surface["baseColorTexture"] = std::move(use);
   surface["metallicFactor"] = 0;
+  return surface;
 }
 
 std::string media_type_of(std::span<const std::byte> bytes) {
@@ -229,7 +222,9 @@ class StructurePatch {
                    i < was_.materials.size() ? was_.materials[i] : Material{});
       const bool had_texture = i < was_.materials.size() && was_.materials[i].base_colour;
       const Material& now = scene_.materials[i];
-      if (now.base_colour && !had_texture) put_base_colour(json_, i, now);
+      if (!now.base_colour || !now.base_colour->image || had_texture) continue;
+      Json surface = textured_surface(json_, now, *now.base_colour);
+      json_["materials"][i]["pbrMetallicRoughness"].update(surface);
     }
     return true;
   }

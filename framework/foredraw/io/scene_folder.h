@@ -2,6 +2,8 @@
 // Folders of scenes.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/pipeline/pipeline.h>
+#include <foredraw/technique/registry.h>
 
 #include <filesystem>
 #include <optional>
@@ -9,12 +11,24 @@
 
 namespace foredraw {
 
-/// The files in a folder and the folders below it whose extension says that they hold a scene: their paths from the
-/// folder on, sorted. Links to folders are not followed, and `except` (a folder that may lie inside, where results go)
+/// Which files of a folder count as scenes. Images lie beside models as their textures, so they are sprites only to who
+/// works on sprites.
+enum class FolderScenes {
+  meshes,       ///< .glb, .gltf, .obj, .ply, .off, .stl
+  and_sprites,  ///< frame lists too, and images that no list in the folder names
+};
+
+/// Whether the pipeline has a stage or an evaluator for sprites: one whose card says that it acts on them.
+bool works_on_sprites(const Pipeline& pipeline, const Registry& registry);
+inline FolderScenes scenes_for(const Pipeline& pipeline, const Registry& registry) {
+  return works_on_sprites(pipeline, registry) ? FolderScenes::and_sprites : FolderScenes::meshes;
+}
+
+/// The scenes in a folder and the folders below it: their paths from the folder on, sorted. Links to folders are not followed, and `except` (a folder that may lie inside, where results go)
 /// is left out unless it is the folder itself. nullopt, with an error, where a folder can not be read or there is no
 /// scene.
 std::optional<std::vector<std::filesystem::path>> scenes_below(const std::filesystem::path& folder,
-                                                               const std::filesystem::path& except,
+                                                               const std::filesystem::path& except, FolderScenes which,
                                                                Diagnostics& diagnostics);
 
 }  // namespace foredraw
