@@ -1,6 +1,7 @@
 #include <foredraw/analysis/sprite_pieces.h>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
@@ -94,6 +95,49 @@ bool is_quad(const std::vector<Place>& places, const SpritePiece& piece) {
   return upright(3, 4) || upright(4, 3);
 }
 
+/// Whether positions run evenly with texture coordinates: those of three corners say where all others are.
+bool is_even(const std::vector<Place>& places, const SpritePiece& piece) {
+  constexpr std::size_t most_vertices = 16;
+  if (piece.outline.size() < 3 || piece.outline.size() > most_vertices ||
+      piece.triangles.size() + 2 != piece.outline.size()) {
+    return false;
+  }
+  const auto uv = [&](std::uint32_t vertex) { return glm::dvec2(places[vertex][3], places[vertex][4]); };
+  const auto position = [&](std::uint32_t vertex) {
+    return glm::dvec3(places[vertex][0], places[vertex][1], places[vertex][2]);
+  };
+  // The three that span most of the image.
+  std::array<std::uint32_t, 3> corner{};
+  double most = 0;
+  const auto turn = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
+  for (std::size_t i = 0; i < piece.outline.size(); ++i) {
+    for (std::size_t j = i + 1; j < piece.outline.size(); ++j) {
+      for (std::size_t k = j + 1; k < piece.outline.size(); ++k) {
+        const std::array<std::uint32_t, 3> three{piece.outline[i], piece.outline[j], piece.outline[k]};
+        const double area = std::abs(turn(uv(three[1]) - uv(three[0]), uv(three[2]) - uv(three[0])));
+        if (area > most) most = area, corner = three;
+      }
+    }
+  }
+  if (!(most > 0)) return false;
+  const glm::dvec2 p = uv(corner[1]) - uv(corner[0]), q = uv(corner[2]) - uv(corner[0]);
+  const glm::dvec3 along_p = position(corner[1]) - position(corner[0]), along_q = position(corner[2]) - position(corner[0]);
+  const double size = glm::length(along_p) + glm::length(along_q);
+  return std::ranges::all_of(piece.outline, [&](std::uint32_t vertex) {
+    const glm::dvec2 from = uv(vertex) - uv(corner[0]);
+    const glm::dvec3 expected = position(corner[0]) + along_p * (turn(from, q) / turn(p, q)) + along_q * (turn(p, from) / turn(p, q));
+    return glm::distance(expected, position(vertex)) <= 1e-4 * size;
+  });
+}
+
+template <class Holds>
+bool are_all(const Draw& draw, std::uint32_t texcoord, Holds&& holds) {
+  const std::vector<SpritePiece> pieces = sprite_pieces(draw, texcoord);
+  if (pieces.empty()) return false;
+  const std::vector<Place> places = places_of(*draw.levels[0].vertices, texcoord);
+  return std::ranges::all_of(pieces, [&](const SpritePiece& piece) { return holds(places, piece); });
+}
+
 }  // namespace
 
 std::vector<SpritePiece> sprite_pieces(const Draw& draw, std::uint32_t texcoord) {
@@ -136,11 +180,8 @@ std::vector<SpritePiece> sprite_pieces(const Draw& draw, std::uint32_t texcoord)
   return pieces;
 }
 
-bool is_made_of_quads(const Draw& draw, std::uint32_t texcoord) {
-  const std::vector<SpritePiece> pieces = sprite_pieces(draw, texcoord);
-  if (pieces.empty()) return false;
-  const std::vector<Place> places = places_of(*draw.levels[0].vertices, texcoord);
-  return std::ranges::all_of(pieces, [&](const SpritePiece& piece) { return is_quad(places, piece); });
-}
+bool is_made_of_quads(const Draw& draw, std::uint32_t texcoord) { return are_all(draw, texcoord, is_quad); }
+
+bool is_made_of_sprites(const Draw& draw, std::uint32_t texcoord) { return are_all(draw, texcoord, is_even); }
 
 }  // namespace foredraw

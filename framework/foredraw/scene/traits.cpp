@@ -16,7 +16,7 @@ std::span<const TraitRow> known_traits() {
       {traits::instanced, "more than one node draws it"},
       {traits::quantized, "positions are stored as integers"},
       {traits::extended, "carries an extension that may refer to its triangles or vertices by number"},
-      {traits::sprite, "flat rectangles, each with a part of an image whose alpha says what shows"},
+      {traits::sprite, "flat quads or polygons, each with a part of an image whose alpha says what shows"},
       {traits::trimmed, "sprites whose empty corners are not drawn"},
       {traits::welded, "no two vertices are bitwise equal"},
       {traits::clustered, "its triangle order is cut into clusters"},

@@ -13,15 +13,19 @@ namespace foredraw {
 
 enum class TrimMethod : std::uint8_t { optimal, persson };
 
+/// The direction in which polygons run, as seen in the image.
+enum class TrimWinding : std::uint8_t { as_before, clockwise, counter_clockwise };
+
 struct ParticleTrimOptions {
   int vertices = 8;                           ///< of a polygon, at most; 3 to 16
   TrimMethod method = TrimMethod::optimal;
   double threshold = 0;                       ///< what is above it shows; 0 to 1
   AlphaChannel channel = AlphaChannel::alpha;
   trim::Footprint footprint = trim::Footprint::bilinear;
-  int mip_levels = 0;                         ///< smaller versions of the image that may be sampled; 0 to 14
+  int mip_levels = 2;                         ///< smaller versions of the image that may be sampled; 0 to 14
   double padding = 0;                         ///< texels more on each side; 0 to 64
   trim::UvFormat uv = trim::UvFormat::float32;
+  TrimWinding winding = TrimWinding::as_before;  ///< as the quad's
   bool shared = false;                        ///< one polygon for all frames of an image that are of one size
   double least_saving = 0.05;                 ///< of the frame, below which a sprite stays as it is; 0 to 1
   int hull_edges = 24;                        ///< of method persson: to which the hull is reduced first; 3 to 32

@@ -1,5 +1,6 @@
 #include "sprite_quads.h"
 
+#include <foredraw/technique/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ class ParticleTrim final : public Processor {
       const bool any = std::ranges::any_of(sprite.sprites, [](const TrimmedSprite& quad) { return !quad.corners.empty(); });
       if (!any) continue;
       Draw& draw = scene.draws[sprite.id];
-      draw = with_polygons(draw, sprite.quads, sprite.sprites, *sprite.texture, *sprite.image, options_.uv);
+      draw = with_polygons(draw, sprite.quads, sprite.sprites, *sprite.texture, *sprite.image, options_);
       trimmed.push_back(sprite.id);
     }
     if (!sprites.empty()) run.measure("alpha-lost", lost, 1);  // of all, the largest
@@ -198,10 +199,9 @@ Plugin particle_trim_plugin() {
   table.row(&ParticleTrimOptions::vertices, "vertices", "Most vertices of a polygon", {3, 16, "vertices"})
       .choice(&ParticleTrimOptions::method, "method", "The smallest of all polygons, or Persson's search on a reduced hull",
               {{"optimal", TrimMethod::optimal}, {"persson", TrimMethod::persson}})
-      .row(&ParticleTrimOptions::threshold, "threshold", "What is above it shows", {0, 1, ""})
-      .choice(&ParticleTrimOptions::channel, "channel",
-              "What makes a texel show: luminance for sprites that are added to what is there",
-              {{"alpha", AlphaChannel::alpha}, {"luminance", AlphaChannel::luminance}, {"any", AlphaChannel::any}})
+      .row(&ParticleTrimOptions::threshold, "threshold", "What is above it shows", {0, 1, ""});
+  add_alpha_channel(table, &ParticleTrimOptions::channel);
+  table
       .choice(&ParticleTrimOptions::footprint, "footprint",
               "How far a texel reaches: its square; all that blends with it; or where the blend is above the threshold",
               {{"texels", trim::Footprint::texels},
@@ -211,6 +211,10 @@ Plugin particle_trim_plugin() {
       .row(&ParticleTrimOptions::padding, "padding", "More on each side", {0, 64, "texels"})
       .choice(&ParticleTrimOptions::uv, "uv", "Numbers that the polygon's texture coordinates are rounded to",
               {{"float32", trim::UvFormat::float32}, {"float16", trim::UvFormat::float16}, {"unorm16", trim::UvFormat::unorm16}})
+      .choice(&ParticleTrimOptions::winding, "winding", "How polygons run as seen in the image; kept: as the quads do",
+              {{"kept", TrimWinding::as_before},
+               {"clockwise", TrimWinding::clockwise},
+               {"counter-clockwise", TrimWinding::counter_clockwise}})
       .row(&ParticleTrimOptions::shared, "shared", "One polygon for all frames of an image that are of one size")
       .row(&ParticleTrimOptions::least_saving, "least-saving", "Sprites that save less stay as they are", {0, 1, "of the frame"})
       .row(&ParticleTrimOptions::hull_edges, "hull-edges", "Of method persson: to so many the hull is reduced first", {3, 32, "edges"});

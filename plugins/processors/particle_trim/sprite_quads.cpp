@@ -73,6 +73,10 @@ SpriteQuad quad_of(const SpritePiece& piece, const std::vector<glm::dvec2>& plac
   return quad;
 }
 
+bool is_clockwise(const SpriteQuad& quad, TrimWinding winding) {
+  return winding == TrimWinding::as_before ? quad.is_clockwise : winding == TrimWinding::clockwise;
+}
+
 /// The new vertices of one quad, stream by stream.
 class PolygonVertices {
  public:
@@ -151,14 +155,14 @@ std::variant<std::vector<SpriteQuad>, std::string> sprite_quads(const Draw& draw
 }
 
 Draw with_polygons(const Draw& draw, const std::vector<SpriteQuad>& quads, const std::vector<TrimmedSprite>& sprites,
-                   const Texture& texture, const AlphaImage& image, UvFormat format) {
+                   const Texture& texture, const AlphaImage& image, const ParticleTrimOptions& options) {
   const VertexStreams& old = *draw.levels[0].vertices;
   const std::string texcoord = texcoord_name(texture);
   const auto places = texture_places(*old.find(texcoord), texture);
   const glm::dvec2 size(image.width, image.height);
   // A quad that stays may reach out of what the format holds.
   const bool stays = std::ranges::any_of(sprites, [](const TrimmedSprite& sprite) { return sprite.corners.empty(); });
-  const UvFormat stored = stays ? UvFormat::float32 : format;
+  const UvFormat stored = stays ? UvFormat::float32 : options.uv;
 
   auto vertices = std::make_shared<VertexStreams>();
   std::vector<std::vector<std::byte>> bytes(old.base.size());
@@ -168,7 +172,7 @@ Draw with_polygons(const Draw& draw, const std::vector<SpriteQuad>& quads, const
     const bool is_trimmed = !corners.empty();
     if (!is_trimmed) {
       for (const std::uint32_t vertex : quads[q].outline) corners.push_back(places[vertex]);
-    } else if (!quads[q].is_clockwise) {
+    } else if (!is_clockwise(quads[q], options.winding)) {
       std::reverse(corners.begin() + 1, corners.end());
     }
     const PolygonVertices polygon(quads[q], places);

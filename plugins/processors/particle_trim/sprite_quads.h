@@ -26,6 +26,6 @@ std::variant<std::vector<SpriteQuad>, std::string> sprite_quads(const Draw& draw
 /// then round it, and triangles whose inner edges are short in all, so that few pixels are shaded twice along them. Every
 /// attribute goes on over the polygon as it runs over the quad. [i] is what quad i became; without corners it stays.
 Draw with_polygons(const Draw& draw, const std::vector<SpriteQuad>& quads, const std::vector<TrimmedSprite>& sprites,
-                   const Texture& texture, const AlphaImage& image, UvFormat format);
+                   const Texture& texture, const AlphaImage& image, const ParticleTrimOptions& options);
 
 }  // namespace foredraw::trim

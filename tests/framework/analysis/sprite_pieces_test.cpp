@@ -49,6 +49,20 @@ TEST(SpritePieces, quads_may_be_turned_mirrored_and_leaning) {
                                         {0, 1, 2, 0, 2, 3})));
   EXPECT_FALSE(is_made_of_quads(draw_of(leaning, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}, {0, 1, 2, 0, 2, 3})));
   EXPECT_FALSE(is_made_of_quads(draw_of({}, {}, {})));
+  EXPECT_FALSE(is_made_of_sprites(draw_of({}, {}, {})));
+}
+
+TEST(SpritePieces, polygons_that_show_the_image_evenly_are_sprites_and_no_quads) {
+  const std::vector<glm::vec2> uv = {{0, 0}, {.5, -.1}, {1, .5}, {.4, 1}, {0, .7}};
+  const std::vector<std::uint32_t> fan = {0, 1, 2, 0, 2, 3, 0, 3, 4};
+  std::vector<glm::vec3> flat, bent;
+  for (const glm::vec2& p : uv) flat.emplace_back(3 * p.x + p.y, 2 - p.y, p.x - p.y);
+  bent = flat;
+  bent[3].z += 0.1f;
+  EXPECT_TRUE(is_made_of_sprites(draw_of(flat, uv, fan)));
+  EXPECT_FALSE(is_made_of_quads(draw_of(flat, uv, fan)));
+  EXPECT_FALSE(is_made_of_sprites(draw_of(bent, uv, fan)));
+  EXPECT_TRUE(is_made_of_sprites(draw_of({flat[0], flat[1], flat[2]}, {uv[0], uv[1], uv[2]}, {0, 1, 2})));
 }
 
 }  // namespace
