@@ -14,12 +14,12 @@ struct Column {
   std::string evaluator, metric;
 };
 
-/// Of each evaluator the first metric that is a ratio.
+/// Of each evaluator the first metric that is a ratio of sums.
 std::vector<Column> columns_of(const Metrics& metrics) {
   std::vector<Column> columns;
   for (const auto& [evaluator, by_metric] : metrics.all()) {
     const auto first = std::ranges::find_if(by_metric, [](const auto& entry) {
-      return entry.second.denominator && entry.first.find('.') == std::string::npos;
+      return entry.second.denominator && !entry.second.worst_stands && entry.first.find('.') == std::string::npos;
     });
     if (first != by_metric.end()) columns.push_back({evaluator, first->first});
   }

@@ -17,6 +17,11 @@ void Metrics::add(const std::string& plugin, const std::string& metric, const Fi
   const auto [at, is_new] = by_plugin_[plugin].emplace(metric, figure);
   if (is_new) return;
   Figure& sum = at->second;
+  if (figure.worst_stands) {
+    const bool is_worse = figure.lower_is_better ? figure.value() > sum.value() : figure.value() < sum.value();
+    if (is_worse || !std::isfinite(sum.value())) sum = figure;
+    return;
+  }
   if (sum.denominator && figure.denominator) {
     const double whole = *sum.denominator + *figure.denominator;
     if (whole > 0) sum.error = (sum.error * *sum.denominator + figure.error * *figure.denominator) / whole;
@@ -57,6 +62,7 @@ Figure figure_of(const Measured& measured, const Card& card) {
     if (metric.name != name && metric.name != last) continue;
     figure.unit = metric.unit;
     figure.lower_is_better = metric.lower_is_better;
+    figure.worst_stands = metric.worst_stands;
     if (metric.name == name) break;
   }
   return figure;

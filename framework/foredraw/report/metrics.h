@@ -8,13 +8,14 @@
 
 namespace foredraw {
 
-/// A figure, or the sum of several that were measured in several places.
+/// A figure, or what several come to that were measured in several places.
 struct Figure {
   double numerator = 0;
   std::optional<double> denominator;  ///< none: a count
   double error = 0;                   ///< one standard deviation; 0: exact
   std::string unit;
   bool lower_is_better = true;
+  bool worst_stands = false;  ///< over several places the worst one stands, not their sum
 
   /// Not a number where the denominator is 0.
   double value() const { return denominator ? numerator / *denominator : numerator; }
@@ -25,7 +26,7 @@ std::string to_text(const Figure& figure);
 
 class Metrics {
  public:
-  /// Adds to what is there: numerators and denominators add up; errors are averaged by their denominators (those of counts
+  /// Adds to what is there, or, of figures of which the worst one stands, puts the worse one there. Numerators and denominators add up; errors are averaged by their denominators (those of counts
   /// add up), which is never too low, however the errors are correlated.
   void add(const std::string& plugin, const std::string& metric, const Figure& figure);
   void add(const Metrics& others);

@@ -272,7 +272,7 @@ std::vector<Metric> overdraw_metrics() {
       {"ratio", "fragments per pixel",
        "Fragments that pass the depth test over those that stay, of all views and poses; 1 is the limit"},
       {"view-mean", "fragments per pixel", "The mean of the ratios of all views and poses, as papers print it"},
-      {"worst-view", "fragments per pixel", "The highest ratio of any view and pose"},
+      {"worst-view", "fragments per pixel", "The highest ratio of any view and pose", true, true},
       {"hidden", "fragments",
        "Fragments that pass but do not stay, of all views and poses: a draw's part of the overdraw"},
       {"ties", "fragments", "Fragments exactly as near as what was drawn before them, of all views and poses"},

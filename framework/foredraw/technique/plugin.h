@@ -29,6 +29,7 @@ struct Metric {
   std::string unit;  ///< "misses per triangle"
   std::string doc;
   bool lower_is_better = true;
+  bool worst_stands = false;  ///< over several places the worst one stands, not their sum
 };
 
 /// What a plugin says of itself before it is made.

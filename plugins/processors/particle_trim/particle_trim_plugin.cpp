@@ -63,16 +63,14 @@ class ParticleTrim final : public Processor {
     std::vector<SpriteDraw> sprites = sprites_of(scene, draws, run);
     trim_all(sprites, run);
     std::vector<DrawId> trimmed;
-    double lost = 0;
     for (const SpriteDraw& sprite : sprites) {
-      lost = std::max(lost, tell(sprite, run));
+      tell(sprite, run);
       const bool any = std::ranges::any_of(sprite.sprites, [](const TrimmedSprite& quad) { return !quad.corners.empty(); });
       if (!any) continue;
       Draw& draw = scene.draws[sprite.id];
       draw = with_polygons(draw, sprite.quads, sprite.sprites, *sprite.texture, *sprite.image, options_);
       trimmed.push_back(sprite.id);
     }
-    if (!sprites.empty()) run.measure("alpha-lost", lost, 1);  // of all, the largest
     if (trimmed.empty()) run.keep("no sprite has empty corners worth trimming");
     return trimmed;
   }
@@ -151,8 +149,7 @@ class ParticleTrim final : public Processor {
     });
   }
 
-  /// Answers with the largest value that is lost.
-  static double tell(const SpriteDraw& draw, Run& run) {
+  static void tell(const SpriteDraw& draw, Run& run) {
     const Place place{.draw = draw.id};
     double area = 0, frame_area = 0, lost = 0;
     std::uint64_t texels = 0;
@@ -172,7 +169,6 @@ class ParticleTrim final : public Processor {
       const std::string of = draw.sprites.size() == 1 ? "" : fmt::format("{} of {} quads: ", count, draw.sprites.size());
       run.note_at(place, std::string(code(outcome)), of + std::string(text(outcome)));
     }
-    return lost;
   }
 
   ParticleTrimOptions options_;
@@ -192,7 +188,7 @@ Plugin particle_trim_plugin() {
       .breaks = {traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered},
       .pays_if = "a sprite has empty corners",
       .metrics = {{"area", "of the frame", "What is drawn of each frame, of its area; 1: the whole quad"},
-                  {"alpha-lost", "alpha", "Largest value that may show outside of the polygon, 0 to 1; at most the threshold"},
+                  {"alpha-lost", "alpha", "Largest value that may show outside of the polygon, 0 to 1; at most the threshold", true, true},
                   {"texels", "texels", "Texels that were checked: all that show are drawn", false}},
   };
   OptionTable<ParticleTrimOptions> table;

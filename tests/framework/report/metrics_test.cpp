@@ -26,6 +26,20 @@ TEST(Metrics, CountsAddUp) {
   EXPECT_FALSE(metrics.find("cache", "misses")->denominator);
 }
 
+TEST(Metrics, OfSomeTheWorstStands) {
+  Metrics metrics;
+  const auto add = [&](double numerator, double denominator) {
+    metrics.add("overdraw", "worst-view", {.numerator = numerator, .denominator = denominator, .worst_stands = true});
+  };
+  add(0, 0);
+  add(30, 10);
+  add(100, 50);
+  EXPECT_EQ(metrics.find("overdraw", "worst-view")->value(), 3);
+  metrics.add("a", "kept", {.numerator = 0.9, .lower_is_better = false, .worst_stands = true});
+  metrics.add("a", "kept", {.numerator = 0.8, .lower_is_better = false, .worst_stands = true});
+  EXPECT_EQ(metrics.find("a", "kept")->value(), 0.8);
+}
+
 TEST(Metrics, ErrorsAreAveragedByTheirDenominators) {
   Metrics metrics;
   metrics.add("overdraw", "ratio", {.numerator = 1, .denominator = 1, .error = 0.4});
