@@ -51,9 +51,9 @@ class CommandLine {
     input(optimize_app);
     optimize_app
         .add_option("-o,--output", arguments_.outputs,
-                    "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; sprites also "
-                    "as .json, .h, .svg, .png or .html. May be given several times; all are written or none. Of a folder: "
-                    "a folder, and files of sprites that hold those of all its files")
+                    "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; sprites "
+                    "also as .json, .h, .svg, .png or .html. May be given several times; all are written or none. Of "
+                    "a folder: a folder, and files of sprites that hold those of all its files")
         ->required()
         ->expected(1)
         ->take_all();
@@ -205,7 +205,8 @@ class CommandLine {
   }
 
   void input(CLI::App& app) {
-    app.add_option("input", arguments_.inputs, "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input; an image (.png, .jpg, .tga, "
+    app.add_option("input", arguments_.inputs,
+                   "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input; an image (.png, .jpg, .tga, "
                    ".exr) or a frame list (.json) as sprites; or a folder of these")
         ->required()
         ->expected(1);

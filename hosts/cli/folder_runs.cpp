@@ -188,7 +188,8 @@ Exit optimize_folder(const FileJob& job) {
   if (!scenes) return refuse(diagnostics);
   if (!wanted.gathered.empty() && std::ranges::none_of(*scenes, is_sprite_input)) {
     diagnostics.error({.file = wanted.gathered[0]}, "bad-arguments",
-                      "is a file of sprites, and none is worked on: the folder has none, or the pipeline no stage for them",
+                      "is a file of sprites, and none is worked on: the folder has none, or the pipeline no stage for "
+                      "them",
                       "of a folder of meshes, -o is a folder");
     return refuse(diagnostics);
   }
@@ -199,7 +200,9 @@ Exit optimize_folder(const FileJob& job) {
     if (!wanted.folder.empty()) outputs.push_back(output_of(scene, to));
   }
   const auto written_of = wanted.folder.empty() ? std::vector<fs::path>() : *scenes;
-  if (outputs_meet(written_of, files_read_from(from, to), outputs, wanted.gathered, diagnostics)) return refuse(diagnostics);
+  if (outputs_meet(written_of, files_read_from(from, to), outputs, wanted.gathered, diagnostics)) {
+    return refuse(diagnostics);
+  }
   for (const fs::path& output : outputs) {
     if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);
   }

@@ -38,8 +38,10 @@ void check_scenes(const std::vector<std::string>& outputs, const std::vector<std
       diagnostics.error({.file = output}, "bad-arguments", "is read by this very run",
                         "give the output another name or folder");
     }
-    const bool meets = is_standard ? std::ranges::find(taken, output) != taken.end()
-                                   : std::ranges::any_of(files, [&](const auto& file) { return is_among(taken, file); });
+    const auto is_taken = [&](const std::string& file) {
+      return is_standard ? std::ranges::find(taken, file) != taken.end() : is_among(taken, file);
+    };
+    const bool meets = std::ranges::any_of(files, is_taken);
     if (meets) {
       diagnostics.error({.file = is_standard ? "" : output}, "bad-arguments", "is to hold two outputs",
                         "give each -o a file of its own");

@@ -22,9 +22,10 @@ class Sprites : public testing::InFolder {
     fs::create_directories(folder_ / "in/props");
     testing::put_bytes(folder_ / "in/atlas.png", testing::disc_png(64, 32));
     testing::put_bytes(folder_ / "in/props/one.png", testing::disc_png(16, 16));
-    testing::put(folder_ / "in/list.json",
-                 R"({"frames":{"left":{"frame":{"x":0,"y":0,"w":32,"h":32}},"right":{"frame":{"x":32,"y":0,"w":32,"h":32}}},)"
-                 R"("meta":{"image":"atlas.png"}})");
+    testing::put(
+        folder_ / "in/list.json",
+        R"({"frames":{"left":{"frame":{"x":0,"y":0,"w":32,"h":32}},"right":{"frame":{"x":32,"y":0,"w":32,"h":32}}},)"
+        R"("meta":{"image":"atlas.png"}})");
     testing::put(folder_ / "in/package.json", R"({"name":"no list"})");
   }
 
@@ -130,7 +131,8 @@ TEST_F(Sprites, AFolderIsCompared) {
 }
 
 TEST_F(Sprites, ABadListDoesNotEndTheRun) {
-  testing::put(folder_ / "in/bad.json", R"({"frames":{"x":{"frame":{"x":0,"y":0,"w":99,"h":1}}},"meta":{"image":"atlas.png"}})");
+  testing::put(folder_ / "in/bad.json",
+               R"({"frames":{"x":{"frame":{"x":0,"y":0,"w":99,"h":1}}},"meta":{"image":"atlas.png"}})");
   const Ended ended = run("optimize in -p hexagons -o out -o all.svg");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("in/bad.json: error: x: reaches"));

@@ -34,7 +34,7 @@ void set_frame(const Draw& draw, const SpriteSource* source, DrawnSprite& sprite
 void add_corners(const Draw& draw, const Texture& texture, const ImageFacts& facts, DrawnSprite& sprite) {
   const VertexStreams& vertices = *draw.levels[0].vertices;
   const VertexStream* texcoords = vertices.find("TEXCOORD_" + std::to_string(texture.texcoord));
-  if (texcoords == nullptr) return;
+  if (texcoords == nullptr || draw.topology != Topology::triangles) return;
   const std::vector<glm::dvec2> places = texture_places(*texcoords, texture);
   const auto indices = draw.levels[0].orders[0].indices.view();
   // Equal corners become one, whatever else their vertices hold.
@@ -77,8 +77,7 @@ std::string saving_text(const DrawnSprite& sprite) {
 
 glm::dvec2 to_sprite(const FrameEntry& frame, const glm::dvec2& texel) {
   const glm::dvec2 in_place = texel - glm::dvec2(frame.place.x, frame.place.y);
-  const glm::dvec2 upright =
-      frame.is_turned ? glm::dvec2(in_place.y, frame.place.width - in_place.x) : in_place;
+  const glm::dvec2 upright = frame.is_turned ? glm::dvec2(in_place.y, frame.place.width - in_place.x) : in_place;
   return upright + glm::dvec2(frame.offset);
 }
 

@@ -76,8 +76,10 @@ std::variant<Rgba, std::string> rgba_of(const Image& image) {
   rgba.values.resize(4 * count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::byte* texel = texels.bytes.data() + i * channels * width;
-    for (std::size_t c = 0; c < 3; ++c) rgba.values[4 * i + c] = eight_bits(texel + (has_colour ? c * width : 0), facts.bits);
-    rgba.values[4 * i + 3] = has_alpha ? eight_bits_of_alpha(texel + (channels - 1) * width, facts.bits) : std::uint8_t{255};
+    for (std::size_t c = 0; c < 3; ++c)
+      rgba.values[4 * i + c] = eight_bits(texel + (has_colour ? c * width : 0), facts.bits);
+    rgba.values[4 * i + 3] =
+        has_alpha ? eight_bits_of_alpha(texel + (channels - 1) * width, facts.bits) : std::uint8_t{255};
   }
   return rgba;
 }
@@ -94,8 +96,8 @@ std::variant<Image, std::string> png_or_jpeg(const Image& image) {
   const Texels& texels = std::get<Texels>(made);
   const int width = static_cast<int>(texels.facts.width), height = static_cast<int>(texels.facts.height);
   if (texels.facts.bits == 8) {
-    result.bytes = Shared<std::byte>(png_of(width, height, texels.facts.channels,
-                                            reinterpret_cast<const std::uint8_t*>(texels.bytes.data())));
+    result.bytes = Shared<std::byte>(
+        png_of(width, height, texels.facts.channels, reinterpret_cast<const std::uint8_t*>(texels.bytes.data())));
   } else {
     auto rgba = rgba_of(image);
     if (std::string* why = std::get_if<std::string>(&rgba)) return std::move(*why);

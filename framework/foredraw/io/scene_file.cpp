@@ -70,6 +70,9 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
   } else if (is_sprite_output(path)) {
     diagnostics.error({.file = path}, "unknown-kind", "a file of this kind is written only of sprites",
                       "give the output the extension .glb, or as input an image or a frame list");
+  } else if (input != "-" && is_sprite_input(input)) {
+    diagnostics.error({.file = path}, "unknown-kind", "sprites are not written as this kind of file",
+                      "they are as .json, .h, .svg, .png, .html, .glb and .gltf");
   } else {
     diagnostics.error({.file = path}, "unknown-kind",
                       "scenes are written as .glb or .gltf, or as the kind they came from",

@@ -24,9 +24,9 @@ inline FolderScenes scenes_for(const Pipeline& pipeline, const Registry& registr
   return works_on_sprites(pipeline, registry) ? FolderScenes::and_sprites : FolderScenes::meshes;
 }
 
-/// The scenes in a folder and the folders below it: their paths from the folder on, sorted. Links to folders are not followed, and `except` (a folder that may lie inside, where results go)
-/// is left out unless it is the folder itself. nullopt, with an error, where a folder can not be read or there is no
-/// scene.
+/// The scenes in a folder and the folders below it: their paths from the folder on, sorted. Links to folders are not
+/// followed, and `except` (a folder that may lie inside, where results go) is left out unless it is the folder itself.
+/// nullopt, with an error, where a folder can not be read or there is no scene.
 std::optional<std::vector<std::filesystem::path>> scenes_below(const std::filesystem::path& folder,
                                                                const std::filesystem::path& except, FolderScenes which,
                                                                Diagnostics& diagnostics);

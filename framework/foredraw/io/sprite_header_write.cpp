@@ -10,7 +10,8 @@ namespace foredraw::sprites {
 
 namespace {
 
-constexpr std::string_view head = R"(/* {stem}: {count} sprites and the polygons that they are drawn as. Made by foredraw.
+constexpr std::string_view head =
+    R"(/* {stem}: {count} sprites and the polygons that they are drawn as. Made by foredraw.
  *
  * uv          two floats a vertex: where it lies in the image; (0, 0) is the upper left corner, (1, 1) the lower right
  * positions   two floats a vertex: texels of the whole sprite, from its upper left corner, x right, y down
@@ -144,9 +145,9 @@ std::optional<std::string> header_text(std::span<const Sheet> sheets, const std:
       ++count;
     }
   }
-  std::string text = fmt::format(fmt::runtime(head), fmt::arg("stem", stem), fmt::arg("count", count),
-                                 fmt::arg("guard", "FOREDRAW_SPRITES_" + in_capitals(stem) + "_H"),
-                                 fmt::arg("type", stem + "_frame"));
+  std::string text =
+      fmt::format(fmt::runtime(head), fmt::arg("stem", stem), fmt::arg("count", count),
+                  fmt::arg("guard", "FOREDRAW_SPRITES_" + in_capitals(stem) + "_H"), fmt::arg("type", stem + "_frame"));
   text += arrays;
   text += fmt::format("#define {}_FRAME_COUNT {}\n\n", in_capitals(stem), count);
   text += "#if defined(__GNUC__)\n__attribute__((unused))\n#endif\n";

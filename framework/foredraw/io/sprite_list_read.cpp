@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t longest = std::size_t{64} << 20;
 constexpr std::size_t most_frames = 16384;  // by name they are keys of one object
 constexpr std::size_t most_mistakes = 20;
-constexpr double most_texels = 65535;       // along one side
+constexpr double most_texels = 65535;  // along one side
 
 class ListReader {
  public:
@@ -149,11 +149,13 @@ class ListReader {
     for (int i = 0; i < 2; ++i) {
       const std::string place = at + '.' + keys[i];
       const auto found = holder.find(keys[i]);
-      if (found == holder.end() || !found->is_number()) return refuse(place, "frame-number", "must be a number of texels");
+      if (found == holder.end() || !found->is_number())
+        return refuse(place, "frame-number", "must be a number of texels");
       const auto value = found->get<double>();
       if (!(value >= least && value <= most_texels) || value != std::floor(value)) {
-        return refuse(place, "frame-number",
-                      fmt::format("is {}, but must be a whole number from {} to {}", found->dump(), least, most_texels));
+        return refuse(
+            place, "frame-number",
+            fmt::format("is {}, but must be a whole number from {} to {}", found->dump(), least, most_texels));
       }
       pair[i] = static_cast<int>(value);
     }

@@ -65,7 +65,8 @@ Json frame_of(const Sheet& sheet, const DrawnSprite& sprite, bool with_name) {
       if (key != "filename") frame[key] = value;
     }
   }
-  if (old == nullptr || sheet.source->entries[*sprite.entry].place != sprite.frame.place) put_place(frame, sprite.frame);
+  if (old == nullptr || sheet.source->entries[*sprite.entry].place != sprite.frame.place)
+    put_place(frame, sprite.frame);
   put_polygon(frame, sprite);
   return frame;
 }
@@ -178,8 +179,8 @@ bool is_numbers(const Json& json) {
 /// A line for each thing that holds others, and one for what holds numbers alone, or lists of these.
 void print(const Json& json, std::size_t indent, std::string& text) {
   const bool is_list_of_lists = json.is_array() && std::ranges::all_of(json, [](const Json& part) {
-    return part.is_array() && is_numbers(part);
-  });
+                                  return part.is_array() && is_numbers(part);
+                                });
   if (!json.is_structured() || json.empty() || is_numbers(json) || is_list_of_lists) {
     text += json.dump();
     return;

@@ -30,17 +30,18 @@ struct Placed {
 void put_sprite(const DrawnSprite& sprite, std::string& text) {
   const SpriteFrame& place = sprite.frame.place;
   const std::string saving = saving_text(sprite);
-  text += fmt::format("<g><title>{}: {} vertices, {}</title>", escaped(sprite.frame.name), sprite.points.size(), saving);
+  text +=
+      fmt::format("<g><title>{}: {} vertices, {}</title>", escaped(sprite.frame.name), sprite.points.size(), saving);
   text += fmt::format("<path class=\"frame\" d=\"M{} {}h{}v{}h-{}Z\"/>", place.x, place.y, place.width, place.height,
                       place.width);
   text += fmt::format("<path class=\"polygon\" d=\"{}\"/>", polygon_path(sprite, sprite.texels));
   text += fmt::format("<path class=\"corners\" d=\"{}\"/>", corner_path(sprite.texels));
   // As high as fits the frame, for letters are half as wide as they are high.
   const double letters = std::max<double>(static_cast<double>(saving.size()), 6);
-  const double size = std::min({place.width / (0.62 * letters), place.height / 3.0,
-                                std::max(place.width, place.height) / 12.0});
-  text += fmt::format("<text transform=\"translate({} {}) scale({})\">{}</text></g>\n",
-                      shortest(place.x + 0.3 * size), shortest(place.y + 1.05 * size), shortest(size), saving);
+  const double size =
+      std::min({place.width / (0.9 * letters), place.height / 4.0, std::max(place.width, place.height) / 12.0});
+  text += fmt::format("<text transform=\"translate({} {}) scale({})\">{}</text></g>\n", shortest(place.x + 0.3 * size),
+                      shortest(place.y + 1.05 * size), shortest(size), saving);
 }
 
 }  // namespace

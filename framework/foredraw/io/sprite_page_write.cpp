@@ -26,7 +26,7 @@ figcaption b{display:block;overflow-wrap:anywhere}
 figcaption span{color:var(--faint);font-variant-numeric:tabular-nums}
 .frame,.polygon,.corners{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}
 .frame{stroke:var(--frame);stroke-dasharray:4 3}
-.polygon{stroke:var(--polygon);stroke-width:1.5;fill:var(--polygon);fill-opacity:.14}
+.polygon{stroke:var(--polygon);stroke-width:1.5;fill:var(--polygon);fill-opacity:.1}
 .corners{stroke:var(--corner);stroke-width:5;stroke-linecap:round}
 .key i{display:inline-block;width:1.6em;margin:0 .3em 0 1em;vertical-align:middle;border-top:2px solid var(--polygon)}
 .key i.f{border-top:2px dashed var(--frame)}
@@ -52,11 +52,11 @@ void put_figure(const DrawnSprite& sprite, const std::string& image, std::string
                       shortest(box.least.x - margin), shortest(box.least.y - margin), shortest(size.x + 2 * margin),
                       shortest(size.y + 2 * margin), escaped(sprite.frame.name));
   // What of the image lies around the frame is shown only as far as it is drawn.
-  text += fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">"
-                      "<use href=\"#{4}\" transform=\"{5}\"{6}/></svg>",
-                      shortest(box.least.x), shortest(box.least.y), shortest(size.x), shortest(size.y), image,
-                      transform_of(sprite.frame),
-                      std::max(own.x, own.y) <= 96 ? " style=\"image-rendering:pixelated\"" : "");
+  text += fmt::format(
+      "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">"
+      "<use href=\"#{4}\" transform=\"{5}\"{6}/></svg>",
+      shortest(box.least.x), shortest(box.least.y), shortest(size.x), shortest(size.y), image,
+      transform_of(sprite.frame), std::max(own.x, own.y) <= 96 ? " style=\"image-rendering:pixelated\"" : "");
   text += fmt::format("<path class=\"frame\" d=\"M{} {}h{}v{}h-{}Z\"/>", corner.x, corner.y, own.x, own.y, own.x);
   text += fmt::format("<path class=\"polygon\" d=\"{}\"/>", polygon_path(sprite, sprite.points));
   text += fmt::format("<path class=\"corners\" d=\"{}\"/></svg>", corner_path(sprite.points));

@@ -30,8 +30,8 @@ constexpr Colour white = {233, 255, 250};
 
 constexpr int margin = 20;
 constexpr int gap = 12;
-constexpr int inset = 12;      ///< between a card's edge and what it shows
-constexpr int caption = 58;    ///< below it
+constexpr int inset = 12;    ///< between a card's edge and what it shows
+constexpr int caption = 58;  ///< below it
 constexpr int heading = 64;
 constexpr std::size_t most_shown = 1024;
 
@@ -46,14 +46,13 @@ struct Shown {
 glm::ivec2 texel_at(const DrawnSprite& sprite, const glm::dvec2& point) {
   const FrameEntry& frame = sprite.frame;
   const glm::dvec2 upright = point - glm::dvec2(frame.offset);
-  const glm::dvec2 in_place =
-      frame.is_turned ? glm::dvec2(frame.place.width - upright.y, upright.x) : upright;
+  const glm::dvec2 in_place = frame.is_turned ? glm::dvec2(frame.place.width - upright.y, upright.x) : upright;
   return glm::ivec2(glm::floor(in_place + glm::dvec2(frame.place.x, frame.place.y)));
 }
 
 /// The mean of what a pixel covers, or the nearest texel where it covers less than one.
 void put_pixel(Picture& picture, int x, int y, const Shown& shown, const glm::dvec2& from, double step) {
-  const int samples = std::clamp(static_cast<int>(std::ceil(step)), 1, 16);
+  const int samples = std::clamp(static_cast<int>(std::ceil(step)), 1, 8);
   float sum[4] = {};
   for (int j = 0; j < samples; ++j) {
     for (int i = 0; i < samples; ++i) {
@@ -108,22 +107,20 @@ class SheetDrawing {
     const double zoom = room / std::max(size.x, size.y);
     const glm::dvec2 corner = glm::dvec2(left, top) + (glm::dvec2(edge_) - size * zoom) / 2.0;
     const auto place = [&](const glm::dvec2& point) { return glm::vec2(corner + (point - box.least) * zoom); };
-    const int right = left + edge_, bottom = top + edge_;
-    for (int y = std::max(top, static_cast<int>(corner.y)); y < std::min(bottom, static_cast<int>(corner.y + size.y * zoom) + 1); ++y) {
-      for (int x = std::max(left, static_cast<int>(corner.x)); x < std::min(right, static_cast<int>(corner.x + size.x * zoom) + 1);
-           ++x) {
+    const glm::ivec2 first = glm::max(glm::ivec2(corner), glm::ivec2(left, top));
+    const glm::ivec2 end = glm::min(glm::ivec2(corner + size * zoom) + 1, glm::ivec2(left, top) + edge_);
+    for (int y = first.y; y < end.y; ++y) {
+      for (int x = first.x; x < end.x; ++x) {
         put_pixel(picture_, x, y, shown, box.least + (glm::dvec2(x, y) - corner) / zoom, 1 / zoom);
       }
     }
     const glm::dvec2 least = sprite.frame.offset, most = least + glm::dvec2(sprite.frame.size());
     const glm::vec2 frame[] = {place(least), place({most.x, least.y}), place(most), place({least.x, most.y})};
     for (int i = 0; i < 4; ++i) dashes(frame[i], frame[(i + 1) % 4]);
-    std::vector<std::vector<std::uint32_t>> outlines = sprite.outlines;
-    for (std::size_t i = 0; outlines.empty() && i + 2 < sprite.triangles.size(); i += 3) {
-      const auto* first = sprite.triangles.data() + i;
-      lines(sprite, std::vector<std::uint32_t>(first, first + 3), place);
+    for (std::size_t i = 0; sprite.outlines.empty() && i + 2 < sprite.triangles.size(); i += 3) {
+      lines(sprite, std::span(sprite.triangles).subspan(i, 3), place);
     }
-    for (const auto& outline : outlines) lines(sprite, outline, place);
+    for (const auto& outline : sprite.outlines) lines(sprite, outline, place);
     for (const glm::dvec2& point : sprite.points) {
       picture_.line(place(point), place(point), 7, background);
       picture_.line(place(point), place(point), 5, white);
@@ -131,7 +128,7 @@ class SheetDrawing {
   }
 
   template <class Place>
-  void lines(const DrawnSprite& sprite, const std::vector<std::uint32_t>& corners, const Place& place) {
+  void lines(const DrawnSprite& sprite, std::span<const std::uint32_t> corners, const Place& place) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const glm::vec2 from = place(sprite.points[corners[i]]);
       const glm::vec2 to = place(sprite.points[corners[(i + 1) % corners.size()]]);

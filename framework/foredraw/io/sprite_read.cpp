@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace foredraw {
 
@@ -133,8 +134,7 @@ void fill(Scene& scene, const std::vector<FrameEntry>& entries) {
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
     scene.materials.push_back(material_of(static_cast<ImageId>(i), scene.images[i].name));
     const ImageFacts& facts = *scene.images[i].facts;
-    const float half =
-        static_cast<float>(facts.width) / (2 * static_cast<float>(std::max(facts.width, facts.height)));
+    const float half = static_cast<float>(facts.width) / (2 * static_cast<float>(std::max(facts.width, facts.height)));
     centres.push_back(i == 0 ? 0 : right + 0.1f + half);
     right = centres.back() + half;
   }
@@ -218,8 +218,15 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
   source->files = {name};
   Scene scene;
   scene.name = name;
+  std::set<fs::path> taken;  // a small list must not make much of a large image
   for (std::size_t i = 0; i < list->images.size(); ++i) {
     const auto file = image_file(list->images[i], name, folder, diagnostics);
+    std::error_code error;
+    if (file && !taken.insert(fs::canonical(*file, error)).second) {
+      diagnostics.error({.file = name, .inside = fmt::format("textures[{}].image", i)}, "frame-list-image",
+                        "is the image of a texture before it", "make one texture of both");
+      return std::nullopt;
+    }
     auto content = file ? read_file(*file, diagnostics) : std::nullopt;
     if (!content) return std::nullopt;
     source->length += content->size();
@@ -227,11 +234,11 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
     if (!image) return std::nullopt;
     const glm::ivec2 size(image->facts->width, image->facts->height);
     if (list->image_sizes[i] && *list->image_sizes[i] != size) {
-      diagnostics.warning({.file = name}, "frame-list-size",
-                          fmt::format("is made for an image of {} x {} texels, but '{}' has {} x {}",
-                                      list->image_sizes[i]->x, list->image_sizes[i]->y, printable(list->images[i]),
-                                      size.x, size.y),
-                          "is it the image that the list was made for?");
+      diagnostics.warning(
+          {.file = name}, "frame-list-size",
+          fmt::format("is made for an image of {} x {} texels, but '{}' has {} x {}", list->image_sizes[i]->x,
+                      list->image_sizes[i]->y, printable(list->images[i]), size.x, size.y),
+          "is it the image that the list was made for?");
     }
     source->files.push_back(*file);
     source->image_files.push_back(*file);

@@ -97,7 +97,7 @@ std::string to_text(const Batch& batch) {
       const std::string was = cell(old.metrics.find(column.evaluator, column.metric));
       row.push_back(change(is_optimized(batch) ? was : "", cell(now.metrics.find(column.evaluator, column.metric))));
     }
-    row.push_back(is_optimized(batch) ? change(std::to_string(read), std::to_string(written)) : std::to_string(read));
+    row.push_back(written > 0 ? change(std::to_string(read), std::to_string(written)) : std::to_string(read));
     row.emplace_back(outcome);
     table.add(row);
   };

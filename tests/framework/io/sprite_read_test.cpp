@@ -68,7 +68,8 @@ TEST_F(SpriteRead, AnyKindOfImage) {
   const std::vector<std::uint16_t> values = testing::discs(16, 16);
   testing::put_bytes(folder_ / "a.tga", testing::tga_of({16, 16, 4, 8}, values));
   testing::put_bytes(folder_ / "b.jpeg", testing::jpeg_of({16, 16, 3, 8}, std::vector<std::uint16_t>(16 * 16 * 3, 99)));
-  testing::put_bytes(folder_ / "c.EXR", testing::exr_of({16, 16, 4, 32, true}, std::vector<float>(16 * 16 * 4, 0.5f), "zip"));
+  testing::put_bytes(folder_ / "c.EXR",
+                     testing::exr_of({16, 16, 4, 32, true}, std::vector<float>(16 * 16 * 4, 0.5f), "zip"));
   for (const char* name : {"a.tga", "b.jpeg", "c.EXR"}) EXPECT_TRUE(read(name)) << name << to_text(told_);
 }
 
@@ -87,10 +88,10 @@ TEST_F(SpriteRead, DamagedImagesAreRefused) {
 }
 
 TEST_F(SpriteRead, AListIsADrawForEachFrame) {
-  const auto scene = read_list({{"frames",
-                                 {{"left", {{"frame", box(0, 0, 32, 32)}}},
-                                  {"right", {{"frame", box(40, 2, 20, 24)}, {"rotated", true}}}}},
-                                {"meta", {{"image", "atlas.png"}, {"size", {{"w", 64}, {"h", 32}}}}}});
+  const auto scene = read_list(
+      {{"frames",
+        {{"left", {{"frame", box(0, 0, 32, 32)}}}, {"right", {{"frame", box(40, 2, 20, 24)}, {"rotated", true}}}}},
+       {"meta", {{"image", "atlas.png"}, {"size", {{"w", 64}, {"h", 32}}}}}});
   ASSERT_TRUE(scene) << to_text(told_);
   EXPECT_TRUE(told_.empty()) << to_text(told_);
   ASSERT_EQ(scene->draws.size(), 2u);
@@ -122,11 +123,17 @@ TEST_F(SpriteRead, ListsOfOtherForms) {
   ASSERT_TRUE(scene) << to_text(told_);
   EXPECT_EQ(scene->draws[0].name, "a");
   testing::put_bytes(folder_ / "second.png", testing::disc_png(16, 16));
-  scene = read_list({{"textures",
-                      {{{"image", "atlas.png"}, {"frames", {frame}}}, {{"image", "second.png"}, {"frames", {frame}}}}}});
+  scene = read_list(
+      {{"textures", {{{"image", "atlas.png"}, {"frames", {frame}}}, {{"image", "second.png"}, {"frames", {frame}}}}}});
   ASSERT_TRUE(scene) << to_text(told_);
   ASSERT_EQ(scene->images.size(), 2u);
   EXPECT_EQ(scene->draws[1].material, 1u);
+}
+
+TEST_F(SpriteRead, AnImageIsOneTextures) {
+  const Json texture = {{"image", "atlas.png"}, {"frames", {{{"filename", "a"}, {"frame", box(0, 0, 8, 8)}}}}};
+  EXPECT_FALSE(read_list({{"textures", {texture, texture}}}));
+  EXPECT_THAT(to_text(told_), HasSubstr("textures[1].image: is the image of a texture before it"));
 }
 
 TEST_F(SpriteRead, BadFramesAreRefusedByName) {

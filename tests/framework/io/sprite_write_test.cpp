@@ -24,12 +24,15 @@ class SpriteWrite : public testing::InFolder {
  protected:
   SpriteWrite() {
     testing::put_bytes(folder_ / "atlas.png", testing::disc_png(64, 32));
-    const Json list = {
-        {"frames",
-         {{"left", {{"pivot", {{"x", 0.25}}}, {"frame", box(0, 0, 32, 32)}, {"rotated", false}}},
-          {"a & <b>\"?", {{"frame", box(32, 4, 20, 24)}, {"rotated", true}, {"trimmed", true},
-                          {"spriteSourceSize", box(3, 5, 20, 24)}, {"sourceSize", {{"w", 30}, {"h", 40}}}}}}},
-        {"meta", {{"app", "packer"}, {"image", "atlas.png"}, {"mine", {1, "two"}}}}};
+    const Json list = {{"frames",
+                        {{"left", {{"pivot", {{"x", 0.25}}}, {"frame", box(0, 0, 32, 32)}, {"rotated", false}}},
+                         {"a & <b>\"?",
+                          {{"frame", box(32, 4, 20, 24)},
+                           {"rotated", true},
+                           {"trimmed", true},
+                           {"spriteSourceSize", box(3, 5, 20, 24)},
+                           {"sourceSize", {{"w", 30}, {"h", 40}}}}}}},
+                       {"meta", {{"app", "packer"}, {"image", "atlas.png"}, {"mine", {1, "two"}}}}};
     testing::put(folder_ / "list.json", list.dump(1));
   }
 
@@ -154,7 +157,8 @@ TEST_F(SpriteWrite, AHeaderCompiles) {
   EXPECT_THAT(header, HasSubstr("out_1_a_b_uv"));
   EXPECT_THAT(header, HasSubstr(R"("a & <b>\042\077")"));
   testing::put(folder_ / "use.c", "#include \"out 1.h\"\n#include \"out 1.h\"\nint main(void) { return 0; }\n");
-  testing::put(folder_ / "use.cpp", "#include \"out 1.h\"\nint main() { return out_1_frames[3].uv == NULL ? 0 : 1; }\n");
+  testing::put(folder_ / "use.cpp",
+               "#include \"out 1.h\"\nint main() { return out_1_frames[3].uv == NULL ? 0 : 1; }\n");
   const std::string in = "cd '" + folder_.string() + "' && ";
   if (std::system("cc --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no compiler here";
   EXPECT_EQ(std::system((in + "cc -std=c99 -Wall -Wextra -Werror -pedantic use.c -o use").c_str()), 0);
@@ -244,7 +248,8 @@ TEST_F(SpriteWrite, SeveralScenesAreWrittenOrNone) {
     all.push_back(*encode_scene(scene, (folder_ / name).string(), told_));
   }
   ASSERT_TRUE(write_scenes(all, told_)) << to_text(told_);
-  EXPECT_EQ(files(), (std::vector<std::string>{"a.svg", "atlas.png", "b.bin", "b.gltf", "c.bin", "c.gltf", "list.json"}));
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"a.svg", "atlas.png", "b.bin", "b.gltf", "c.bin", "c.gltf", "list.json"}));
   all.front().front().path = folder_ / "no/a.svg";
   all.back().front().path = folder_ / "d.gltf";
   EXPECT_FALSE(write_scenes(all, told_));

@@ -19,11 +19,11 @@ struct DrawnSprite {
   std::optional<std::size_t> entry;  ///< its number in the source; none: no list that was read has it
   ImageId image = 0;
   // Corners: those of each piece's outline as the triangles wind, then what lies within.
-  std::vector<glm::dvec2> texcoords;  ///< (0, 0) is the image's upper left corner, (1, 1) the lower right one
-  std::vector<glm::dvec2> texels;     ///< the same, in texels of the image
-  std::vector<glm::dvec2> points;     ///< in texels of the whole sprite, upright, from its upper left corner
-  std::vector<std::uint32_t> triangles;               ///< three corners each
-  std::vector<std::vector<std::uint32_t>> outlines;   ///< of each piece that has one
+  std::vector<glm::dvec2> texcoords;     ///< (0, 0) is the image's upper left corner, (1, 1) the lower right one
+  std::vector<glm::dvec2> texels;        ///< the same, in texels of the image
+  std::vector<glm::dvec2> points;        ///< in texels of the whole sprite, upright, from its upper left corner
+  std::vector<std::uint32_t> triangles;  ///< three corners each
+  std::vector<std::vector<std::uint32_t>> outlines;  ///< of each piece that has one
 
   double area_part() const;  ///< of all triangles, in frames: 1 for the quad
 };

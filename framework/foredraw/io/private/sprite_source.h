@@ -20,12 +20,12 @@ using Json = nlohmann::ordered_json;  // keeps the sequence of the keys
 /// A sprite: where it lies in its image, and of which larger one it is what was left when its empty edges were cut off.
 struct FrameEntry {
   std::string name;
-  SpriteFrame place;             ///< in the image, as it lies there
-  bool is_turned = false;        ///< lies there turned clockwise by a quarter
-  glm::ivec2 offset{0};          ///< of its upper left corner in the whole sprite, in texels
-  glm::ivec2 whole{0};           ///< size of the whole sprite
-  std::size_t texture = 0;       ///< number of the image, and of the list's texture
-  std::size_t number = 0;        ///< among the frames of that texture
+  SpriteFrame place;        ///< in the image, as it lies there
+  bool is_turned = false;   ///< lies there turned clockwise by a quarter
+  glm::ivec2 offset{0};     ///< of its upper left corner in the whole sprite, in texels
+  glm::ivec2 whole{0};      ///< size of the whole sprite
+  std::size_t texture = 0;  ///< number of the image, and of the list's texture
+  std::size_t number = 0;   ///< among the frames of that texture
 
   /// Its own size, upright.
   glm::ivec2 size() const {
@@ -36,9 +36,9 @@ struct FrameEntry {
 
 class SpriteSource final : public SceneSource {
  public:
-  Json list;                                 ///< as it came; null: the scene was an image
-  std::vector<FrameEntry> entries;           ///< [DrawOrigin::mesh]
-  std::vector<std::filesystem::path> files;  ///< every file that was read, the scene's own first
+  Json list;                                       ///< as it came; null: the scene was an image
+  std::vector<FrameEntry> entries;                 ///< [DrawOrigin::mesh]
+  std::vector<std::filesystem::path> files;        ///< every file that was read, the scene's own first
   std::vector<std::filesystem::path> image_files;  ///< [image]
   std::uint64_t length = 0;
 
@@ -58,9 +58,9 @@ AnyJson& frames_in(AnyJson& list, std::size_t texture) {
 struct FrameList {
   Json json;
   std::vector<FrameEntry> entries;
-  std::vector<std::string> images;                       ///< as the list names them
-  std::vector<std::optional<glm::ivec2>> image_sizes;    ///< as the list claims
-  bool has_polygons = false;                             ///< some frame has vertices
+  std::vector<std::string> images;                     ///< as the list names them
+  std::vector<std::optional<glm::ivec2>> image_sizes;  ///< as the list claims
+  bool has_polygons = false;                           ///< some frame has vertices
 };
 std::optional<FrameList> read_frame_list(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 

@@ -30,8 +30,8 @@ Box bounds_of(const DrawnSprite& sprite);
 struct SheetTotals {
   std::size_t sprites = 0;
   std::size_t vertices = 0;
-  double area = 0;   ///< texels of all polygons
-  double frames = 0; ///< texels of all frames
+  double area = 0;    ///< texels of all polygons
+  double frames = 0;  ///< texels of all frames
 };
 SheetTotals totals_of(std::span<const Sheet> sheets);
 
