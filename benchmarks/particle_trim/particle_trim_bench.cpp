@@ -1,0 +1,262 @@
+// How much smaller sprites become when they are drawn as polygons, and the time it takes: on the particle textures of the
+// corpus, whole where they show one sprite, tile by tile where they are atlases. By number of vertices: the smallest
+// polygon, and the one that Persson's search finds on a hull reduced to so many edges; beside them the upright rectangle
+// and, where CGAL is there, the smallest rectangle and parallelogram. All figures go to a file, which
+// particle_trim_page.py makes a page of.
+//
+//     particle-trim-bench --tsv=FILE [--rounds=N]
+//
+// Times are of all from the decoded texture on: its alpha, the hulls of what shows, and the polygons of all tiles, proven;
+// contestants run one behind the other in each round, and the medians count. On one thread but for the large atlas. What
+// the clock on the wall says stands beside what the processor worked, which other processes disturb less.
+
+#include "enclosing_quadrilaterals.h"
+#include "particle_textures.h"
+#include "sprite_atlas.h"
+
+#include "support/meshes.h"
+
+#include <foredraw/base/parallel.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+
+namespace foredraw::bench {
+namespace {
+
+constexpr std::array thresholds = {0.0, 0.1};
+constexpr std::array hull_edges = {8, 12, 16, 24, 32};
+constexpr int most_vertices = 16, most_vertices_by_persson = 8;
+
+/// How a texture is trimmed.
+struct Way {
+  TrimMethod method = TrimMethod::optimal;
+  int hull_edges = 0;  ///< 0: does not count
+  int vertices = 8;
+
+  ParticleTrimOptions options(double threshold) const {
+    ParticleTrimOptions options;
+    options.method = method;
+    options.vertices = vertices;
+    options.threshold = threshold;
+    options.least_saving = 0;  // all sprites count in the means
+    if (hull_edges != 0) options.hull_edges = hull_edges;
+    return options;
+  }
+};
+
+std::vector<Way> all_ways() {
+  std::vector<Way> ways;
+  for (int n = 3; n <= most_vertices; ++n) ways.push_back({TrimMethod::optimal, 0, n});
+  for (const int edges : hull_edges) {
+    for (int n = 3; n <= most_vertices_by_persson; ++n) ways.push_back({TrimMethod::persson, edges, n});
+  }
+  return ways;
+}
+
+/// The default of either method.
+std::vector<Way> ways_of_eight() { return {{TrimMethod::optimal, 0, 8}, {TrimMethod::persson, 24, 8}}; }
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+/// How long the same work takes, again and again: by the clock on the wall, and what all threads of this program worked.
+class Times {
+ public:
+  template <class Work>
+  void add(Work&& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t work_begin = std::clock();
+    work();
+    worked_.push_back(1000.0 * static_cast<double>(std::clock() - work_begin) / CLOCKS_PER_SEC);
+    passed_.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+  }
+
+  /// Medians in milliseconds, as two columns.
+  std::string text() const { return fmt::format("{:.3f}\t{:.3f}", median(passed_), median(worked_)); }
+
+ private:
+  std::vector<double> passed_, worked_;
+};
+
+struct Job {
+  std::string name;
+  const Texels& texels;
+  std::vector<TrimFrame> frames;
+};
+
+std::vector<TrimmedSprite> trimmed(const Job& job, const ParticleTrimOptions& options, const Executor& executor) {
+  const AlphaImage alpha = alpha_image(job.texels);
+  const trim::ShownImage image = shown_image(alpha, particle_sampling, options);
+  std::vector<TrimmedSprite> sprites(job.frames.size());
+  executor.for_each(job.frames.size(), [&](std::size_t i) {
+    sprites[i] = particle_trim(image, std::span(&job.frames[i], 1), options).front();
+  });
+  return sprites;
+}
+
+/// What shows in each frame; empty where nothing does.
+std::vector<std::vector<trim::Point>> hulls(const Job& job, const ParticleTrimOptions& options) {
+  const AlphaImage alpha = alpha_image(job.texels);
+  const trim::ShownImage image = shown_image(alpha, particle_sampling, options);
+  std::vector<std::vector<trim::Point>> made;
+  for (const TrimFrame& frame : job.frames) {
+    std::vector<trim::Point> shown = image.shown_points(frame);
+    for (trim::Point& point : shown) point = point - frame.least;
+    const TrimFrame at_origin{{0, 0}, frame.most - frame.least};
+    made.push_back(shown.empty() ? shown : trim::padded_hull(shown, at_origin, image.options()));
+  }
+  return made;
+}
+
+double area_of(const std::vector<trim::Point>& hull) {
+  double doubled = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    doubled += static_cast<double>(trim::cross(hull[i], hull[(i + 1) % hull.size()]));
+  }
+  return doubled / 2;
+}
+
+double rectangle_area(const std::vector<trim::Point>& hull) {
+  const auto [left, right] = std::ranges::minmax(hull, {}, &trim::Point::x);
+  const auto [up, down] = std::ranges::minmax(hull, {}, &trim::Point::y);
+  return static_cast<double>(right.x - left.x) * static_cast<double>(down.y - up.y);
+}
+
+std::string_view name(TrimMethod method) { return method == TrimMethod::optimal ? "optimal" : "persson"; }
+
+class Bench {
+ public:
+  Bench(std::size_t rounds, std::ostream& out) : rounds_(rounds), out_(out) {
+    out_ << "texture\ttile\tthreshold\tmethod\thull edges\tvertices\tcorners\tthreads\tarea\tmilliseconds\tworked\n";
+  }
+
+  /// `ways` one behind the other in each round, so that a noisy moment hits all alike.
+  void run(const Job& job, const std::vector<Way>& ways, int threads) {
+    const Executor executor(threads);
+    for (const double threshold : thresholds) {
+      const std::vector<bool> shows = write_hulls(job, ways.front().options(threshold));
+      std::vector<Times> times(ways.size());
+      std::vector<std::vector<TrimmedSprite>> sprites(ways.size());
+      for (std::size_t round = 0; round < rounds_; ++round) {
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+          times[i].add([&] { sprites[i] = trimmed(job, ways[i].options(threshold), executor); });
+        }
+      }
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        Row row{job.name, threshold, name(ways[i].method), ways[i].hull_edges, ways[i].vertices, threads};
+        for (std::size_t tile = 0; tile < sprites[i].size(); ++tile) {
+          const TrimmedSprite& sprite = sprites[i][tile];
+          if (shows[tile]) write_area(row, tile, sprite.corners.size(), sprite.area / sprite.frame_area);
+        }
+        write_times(row, times[i]);
+      }
+    }
+    fmt::print(stderr, "{}\n", job.name);
+  }
+
+ private:
+  /// What stands in front of a figure.
+  struct Row {
+    std::string texture;
+    double threshold = 0;
+    std::string_view method;
+    int hull_edges = 0;  ///< 0: does not count
+    int vertices = 0;    ///< at most; 0: does not count
+    int threads = 1;
+  };
+
+  /// And whether something shows in each frame.
+  std::vector<bool> write_hulls(const Job& job, const ParticleTrimOptions& options) {
+    std::vector<std::vector<trim::Point>> found;
+    Times alpha, hull;
+    for (std::size_t round = 0; round < rounds_; ++round) {
+      alpha.add([&] { alpha_image(job.texels); });
+      hull.add([&] { found = hulls(job, options); });
+    }
+    write_times({job.name, options.threshold, "alpha"}, alpha);
+    write_times({job.name, options.threshold, "hull"}, hull);
+    std::vector<bool> shows;
+    for (std::size_t tile = 0; tile < found.size(); ++tile) {
+      shows.push_back(!found[tile].empty());
+      if (!found[tile].empty()) write_beside(job, tile, options.threshold, found[tile]);
+    }
+    return shows;
+  }
+
+  /// The hull itself, and what is round it without a search for a polygon.
+  void write_beside(const Job& job, std::size_t tile, double threshold, const std::vector<trim::Point>& hull) {
+    const double frame_area = job.frames[tile].area();
+    const auto write = [&](std::string_view method, std::size_t corners, double area) {
+      write_area({job.name, threshold, method}, tile, corners, area / frame_area);
+    };
+    write("hull", hull.size(), area_of(hull));
+    write("upright rectangle", 4, rectangle_area(hull));
+    if (const auto quadrilaterals = enclosing_quadrilaterals(hull)) {
+      write("turned rectangle", 4, quadrilaterals->rectangle);
+      write("parallelogram", 4, quadrilaterals->parallelogram);
+    }
+  }
+
+  static std::string number(int number) { return number == 0 ? "" : std::to_string(number); }
+
+  void write_area(const Row& row, std::size_t tile, std::size_t corners, double area) {
+    out_ << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.6f}\t\t\n", row.texture, tile, row.threshold, row.method,
+                        number(row.hull_edges), number(row.vertices), corners, row.threads, area);
+  }
+
+  void write_times(const Row& row, const Times& times) {
+    out_ << fmt::format("{}\tall\t{}\t{}\t{}\t{}\t\t{}\t\t{}\n", row.texture, row.threshold, row.method,
+                        number(row.hull_edges), number(row.vertices), row.threads, times.text())
+         << std::flush;
+  }
+
+  std::size_t rounds_;
+  std::ostream& out_;
+};
+
+}  // namespace
+}  // namespace foredraw::bench
+
+int main(int argc, char** argv) {
+  using namespace foredraw;
+  std::string tsv;
+  int rounds = 7;
+  for (const std::string_view word : std::span(argv + 1, argv + argc)) {
+    const std::string_view value = word.substr(std::min(word.find('=') + 1, word.size()));
+    if (word.starts_with("--tsv=")) {
+      tsv = value;
+    } else if (word.starts_with("--rounds=")) {
+      std::from_chars(value.data(), value.data() + value.size(), rounds);
+    } else {
+      std::cerr << argv[0] << ": '" << word << "' is not known; --tsv=FILE and --rounds=N are\n";
+      return 1;
+    }
+  }
+  std::ofstream out(tsv);
+  if (!out || rounds < 1) {
+    std::cerr << argv[0] << ": where to? --tsv=FILE takes the figures; --rounds=N takes 1 or more\n";
+    return 1;
+  }
+  const std::filesystem::path folder = testing::project_file("benchmarks/corpus/particles");
+  bench::Bench bench(static_cast<std::size_t>(rounds), out);
+  for (const bench::ParticleTexture& texture : bench::particle_textures()) {
+    const Texels texels = decoded(texture, folder);
+    bench.run({texture.name, texels, tiles(texture, texels.facts)}, bench::all_ways(), 1);
+  }
+  const Texels atlas = bench::sprite_atlas(folder);
+  for (const int threads : {1, 2}) {
+    const bench::ParticleTexture& grid = bench::sprite_atlas_grid;
+    bench.run({grid.name, atlas, tiles(grid, atlas.facts)}, bench::ways_of_eight(), threads);
+  }
+  return out.flush() ? 0 : 1;
+}
