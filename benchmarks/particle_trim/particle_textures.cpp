@@ -1,54 +1,41 @@
 #include "particle_textures.h"
 
-#include <foredraw/io/images.h>
-#include <foredraw/platform/files.h>
+#include "support/meshes.h"
 
+#include <foredraw/io/images.h>
+#include <foredraw/io/scene_file.h>
+
+#include <algorithm>
 #include <stdexcept>
 
 namespace foredraw::bench {
 
-std::vector<ParticleTexture> particle_textures() {
-  return {
-      {"atlas_godot_flipbook", 2, 2},
-      {"atlas_playcanvas_bonus", 4, 2},  // nothing shows in the last one
-      {"atlas_playcanvas_numbers", 4, 4},
-      {"atlas_smoke15frames", 5, 3},
-      {"kenney_dirt_03"},
-      {"kenney_fire_01"},
-      {"kenney_flame_02"},
-      {"kenney_light_03"},
-      {"kenney_magic_05"},
-      {"kenney_muzzle_01"},
-      {"kenney_scorch_02"},
-      {"kenney_slash_02"},
-      {"kenney_smoke_04"},
-      {"kenney_spark_05"},
-      {"kenney_star_09"},
-      {"kenney_trace_04"},
-      {"kenney_twirl_03"},
-  };
-}
+namespace fs = std::filesystem;
 
-Texels decoded(const ParticleTexture& texture, const std::filesystem::path& folder) {
-  Diagnostics diagnostics;
-  const std::string path = (folder / (texture.name + ".png")).string();
-  const auto bytes = read_file(path, diagnostics);
-  auto texels = bytes ? decode_image(*bytes, {path}, diagnostics) : std::nullopt;
-  if (!texels) throw std::runtime_error(to_text(diagnostics));
-  return std::move(*texels);
-}
-
-std::vector<TrimFrame> tiles(const ParticleTexture& texture, const ImageFacts& facts) {
-  const std::int64_t width = facts.width * steps_per_texel / texture.columns;
-  const std::int64_t height = facts.height * steps_per_texel / texture.rows;
-  std::vector<TrimFrame> frames;
-  for (int row = 0; row < texture.rows; ++row) {
-    for (int column = 0; column < texture.columns; ++column) {
-      const trim::Point corner{column * width, row * height};
-      frames.push_back({corner, corner + trim::Point{width, height}});
-    }
+std::vector<fs::path> particle_files() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(testing::project_file("benchmarks/corpus/particles"))) {
+    const fs::path list = fs::path(entry.path()).replace_extension(".json");
+    if (entry.path() == list || !fs::exists(list)) files.push_back(entry.path());
   }
-  return frames;
+  std::ranges::sort(files);
+  return files;
+}
+
+ParticleTexture particle_texture(const fs::path& file) {
+  Diagnostics diagnostics;
+  const auto read = read_scene(file.string(), diagnostics);
+  if (!read) throw std::runtime_error(to_text(diagnostics));
+  ParticleTexture texture{file.stem().string(), {}, {}};
+  auto texels = image_decoder(file)(read->scene.images.at(0));
+  if (const std::string* why = std::get_if<std::string>(&texels)) throw std::runtime_error(file.string() + ": " + *why);
+  texture.texels = std::move(std::get<Texels>(texels));
+  for (const Draw& draw : read->scene.draws) {
+    const trim::Point corner{draw.frame->x * steps_per_texel, draw.frame->y * steps_per_texel};
+    const trim::Point size{draw.frame->width * steps_per_texel, draw.frame->height * steps_per_texel};
+    texture.frames.push_back({corner, corner + size});
+  }
+  return texture;
 }
 
 }  // namespace foredraw::bench

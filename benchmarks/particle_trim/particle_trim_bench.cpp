@@ -14,8 +14,6 @@
 #include "particle_textures.h"
 #include "sprite_atlas.h"
 
-#include "support/meshes.h"
-
 #include <foredraw/base/parallel.h>
 
 #include <fmt/format.h>
@@ -88,28 +86,22 @@ class Times {
   std::vector<double> passed_, worked_;
 };
 
-struct Job {
-  std::string name;
-  const Texels& texels;
-  std::vector<TrimFrame> frames;
-};
-
-std::vector<TrimmedSprite> trimmed(const Job& job, const ParticleTrimOptions& options, const Executor& executor) {
-  const AlphaImage alpha = alpha_image(job.texels);
+std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const ParticleTrimOptions& options, const Executor& executor) {
+  const AlphaImage alpha = alpha_image(texture.texels);
   const trim::ShownImage image = shown_image(alpha, particle_sampling, options);
-  std::vector<TrimmedSprite> sprites(job.frames.size());
-  executor.for_each(job.frames.size(), [&](std::size_t i) {
-    sprites[i] = particle_trim(image, std::span(&job.frames[i], 1), options).front();
+  std::vector<TrimmedSprite> sprites(texture.frames.size());
+  executor.for_each(texture.frames.size(), [&](std::size_t i) {
+    sprites[i] = particle_trim(image, std::span(&texture.frames[i], 1), options).front();
   });
   return sprites;
 }
 
 /// What shows in each frame; empty where nothing does.
-std::vector<std::vector<trim::Point>> hulls(const Job& job, const ParticleTrimOptions& options) {
-  const AlphaImage alpha = alpha_image(job.texels);
+std::vector<std::vector<trim::Point>> hulls(const ParticleTexture& texture, const ParticleTrimOptions& options) {
+  const AlphaImage alpha = alpha_image(texture.texels);
   const trim::ShownImage image = shown_image(alpha, particle_sampling, options);
   std::vector<std::vector<trim::Point>> made;
-  for (const TrimFrame& frame : job.frames) {
+  for (const TrimFrame& frame : texture.frames) {
     std::vector<trim::Point> shown = image.shown_points(frame);
     for (trim::Point& point : shown) point = point - frame.least;
     const TrimFrame at_origin{{0, 0}, frame.most - frame.least};
@@ -141,19 +133,19 @@ class Bench {
   }
 
   /// `ways` one behind the other in each round, so that a noisy moment hits all alike.
-  void run(const Job& job, const std::vector<Way>& ways, int threads) {
+  void run(const ParticleTexture& texture, const std::vector<Way>& ways, int threads) {
     const Executor executor(threads);
     for (const double threshold : thresholds) {
-      const std::vector<bool> shows = write_hulls(job, ways.front().options(threshold));
+      const std::vector<bool> shows = write_hulls(texture, ways.front().options(threshold));
       std::vector<Times> times(ways.size());
       std::vector<std::vector<TrimmedSprite>> sprites(ways.size());
       for (std::size_t round = 0; round < rounds_; ++round) {
         for (std::size_t i = 0; i < ways.size(); ++i) {
-          times[i].add([&] { sprites[i] = trimmed(job, ways[i].options(threshold), executor); });
+          times[i].add([&] { sprites[i] = trimmed(texture, ways[i].options(threshold), executor); });
         }
       }
       for (std::size_t i = 0; i < ways.size(); ++i) {
-        Row row{job.name, threshold, name(ways[i].method), ways[i].hull_edges, ways[i].vertices, threads};
+        Row row{texture.name, threshold, name(ways[i].method), ways[i].hull_edges, ways[i].vertices, threads};
         for (std::size_t tile = 0; tile < sprites[i].size(); ++tile) {
           const TrimmedSprite& sprite = sprites[i][tile];
           if (shows[tile]) write_area(row, tile, sprite.corners.size(), sprite.area / sprite.frame_area);
@@ -161,7 +153,7 @@ class Bench {
         write_times(row, times[i]);
       }
     }
-    fmt::print(stderr, "{}\n", job.name);
+    fmt::print(stderr, "{}\n", texture.name);
   }
 
  private:
@@ -176,28 +168,28 @@ class Bench {
   };
 
   /// And whether something shows in each frame.
-  std::vector<bool> write_hulls(const Job& job, const ParticleTrimOptions& options) {
+  std::vector<bool> write_hulls(const ParticleTexture& texture, const ParticleTrimOptions& options) {
     std::vector<std::vector<trim::Point>> found;
     Times alpha, hull;
     for (std::size_t round = 0; round < rounds_; ++round) {
-      alpha.add([&] { alpha_image(job.texels); });
-      hull.add([&] { found = hulls(job, options); });
+      alpha.add([&] { alpha_image(texture.texels); });
+      hull.add([&] { found = hulls(texture, options); });
     }
-    write_times({job.name, options.threshold, "alpha"}, alpha);
-    write_times({job.name, options.threshold, "hull"}, hull);
+    write_times({texture.name, options.threshold, "alpha"}, alpha);
+    write_times({texture.name, options.threshold, "hull"}, hull);
     std::vector<bool> shows;
     for (std::size_t tile = 0; tile < found.size(); ++tile) {
       shows.push_back(!found[tile].empty());
-      if (!found[tile].empty()) write_beside(job, tile, options.threshold, found[tile]);
+      if (!found[tile].empty()) write_beside(texture, tile, options.threshold, found[tile]);
     }
     return shows;
   }
 
   /// The hull itself, and what is round it without a search for a polygon.
-  void write_beside(const Job& job, std::size_t tile, double threshold, const std::vector<trim::Point>& hull) {
-    const double frame_area = job.frames[tile].area();
+  void write_beside(const ParticleTexture& texture, std::size_t tile, double threshold, const std::vector<trim::Point>& hull) {
+    const double frame_area = texture.frames[tile].area();
     const auto write = [&](std::string_view method, std::size_t corners, double area) {
-      write_area({job.name, threshold, method}, tile, corners, area / frame_area);
+      write_area({texture.name, threshold, method}, tile, corners, area / frame_area);
     };
     write("hull", hull.size(), area_of(hull));
     write("upright rectangle", 4, rectangle_area(hull));
@@ -247,16 +239,11 @@ int main(int argc, char** argv) {
     std::cerr << argv[0] << ": where to? --tsv=FILE takes the figures; --rounds=N takes 1 or more\n";
     return 1;
   }
-  const std::filesystem::path folder = testing::project_file("benchmarks/corpus/particles");
+  std::vector<bench::ParticleTexture> textures;
+  for (const std::filesystem::path& file : bench::particle_files()) textures.push_back(bench::particle_texture(file));
   bench::Bench bench(static_cast<std::size_t>(rounds), out);
-  for (const bench::ParticleTexture& texture : bench::particle_textures()) {
-    const Texels texels = decoded(texture, folder);
-    bench.run({texture.name, texels, tiles(texture, texels.facts)}, bench::all_ways(), 1);
-  }
-  const Texels atlas = bench::sprite_atlas(folder);
-  for (const int threads : {1, 2}) {
-    const bench::ParticleTexture& grid = bench::sprite_atlas_grid;
-    bench.run({grid.name, atlas, tiles(grid, atlas.facts)}, bench::ways_of_eight(), threads);
-  }
+  for (const bench::ParticleTexture& texture : textures) bench.run(texture, bench::all_ways(), 1);
+  const bench::ParticleTexture atlas = bench::sprite_atlas(textures);
+  for (const int threads : {1, 2}) bench.run(atlas, bench::ways_of_eight(), threads);
   return out.flush() ? 0 : 1;
 }

@@ -1,5 +1,6 @@
 #include "sprite_atlas.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace foredraw::bench {
@@ -18,30 +19,30 @@ std::size_t source_texel(std::size_t x, std::size_t y, std::size_t way) {
 
 }  // namespace
 
-Texels sprite_atlas(const std::filesystem::path& folder) {
-  std::vector<Texels> sprites;
-  for (const ParticleTexture& texture : particle_textures()) {
-    if (texture.columns == 1) sprites.push_back(decoded(texture, folder));
-  }
-  Texels atlas;
-  for (const Texels& sprite : sprites) {
-    const ImageFacts& facts = sprite.facts;
-    if (facts.width != side || facts.height != side || facts.channels != channels || facts.bits != 8) {
-      throw std::runtime_error("single particle textures of the corpus have to be 512 x 512 texels of RGBA, 8 bits each");
+ParticleTexture sprite_atlas(std::span<const ParticleTexture> textures) {
+  constexpr ImageFacts sprite_facts{side, side, channels, 8, false};
+  std::vector<const Texels*> sprites;
+  for (const ParticleTexture& texture : textures) {
+    if (texture.frames.size() > 1) continue;
+    if (texture.texels.facts != sprite_facts) {
+      throw std::invalid_argument(texture.name + ": has to be 512 x 512 texels of RGBA, 8 bits each, for the large atlas");
     }
-    atlas.facts = facts;
+    sprites.push_back(&texture.texels);
   }
-  atlas.facts.width = atlas.facts.height = across * side;
-  atlas.bytes.resize(across * across * side * side * channels);
+  ParticleTexture atlas{"generated_atlas", {{across * side, across * side, channels, 8, false}, {}}, {}};
+  atlas.texels.bytes.resize(across * across * side * side * channels);
   for (std::size_t tile = 0; tile < across * across; ++tile) {
-    const Texels& sprite = sprites[tile % sprites.size()];
-    const std::size_t way = tile / sprites.size();
+    const std::vector<std::byte>& sprite = sprites[tile % sprites.size()]->bytes;
+    const std::size_t way = tile / sprites.size(), left = tile % across * side, up = tile / across * side;
     for (std::size_t y = 0; y < side; ++y) {
       for (std::size_t x = 0; x < side; ++x) {
-        const std::size_t to = ((tile / across * side + y) * across + tile % across) * side + x;
-        std::copy_n(&sprite.bytes[source_texel(x, y, way) * channels], channels, &atlas.bytes[to * channels]);
+        const std::size_t to = (up + y) * across * side + left + x;
+        std::copy_n(&sprite[source_texel(x, y, way) * channels], channels, &atlas.texels.bytes[to * channels]);
       }
     }
+    constexpr std::int64_t steps = side * steps_per_texel;
+    const trim::Point corner{static_cast<std::int64_t>(left) * steps_per_texel, static_cast<std::int64_t>(up) * steps_per_texel};
+    atlas.frames.push_back({corner, corner + trim::Point{steps, steps}});
   }
   return atlas;
 }

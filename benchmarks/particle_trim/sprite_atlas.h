@@ -3,13 +3,12 @@
 
 #include "particle_textures.h"
 
+#include <span>
+
 namespace foredraw::bench {
 
-/// 4096 x 4096 texels, RGBA of 8 bits: 64 tiles, the single sprites of the corpus over and over, each time turned or
-/// mirrored in another way, so that no two tiles are equal. Throws std::runtime_error where one can not be read.
-Texels sprite_atlas(const std::filesystem::path& folder);
-
-/// Its tiles.
-inline const ParticleTexture sprite_atlas_grid{"generated_atlas", 8, 8};
+/// 4096 x 4096 texels, RGBA of 8 bits, 64 frames: the single sprites among the textures over and over, each time turned or
+/// mirrored in another way, so that no two frames are equal. Throws std::invalid_argument where they are of other sizes.
+ParticleTexture sprite_atlas(std::span<const ParticleTexture> textures);
 
 }  // namespace foredraw::bench
