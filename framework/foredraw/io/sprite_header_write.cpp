@@ -1,4 +1,5 @@
 // Sprites as C99 arrays, which C++ takes too.
+#include <foredraw/io/private/free_names.h>
 #include <foredraw/io/private/sprite_write.h>
 
 #include <fmt/format.h>
@@ -99,9 +100,8 @@ std::string in_capitals(std::string text) {
   return text;
 }
 
-}  // namespace
-
-std::string identifier(const std::string& name, std::map<std::string, int>& taken) {
+/// A name as C takes it: letters, digits and single underscores, a letter first.
+std::string identifier(const std::string& name) {
   std::string result;
   for (const char c : name) {
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -116,19 +116,15 @@ std::string identifier(const std::string& name, std::map<std::string, int>& take
   }
   while (!result.empty() && result.back() == '_') result.pop_back();
   if (result.empty()) result = "sprite";
-  const auto [first, is_free] = taken.try_emplace(result, 1);
-  if (is_free) return result;
-  do {
-    result = fmt::format("{}_{}", first->first, ++first->second);
-  } while (!taken.try_emplace(result, 1).second);
   return result;
 }
 
+}  // namespace
+
 std::optional<std::string> header_text(std::span<const Sheet> sheets, const std::filesystem::path& target,
                                        Diagnostics& diagnostics) {
-  std::map<std::string, int> taken;
-  const std::string stem = identifier(target.stem().string(), taken);
-  taken.clear();
+  FreeNames names("_");
+  const std::string stem = identifier(target.stem().string());
   std::string arrays, rows;
   std::size_t count = 0;
   for (const Sheet& sheet : sheets) {
@@ -139,7 +135,7 @@ std::optional<std::string> header_text(std::span<const Sheet> sheets, const std:
                           "write it as .json or .glb");
         return std::nullopt;
       }
-      const std::string name = stem + '_' + identifier(sprite.frame.name, taken);
+      const std::string name = stem + '_' + names.take(identifier(sprite.frame.name));
       if (!sprite.triangles.empty()) put_arrays(arrays, name, sprite);
       rows += row(name, image_beside(sheet, sprite.image, target), sprite);
       ++count;

@@ -1,4 +1,5 @@
 // A frame list with polygons: the one that was read with these put in, or a new one.
+#include <foredraw/io/private/free_names.h>
 #include <foredraw/io/private/sprite_write.h>
 
 #include <fmt/format.h>
@@ -85,26 +86,41 @@ Json image_facts_of(const Sheet& sheet, std::size_t image, const std::filesystem
           {"size", {{"w", facts.width}, {"h", facts.height}}}};
 }
 
-/// Sprites by their images, each in the sequence of the draws.
-std::map<std::size_t, Json> frames_by_image(const Sheet& sheet) {
-  std::map<std::size_t, Json> frames;
-  for (const DrawnSprite& sprite : sheet.sprites) {
-    frames.try_emplace(sprite.image, Json::array()).first->second.push_back(frame_of(sheet, sprite, true));
+/// A texture being made: its frames have names of their own.
+struct TextureMaking {
+  Json json;
+  FreeNames names{"#"};
+};
+
+/// One texture for each image, though several scenes show it, in the sequence of the sprites.
+Json textures_of(std::span<const Sheet> sheets, const std::filesystem::path& target) {
+  std::vector<TextureMaking> textures;
+  std::map<std::string, std::size_t> numbers;
+  for (const Sheet& sheet : sheets) {
+    for (const DrawnSprite& sprite : sheet.sprites) {
+      std::string key = image_beside(sheet, sprite.image, target);
+      if (sheet.source == nullptr) key = fmt::format("{}:{}", &sheet - sheets.data(), sprite.image);  // no file
+      const auto [number, is_new] = numbers.try_emplace(std::move(key), textures.size());
+      if (is_new) {
+        TextureMaking& made = textures.emplace_back();
+        made.json = image_facts_of(sheet, sprite.image, target);
+        made.json["scale"] = 1;
+        made.json["frames"] = Json::array();
+      }
+      TextureMaking& texture = textures[number->second];
+      Json frame = frame_of(sheet, sprite, true);
+      frame["filename"] = texture.names.take(sprite.frame.name);
+      texture.json["frames"].push_back(std::move(frame));
+    }
   }
-  return frames;
+  Json list = Json::array();
+  for (TextureMaking& texture : textures) list.push_back(std::move(texture.json));
+  return list;
 }
 
 Json new_list(std::span<const Sheet> sheets, const std::filesystem::path& target) {
   Json list = Json::object();
-  Json textures = Json::array();
-  for (const Sheet& sheet : sheets) {
-    for (auto& [image, frames] : frames_by_image(sheet)) {
-      Json texture = image_facts_of(sheet, image, target);
-      texture["scale"] = 1;
-      texture["frames"] = std::move(frames);
-      textures.push_back(std::move(texture));
-    }
-  }
+  Json textures = textures_of(sheets, target);
   Json meta{{"app", "foredraw"}};
   if (textures.size() == 1) {
     list["frames"] = std::move(textures[0]["frames"]);
@@ -126,26 +142,21 @@ Json patched_frames(const Sheet& sheet, std::size_t texture, const Json& old) {
     by_number[sprite.entry ? sheet.source->entries[*sprite.entry].number : old.size()].push_back(&sprite);
   }
   Json frames = old.is_array() ? Json::array() : Json::object();
-  std::map<std::string, int> names;
-  const auto add = [&](std::string name, Json value) {
+  FreeNames names("#");
+  const auto add = [&](const std::string& name, Json value) {
     if (old.is_array()) {
+      value["filename"] = names.take(name);
       frames.push_back(std::move(value));
-      return;
+    } else {
+      frames.get_ref<Json::object_t&>().emplace_back(names.take(name), std::move(value));
     }
-    const auto [first, is_free] = names.try_emplace(name, 1);
-    if (!is_free) {
-      do {
-        name = fmt::format("{}#{}", first->first, ++first->second);
-      } while (!names.try_emplace(name, 1).second);
-    }
-    frames.get_ref<Json::object_t&>().emplace_back(name, std::move(value));
   };
   for (std::size_t i = 0; i <= old.size(); ++i) {
     const auto drawn = by_number.find(i);
     if (drawn != by_number.end()) {
       for (const DrawnSprite* sprite : drawn->second) add(sprite->frame.name, frame_of(sheet, *sprite, old.is_array()));
     } else if (i < old.size() && old.is_array()) {
-      add({}, old[i]);
+      add(old[i]["filename"].get<std::string>(), old[i]);
     } else if (i < old.size()) {
       const auto& [name, value] = member_at(old, i);
       add(name, value);

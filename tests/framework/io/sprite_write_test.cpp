@@ -134,14 +134,16 @@ TEST_F(SpriteWrite, PartsOfASpriteAreFramesOfTheirOwn) {
   EXPECT_TRUE(frames.contains("a & <b>\"?"));
 }
 
-TEST_F(SpriteWrite, SeveralScenesAreATextureEach) {
-  const std::vector<Scene> scenes = {read("atlas.png"), trimmed("list.json")};
+TEST_F(SpriteWrite, SeveralScenesAreATextureForEachImage) {
+  testing::put_bytes(folder_ / "other.png", testing::disc_png(16, 16));
+  const std::vector<Scene> scenes = {read("other.png"), trimmed("list.json"), read("atlas.png"), read("atlas.png")};
   const auto file = encode_sprites(scenes, folder_ / "all.json", told_);
   ASSERT_TRUE(file) << to_text(told_);
   testing::put_bytes(folder_ / "all.json", file->bytes);
   const Scene again = read("all.json");
-  EXPECT_EQ(again.draws.size(), 3u);
+  ASSERT_EQ(again.draws.size(), 5u);
   EXPECT_EQ(again.images.size(), 2u);
+  EXPECT_EQ(again.draws[4].name, "atlas#2");
 }
 
 TEST_F(SpriteWrite, AHeaderCompiles) {

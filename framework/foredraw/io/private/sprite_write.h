@@ -6,7 +6,6 @@
 #include <foredraw/base/diagnostics.h>
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,10 +22,6 @@ struct Sheet {
 
 /// The image's file as a list in the target's folder names it; where there is none, the image's name.
 std::string image_beside(const Sheet& sheet, std::size_t image, const std::filesystem::path& target);
-
-/// A name as C takes it: letters, digits and underscores, a letter first. One that is taken gets the next number
-/// that is free: [name] = the last one tried.
-std::string identifier(const std::string& name, std::map<std::string, int>& taken);
 
 // Each makes the whole text or file; nullopt, with an error, where it can not be made.
 std::optional<std::string> list_text(std::span<const Sheet> sheets, const std::filesystem::path& target,
