@@ -135,7 +135,7 @@ bool write_scenes(std::vector<std::vector<OutputFile>> scenes, Diagnostics& diag
   for (auto& files : scenes) {
     for (const OutputFile& file : std::span(files).subspan(1)) others.push_back(file.path);
     // No file comes before those that it names; the very first comes last of all.
-    if (!all.empty()) std::ranges::rotate(files, files.begin() + 1);
+    if (!all.empty()) std::rotate(files.begin(), files.begin() + 1, files.end());
     std::ranges::move(files, std::back_inserter(all));
   }
   if (!write_files(all, diagnostics)) return false;

@@ -83,7 +83,7 @@ std::shared_ptr<const VertexStreams> quad(const FrameEntry& entry, const ImageFa
   const float bottom = static_cast<float>(place.y + place.height) / height;
   std::vector<glm::vec2> texcoords = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
   // What lies turned clockwise has its lower left corner at the upper left.
-  if (entry.is_turned) std::ranges::rotate(texcoords, texcoords.begin() + 3);
+  if (entry.is_turned) std::rotate(texcoords.begin(), texcoords.begin() + 3, texcoords.end());
   VertexStreams streams;
   streams.count = 4;
   streams.base = {{"POSITION", floats(3), bytes_of(positions)}, {"TEXCOORD_0", floats(2), bytes_of(texcoords)}};
