@@ -32,6 +32,13 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, Dia
                    "the input is of another kind, or writes its numbers in fewer letters");
 }
 
+/// As they are put into their places, the very first one last: so that none comes before those that it names, the main
+/// file of each further scene goes behind its others.
+void append(std::vector<OutputFile> files, std::vector<OutputFile>& all) {
+  if (!all.empty() && !files.empty()) std::rotate(files.begin(), files.begin() + 1, files.end());
+  std::ranges::move(files, std::back_inserter(all));
+}
+
 }  // namespace
 
 bool is_gltf_file(const fs::path& path) { return lower_extension(path) == ".glb" || lower_extension(path) == ".gltf"; }
@@ -127,17 +134,14 @@ bool write_scene(std::span<const OutputFile> files, Diagnostics& diagnostics) {
 }
 
 bool write_scenes(std::vector<std::vector<OutputFile>> scenes, Diagnostics& diagnostics) {
-  std::vector<OutputFile> first;
-  for (const auto& files : scenes) std::ranges::move(gltf::stand_ins(files), std::back_inserter(first));
-  if (!first.empty() && !write_files(first, diagnostics)) return false;
-  std::vector<OutputFile> all;
+  std::vector<OutputFile> first, all;
   std::vector<fs::path> others;
   for (auto& files : scenes) {
     for (const OutputFile& file : std::span(files).subspan(1)) others.push_back(file.path);
-    // No file comes before those that it names; the very first comes last of all.
-    if (!all.empty()) std::rotate(files.begin(), files.begin() + 1, files.end());
-    std::ranges::move(files, std::back_inserter(all));
+    append(gltf::stand_ins(files), first);
+    append(std::move(files), all);
   }
+  if (!first.empty() && !write_files(first, diagnostics)) return false;
   if (!write_files(all, diagnostics)) return false;
   for (const fs::path& other : others) gltf::remove_stand_ins({other, {}});  // those of a run that was killed, too
   return true;
