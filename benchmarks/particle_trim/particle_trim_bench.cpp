@@ -88,7 +88,7 @@ class Times {
 
 std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const ParticleTrimOptions& options, const Executor& executor) {
   const AlphaImage alpha = alpha_image(texture.texels);
-  const trim::ShownImage image = shown_image(alpha, particle_sampling, options);
+  const trim::ShownImage image(alpha, particle_sampling, footprint_of(options));
   std::vector<TrimmedSprite> sprites(texture.frames.size());
   executor.for_each(texture.frames.size(), [&](std::size_t i) {
     sprites[i] = particle_trim(image, std::span(&texture.frames[i], 1), options).front();
@@ -99,7 +99,7 @@ std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const Particl
 /// What shows in each frame; empty where nothing does.
 std::vector<std::vector<trim::Point>> hulls(const ParticleTexture& texture, const ParticleTrimOptions& options) {
   const AlphaImage alpha = alpha_image(texture.texels);
-  const trim::ShownImage image = shown_image(alpha, particle_sampling, options);
+  const trim::ShownImage image(alpha, particle_sampling, footprint_of(options));
   std::vector<std::vector<trim::Point>> made;
   for (const TrimFrame& frame : texture.frames) {
     std::vector<trim::Point> shown = image.shown_points(frame);

@@ -78,6 +78,23 @@ std::string image_beside(const Sheet& sheet, std::size_t image, const fs::path& 
   return utf8(file.lexically_relative(fs::absolute(target).lexically_normal().parent_path()));
 }
 
+std::string winding_of(std::span<const Sheet> sheets) {
+  bool any_clockwise = false, any_counter_clockwise = false;
+  for (const Sheet& sheet : sheets) {
+    for (const DrawnSprite& sprite : sheet.sprites) {
+      for (std::size_t i = 0; i + 2 < sprite.triangles.size(); i += 3) {
+        const glm::dvec2 a = sprite.points[sprite.triangles[i]];
+        const glm::dvec2 ab = sprite.points[sprite.triangles[i + 1]] - a, ac = sprite.points[sprite.triangles[i + 2]] - a;
+        const double turn = ab.x * ac.y - ab.y * ac.x;  // y is down
+        any_clockwise = any_clockwise || turn > 0;
+        any_counter_clockwise = any_counter_clockwise || turn < 0;
+      }
+    }
+  }
+  if (any_clockwise && any_counter_clockwise) return "either";
+  return any_clockwise ? "clockwise" : "counter-clockwise";
+}
+
 }  // namespace sprites
 
 bool is_sprite_output(const fs::path& path) { return writer_of(path) != nullptr; }

@@ -16,9 +16,9 @@ constexpr std::string_view head =
  *
  * uv          two floats a vertex: where it lies in the image; (0, 0) is the upper left corner, (1, 1) the lower right
  * positions   two floats a vertex: texels of the whole sprite, from its upper left corner, x right, y down
- * indices     three vertices a triangle, counter-clockwise as the picture is seen
+ * indices     three vertices a triangle, {winding} as the picture is seen
  *
- * The first vertices are the outline's, counter-clockwise. A vertex may lie outside of its frame, where nothing shows.
+ * The first vertices are the outline's, in the same direction. A vertex may lie outside of its frame, where nothing shows.
  * A frame that is turned lies in the image clockwise by a quarter; its x, y, width and height are those in the image.
  */
 #ifndef {guard}
@@ -142,7 +142,7 @@ std::optional<std::string> header_text(std::span<const Sheet> sheets, const std:
     }
   }
   std::string text =
-      fmt::format(fmt::runtime(head), fmt::arg("stem", stem), fmt::arg("count", count),
+      fmt::format(fmt::runtime(head), fmt::arg("stem", stem), fmt::arg("count", count), fmt::arg("winding", winding_of(sheets)),
                   fmt::arg("guard", "FOREDRAW_SPRITES_" + in_capitals(stem) + "_H"), fmt::arg("type", stem + "_frame"));
   text += arrays;
   text += fmt::format("#define {}_FRAME_COUNT {}\n\n", in_capitals(stem), count);

@@ -72,11 +72,11 @@ Json frame_of(const Sheet& sheet, const DrawnSprite& sprite, bool with_name) {
   return frame;
 }
 
-Json polygon_facts() {
+Json polygon_facts(std::span<const Sheet> sheets) {
   return {{"vertices", "texels of the untrimmed sprite"},
           {"verticesUV", "texels of the image"},
           {"origin", "upper left"},
-          {"winding", "counter-clockwise"}};
+          {"winding", winding_of(sheets)}};
 }
 
 Json image_facts_of(const Sheet& sheet, std::size_t image, const std::filesystem::path& target) {
@@ -129,7 +129,7 @@ Json new_list(std::span<const Sheet> sheets, const std::filesystem::path& target
   } else {
     list[textures_key] = std::move(textures);
   }
-  meta["polygons"] = polygon_facts();
+  meta["polygons"] = polygon_facts(sheets);
   list["meta"] = std::move(meta);
   return list;
 }
@@ -179,7 +179,7 @@ Json patched_list(const Sheet& sheet, const std::filesystem::path& target) {
     }
   }
   if (!list.contains("meta") || !list["meta"].is_object()) list["meta"] = Json::object();
-  list["meta"]["polygons"] = polygon_facts();
+  list["meta"]["polygons"] = polygon_facts({&sheet, 1});
   return list;
 }
 

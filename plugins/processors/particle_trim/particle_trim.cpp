@@ -200,8 +200,8 @@ class Trimming {
 
 }  // namespace
 
-ShownImage shown_image(const AlphaImage& image, const Sampling& sampling, const ParticleTrimOptions& options) {
-  return ShownImage(image, sampling, {options.threshold, options.footprint, options.mip_levels, options.padding});
+FootprintOptions footprint_of(const ParticleTrimOptions& options) {
+  return {options.threshold, options.footprint, options.mip_levels, options.padding};
 }
 
 std::vector<TrimmedSprite> particle_trim(const ShownImage& image, std::span<const TrimFrame> frames,

@@ -57,8 +57,8 @@ struct TrimmedSprite {
 std::vector<TrimmedSprite> particle_trim(const trim::ShownImage& image, std::span<const TrimFrame> frames,
                                          const ParticleTrimOptions& options = {});
 
-/// Of an image's own: what the options say of it.
-trim::ShownImage shown_image(const AlphaImage& image, const Sampling& sampling, const ParticleTrimOptions& options);
+/// What the options say of how an image shows: for trim::ShownImage.
+trim::FootprintOptions footprint_of(const ParticleTrimOptions& options);
 
 struct Plugin;
 Plugin particle_trim_plugin();

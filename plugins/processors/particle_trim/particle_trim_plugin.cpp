@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <memory>
 #include <stdexcept>
+#include <tuple>
 
 namespace foredraw {
 
@@ -24,34 +26,32 @@ struct SpriteDraw {
   std::shared_ptr<const AlphaImage> image;
   std::vector<SpriteQuad> quads;
   std::vector<TrimmedSprite> sprites;  ///< [quad]
+
+  Sampling sampling() const { return {texture->wrap, texture->is_nearest}; }
 };
 
-/// Frames of one image that get polygons of one shape, and the quads that show them.
-struct Job {
-  const ShownImage* image = nullptr;
-  std::vector<TrimFrame> frames;
-  std::vector<std::vector<TrimmedSprite*>> shown_by;  ///< [frame]
+/// What a quad shows, and where its polygon goes.
+struct ShownQuad {
+  std::size_t image = 0;  ///< among those that are drawn
+  TrimFrame frame;
+  TrimmedSprite* sprite = nullptr;
+
+  trim::Point size() const { return frame.most - frame.least; }
 };
 
-std::string_view text(TrimmedSprite::Outcome outcome) {
-  using Outcome = TrimmedSprite::Outcome;
-  switch (outcome) {
-    case Outcome::rectangle: return "trimmed to an upright rectangle: every polygon of so few vertices is larger, or covers what shows beside it";
-    case Outcome::empty: return "nothing of it shows, so it stays as it is; it need not be drawn at all";
-    case Outcome::full: return "all of it shows: there is nothing to trim";
-    case Outcome::no_saving: return "trimming saves too little (least-saving), so it stays as it is";
-    default: return "";
-  }
-}
+struct Told {
+  std::string code, text;
+};
 
-std::string_view code(TrimmedSprite::Outcome outcome) {
+Told told(TrimmedSprite::Outcome outcome) {
   using Outcome = TrimmedSprite::Outcome;
   switch (outcome) {
-    case Outcome::rectangle: return "rectangle";
-    case Outcome::empty: return "empty";
-    case Outcome::full: return "full";
-    case Outcome::no_saving: return "no-saving";
-    default: return "";
+    case Outcome::rectangle:
+      return {"rectangle", "trimmed to an upright rectangle: a polygon of so few vertices is larger, or covers what shows beside it"};
+    case Outcome::empty: return {"empty", "nothing of it shows, so it stays as it is; it need not be drawn at all"};
+    case Outcome::full: return {"full", "all of it shows: there is nothing to trim"};
+    case Outcome::no_saving: return {"no-saving", "trimming saves too little (least-saving), so it stays as it is"};
+    default: return {};
   }
 }
 
@@ -108,45 +108,51 @@ class ParticleTrim final : public Processor {
     return sprites;
   }
 
-  /// Every frame once, however many quads show it.
   void trim_all(std::vector<SpriteDraw>& sprites, Run& run) const {
-    using ImageKey = std::tuple<const AlphaImage*, Wrap, Wrap, bool>;
-    std::map<ImageKey, std::unique_ptr<const ShownImage>> images;
-    std::vector<Job> jobs;
-    std::map<std::tuple<const ShownImage*, std::int64_t, std::int64_t, std::int64_t, std::int64_t>, std::pair<std::size_t, std::size_t>> places;
-    std::map<std::tuple<const ShownImage*, std::int64_t, std::int64_t>, std::size_t> sizes;
+    using Drawn = std::tuple<const AlphaImage*, Wrap, Wrap, bool>;
+    std::map<Drawn, std::size_t> numbers;
+    std::vector<std::unique_ptr<const ShownImage>> images;
+    std::vector<ShownQuad> quads;
     for (SpriteDraw& sprite : sprites) {
-      const Sampling sampling{sprite.texture->wrap, sprite.texture->is_nearest};
-      auto& image = images[{sprite.image.get(), sampling.wrap[0], sampling.wrap[1], sampling.is_nearest}];
-      if (!image) {
-        image.reset(new ShownImage(*sprite.image, sampling,
-                                   {options_.threshold, options_.footprint, options_.mip_levels, options_.padding}));
-      }
+      const Sampling sampling = sprite.sampling();
+      const auto [number, is_new] = numbers.try_emplace(
+          {sprite.image.get(), sampling.wrap[0], sampling.wrap[1], sampling.is_nearest}, images.size());
+      if (is_new) images.emplace_back(new ShownImage(*sprite.image, sampling, footprint_of(options_)));
       for (std::size_t q = 0; q < sprite.quads.size(); ++q) {
-        const TrimFrame& frame = sprite.quads[q].frame;
-        const trim::Point size = frame.most - frame.least;
-        const auto [place, is_new] = places.try_emplace({image.get(), frame.least.x, frame.least.y, frame.most.x, frame.most.y});
-        if (is_new) {
-          const auto [job, is_first] = sizes.try_emplace({image.get(), size.x, size.y}, jobs.size());
-          if (is_first || !options_.shared) {
-            job->second = jobs.size();
-            jobs.push_back({image.get(), {}, {}});
-          }
-          place->second = {job->second, jobs[job->second].frames.size()};
-          jobs[job->second].frames.push_back(frame);
-          jobs[job->second].shown_by.emplace_back();
-        }
-        jobs[place->second.first].shown_by[place->second.second].push_back(&sprite.sprites[q]);
+        quads.push_back({number->second, sprite.quads[q].frame, &sprite.sprites[q]});
       }
+    }
+    // Those that get one polygon stand together: of equal frames, or of frames that share their shape.
+    const auto key = [](const ShownQuad& quad) { return std::tuple(quad.image, quad.size(), quad.frame.least); };
+    std::ranges::sort(quads, {}, key);
+    std::vector<std::span<ShownQuad>> jobs;
+    for (std::size_t first = 0, last; first < quads.size(); first = last) {
+      const auto is_alike = [&](const ShownQuad& quad) {
+        return quad.image == quads[first].image && quad.size() == quads[first].size() &&
+               (options_.shared || quad.frame.least == quads[first].frame.least);
+      };
+      for (last = first + 1; last < quads.size() && is_alike(quads[last]);) ++last;
+      jobs.push_back(std::span(quads).subspan(first, last - first));
     }
     std::atomic<std::size_t> finished = 0;
     run.executor.for_each(jobs.size(), [&](std::size_t i) {
-      const std::vector<TrimmedSprite> made = particle_trim(*jobs[i].image, jobs[i].frames, options_);
-      for (std::size_t f = 0; f < made.size(); ++f) {
-        for (TrimmedSprite* sprite : jobs[i].shown_by[f]) *sprite = made[f];
-      }
+      trim_alike(*images[jobs[i].front().image], jobs[i]);
       if (run.progress) run.progress(static_cast<double>(++finished) / static_cast<double>(jobs.size()));
     });
+  }
+
+  /// Each frame once, however many quads show it.
+  void trim_alike(const ShownImage& image, std::span<ShownQuad> quads) const {
+    std::vector<TrimFrame> frames;
+    for (const ShownQuad& quad : quads) {
+      if (frames.empty() || frames.back().least != quad.frame.least) frames.push_back(quad.frame);
+    }
+    const std::vector<TrimmedSprite> made = particle_trim(image, frames, options_);
+    std::size_t at = 0;
+    for (const ShownQuad& quad : quads) {
+      if (frames[at].least != quad.frame.least) ++at;
+      *quad.sprite = made[at];
+    }
   }
 
   static void tell(const SpriteDraw& draw, Run& run) {
@@ -167,7 +173,8 @@ class ParticleTrim final : public Processor {
     for (const auto& [outcome, count] : outcomes) {
       if (outcome == TrimmedSprite::Outcome::trimmed) continue;
       const std::string of = draw.sprites.size() == 1 ? "" : fmt::format("{} of {} quads: ", count, draw.sprites.size());
-      run.note_at(place, std::string(code(outcome)), of + std::string(text(outcome)));
+      const auto [code, text] = told(outcome);
+      run.note_at(place, code, of + text);
     }
   }
 

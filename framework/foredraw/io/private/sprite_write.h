@@ -23,6 +23,9 @@ struct Sheet {
 /// The image's file as a list in the target's folder names it; where there is none, the image's name.
 std::string image_beside(const Sheet& sheet, std::size_t image, const std::filesystem::path& target);
 
+/// How the triangles of all of them run as the picture is seen: "counter-clockwise", "clockwise" or "either".
+std::string winding_of(std::span<const Sheet> sheets);
+
 // Each makes the whole text or file; nullopt, with an error, where it can not be made.
 std::optional<std::string> list_text(std::span<const Sheet> sheets, const std::filesystem::path& target,
                                      Diagnostics& diagnostics);
