@@ -45,9 +45,9 @@ struct Trimming {
 };
 
 constexpr std::array trimmings = {
-    Trimming{"particle-trim(vertices=3)", "sprite-fill(mipmaps=false)"},
-    Trimming{"particle-trim(vertices=4)", "sprite-fill(mipmaps=false)"},
-    Trimming{"particle-trim(vertices=8)", "sprite-fill(mipmaps=false)"},
+    Trimming{"particle-trim(vertices=3, mip-levels=0)", "sprite-fill(mipmaps=false)"},
+    Trimming{"particle-trim(vertices=4, mip-levels=0)", "sprite-fill(mipmaps=false)"},
+    Trimming{"particle-trim(vertices=8, mip-levels=0)", "sprite-fill(mipmaps=false)"},
     Trimming{"particle-trim(vertices=8, mip-levels=2)", "sprite-fill"},  // down to a quarter of their size
 };
 
