@@ -3,7 +3,7 @@ MODEL ?= benchmarks/corpus/scenes/house.glb
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test bench vertex-orders overdraw-error han-sander-2016 asan tsan fuzz clean
+.PHONY: help demo build test bench vertex-orders overdraw-error han-sander-2016 particle-trim asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
@@ -13,6 +13,7 @@ help:
 	@echo 'make vertex-orders  run the last one, and make docs/vertex-orders.md of its figures'
 	@echo 'make overdraw-error  how far evaluators of overdraw are from the truth, and docs/overdraw-error.md of it'
 	@echo 'make han-sander-2016  the experiment of that paper on our animated models, and docs/han-sander-2016.md of it'
+	@echo 'make particle-trim  how small trimmed sprites are, and in which time, and docs/particle-trim.md of it'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
 	@echo 'make clean    remove build/'
@@ -37,7 +38,7 @@ test asan tsan fuzz:
 
 bench:
 	packages/install build bench
-	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench han-sander-2016-bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench han-sander-2016-bench particle-trim-bench
 
 vertex-orders: bench
 	build/release/benchmarks/vertex_order/vertex-order-bench --tsv=benchmarks/vertex_order/figures.tsv
@@ -50,6 +51,10 @@ overdraw-error: bench
 han-sander-2016: bench
 	build/release/benchmarks/han_sander_2016/han-sander-2016-bench --tsv=benchmarks/han_sander_2016/figures.tsv --motions=2 --sweeps=cesium_man_notex
 	benchmarks/han_sander_2016/han_sander_2016_page.py benchmarks/han_sander_2016/figures.tsv
+
+particle-trim: bench
+	build/release/benchmarks/particle_trim/particle-trim-bench --tsv=benchmarks/particle_trim/figures.tsv
+	benchmarks/particle_trim/particle_trim_page.py benchmarks/particle_trim/figures.tsv
 
 clean:
 	rm -rf build

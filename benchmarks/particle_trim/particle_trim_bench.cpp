@@ -25,12 +25,14 @@
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <numeric>
 
 namespace foredraw::bench {
 namespace {
 
 constexpr std::array thresholds = {0.0, 0.1};
 constexpr std::array hull_edges = {8, 12, 16, 24, 32};
+constexpr std::array mip_levels = {0, 2};  // the second by default; of that all that has eight vertices
 constexpr int most_vertices = 16, most_vertices_by_persson = 8;
 
 /// How a texture is trimmed.
@@ -39,11 +41,12 @@ struct Way {
   int hull_edges = 0;  ///< 0: does not count
   int vertices = 8;
 
-  ParticleTrimOptions options(double threshold) const {
+  ParticleTrimOptions options(double threshold, int mip_levels) const {
     ParticleTrimOptions options;
     options.method = method;
     options.vertices = vertices;
     options.threshold = threshold;
+    options.mip_levels = mip_levels;
     options.least_saving = 0;  // all sprites count in the means
     if (hull_edges != 0) options.hull_edges = hull_edges;
     return options;
@@ -126,89 +129,102 @@ double rectangle_area(const std::vector<trim::Point>& hull) {
 
 std::string_view name(TrimMethod method) { return method == TrimMethod::optimal ? "optimal" : "persson"; }
 
+/// What a line of figures is about.
+struct Row {
+  std::string texture;
+  double threshold = 0;
+  int mips = 0;
+  std::string_view method;
+  std::string hull_edges = "";
+  std::string vertices = "";  ///< at most; of hulls, as many as they have
+  int threads = 1;
+};
+
 class Bench {
  public:
   Bench(std::size_t rounds, std::ostream& out) : rounds_(rounds), out_(out) {
-    out_ << "texture\ttile\tthreshold\tmethod\thull edges\tvertices\tcorners\tthreads\tarea\tmilliseconds\tworked\n";
+    out_ << "texture\tthreshold\tmip levels\tmethod\thull edges\tvertices\tthreads\tsprites\tarea\tleast area\tmost area\t"
+            "milliseconds\tworked\n";
   }
 
-  /// `ways` one behind the other in each round, so that a noisy moment hits all alike.
   void run(const ParticleTexture& texture, const std::vector<Way>& ways, int threads) {
-    const Executor executor(threads);
     for (const double threshold : thresholds) {
-      const std::vector<bool> shows = write_hulls(texture, ways.front().options(threshold));
-      std::vector<Times> times(ways.size());
-      std::vector<std::vector<TrimmedSprite>> sprites(ways.size());
-      for (std::size_t round = 0; round < rounds_; ++round) {
-        for (std::size_t i = 0; i < ways.size(); ++i) {
-          times[i].add([&] { sprites[i] = trimmed(texture, ways[i].options(threshold), executor); });
-        }
-      }
-      for (std::size_t i = 0; i < ways.size(); ++i) {
-        Row row{texture.name, threshold, name(ways[i].method), ways[i].hull_edges, ways[i].vertices, threads};
-        for (std::size_t tile = 0; tile < sprites[i].size(); ++tile) {
-          const TrimmedSprite& sprite = sprites[i][tile];
-          if (shows[tile]) write_area(row, tile, sprite.corners.size(), sprite.area / sprite.frame_area);
-        }
-        write_times(row, times[i]);
-      }
+      for (const int mips : mip_levels) run(texture, mips == 0 ? ways : ways_of_eight(), threshold, mips, threads);
     }
     fmt::print(stderr, "{}\n", texture.name);
   }
 
  private:
-  /// What stands in front of a figure.
-  struct Row {
-    std::string texture;
-    double threshold = 0;
-    std::string_view method;
-    int hull_edges = 0;  ///< 0: does not count
-    int vertices = 0;    ///< at most; 0: does not count
-    int threads = 1;
-  };
+  /// `ways` one behind the other in each round, so that a noisy moment hits all alike.
+  void run(const ParticleTexture& texture, const std::vector<Way>& ways, double threshold, int mips, int threads) {
+    const Executor executor(threads);
+    const std::vector<bool> shows = write_hulls(texture, ways.front().options(threshold, mips));
+    std::vector<Times> times(ways.size());
+    std::vector<std::vector<TrimmedSprite>> sprites(ways.size());
+    for (std::size_t round = 0; round < rounds_; ++round) {
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        times[i].add([&] { sprites[i] = trimmed(texture, ways[i].options(threshold, mips), executor); });
+      }
+    }
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      std::vector<double> areas;
+      for (std::size_t tile = 0; tile < sprites[i].size(); ++tile) {
+        if (shows[tile]) areas.push_back(sprites[i][tile].area / sprites[i][tile].frame_area);
+      }
+      const std::string edges = ways[i].hull_edges == 0 ? "" : std::to_string(ways[i].hull_edges);
+      write({texture.name, threshold, mips, name(ways[i].method), edges, std::to_string(ways[i].vertices), threads}, areas,
+            times[i].text());
+    }
+  }
 
-  /// And whether something shows in each frame.
+  /// The hulls, and what is round them without a search for a polygon. And whether something shows in each frame.
   std::vector<bool> write_hulls(const ParticleTexture& texture, const ParticleTrimOptions& options) {
     std::vector<std::vector<trim::Point>> found;
-    Times alpha, hull;
+    Times alpha_times, hull_times;
     for (std::size_t round = 0; round < rounds_; ++round) {
-      alpha.add([&] { alpha_image(texture.texels); });
-      hull.add([&] { found = hulls(texture, options); });
+      alpha_times.add([&] { alpha_image(texture.texels); });
+      hull_times.add([&] { found = hulls(texture, options); });
     }
-    write_times({texture.name, options.threshold, "alpha"}, alpha);
-    write_times({texture.name, options.threshold, "hull"}, hull);
     std::vector<bool> shows;
+    std::vector<std::size_t> corners;
+    std::vector<double> areas, rectangles, turned_rectangles, parallelograms;
     for (std::size_t tile = 0; tile < found.size(); ++tile) {
-      shows.push_back(!found[tile].empty());
-      if (!found[tile].empty()) write_beside(texture, tile, options.threshold, found[tile]);
+      const std::vector<trim::Point>& hull = found[tile];
+      shows.push_back(!hull.empty());
+      if (hull.empty()) continue;
+      const double frame_area = texture.frames[tile].area();
+      corners.push_back(hull.size());
+      areas.push_back(area_of(hull) / frame_area);
+      rectangles.push_back(rectangle_area(hull) / frame_area);
+      if (const auto around = enclosing_quadrilaterals(hull)) {
+        turned_rectangles.push_back(around->rectangle / frame_area);
+        parallelograms.push_back(around->parallelogram / frame_area);
+      }
+    }
+    const auto row = [&](std::string_view method, const std::string& vertices) {
+      return Row{texture.name, options.threshold, options.mip_levels, method, "", vertices};
+    };
+    const auto [least, most] = std::ranges::minmax(corners);
+    write(row("alpha", ""), {}, alpha_times.text());
+    write(row("hull", least == most ? std::to_string(least) : fmt::format("{} to {}", least, most)), areas, hull_times.text());
+    write(row("upright rectangle", "4"), rectangles, "\t");
+    if (!parallelograms.empty()) {
+      write(row("turned rectangle", "4"), turned_rectangles, "\t");
+      write(row("parallelogram", "4"), parallelograms, "\t");
     }
     return shows;
   }
 
-  /// The hull itself, and what is round it without a search for a polygon.
-  void write_beside(const ParticleTexture& texture, std::size_t tile, double threshold, const std::vector<trim::Point>& hull) {
-    const double frame_area = texture.frames[tile].area();
-    const auto write = [&](std::string_view method, std::size_t corners, double area) {
-      write_area({texture.name, threshold, method}, tile, corners, area / frame_area);
-    };
-    write("hull", hull.size(), area_of(hull));
-    write("upright rectangle", 4, rectangle_area(hull));
-    if (const auto quadrilaterals = enclosing_quadrilaterals(hull)) {
-      write("turned rectangle", 4, quadrilaterals->rectangle);
-      write("parallelogram", 4, quadrilaterals->parallelogram);
+  /// `areas` of the sprites, of their frames; `times` are two columns.
+  void write(const Row& row, const std::vector<double>& areas, const std::string& times) {
+    std::string three = "\t\t";
+    if (!areas.empty()) {
+      const auto [least, most] = std::ranges::minmax(areas);
+      const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+      three = fmt::format("{:.6f}\t{:.6f}\t{:.6f}", sum / static_cast<double>(areas.size()), least, most);
     }
-  }
-
-  static std::string number(int number) { return number == 0 ? "" : std::to_string(number); }
-
-  void write_area(const Row& row, std::size_t tile, std::size_t corners, double area) {
-    out_ << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.6f}\t\t\n", row.texture, tile, row.threshold, row.method,
-                        number(row.hull_edges), number(row.vertices), corners, row.threads, area);
-  }
-
-  void write_times(const Row& row, const Times& times) {
-    out_ << fmt::format("{}\tall\t{}\t{}\t{}\t{}\t\t{}\t\t{}\n", row.texture, row.threshold, row.method,
-                        number(row.hull_edges), number(row.vertices), row.threads, times.text())
+    out_ << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", row.texture, row.threshold, row.mips, row.method,
+                        row.hull_edges, row.vertices, row.threads, areas.size(), three, times)
          << std::flush;
   }
 

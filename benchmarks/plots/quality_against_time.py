@@ -1,5 +1,5 @@
-"""Quality against run time as an SVG picture: each panel shows what contestants reach in which time, with the Pareto
-front and what is known to be the limit.
+"""Quality against run time, or another cost, as an SVG picture: each panel shows what contestants reach in which time,
+with the Pareto front and what is known to be the limit.
 
 Legible on light and on dark pages: the page's own background shows through, text and axes take the page's colour, and
 colours of points stand out on both. Text stays text. The same figures give the same file.
@@ -11,7 +11,7 @@ import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter
 
 from label_places import label_places
 
@@ -36,6 +36,9 @@ class Panel:
     title: str
     points: list[Point]
     limits: list[tuple[str, float]] = field(default_factory=list)  # name, quality
+    axis: str = ""  # what the panel's own times are; else the picture's
+    ticks: list[float] = field(default_factory=list)  # where they are written, evenly; else by factors
+    worst: float = 0  # instead of the picture's; 0: that
 
 
 def pareto_front(points):
@@ -66,10 +69,11 @@ def draw_panel(axes, panel, style, worst, is_log):
     if is_log:
         axes.set_yscale("log")
     axes.set_ylim(best / 1.3 if is_log else best - 0.05 * (worst - best), worst)
-    axes.set_xscale("log")
+    axes.set_xscale("linear" if panel.ticks else "log")
     axes.margins(x=0.08)
-    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_locator(FixedLocator(panel.ticks) if panel.ticks else LogLocator(subs=(1, 2, 5)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda time, _: f"{time:g}"))
+    axes.set_xlabel(panel.axis)
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_title(panel.title, fontsize=9)
     axes.grid(color=PAGE, alpha=0.12, linewidth=0.6)
@@ -113,7 +117,7 @@ def write_svg(path, panels, time_axis, quality_axis, worst, columns=2, size=(4.9
     style = {family: (COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)])
              for i, family in enumerate(families_of(panels))}
     for axes, panel in zip(grid.flat, panels):
-        draw_panel(axes, panel, style, worst, is_log)
+        draw_panel(axes, panel, style, panel.worst or worst, is_log)
     for axes in grid.flat[len(panels):]:
         axes.set_visible(False)
     figure.supxlabel(time_axis, fontsize=9)
@@ -123,7 +127,7 @@ def write_svg(path, panels, time_axis, quality_axis, worst, columns=2, size=(4.9
     figure.legend(handles=shown, loc="upper center", ncol=4, fontsize=8)
     figure.tight_layout(rect=(0.01, 0, 1, 1 - 0.5 / (size[1] * rows + 0.5)))
     for axes, panel in zip(grid.flat, panels):
-        label_points(axes, panel, style, worst)
+        label_points(axes, panel, style, panel.worst or worst)
     figure.savefig(path, transparent=True, metadata={"Date": None, "Creator": None})
     plt.close(figure)
 
