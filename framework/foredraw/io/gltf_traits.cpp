@@ -115,7 +115,8 @@ bool is_extended(const Json& primitive) {
 
 bool is_sprite(const Draw& draw, const Material* material) {
   return material != nullptr && material->alpha_mode != AlphaMode::opaque && material->base_colour &&
-         material->base_colour->image && is_made_of_sprites(draw, material->base_colour->texcoord);
+         material->base_colour->image && draw.levels[0].vertices->morph_targets.empty() &&
+         !draw.traits.has(traits::skinned) && is_made_of_sprites(draw, material->base_colour->texcoord);
 }
 
 }  // namespace

@@ -62,17 +62,19 @@ class ParticleTrim final : public Processor {
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
     std::vector<SpriteDraw> sprites = sprites_of(scene, draws, run);
     trim_all(sprites, run);
-    std::vector<DrawId> trimmed;
+    std::vector<DrawId> as_tight_as_can_be;
+    bool any = false;
     for (const SpriteDraw& sprite : sprites) {
       tell(sprite, run);
-      const bool any = std::ranges::any_of(sprite.sprites, [](const TrimmedSprite& quad) { return !quad.corners.empty(); });
-      if (!any) continue;
+      as_tight_as_can_be.push_back(sprite.id);
+      const auto is_trimmed = [](const TrimmedSprite& quad) { return !quad.corners.empty(); };
+      if (std::ranges::none_of(sprite.sprites, is_trimmed)) continue;
+      any = true;
       Draw& draw = scene.draws[sprite.id];
       draw = with_polygons(draw, sprite.quads, sprite.sprites, *sprite.texture, *sprite.image, options_);
-      trimmed.push_back(sprite.id);
     }
-    if (trimmed.empty()) run.keep("no sprite has empty corners worth trimming");
-    return trimmed;
+    if (!any) run.keep("no sprite has empty corners worth trimming");
+    return as_tight_as_can_be;
   }
 
  private:
