@@ -1,14 +1,12 @@
 #include "convex_hull.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace foredraw::trim {
 
 std::vector<Point> monotone_chain(std::vector<Point> points) {
   std::ranges::sort(points);
-  const auto repeated = std::ranges::unique(points);
-  points.erase(repeated.begin(), repeated.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Point> hull;
   const auto add = [&](const Point& point, std::size_t fixed) {
