@@ -104,8 +104,7 @@ Plugin sprite_fill_plugin() {
               {"fill", "pixels filled per pixel that shows", "Pixels filled for each pixel that shows; 1 is the limit"},
               {"filled", "pixels", "Pixels that triangles cover, over all scales and turns"},
               {"needed", "pixels",
-               "Those of them that show. A stage that trims must leave it as it is: fewer of them, and something is "
-               "lost",
+               "Those of them that show. A stage that trims leaves it as it is, but for pixels on a frame's own edge",
                false},
           },
   };

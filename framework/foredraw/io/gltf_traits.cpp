@@ -114,7 +114,9 @@ bool is_extended(const Json& primitive) {
 }
 
 bool is_sprite(const Draw& draw, const Material* material) {
-  return material != nullptr && material->alpha_mode != AlphaMode::opaque && material->base_colour &&
+  if (material == nullptr || material->alpha_mode == AlphaMode::opaque) return false;
+  if (material->alpha_mode == AlphaMode::mask && material->alpha_cutoff <= 0) return false;  // all of it shows
+  return material->base_colour &&
          material->base_colour->image && draw.levels[0].vertices->morph_targets.empty() &&
          !draw.traits.has(traits::skinned) && is_made_of_sprites(draw, material->base_colour->texcoord);
 }

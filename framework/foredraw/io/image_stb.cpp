@@ -1,5 +1,7 @@
 #include <foredraw/io/private/image_stb.h>
 
+#include <foredraw/io/private/image_damage.h>
+
 #include <cstdlib>
 #include <limits>
 
@@ -44,11 +46,23 @@ bool tables_fit(Bytes jpeg) {
   return true;
 }
 
+/// A TGA may store its rows from the right, which the decoder passes by.
+void turn_rows(std::vector<std::byte>& texels, std::size_t width, std::size_t channels) {
+  const std::size_t row = width * channels;
+  for (std::size_t first = 0; first + row <= texels.size(); first += row) {
+    for (std::size_t left = 0, right = width - 1; left < right; ++left, --right) {
+      std::swap_ranges(&texels[first + left * channels], &texels[first + left * channels] + channels,
+                       &texels[first + right * channels]);
+    }
+  }
+}
+
 }  // namespace
 
 std::variant<std::vector<std::byte>, std::string> stb_texels(Bytes bytes, const Header& header) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return "is larger than 2 GB";
   if (header.kind == Kind::jpeg && !tables_fit(bytes)) return "has a Huffman table of more than 256 codes";
+  if (std::string damage = damage_of(bytes, header); !damage.empty()) return damage;
   const auto* from = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto length = static_cast<int>(bytes.size());
   int width = 0, height = 0, stored = 0;
@@ -65,7 +79,11 @@ std::variant<std::vector<std::byte>, std::string> stb_texels(Bytes bytes, const 
   const auto* first = static_cast<const std::byte*>(texels.get());
   const std::size_t size =
       std::size_t{header.facts.width} * header.facts.height * static_cast<std::size_t>(channels) * (is_wide ? 2 : 1);
-  return std::vector<std::byte>(first, first + size);
+  std::vector<std::byte> result(first, first + size);
+  if (header.kind == Kind::tga && (std::to_integer<std::uint32_t>(bytes[17]) & 0x10) != 0) {
+    turn_rows(result, header.facts.width, static_cast<std::size_t>(channels));
+  }
+  return result;
 }
 
 }  // namespace foredraw::images

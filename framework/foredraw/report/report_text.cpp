@@ -22,6 +22,10 @@ std::string change_text(const Figure* before, const Figure& after) {
     return "";
   }
   const double change = 100 * (after.value() / before->value() - 1);
+  const bool is_exact_count = !after.denominator && after.error == 0 && before->error == 0;
+  if (is_exact_count && change != 0 && std::abs(change) < 0.05) {
+    return fmt::format("{:+.0f}", after.value() - before->value());  // two are not the same that differ by one
+  }
   return std::abs(change) < 0.05 ? "same" : fmt::format("{:+.1f} %", change);
 }
 

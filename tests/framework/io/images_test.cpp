@@ -157,6 +157,37 @@ TEST(Images, claims_beyond_the_bytes_are_refused_before_anything_is_allocated) {
   }
 }
 
+TEST(Images, damage_that_decoders_pass_by_is_told) {
+  const ImageFacts facts{16, 16, 4, 8};
+  auto tga = testing::tga_of(facts, values_of(facts));
+  EXPECT_EQ(code_of(tga), "");
+  tga.resize(tga.size() / 2);
+  EXPECT_NE(code_of(tga), "");
+  auto png = testing::png_of(facts, values_of(facts));
+  const std::string text(reinterpret_cast<const char*>(png.data()), png.size());
+  const std::size_t data = text.find("IDAT");
+  png[data + 12] ^= std::byte{1};
+  EXPECT_NE(code_of(png), "");
+}
+
+TEST(Images, a_tga_may_begin_at_the_right) {
+  const ImageFacts facts{5, 3, 4, 8};
+  const auto values = values_of(facts);
+  auto tga = testing::tga_of(facts, values);
+  tga[17] |= std::byte{0x10};
+  Diagnostics diagnostics;
+  const auto texels = decode_image(tga, {.file = "image"}, diagnostics);
+  ASSERT_TRUE(texels) << to_text(diagnostics);
+  const auto turned = values_in(*texels);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 5; ++column) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(turned[(row * 5 + column) * 4 + k], values[(row * 5 + 4 - column) * 4 + k]);
+      }
+    }
+  }
+}
+
 TEST(Images, limit_is_an_option) {
   const ImageFacts facts{16, 16, 3, 8};
   const auto png = testing::png_of(facts, values_of(facts));
