@@ -78,6 +78,11 @@ TEST(WrongShapes, primitives_times_nodes_are_bounded) {
   for (int i = 1; i < 3000; ++i) builder.json["meshes"][0]["primitives"].push_back(primitive);
   for (int i = 1; i < 3000; ++i) builder.add("nodes", {{"mesh", 0}});
   EXPECT_EQ(go_the_whole_way(builder.glb()), Codes{"too-many-draws"});
+  GltfBuilder instanced = testing::ribbon(1);
+  const std::size_t zeros =
+      instanced.add("accessors", {{"componentType", 5126}, {"type", "VEC3"}, {"count", 5'000'000}});
+  instanced.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] = zeros;
+  EXPECT_EQ(go_the_whole_way(instanced.glb()), Codes{"too-many-draws"});
 }
 
 TEST(WrongShapes, keys_that_stand_twice_are_refused) {

@@ -15,8 +15,7 @@ void collect_numbers(const Json& value, std::set<std::size_t>& numbers) {
 
 bool says_where_its_accessors_are(const std::string& extension) {
   if (extension == draw_orders) return true;
-  return is_known_extension(extension) && extension != "EXT_mesh_gpu_instancing" &&
-         extension.compare(0, 9, "FOREDRAW_") != 0;
+  return is_known_extension(extension) && extension != mesh_gpu_instancing && extension.compare(0, 9, "FOREDRAW_") != 0;
 }
 
 void collect_extension_users(const Json& value, std::set<std::size_t>& numbers) {

@@ -161,7 +161,7 @@ bool is_known_extension(std::string_view name) {
                                                   "EXT_texture_",   "EXT_lights_",  "MSFT_texture_",
                                                   "KHR_xmp",        "KHR_node_",    "FOREDRAW_"};
   static constexpr std::string_view names[] = {
-      "KHR_mesh_quantization",      "EXT_mesh_gpu_instancing", "KHR_animation_pointer",   "MSFT_lod",
+      "KHR_mesh_quantization",      mesh_gpu_instancing,       "KHR_animation_pointer",   "MSFT_lod",
       "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "FB_ngon_encoding",
       "GODOT_single_root",          "AGI_articulations"};
   return std::any_of(std::begin(families), std::end(families),

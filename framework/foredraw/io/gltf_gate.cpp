@@ -228,6 +228,7 @@ std::optional<Document> open_document(Shared<std::byte> file, const std::string&
     check_materials(gate);
     check_meshes(gate);
     check_nodes(gate);
+    check_instances(gate);
     check_skins(gate);
     check_animations(gate);
     if (gate.sound()) check_finite(gate);

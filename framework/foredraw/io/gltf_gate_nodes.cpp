@@ -136,21 +136,6 @@ class JointCheck {
   std::map<std::size_t, std::uint32_t> accessors_;
 };
 
-/// A mesh of many primitives on many nodes is drawn their product of times, all of which are seen and judged one by one.
-void check_draw_calls(Gate& gate) {
-  constexpr std::uint64_t most = 1 << 22;
-  std::uint64_t draws = 0;
-  const Json& nodes = gate.all("nodes");
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!nodes[i].contains("mesh")) continue;
-    draws += gate.all("meshes")[nodes[i]["mesh"].get<std::size_t>()]["primitives"].size();
-    if (draws <= most) continue;
-    gate.error(at("nodes", i), "too-many-draws",
-               fmt::format("the nodes up to this one draw more than {} primitives", most));
-    return;
-  }
-}
-
 }  // namespace
 
 void check_skins(Gate& gate) {
@@ -179,7 +164,6 @@ void check_skins(Gate& gate) {
     }
   }
   if (!gate.sound()) return;
-  check_draw_calls(gate);
   JointCheck joint_check(gate);
   std::set<std::pair<std::size_t, std::size_t>> seen;
   const Json& nodes = gate.all("nodes");

@@ -1,6 +1,6 @@
 // Nodes, skins, animations, materials and images put back: additions, and changed materials and images. Nothing else of
 // the structure may change, and whoever changes it is told.
-#include <foredraw/io/private/gltf_accessor_store.h>
+#include <foredraw/io/private/gltf_instances.h>
 #include <foredraw/io/private/gltf_write.h>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -15,7 +15,7 @@ bool same(const Node& a, const Node& b) {
   return a.name == b.name && a.transform.translation == b.transform.translation &&
          a.transform.rotation == b.transform.rotation && a.transform.scale == b.transform.scale &&
          a.matrix == b.matrix && a.mesh == b.mesh && a.skin == b.skin && a.weights == b.weights &&
-         a.children == b.children;
+         a.children == b.children && a.instances == b.instances;
 }
 
 bool same(const Skin& a, const Skin& b) {
@@ -208,6 +208,10 @@ class StructurePatch {
     }
     for (std::size_t i = was_.nodes.size(); i < scene_.nodes.size(); ++i) {
       json_["nodes"][i] = json_of(scene_.nodes[i]);
+      if (const auto instances = scene_.nodes[i].instances.view(); !instances.empty()) {
+        json_["nodes"][i]["extensions"][mesh_gpu_instancing] = instancing_of(instances, store_);
+        listed(json_["extensionsUsed"], mesh_gpu_instancing);
+      }
       if (has_parent[i]) continue;
       if (!json_.contains("scene")) json_["scene"] = 0;
       json_["scenes"][json_["scene"].get<std::size_t>()]["nodes"].push_back(i);

@@ -1,6 +1,7 @@
 // A sound document to a scene. tinygltf reads the structure; the bytes come from the layouts that the gate checked.
 #include <foredraw/io/images.h>
 #include <foredraw/io/private/gltf_base_colour.h>
+#include <foredraw/io/private/gltf_instances.h>
 #include <foredraw/io/private/gltf_source.h>
 #include <foredraw/io/private/gltf_uri.h>
 
@@ -289,6 +290,7 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
   Streams streams(document);
   add_meshes(scene, model, streams);
   for (const auto& node : model.nodes) scene.nodes.push_back(node_of(node));
+  add_instances(scene, document);
   for (const auto& skin : model.skins) scene.skins.push_back(skin_of(skin, streams));
   for (const auto& animation : model.animations) scene.animations.push_back(animation_of(animation, streams));
   for (std::size_t m = 0; m < model.materials.size(); ++m) {

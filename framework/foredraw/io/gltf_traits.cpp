@@ -74,7 +74,7 @@ std::vector<bool> bent_skins(const Scene& scene) {
   return bent;
 }
 
-std::vector<MeshUse> mesh_uses(const Scene& scene, const Document& document) {
+std::vector<MeshUse> mesh_uses(const Scene& scene) {
   std::vector<MeshUse> uses(scene.meshes.size());
   const std::vector<bool> bent = bent_skins(scene);
   for (NodeId i = 0; i < scene.nodes.size(); ++i) {
@@ -84,10 +84,7 @@ std::vector<MeshUse> mesh_uses(const Scene& scene, const Document& document) {
     ++use.nodes;
     use.skinned = use.skinned || node.skin.has_value();
     use.bent = use.bent || (node.skin && bent[*node.skin]);
-    const Json& json = document.json["nodes"][i];
-    const auto extensions = json.find("extensions");
-    use.instanced =
-        use.instanced || use.nodes > 1 || (extensions != json.end() && extensions->contains("EXT_mesh_gpu_instancing"));
+    use.instanced = use.instanced || use.nodes > 1 || !node.instances.empty();
   }
   for (const Animation& animation : scene.animations) {
     for (const AnimationChannel& channel : animation.channels) {
@@ -124,7 +121,7 @@ bool is_sprite(const Draw& draw, const Material* material) {
 }  // namespace
 
 void find_traits(Scene& scene, const Document& document) {
-  const std::vector<MeshUse> uses = mesh_uses(scene, document);
+  const std::vector<MeshUse> uses = mesh_uses(scene);
   for (Draw& draw : scene.draws) {
     const MeshUse& use = uses[draw.origin->mesh];
     const VertexStreams& vertices = *draw.levels[0].vertices;

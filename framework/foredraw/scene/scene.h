@@ -40,6 +40,9 @@ struct Node {
   std::optional<SkinId> skin;
   std::vector<float> weights;
   std::vector<NodeId> children;
+  /// EXT_mesh_gpu_instancing: the node's mesh is drawn once for each, placed by it within the node's space. Children
+  /// are not. Empty: drawn once, as the node stands.
+  Shared<Transform> instances;
 
   glm::mat4 local() const;
 };

@@ -44,6 +44,7 @@ class GateRule : public ::testing::TestWithParam<Rule> {};
 /// 9 morph weights. Its views: as many, and 6 and 7 for the sparse elements, 8 for the picture.
 GltfJson& item(GltfBuilder& b, const char* kind, std::size_t i) { return b.json[kind][i]; }
 GltfJson& primitive(GltfBuilder& b) { return b.json["meshes"][0]["primitives"][0]; }
+GltfJson& instancing(GltfBuilder& b) { return b.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]; }
 
 template <class T>
 void poke(GltfBuilder& b, std::size_t accessor, std::size_t element, T value) {
@@ -212,6 +213,23 @@ const Rule rules[] = {
     {"skin_matrices", [](auto& b) { item(b, "accessors", 6)["count"] = 1; }, "unequal-counts",
      "skins[0].inverseBindMatrices"},
     {"joint_of_no_skin", [](auto& b) { poke<std::uint8_t>(b, 3, 7, 2); }, "joint-range", "nodes[0]"},
+    {"instancing_is_no_object", [](auto& b) { instancing(b) = 3; }, "wrong-type",
+     "nodes[0].extensions.EXT_mesh_gpu_instancing"},
+    {"instancing_lacks_attributes", [](auto& b) { instancing(b) = GltfJson::object(); }, "missing-member",
+     "nodes[0].extensions.EXT_mesh_gpu_instancing"},
+    {"instancing_of_nothing", [](auto& b) { instancing(b)["attributes"] = GltfJson::object(); }, "out-of-range",
+     "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes"},
+    {"instancing_reference", [](auto& b) { instancing(b)["attributes"]["_ID"] = 99; }, "bad-reference",
+     "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes._ID"},
+    {"instancing_type", [](auto& b) { instancing(b)["attributes"]["SCALE"] = 1; }, "accessor-type",
+     "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE"},
+    {"instancing_turn", [](auto& b) { instancing(b)["attributes"]["ROTATION"] = 0; }, "accessor-type",
+     "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.ROTATION"},
+    {"instancing_counts",
+     [](auto& b) {
+       instancing(b)["attributes"] = {{"_ID", 0}, {"_OTHER", 7}};
+     },
+     "unequal-counts", "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes._OTHER"},
     {"times_fall", [](auto& b) { poke<float>(b, 7, 2, 0.25f); }, "animation-times", "animations[0].samplers[0].input"},
     {"times_are_nan", [](auto& b) { poke<float>(b, 7, 1, std::numeric_limits<float>::quiet_NaN()); }, "animation-times",
      "animations[0].samplers[0].input"},

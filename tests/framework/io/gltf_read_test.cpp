@@ -211,11 +211,35 @@ TEST(GltfRead, traits_of_material_nodes_and_extensions) {
   EXPECT_TRUE(read(builder).draws[0].traits.has(traits::instanced));
 }
 
-TEST(GltfRead, gpu_instancing_is_instanced) {
+/// A ribbon that is drawn twice.
+GltfBuilder instanced_ribbon() {
   GltfBuilder builder = testing::ribbon(1);
-  builder.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
-      builder.add_values(std::vector<float>(6, 0), "VEC3");
-  EXPECT_TRUE(read(builder).draws[0].traits.has(traits::instanced));
+  GltfJson attributes;
+  attributes["TRANSLATION"] = builder.add_values(std::vector<float>{1, 2, 3, 4, 5, 6}, "VEC3");
+  attributes["ROTATION"] = builder.add_values(std::vector<std::int16_t>{0, 0, 0, 32767, 0, -32767, 0, 0}, "VEC4");
+  builder.json["accessors"][attributes["ROTATION"].get<std::size_t>()]["normalized"] = true;
+  attributes["_TINT"] = builder.add_values(std::vector<float>{1, 0}, "SCALAR");
+  builder.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
+  return builder;
+}
+
+TEST(GltfRead, gpu_instancing_places_a_mesh_several_times) {
+  const Scene scene = read(instanced_ribbon());
+  EXPECT_TRUE(scene.draws[0].traits.has(traits::instanced));
+  const auto instances = scene.nodes[0].instances.view();
+  ASSERT_EQ(instances.size(), 2u);
+  EXPECT_EQ(instances[0].translation, glm::vec3(1, 2, 3));
+  EXPECT_EQ(instances[0].rotation, glm::quat(1, 0, 0, 0));
+  EXPECT_EQ(instances[1].translation, glm::vec3(4, 5, 6));
+  EXPECT_EQ(instances[1].rotation, glm::quat(0, 0, -1, 0));
+  EXPECT_EQ(instances[1].scale, glm::vec3(1));
+}
+
+TEST(GltfRead, nodes_of_the_same_instances_share_them) {
+  GltfBuilder builder = instanced_ribbon();
+  builder.add("nodes", builder.json["nodes"][0]);
+  const Scene scene = read(builder);
+  EXPECT_TRUE(scene.nodes[1].instances.is(scene.nodes[0].instances));
 }
 
 }  // namespace

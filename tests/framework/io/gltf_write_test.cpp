@@ -279,6 +279,24 @@ TEST(GltfWrite, made_scene_is_written_whole) {
   EXPECT_FALSE(json["meshes"][1]["primitives"][0].contains("indices")) << "soup names each vertex in turn";
 }
 
+TEST(GltfWrite, instances_are_written_as_gpu_instancing) {
+  Scene scene = scene_of({draw_of(torus(8, 6), "ring"), draw_of(soup(5, 1), "soup")});
+  std::vector<Transform> three(3);
+  three[1].translation = {1, 2, 3};
+  scene.nodes[1].instances = Shared<Transform>(three);
+  GltfJson json = written(scene);
+  EXPECT_EQ(json["extensionsUsed"], GltfJson::array({"EXT_mesh_gpu_instancing"}));
+  EXPECT_FALSE(json["nodes"][0].contains("extensions"));
+  EXPECT_EQ(json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"].size(), 1u);
+  three[0].rotation = glm::quat(0, 0, 1, 0);
+  three[2].scale = {1, -2, 1};
+  scene.nodes[1].instances = Shared<Transform>(three);
+  const Scene again = read(write(scene));
+  EXPECT_TRUE(again.nodes[0].instances.empty());
+  EXPECT_EQ(again.nodes[1].instances, scene.nodes[1].instances);
+  EXPECT_EQ(write(again), write(scene));
+}
+
 TEST(GltfWrite, chunks_of_others_are_kept) {
   Bytes file = ribbon(2).glb();
   const Bytes chunk = bytes_of(std::string("\4\0\0\0ACMEdata", 12));

@@ -106,6 +106,8 @@ std::uint32_t greatest_index(const Document& document, const Accessor& accessor)
 /// "VEC3" and its component type to a format; nullopt where there is none such.
 std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized);
 
+inline constexpr const char* mesh_gpu_instancing = "EXT_mesh_gpu_instancing";
+
 /// The extension's value in an object; nothing where it has none.
 const Json* extension_of(const Json& holder, std::string_view name);
 

@@ -93,6 +93,7 @@ void check_images(Gate& gate);
 void check_materials(Gate& gate);
 void check_meshes(Gate& gate);
 void check_nodes(Gate& gate);
+void check_instances(Gate& gate);
 void check_skins(Gate& gate);
 void check_animations(Gate& gate);
 void check_finite(Gate& gate);
