@@ -29,32 +29,12 @@ std::vector<CacheModel> models_of(const std::string& names) {
   return models;
 }
 
-/// An order of a draw, and how much of all looks it serves.
-struct ServedOrder {
-  std::span<const std::uint32_t> indices;
-  double share = 1;
-};
-
-/// As the draw's table says; without one, all is drawn in the order that stands alone.
-std::vector<ServedOrder> served_orders(const DrawView& draw) {
-  const std::vector<OrderTable>& tables = draw.scene.order_tables;
-  const auto table = std::ranges::find_if(
-      tables, [&](const OrderTable& one) { return std::ranges::find(one.draws, draw.id) != one.draws.end(); });
-  if (table == tables.end()) return {{draw.indices()}};
-  std::vector<ServedOrder> orders;
-  const std::vector<double> shares = shares_of_orders(*table);
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    if (shares[i] > 0) orders.push_back({draw.draw().levels[0].orders.at(i).indices.view(), shares[i]});
-  }
-  return orders;
-}
-
 class VertexCache final : public DrawEvaluator {
  public:
   explicit VertexCache(const VertexCacheOptions& options) : options_(options), models_(models_of(options.models)) {}
 
   void evaluate(const DrawView& draw, Run& run) override {
-    const std::vector<ServedOrder> orders = served_orders(draw);
+    const std::vector<ServedOrder> orders = served_orders(draw.scene, draw.id);
     const std::size_t vertices = draw.vertex_count();
     const auto cache_size = static_cast<std::uint32_t>(options_.cache_size);
     measure(run, "", orders, [&](auto indices) { return count_fifo(indices, vertices, cache_size); });
@@ -66,7 +46,7 @@ class VertexCache final : public DrawEvaluator {
     double fetched = 0;
     double referenced = 0;  // the same in all orders
     for (const ServedOrder& order : orders) {
-      const FetchCount fetch = count_fetches(order.indices, vertices, vertex_size);
+      const FetchCount fetch = count_fetches(order.indices(), vertices, vertex_size);
       fetched += order.share * static_cast<double>(fetch.fetched);
       referenced = static_cast<double>(fetch.referenced);
     }
@@ -81,7 +61,7 @@ class VertexCache final : public DrawEvaluator {
     double misses = 0;
     CacheCount any;  // triangles and vertices are the same in all orders
     for (const ServedOrder& order : orders) {
-      any = count(order.indices);
+      any = count(order.indices());
       misses += order.share * static_cast<double>(any.misses);
     }
     run.measure(group + "acmr", misses, static_cast<double>(any.triangles));

@@ -57,4 +57,17 @@ std::vector<double> shares_of_orders(const OrderTable& table) {
   return shares;
 }
 
+std::vector<ServedOrder> served_orders(const Scene& scene, DrawId draw) {
+  const std::vector<IndexStream>& orders = scene.draws[draw].levels[0].orders;
+  const auto table = std::ranges::find_if(
+      scene.order_tables, [&](const OrderTable& one) { return std::ranges::find(one.draws, draw) != one.draws.end(); });
+  if (table == scene.order_tables.end()) return {{&orders[0]}};
+  std::vector<ServedOrder> served;
+  const std::vector<double> shares = shares_of_orders(*table);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (shares[i] > 0) served.push_back({&orders.at(i), shares[i]});
+  }
+  return served;
+}
+
 }  // namespace foredraw

@@ -2,8 +2,8 @@
 // What an engine looks up each frame, looked up here: runtime/order_table.h says where cells lie.
 
 #include <foredraw/runtime/order_table.h>
-#include <foredraw/scene/order_table.h>
 #include <foredraw/scene/poses.h>
+#include <foredraw/scene/scene.h>
 
 #include <glm/vec3.hpp>
 
@@ -44,5 +44,17 @@ glm::dvec3 middle_of_cell(const OrderTable& table, std::uint32_t theta, std::uin
 /// How much of all looks each order serves: cells weigh as much as they cover of the sphere, keyframes all alike. As
 /// many as the table names; they add up to 1.
 std::vector<double> shares_of_orders(const OrderTable& table);
+
+/// An order of a draw, and how much of all looks it serves.
+struct ServedOrder {
+  const IndexStream* stream;
+  double share = 1;
+
+  std::span<const std::uint32_t> indices() const { return stream->indices.view(); }
+};
+
+/// Of level 0, as the draw's table says; without one, all is drawn in the order that stands alone. Orders that serve no
+/// look are left out. They live as long as the scene.
+std::vector<ServedOrder> served_orders(const Scene& scene, DrawId draw);
 
 }  // namespace foredraw

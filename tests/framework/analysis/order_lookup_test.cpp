@@ -202,5 +202,25 @@ TEST(OrderLookup, shares_are_of_the_sphere_and_of_the_keyframes) {
   for (const double share : shares_of_orders(animated())) EXPECT_NEAR(share, 0.2, 1e-10);
 }
 
+TEST(OrderLookup, served_orders_are_those_that_the_table_names) {
+  Scene scene;
+  scene.draws.resize(2);
+  for (Draw& draw : scene.draws) draw.levels.resize(1);
+  for (Draw& draw : scene.draws) draw.levels[0].orders.resize(3);
+  scene.order_tables.resize(1);
+  scene.order_tables[0].draws = {1};
+  scene.order_tables[0].theta_steps = 2;
+  scene.order_tables[0].order = {2, 0};
+  const auto alone = served_orders(scene, 0);
+  ASSERT_EQ(alone.size(), 1u);
+  EXPECT_EQ(alone[0].stream, &scene.draws[0].levels[0].orders[0]);
+  EXPECT_EQ(alone[0].share, 1);
+  const auto two = served_orders(scene, 1);
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_EQ(two[0].stream, &scene.draws[1].levels[0].orders[0]);
+  EXPECT_EQ(two[1].stream, &scene.draws[1].levels[0].orders[2]);
+  EXPECT_NEAR(two[0].share, 0.5, 1e-10);
+}
+
 }  // namespace
 }  // namespace foredraw
