@@ -1,0 +1,109 @@
+#include "merge_instances.h"
+
+#include "shared_vertices.h"
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+using merging::FrequencyChoice;
+using merging::MergeableSet;
+using merging::MeshSize;
+
+FrequencyChoice frequencies_of(const MergeableSet& set, const MergeInstancesOptions& options) {
+  std::vector<MeshSize> sizes;
+  for (const merging::MergeableMesh& mesh : set.meshes) sizes.push_back({mesh.indices, mesh.placed});
+  merging::FrequencyOptions wanted;
+  wanted.multiple = static_cast<std::uint32_t>(std::max(0, options.multiple));
+  wanted.classes = static_cast<std::uint32_t>(std::max(0, options.frequencies));
+  wanted.padded_cost = options.padded_cost;
+  wanted.slot_byte_cost = options.slot_byte_cost;
+  if (options.goal == FrequencyGoal::fewest_slots) {
+    if (auto found = merging::fewest_slots(sizes, options.most_padding, wanted)) return *found;
+  }
+  return merging::best_frequencies(sizes, wanted);
+}
+
+merging::SpatialGroups groups_of(const MergeableSet& set, const MergeInstancesOptions& options, const Executor& executor) {
+  std::vector<merging::PlacedBox> boxes;
+  boxes.reserve(set.placements.size());
+  for (const merging::MergeablePlacement& placement : set.placements) {
+    boxes.push_back({placement.box, static_cast<std::uint32_t>(set.meshes[placement.mesh].indices)});
+  }
+  merging::GroupOptions wanted;
+  wanted.draw_cost = options.draw_cost;
+  wanted.most_indices = static_cast<std::uint64_t>(options.most_indices);
+  wanted.most_instances = static_cast<std::uint32_t>(options.most_instances);
+  wanted.view_distance = options.view_distance;
+  return merging::spatial_groups(boxes, wanted, executor);
+}
+
+/// What is known only when slots and groups are: whether the draws that are saved are worth what the shader does more.
+std::string why_not_worth_it(const MergeableSet& set, const FrequencyChoice& frequencies, std::size_t groups,
+                             const MergeInstancesOptions& options) {
+  const std::uint64_t before = set.placements.size();
+  const std::uint64_t after = groups * frequencies.frequencies.size();
+  const auto text = [](std::uint64_t number) { return std::to_string(number); };
+  if (after >= before) return text(before) + " draws would become " + text(after);
+  double more = static_cast<double>(frequencies.padded);
+  for (const merging::MergeableMesh& mesh : set.meshes) {
+    more += static_cast<double>(mesh.placed) * (static_cast<double>(mesh.indices) - static_cast<double>(mesh.shaded));
+  }
+  if (more <= static_cast<double>(before - after) * options.draw_cost) return "";
+  return text(before - after) + " draws saved are not worth " + text(static_cast<std::uint64_t>(more)) +
+         " more calls of the vertex shader";
+}
+
+void pack(const Scene& scene, const MergeInstancesOptions& options, const Executor& executor, MergedSet& merged) {
+  std::vector<DrawId> draws;
+  for (const merging::MergeableMesh& mesh : merged.set.meshes) draws.push_back(mesh.draw);
+  merging::SharedVertices shared = merging::shared_vertices(scene, draws);
+  merged.vertices = std::move(shared.vertices);
+  merged.first_vertex = std::move(shared.first);
+  std::vector<merging::PackedMesh> meshes;
+  for (std::size_t m = 0; m < draws.size(); ++m) {
+    const Level& level = scene.draws[draws[m]].levels[0];
+    meshes.push_back({scene.draws[draws[m]].name, level.orders[0].indices.view(), merged.first_vertex[m], level.vertices->count});
+  }
+  std::vector<merging::PlacedMesh> placed;
+  placed.reserve(merged.set.placements.size());
+  for (const merging::MergeablePlacement& placement : merged.set.placements) {
+    placed.push_back({placement.mesh, placement.world});
+  }
+  merging::PackOptions wanted;
+  wanted.cut_well = options.cut_well;
+  merged.packed = merging::pack_instances(meshes, placed, merged.groups.instances, merged.groups.first,
+                                          merged.frequencies, wanted, executor);
+}
+
+}  // namespace
+
+MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, const MergeInstancesOptions& options,
+                            const Executor& executor) {
+  merging::MergeableOptions wanted;
+  wanted.draw_cost = options.draw_cost;
+  merging::MergeableScene found = merging::mergeable_scene(scene, draws, wanted, executor);
+  MergedScene result;
+  result.left_alone = std::move(found.left_alone);
+  result.placements = found.placements;
+  for (MergeableSet& set : found.sets) {
+    MergedSet merged;
+    merged.set = std::move(set);
+    if (merged.set.why_not.empty()) {
+      merged.frequencies = frequencies_of(merged.set, options);
+      merged.groups = groups_of(merged.set, options, executor);
+      merged.set.why_not = why_not_worth_it(merged.set, merged.frequencies, merged.groups.size(), options);
+    }
+    if (!merged.set.why_not.empty()) {
+      result.not_merged.push_back(std::move(merged.set));
+      continue;
+    }
+    pack(scene, options, executor, merged);
+    result.merged.push_back(std::move(merged));
+  }
+  return result;
+}
+
+}  // namespace foredraw

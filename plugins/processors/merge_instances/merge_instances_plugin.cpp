@@ -1,0 +1,112 @@
+#include "merge_instances.h"
+
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+namespace foredraw {
+
+namespace {
+
+/// A note for each draw and reason, however many nodes place it.
+void note_left_alone(const MergedScene& merged, const Run& run) {
+  std::map<std::pair<DrawId, std::string>, std::size_t> placements;
+  for (const merging::LeftAlone& left : merged.left_alone) {
+    placements[{left.draw, left.why}] += left.node ? 1 : 0;
+  }
+  for (const auto& [place, count] : placements) {
+    const auto& [draw, why] = place;
+    run.note_at({draw}, "not-merged", count == 0 ? fmt::format("not merged: {}", why)
+                                                 : fmt::format("not merged in {} of its places: {}", count, why));
+  }
+  for (const merging::MergeableSet& set : merged.not_merged) {
+    if (set.meshes.empty()) continue;
+    run.note_at({set.meshes.front().draw}, "not-merged",
+                fmt::format("not merged, with {} that share its material and layout: {}",
+                            set.meshes.size() - 1, set.why_not));
+  }
+}
+
+class MergeInstances final : public Processor {
+ public:
+  explicit MergeInstances(const MergeInstancesOptions& options) : options_(options) {}
+
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+    const MergedScene merged = merge_instances(scene, draws, options_, run.executor);
+    note_left_alone(merged, run);
+    if (merged.merged.empty()) {
+      run.keep("no draws that could be merged are worth it; notes say why");
+      return {};
+    }
+    measure(merged, run);
+    run.keep("what merging would come to is told, but not written yet");
+    return {};
+  }
+
+ private:
+  static void measure(const MergedScene& merged, const Run& run) {
+    double entries = 0, padded = 0, slots = 0, placed = 0, bytes = 0, merged_draws = 0;
+    for (const MergedSet& set : merged.merged) {
+      entries += static_cast<double>(set.packed.drawn_entries);
+      padded += static_cast<double>(set.packed.padded_entries);
+      slots += static_cast<double>(set.packed.slots.size());
+      placed += static_cast<double>(set.packed.placed.size());
+      bytes += static_cast<double>(set.packed.bytes());
+      merged_draws += static_cast<double>(set.packed.draws.size());
+    }
+    run.measure_at({}, "padding", padded, entries + padded);
+    run.count_at({}, "draws", static_cast<double>(merged.placements) - placed + merged_draws);
+    run.count_at({}, "slots", slots);
+    run.measure_at({}, "slot-bytes", 8 * slots, placed);
+    run.count_at({}, "bytes", bytes);
+  }
+
+  MergeInstancesOptions options_;
+};
+
+}  // namespace
+
+Plugin merge_instances_plugin() {
+  OptionTable<MergeInstancesOptions> table;
+  table.row(&MergeInstancesOptions::multiple, "multiple",
+            "Slots have multiples of so many index entries: 3, or those of a primitive group", {3, 3072, "entries"});
+  table.row(&MergeInstancesOptions::frequencies, "frequencies",
+            "Different sizes of slots, at most; each is a draw of each group", {1, 4, "sizes"});
+  table.choice(&MergeInstancesOptions::goal, "goal", "What the sizes of slots are chosen for",
+               {{"fewest-slots", FrequencyGoal::fewest_slots}, {"least-cost", FrequencyGoal::least_cost}});
+  table.row(&MergeInstancesOptions::most_padding, "most-padding",
+            "Padding, as a part of all index entries, that fewest-slots may come to", {0, 1, ""});
+  table.row(&MergeInstancesOptions::padded_cost, "padded-cost", "Of least-cost: a padded index entry", {0, 1e6, "bytes"});
+  table.row(&MergeInstancesOptions::slot_byte_cost, "slot-byte-cost", "Of least-cost: a byte of slot records",
+            {0, 1e6, "bytes"});
+  table.row(&MergeInstancesOptions::draw_cost, "draw-cost", "What a draw call costs", {0, 1e9, "vertex shader calls"});
+  table.row(&MergeInstancesOptions::most_indices, "most-indices", "Index entries of a group", {3, 4294967295.0, "entries"});
+  table.row(&MergeInstancesOptions::most_instances, "most-instances", "Instances of a group",
+            {1, 4294967295.0, "instances"});
+  table.row(&MergeInstancesOptions::view_distance, "view-distance",
+            "How far cameras see, in the scene's units; 0: a quarter of its diagonal", {0, 1e30, ""});
+  table.row(&MergeInstancesOptions::cut_well, "cut-well", "Cut meshes where few vertices are shared");
+
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {
+      .name = "merge-instances",
+      .summary = "Draws many instances of many meshes as a few draws, with no vertex stored twice",
+      .reference = "Persson, Graphics Gems for Games, SIGGRAPH 2012, Merge-Instancing",
+      .acts_on = {traits::triangles},
+      .pays_if = "several meshes of one material and one layout are placed often, and are not vertex-bound",
+      .metrics = {{"padding", "of index entries", "Padded index entries of all that are drawn"},
+                  {"draws", "draws", "Draw calls of the scene, merged ones and those left"},
+                  {"slots", "slots", "Slots of all merged draws"},
+                  {"slot-bytes", "bytes", "Slot records for each placed draw that is merged"},
+                  {"bytes", "bytes", "Merged indices, slot records and transforms"}},
+  };
+  bind_options(plugin, std::move(table),
+               [](const MergeInstancesOptions& options) { return std::make_unique<MergeInstances>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw

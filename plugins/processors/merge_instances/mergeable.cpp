@@ -1,0 +1,249 @@
+#include "mergeable.h"
+
+#include "packing.h"
+
+#include <foredraw/analysis/vertex_cache.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace foredraw::merging {
+
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// "3.25": two digits, the same everywhere.
+std::string two_digits(double value) {
+  const auto hundredths = static_cast<std::uint64_t>(std::max(0.0, value) * 100 + 0.5);
+  const std::string rest = std::to_string(hundredths % 100);
+  return std::to_string(hundredths / 100) + "." + (rest.size() < 2 ? "0" : "") + rest;
+}
+
+std::string counted(std::uint64_t number, const std::string& what) {
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+std::string why_not_merged(const Scene& scene, const Draw& draw) {
+  if (draw.topology != Topology::triangles) return "it draws no triangles";
+  if (draw.traits.has(traits::skinned)) return "it is skinned";
+  if (draw.traits.has(traits::morphed) || !draw.levels[0].vertices->morph_targets.empty()) return "it has morph targets";
+  if (draw.traits.has(traits::animated)) return "an animation changes its shape";
+  const Material* material = scene.material_of(draw);
+  if (draw.traits.has(traits::blended) || (material != nullptr && material->alpha_mode == AlphaMode::blend)) {
+    return "it is blended, so that the sequence of draws shows";
+  }
+  if (draw.traits.has(traits::extended) || !draw.extensions.empty()) {
+    return "an extension refers to its triangles or vertices";
+  }
+  if (draw.material && material == nullptr) return "its material is missing";
+  if (draw.levels.size() != 1) return "it has several levels of detail";
+  if (draw.levels[0].orders.size() != 1) return "it has several orders to choose from";
+  if (draw.levels[0].vertices->find("POSITION") == nullptr) return "it has no positions";
+  if (draw.levels[0].orders[0].indices.size() < 3) return "it has no triangles";
+  return "";
+}
+
+/// Nodes that an animation moves, and all below them.
+std::vector<char> moved_nodes(const Scene& scene) {
+  std::vector<char> moved(scene.nodes.size(), 0);
+  std::vector<NodeId> open;
+  for (const Animation& animation : scene.animations) {
+    for (const AnimationChannel& channel : animation.channels) {
+      if (channel.path != AnimatedPath::weights && channel.node < moved.size()) open.push_back(channel.node);
+    }
+  }
+  while (!open.empty()) {
+    const NodeId node = open.back();
+    open.pop_back();
+    if (moved[node] != 0) continue;
+    moved[node] = 1;
+    for (const NodeId child : scene.nodes[node].children) open.push_back(child);
+  }
+  return moved;
+}
+
+/// What of a draw does not depend on where it is placed.
+struct DrawFacts {
+  Box box;  ///< of the positions that are drawn; empty where one is not finite
+  std::uint64_t shaded = 0;
+};
+
+DrawFacts facts_of(const Draw& draw) {
+  const std::span<const std::uint32_t> indices = draw.levels[0].orders[0].indices.view();
+  const VertexStream& positions = *draw.levels[0].vertices->find("POSITION");
+  DrawFacts facts;
+  facts.shaded = count_fifo(indices, draw.levels[0].vertices->count, 16).misses;
+  const std::vector<glm::vec3> decoded = decode_vec3(positions);
+  std::vector<char> is_added(decoded.size(), 0);
+  for (const std::uint32_t index : indices) {
+    if (is_added[index] != 0) continue;
+    is_added[index] = 1;
+    const glm::vec3& point = decoded[index];
+    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) return {Box{}, facts.shaded};
+    facts.box.add(point);
+  }
+  return facts;
+}
+
+/// The upright box around a box that a transform turns: its middle goes along, and each half side adds up.
+Box box_in_world(const Box& box, const glm::mat4& world) {
+  Box result;
+  for (int row = 0; row < 3; ++row) {
+    double middle = world[3][row], half = 0;
+    for (int column = 0; column < 3; ++column) {
+      const double element = world[column][row];
+      middle += element * (double{box.least[column]} + double{box.most[column]}) / 2;
+      half += std::abs(element) * (double{box.most[column]} - double{box.least[column]}) / 2;
+    }
+    // Outwards to floats: nothing sticks out.
+    result.least[row] = static_cast<float>(middle - half);
+    if (double{result.least[row]} > middle - half) result.least[row] = std::nextafter(result.least[row], -infinity);
+    result.most[row] = static_cast<float>(middle + half);
+    if (double{result.most[row]} < middle + half) result.most[row] = std::nextafter(result.most[row], infinity);
+  }
+  return result;
+}
+
+bool is_finite(const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(box.least[axis]) || !std::isfinite(box.most[axis])) return false;
+  }
+  return true;
+}
+
+/// Why the set's draws stay as they are; empty: they should be merged.
+std::string why_not_worth_it(const MergeableSet& set, const MergeableOptions& options) {
+  const std::uint64_t placed = set.placements.size();
+  if (placed == 0) return "nothing is placed";
+  if (set.meshes.size() == 1) {
+    return "1 mesh, " + counted(placed, "instance") + (placed == 1 ? ": one draw already" : ": instancing serves");
+  }
+  if (placed < options.least_placements) {
+    return counted(placed, "placement") + ", of at least " + std::to_string(options.least_placements);
+  }
+  return "";
+}
+
+/// A mesh for which the cache of an index buffer saves more than a draw costs.
+std::string why_vertex_bound(const MergeableMesh& mesh, const MergeableOptions& options) {
+  const double extra = static_cast<double>(mesh.indices) - static_cast<double>(mesh.shaded);
+  if (extra <= options.draw_cost) return "";
+  return "vertex-bound: merged it would shade 3 vertices a triangle in place of " + two_digits(mesh.acmr()) + ", " +
+         std::to_string(static_cast<std::uint64_t>(extra)) + " more for each draw saved, of at most " +
+         std::to_string(static_cast<std::uint64_t>(options.draw_cost));
+}
+
+/// Sets by material and layout, in the sequence of their first draws.
+class Sorting {
+ public:
+  MergeableSet& set_of(const Draw& draw, std::vector<MergeableSet>& sets) {
+    const Stamp layout = draw.levels[0].vertices->layout_stamp();
+    const Key key{draw.material ? *draw.material : none, layout.high, layout.low};
+    const auto [it, is_new] = places_.try_emplace(key, sets.size());
+    if (is_new) {
+      sets.emplace_back();
+      sets.back().material = draw.material;
+    }
+    return sets[it->second];
+  }
+  std::size_t place_of(const MergeableSet& set, const std::vector<MergeableSet>& sets) const {
+    return static_cast<std::size_t>(&set - sets.data());
+  }
+
+ private:
+  using Key = std::tuple<std::uint32_t, std::uint64_t, std::uint64_t>;
+  std::map<Key, std::size_t> places_;
+};
+
+}  // namespace
+
+MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws, const MergeableOptions& options,
+                               const Executor& executor) {
+  MergeableScene result;
+  std::vector<char> may(scene.draws.size(), 0);
+  std::vector<DrawId> candidates;
+  for (const DrawId id : draws) {
+    const std::string why = why_not_merged(scene, scene.draws[id]);
+    if (why.empty()) {
+      candidates.push_back(id);
+    } else {
+      result.left_alone.push_back({id, std::nullopt, why});
+    }
+  }
+  std::vector<DrawFacts> facts(candidates.size());
+  executor.for_each(candidates.size(), [&](std::size_t i) { facts[i] = facts_of(scene.draws[candidates[i]]); });
+
+  struct PlaceInSet {
+    std::size_t set = 0;
+    std::uint32_t mesh = 0;
+    Box box;
+  };
+  std::vector<PlaceInSet> places(scene.draws.size());
+  Sorting sorting;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Draw& draw = scene.draws[candidates[i]];
+    MergeableMesh mesh{candidates[i], draw.levels[0].orders[0].indices.size(), 0, facts[i].shaded};
+    if (facts[i].box.is_empty()) {
+      result.left_alone.push_back({candidates[i], std::nullopt, "it has positions that are not finite"});
+      continue;
+    }
+    if (const std::string why = why_vertex_bound(mesh, options); !why.empty()) {
+      result.left_alone.push_back({candidates[i], std::nullopt, why});
+      continue;
+    }
+    MergeableSet& set = sorting.set_of(draw, result.sets);
+    places[candidates[i]] = {sorting.place_of(set, result.sets), static_cast<std::uint32_t>(set.meshes.size()), facts[i].box};
+    set.meshes.push_back(mesh);
+    may[candidates[i]] = 1;
+  }
+
+  const std::vector<char> moved = moved_nodes(scene);
+  const std::vector<glm::mat4> world = world_transforms(scene);
+  for (NodeId n = 0; n < scene.nodes.size(); ++n) {
+    const Node& node = scene.nodes[n];
+    if (!node.mesh) continue;
+    for (const DrawId id : scene.meshes[*node.mesh].draws) {
+      ++result.placements;
+      if (may[id] == 0) continue;
+      const Placing placing = placing_of(world[n]);
+      std::string why;
+      if (node.skin) why = "it is skinned";
+      if (moved[n] != 0) why = "an animation moves it";
+      if (placing != Placing::plain && placing != Placing::mirrored) why = std::string(to_text(placing));
+      const PlaceInSet& place = places[id];
+      MergeablePlacement placement{place.mesh, n, world[n], {}};
+      if (why.empty()) {
+        placement.box = box_in_world(place.box, world[n]);
+        if (!is_finite(placement.box)) why = "it reaches farther than numbers do";
+      }
+      if (!why.empty()) {
+        result.left_alone.push_back({id, n, std::move(why)});
+        continue;
+      }
+      MergeableSet& set = result.sets[place.set];
+      set.placements.push_back(placement);
+      ++set.meshes[place.mesh].placed;
+    }
+  }
+  // Meshes that are not placed have no part in it.
+  for (MergeableSet& set : result.sets) {
+    std::vector<std::uint32_t> number(set.meshes.size(), none);
+    std::vector<MergeableMesh> placed;
+    for (std::size_t m = 0; m < set.meshes.size(); ++m) {
+      if (set.meshes[m].placed == 0) continue;
+      number[m] = static_cast<std::uint32_t>(placed.size());
+      placed.push_back(set.meshes[m]);
+    }
+    set.meshes = std::move(placed);
+    for (MergeablePlacement& placement : set.placements) placement.mesh = number[placement.mesh];
+    set.why_not = why_not_worth_it(set, options);
+  }
+  return result;
+}
+
+}  // namespace foredraw::merging

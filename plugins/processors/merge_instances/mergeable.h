@@ -1,0 +1,68 @@
+#pragma once
+// Which draws of a scene can share a merged draw, where they are placed, and what merging them saves and costs.
+
+#include "frequency.h"
+#include "seen_boxes.h"
+
+#include <foredraw/base/parallel.h>
+#include <foredraw/scene/scene.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foredraw::merging {
+
+struct MergeablePlacement {
+  std::uint32_t mesh = 0;  ///< its number in the set
+  NodeId node = 0;
+  glm::mat4 world{1};
+  Box box;  ///< in the world
+};
+
+/// A draw of the set, as often as it is placed.
+struct MergeableMesh {
+  DrawId draw = 0;
+  std::uint64_t indices = 0;
+  std::uint64_t placed = 0;
+  std::uint64_t shaded = 0;  ///< vertices of one drawing by its index buffer, through a FIFO cache of 16
+  double acmr() const { return indices == 0 ? 0 : static_cast<double>(shaded) / (static_cast<double>(indices) / 3); }
+};
+
+/// Draws of one material and one vertex layout.
+struct MergeableSet {
+  std::optional<MaterialId> material;
+  std::vector<MergeableMesh> meshes;
+  std::vector<MergeablePlacement> placements;
+  std::string why_not;  ///< why these are not worth a merged draw; empty: they are
+};
+
+/// A draw, or one placement of it, that stays as it is.
+struct LeftAlone {
+  DrawId draw = 0;
+  std::optional<NodeId> node;  ///< none: wherever it is placed
+  std::string why;
+};
+
+struct MergeableOptions {
+  /// What a draw call costs, in calls of the vertex shader. A merged draw calls it for each index entry, where an index
+  /// buffer calls it for each vertex that the cache lacks; a mesh whose extra calls cost more than its draw is left alone.
+  double draw_cost = 4096;
+  std::uint64_t least_placements = 2;  ///< of a set
+};
+
+struct MergeableScene {
+  std::vector<MergeableSet> sets;  ///< in the sequence of their first draws
+  std::vector<LeftAlone> left_alone;
+  std::size_t placements = 0;  ///< of draws, over the scene: as many draws as there are without any merging
+};
+
+/// Of `draws` (rising), those that can be merged: triangle lists of opaque or masked materials, of one level and one order,
+/// that are not skinned, morphed, moved by an animation (or below a node that is) or tied to an extension; placed by an
+/// affine transform that has an inverse. Sets where nothing is to be saved say so in `why_not`, with the figures.
+MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws, const MergeableOptions& options,
+                               const Executor& executor);
+
+}  // namespace foredraw::merging

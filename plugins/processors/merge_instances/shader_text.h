@@ -1,0 +1,54 @@
+#pragma once
+// The vertex fetch of merged draws as functions of a shader, with the draws' constants.
+
+#include <foredraw/scene/vertex_streams.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace foredraw::merging {
+
+enum class ShaderLanguage : std::uint8_t { glsl, hlsl };
+
+/// All attributes of the merged meshes in one buffer of bytes, one stream behind the other: each without gaps, and
+/// beginning at a multiple of four.
+struct VertexBufferLayout {
+  struct Attribute {
+    std::string semantic;  ///< glTF's word
+    std::string name;      ///< in the shader: "position", "texcoord_0"; different from all others
+    Format format;
+    std::uint32_t offset = 0;  ///< bytes
+  };
+  std::vector<Attribute> attributes;
+  std::uint64_t bytes = 0;  ///< of the buffer: a multiple of four
+};
+
+/// Throws std::length_error where the streams have 2^32 bytes or more: a shader could not address them.
+VertexBufferLayout vertex_buffer_layout(const VertexStreams& vertices);
+
+/// What the layout says, filled.
+std::vector<std::byte> vertex_buffer(const VertexStreams& vertices, const VertexBufferLayout& layout);
+
+struct ShaderOptions {
+  ShaderLanguage language = ShaderLanguage::glsl;
+  std::uint32_t frequency = 3;      ///< of the draws: a constant, so that the division becomes a multiplication
+  std::uint32_t set = 0;            ///< Vulkan's descriptor set, or HLSL's register space
+  std::uint32_t first_binding = 0;  ///< of four: slots, indices, transforms, vertices; in HLSL registers t
+};
+
+/// Functions for a vertex shader: GLSL for Vulkan (version 450; no version line, so that it can be included) or HLSL
+/// (shader model 5 and above).
+///
+///   MergedVertex merged_vertex(uint number, uint first_slot)   number: gl_VertexIndex or SV_VertexID of a draw that begins
+///                                                              with vertex 0; first_slot: the draw's, as a push constant
+///   vec3 merged_position(uint vertex)                          and one for each attribute, as floats
+///   vec3 merged_to_world(uint instance, vec3 position)
+///   vec3 merged_direction_to_world(uint instance, vec3 direction)   of tangents; not normalised
+///   vec3 merged_normal_to_world(uint instance, vec3 normal)         also under uneven and mirroring scales; not normalised
+///   float merged_handedness(uint instance)                     1, or -1 where mirrored: times a tangent's w
+///
+/// Attributes of more than four components (matrices) are left out, and a comment says so.
+std::string shader_text(const VertexBufferLayout& layout, const ShaderOptions& options);
+
+}  // namespace foredraw::merging
