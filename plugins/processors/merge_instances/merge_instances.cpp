@@ -26,14 +26,16 @@ FrequencyChoice frequencies_of(const MergeableSet& set, const MergeInstancesOpti
   return merging::best_frequencies(sizes, wanted);
 }
 
-merging::SpatialGroups groups_of(const MergeableSet& set, const MergeInstancesOptions& options, const Executor& executor) {
+/// Every group is a draw of each frequency.
+merging::SpatialGroups groups_of(const MergeableSet& set, std::size_t frequencies, const MergeInstancesOptions& options,
+                                 const Executor& executor) {
   std::vector<merging::PlacedBox> boxes;
   boxes.reserve(set.placements.size());
   for (const merging::MergeablePlacement& placement : set.placements) {
     boxes.push_back({placement.box, static_cast<std::uint32_t>(set.meshes[placement.mesh].indices)});
   }
   merging::GroupOptions wanted;
-  wanted.draw_cost = options.draw_cost;
+  wanted.draw_cost = options.draw_cost * static_cast<double>(frequencies);
   wanted.most_indices = static_cast<std::uint64_t>(options.most_indices);
   wanted.most_instances = static_cast<std::uint32_t>(options.most_instances);
   wanted.view_distance = options.view_distance;
@@ -93,7 +95,7 @@ MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, c
     merged.set = std::move(set);
     if (merged.set.why_not.empty()) {
       merged.frequencies = frequencies_of(merged.set, options);
-      merged.groups = groups_of(merged.set, options, executor);
+      merged.groups = groups_of(merged.set, merged.frequencies.frequencies.size(), options, executor);
       merged.set.why_not = why_not_worth_it(merged.set, merged.frequencies, merged.groups.size(), options);
     }
     if (!merged.set.why_not.empty()) {

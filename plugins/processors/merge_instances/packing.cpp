@@ -13,6 +13,7 @@ namespace foredraw::merging {
 namespace {
 
 constexpr std::uint32_t nowhere = ~std::uint32_t{0};
+constexpr std::size_t chunk = 4096;  ///< placements that a task looks at
 
 /// A mesh in the index buffer.
 struct PlacedSlots {
@@ -143,8 +144,13 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
   const std::size_t group_count = first.empty() ? 0 : first.size() - 1;
   std::vector<std::array<std::uint8_t, 2>> is_placed(meshes.size());
   std::vector<std::uint8_t> is_mirrored(placed.size());
+  std::vector<Placing> placings(placed.size());
+  executor.for_each((placed.size() + chunk - 1) / chunk, [&](std::size_t task) {
+    const std::size_t end = std::min(placed.size(), (task + 1) * chunk);
+    for (std::size_t p = task * chunk; p < end; ++p) placings[p] = placing_of(placed[p].world);
+  });
   for (const std::uint32_t p : groups) {
-    const Placing placing = placing_of(placed[p].world);
+    const Placing placing = placings[p];
     if (placing != Placing::plain && placing != Placing::mirrored) {
       throw std::invalid_argument(std::string(meshes[placed[p].mesh].name) + ": can not be merged: " +
                                   std::string(to_text(placing)));
