@@ -17,10 +17,10 @@ void check(std::span<const MeshSize> meshes, const FrequencyOptions& options) {
     throw std::invalid_argument("the multiple of the frequency must be one of 3, so that no triangle is cut");
   }
   if (options.classes < 1 || options.classes > 4) throw std::invalid_argument("there can be 1 to 4 frequencies");
-  const auto is_price = [](double price) { return price >= 0 && price <= 1e12; };  // false for what is no number
+  const auto is_price = [](double price) { return price >= 0 && price <= 1e30; };  // false for what is no number
   if (!is_price(options.slot_bytes) || !is_price(options.padded_cost) || !is_price(options.slot_byte_cost) ||
       !is_price(options.class_cost)) {
-    throw std::invalid_argument("what padding and slots cost must be numbers from 0 to 1e12");
+    throw std::invalid_argument("what padding and slots cost must be numbers from 0 to 1e30");
   }
   for (const MeshSize& mesh : meshes) {
     if (mesh.indices > std::numeric_limits<std::uint32_t>::max()) {

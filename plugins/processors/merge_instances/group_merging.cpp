@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t gone = ~std::uint32_t{0};
 constexpr std::size_t most_neighbours = 32;
+constexpr int most_in_a_row = 64;  ///< groups looked at in three cells: bounds the time where most lie in a few cells
 
 struct Pair {
   double saves = 0;
@@ -45,10 +46,10 @@ class Cells {
     for (std::int32_t x = -1; x <= 1; ++x) {
       for (std::int32_t y = -1; y <= 1; ++y) {
         const Place first{{at[0] + x, at[1] + y, at[2] - 1}, 0};
-        for (auto it = std::ranges::lower_bound(places_, first);
-             it != places_.end() && it->cell[0] == at[0] + x && it->cell[1] == at[1] + y && it->cell[2] <= at[2] + 1; ++it) {
-          found.push_back(it->group);
-        }
+        const Place behind{{at[0] + x, at[1] + y, at[2] + 2}, 0};
+        auto it = std::ranges::lower_bound(places_, first);
+        const auto end = std::lower_bound(it, places_.end(), behind);
+        for (int i = 0; i < most_in_a_row && it != end; ++i, ++it) found.push_back(it->group);
       }
     }
     return found;

@@ -12,7 +12,8 @@ using merging::FrequencyChoice;
 using merging::MergeableSet;
 using merging::MeshSize;
 
-FrequencyChoice frequencies_of(const MergeableSet& set, const MergeInstancesOptions& options) {
+/// `groups`: how many draws one more frequency adds.
+FrequencyChoice frequencies_of(const MergeableSet& set, std::size_t groups, const MergeInstancesOptions& options) {
   std::vector<MeshSize> sizes;
   for (const merging::MergeableMesh& mesh : set.meshes) sizes.push_back({mesh.indices, mesh.placed});
   merging::FrequencyOptions wanted;
@@ -20,6 +21,8 @@ FrequencyChoice frequencies_of(const MergeableSet& set, const MergeInstancesOpti
   wanted.classes = static_cast<std::uint32_t>(std::max(0, options.frequencies));
   wanted.padded_cost = options.padded_cost;
   wanted.slot_byte_cost = options.slot_byte_cost;
+  // A padded entry is a call of the vertex shader, which a draw is priced in.
+  wanted.class_cost = options.draw_cost * static_cast<double>(groups) * options.padded_cost;
   if (options.goal == FrequencyGoal::fewest_slots) {
     if (auto found = merging::fewest_slots(sizes, options.most_padding, wanted)) return *found;
   }
@@ -94,8 +97,10 @@ MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, c
     MergedSet merged;
     merged.set = std::move(set);
     if (merged.set.why_not.empty()) {
-      merged.frequencies = frequencies_of(merged.set, options);
-      merged.groups = groups_of(merged.set, merged.frequencies.frequencies.size(), options, executor);
+      merged.groups = groups_of(merged.set, 1, options, executor);
+      merged.frequencies = frequencies_of(merged.set, merged.groups.size(), options);
+      const std::size_t frequencies = merged.frequencies.frequencies.size();
+      if (frequencies > 1) merged.groups = groups_of(merged.set, frequencies, options, executor);
       merged.set.why_not = why_not_worth_it(merged.set, merged.frequencies, merged.groups.size(), options);
     }
     if (!merged.set.why_not.empty()) {

@@ -67,6 +67,16 @@ std::vector<char> moved_nodes(const Scene& scene) {
   return moved;
 }
 
+/// By how many nodes each draw is placed.
+std::vector<std::size_t> nodes_of_draws(const Scene& scene) {
+  std::vector<std::size_t> nodes(scene.draws.size(), 0);
+  for (const Node& node : scene.nodes) {
+    if (!node.mesh) continue;
+    for (const DrawId id : scene.meshes[*node.mesh].draws) ++nodes[id];
+  }
+  return nodes;
+}
+
 /// What of a draw does not depend on where it is placed.
 struct DrawFacts {
   Box box;  ///< of the positions that are drawn; empty where one is not finite
@@ -167,12 +177,16 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
   MergeableScene result;
   std::vector<char> may(scene.draws.size(), 0);
   std::vector<DrawId> candidates;
+  const std::vector<std::size_t> nodes = nodes_of_draws(scene);
   for (const DrawId id : draws) {
-    const std::string why = why_not_merged(scene, scene.draws[id]);
+    std::string why = why_not_merged(scene, scene.draws[id]);
+    if (why.empty() && scene.draws[id].traits.has(traits::instanced) && nodes[id] == 1) {
+      why = "one node draws it many times, by an extension";
+    }
     if (why.empty()) {
       candidates.push_back(id);
     } else {
-      result.left_alone.push_back({id, std::nullopt, why});
+      result.left_alone.push_back({id, std::nullopt, std::move(why)});
     }
   }
   std::vector<DrawFacts> facts(candidates.size());

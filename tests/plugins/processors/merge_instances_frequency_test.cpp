@@ -142,6 +142,28 @@ TEST(MergeFrequency, FewestSlotsUnderALimitOfPadding) {
   }
 }
 
+/// The index entries of each primitive in benchmarks/corpus/scenes, and how many primitives have as many.
+TEST(MergeFrequency, TwoFrequenciesPadTheKitsLittleAndNeedFewRecords) {
+  const std::vector<MeshSize> city{{132, 1}, {432, 8}, {438, 1}, {510, 1}, {528, 1}, {1524, 1}, {2040, 1}, {2220, 1},
+      {2484, 1}, {3354, 1}, {5655, 1}};
+  const std::vector<MeshSize> space{{6, 6}, {12, 6}, {18, 3}, {24, 2}, {30, 9}, {36, 1}, {42, 4}, {48, 3}, {54, 1},
+      {60, 4}, {66, 5}, {78, 2}, {84, 2}, {90, 1}, {96, 1}, {102, 2}, {108, 1}, {132, 1}, {138, 1}, {144, 1},
+      {153, 1}, {156, 1}, {180, 1}, {186, 1}, {192, 1}, {216, 1}, {228, 2}, {234, 1}, {252, 1}, {264, 1}, {282, 1},
+      {288, 1}, {330, 1}, {348, 1}, {372, 1}, {378, 1}, {390, 1}, {396, 1}, {402, 1}, {432, 2}, {444, 1}, {504, 1},
+      {570, 1}, {609, 1}, {768, 1}, {888, 1}, {918, 1}};
+  for (const auto& kit : {city, space}) {
+    std::uint64_t placed = 0;
+    for (const MeshSize& size : kit) placed += size.placed;
+    const auto choice = fewest_slots(kit, 0.02, {.classes = 2});
+    ASSERT_TRUE(choice);
+    EXPECT_TRUE(choice->proven);
+    EXPECT_LE(choice->padding(), 0.02);
+    EXPECT_LE(8.0 * static_cast<double>(choice->slots) / static_cast<double>(placed), 84);
+  }
+  EXPECT_EQ(fewest_slots(city, 0.02)->frequencies, (std::vector<std::uint32_t>{90}));
+  EXPECT_EQ(fewest_slots(space, 0.02)->frequencies, (std::vector<std::uint32_t>{12}));
+}
+
 TEST(MergeFrequency, NothingPadsLessThanTheMultipleAlone) {
   EXPECT_FALSE(fewest_slots(std::vector<MeshSize>{{3, 1}}, 0.1, {.multiple = 96}));
   EXPECT_TRUE(fewest_slots(std::vector<MeshSize>{{3, 1}}, 0.97, {.multiple = 96}));

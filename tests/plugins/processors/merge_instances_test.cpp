@@ -203,14 +203,17 @@ TEST(MergeInstances, TellsWhatCanNotBeMerged) {
   scene.draws[2].traits.add(traits::extended);
   scene.draws[3].levels[0].orders[0].indices = Shared<std::uint32_t>(std::vector<std::uint32_t>());
   scene.draws[4].material = 77;  // no such material
+  scene.draws[6].traits.add(traits::instanced);
+  scene.nodes.resize(19);  // one of it is left, which an extension draws many times
   const MergedScene merged = merge(scene);
   std::vector<std::string> reasons;
   for (const merging::LeftAlone& left : merged.left_alone) reasons.push_back(left.why);
   EXPECT_EQ(reasons, (std::vector<std::string>{"it is skinned", "it is blended, so that the sequence of draws shows",
                                                "an extension refers to its triangles or vertices",
-                                               "it has no triangles", "its material is missing"}));
-  ASSERT_EQ(merged.merged.size(), 1u);
-  EXPECT_EQ(merged.merged[0].set.meshes.size(), 2u);
+                                               "it has no triangles", "its material is missing",
+                                               "one node draws it many times, by an extension"}));
+  ASSERT_EQ(merged.not_merged.size(), 1u);
+  EXPECT_EQ(merged.not_merged[0].why_not, "1 mesh, 3 instances: instancing serves");
 }
 
 TEST(MergeInstances, OneMeshIsForInstancing) {
