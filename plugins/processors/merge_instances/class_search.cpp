@@ -203,8 +203,7 @@ std::vector<std::uint32_t> frequencies_of(const RangeTree& tree, const Ranges& l
   std::vector<std::uint32_t> frequencies;
   for (std::uint32_t k = 0; k < classes; ++k) frequencies.push_back(tree.frequency(leaves[k]));
   std::ranges::sort(frequencies);
-  const auto rest = std::ranges::unique(frequencies);
-  frequencies.erase(rest.begin(), rest.end());
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
   return frequencies;
 }
 
@@ -233,8 +232,7 @@ Candidates searched_candidates(std::span<const MeshSize> sizes, std::uint32_t mu
   for (std::size_t i = 1; i <= room / 2; ++i) kept.push_back(all[room / 2 - 1 + rest * i / (room / 2)]);
   kept.push_back(always);
   std::ranges::sort(kept);
-  const auto repeated = std::ranges::unique(kept);
-  kept.erase(repeated.begin(), repeated.end());
+  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
   all = std::move(kept);
   return candidates;
 }

@@ -105,8 +105,7 @@ std::vector<std::uint32_t> frequency_candidates(std::span<const MeshSize> sizes,
     if (marks[i] != 0) candidates.push_back(static_cast<std::uint32_t>(first + i * multiple));
   }
   std::ranges::sort(candidates);
-  const auto rest = std::ranges::unique(candidates);
-  candidates.erase(rest.begin(), rest.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   return candidates;
 }
 

@@ -133,8 +133,7 @@ class Merging {
       for (const std::uint32_t other : neighbours_[part]) around.push_back(last_of(other));
     }
     std::ranges::sort(around);
-    const auto rest = std::ranges::unique(around);
-    around.erase(rest.begin(), rest.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
     std::erase(around, made);
     for (const std::uint32_t other : around) {
       offer(made, other, saved(made, other));

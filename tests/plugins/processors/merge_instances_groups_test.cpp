@@ -26,7 +26,9 @@ std::vector<PlacedBox> town(std::size_t count, std::uint64_t seed) {
   const float side = 4 * std::sqrt(static_cast<float>(count));
   std::vector<PlacedBox> boxes;
   for (std::size_t i = 0; i < count; ++i) {
-    boxes.push_back(placed({unit() * side, unit(), unit() * side}, 1 + unit(), static_cast<std::uint32_t>(30 + random.below(1500))));
+    const glm::vec3 middle{unit() * side, unit(), unit() * side};
+    const float half = 1 + unit();
+    boxes.push_back(placed(middle, half, static_cast<std::uint32_t>(30 + random.below(1500))));
   }
   return boxes;
 }

@@ -47,7 +47,8 @@ Scene scene_with(const std::vector<Placements>& placements) {
 glm::mat4 random_transform(Random& random, bool may_mirror = true) {
   const auto unit = [&] { return static_cast<float>(random.unit()); };
   glm::mat4 world = glm::translate(glm::mat4(1), {100 * unit(), 10 * unit(), 100 * unit()});
-  world = glm::rotate(world, 6 * unit(), glm::normalize(glm::vec3(unit() + 0.1f, unit(), unit())));
+  const glm::vec3 axis{unit() + 0.1f, unit(), unit()};
+  world = glm::rotate(world, 6 * unit(), glm::normalize(axis));
   glm::vec3 scale{0.5f + unit(), 0.5f + unit(), 0.5f + unit()};
   if (may_mirror && random.below(3) == 0) scale[static_cast<int>(random.below(3))] *= -1;
   return glm::scale(world, scale);
