@@ -9,6 +9,7 @@ namespace foredraw::merging {
 namespace {
 
 constexpr std::uint32_t most_classes = 4;
+constexpr std::uint64_t steps_of_a_look = 32;  ///< for each mesh, about
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A tree over the candidates: the leaves are candidates, and a node holds for each mesh the least cost below it.
@@ -152,6 +153,7 @@ class Search {
     }
     if (tree_.is_leaf(ranges[widest])) {
       if (look_) {
+        steps_ += steps_of_a_look * tree_.mesh_count();
         best_ = std::min(best_, look_(ranges));
       } else {
         take(ranges, least);
@@ -207,8 +209,9 @@ std::vector<std::uint32_t> frequencies_of(const RangeTree& tree, const Ranges& l
   return frequencies;
 }
 
-std::uint64_t steps_for(std::uint32_t classes, std::uint64_t most_steps) {
-  return classes <= 2 ? std::numeric_limits<std::uint64_t>::max() : most_steps;
+/// Two classes are searched to the end, unless not all candidates are searched anyway.
+std::uint64_t steps_for(std::uint32_t classes, bool all, std::uint64_t most_steps) {
+  return classes <= 2 && all ? std::numeric_limits<std::uint64_t>::max() : most_steps;
 }
 
 /// The candidates that are searched. A tree of all of them may be too large where meshes are; then the smaller half of those
@@ -218,7 +221,7 @@ struct Candidates {
   bool all = true;
 };
 
-constexpr std::size_t most_costs = 2'000'000;
+constexpr std::size_t most_costs = 1'000'000;
 
 Candidates searched_candidates(std::span<const MeshSize> sizes, std::uint32_t multiple, std::uint32_t always) {
   Candidates candidates{
@@ -253,8 +256,9 @@ ClassSearch search_classes(std::span<const MeshSize> sizes, std::uint32_t multip
   const auto single_place = static_cast<std::size_t>(std::ranges::lower_bound(candidates.frequencies, single) -
                                                      candidates.frequencies.begin());
   const RangeTree tree(sizes, std::move(candidates.frequencies), prices);
-  Search search(tree, classes, steps_for(classes, most_steps));
-  for (std::uint32_t variant = 0; variant < 4; ++variant) {
+  Search search(tree, classes, steps_for(classes, candidates.all, most_steps));
+  const std::uint32_t variants = candidates.all ? 4 : 1;
+  for (std::uint32_t variant = 0; variant < variants; ++variant) {
     search.begin_with(search.improved(spread(tree, classes, single_place, variant)));
   }
   search.run();
@@ -271,7 +275,7 @@ bool visit_choices(std::span<const MeshSize> sizes, std::uint32_t multiple, std:
                    const std::function<double(std::span<const std::uint32_t>)>& look) {
   Candidates candidates = searched_candidates(sizes, multiple, best_frequency(sizes, multiple, prices));
   const RangeTree tree(sizes, std::move(candidates.frequencies), prices);
-  Search search(tree, classes, steps_for(classes, most_steps));
+  Search search(tree, classes, most_steps);
   search.look_at(below, [&](const Ranges& leaves) { return look(frequencies_of(tree, leaves, classes)); });
   search.run();
   return candidates.all && search.came_to_its_end();

@@ -96,18 +96,23 @@ FrequencyChoice cheapest(std::span<const MeshSize> meshes, std::span<const MeshS
 
 std::optional<FrequencyChoice> fewest_slots_of_one(std::span<const MeshSize> meshes, std::span<const MeshSize> sizes,
                                                    double most_padding, const FrequencyOptions& options) {
-  std::optional<FrequencyChoice> best;
-  for (const std::uint32_t frequency : frequency_candidates(sizes, options.multiple, options.multiple,
-                                                            std::numeric_limits<std::uint32_t>::max())) {
-    FrequencyChoice choice = choice_at(sizes, {frequency}, {});
-    if (choice.padding() > most_padding || (best && choice.slots >= best->slots)) continue;
-    best = std::move(choice);
+  const std::vector<std::uint32_t> candidates =
+      frequency_candidates(sizes, options.multiple, options.multiple, std::numeric_limits<std::uint32_t>::max());
+  double entries = 0;
+  for (const MeshSize& size : sizes) entries += static_cast<double>(size.placed) * static_cast<double>(size.indices);
+  // Each candidate needs fewer slots than the one before it, so the largest that keeps the limit is the best.
+  for (std::size_t c = candidates.size(); c-- > 0;) {
+    double padded = 0;
+    for (std::size_t i = 0; i < sizes.size() && padded * (1 - most_padding) <= most_padding * entries * (1 + 1e-9); ++i) {
+      padded += cost_of(sizes[i], candidates[c], {1, 0});
+    }
+    if (padded * (1 - most_padding) > most_padding * entries * (1 + 1e-9)) continue;
+    FrequencyChoice choice = choice_at(meshes, {candidates[c]}, {});
+    if (choice.padding() > most_padding) continue;
+    choice.cost = choice.bound = static_cast<double>(choice.slots);
+    return choice;
   }
-  if (best) {
-    best->mesh_class.assign(meshes.size(), 0);
-    best->cost = best->bound = static_cast<double>(best->slots);
-  }
-  return best;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -122,6 +127,7 @@ FrequencyChoice best_frequencies(std::span<const MeshSize> meshes, const Frequen
 std::optional<FrequencyChoice> fewest_slots(std::span<const MeshSize> meshes, double most_padding,
                                             const FrequencyOptions& options) {
   check(meshes, options);
+  if (!(most_padding >= 0 && most_padding <= 1)) throw std::invalid_argument("the most padding must be from 0 to 1");
   const std::vector<MeshSize> sizes = distinct_sizes(meshes);
   if (sizes.empty()) return nothing_for(meshes);
   std::optional<FrequencyChoice> best = fewest_slots_of_one(meshes, sizes, most_padding, options);

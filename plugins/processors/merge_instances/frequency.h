@@ -28,7 +28,9 @@ struct FrequencyOptions {
   double padded_cost = 12;      ///< of a padded index entry
   double slot_byte_cost = 2;    ///< of a byte of slot records
   double class_cost = 0;        ///< of each class beyond the first: draws that it adds, times what a draw costs
-  std::uint64_t most_steps = 20'000'000;  ///< of the search with 3 or 4 classes, in meshes looked at; then the best so far stands
+  /// Of a search in meshes looked at, where it could take long: with 3 or 4 classes, under a limit, and where meshes have
+  /// millions of entries. Then the best so far stands.
+  std::uint64_t most_steps = 20'000'000;
 };
 
 struct FrequencyChoice {
@@ -51,12 +53,13 @@ inline std::uint64_t slots_of(std::uint64_t indices, std::uint32_t frequency) {
   return (indices + frequency - 1) / frequency;
 }
 
-/// The frequencies of least cost: exactly, for one and two classes always, for three and four where `proven` says so.
+/// The frequencies of least cost: exactly for one class, for two up to some hundred sizes of some ten thousand entries, and
+/// beyond that where `proven` says so.
 /// Throws std::invalid_argument where an option is out of its range or a mesh has 2^32 entries or more.
 FrequencyChoice best_frequencies(std::span<const MeshSize> meshes, const FrequencyOptions& options = {});
 
-/// The fewest slots with a padding() of at most `most_padding`: exactly for one and two classes (where `proven` says so,
-/// which is nearly always), for three and four the best that is found; `cost` and `bound` then are slots. The prices of the
+/// The fewest slots with a padding() of at most `most_padding`, from 0 to 1: exactly for one class and where `proven` says
+/// so, which for two it nearly always does; else the best that is found. `cost` and `bound` are slots. The prices of the
 /// options play no part. Nothing where every frequency pads more than that.
 std::optional<FrequencyChoice> fewest_slots(std::span<const MeshSize> meshes, double most_padding,
                                             const FrequencyOptions& options = {});

@@ -192,6 +192,7 @@ TEST(MergeFrequency, RefusesWhatMakesNoSense) {
   EXPECT_THROW(best_frequencies(meshes, {.classes = 5}), std::invalid_argument);
   EXPECT_THROW(best_frequencies(meshes, {.padded_cost = -1}), std::invalid_argument);
   EXPECT_THROW(best_frequencies(meshes, {.padded_cost = std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
+  EXPECT_THROW(fewest_slots(meshes, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
   EXPECT_THROW(best_frequencies(std::vector<MeshSize>{{std::uint64_t{1} << 32, 1}}), std::invalid_argument);
 }
 
@@ -207,10 +208,14 @@ TEST(MergeFrequency, MeshesOfMillionsAndThousandsOfSizesTakeNoTime) {
     EXPECT_TRUE(one.proven);
     EXPECT_LE(two.cost, one.cost);
     EXPECT_LE(two.bound, two.cost);
+    const auto limited = fewest_slots(meshes, 0.02, {.classes = 2});
+    ASSERT_TRUE(limited);
+    EXPECT_LE(limited->padding(), 0.02);
+    EXPECT_LE(limited->bound, limited->cost);
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   RecordProperty("seconds", std::to_string(time.count()));
-  std::printf("four choices: %.2f s\n", time.count());
+  std::printf("six choices: %.2f s\n", time.count());
   EXPECT_LT(time.count(), 60);  // far above what it takes, also under a sanitizer
 }
 
