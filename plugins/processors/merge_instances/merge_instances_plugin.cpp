@@ -94,7 +94,7 @@ Plugin merge_instances_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "merge-instances",
-      .summary = "Draws many instances of many meshes as a few draws, with no vertex stored twice",
+      .summary = "Tells what many instances of many meshes drawn as a few draws would come to; the scene stays as it is so far",
       .reference = "Persson, Graphics Gems for Games, SIGGRAPH 2012, Merge-Instancing",
       .acts_on = {traits::triangles},
       .pays_if = "several meshes of one material and one layout are placed often, and are not vertex-bound",
