@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -17,20 +18,18 @@ constexpr std::uint64_t bytes_of_a_placement = 12 * sizeof(float);
 
 bool is_mirrored(const glm::mat4& matrix) { return glm::determinant(glm::dmat3(matrix)) < 0; }
 
-/// A mesh as one node shows it.
+/// A node's drawing of a mesh.
 struct PlacedMesh {
   MeshId mesh = 0;
-  const Node* node = nullptr;  ///< none: the scene has no nodes
-  std::uint64_t upright = 0;   ///< how often the mesh is drawn as it winds,
-  std::uint64_t mirrored = 0;  ///< and how often turned inside out
-
-  std::uint64_t times() const { return upright + mirrored; }
+  NodeId id = 0;
+  const Node* node = nullptr;    ///< none: the scene has no nodes
+  std::vector<bool> mirrored{};  ///< [instance] whether it is turned inside out
 };
 
 std::vector<PlacedMesh> placed_meshes(const Scene& scene) {
   std::vector<PlacedMesh> placed;
   if (scene.nodes.empty()) {
-    for (MeshId mesh = 0; mesh < scene.meshes.size(); ++mesh) placed.push_back({mesh, nullptr, 1, 0});
+    for (MeshId mesh = 0; mesh < scene.meshes.size(); ++mesh) placed.push_back({mesh, 0, nullptr, {false}});
     return placed;
   }
   const std::vector<glm::mat4> worlds = world_transforms(scene);
@@ -38,13 +37,32 @@ std::vector<PlacedMesh> placed_meshes(const Scene& scene) {
     const Node& node = scene.nodes[i];
     if (!node.mesh) continue;
     const bool node_is_mirrored = !node.skin && is_mirrored(worlds[i]);  // joints alone place what has a skin
-    PlacedMesh mesh{*node.mesh, &node, 0, 0};
-    const auto add = [&](bool mirrored) { ++(mirrored ? mesh.mirrored : mesh.upright); };
-    if (node.instances.empty()) add(node_is_mirrored);
-    for (const Transform& instance : node.instances.view()) add(node_is_mirrored != is_mirrored(instance.matrix()));
-    placed.push_back(mesh);
+    PlacedMesh mesh{*node.mesh, i, &node};
+    if (node.instances.empty()) mesh.mirrored.push_back(node_is_mirrored);
+    for (const Transform& instance : node.instances.view()) {
+      mesh.mirrored.push_back(node_is_mirrored != is_mirrored(instance.matrix()));
+    }
+    placed.push_back(std::move(mesh));
   }
   return placed;
+}
+
+/// How often a draw call draws a primitive.
+struct Times {
+  std::uint64_t upright = 0;   ///< as it winds,
+  std::uint64_t mirrored = 0;  ///< and turned inside out
+
+  std::uint64_t all() const { return upright + mirrored; }
+};
+
+/// Without those that merged draws show.
+Times times_of(const PlacedMesh& placed, std::uint32_t primitive, std::span<const MergedPlace> merged) {
+  Times times;
+  for (std::uint32_t i = 0; i < placed.mirrored.size(); ++i) {
+    if (std::ranges::binary_search(merged, MergedPlace{placed.id, primitive, i})) continue;
+    ++(placed.mirrored[i] ? times.mirrored : times.upright);
+  }
+  return times;
 }
 
 /// What drawing a primitive once costs.
@@ -79,9 +97,9 @@ class Sum {
   explicit Sum(const Scene& scene) : scene_(scene) {}
 
   /// One draw call that draws a primitive as often as its node places it.
-  void add_call(DrawId id, const DrawnOnce& once, const PlacedMesh& placed) {
+  void add_call(DrawId id, const DrawnOnce& once, const PlacedMesh& placed, const Times& placings) {
     const Draw& draw = scene_.draws[id];
-    const std::uint64_t times = placed.times();
+    const std::uint64_t times = placings.all();
     cost_.draws += 1;
     cost_.instances += times;
     cost_.indices += once.indices * times;
@@ -93,10 +111,28 @@ class Sum {
     if (once.stays_by_itself || (placed.node != nullptr && placed.node->skin)) {
       cost_.draws_if_instanced += 1;
     } else {
-      if (placed.upright > 0) instanced_.emplace(once.content, false);
-      if (placed.mirrored > 0) instanced_.emplace(once.content, true);
+      if (placings.upright > 0) instanced_.emplace(once.content, false);
+      if (placings.mirrored > 0) instanced_.emplace(once.content, true);
     }
     if (referred_.insert(id).second) refer_to(id);
+  }
+
+  /// Calls that fetch their vertices themselves, one call of the vertex shader for each index entry.
+  void add_merged(const MergedInstances& merged) {
+    for (const MergedDraw& draw : merged.draws) {
+      const std::uint64_t entries = std::uint64_t{draw.slot_count} * draw.frequency;
+      cost_.draws += 1;
+      cost_.draws_if_instanced += 1;
+      cost_.indices += entries;
+      cost_.shaded += static_cast<double>(entries);
+      cost_.triangles += entries / 3;
+      cost_.triangles_shaded += static_cast<double>(entries);
+    }
+    cost_.instances += merged.places.size();
+    add_placements(merged.places.size());
+    cost_.instance_bytes += merged.slots.view().size_bytes() + merged.materials.view().size_bytes();
+    refer_to(*merged.vertices);
+    refer_to(merged.indices.view(), 4);
   }
 
   /// What tells a draw call where a mesh is.
@@ -111,14 +147,19 @@ class Sum {
  private:
   void refer_to(DrawId id) {
     const VertexStreams& vertices = *scene_.draws[id].levels[0].vertices;
+    refer_to(vertices);
+    const std::uint64_t width = vertices.count < 65536 ? 2 : 4;
+    for (const ServedOrder& order : served_orders(scene_, id)) refer_to(order.indices(), width);
+  }
+
+  void refer_to(const VertexStreams& vertices) {
     for (const VertexStream* stream : vertices.all()) {
       if (vertex_streams_.insert(stream->bytes.view().data()).second) cost_.vertex_bytes += stream->bytes.size();
     }
-    const std::uint64_t width = vertices.count < 65536 ? 2 : 4;
-    for (const ServedOrder& order : served_orders(scene_, id)) {
-      const auto indices = order.indices();
-      if (index_streams_.emplace(indices.data(), width).second) cost_.index_bytes += width * indices.size();
-    }
+  }
+
+  void refer_to(std::span<const std::uint32_t> indices, std::uint64_t width) {
+    if (index_streams_.emplace(indices.data(), width).second) cost_.index_bytes += width * indices.size();
   }
 
   const Scene& scene_;
@@ -137,15 +178,20 @@ SceneCost scene_cost(const Scene& scene, const SceneCostOptions& options, const 
     once[id] = drawn_once(scene, static_cast<DrawId>(id), static_cast<std::uint32_t>(options.cache_size));
   });
   Sum sum(scene);
+  const std::vector<MergedPlace> merged = merged_places(scene);
   for (const PlacedMesh& placed : placed_meshes(scene)) {
-    bool is_seen = false;
-    for (const DrawId id : scene.meshes[placed.mesh].draws) {
-      if (once[id].indices == 0) continue;
-      sum.add_call(id, once[id], placed);
-      is_seen = true;
+    std::uint64_t seen = 0;
+    const std::vector<DrawId>& draws = scene.meshes[placed.mesh].draws;
+    for (std::uint32_t primitive = 0; primitive < draws.size(); ++primitive) {
+      const DrawnOnce& drawn = once[draws[primitive]];
+      const Times times = times_of(placed, primitive, merged);
+      if (drawn.indices == 0 || times.all() == 0) continue;
+      sum.add_call(draws[primitive], drawn, placed, times);
+      seen = std::max(seen, times.all());
     }
-    if (is_seen) sum.add_placements(placed.times());
+    sum.add_placements(seen);
   }
+  for (const MergedInstances& set : scene.merged) sum.add_merged(set);
   return sum.cost();
 }
 

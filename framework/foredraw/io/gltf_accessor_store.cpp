@@ -2,6 +2,7 @@
 
 #include <foredraw/io/private/gltf_layout.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace foredraw::gltf {
@@ -111,6 +112,24 @@ void AccessorStore::release(std::size_t accessor) {
   released_.insert(accessor);
 }
 
+bool AccessorStore::lay_within(std::size_t accessor, std::size_t of, std::size_t first) {
+  const Content& whole = contents_.at(of);
+  const auto changed = contents_.find(accessor);
+  const bool is_new = changed != contents_.end();
+  if (accessor == of || released_.contains(accessor) || (!is_new && accessor >= document_.accessors.size())) return false;
+  const Accessor* was = is_new ? nullptr : &document_.accessors[accessor];
+  if ((is_new ? changed->second.format : was->format) != whole.format) return false;
+  const std::vector<std::byte> kept = is_new ? std::vector<std::byte>() : elements(document_, *was);
+  const Bytes own = is_new ? changed->second.bytes.view() : Bytes(kept);
+  const std::size_t begin = first * whole.format.bytes;
+  if (begin + own.size() > whole.bytes.size() || !std::ranges::equal(own, whole.bytes.view().subspan(begin, own.size()))) {
+    return false;
+  }
+  if (!parts_.try_emplace(accessor, Part{of, first}).second) return false;
+  json_["accessors"][accessor].erase("sparse");
+  return true;
+}
+
 void AccessorStore::set_image(std::size_t image, Shared<std::byte> bytes) {
   Json& json = json_["images"][image];
   json.erase("uri");
@@ -118,7 +137,7 @@ void AccessorStore::set_image(std::size_t image, Shared<std::byte> bytes) {
 }
 
 LaidOut AccessorStore::lay_out(bool compress) {
-  return laid_out(document_, json_, {contents_, released_, images_, forgotten_}, compress);
+  return laid_out(document_, json_, {contents_, parts_, released_, images_, forgotten_}, compress);
 }
 
 }  // namespace foredraw::gltf

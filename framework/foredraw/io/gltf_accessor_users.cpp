@@ -1,5 +1,6 @@
 // Who refers to which accessor.
 #include <foredraw/io/private/gltf_draw_orders.h>
+#include <foredraw/io/private/gltf_merged_instances.h>
 #include <foredraw/io/private/gltf_write.h>
 
 namespace foredraw::gltf {
@@ -14,7 +15,7 @@ void collect_numbers(const Json& value, std::set<std::size_t>& numbers) {
 }
 
 bool says_where_its_accessors_are(const std::string& extension) {
-  if (extension == draw_orders) return true;
+  if (extension == draw_orders || extension == merge_instances) return true;
   return is_known_extension(extension) && extension != mesh_gpu_instancing && extension.compare(0, 9, "FOREDRAW_") != 0;
 }
 

@@ -1,5 +1,6 @@
 #include <foredraw/io/private/gltf_accessor_store.h>
 #include <foredraw/io/private/gltf_draw_orders.h>
+#include <foredraw/io/private/gltf_merged_instances.h>
 #include <foredraw/io/private/gltf_write.h>
 
 #include <algorithm>
@@ -89,6 +90,7 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
   if (!patch_meshes(scene, source, written.json, store, diagnostics)) return std::nullopt;
   patch_order_tables(scene, source, written.json, store, diagnostics);
+  patch_merged_instances(scene, source, written.json, store);
   relocate_images(written.json, document, target, diagnostics);
   written.changed =
       !may_stay || store.changed() || written.json != document.json || (!compress && is_compressed(document));

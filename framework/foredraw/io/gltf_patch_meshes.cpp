@@ -1,6 +1,7 @@
 // The draws of a scene put back into its document: only what differs from what was read is touched.
 #include <foredraw/io/private/gltf_accessor_store.h>
 #include <foredraw/io/private/gltf_draw_orders.h>
+#include <foredraw/io/private/gltf_merged_instances.h>
 #include <foredraw/io/private/gltf_rows.h>
 #include <foredraw/io/private/gltf_write.h>
 
@@ -275,6 +276,7 @@ class MeshPatch {
   void resolve() {
     std::set<std::size_t> elsewhere = used_elsewhere(source_.document.json);
     elsewhere.merge(used_by_tables(source_.document.json));
+    elsewhere.merge(used_by_merged(source_.document.json));
     std::map<std::size_t, std::vector<const Request*>> wishes;
     for (const Request& request : requests_) {
       if (request.accessor) wishes[*request.accessor].push_back(&request);

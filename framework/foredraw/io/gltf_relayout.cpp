@@ -32,11 +32,15 @@ class Relayout {
   void find_users() {
     for (std::size_t a = 0; a < count("accessors"); ++a) {
       const auto found = changes_.contents.find(a);
-      const Content* content = found == changes_.contents.end() ? nullptr : &found->second;
+      const bool is_part = changes_.parts.contains(a);
+      const Content* content = found == changes_.contents.end() || is_part ? nullptr : &found->second;
       const bool is_new = a >= document_.accessors.size();
       if (!is_new) find_users_of(a, content);
       if (content != nullptr && (is_new || !document_.accessors[a].rows)) {
         new_blocks_.push_back(block_of({&item("accessors", a)}, *content, 1));
+        for (const auto& [part, lies] : changes_.parts) {
+          if (lies.of == a) new_blocks_.back().places.push_back({{&item("accessors", part)}, lies.first * new_blocks_.back().row});
+        }
       }
     }
     for (std::size_t i = 0; i < count("images"); ++i) {
@@ -57,7 +61,7 @@ class Relayout {
 
   void find_users_of(std::size_t a, const Content* content) {
     const Accessor& was = document_.accessors[a];
-    const bool released = changes_.released.contains(a);
+    const bool released = changes_.released.contains(a) || changes_.parts.contains(a);
     Json* holder = &item("accessors", a);
     if (was.rows) {
       const std::size_t end = was.rows->offset + (was.count - 1) * was.rows->stride + was.format.bytes;

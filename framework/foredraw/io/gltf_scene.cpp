@@ -2,6 +2,7 @@
 #include <foredraw/io/images.h>
 #include <foredraw/io/private/gltf_base_colour.h>
 #include <foredraw/io/private/gltf_instances.h>
+#include <foredraw/io/private/gltf_material_stamps.h>
 #include <foredraw/io/private/gltf_source.h>
 #include <foredraw/io/private/gltf_uri.h>
 
@@ -296,6 +297,7 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
   for (std::size_t m = 0; m < model.materials.size(); ++m) {
     scene.materials.push_back(material_of(model.materials[m]));
     add_base_colour(scene.materials.back(), document.json["materials"][m], document.json);
+    add_stamps(scene.materials.back(), document.json["materials"][m]);
   }
   if (const auto images = document.json.find("images"); images != document.json.end()) {
     ViewBytes views;

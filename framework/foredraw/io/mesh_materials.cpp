@@ -1,3 +1,4 @@
+#include <foredraw/io/private/gltf_material_stamps.h>
 #include <foredraw/io/private/mesh_materials.h>
 
 #include <foredraw/io/private/file_kind.h>
@@ -196,6 +197,7 @@ std::shared_ptr<const gltf::Source> gltf_source_of(Json materials, Scene& scene,
     materials.push_back({{"name", scene.materials[i].name}});
   }
   part_from_textures(materials, scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) gltf::add_stamps(scene.materials[i], materials[i]);
   gltf::Document document;
   document.name = scene.name;
   document.folder = folder;

@@ -1,4 +1,5 @@
 #pragma once
+#include <foredraw/base/content_hash.h>
 #include <foredraw/scene/texture.h>
 
 #include <cstdint>
@@ -19,6 +20,8 @@ struct Material {
   bool double_sided = false;
   float alpha = 1;                     ///< the base colour's
   std::optional<Texture> base_colour;  ///< whose alpha is multiplied with it
+  std::optional<Stamp> look;  ///< of all that the file says but the name: equal ones look alike
+  std::optional<Stamp> kind;  ///< of the same without its numbers: equal ones differ in factors and textures alone
 };
 
 }  // namespace foredraw

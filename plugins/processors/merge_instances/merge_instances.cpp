@@ -3,6 +3,7 @@
 #include "shared_vertices.h"
 
 #include <algorithm>
+#include <map>
 
 namespace foredraw {
 
@@ -45,10 +46,21 @@ merging::SpatialGroups groups_of(const MergeableSet& set, std::size_t frequencie
   return merging::spatial_groups(boxes, wanted, executor);
 }
 
+/// Of the nodes: one that draws a mesh many times takes one draw for it.
+std::uint64_t plain_draws(const MergeableSet& set) {
+  std::vector<std::pair<NodeId, std::uint32_t>> drawn;
+  drawn.reserve(set.placements.size());
+  for (const merging::MergeablePlacement& placement : set.placements) {
+    drawn.push_back({placement.place.node, placement.place.primitive});
+  }
+  std::ranges::sort(drawn);
+  return static_cast<std::uint64_t>(std::unique(drawn.begin(), drawn.end()) - drawn.begin());
+}
+
 /// What is known only when slots and groups are: whether the draws that are saved are worth what the shader does more.
 std::string why_not_worth_it(const MergeableSet& set, const FrequencyChoice& frequencies, std::size_t groups,
                              const MergeInstancesOptions& options) {
-  const std::uint64_t before = set.placements.size();
+  const std::uint64_t before = plain_draws(set);
   const std::uint64_t after = groups * frequencies.frequencies.size();
   const auto text = [](std::uint64_t number) { return std::to_string(number); };
   if (after >= before) return text(before) + " draws would become " + text(after);
@@ -61,16 +73,34 @@ std::string why_not_worth_it(const MergeableSet& set, const FrequencyChoice& fre
          " more calls of the vertex shader";
 }
 
+/// The vertices of all sets of one layout in one buffer, so that what two sets draw lies there once.
+void share_vertices(const Scene& scene, std::vector<MergedSet>& sets) {
+  std::map<Stamp, std::vector<MergedSet*>> of_layout;
+  for (MergedSet& set : sets) {
+    of_layout[scene.draws[set.set.meshes[0].draw].levels[0].vertices->layout_stamp()].push_back(&set);
+  }
+  for (const auto& [layout, alike] : of_layout) {
+    std::vector<DrawId> draws;
+    for (const MergedSet* set : alike) {
+      for (const merging::MergeableMesh& mesh : set->set.meshes) draws.push_back(mesh.draw);
+    }
+    const merging::SharedVertices shared = merging::shared_vertices(scene, draws);
+    auto first = shared.first.begin();
+    for (MergedSet* set : alike) {
+      set->vertices = shared.vertices;
+      const auto end = first + static_cast<std::ptrdiff_t>(set->set.meshes.size());
+      set->first_vertex.assign(first, end);
+      first = end;
+    }
+  }
+}
+
 void pack(const Scene& scene, const MergeInstancesOptions& options, const Executor& executor, MergedSet& merged) {
-  std::vector<DrawId> draws;
-  for (const merging::MergeableMesh& mesh : merged.set.meshes) draws.push_back(mesh.draw);
-  merging::SharedVertices shared = merging::shared_vertices(scene, draws);
-  merged.vertices = std::move(shared.vertices);
-  merged.first_vertex = std::move(shared.first);
   std::vector<merging::PackedMesh> meshes;
-  for (std::size_t m = 0; m < draws.size(); ++m) {
-    const Level& level = scene.draws[draws[m]].levels[0];
-    meshes.push_back({scene.draws[draws[m]].name, level.orders[0].indices.view(), merged.first_vertex[m], level.vertices->count});
+  for (std::size_t m = 0; m < merged.set.meshes.size(); ++m) {
+    const Draw& draw = scene.draws[merged.set.meshes[m].draw];
+    const Level& level = draw.levels[0];
+    meshes.push_back({draw.name, level.orders[0].indices.view(), merged.first_vertex[m], level.vertices->count});
   }
   std::vector<merging::PlacedMesh> placed;
   placed.reserve(merged.set.placements.size());
@@ -88,11 +118,11 @@ void pack(const Scene& scene, const MergeInstancesOptions& options, const Execut
 MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, const MergeInstancesOptions& options,
                             const Executor& executor) {
   merging::MergeableOptions wanted;
+  wanted.materials = options.materials;
   wanted.draw_cost = options.draw_cost;
   merging::MergeableScene found = merging::mergeable_scene(scene, draws, wanted, executor);
   MergedScene result;
   result.left_alone = std::move(found.left_alone);
-  result.placements = found.placements;
   for (MergeableSet& set : found.sets) {
     MergedSet merged;
     merged.set = std::move(set);
@@ -107,10 +137,43 @@ MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, c
       result.not_merged.push_back(std::move(merged.set));
       continue;
     }
-    pack(scene, options, executor, merged);
     result.merged.push_back(std::move(merged));
   }
+  share_vertices(scene, result.merged);
+  for (MergedSet& merged : result.merged) pack(scene, options, executor, merged);
   return result;
+}
+
+MergedInstances merged_instances(const Scene& scene, const MergedSet& set) {
+  const merging::PackedInstances& packed = set.packed;
+  MergedInstances merged;
+  merged.material = set.set.material;
+  merged.vertices = set.vertices;
+  for (std::size_t m = 0; m < set.set.meshes.size(); ++m) {
+    merged.meshes.push_back({set.set.meshes[m].draw, set.first_vertex[m]});
+  }
+  merged.indices = Shared(packed.indices);
+  merged.slots = Shared(packed.slots);
+  merged.transforms = Shared(packed.transforms);
+  merged.draws = packed.draws;
+  std::vector<MergedPlace> places;
+  std::vector<std::uint32_t> materials;
+  for (const std::uint32_t number : packed.placed) {
+    const merging::MergeablePlacement& placement = set.set.placements[number];
+    places.push_back(placement.place);
+    const Draw& draw = scene.draws[set.set.meshes[placement.mesh].draw];
+    if (draw.material) materials.push_back(*draw.material);
+  }
+  merged.places = Shared(std::move(places));
+  const auto look = [&](MaterialId id) { return scene.materials[id].look; };
+  const bool differ = std::ranges::any_of(materials, [&](MaterialId id) { return id != materials[0] && look(id) != look(materials[0]); });
+  if (differ) merged.materials = Shared(std::move(materials));
+  for (std::size_t g = 0; g < set.groups.size(); ++g) {
+    const std::uint32_t first = packed.first_instance[g];
+    const merging::Box& bounds = set.groups.bounds[g];
+    merged.groups.push_back({bounds.least, bounds.most, first, packed.first_instance[g + 1] - first});
+  }
+  return merged;
 }
 
 }  // namespace foredraw

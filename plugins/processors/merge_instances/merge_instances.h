@@ -15,6 +15,7 @@ enum class FrequencyGoal : std::uint8_t {
 };
 
 struct MergeInstancesOptions {
+  merging::SharedMaterials materials = merging::SharedMaterials::alike;
   int multiple = 3;      ///< of the frequency, in index entries
   int frequencies = 2;   ///< of slots, at most, 1 to 4; each is a draw of each group
   FrequencyGoal goal = FrequencyGoal::fewest_slots;
@@ -28,12 +29,12 @@ struct MergeInstancesOptions {
   bool cut_well = true;         ///< cut meshes where few vertices are shared
 };
 
-/// Draws of one material and one layout, merged.
+/// Draws of one layout that one shader draws, merged.
 struct MergedSet {
   merging::MergeableSet set;
   merging::FrequencyChoice frequencies;
   merging::SpatialGroups groups;        ///< of set.placements
-  std::shared_ptr<const VertexStreams> vertices;  ///< all meshes', each once
+  std::shared_ptr<const VertexStreams> vertices;  ///< each mesh's once; those of other sets of this layout too
   std::vector<std::uint32_t> first_vertex;        ///< [mesh of the set]
   merging::PackedInstances packed;      ///< instances name set.placements
 };
@@ -42,7 +43,6 @@ struct MergedScene {
   std::vector<MergedSet> merged;
   std::vector<merging::MergeableSet> not_merged;  ///< each with why_not
   std::vector<merging::LeftAlone> left_alone;
-  std::size_t placements = 0;  ///< of draws, over the scene
 };
 
 /// Merges what can be merged of `draws` (rising) and is worth it. The scene stays as it is. Deterministic at any number of
@@ -50,6 +50,9 @@ struct MergedScene {
 /// SIGGRAPH 2012, "Merge-Instancing".
 MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, const MergeInstancesOptions& options,
                             const Executor& executor);
+
+/// As the scene holds it.
+MergedInstances merged_instances(const Scene& scene, const MergedSet& set);
 
 struct Plugin;
 Plugin merge_instances_plugin();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -30,6 +31,23 @@ void note_left_alone(const MergedScene& merged, const Run& run) {
   }
 }
 
+/// Draw calls of nodes that merged draws do not show whole.
+std::size_t draws_left(const Scene& scene) {
+  const std::vector<MergedPlace> merged = merged_places(scene);
+  std::size_t draws = 0;
+  for (NodeId n = 0; n < scene.nodes.size(); ++n) {
+    const Node& node = scene.nodes[n];
+    if (!node.mesh) continue;
+    for (std::uint32_t primitive = 0; primitive < scene.meshes[*node.mesh].draws.size(); ++primitive) {
+      const auto shown = std::ranges::equal_range(merged, std::pair(n, primitive), {}, [](const MergedPlace& place) {
+        return std::pair(place.node, place.primitive);
+      });
+      draws += shown.size() < std::max<std::size_t>(1, node.instances.size());
+    }
+  }
+  return draws;
+}
+
 class MergeInstances final : public Processor {
  public:
   explicit MergeInstances(const MergeInstancesOptions& options) : options_(options) {}
@@ -41,24 +59,32 @@ class MergeInstances final : public Processor {
       run.keep("no draws that could be merged are worth it; notes say why");
       return {};
     }
-    measure(merged, run);
-    run.keep("what merging would come to is told, but not written yet");
-    return {};
+    std::vector<DrawId> changed;
+    for (const MergedSet& set : merged.merged) {
+      scene.merged.push_back(merged_instances(scene, set));
+      for (const merging::MergeableMesh& mesh : set.set.meshes) {
+        scene.draws[mesh.draw].traits.add(traits::extended);
+        changed.push_back(mesh.draw);
+      }
+    }
+    measure(merged, scene, run);
+    std::ranges::sort(changed);
+    return changed;
   }
 
  private:
-  static void measure(const MergedScene& merged, const Run& run) {
-    double entries = 0, padded = 0, slots = 0, placed = 0, bytes = 0, merged_draws = 0;
+  static void measure(const MergedScene& merged, const Scene& scene, const Run& run) {
+    double entries = 0, padded = 0, slots = 0, placed = 0, bytes = 0, draws = static_cast<double>(draws_left(scene));
+    for (const MergedInstances& set : scene.merged) draws += static_cast<double>(set.draws.size());
     for (const MergedSet& set : merged.merged) {
       entries += static_cast<double>(set.packed.drawn_entries);
       padded += static_cast<double>(set.packed.padded_entries);
       slots += static_cast<double>(set.packed.slots.size());
       placed += static_cast<double>(set.packed.placed.size());
       bytes += static_cast<double>(set.packed.bytes());
-      merged_draws += static_cast<double>(set.packed.draws.size());
     }
     run.measure_at({}, "padding", padded, entries + padded);
-    run.count_at({}, "draws", static_cast<double>(merged.placements) - placed + merged_draws);
+    run.count_at({}, "draws", draws);
     run.count_at({}, "slots", slots);
     run.measure_at({}, "slot-bytes", 8 * slots, placed);
     run.count_at({}, "bytes", bytes);
@@ -71,6 +97,9 @@ class MergeInstances final : public Processor {
 
 Plugin merge_instances_plugin() {
   OptionTable<MergeInstancesOptions> table;
+  table.choice(&MergeInstancesOptions::materials, "materials",
+               "Draws are merged whose materials look alike, or are of one kind: the shader looks up each instance's",
+               {{"alike", merging::SharedMaterials::alike}, {"kind", merging::SharedMaterials::kind}});
   table.row(&MergeInstancesOptions::multiple, "multiple",
             "Slots have multiples of so many index entries: 3, or those of a primitive group", {3, 3072, "entries"});
   table.row(&MergeInstancesOptions::frequencies, "frequencies",
@@ -94,10 +123,11 @@ Plugin merge_instances_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "merge-instances",
-      .summary = "Tells what many instances of many meshes drawn as a few draws would come to; the scene stays as it is so far",
+      .summary = "Many instances of many meshes as a few draws without a vertex twice; the nodes stay for who can not",
       .reference = "Persson, Graphics Gems for Games, SIGGRAPH 2012, Merge-Instancing",
       .acts_on = {traits::triangles},
       .pays_if = "several meshes of one material and one layout are placed often, and are not vertex-bound",
+      .lossless = true,
       .metrics = {{"padding", "of index entries", "Padded index entries of all that are drawn"},
                   {"draws", "draws", "Draw calls of the scene, merged ones and those left"},
                   {"slots", "slots", "Slots of all merged draws"},

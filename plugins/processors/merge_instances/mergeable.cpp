@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
+#include <utility>
 
 namespace foredraw::merging {
 
@@ -65,16 +65,6 @@ std::vector<char> moved_nodes(const Scene& scene) {
     for (const NodeId child : scene.nodes[node].children) open.push_back(child);
   }
   return moved;
-}
-
-/// By how many nodes each draw is placed.
-std::vector<std::size_t> nodes_of_draws(const Scene& scene) {
-  std::vector<std::size_t> nodes(scene.draws.size(), 0);
-  for (const Node& node : scene.nodes) {
-    if (!node.mesh) continue;
-    for (const DrawId id : scene.meshes[*node.mesh].draws) ++nodes[id];
-  }
-  return nodes;
 }
 
 /// What of a draw does not depend on where it is placed.
@@ -148,27 +138,41 @@ std::string why_vertex_bound(const MergeableMesh& mesh, const MergeableOptions& 
          std::to_string(static_cast<std::uint64_t>(options.draw_cost));
 }
 
+/// What two materials must have in common to be drawn together. Those of which nothing more is known, their number.
+Stamp shared_material(const Scene& scene, const Draw& draw, SharedMaterials materials) {
+  const Material* material = scene.material_of(draw);
+  if (material != nullptr) {
+    if (const auto& known = materials == SharedMaterials::kind ? material->kind : material->look) return *known;
+  }
+  return {0, draw.material ? *draw.material : std::uint64_t{none}};
+}
+
 /// Sets by material and layout, in the sequence of their first draws.
 class Sorting {
  public:
-  MergeableSet& set_of(const Draw& draw, std::vector<MergeableSet>& sets) {
-    const Stamp layout = draw.levels[0].vertices->layout_stamp();
-    const Key key{draw.material ? *draw.material : none, layout.high, layout.low};
-    const auto [it, is_new] = places_.try_emplace(key, sets.size());
-    if (is_new) {
-      sets.emplace_back();
-      sets.back().material = draw.material;
-    }
-    return sets[it->second];
-  }
-  std::size_t place_of(const MergeableSet& set, const std::vector<MergeableSet>& sets) const {
-    return static_cast<std::size_t>(&set - sets.data());
+  Sorting(const Scene& scene, SharedMaterials materials) : scene_(scene), materials_(materials) {}
+
+  /// The set's number.
+  std::size_t set_of(const Draw& draw, std::vector<MergeableSet>& sets) {
+    const auto [it, is_new] =
+        places_.try_emplace({shared_material(scene_, draw, materials_), draw.levels[0].vertices->layout_stamp()}, sets.size());
+    if (is_new) sets.emplace_back().material = draw.material;
+    return it->second;
   }
 
  private:
-  using Key = std::tuple<std::uint32_t, std::uint64_t, std::uint64_t>;
-  std::map<Key, std::size_t> places_;
+  const Scene& scene_;
+  const SharedMaterials materials_;
+  std::map<std::pair<Stamp, Stamp>, std::size_t> places_;
 };
+
+/// Why a node's drawing of a mesh stays as it is; empty: it can be merged.
+std::string why_not_merged(const Node& node, bool is_moved, const glm::mat4& world) {
+  if (node.skin) return "it is skinned";
+  if (is_moved) return "an animation moves it";
+  const Placing placing = placing_of(world);
+  return placing == Placing::plain || placing == Placing::mirrored ? "" : std::string(to_text(placing));
+}
 
 }  // namespace
 
@@ -177,12 +181,8 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
   MergeableScene result;
   std::vector<char> may(scene.draws.size(), 0);
   std::vector<DrawId> candidates;
-  const std::vector<std::size_t> nodes = nodes_of_draws(scene);
   for (const DrawId id : draws) {
     std::string why = why_not_merged(scene, scene.draws[id]);
-    if (why.empty() && scene.draws[id].traits.has(traits::instanced) && nodes[id] == 1) {
-      why = "one node draws it many times, by an extension";
-    }
     if (why.empty()) {
       candidates.push_back(id);
     } else {
@@ -198,7 +198,7 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
     Box box;
   };
   std::vector<PlaceInSet> places(scene.draws.size());
-  Sorting sorting;
+  Sorting sorting(scene, options.materials);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Draw& draw = scene.draws[candidates[i]];
     MergeableMesh mesh{candidates[i], draw.levels[0].orders[0].indices.size(), 0, facts[i].shaded};
@@ -210,39 +210,44 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
       result.left_alone.push_back({candidates[i], std::nullopt, why});
       continue;
     }
-    MergeableSet& set = sorting.set_of(draw, result.sets);
-    places[candidates[i]] = {sorting.place_of(set, result.sets), static_cast<std::uint32_t>(set.meshes.size()), facts[i].box};
-    set.meshes.push_back(mesh);
+    const std::size_t set = sorting.set_of(draw, result.sets);
+    std::vector<MergeableMesh>& meshes = result.sets[set].meshes;
+    places[candidates[i]] = {set, static_cast<std::uint32_t>(meshes.size()), facts[i].box};
+    meshes.push_back(mesh);
     may[candidates[i]] = 1;
   }
 
   const std::vector<char> moved = moved_nodes(scene);
   const std::vector<glm::mat4> world = world_transforms(scene);
-  for (NodeId n = 0; n < scene.nodes.size(); ++n) {
+  const auto place = [&](NodeId n, std::uint32_t instance, const glm::mat4& to_world) {
     const Node& node = scene.nodes[n];
-    if (!node.mesh) continue;
-    for (const DrawId id : scene.meshes[*node.mesh].draws) {
-      ++result.placements;
+    const std::vector<DrawId>& shown = scene.meshes[*node.mesh].draws;
+    const std::string why_node = why_not_merged(node, moved[n] != 0, to_world);
+    for (std::uint32_t primitive = 0; primitive < shown.size(); ++primitive) {
+      const DrawId id = shown[primitive];
       if (may[id] == 0) continue;
-      const Placing placing = placing_of(world[n]);
-      std::string why;
-      if (node.skin) why = "it is skinned";
-      if (moved[n] != 0) why = "an animation moves it";
-      if (placing != Placing::plain && placing != Placing::mirrored) why = std::string(to_text(placing));
-      const PlaceInSet& place = places[id];
-      MergeablePlacement placement{place.mesh, n, world[n], {}};
+      const PlaceInSet& in = places[id];
+      MergeablePlacement placement{in.mesh, {n, primitive, instance}, to_world, {}};
+      std::string why = why_node;
       if (why.empty()) {
-        placement.box = box_in_world(place.box, world[n]);
+        placement.box = box_in_world(in.box, to_world);
         if (!is_finite(placement.box)) why = "it reaches farther than numbers do";
       }
       if (!why.empty()) {
         result.left_alone.push_back({id, n, std::move(why)});
         continue;
       }
-      MergeableSet& set = result.sets[place.set];
+      MergeableSet& set = result.sets[in.set];
       set.placements.push_back(placement);
-      ++set.meshes[place.mesh].placed;
+      ++set.meshes[in.mesh].placed;
     }
+  };
+  for (NodeId n = 0; n < scene.nodes.size(); ++n) {
+    const Node& node = scene.nodes[n];
+    if (!node.mesh) continue;
+    if (node.instances.empty()) place(n, 0, world[n]);
+    std::uint32_t instance = 0;
+    for (const Transform& transform : node.instances.view()) place(n, instance++, world[n] * transform.matrix());
   }
   // Meshes that are not placed have no part in it.
   for (MergeableSet& set : result.sets) {

@@ -17,7 +17,7 @@ namespace foredraw::merging {
 
 struct MergeablePlacement {
   std::uint32_t mesh = 0;  ///< its number in the set
-  NodeId node = 0;
+  MergedPlace place;
   glm::mat4 world{1};
   Box box;  ///< in the world
 };
@@ -31,9 +31,9 @@ struct MergeableMesh {
   double acmr() const { return indices == 0 ? 0 : static_cast<double>(shaded) / (static_cast<double>(indices) / 3); }
 };
 
-/// Draws of one material and one vertex layout.
+/// Draws of one vertex layout whose materials look alike, or are of one kind.
 struct MergeableSet {
-  std::optional<MaterialId> material;
+  std::optional<MaterialId> material;  ///< of the first
   std::vector<MergeableMesh> meshes;
   std::vector<MergeablePlacement> placements;
   std::string why_not;  ///< why these are not worth a merged draw; empty: they are
@@ -46,7 +46,14 @@ struct LeftAlone {
   std::string why;
 };
 
+/// Which materials one shader can draw.
+enum class SharedMaterials : std::uint8_t {
+  alike,  ///< those that say the same, whatever they are called
+  kind,   ///< those that differ in factors and textures alone: the shader looks up each instance's, as in an array
+};
+
 struct MergeableOptions {
+  SharedMaterials materials = SharedMaterials::alike;
   /// What a draw call costs, in calls of the vertex shader. A merged draw calls it for each index entry, where an index
   /// buffer calls it for each vertex that the cache lacks; a mesh whose extra calls cost more than its draw is left alone.
   double draw_cost = 4096;
@@ -56,7 +63,6 @@ struct MergeableOptions {
 struct MergeableScene {
   std::vector<MergeableSet> sets;  ///< in the sequence of their first draws
   std::vector<LeftAlone> left_alone;
-  std::size_t placements = 0;  ///< of draws, over the scene: as many draws as there are without any merging
 };
 
 /// Of `draws` (rising), those that can be merged: triangle lists of opaque or masked materials, of one level and one order,

@@ -3,6 +3,7 @@
 #include "slot_cuts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -48,8 +49,8 @@ void write_slots(const PackedMesh& mesh, const PlacedSlots& slots, bool is_mirro
   }
 }
 
-PackedTransform packed(const glm::mat4& world) {
-  PackedTransform rows;
+MergedTransform packed(const glm::mat4& world) {
+  MergedTransform rows;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) rows[static_cast<std::size_t>(4 * row + column)] = world[column][row];
   }
@@ -91,7 +92,7 @@ using ClassSlots = std::array<std::uint64_t, 4>;
 
 /// Draws of a group, each with as many slots as offsets reach.
 void add_draws(std::uint32_t group, const ClassSlots& own, const FrequencyChoice& frequencies, const PackOptions& options,
-               std::uint64_t& slots, std::vector<PackedDraw>& draws) {
+               std::uint64_t& slots, std::vector<MergedDraw>& draws) {
   for (std::size_t k = 0; k < frequencies.frequencies.size(); ++k) {
     const std::uint32_t frequency = frequencies.frequencies[k];
     const std::uint64_t most = std::max<std::uint64_t>(1, options.most_entries / frequency);

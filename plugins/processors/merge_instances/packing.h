@@ -5,10 +5,10 @@
 #include "frequency.h"
 
 #include <foredraw/base/parallel.h>
+#include <foredraw/scene/merged_instances.h>
 
 #include <glm/mat4x4.hpp>
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -41,31 +41,13 @@ enum class Placing : std::uint8_t {
 Placing placing_of(const glm::mat4& world);
 std::string_view to_text(Placing placing);
 
-/// A record of 8 bytes: the slot's first entry in the index buffer, and the instance it is drawn for.
-struct Slot {
-  std::uint32_t index_offset = 0;
-  std::uint32_t instance = 0;
-  friend bool operator==(const Slot&, const Slot&) = default;
-};
-
-/// Three rows of four: what a position (x, y, z, 1) is multiplied with from the left.
-using PackedTransform = std::array<float, 12>;
-
-/// slot_count * frequency vertices are drawn, without an index buffer bound.
-struct PackedDraw {
-  std::uint32_t group = 0;
-  std::uint32_t frequency = 0;
-  std::uint32_t first_slot = 0;
-  std::uint32_t slot_count = 0;
-};
-
 struct PackedInstances {
   std::vector<std::uint32_t> indices;       ///< into the shared vertex buffer
-  std::vector<Slot> slots;                  ///< draw after draw
-  std::vector<PackedTransform> transforms;  ///< [instance], group after group
+  std::vector<MergedSlot> slots;                  ///< draw after draw
+  std::vector<MergedTransform> transforms;  ///< [instance], group after group
   std::vector<std::uint32_t> placed;        ///< [instance] its number among those that were given
   std::vector<std::uint32_t> first_instance{0};  ///< [group] and the end
-  std::vector<PackedDraw> draws;            ///< group after group, frequencies rising in each
+  std::vector<MergedDraw> draws;            ///< group after group, frequencies rising in each
 
   std::uint64_t drawn_entries = 0;    ///< of all draws, without padding
   std::uint64_t padded_entries = 0;   ///< of all draws

@@ -94,7 +94,7 @@ class MergePacking : public ::testing::Test {
 
 TEST_F(MergePacking, ThePapersExample) {
   const PackedInstances packed = pack();
-  EXPECT_EQ(packed.slots, (std::vector<Slot>{{0, 0}, {45, 1}, {90, 1}}));
+  EXPECT_EQ(packed.slots, (std::vector<MergedSlot>{{0, 0}, {45, 1}, {90, 1}}));
   EXPECT_EQ(packed.indices.size(), 135u);
   EXPECT_EQ(packed.padded_entries, 6u);
   EXPECT_EQ(packed.drawn_entries, 129u);

@@ -78,7 +78,7 @@ Corner bits_of(const VertexStreams& vertices, std::uint32_t vertex) {
 std::vector<Drawn> unpacked(const MergedSet& set) {
   std::vector<Drawn> drawn;
   const auto* slots = reinterpret_cast<const foredraw_merged_slot*>(set.packed.slots.data());
-  for (const merging::PackedDraw& packed : set.packed.draws) {
+  for (const MergedDraw& packed : set.packed.draws) {
     const foredraw_merged_draw draw{packed.frequency, packed.first_slot, packed.slot_count, slots, set.packed.indices.data()};
     for (std::uint32_t t = 0; t < foredraw_merged_vertex_count(&draw) / 3; ++t) {
       if (foredraw_merged_is_padding(&draw, t)) continue;
@@ -159,9 +159,9 @@ TEST(MergeInstances, TrianglesFaceAsTheyDid) {
   ASSERT_EQ(merged.merged.size(), 1u);
   const MergedSet& set = merged.merged[0];
   const std::vector<glm::vec3> positions = decode_vec3(*set.vertices->find("POSITION"));
-  for (const merging::PackedDraw& draw : set.packed.draws) {
+  for (const MergedDraw& draw : set.packed.draws) {
     for (std::uint32_t s = 0; s < draw.slot_count; ++s) {
-      const merging::Slot slot = set.packed.slots[draw.first_slot + s];
+      const MergedSlot slot = set.packed.slots[draw.first_slot + s];
       for (std::uint32_t i = 0; i < draw.frequency; i += 3) {
         std::array<glm::vec3, 3> world;
         for (std::uint32_t c = 0; c < 3; ++c) {

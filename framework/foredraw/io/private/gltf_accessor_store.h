@@ -38,6 +38,12 @@ struct Sizes {
   std::uint64_t after = 0;
 };
 
+/// A part of another accessor's rows.
+struct Part {
+  std::size_t of = 0;
+  std::size_t first = 0;  ///< row
+};
+
 struct LaidOut {
   std::vector<std::byte> bytes;     ///< of buffer 0
   std::vector<Fallback> fallbacks;  ///< buffers 1 and on
@@ -58,6 +64,9 @@ class AccessorStore {
   std::size_t append(const Content& content, std::optional<std::size_t> like = std::nullopt);
   /// Nobody refers to it any more: it keeps its number, but no bytes.
   void release(std::size_t accessor);
+  /// The accessor's bytes become a part of those of another one, which was appended, from its row `first` on. False, and
+  /// nothing changes, where these are others or it is a part already.
+  bool lay_within(std::size_t accessor, std::size_t of, std::size_t first);
   void set_image(std::size_t image, Shared<std::byte> bytes);
 
   /// Who knew of the buffer view is gone; it goes too unless an accessor or image uses it.
@@ -77,6 +86,7 @@ class AccessorStore {
   std::map<std::size_t, Content> contents_;
   using Key = std::tuple<Stamp, Content::Kind, Component, int, bool, bool>;
   std::map<Key, std::size_t> appended_;
+  std::map<std::size_t, Part> parts_;
   std::set<std::size_t> released_;
   std::map<std::size_t, Shared<std::byte>> images_;
   std::set<std::size_t> forgotten_;

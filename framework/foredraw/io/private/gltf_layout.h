@@ -70,6 +70,7 @@ struct NewView {
 /// What changes in a document's bytes.
 struct Changes {
   const std::map<std::size_t, Content>& contents;  ///< by accessor; those past the document's are new
+  const std::map<std::size_t, Part>& parts;        ///< accessors that have no bytes of their own
   const std::set<std::size_t>& released;           ///< accessors
   const std::map<std::size_t, Shared<std::byte>>& images;
   const std::set<std::size_t>& forgotten;  ///< views: gone unless somebody else uses them

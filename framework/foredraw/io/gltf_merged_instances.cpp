@@ -1,0 +1,211 @@
+// FOREDRAW_merge_instances, read: nothing in it is trusted. It is optional, so what is wrong in it costs it alone.
+#include <foredraw/io/private/gltf_merged_instances.h>
+
+#include <foredraw/io/private/gltf_gate.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+namespace foredraw::gltf {
+
+namespace {
+
+class MergedReader {
+ public:
+  MergedReader(const Document& document, const Scene& scene) : document_(document), scene_(scene) {
+    most_elements_ = (std::size_t{16} << 20) + 4 * bytes_read(document);
+  }
+
+  std::vector<MergedInstances> merged;
+
+  /// Empty where all of it holds.
+  std::string read(const Json& extension) {
+    const Json* sets = member(extension, "sets");
+    if (sets == nullptr || !sets->is_array()) return "it has no array 'sets'";
+    for (std::size_t s = 0; s < sets->size() && mistake_.empty(); ++s) {
+      place_ = at("sets", s);
+      merged.push_back(set((*sets)[s]));
+      if (!mistake_.empty()) break;
+      if (auto mistake = mistake_in(merged.back())) wrong(*mistake);
+      check_places(merged.back());
+    }
+    std::ranges::sort(places_);
+    if (mistake_.empty() && std::ranges::adjacent_find(places_) != places_.end()) {
+      return "it names a primitive of a node twice";
+    }
+    return mistake_;
+  }
+
+ private:
+  void wrong(const std::string& why) {
+    if (mistake_.empty()) mistake_ = place_ + " " + why;
+  }
+
+  static const Json* member(const Json& json, const char* key) {
+    if (!json.is_object()) return nullptr;
+    const auto found = json.find(key);
+    return found == json.end() ? nullptr : &*found;
+  }
+
+  std::uint32_t number(const Json* json, const char* what) {
+    const bool fits = json != nullptr && json->is_number_unsigned() && json->get<std::uint64_t>() <= 0xffffffff;
+    if (!fits) wrong(fmt::format("must have '{}', a whole number", what));
+    return fits ? json->get<std::uint32_t>() : 0;
+  }
+
+  const Accessor* accessor(const Json* json, const char* what) {
+    const std::uint32_t i = number(json, what);
+    if (!mistake_.empty()) return nullptr;
+    if (i >= document_.accessors.size() || document_.accessors[i].count == 0) {
+      return wrong(fmt::format("has no accessor {} for '{}'", i, what)), nullptr;
+    }
+    // Bytes may be named again and again; what is looked at may not go on for ever.
+    elements_ += document_.accessors[i].count;
+    if (elements_ > most_elements_) return wrong("names far more than the file holds"), nullptr;
+    return &document_.accessors[i];
+  }
+
+  /// What an accessor of a kind holds, `T` made of one row or of several.
+  template <class T>
+  Shared<T> read(const Json& json, const char* key, Component component, int components) {
+    const Accessor* from = accessor(member(json, key), key);
+    if (from == nullptr) return {};
+    const std::size_t bytes = from->count * from->format.bytes;
+    if (from->format.component != component || from->format.components != components || from->format.normalized ||
+        bytes % sizeof(T) != 0) {
+      return wrong(fmt::format("has '{}' of another type than it must have", key)), Shared<T>();
+    }
+    const std::vector<std::byte> plain = elements(document_, *from);
+    std::vector<T> values(bytes / sizeof(T));
+    std::memcpy(values.data(), plain.data(), bytes);
+    return Shared<T>(std::move(values));
+  }
+
+  std::shared_ptr<const VertexStreams> vertices(const Json* attributes) {
+    if (attributes == nullptr || !attributes->is_object()) return wrong("must have 'attributes'"), nullptr;
+    auto& made = vertices_[*attributes];
+    if (made) return made;
+    VertexStreams streams;
+    for (const auto& [semantic, json] : attributes->items()) {
+      const Accessor* from = accessor(&json, semantic.c_str());
+      if (from == nullptr) return nullptr;
+      streams.count = static_cast<std::uint32_t>(std::min<std::size_t>(from->count, 0xffffffff));
+      streams.base.push_back({semantic, from->format, Shared<std::byte>(elements(document_, *from))});
+    }
+    return made = std::make_shared<const VertexStreams>(std::move(streams));
+  }
+
+  MergedInstances set(const Json& json) {
+    MergedInstances set;
+    set.vertices = vertices(member(json, "attributes"));
+    if (const Json* material = member(json, "material")) {
+      set.material = number(material, "material");
+      if (*set.material >= scene_.materials.size()) wrong("names a material that does not exist");
+    }
+    set.indices = read<std::uint32_t>(json, "indices", Component::uint32, 1);
+    set.slots = read<MergedSlot>(json, "slots", Component::uint32, 2);
+    set.transforms = read<MergedTransform>(json, "transforms", Component::float32, 4);
+    set.places = read<MergedPlace>(json, "places", Component::uint32, 3);
+    if (member(json, "materials") != nullptr) {
+      set.materials = read<std::uint32_t>(json, "materials", Component::uint32, 1);
+      const auto beyond = [&](std::uint32_t id) { return id >= scene_.materials.size(); };
+      if (std::ranges::any_of(set.materials.view(), beyond)) wrong("names a material that does not exist");
+    }
+    add_meshes(json, set);
+    const Json* groups = member(json, "groups");
+    if (groups == nullptr || !groups->is_array()) return wrong("must have an array 'groups'"), set;
+    for (const Json& group : *groups) add_group(group, set);
+    return set;
+  }
+
+  void add_meshes(const Json& json, MergedInstances& set) {
+    const Json* primitives = member(json, "primitives");
+    if (primitives == nullptr || !primitives->is_array()) return wrong("must have an array 'primitives'");
+    for (const Json& primitive : *primitives) {
+      const std::uint32_t m = number(member(primitive, "mesh"), "mesh");
+      const std::uint32_t p = number(member(primitive, "primitive"), "primitive");
+      const std::uint32_t first = number(member(primitive, "firstVertex"), "firstVertex");
+      if (m >= scene_.meshes.size() || p >= scene_.meshes[m].draws.size()) {
+        return wrong(fmt::format("names primitive {} of mesh {}, which does not exist", p, m));
+      }
+      set.meshes.push_back({scene_.meshes[m].draws[p], first});
+    }
+  }
+
+  void add_group(const Json& json, MergedInstances& set) {
+    MergedGroup group;
+    const auto corner = [&](const char* key, glm::vec3& to) {
+      const Json* values = member(json, key);
+      const bool are_three = values != nullptr && values->is_array() && values->size() == 3 &&
+                             std::ranges::all_of(*values, [](const Json& value) { return value.is_number(); });
+      if (!are_three) return wrong(fmt::format("has a group without '{}', three numbers", key));
+      for (int axis = 0; axis < 3; ++axis) to[axis] = (*values)[static_cast<std::size_t>(axis)].get<float>();
+    };
+    corner("min", group.least);
+    corner("max", group.most);
+    group.first_instance = number(member(json, "firstInstance"), "firstInstance");
+    group.instance_count = number(member(json, "instanceCount"), "instanceCount");
+    const Json* draws = member(json, "draws");
+    if (draws == nullptr || !draws->is_array()) return wrong("has a group without an array 'draws'");
+    for (const Json& draw : *draws) {
+      set.draws.push_back({static_cast<std::uint32_t>(set.groups.size()), number(member(draw, "frequency"), "frequency"),
+                           number(member(draw, "firstSlot"), "firstSlot"), number(member(draw, "slotCount"), "slotCount")});
+    }
+    set.groups.push_back(group);
+  }
+
+  void check_places(const MergedInstances& set) {
+    for (const MergedPlace& place : set.places.view()) {
+      const Node* node = place.node < scene_.nodes.size() ? &scene_.nodes[place.node] : nullptr;
+      const bool is_there = node != nullptr && node->mesh && place.primitive < scene_.meshes[*node->mesh].draws.size() &&
+                            place.instance < std::max<std::size_t>(1, node->instances.size());
+      if (!is_there) return wrong(fmt::format("stands for primitive {} of node {}, which does not exist", place.primitive, place.node));
+      places_.push_back(place);
+    }
+  }
+
+  const Document& document_;
+  const Scene& scene_;
+  std::map<Json, std::shared_ptr<const VertexStreams>> vertices_;
+  std::vector<MergedPlace> places_;
+  std::size_t elements_ = 0;
+  std::size_t most_elements_ = 0;
+  std::string place_, mistake_;
+};
+
+}  // namespace
+
+void read_merged_instances(Document& document, Scene& scene, Diagnostics& diagnostics) {
+  const Json* extension = extension_of(document.json, merge_instances);
+  if (extension == nullptr) return;
+  MergedReader reader(document, scene);
+  const std::string mistake = reader.read(*extension);
+  if (!mistake.empty()) {
+    diagnostics.warning({.file = document.name, .inside = merge_instances}, "merged-draws-left-out",
+                        "the merged draws are left out: " + mistake, "merge them again; the nodes show the same");
+    take_extension(document.json, merge_instances);
+    return;
+  }
+  scene.merged = std::move(reader.merged);
+  for (const MergedPlace& place : merged_places(scene)) {
+    scene.draws[scene.meshes[*scene.nodes[place.node].mesh].draws[place.primitive]].traits.add(traits::extended);
+  }
+}
+
+std::set<std::size_t> used_by_merged(const Json& json) {
+  std::set<std::size_t> numbers;
+  const Json* extension = extension_of(json, merge_instances);
+  if (extension == nullptr) return numbers;
+  for (const Json& set : extension->at("sets")) {
+    for (const Json& number : set.at("attributes")) numbers.insert(number.get<std::size_t>());
+    for (const char* key : {"indices", "slots", "transforms", "places", "materials"}) {
+      if (set.contains(key)) numbers.insert(set[key].get<std::size_t>());
+    }
+  }
+  return numbers;
+}
+
+}  // namespace foredraw::gltf
