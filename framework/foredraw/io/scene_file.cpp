@@ -1,6 +1,7 @@
 #include <foredraw/io/scene_file.h>
 
 #include <foredraw/io/gltf.h>
+#include <foredraw/io/merged_files.h>
 #include <foredraw/io/mesh_files.h>
 #include <foredraw/io/private/file_kind.h>
 #include <foredraw/io/private/gltf_stand_ins.h>
@@ -67,7 +68,8 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
 
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {
   if (path == "-" || is_gltf_file(path)) return true;
-  if (is_sprite_output(path) && input != "-" && is_sprite_input(input)) return true;
+  const bool is_of_sprites = input != "-" && is_sprite_input(input);
+  if (is_of_sprites ? is_sprite_output(path) : is_merged_output(path)) return true;
   const auto mesh_kind = mesh_kind_of(path);
   if (mesh_kind && input != "-" && mesh_kind == mesh_kind_of(input)) return true;
   if (mesh_kind) {
@@ -77,12 +79,12 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
   } else if (is_sprite_output(path)) {
     diagnostics.error({.file = path}, "unknown-kind", "a file of this kind is written only of sprites",
                       "give the output the extension .glb, or as input an image or a frame list");
-  } else if (input != "-" && is_sprite_input(input)) {
+  } else if (is_of_sprites) {
     diagnostics.error({.file = path}, "unknown-kind", "sprites are not written as this kind of file",
                       "they are as .json, .h, .svg, .png, .html, .glb and .gltf");
   } else {
     diagnostics.error({.file = path}, "unknown-kind",
-                      "scenes are written as .glb or .gltf, or as the kind they came from",
+                      "scenes are written as .glb or .gltf, or as the kind they came from; merged draws of them as .json, .glsl, .hlsl",
                       "give the output one of these extensions, or - for a GLB on standard output");
   }
   return false;
@@ -90,6 +92,8 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics, Compression compression) {
+  const bool has_sprites = std::ranges::any_of(scene.draws, [](const Draw& draw) { return draw.frame.has_value(); });
+  if (is_merged_output(path) && !has_sprites) return encode_merged(scene, path, diagnostics);
   if (is_sprite_output(path)) {
     auto file = encode_sprites({&scene, 1}, path, diagnostics);
     return file ? std::optional(std::vector<OutputFile>{std::move(*file)}) : std::nullopt;
@@ -123,6 +127,7 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
 
 std::vector<fs::path> paths_written_for(const fs::path& path) {
   std::vector<fs::path> paths{path};
+  if (lower_extension(path) == ".json") paths.push_back(merged_buffer_beside(path));
   if (!is_gltf_file(path)) return paths;
   if (!gltf::is_glb(path)) paths.push_back(gltf::buffer_beside(path));
   paths.push_back(gltf::fallback_beside(path, 0));

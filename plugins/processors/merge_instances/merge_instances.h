@@ -3,7 +3,6 @@
 
 #include "mergeable.h"
 #include "packing.h"
-#include "shader_text.h"
 #include "spatial_groups.h"
 
 namespace foredraw {

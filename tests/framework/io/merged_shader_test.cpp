@@ -1,4 +1,4 @@
-#include "plugins/processors/merge_instances/shader_text.h"
+#include <foredraw/io/merged_shader.h>
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw::merging {
+namespace foredraw {
 namespace {
 
 VertexStream stream(std::string semantic, Component component, std::uint8_t components, bool normalized) {
@@ -40,9 +40,9 @@ bool compiles(const std::string& text, const std::string& arguments, const std::
 
 bool has_compiler() { return std::system("glslangValidator --version > /dev/null 2>&1") == 0; }
 
-std::string calls(const VertexBufferLayout& layout) {
+std::string calls(const MergedVertexLayout& layout) {
   std::string text;
-  for (const VertexBufferLayout::Attribute& attribute : layout.attributes) {
+  for (const MergedVertexLayout::Attribute& attribute : layout.attributes) {
     if (attribute.format.components == 1) text += "  sum += merged_" + attribute.name + "(at.vertex);\n";
     if (attribute.format.components > 1 && attribute.format.components <= 4) {
       text += "  sum += merged_" + attribute.name + "(at.vertex).x;\n";
@@ -53,9 +53,9 @@ std::string calls(const VertexBufferLayout& layout) {
 
 TEST(MergeShader, GlslCompiles) {
   if (!has_compiler()) GTEST_SKIP() << "there is no glslangValidator";
-  const VertexBufferLayout layout = vertex_buffer_layout(all_formats());
+  const MergedVertexLayout layout = merged_vertex_layout(all_formats());
   const std::string text = "#version 450\nlayout(push_constant) uniform Draw { uint first_slot; };\n" +
-                           shader_text(layout, {.frequency = 45, .set = 1, .first_binding = 2}) +
+                           merged_shader_text(layout, {.frequency = 45, .set = 1, .first_binding = 2}) +
                            "void main() {\n"
                            "  MergedVertex at = merged_vertex(uint(gl_VertexIndex), first_slot);\n"
                            "  float sum = merged_handedness(at.instance);\n" +
@@ -69,8 +69,8 @@ TEST(MergeShader, GlslCompiles) {
 
 TEST(MergeShader, HlslCompiles) {
   if (!has_compiler()) GTEST_SKIP() << "there is no glslangValidator";
-  const VertexBufferLayout layout = vertex_buffer_layout(all_formats());
-  const std::string text = shader_text(layout, {.language = ShaderLanguage::hlsl, .frequency = 45}) +
+  const MergedVertexLayout layout = merged_vertex_layout(all_formats());
+  const std::string text = merged_shader_text(layout, {.language = ShaderLanguage::hlsl, .frequency = 45}) +
                            "cbuffer Draw : register(b0) { uint first_slot; };\n"
                            "float4 main(uint number : SV_VertexID) : SV_Position {\n"
                            "  MergedVertex at = merged_vertex(number, first_slot);\n"
@@ -84,26 +84,26 @@ TEST(MergeShader, HlslCompiles) {
 }
 
 TEST(MergeShader, HoldsTheDrawsConstants) {
-  const std::string text = shader_text(vertex_buffer_layout(all_formats()), {.frequency = 45});
-  EXPECT_NE(text.find("const uint merged_frequency = 45u;"), std::string::npos);
+  const std::string text = merged_shader_text(merged_vertex_layout(all_formats()), {.frequency = 45});
+  EXPECT_NE(text.find("#define MERGED_FREQUENCY 45u"), std::string::npos);
   EXPECT_NE(text.find("// frame has 9 components"), std::string::npos);
   EXPECT_EQ(text.find("__"), std::string::npos);
 }
 
 TEST(MergeShader, StreamsBeginAtMultiplesOfFour) {
   const VertexStreams vertices = all_formats();
-  const VertexBufferLayout layout = vertex_buffer_layout(vertices);
+  const MergedVertexLayout layout = merged_vertex_layout(vertices);
   std::uint64_t end = 0;
   for (std::size_t i = 0; i < layout.attributes.size(); ++i) {
     EXPECT_EQ(layout.attributes[i].offset % 4, 0u);
     EXPECT_GE(layout.attributes[i].offset, end);
     end = layout.attributes[i].offset + vertices.base[i].bytes.size();
   }
-  EXPECT_EQ(vertex_buffer(vertices, layout).size(), layout.bytes);
+  EXPECT_EQ(merged_vertex_bytes(vertices, layout).size(), layout.bytes);
   EXPECT_EQ(layout.attributes[11].name, "world_2_a");
   EXPECT_EQ(layout.attributes[12].name, "to_world_attribute");
   EXPECT_EQ(layout.attributes[13].name, "to_world_of_2");
 }
 
 }  // namespace
-}  // namespace foredraw::merging
+}  // namespace foredraw

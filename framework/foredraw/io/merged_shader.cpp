@@ -1,4 +1,4 @@
-#include "shader_text.h"
+#include <foredraw/io/merged_shader.h>
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace foredraw::merging {
+namespace foredraw {
 
 namespace {
 
@@ -26,7 +26,7 @@ std::string shader_name(const std::string& semantic, std::set<std::string>& take
   if (name.empty()) name = "attribute";
   // The names of the functions that are always there, without "merged_".
   static const std::set<std::string> own = {"vertex", "to_world", "direction_to_world", "normal_to_world", "handedness",
-                                            "byte", "short", "word", "frequency", "slots", "indices", "transforms", "words"};
+                                            "byte", "short", "word", "frequency", "slots", "indices", "transforms", "words", "materials", "material"};
   std::string free = own.contains(name) ? name + "_attribute" : name;
   for (int i = 2; !taken.insert(free).second; ++i) free = name + "_of_" + std::to_string(i);
   return free;
@@ -45,29 +45,32 @@ const Words& words_of(ShaderLanguage language) {
   return language == ShaderLanguage::glsl ? glsl : hlsl;
 }
 
-std::string glsl_buffers(const ShaderOptions& options) {
+std::string glsl_buffers(const MergedShaderOptions& options) {
   const auto buffer = [&](std::uint32_t place, const char* block, const char* content) {
     return "layout(std430, set = " + std::to_string(options.set) + ", binding = " +
            std::to_string(options.first_binding + place) + ") readonly buffer " + block + " { " + content + " };\n";
   };
   return buffer(0, "MergedSlots", "uvec2 merged_slots[];") + buffer(1, "MergedIndices", "uint merged_indices[];") +
-         buffer(2, "MergedTransforms", "vec4 merged_transforms[];") + buffer(3, "MergedWords", "uint merged_words[];");
+         buffer(2, "MergedTransforms", "vec4 merged_transforms[];") + buffer(3, "MergedWords", "uint merged_words[];") +
+         (options.materials ? buffer(4, "MergedMaterials", "uint merged_materials[];") : "");
 }
 
-std::string hlsl_buffers(const ShaderOptions& options) {
+std::string hlsl_buffers(const MergedShaderOptions& options) {
   const auto buffer = [&](std::uint32_t place, const char* type, const char* name) {
     return std::string(type) + " " + name + " : register(t" + std::to_string(options.first_binding + place) + ", space" +
            std::to_string(options.set) + ");\n";
   };
   return buffer(0, "StructuredBuffer<uint2>", "merged_slots") + buffer(1, "StructuredBuffer<uint>", "merged_indices") +
-         buffer(2, "StructuredBuffer<float4>", "merged_transforms") + buffer(3, "ByteAddressBuffer", "merged_words");
+         buffer(2, "StructuredBuffer<float4>", "merged_transforms") + buffer(3, "ByteAddressBuffer", "merged_words") +
+         (options.materials ? buffer(4, "StructuredBuffer<uint>", "merged_materials") : "");
 }
 
-std::string fetch(const ShaderOptions& options) {
+std::string fetch(const MergedShaderOptions& options) {
   const Words& words = words_of(options.language);
   const bool glsl = options.language == ShaderLanguage::glsl;
   std::string text;
-  text += std::string(glsl ? "" : "static ") + "const uint merged_frequency = " + number(options.frequency) + ";\n\n";
+  text += "#ifndef MERGED_FREQUENCY\n#define MERGED_FREQUENCY " + number(options.frequency) + "\n#endif\n";
+  text += std::string(glsl ? "" : "static ") + "const uint merged_frequency = MERGED_FREQUENCY;\n\n";
   text += "struct MergedVertex {\n  uint instance;\n  uint vertex;\n};\n\n";
   text += "MergedVertex merged_vertex(uint number, uint first_slot) {\n"
           "  uint slot = number / merged_frequency;\n";
@@ -79,7 +82,7 @@ std::string fetch(const ShaderOptions& options) {
   return text;
 }
 
-std::string transforms(const ShaderOptions& options) {
+std::string transforms(const MergedShaderOptions& options) {
   const Words& words = words_of(options.language);
   const std::string vec3 = words.vec3, vec4 = words.vec4;
   const auto rows = [&](const char* with) {
@@ -105,10 +108,10 @@ std::string transforms(const ShaderOptions& options) {
 }
 
 /// The smallest reads that attributes need, at a byte's address.
-std::string reads(const VertexBufferLayout& layout, ShaderLanguage language) {
+std::string reads(const MergedVertexLayout& layout, ShaderLanguage language) {
   const bool glsl = language == ShaderLanguage::glsl;
   const auto any = [&](std::size_t bytes) {
-    return std::ranges::any_of(layout.attributes, [&](const VertexBufferLayout::Attribute& attribute) {
+    return std::ranges::any_of(layout.attributes, [&](const MergedVertexLayout::Attribute& attribute) {
       return attribute.format.components <= 4 && bytes_of(attribute.format.component) == bytes;
     });
   };
@@ -136,7 +139,7 @@ std::string component_text(const Format& format, const std::string& address, con
   return "0.0";
 }
 
-std::string attribute_text(const VertexBufferLayout::Attribute& attribute, const Words& words) {
+std::string attribute_text(const MergedVertexLayout::Attribute& attribute, const Words& words) {
   const Format& format = attribute.format;
   if (format.components < 1 || format.components > 4) {
     return "// " + attribute.name + " has " + std::to_string(format.components) + " components and is not read here.\n\n";
@@ -154,10 +157,16 @@ std::string attribute_text(const VertexBufferLayout::Attribute& attribute, const
   return text + (format.components == 1 ? components : type + "(\n      " + components + ")") + ";\n}\n\n";
 }
 
+std::set<std::uint32_t> frequencies_of(const MergedInstances& set) {
+  std::set<std::uint32_t> frequencies;
+  for (const MergedDraw& draw : set.draws) frequencies.insert(draw.frequency);
+  return frequencies;
+}
+
 }  // namespace
 
-VertexBufferLayout vertex_buffer_layout(const VertexStreams& vertices) {
-  VertexBufferLayout layout;
+MergedVertexLayout merged_vertex_layout(const VertexStreams& vertices) {
+  MergedVertexLayout layout;
   std::set<std::string> taken;
   for (const VertexStream& stream : vertices.base) {
     if (layout.bytes + stream.bytes.size() > 0xffffffff) {
@@ -170,7 +179,7 @@ VertexBufferLayout vertex_buffer_layout(const VertexStreams& vertices) {
   return layout;
 }
 
-std::vector<std::byte> vertex_buffer(const VertexStreams& vertices, const VertexBufferLayout& layout) {
+std::vector<std::byte> merged_vertex_bytes(const VertexStreams& vertices, const MergedVertexLayout& layout) {
   std::vector<std::byte> bytes(layout.bytes);
   for (std::size_t i = 0; i < vertices.base.size(); ++i) {
     std::ranges::copy(vertices.base[i].bytes.view(), bytes.begin() + layout.attributes[i].offset);
@@ -178,16 +187,42 @@ std::vector<std::byte> vertex_buffer(const VertexStreams& vertices, const Vertex
   return bytes;
 }
 
-std::string shader_text(const VertexBufferLayout& layout, const ShaderOptions& options) {
+std::string merged_shader_text(const MergedVertexLayout& layout, const MergedShaderOptions& options) {
   const bool glsl = options.language == ShaderLanguage::glsl;
-  std::string text = "// Made by Foredraw: the vertex fetch of merged draws with slots of " +
-                     std::to_string(options.frequency) + " index entries.\n\n";
-  text += (glsl ? glsl_buffers(options) : hlsl_buffers(options)) + "\n";
-  text += fetch(options) + transforms(options) + reads(layout, options.language);
-  for (const VertexBufferLayout::Attribute& attribute : layout.attributes) {
+  std::string text = (glsl ? glsl_buffers(options) : hlsl_buffers(options)) + "\n";
+  text += fetch(options) + transforms(options);
+  if (options.materials) text += "uint merged_material(uint instance) { return merged_materials[instance]; }\n\n";
+  text += reads(layout, options.language);
+  for (const MergedVertexLayout::Attribute& attribute : layout.attributes) {
     text += attribute_text(attribute, words_of(options.language));
   }
   return text;
 }
 
-}  // namespace foredraw::merging
+std::string merged_shader_text(std::span<const MergedInstances> sets, ShaderLanguage language) {
+  std::string text =
+      "// Made by Foredraw: the vertex fetch of merged draws. To be defined before:\n"
+      "//   MERGED_SET        which of the sets, 0 where it is not defined\n"
+      "//   MERGED_FREQUENCY  index entries of a slot, of the draw:\n";
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    std::string frequencies;
+    for (const std::uint32_t frequency : frequencies_of(sets[s])) {
+      frequencies += (frequencies.empty() ? " " : ", ") + std::to_string(frequency);
+    }
+    text += "//                     set " + std::to_string(s) + ":" + frequencies + "\n";
+  }
+  text += "#ifndef MERGED_SET\n#define MERGED_SET 0\n#endif\n\n";
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    MergedShaderOptions options;
+    options.language = language;
+    options.materials = !sets[s].materials.empty();
+    const std::set<std::uint32_t> frequencies = frequencies_of(sets[s]);
+    if (!frequencies.empty()) options.frequency = *frequencies.begin();
+    text += "#if MERGED_SET == " + std::to_string(s) + "\n\n";
+    text += merged_shader_text(merged_vertex_layout(*sets[s].vertices), options);
+    text += "#endif  // MERGED_SET == " + std::to_string(s) + "\n\n";
+  }
+  return text;
+}
+
+}  // namespace foredraw
