@@ -3,6 +3,8 @@
 
 #include "spatial_groups.h"
 
+#include <algorithm>
+
 namespace foredraw::merging {
 
 /// What is known of some instances together. Sums are taken in a fixed sequence, so they are the same everywhere.
@@ -23,7 +25,9 @@ struct GroupSum {
     return waste > 0 ? waste : 0;  // a rounding below it where there is none
   }
   bool is_within(const GroupOptions& options) const {
-    return instances <= 1 || (indices <= options.most_indices && instances <= options.most_instances);
+    const glm::vec3 side = box.most - box.least;
+    const bool is_small = options.most_size <= 0 || std::max({side.x, side.y, side.z}) <= options.most_size;
+    return instances <= 1 || (is_small && indices <= options.most_indices && instances <= options.most_instances);
   }
 };
 

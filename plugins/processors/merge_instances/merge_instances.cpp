@@ -42,6 +42,7 @@ merging::SpatialGroups groups_of(const MergeableSet& set, std::size_t frequencie
   wanted.draw_cost = options.draw_cost * static_cast<double>(frequencies);
   wanted.most_indices = static_cast<std::uint64_t>(options.most_indices);
   wanted.most_instances = static_cast<std::uint32_t>(options.most_instances);
+  wanted.most_size = options.most_size;
   wanted.view_distance = options.view_distance;
   return merging::spatial_groups(boxes, wanted, executor);
 }

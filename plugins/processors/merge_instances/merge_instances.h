@@ -24,6 +24,7 @@ struct MergeInstancesOptions {
   double draw_cost = 4096;      ///< of a draw call, in calls of the vertex shader
   double most_indices = 1 << 24;     ///< of a group
   double most_instances = 1 << 16;   ///< of a group
+  double most_size = 0;         ///< of a group's box, its longest side in the scene's units; 0: any
   double view_distance = 0;     ///< of cameras, in the scene's units; 0: a quarter of its diagonal
   bool cut_well = true;         ///< cut meshes where few vertices are shared
   bool overdraw_order = false;  ///< of the stage, which can measure: sort the slots of each group where it pays

@@ -114,7 +114,8 @@ class MergeInstances final : public Processor {
 
  private:
   static void measure(const MergedScene& merged, const Scene& scene, const Run& run) {
-    double entries = 0, padded = 0, slots = 0, placed = 0, bytes = 0, draws = static_cast<double>(draws_left(scene));
+    double entries = 0, padded = 0, slots = 0, placed = 0, bytes = 0, groups = 0, wasted = 0;
+    double draws = static_cast<double>(draws_left(scene));
     for (const MergedInstances& set : scene.merged) draws += static_cast<double>(set.draws.size());
     for (const MergedSet& set : merged.merged) {
       entries += static_cast<double>(set.packed.drawn_entries);
@@ -122,12 +123,16 @@ class MergeInstances final : public Processor {
       slots += static_cast<double>(set.packed.slots.size());
       placed += static_cast<double>(set.packed.placed.size());
       bytes += static_cast<double>(set.packed.bytes());
+      groups += static_cast<double>(set.groups.size());
+      wasted += set.groups.cost.wasted;
     }
     run.measure_at({}, "padding", padded, entries + padded);
     run.count_at({}, "draws", draws);
     run.count_at({}, "slots", slots);
     run.measure_at({}, "slot-bytes", 8 * slots, placed);
     run.count_at({}, "bytes", bytes);
+    run.count_at({}, "groups", groups);
+    run.measure_at({}, "wasted", wasted, entries);
   }
 
   MergeInstancesOptions options_;
@@ -155,6 +160,8 @@ Plugin merge_instances_plugin() {
   table.row(&MergeInstancesOptions::most_indices, "most-indices", "Index entries of a group", {3, 4294967295.0, "entries"});
   table.row(&MergeInstancesOptions::most_instances, "most-instances", "Instances of a group",
             {1, 4294967295.0, "instances"});
+  table.row(&MergeInstancesOptions::most_size, "most-size",
+            "Longest side of a group's box, in the scene's units; 0: any", {0, 1e30, ""});
   table.row(&MergeInstancesOptions::view_distance, "view-distance",
             "How far cameras see, in the scene's units; 0: a quarter of its diagonal", {0, 1e30, ""});
   table.row(&MergeInstancesOptions::cut_well, "cut-well", "Cut meshes where few vertices are shared");
@@ -175,7 +182,11 @@ Plugin merge_instances_plugin() {
                   {"draws", "draws", "Draw calls of the scene, merged ones and those left"},
                   {"slots", "slots", "Slots of all merged draws"},
                   {"slot-bytes", "bytes", "Slot records for each placed draw that is merged"},
-                  {"bytes", "bytes", "Merged indices, slot records and transforms"}},
+                  {"bytes", "bytes", "Merged indices, slot records and transforms"},
+                  {"groups", "groups", "Groups of instances that are culled together"},
+                  {"wasted", "of index entries",
+                   "Index entries that are drawn though their instance by itself would have been culled, expected over all "
+                   "places and ways to look that see some of the scene"}},
   };
   bind_options(plugin, std::move(table),
                [](const MergeInstancesOptions& options) { return std::make_unique<MergeInstances>(options); });

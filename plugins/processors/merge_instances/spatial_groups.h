@@ -22,6 +22,7 @@ struct GroupOptions {
   double draw_cost = 4096;
   std::uint64_t most_indices = 1u << 24;    ///< of a group; one instance alone may have more
   std::uint32_t most_instances = 1u << 16;  ///< of a group
+  double most_size = 0;                     ///< of a group's box, its longest side; one instance may have more; 0: any
   double view_distance = 0;                 ///< of cameras, in the scene's units; 0: a quarter of its diagonal
   bool merge_neighbours = true;             ///< improve what the tree found
 };

@@ -129,7 +129,7 @@ TEST(MergeGroups, AreNearTheBestOfAllGroupings) {
 
 TEST(MergeGroups, KeepTheBudgets) {
   const std::vector<PlacedBox> boxes = town(1000, 6);
-  const GroupOptions options{.draw_cost = 1e9, .most_indices = 20'000, .most_instances = 30};
+  const GroupOptions options{.draw_cost = 1e9, .most_indices = 20'000, .most_instances = 30, .most_size = 25};
   const SpatialGroups groups = spatial_groups(boxes, options, Executor(2));
   expect_each_once(groups, boxes);
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -137,7 +137,11 @@ TEST(MergeGroups, KeepTheBudgets) {
     for (const std::uint32_t i : groups.of(g)) indices += boxes[i].indices;
     EXPECT_LE(indices, 20'000u);
     EXPECT_LE(groups.of(g).size(), 30u);
+    const glm::vec3 side = groups.bounds[g].most - groups.bounds[g].least;
+    if (groups.of(g).size() > 1) EXPECT_LE(std::max({side.x, side.y, side.z}), 25);
   }
+  const GroupOptions large{.draw_cost = 1e9, .most_indices = 20'000, .most_instances = 30};
+  EXPECT_LT(spatial_groups(boxes, large, Executor(2)).size(), groups.size());
 }
 
 TEST(MergeGroups, BoxesInOnePlaceAreOneGroup) {
