@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <map>
+
 namespace foredraw {
 
 namespace {
@@ -80,6 +82,53 @@ std::string order_tables_text(const Scene& scene) {
   return text;
 }
 
+/// Index entries of the slots of each size.
+std::map<std::uint32_t, std::uint64_t> slots_by_frequency(const MergedInstances& merged) {
+  std::map<std::uint32_t, std::uint64_t> slots;
+  for (const MergedDraw& draw : merged.draws) slots[draw.frequency] += draw.slot_count;
+  return slots;
+}
+
+std::string material_text(const Scene& scene, const MergedInstances& merged) {
+  if (!merged.materials.empty()) return "materials of their own";
+  if (!merged.material) return "no material";
+  const std::string& name = scene.materials[*merged.material].name;
+  return name.empty() ? fmt::format("material {}", *merged.material) : name;
+}
+
+std::string merged_text(const Scene& scene) {
+  std::string text;
+  for (const MergedInstances& merged : scene.merged) {
+    std::vector<std::string> slots;
+    for (const auto& [frequency, count] : slots_by_frequency(merged)) {
+      slots.push_back(fmt::format("{} slots of {} index entries", count, frequency));
+    }
+    text += fmt::format("  {}: {} instances of {} draws in {} groups, drawn by {} calls; {}\n", material_text(scene, merged),
+                        merged.places.size(), merged.meshes.size(), merged.groups.size(), merged.draws.size(),
+                        fmt::join(slots, ", "));
+  }
+  return text;
+}
+
+Json merged_json(const Scene& scene) {
+  Json json = Json::array();
+  for (const MergedInstances& merged : scene.merged) {
+    Json draws = Json::array();
+    for (const MergedMesh& mesh : merged.meshes) draws.push_back(scene.draws[mesh.draw].name);
+    Json slots = Json::array();
+    for (const auto& [frequency, count] : slots_by_frequency(merged)) {
+      slots.push_back({{"frequency", frequency}, {"slots", count}});
+    }
+    json.push_back({{"material", material_text(scene, merged)},
+                    {"draws", std::move(draws)},
+                    {"instances", merged.places.size()},
+                    {"groups", merged.groups.size()},
+                    {"calls", merged.draws.size()},
+                    {"slots", std::move(slots)}});
+  }
+  return json;
+}
+
 Json order_tables_json(const Scene& scene) {
   Json json = Json::array();
   for (const OrderTable& table : scene.order_tables) {
@@ -140,6 +189,7 @@ std::string inspection_text(const Scene& scene, Analyses& analyses) {
   if (!scene.order_tables.empty()) {
     text += "\norders (chosen by direction, and by clip and keyframe):\n" + order_tables_text(scene);
   }
+  if (!scene.merged.empty()) text += "\nmerged (beside the nodes that show the same):\n" + merged_text(scene);
   if (!scene.images.empty()) text += "\nimages:\n" + images_text(scene);
   text += "\nsubjects (seen and judged together):\n";
   for (const Subject& subject : subjects_of(scene)) {
@@ -180,6 +230,7 @@ std::string inspection_json(const Scene& scene, Analyses& analyses) {
                              {"facts", facts}});
   }
   json["order-tables"] = order_tables_json(scene);
+  json["merged"] = merged_json(scene);
   json["subjects"] = Json::array();
   for (const Subject& subject : subjects_of(scene)) {
     Json draws = Json::array();

@@ -30,5 +30,26 @@ TEST(Inspection, TellsOfOrdersAndTheirTables) {
   EXPECT_EQ(inspection_text(scene, analyses).find("orders ("), std::string::npos);
 }
 
+TEST(Inspection, TellsOfMergedDraws) {
+  Scene scene = testing::scene_of({testing::draw_of(testing::grid(2, 1), "tree"), testing::draw_of(testing::grid(1, 1), "rock")});
+  MergedInstances merged;
+  merged.meshes = {{0, 0}, {1, 6}};
+  merged.places = Shared<MergedPlace>({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+  merged.groups.resize(2);
+  merged.draws = {{0, 12, 0, 2}, {1, 12, 2, 1}, {1, 6, 3, 4}};
+  scene.merged = {merged};
+  Analyses analyses;
+  const std::string text = inspection_text(scene, analyses);
+  EXPECT_NE(text.find("no material: 3 instances of 2 draws in 2 groups, drawn by 3 calls; 4 slots of 6 index entries, "
+                      "3 slots of 12 index entries\n"),
+            std::string::npos)
+      << text;
+  const auto json = nlohmann::json::parse(inspection_json(scene, analyses));
+  ASSERT_EQ(json["merged"].size(), 1u);
+  EXPECT_EQ(json["merged"][0]["draws"], nlohmann::json::array({"tree", "rock"}));
+  EXPECT_EQ(json["merged"][0]["instances"], 3);
+  EXPECT_EQ(json["merged"][0]["slots"][1], (nlohmann::json{{"frequency", 12}, {"slots", 3}}));
+}
+
 }  // namespace
 }  // namespace foredraw
