@@ -52,7 +52,8 @@ class CommandLine {
     optimize_app
         .add_option("-o,--output", arguments_.outputs,
                     "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; sprites "
-                    "also as .json, .h, .svg, .png or .html. May be given several times; all are written or none. Of "
+                    "also as .json, .h, .svg, .png or .html, merged draws as .json, .glsl or .hlsl. May be given several times; "
+                    "all are written or none. Of "
                     "a folder: a folder, and files of sprites that hold those of all its files")
         ->required()
         ->expected(1)
