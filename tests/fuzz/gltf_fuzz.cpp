@@ -18,6 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics);
   claim(again.has_value(), "what was written can not be read: " + to_text(diagnostics));
   claim(again->draws.size() == scene->draws.size(), "draws were lost");
+  claim(again->merged == scene->merged, "merged draws were lost");
   return 0;
 }
 

@@ -1,6 +1,7 @@
 // Writes small files for the fuzz targets to begin with: make_seeds FOLDER makes FOLDER/gltf_fuzz/puppet.glb and
 // others.
 
+#include "framework/io/merged_scenes.h"
 #include "support/gltf_builder.h"
 #include "support/image_builder.h"
 
@@ -36,6 +37,8 @@ int main(int argc, char** argv) {
       shared.json["meshes"][0]["primitives"].push_back(primitive);
     }
     write(folder / target / "shared.glb", shared.glb());
+    const testing::MergeByHand how{.frequencies = {6, 3}, .materials = true};
+    write(folder / target / "merged.glb", testing::write(testing::merged_yard(testing::read(testing::yard()), how)));
   }
   write(folder / "gltf_fuzz" / "puppet.gltf", testing::puppet().gltf());
 

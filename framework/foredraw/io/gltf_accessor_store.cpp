@@ -113,10 +113,15 @@ void AccessorStore::release(std::size_t accessor) {
 }
 
 bool AccessorStore::lay_within(std::size_t accessor, std::size_t of, std::size_t first) {
+  if (const auto within = parts_.find(of); within != parts_.end()) {  // whose own bytes are gone
+    first += within->second.first;
+    of = within->second.of;
+  }
+  if (accessor == of || parts_.contains(accessor) || released_.contains(accessor)) return false;
   const Content& whole = contents_.at(of);
   const auto changed = contents_.find(accessor);
   const bool is_new = changed != contents_.end();
-  if (accessor == of || released_.contains(accessor) || (!is_new && accessor >= document_.accessors.size())) return false;
+  if (!is_new && accessor >= document_.accessors.size()) return false;
   const Accessor* was = is_new ? nullptr : &document_.accessors[accessor];
   if ((is_new ? changed->second.format : was->format) != whole.format) return false;
   const std::vector<std::byte> kept = is_new ? std::vector<std::byte>() : elements(document_, *was);
@@ -125,7 +130,13 @@ bool AccessorStore::lay_within(std::size_t accessor, std::size_t of, std::size_t
   if (begin + own.size() > whole.bytes.size() || !std::ranges::equal(own, whole.bytes.view().subspan(begin, own.size()))) {
     return false;
   }
-  if (!parts_.try_emplace(accessor, Part{of, first}).second) return false;
+  if (wholes_.erase(accessor) > 0) {  // its parts go along
+    for (auto& [number, part] : parts_) {
+      if (part.of == accessor) part = {of, part.first + first};
+    }
+  }
+  parts_.emplace(accessor, Part{of, first});
+  wholes_.insert(of);
   json_["accessors"][accessor].erase("sparse");
   return true;
 }

@@ -116,6 +116,16 @@ Json take_extension(Json& holder, std::string_view name) {
   return value;
 }
 
+void unlist_extension(Json& json, std::string_view name) {
+  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+    const auto names = json.find(list);
+    if (names == json.end()) continue;
+    const auto listed = std::find(names->begin(), names->end(), Json(name));
+    if (listed != names->end()) names->erase(listed);
+    if (names->empty()) json.erase(list);
+  }
+}
+
 std::uint64_t bytes_read(const Document& document) {
   std::uint64_t bytes = document.file.size();
   for (std::size_t i = 0; i < document.buffers.size(); ++i) {
@@ -168,5 +178,7 @@ bool is_known_extension(std::string_view name) {
                      [&](std::string_view family) { return name.substr(0, family.size()) == family; }) ||
          std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
+
+bool knows_all_extensions(const Json& json) { return std::ranges::all_of(extensions_in(json), is_known_extension); }
 
 }  // namespace foredraw::gltf

@@ -187,6 +187,7 @@ void read_draw_orders(Document& document, Scene& scene, Diagnostics& diagnostics
                       "the orders and their tables are left out: " + mistake,
                       "make them again, once nothing changes the file any more");
   take_draw_orders(document.json);
+  document.left_out = true;
 }
 
 std::set<std::size_t> used_by_orders(const Json& json) {

@@ -1,5 +1,6 @@
 // Checks of animations, and of the numbers that are no vertex data.
 #include <foredraw/io/private/gltf_gate.h>
+#include <foredraw/io/private/gltf_merged_instances.h>
 
 #include <fmt/format.h>
 
@@ -128,7 +129,7 @@ void check_animations(Gate& gate) {
 }
 
 void check_finite(Gate& gate) {
-  std::set<std::size_t> vertex_data;
+  std::set<std::size_t> vertex_data = merged_vertex_data(gate.json());
   for (const Json& mesh : gate.all("meshes")) {
     for (const Json& primitive : mesh["primitives"]) {
       for (const auto& [semantic, number] : primitive["attributes"].items())

@@ -6,17 +6,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 
 namespace foredraw::gltf {
 
 namespace {
 
+const Json* member(const Json& json, const char* key) {
+  if (!json.is_object()) return nullptr;
+  const auto found = json.find(key);
+  return found == json.end() ? nullptr : &*found;
+}
+
 class MergedReader {
  public:
   MergedReader(const Document& document, const Scene& scene) : document_(document), scene_(scene) {
-    most_elements_ = (std::size_t{16} << 20) + 4 * bytes_read(document);
+    for (const Accessor& accessor : document.accessors) most_bytes_ += accessor.bytes();
   }
 
   std::vector<MergedInstances> merged;
@@ -44,12 +52,6 @@ class MergedReader {
     if (mistake_.empty()) mistake_ = place_ + " " + why;
   }
 
-  static const Json* member(const Json& json, const char* key) {
-    if (!json.is_object()) return nullptr;
-    const auto found = json.find(key);
-    return found == json.end() ? nullptr : &*found;
-  }
-
   std::uint32_t number(const Json* json, const char* what) {
     const bool fits = json != nullptr && json->is_number_unsigned() && json->get<std::uint64_t>() <= 0xffffffff;
     if (!fits) wrong(fmt::format("must have '{}', a whole number", what));
@@ -63,8 +65,8 @@ class MergedReader {
       return wrong(fmt::format("has no accessor {} for '{}'", i, what)), nullptr;
     }
     // Bytes may be named again and again; what is looked at may not go on for ever.
-    elements_ += document_.accessors[i].count;
-    if (elements_ > most_elements_) return wrong("names far more than the file holds"), nullptr;
+    bytes_ += document_.accessors[i].bytes();
+    if (bytes_ > most_bytes_) return wrong("names more than the file holds"), nullptr;
     return &document_.accessors[i];
   }
 
@@ -108,6 +110,11 @@ class MergedReader {
     set.indices = read<std::uint32_t>(json, "indices", Component::uint32, 1);
     set.slots = read<MergedSlot>(json, "slots", Component::uint32, 2);
     set.transforms = read<MergedTransform>(json, "transforms", Component::float32, 4);
+    for (const MergedTransform& transform : set.transforms.view()) {
+      if (!std::ranges::all_of(transform, [](float element) { return std::isfinite(element); })) {
+        wrong("has a transform that is not finite");
+      }
+    }
     set.places = read<MergedPlace>(json, "places", Component::uint32, 3);
     if (member(json, "materials") != nullptr) {
       set.materials = read<std::uint32_t>(json, "materials", Component::uint32, 1);
@@ -131,7 +138,11 @@ class MergedReader {
       if (m >= scene_.meshes.size() || p >= scene_.meshes[m].draws.size()) {
         return wrong(fmt::format("names primitive {} of mesh {}, which does not exist", p, m));
       }
-      set.meshes.push_back({scene_.meshes[m].draws[p], first});
+      const DrawId draw = scene_.meshes[m].draws[p];
+      if (set.vertices && std::uint64_t{first} + scene_.draws[draw].levels[0].vertices->count > set.vertices->count) {
+        return wrong(fmt::format("has no room for the vertices of primitive {} of mesh {} from {} on", p, m, first));
+      }
+      set.meshes.push_back({draw, first});
     }
   }
 
@@ -140,12 +151,17 @@ class MergedReader {
     const auto corner = [&](const char* key, glm::vec3& to) {
       const Json* values = member(json, key);
       const bool are_three = values != nullptr && values->is_array() && values->size() == 3 &&
-                             std::ranges::all_of(*values, [](const Json& value) { return value.is_number(); });
-      if (!are_three) return wrong(fmt::format("has a group without '{}', three numbers", key));
+                             std::ranges::all_of(*values, [](const Json& value) {
+                               return value.is_number() && std::abs(value.get<double>()) <= std::numeric_limits<float>::max();
+                             });
+      if (!are_three) return wrong(fmt::format("has a group without '{}', three numbers that fit 32-bit floats", key));
       for (int axis = 0; axis < 3; ++axis) to[axis] = (*values)[static_cast<std::size_t>(axis)].get<float>();
     };
     corner("min", group.least);
     corner("max", group.most);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (group.least[axis] > group.most[axis]) wrong("has a group whose 'min' is above its 'max'");
+    }
     group.first_instance = number(member(json, "firstInstance"), "firstInstance");
     group.instance_count = number(member(json, "instanceCount"), "instanceCount");
     const Json* draws = member(json, "draws");
@@ -171,8 +187,8 @@ class MergedReader {
   const Scene& scene_;
   std::map<Json, std::shared_ptr<const VertexStreams>> vertices_;
   std::vector<MergedPlace> places_;
-  std::size_t elements_ = 0;
-  std::size_t most_elements_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::uint64_t most_bytes_ = std::uint64_t{16} << 20;  ///< small ones may be named twice
   std::string place_, mistake_;
 };
 
@@ -187,12 +203,29 @@ void read_merged_instances(Document& document, Scene& scene, Diagnostics& diagno
     diagnostics.warning({.file = document.name, .inside = merge_instances}, "merged-draws-left-out",
                         "the merged draws are left out: " + mistake, "merge them again; the nodes show the same");
     take_extension(document.json, merge_instances);
+    unlist_extension(document.json, merge_instances);
+    document.left_out = true;
     return;
   }
   scene.merged = std::move(reader.merged);
   for (const MergedPlace& place : merged_places(scene)) {
     scene.draws[scene.meshes[*scene.nodes[place.node].mesh].draws[place.primitive]].traits.add(traits::extended);
   }
+}
+
+std::set<std::size_t> merged_vertex_data(const Json& json) {
+  std::set<std::size_t> numbers;
+  const Json* extension = extension_of(json, merge_instances);
+  const Json* sets = extension == nullptr ? nullptr : member(*extension, "sets");
+  if (sets == nullptr || !sets->is_array()) return numbers;
+  for (const Json& set : *sets) {
+    const Json* attributes = member(set, "attributes");
+    if (attributes == nullptr || !attributes->is_object()) continue;
+    for (const Json& number : *attributes) {
+      if (number.is_number_unsigned()) numbers.insert(number.get<std::size_t>());
+    }
+  }
+  return numbers;
 }
 
 std::set<std::size_t> used_by_merged(const Json& json) {

@@ -11,16 +11,6 @@ namespace {
 
 constexpr const char* draco = "KHR_draco_mesh_compression";
 
-void unlist(Json& json, std::string_view name) {
-  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
-    const auto names = json.find(list);
-    if (names == json.end()) continue;
-    const auto listed = std::find(names->begin(), names->end(), Json(name));
-    if (listed != names->end()) names->erase(listed);
-    if (names->empty()) json.erase(list);
-  }
-}
-
 /// A Draco stream holds a whole primitive beside its plain data, and would go on showing what was before. Views that
 /// only the extension knew of go with it.
 void drop_draco(Json& json, AccessorStore& store, const Document& document, Diagnostics& diagnostics) {
@@ -33,7 +23,7 @@ void drop_draco(Json& json, AccessorStore& store, const Document& document, Diag
       dropped = !value.is_null() || dropped;
     }
   }
-  unlist(json, draco);
+  unlist_extension(json, draco);
   if (!dropped) return;
   diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "compressed-copy-dropped",
                    "the Draco copy of the geometry is left out, as it no longer fits; the plain data is written");
@@ -45,7 +35,7 @@ void unlist_what_is_not_used(Json& json) {
     const bool used = views != json.end() && std::any_of(views->begin(), views->end(), [&](const Json& view) {
                         return extension_of(view, name) != nullptr;
                       });
-    if (!used) unlist(json, name);
+    if (!used) unlist_extension(json, name);
   }
 }
 
@@ -93,7 +83,7 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   patch_merged_instances(scene, source, written.json, store);
   relocate_images(written.json, document, target, diagnostics);
   written.changed =
-      !may_stay || store.changed() || written.json != document.json || (!compress && is_compressed(document));
+      !may_stay || document.left_out || store.changed() || written.json != document.json || (!compress && is_compressed(document));
   if (!written.changed) return written;
   if (document.buffers.size() > 1 && !may_join_buffers(document.json)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",

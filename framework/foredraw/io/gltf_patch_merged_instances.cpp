@@ -56,8 +56,9 @@ Json json_of(const MergedInstances& set, AccessorStore& store) {
   return json;
 }
 
-/// Each mesh's primitives, and where their vertices begin. An accessor of theirs becomes a part of the merged one.
-Json primitives_of(const Scene& scene, const MergedInstances& set, const Json& attributes, const Json& json,
+/// Each mesh's primitives, and where their vertices begin. With `may_move` an accessor of theirs becomes a part of the
+/// merged one.
+Json primitives_of(const Scene& scene, const MergedInstances& set, const Json& attributes, const Json& json, bool may_move,
                    AccessorStore& store) {
   std::map<DrawId, std::uint32_t> first_vertex;
   for (const MergedMesh& mesh : set.meshes) first_vertex.emplace(mesh.draw, mesh.first_vertex);
@@ -69,7 +70,7 @@ Json primitives_of(const Scene& scene, const MergedInstances& set, const Json& a
       list.push_back({{"mesh", m}, {"primitive", p}, {"firstVertex", first->second}});
       for (const auto& [semantic, number] : json["meshes"][m]["primitives"][p]["attributes"].items()) {
         const auto merged = attributes.find(semantic);
-        if (merged == attributes.end()) continue;
+        if (!may_move || merged == attributes.end()) continue;
         store.lay_within(number.get<std::size_t>(), merged->get<std::size_t>(), first->second);
       }
     }
@@ -87,14 +88,15 @@ void patch_merged_instances(const Scene& scene, const Source& source, Json& json
   for (const std::size_t accessor : used_by_merged(source.document.json)) {
     if (!others.contains(accessor)) store.release(accessor);
   }
+  const bool may_move = knows_all_extensions(source.document.json);
   Json sets = Json::array();
   for (const MergedInstances& set : scene.merged) {
     Json made = json_of(set, store);
-    made["primitives"] = primitives_of(scene, set, made["attributes"], json, store);
+    made["primitives"] = primitives_of(scene, set, made["attributes"], json, may_move, store);
     sets.push_back(std::move(made));
   }
   take_extension(json, merge_instances);
-  if (sets.empty()) return;
+  if (sets.empty()) return unlist_extension(json, merge_instances);
   json["extensions"][merge_instances]["sets"] = std::move(sets);
   Json& used = json["extensionsUsed"];
   if (std::ranges::find(used, Json(merge_instances)) == used.end()) used.push_back(merge_instances);

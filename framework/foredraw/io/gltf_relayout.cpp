@@ -13,8 +13,7 @@ class Relayout {
   Relayout(const Document& document, Json& json, const Changes& changes, bool compress)
       : document_(document), json_(json), changes_(changes), compress_(compress), users_(document.views.size()) {
     // With an extension that we do not know, which may point anywhere, everything that was there stays where it was.
-    const std::vector<std::string> extensions = extensions_in(document.json);
-    keep_ = !std::all_of(extensions.begin(), extensions.end(), [](const auto& e) { return is_known_extension(e); });
+    keep_ = !knows_all_extensions(document.json);
   }
 
   LaidOut run() {

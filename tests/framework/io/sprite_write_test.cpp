@@ -233,7 +233,7 @@ TEST_F(SpriteWrite, NothingThatWasReadIsReplaced) {
 
 TEST_F(SpriteWrite, MeshesAreNoSprites) {
   Scene scene = testing::scene_of(testing::grid(2, 2));
-  for (const char* name : {"a.json", "a.svg", "a.png", "a.h", "a.html"}) {
+  for (const char* name : {"a.svg", "a.png", "a.h", "a.html"}) {
     EXPECT_THAT(refused(scene, name), HasSubstr("has no frame")) << name;
   }
   EXPECT_THAT(refused({}, "a.svg"), HasSubstr("no sprite"));

@@ -87,6 +87,7 @@ class AccessorStore {
   using Key = std::tuple<Stamp, Content::Kind, Component, int, bool, bool>;
   std::map<Key, std::size_t> appended_;
   std::map<std::size_t, Part> parts_;
+  std::set<std::size_t> wholes_;  ///< that others are parts of; never a part itself
   std::set<std::size_t> released_;
   std::map<std::size_t, Shared<std::byte>> images_;
   std::set<std::size_t> forgotten_;

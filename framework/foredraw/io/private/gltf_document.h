@@ -82,6 +82,7 @@ struct Document {
   bool binary = false;
   Shared<std::byte> file;  ///< as it came
   Json json;
+  bool left_out = false;  ///< `json` lacks what the reader took out of it, so that the file can not stay as it came
   std::vector<Chunk> further_chunks;  ///< of a GLB, after JSON and BIN
   std::vector<Buffer> buffers;
   std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed
@@ -114,6 +115,9 @@ const Json* extension_of(const Json& holder, std::string_view name);
 /// The extension's value taken out of an object; null where it has none.
 Json take_extension(Json& holder, std::string_view name);
 
+/// Takes the name out of the lists of extensions that are used and required.
+void unlist_extension(Json& json, std::string_view name);
+
 /// The bytes of the file and of the buffers beside it.
 std::uint64_t bytes_read(const Document& document);
 
@@ -122,5 +126,8 @@ std::vector<std::string> extensions_in(const Json& json);
 
 /// Whether we know of the extension which members refer to what, so that nothing it points at is lost or moved unseen.
 bool is_known_extension(std::string_view name);
+
+/// Whether we know all of the document's. Else what was there stays where it was.
+bool knows_all_extensions(const Json& json);
 
 }  // namespace foredraw::gltf

@@ -23,4 +23,7 @@ void patch_merged_instances(const Scene& scene, const Source& source, Json& json
 /// Accessors that merged draws name.
 std::set<std::size_t> used_by_merged(const Json& json);
 
+/// Accessors that merged draws name as vertices; of JSON in which anything may be wrong.
+std::set<std::size_t> merged_vertex_data(const Json& json);
+
 }  // namespace foredraw::gltf

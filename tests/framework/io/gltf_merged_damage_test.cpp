@@ -1,0 +1,237 @@
+// FOREDRAW_merge_instances that is wrong: it costs itself alone.
+
+#include "framework/io/merged_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+
+namespace foredraw {
+namespace {
+
+using namespace testing;
+
+struct Wrong {
+  std::string name;
+  std::function<void(GltfBuilder&, GltfJson& set)> make;
+};
+
+void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+
+GltfBuilder merged_file() {
+  GltfBuilder builder = builder_of(write(merged_yard(read(yard()), {.frequencies = {6, 3}, .materials = true})));
+  builder.json.erase("buffers");
+  return builder;
+}
+
+class WrongMergedInstances : public ::testing::TestWithParam<Wrong> {};
+
+/// The file is read without them, a warning says so and where, and nothing of them is written again.
+TEST_P(WrongMergedInstances, are_left_out_with_a_warning) {
+  GltfBuilder builder = merged_file();
+  ASSERT_EQ(read(builder).merged.size(), 1u);
+  GetParam().make(builder, builder.json["extensions"][merge_instances]["sets"][0]);
+  Diagnostics diagnostics;
+  const auto begin = std::chrono::steady_clock::now();
+  auto scene = read_gltf(builder.glb(), "test", {}, diagnostics);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  ASSERT_TRUE(scene) << to_text(diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
+  EXPECT_EQ(diagnostics.all()[0].code, "merged-draws-left-out");
+  EXPECT_EQ(diagnostics.all()[0].where.inside, merge_instances);
+  EXPECT_FALSE(diagnostics.all()[0].hint.empty());
+  EXPECT_TRUE(scene->merged.empty());
+  EXPECT_FALSE(scene->draws[0].traits.has(traits::extended));
+  const GltfJson json = written(*scene);
+  EXPECT_EQ(json.dump().find(merge_instances), std::string::npos);
+  EXPECT_EQ(json["nodes"], builder.json["nodes"]);
+  Scene changed = *scene;
+  reverse(changed.draws[0]);
+  EXPECT_EQ(written(changed).dump().find(merge_instances), std::string::npos);
+}
+
+constexpr std::uint64_t far_away = 1ull << 40;
+
+std::size_t number(const GltfJson& set, const char* key) { return set[key].get<std::size_t>(); }
+
+/// A new accessor with the elements of one of the set's, some of them changed.
+template <class T>
+void rewrite(GltfBuilder& builder, GltfJson& set, const char* key, const char* type,
+             const std::function<void(std::vector<T>&)>& change) {
+  const GltfJson accessor = builder.json["accessors"][number(set, key)];
+  const GltfJson view = builder.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+  const std::size_t components = std::string(type) == "SCALAR" ? 1 : static_cast<std::size_t>(type[3] - '0');
+  std::vector<T> values(accessor["count"].get<std::size_t>() * components);
+  std::memcpy(values.data(), builder.buffer.data() + view.value("byteOffset", 0u) + accessor.value("byteOffset", 0u),
+              4 * values.size());
+  change(values);
+  set[key] = builder.add_values(values, type);
+}
+
+Wrong word(const char* name, const char* key, const char* type, std::size_t at, std::uint32_t value) {
+  return {name, [=](GltfBuilder& builder, GltfJson& set) {
+            rewrite<std::uint32_t>(builder, set, key, type, [&](std::vector<std::uint32_t>& all) { all[at] = value; });
+          }};
+}
+
+std::vector<Wrong> in_general() {
+  std::vector<Wrong> all{
+      {"extension_is_text", [](auto& b, auto&) { b.json["extensions"][merge_instances] = "sets"; }},
+      {"extension_is_null", [](auto& b, auto&) { b.json["extensions"][merge_instances] = nullptr; }},
+      {"no_sets", [](auto& b, auto&) { b.json["extensions"][merge_instances].erase("sets"); }},
+      {"sets_are_an_object", [](auto& b, auto& set) { b.json["extensions"][merge_instances]["sets"] = GltfJson(set); }},
+      {"set_is_a_number", [](auto&, auto& set) { set = 3; }},
+      {"set_twice",
+       [](auto& b, auto& set) {
+         const GltfJson copy = set;
+         b.json["extensions"][merge_instances]["sets"].push_back(copy);
+       }},
+      {"material_is_beyond", [](auto&, auto& set) { set["material"] = 2; }},
+      {"material_is_far", [](auto&, auto& set) { set["material"] = far_away; }},
+      {"no_positions", [](auto&, auto& set) { set["attributes"].erase("POSITION"); }},
+      {"attributes_are_empty", [](auto&, auto& set) { set["attributes"] = GltfJson::object(); }},
+      {"attributes_are_of_unequal_lengths",
+       [](auto& b, auto& set) { set["attributes"]["_SIX"] = b.add_values(std::vector<float>(9), "VEC3"); }},
+      {"vertices_are_short",
+       [](auto& b, auto& set) {
+         for (auto& [semantic, accessor] : set["attributes"].items()) b.json["accessors"][accessor.template get<std::size_t>()]["count"] = 5;
+       }},
+      {"far_more_is_named_than_is_there",
+       [](auto& b, auto& set) {
+         const std::size_t zeros = b.add("accessors", {{"componentType", 5126}, {"type", "VEC3"}, {"count", 1 << 20}});
+         for (int i = 0; i < 2000; ++i) set["attributes"]["_" + std::to_string(i)] = zeros;
+       }},
+      {"far_more_sets_than_is_there",
+       [](auto& b, auto& set) {
+         const std::size_t zeros = b.add("accessors", {{"componentType", 5125}, {"type", "SCALAR"}, {"count", 1 << 20}});
+         set["indices"] = zeros;
+         const GltfJson copy = set;
+         for (int i = 0; i < 3000; ++i) b.json["extensions"][merge_instances]["sets"].push_back(copy);
+       }},
+      {"transform_is_not_finite",
+       [](auto& b, auto& set) {
+         // As vertex data it may be so.
+         const std::size_t odd = b.add_values(std::vector<float>(std::size_t{9} * 12, std::numeric_limits<float>::infinity()), "VEC4");
+         set["attributes"] = {{"POSITION", odd}};
+         set["transforms"] = odd;
+       }},
+  };
+  for (const char* key : {"attributes", "indices", "slots", "transforms", "places", "primitives", "groups"}) {
+    all.push_back({std::string("no_") + key, [=](auto&, auto& set) { set.erase(key); }});
+  }
+  for (const char* key : {"material", "attributes", "indices", "slots", "transforms", "places", "materials", "primitives", "groups"}) {
+    all.push_back({std::string(key) + "_is_text", [=](auto&, auto& set) { set[key] = "1"; }});
+    all.push_back({std::string(key) + "_is_null", [=](auto&, auto& set) { set[key] = nullptr; }});
+  }
+  for (const char* key : {"indices", "slots", "transforms", "places", "materials"}) {
+    all.push_back({std::string(key) + "_is_negative", [=](auto&, auto& set) { set[key] = -1; }});
+    all.push_back({std::string(key) + "_is_beyond", [=](auto& b, auto& set) { set[key] = b.json["accessors"].size(); }});
+    all.push_back({std::string(key) + "_is_far", [=](auto&, auto& set) { set[key] = far_away; }});
+    all.push_back({std::string(key) + "_is_positions", [=](auto&, auto& set) { set[key] = set["attributes"]["POSITION"]; }});
+    all.push_back({std::string(key) + "_is_short", [=](auto& b, auto& set) {
+                     GltfJson& count = b.json["accessors"][number(set, key)]["count"];
+                     count = count.template get<std::size_t>() - 1;
+                   }});
+    all.push_back({std::string(key) + "_is_long", [=](auto& b, auto& set) {
+                     if (std::string(key) == "indices" || std::string(key) == "slots") return set["material"] = -1, void();
+                     GltfJson accessor = b.json["accessors"][number(set, key)];
+                     accessor["count"] = accessor["count"].template get<std::size_t>() + 3;
+                     accessor.erase("bufferView");
+                     accessor.erase("byteOffset");
+                     set[key] = b.add("accessors", accessor);
+                   }});
+  }
+  return all;
+}
+
+std::vector<Wrong> in_parts() {
+  std::vector<Wrong> all{
+      {"primitive_is_text", [](auto&, auto& set) { set["primitives"][0] = "a"; }},
+      {"primitive_is_beyond", [](auto&, auto& set) { set["primitives"][0]["primitive"] = 1; }},
+      {"mesh_is_beyond", [](auto&, auto& set) { set["primitives"][0]["mesh"] = 3; }},
+      {"vertices_begin_behind_the_end", [](auto&, auto& set) { set["primitives"][2]["firstVertex"] = 18; }},
+      {"vertices_lead_out", [](auto&, auto& set) { set["primitives"][2]["firstVertex"] = 11; }},
+      {"group_is_a_number", [](auto&, auto& set) { set["groups"][0] = 1; }},
+      {"group_leads_out", [](auto&, auto& set) { set["groups"][1]["instanceCount"] = 6; }},
+      {"group_begins_behind_the_end", [](auto&, auto& set) { set["groups"][1]["firstInstance"] = 0xffffffffu; }},
+      {"corner_is_of_two", [](auto&, auto& set) { set["groups"][0]["min"] = {1, 2}; }},
+      {"corner_is_text", [](auto&, auto& set) { set["groups"][0]["max"] = {1, 2, "3"}; }},
+      {"corner_is_no_float", [](auto&, auto& set) { set["groups"][0]["max"] = {1, 2, 1e300}; }},
+      {"corners_are_turned", [](auto&, auto& set) { std::swap(set["groups"][0]["min"], set["groups"][0]["max"]); }},
+      {"draws_are_an_object", [](auto&, auto& set) { set["groups"][0]["draws"] = GltfJson::object(); }},
+      {"draw_is_text", [](auto&, auto& set) { set["groups"][0]["draws"][0] = "a"; }},
+      {"frequency_is_0", [](auto&, auto& set) { set["groups"][0]["draws"][0]["frequency"] = 0; }},
+      {"frequency_is_4", [](auto&, auto& set) { set["groups"][0]["draws"][0]["frequency"] = 4; }},
+      {"frequency_is_large", [](auto&, auto& set) { set["groups"][0]["draws"][0]["frequency"] = 0xffffffffu; }},
+      {"slots_are_beyond", [](auto&, auto& set) { set["groups"][1]["draws"][1]["slotCount"] = 1000; }},
+      {"slots_are_countless", [](auto&, auto& set) { set["groups"][1]["draws"][1]["slotCount"] = 0xffffffffu; }},
+      {"slots_begin_beyond", [](auto&, auto& set) { set["groups"][1]["draws"][1]["firstSlot"] = 0xffffffffu; }},
+      {"slots_are_drawn_twice", [](auto&, auto& set) { set["groups"][0]["draws"][1]["firstSlot"] = 0; }},
+      {"slots_are_of_the_other_group",
+       [](auto&, auto& set) { std::swap(set["groups"][0]["draws"], set["groups"][1]["draws"]); }},
+      word("index_is_beyond", "indices", "SCALAR", 3, 18),
+      word("slot_begins_behind_the_end", "slots", "VEC2", 0, 0xfffffffe),
+      word("slot_leads_out", "slots", "VEC2", 0, 39),
+      word("instance_is_of_the_other_group", "slots", "VEC2", 1, 8),
+      word("instance_is_beyond", "slots", "VEC2", 1, 0xffffffff),
+      word("node_is_beyond", "places", "VEC3", 0, 9),
+      word("primitive_of_a_node_is_beyond", "places", "VEC3", 1, 1),
+      word("instance_of_a_node_is_beyond", "places", "VEC3", 2, 1),
+      word("place_is_there_twice", "places", "VEC3", 0, 1),
+      word("material_of_an_instance_is_beyond", "materials", "SCALAR", 4, 2),
+      {"node_shows_nothing", [](auto& b, auto&) { b.json["nodes"][0].erase("mesh"); }},
+  };
+  for (const char* key : {"mesh", "primitive", "firstVertex"}) {
+    all.push_back({std::string("primitive_without_") + key, [=](auto&, auto& set) { set["primitives"][1].erase(key); }});
+    all.push_back({std::string("primitive_whose_") + key + "_is_far",
+                   [=](auto&, auto& set) { set["primitives"][1][key] = far_away; }});
+  }
+  for (const char* key : {"min", "max", "firstInstance", "instanceCount", "draws"}) {
+    all.push_back({std::string("group_without_") + key, [=](auto&, auto& set) { set["groups"][1].erase(key); }});
+  }
+  for (const char* key : {"frequency", "firstSlot", "slotCount"}) {
+    all.push_back({std::string("draw_without_") + key, [=](auto&, auto& set) { set["groups"][1]["draws"][0].erase(key); }});
+    all.push_back({std::string("draw_whose_") + key + "_is_broken",
+                   [=](auto&, auto& set) { set["groups"][1]["draws"][0][key] = 3.5; }});
+  }
+  return all;
+}
+
+const auto name_of = [](const auto& wrong) { return wrong.param.name; };
+INSTANTIATE_TEST_SUITE_P(InGeneral, WrongMergedInstances, ::testing::ValuesIn(in_general()), name_of);
+INSTANTIATE_TEST_SUITE_P(InParts, WrongMergedInstances, ::testing::ValuesIn(in_parts()), name_of);
+
+TEST(DamagedMergedInstances, the_warning_names_the_place) {
+  GltfBuilder builder = merged_file();
+  builder.json["extensions"][merge_instances]["sets"][0]["groups"][1]["draws"][1]["frequency"] = 4;
+  Diagnostics diagnostics;
+  ASSERT_TRUE(read_gltf(builder.glb(), "yard.glb", {}, diagnostics));
+  EXPECT_EQ(diagnostics.all()[0].where.file, "yard.glb");
+  EXPECT_EQ(diagnostics.all()[0].message,
+            "the merged draws are left out: sets[0] draw 3 has slots of 4 entries, which are no whole triangles");
+}
+
+/// Accessors without bytes are zeros: triangles whose corners are one.
+TEST(DamagedMergedInstances, zeros_are_numbers_too) {
+  GltfBuilder builder = merged_file();
+  GltfJson& set = builder.json["extensions"][merge_instances]["sets"][0];
+  GltfJson accessor = builder.json["accessors"][number(set, "indices")];
+  accessor.erase("bufferView");
+  accessor.erase("byteOffset");
+  set["indices"] = builder.add("accessors", accessor);
+  const Scene scene = read(builder);
+  ASSERT_EQ(scene.merged.size(), 1u);
+  EXPECT_EQ(std::ranges::count(scene.merged[0].indices.view(), 0u), std::ptrdiff_t(scene.merged[0].indices.size()));
+  EXPECT_EQ(write(scene), builder.glb());
+}
+
+TEST(DamagedMergedInstances, no_sets_are_none) {
+  GltfBuilder builder = merged_file();
+  builder.json["extensions"][merge_instances]["sets"] = GltfJson::array();
+  EXPECT_TRUE(read(builder).merged.empty());
+  EXPECT_EQ(write(read(builder)), builder.glb());
+}
+
+}  // namespace
+}  // namespace foredraw
