@@ -1,5 +1,5 @@
-// Nodes, skins, animations, materials and images put back: additions, and changed materials and images. Nothing else of
-// the structure may change, and whoever changes it is told.
+// Nodes, skins, animations, materials and images put back: additions, changed materials and images, and nodes without
+// the mesh that they had. Nothing else of the structure may change, and whoever changes it is told.
 #include <foredraw/io/private/gltf_instances.h>
 #include <foredraw/io/private/gltf_write.h>
 
@@ -11,11 +11,11 @@ namespace foredraw::gltf {
 
 namespace {
 
-bool same(const Node& a, const Node& b) {
+bool same_but_for_mesh(const Node& a, const Node& b) {
   return a.name == b.name && a.transform.translation == b.transform.translation &&
          a.transform.rotation == b.transform.rotation && a.transform.scale == b.transform.scale &&
-         a.matrix == b.matrix && a.mesh == b.mesh && a.skin == b.skin && a.weights == b.weights &&
-         a.children == b.children && a.instances == b.instances;
+         a.matrix == b.matrix && a.skin == b.skin && a.weights == b.weights && a.children == b.children &&
+         a.instances == b.instances;
 }
 
 bool same(const Skin& a, const Skin& b) {
@@ -172,7 +172,7 @@ class StructurePatch {
       : scene_(scene), was_(source.as_read), json_(json), store_(store), diagnostics_(diagnostics) {}
 
   bool run() {
-    bool said = unchanged(scene_.nodes, was_.nodes, "nodes");
+    bool said = old_nodes();
     said = unchanged(scene_.skins, was_.skins, "skins") && said;
     said = unchanged(scene_.animations, was_.animations, "animations") && said;
     if (!said || !materials() || !images()) return false;
@@ -201,6 +201,28 @@ class StructurePatch {
     return true;
   }
 
+  bool old_nodes() {
+    if (scene_.nodes.size() < was_.nodes.size()) return fail("nodes", "some were taken away");
+    for (std::size_t i = 0; i < was_.nodes.size(); ++i) {
+      if (!old_node(i, scene_.nodes[i], was_.nodes[i])) return false;
+    }
+    return true;
+  }
+
+  /// As it was, or without its mesh, which another node may draw.
+  bool old_node(std::size_t i, const Node& now, const Node& was) {
+    const std::string place = "nodes[" + std::to_string(i) + ']';
+    if (!same_but_for_mesh(now, was)) return fail(place, "it was changed");
+    if (now.mesh == was.mesh) return true;
+    const bool is_drawn_plainly = !was.skin && was.weights.empty() && was.instances.empty();
+    if (now.mesh || !is_drawn_plainly) return fail(place, "it was changed");
+    if (was.keeps_mesh) {
+      return fail(place, "its mesh was taken away, but an extension or a further scene refers to it, or no scene shows it");
+    }
+    json_["nodes"][i].erase("mesh");
+    return true;
+  }
+
   void add_nodes() {
     std::vector<bool> has_parent(scene_.nodes.size(), false);
     for (const Node& node : scene_.nodes) {
@@ -210,7 +232,8 @@ class StructurePatch {
       json_["nodes"][i] = json_of(scene_.nodes[i]);
       if (const auto instances = scene_.nodes[i].instances.view(); !instances.empty()) {
         json_["nodes"][i]["extensions"][mesh_gpu_instancing] = instancing_of(instances, store_);
-        listed(json_["extensionsUsed"], mesh_gpu_instancing);
+        // Who does not know it would show one where there are many, also in a file that could do without it so far.
+        for (const char* list : {"extensionsUsed", "extensionsRequired"}) listed(json_[list], mesh_gpu_instancing);
       }
       if (has_parent[i]) continue;
       if (!json_.contains("scene")) json_["scene"] = 0;

@@ -2,6 +2,7 @@
 
 #include <foredraw/io/private/gltf_draw_orders.h>
 #include <foredraw/io/private/gltf_gate.h>
+#include <foredraw/io/private/gltf_kept_meshes.h>
 #include <foredraw/io/private/gltf_merged_instances.h>
 #include <foredraw/io/private/gltf_source.h>
 
@@ -15,6 +16,7 @@ std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const
   if (!document) return std::nullopt;
   auto scene = gltf::scene_of(*document, diagnostics);
   if (!scene) return std::nullopt;
+  gltf::find_kept_meshes(*scene, *document);
   gltf::read_draw_orders(*document, *scene, diagnostics);
   gltf::read_merged_instances(*document, *scene, diagnostics);
   scene->source = std::make_shared<const gltf::Source>(std::move(*document), *scene);

@@ -286,6 +286,7 @@ TEST(GltfWrite, instances_are_written_as_gpu_instancing) {
   scene.nodes[1].instances = Shared<Transform>(three);
   GltfJson json = written(scene);
   EXPECT_EQ(json["extensionsUsed"], GltfJson::array({"EXT_mesh_gpu_instancing"}));
+  EXPECT_EQ(json["extensionsRequired"], json["extensionsUsed"]) << "without it there would be one in place of three";
   EXPECT_FALSE(json["nodes"][0].contains("extensions"));
   EXPECT_EQ(json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"].size(), 1u);
   three[0].rotation = glm::quat(0, 0, 1, 0);
