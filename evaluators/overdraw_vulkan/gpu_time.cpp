@@ -1,5 +1,6 @@
 #include "overdraw_vulkan.h"
 
+#include "stopwatch.h"
 #include "view_batches.h"
 #include "vulkan_painter.h"
 
@@ -7,42 +8,6 @@
 #include <array>
 
 namespace foredraw {
-
-namespace {
-
-/// Nanoseconds between a hand-in's first draw and the end of its last.
-class Stopwatch {
- public:
-  explicit Stopwatch(VulkanDevice& device) : device_(device) {
-    VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    info.queryCount = 2;
-    stamps_ = OwnedQueryPool(device.get(), info, "vkCreateQueryPool");
-  }
-
-  template <class Record>
-  double time(Record record) {
-    device_.run([&](VkCommandBuffer commands) {
-      vkCmdResetQueryPool(commands, stamps_.get(), 0, 2);
-      vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, stamps_.get(), 0);
-      record(commands);
-      vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, stamps_.get(), 1);
-    });
-    std::array<std::uint64_t, 2> ticks{};
-    check(vkGetQueryPoolResults(device_.get(), stamps_.get(), 0, 2, sizeof(ticks), ticks.data(), sizeof(ticks[0]),
-                                VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-          "vkGetQueryPoolResults");
-    // The clock may have less than 64 bits and come round.
-    const std::uint64_t elapsed = (ticks[1] - ticks[0]) & device_.timestamp_mask();
-    return static_cast<double>(elapsed) * static_cast<double>(device_.limits().timestampPeriod);
-  }
-
- private:
-  VulkanDevice& device_;
-  OwnedQueryPool stamps_;
-};
-
-}  // namespace
 
 std::optional<GpuTime> gpu_time(OverdrawDevice& device, std::span<const RasterPart> parts, const Views& views) {
   VulkanPainter& painter = device.painter();

@@ -8,7 +8,7 @@ namespace foredraw {
 
 namespace {
 
-VkDevice make_device(const VulkanCandidate& candidate, bool counts_vertices) {
+VkDevice make_device(const VulkanCandidate& candidate, bool counts_vertices, bool draws_many_indirectly) {
   const float priority = 1;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueFamilyIndex = candidate.queue_family;
@@ -19,6 +19,8 @@ VkDevice make_device(const VulkanCandidate& candidate, bool counts_vertices) {
   features.fragmentStoresAndAtomics = VK_TRUE;
   features.fullDrawIndexUint32 = VK_TRUE;
   features.pipelineStatisticsQuery = counts_vertices ? VK_TRUE : VK_FALSE;
+  features.multiDrawIndirect = draws_many_indirectly ? VK_TRUE : VK_FALSE;
+  features.drawIndirectFirstInstance = features.multiDrawIndirect;
   VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
@@ -58,7 +60,9 @@ VulkanDevice::VulkanDevice(const VulkanChoice& choice) : instance_(choice.compla
   depth_format_ = candidate.depth_format;
   timestamp_mask_ = candidate.timestamp_bits == 0 ? 0 : ~std::uint64_t{0} >> (64 - candidate.timestamp_bits);
   counts_vertices_ = features.pipelineStatisticsQuery == VK_TRUE;
-  device_.reset(make_device(candidate, counts_vertices_));
+  draws_many_indirectly_ = features.multiDrawIndirect == VK_TRUE && features.drawIndirectFirstInstance == VK_TRUE;
+  queue_family_ = candidate.queue_family;
+  device_.reset(make_device(candidate, counts_vertices_, draws_many_indirectly_));
   vkGetDeviceQueue(get(), candidate.queue_family, 0, &queue_);
 
   VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};

@@ -24,6 +24,8 @@ class VulkanDevice {
   VkFormat depth_format() const { return depth_format_; }           ///< D32_SFLOAT; X8_D24_UNORM where there is no such
   std::uint64_t timestamp_mask() const { return timestamp_mask_; }  ///< the bits of its clock; 0: it has none
   bool counts_vertices() const { return counts_vertices_; }
+  bool draws_many_indirectly() const { return draws_many_indirectly_; }  ///< also with first instances other than 0
+  std::uint32_t queue_family() const { return queue_family_; }
 
   /// The number of a memory type among `allowed` that has all of `wanted`, and `better` too if there is one.
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
@@ -49,7 +51,9 @@ class VulkanDevice {
   VkPhysicalDeviceMemoryProperties memory_{};
   VkFormat depth_format_ = VK_FORMAT_UNDEFINED;
   std::uint64_t timestamp_mask_ = 0;
+  std::uint32_t queue_family_ = 0;
   bool counts_vertices_ = false;
+  bool draws_many_indirectly_ = false;
   std::string name_;
 };
 
