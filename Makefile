@@ -5,7 +5,7 @@ SEED ?= 1
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test bench city vertex-orders overdraw-error han-sander-2016 particle-trim asan tsan fuzz clean
+.PHONY: help demo build test bench city vertex-orders overdraw-error han-sander-2016 particle-trim merge-instances asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
@@ -16,6 +16,7 @@ help:
 	@echo 'make overdraw-error  how far evaluators of overdraw are from the truth, and docs/overdraw-error.md of it'
 	@echo 'make han-sander-2016  the experiment of that paper on our animated models, and docs/han-sander-2016.md of it'
 	@echo 'make particle-trim  how small trimmed sprites are, and in which time, and docs/particle-trim.md of it'
+	@echo 'make merge-instances  draw calls, bytes and times of merged instances beside other ways (INSTANCES=10000,100000,1000000)'
 	@echo 'make city     a city of about 10,000 placed primitives: build/city.glb (INSTANCES=100000 SEED=2 for another one)'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
@@ -41,7 +42,7 @@ test asan tsan fuzz:
 
 bench:
 	packages/install build bench
-	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench han-sander-2016-bench particle-trim-bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench han-sander-2016-bench particle-trim-bench merge-instances-bench
 
 vertex-orders: bench
 	build/release/benchmarks/vertex_order/vertex-order-bench --tsv=benchmarks/vertex_order/figures.tsv
@@ -58,6 +59,10 @@ han-sander-2016: bench
 particle-trim: bench
 	build/release/benchmarks/particle_trim/particle-trim-bench --tsv=benchmarks/particle_trim/figures.tsv
 	benchmarks/particle_trim/particle_trim_page.py benchmarks/particle_trim/figures.tsv
+
+merge-instances: INSTANCES = 10000,100000
+merge-instances: bench
+	build/release/benchmarks/merge_instances/merge-instances-bench --instances=$(INSTANCES) --tsv=benchmarks/merge_instances/figures.tsv
 
 city:
 	packages/install build bench

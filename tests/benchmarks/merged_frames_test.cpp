@@ -14,8 +14,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <numeric>
+#include <set>
 
 namespace foredraw::bench {
 namespace {
@@ -77,6 +79,38 @@ std::size_t different(const std::vector<std::uint32_t>& a, const std::vector<std
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i];
   return count;
+}
+
+TEST(FrameContent, every_way_draws_everything_once_with_its_own_calls) {
+  const Scene scene = merged(city(500, 0.3));
+  const std::vector<PlacedDraw> placed = placed_draws(scene);
+  std::set<std::pair<bool, DrawId>> different;
+  for (const PlacedDraw& one : placed) different.insert({one.is_mirrored, one.draw});
+  std::map<DrawWay, FrameContent> of;
+  for (const DrawWay way : all_draw_ways) {
+    of[way] = frame_content(scene, way);
+    std::vector<MergedPlace> sequence = of[way].sequence;
+    std::ranges::sort(sequence);
+    EXPECT_TRUE(std::ranges::equal(sequence, placed, {}, {}, &PlacedDraw::place)) << to_text(way);
+    EXPECT_GT(of[way].bytes.vertices, 0u);
+  }
+  ASSERT_EQ(scene.merged.size(), 1u);
+  EXPECT_EQ(of[DrawWay::each].calls(), placed.size());
+  EXPECT_EQ(of[DrawWay::instanced].calls(), different.size());
+  EXPECT_GT(of[DrawWay::group_instanced].calls(), of[DrawWay::merged].calls());
+  EXPECT_EQ(of[DrawWay::indirect].calls(), 2u);  // as they wind
+  EXPECT_EQ(of[DrawWay::indirect].bytes.commands, 20 * different.size());
+  EXPECT_EQ(of[DrawWay::indirect_each].bytes.commands, 20 * placed.size());
+  EXPECT_EQ(of[DrawWay::duplicated].calls(), scene.merged[0].groups.size());
+  EXPECT_EQ(of[DrawWay::merged].calls(), scene.merged[0].draws.size());
+  EXPECT_EQ(of[DrawWay::merged].bytes.slots, scene.merged[0].slots.view().size_bytes());
+  EXPECT_EQ(of[DrawWay::merged].bytes.vertices, of[DrawWay::each].bytes.vertices);
+  EXPECT_EQ(of[DrawWay::each].bytes.transforms, 48 * placed.size());
+
+  const FrameContent counted = frame_content(scene, DrawWay::duplicated, 0);
+  EXPECT_FALSE(counted.is_complete);
+  EXPECT_EQ(counted.bytes.all(), of[DrawWay::duplicated].bytes.all());
+  EXPECT_EQ(counted.calls(), of[DrawWay::duplicated].calls());
 }
 
 /// On whatever device there is, under the eyes of the validation layer where that is installed.
@@ -193,8 +227,9 @@ TEST_F(MergedFrames, wrong_slots_places_materials_and_corners_show) {
   // Some of what is broken is hidden or faces away.
   EXPECT_GT(shows([](MergedInstances& set, std::size_t i) {
               std::vector<MergedSlot> slots(set.slots.view().begin(), set.slots.view().end());
-              const std::size_t at = i * (slots.size() - 1) / 16;
-              slots[at].index_offset = slots[(at + slots.size() / 2) % slots.size()].index_offset;
+              const MergedDraw& draw = set.draws[i % set.draws.size()];
+              const std::size_t at = draw.first_slot + i * (draw.slot_count - 1) / 16;
+              slots[at].index_offset = slots[draw.first_slot + draw.slot_count - 1 - i * draw.slot_count / 32].index_offset;
               set.slots = Shared(std::move(slots));
             }), 4);
   EXPECT_GT(shows([](MergedInstances& set, std::size_t i) {

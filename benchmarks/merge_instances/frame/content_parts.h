@@ -14,7 +14,7 @@ std::vector<PlacedDraw> not_merged(const Scene& scene, std::span<const PlacedDra
 
 void add_merged_parts(const Scene& scene, FrameContent& content);
 
-/// `placed`: sorted by place.
+/// And counts the bytes of their vertices and indices. `placed`: sorted by place.
 void add_duplicated_parts(const Scene& scene, std::span<const PlacedDraw> placed, std::uint64_t most_bytes, FrameContent& content);
 
 /// Whether instances look different, so that each has to say its material.

@@ -100,17 +100,19 @@ void add_duplicated_parts(const Scene& scene, std::span<const PlacedDraw> placed
   const auto found = [&](const MergedPlace& place) -> const PlacedDraw& {
     return *std::ranges::lower_bound(placed, place, {}, &PlacedDraw::place);
   };
-  FrameBytes bytes;
+  FrameBytes& bytes = content.bytes;
   for (const MergedInstances& merged : scene.merged) {
+    // Vertices of several materials each have to say theirs.
+    const std::size_t material_bytes = looks_differ(scene, merged.materials.view()) ? sizeof(std::uint32_t) : 0;
     for (const MergedPlace& place : merged.places.view()) {
       const PlacedDraw& one = found(place);
       const UsedMesh& mesh = meshes.at(one.draw);
-      bytes.vertices += mesh.vertices.size() * scene.draws[one.draw].levels[0].vertices->bytes_per_vertex();
+      const std::size_t vertex_bytes = scene.draws[one.draw].levels[0].vertices->bytes_per_vertex() + material_bytes;
+      bytes.vertices += mesh.vertices.size() * vertex_bytes;
       bytes.indices += mesh.indices.size() * sizeof(std::uint32_t);
     }
   }
   content.is_complete = bytes.vertices + bytes.indices <= most_bytes;
-  if (!content.is_complete) content.bytes = bytes;
 
   for (const MergedInstances& merged : scene.merged) {
     FramePart part;

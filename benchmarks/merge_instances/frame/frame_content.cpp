@@ -8,11 +8,12 @@ namespace foredraw::bench {
 
 namespace {
 
-/// Of what is there; whoever leaves buffers out counts for himself.
-FrameBytes bytes_of(const Scene& scene, std::span<const FramePart> parts) {
-  FrameBytes bytes;
+/// Duplicated vertices are counted where they are made.
+void count_bytes(const Scene& scene, FrameContent& content) {
+  FrameBytes& bytes = content.bytes;
   std::vector<const VertexStreams*> counted;
-  for (const FramePart& part : parts) {
+  for (const FramePart& part : content.parts) {
+    if (part.fetch == VertexFetch::in_world) continue;
     // Sets of merged draws may share their vertices.
     if (part.vertices && std::ranges::find(counted, part.vertices.get()) == counted.end()) {
       counted.push_back(part.vertices.get());
@@ -24,7 +25,6 @@ FrameBytes bytes_of(const Scene& scene, std::span<const FramePart> parts) {
     bytes.slots += part.slots.size() * sizeof(MergedSlot);
     bytes.commands += part.commands.size() * sizeof(IndexedCommand);
   }
-  return bytes;
 }
 
 }  // namespace
@@ -33,6 +33,7 @@ std::string_view to_text(DrawWay way) {
   switch (way) {
     case DrawWay::each: return "each";
     case DrawWay::instanced: return "instanced";
+    case DrawWay::group_instanced: return "group-instanced";
     case DrawWay::gpu_instancing: return "gpu-instancing";
     case DrawWay::indirect: return "indirect";
     case DrawWay::indirect_each: return "indirect-each";
@@ -63,22 +64,18 @@ FrameContent frame_content(const Scene& scene, DrawWay way, std::uint64_t most_d
     } else {
       add_duplicated_parts(scene, placed, most_duplicated, content);
     }
-    const FrameBytes counted = content.bytes;  // of buffers that were not made
     add_plain_parts(scene, not_merged(scene, placed), DrawWay::instanced, false, content);
-    content.bytes = bytes_of(scene, content.parts);
-    content.bytes.vertices += counted.vertices;
-    content.bytes.indices += counted.indices;
   } else {
     add_plain_parts(scene, std::move(placed), way, false, content);
-    content.bytes = bytes_of(scene, content.parts);
   }
+  count_bytes(scene, content);
   return content;
 }
 
 FrameContent frame_content_of_each(const Scene& scene, std::span<const MergedPlace> sequence) {
   FrameContent content;
   add_plain_parts(scene, in_sequence(placed_draws(scene), sequence), DrawWay::each, true, content);
-  content.bytes = bytes_of(scene, content.parts);
+  count_bytes(scene, content);
   return content;
 }
 

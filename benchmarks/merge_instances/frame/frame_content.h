@@ -20,14 +20,15 @@ namespace foredraw::bench {
 enum class DrawWay : std::uint8_t {
   each,            ///< a call for each placed primitive, whose number is a push constant
   instanced,       ///< a call with instances for each primitive of a mesh
-  gpu_instancing,  ///< the same for each node and primitive, with the node's instances (EXT_mesh_gpu_instancing)
+  group_instanced, ///< the same within each group of merged draws, so that groups can be culled
+  gpu_instancing,  ///< a call for each node and primitive, with the node's instances (EXT_mesh_gpu_instancing)
   indirect,        ///< one call, whose buffer holds a command for each primitive of a mesh
   indirect_each,   ///< one call, whose buffer holds a command for each placed primitive, as those have who cull on the GPU
   duplicated,      ///< a call for each group of merged draws, all of whose instances are vertices of their own
   merged,          ///< Scene::merged
 };
-inline constexpr DrawWay all_draw_ways[] = {DrawWay::each,          DrawWay::instanced,  DrawWay::gpu_instancing, DrawWay::indirect,
-                                            DrawWay::indirect_each, DrawWay::duplicated, DrawWay::merged};
+inline constexpr DrawWay all_draw_ways[] = {DrawWay::each,     DrawWay::instanced,     DrawWay::group_instanced, DrawWay::gpu_instancing,
+                                            DrawWay::indirect, DrawWay::indirect_each, DrawWay::duplicated,      DrawWay::merged};
 std::string_view to_text(DrawWay way);  ///< "gpu-instancing"
 
 /// As vkCmdDrawIndexedIndirect reads it.
@@ -103,7 +104,7 @@ struct FrameContent {
 };
 
 /// The scene's merged draws stand for their places in the ways `merged` and `duplicated`; what they do not show is drawn
-/// instanced. Other ways leave them out. `most_duplicated`: bytes of vertices and indices up to which the buffers of
+/// instanced. Other ways draw the nodes. `most_duplicated`: bytes of vertices and indices up to which the buffers of
 /// `duplicated` are made.
 FrameContent frame_content(const Scene& scene, DrawWay way, std::uint64_t most_duplicated = 1u << 28);
 

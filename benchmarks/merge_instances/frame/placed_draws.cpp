@@ -8,6 +8,23 @@
 
 namespace foredraw::bench {
 
+namespace {
+
+void number_groups(const Scene& scene, std::vector<PlacedDraw>& placed) {
+  std::uint32_t number = 0;
+  for (const MergedInstances& merged : scene.merged) {
+    for (const MergedGroup& group : merged.groups) {
+      ++number;
+      for (const MergedPlace& place : merged.places.view().subspan(group.first_instance, group.instance_count)) {
+        const auto found = std::ranges::lower_bound(placed, place, {}, &PlacedDraw::place);
+        if (found != placed.end() && found->place == place) found->group = number;
+      }
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<PlacedDraw> placed_draws(const Scene& scene) {
   const std::vector<glm::mat4> worlds = world_transforms(scene);
   std::vector<PlacedDraw> placed;
@@ -29,6 +46,7 @@ std::vector<PlacedDraw> placed_draws(const Scene& scene) {
       }
     }
   }
+  number_groups(scene, placed);
   return placed;
 }
 

@@ -15,11 +15,12 @@ namespace foredraw::bench {
 struct PlacedDraw {
   MergedPlace place;
   DrawId draw = 0;
+  std::uint32_t group = 0;   ///< of merged draws, numbered through all of Scene::merged from 1 on; 0: of none
   bool is_mirrored = false;  ///< its placement turns it inside out, so that its front faces wind the other way
   glm::mat4 world{1};
 };
 
-/// Of all nodes, sorted by place. What has no indices or draws no triangles is left out.
+/// Of all nodes, sorted by place, not by group. What has no indices or draws no triangles is left out.
 std::vector<PlacedDraw> placed_draws(const Scene& scene);
 
 /// The same in another sequence. Throws std::runtime_error where a place is not among `placed`, which are sorted by place.

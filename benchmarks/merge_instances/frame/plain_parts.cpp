@@ -74,7 +74,8 @@ bool is_indirect(DrawWay way) { return way == DrawWay::indirect || way == DrawWa
 /// What one call can draw has the same key.
 auto key_of(const PlacedDraw& placed, DrawWay way) {
   const bool by_node = way == DrawWay::gpu_instancing;
-  return std::tuple(placed.is_mirrored, by_node ? placed.place.node : placed.draw, by_node ? placed.place.primitive : 0);
+  const std::uint32_t group = way == DrawWay::group_instanced ? placed.group : 0;
+  return std::tuple(group, placed.is_mirrored, by_node ? placed.place.node : placed.draw, by_node ? placed.place.primitive : 0);
 }
 
 FramePart plain_part(const Scene& scene, std::span<const PlacedDraw> placed, DrawWay way) {

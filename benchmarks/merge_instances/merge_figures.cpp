@@ -1,0 +1,76 @@
+#include "merge_figures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace foredraw::bench {
+
+namespace {
+
+template <class Work>
+double milliseconds(const Work& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+/// The same call that merge_instances() makes.
+void pack_again(const Scene& scene, const MergedSet& set, const MergeInstancesOptions& options, const Executor& executor) {
+  std::vector<merging::PackedMesh> meshes;
+  for (std::size_t m = 0; m < set.set.meshes.size(); ++m) {
+    const Draw& draw = scene.draws[set.set.meshes[m].draw];
+    const Level& level = draw.levels[0];
+    meshes.push_back({draw.name, level.orders[0].indices.view(), set.first_vertex[m], level.vertices->count});
+  }
+  std::vector<merging::PlacedMesh> placed;
+  placed.reserve(set.set.placements.size());
+  for (const merging::MergeablePlacement& placement : set.set.placements) placed.push_back({placement.mesh, placement.world});
+  merging::pack_instances(meshes, placed, set.groups.instances, set.groups.first, set.frequencies, {.cut_well = options.cut_well},
+                          executor);
+}
+
+}  // namespace
+
+MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threads, int rounds) {
+  const Executor executor(threads);
+  std::vector<DrawId> draws(scene.draws.size());
+  std::iota(draws.begin(), draws.end(), DrawId{0});
+  MergeFigures figures;
+  MergedScene merged;
+  std::vector<double> whole, packing;
+  for (int round = 0; round < rounds; ++round) {
+    merged = {};
+    whole.push_back(milliseconds([&] { merged = merge_instances(scene, draws, options, executor); }));
+    packing.push_back(milliseconds([&] {
+      for (const MergedSet& set : merged.merged) pack_again(scene, set, options, executor);
+    }));
+  }
+  figures.milliseconds = median(whole);
+  figures.packing = median(packing);
+  double entries = 0, padded = 0, slots = 0;
+  for (const MergedSet& set : merged.merged) {
+    scene.merged.push_back(merged_instances(scene, set));
+    figures.sets += 1;
+    figures.groups += set.groups.size();
+    figures.merged += set.packed.placed.size();
+    entries += static_cast<double>(set.packed.drawn_entries + set.packed.padded_entries);
+    padded += static_cast<double>(set.packed.padded_entries);
+    slots += static_cast<double>(set.packed.slots.size());
+    std::string own;
+    for (const std::uint32_t frequency : set.frequencies.frequencies) own += (own.empty() ? "" : "+") + std::to_string(frequency);
+    figures.frequencies += (figures.frequencies.empty() ? "" : " ") + own;
+  }
+  if (figures.merged > 0) {
+    figures.padding = padded / entries;
+    figures.slot_bytes = sizeof(MergedSlot) * slots / static_cast<double>(figures.merged);
+  }
+  return figures;
+}
+
+}  // namespace foredraw::bench
