@@ -16,7 +16,7 @@ help:
 	@echo 'make overdraw-error  how far evaluators of overdraw are from the truth, and docs/overdraw-error.md of it'
 	@echo 'make han-sander-2016  the experiment of that paper on our animated models, and docs/han-sander-2016.md of it'
 	@echo 'make particle-trim  how small trimmed sprites are, and in which time, and docs/particle-trim.md of it'
-	@echo 'make merge-instances  draw calls, bytes and times of merged instances beside other ways (INSTANCES=10000,100000,1000000)'
+	@echo 'make merge-instances  draw calls, bytes and times of merged instances beside other ways, for 10,000 to 1,000,000 of them'
 	@echo 'make city     a city of about 10,000 placed primitives: build/city.glb (INSTANCES=100000 SEED=2 for another one)'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
@@ -60,7 +60,7 @@ particle-trim: bench
 	build/release/benchmarks/particle_trim/particle-trim-bench --tsv=benchmarks/particle_trim/figures.tsv
 	benchmarks/particle_trim/particle_trim_page.py benchmarks/particle_trim/figures.tsv
 
-merge-instances: INSTANCES = 10000,100000
+merge-instances: INSTANCES = 10000,100000,1000000
 merge-instances: bench
 	build/release/benchmarks/merge_instances/merge-instances-bench --instances=$(INSTANCES) --tsv=benchmarks/merge_instances/figures.tsv
 

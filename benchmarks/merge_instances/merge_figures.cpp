@@ -31,8 +31,8 @@ void pack_again(const Scene& scene, const MergedSet& set, const MergeInstancesOp
   std::vector<merging::PlacedMesh> placed;
   placed.reserve(set.set.placements.size());
   for (const merging::MergeablePlacement& placement : set.set.placements) placed.push_back({placement.mesh, placement.world});
-  merging::pack_instances(meshes, placed, set.groups.instances, set.groups.first, set.frequencies, {.cut_well = options.cut_well},
-                          executor);
+  merging::pack_instances(meshes, placed, set.groups.instances, set.groups.first, set.frequencies,
+                          {.cut_well = options.cut_well}, executor);
 }
 
 }  // namespace
@@ -63,7 +63,9 @@ MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threa
     padded += static_cast<double>(set.packed.padded_entries);
     slots += static_cast<double>(set.packed.slots.size());
     std::string own;
-    for (const std::uint32_t frequency : set.frequencies.frequencies) own += (own.empty() ? "" : "+") + std::to_string(frequency);
+    for (const std::uint32_t frequency : set.frequencies.frequencies) {
+      own += (own.empty() ? "" : "+") + std::to_string(frequency);
+    }
     figures.frequencies += (figures.frequencies.empty() ? "" : " ") + own;
   }
   if (figures.merged > 0) {

@@ -132,13 +132,14 @@ class Bench {
            "frame ms"},
           cells_of_ways());
     fmt::print("\n");
-    print({"kit", "placed", "merged", "sets", "groups", "frequencies", "padding", "slot bytes", "merging ms", "of it packing ms"},
+    print({"kit", "placed", "merged", "sets", "groups", "frequencies", "padding", "slot bytes", "merging ms",
+           "of it packing ms"},
           cells_of_merges());
   }
 
   void write(std::ostream& out) const {
-    out << "kit\tplaced\tway\tcalls\tvertex bytes\tindex bytes\ttransform bytes\tslot bytes\tcommand bytes\trecording ms\tframe "
-           "ms\tsets\tgroups\tfrequencies\tpadding\tslot bytes of one\tmerging ms\tpacking ms\n";
+    out << "kit\tplaced\tway\tcalls\tvertex bytes\tindex bytes\ttransform bytes\tslot bytes\tcommand bytes\trecording ms\t"
+           "frame ms\tsets\tgroups\tfrequencies\tpadding\tslot bytes of one\tmerging ms\tpacking ms\n";
     std::size_t scene = 0;
     for (const Row& row : rows_) {
       std::string merging = "\t\t\t\t\t\t";
@@ -182,7 +183,8 @@ class Bench {
       const MergeFigures& m = row.figures;
       cells.push_back({row.kit, std::to_string(row.placed), std::to_string(m.merged), std::to_string(m.sets),
                        std::to_string(m.groups), m.frequencies, fmt::format("{:.2f} %", 100 * m.padding),
-                       fmt::format("{:.2f}", m.slot_bytes), fmt::format("{:.1f}", m.milliseconds), fmt::format("{:.1f}", m.packing)});
+                       fmt::format("{:.2f}", m.slot_bytes), fmt::format("{:.1f}", m.milliseconds),
+                       fmt::format("{:.1f}", m.packing)});
     }
     return cells;
   }
@@ -218,7 +220,8 @@ int main(int argc, char** argv) {
     if (read_argument(word, wanted)) continue;
     std::cerr << argv[0] << ": '" << word
               << "' is not understood; --kit=city|space|both, --instances=1..4000000,..., --mirrored=0..1, "
-                 "--materials=kind|alike, --rounds=1..1000, --frames=0..1000, --threads=1..1024, --markdown and --tsv=FILE are\n";
+                 "--materials=kind|alike, --rounds=1..1000, --frames=0..1000, --threads=1..1024, --markdown and "
+                 "--tsv=FILE are\n";
     return 1;
   }
   try {

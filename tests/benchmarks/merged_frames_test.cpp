@@ -113,13 +113,16 @@ TEST(FrameContent, every_way_draws_everything_once_with_its_own_calls) {
   EXPECT_EQ(counted.calls(), of[DrawWay::duplicated].calls());
 }
 
-/// On whatever device there is, under the eyes of the validation layer where that is installed.
+/// On the device that is the processor: others may round the arithmetic of two shaders differently, and every bit counts
+/// here. Under the eyes of the validation layer where that is installed.
 class MergedFrames : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (const auto reason = why_no_vulkan_device()) GTEST_SKIP() << *reason;
+    VulkanChoice choice{.device = "llvmpipe"};
+    if (const auto reason = why_no_vulkan_device(choice)) GTEST_SKIP() << *reason;
     if (!has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
-    device_ = std::make_unique<FrameDevice>(size, VulkanChoice{.complaints = has_vulkan_validation() ? &complaints_ : nullptr});
+    if (has_vulkan_validation()) choice.complaints = &complaints_;
+    device_ = std::make_unique<FrameDevice>(size, choice);
   }
 
   void TearDown() override {
@@ -134,18 +137,17 @@ class MergedFrames : public ::testing::Test {
   /// Of surfaces at the same depth the first one drawn shows, so what is drawn one by one is drawn in the sequence in which
   /// the other way draws it.
   ///
-  /// Merged and duplicated triangles that are mirrored have two corners exchanged. Between them other devices may round
-  /// otherwise, and so does the processor in triangles that are cut off at the edges of the view (`is_cut_mirrored`).
+  /// Merged and duplicated triangles that are mirrored have two corners exchanged. Where such triangles are cut off at the
+  /// edges of the view (`is_cut_mirrored`), what is between their corners is rounded otherwise; a few pixels may differ then.
   void expect_same_as_each(const Scene& scene, const FrameContent& content, std::span<const glm::mat4> views,
                            bool is_cut_mirrored = false) {
     const Frame frame(*device_, scene, content);
     const FrameContent each = frame_content_of_each(scene, content.sequence);
     EXPECT_EQ(each.calls(), placed_draws(scene).size());
     const Frame expected(*device_, scene, each);
-    const bool is_exact = device_->device().is_processor() && !is_cut_mirrored;
     for (const glm::mat4& view : views) {
       const std::vector<std::uint32_t> shown = frame.pixels(view);
-      EXPECT_LE(different(shown, expected.pixels(view)), is_exact ? 0 : shown.size() / 1000) << to_text(content.way);
+      EXPECT_LE(different(shown, expected.pixels(view)), is_cut_mirrored ? shown.size() / 10000 : 0) << to_text(content.way);
       EXPECT_GT(covered(shown), shown.size() / 6);
     }
   }
@@ -194,7 +196,6 @@ TEST_F(MergedFrames, instances_may_have_their_own_materials) {
 TEST_F(MergedFrames, every_way_shows_the_same) {
   const Scene scene = merged(city(500, 0.3));
   for (const DrawWay way : all_draw_ways) {
-    if ((way == DrawWay::indirect || way == DrawWay::indirect_each) && !device_->device().draws_many_indirectly()) continue;
     expect_same_as_each(scene, frame_content(scene, way), overviews(scene));
   }
 }

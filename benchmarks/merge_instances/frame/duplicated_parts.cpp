@@ -92,7 +92,8 @@ struct Growing {
 
 }  // namespace
 
-void add_duplicated_parts(const Scene& scene, std::span<const PlacedDraw> placed, std::uint64_t most_bytes, FrameContent& content) {
+void add_duplicated_parts(const Scene& scene, std::span<const PlacedDraw> placed, std::uint64_t most_bytes,
+                          FrameContent& content) {
   std::map<DrawId, UsedMesh> meshes;
   for (const MergedInstances& merged : scene.merged) {
     for (const MergedMesh& mesh : merged.meshes) meshes.try_emplace(mesh.draw, used_mesh(scene.draws[mesh.draw]));
@@ -135,8 +136,8 @@ void add_duplicated_parts(const Scene& scene, std::span<const PlacedDraw> placed
         part.instances.insert(part.instances.end(), mesh.vertices.size(), number);
         for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
           // One front face for all: what is mirrored winds the other way.
-          static constexpr std::size_t exchanged[] = {0, 1, static_cast<std::size_t>(-1)};
-          const std::size_t from = one.is_mirrored ? corner + exchanged[corner % 3] : corner;
+          static constexpr std::size_t exchanged[] = {0, 2, 1};
+          const std::size_t from = one.is_mirrored ? corner - corner % 3 + exchanged[corner % 3] : corner;
           part.indices.push_back(vertices.count + mesh.indices[from]);
         }
         vertices.add(scene.draws[one.draw], mesh, rows_of(one.world));

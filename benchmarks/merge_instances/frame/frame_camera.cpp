@@ -60,11 +60,11 @@ SceneBounds bounds_of(const Scene& scene) {
   return bounds;
 }
 
-glm::mat4 overview(const SceneBounds& bounds, const glm::vec2& towards) {
+glm::mat4 overview(const SceneBounds& bounds, const glm::vec2& side) {
   const glm::vec3 middle = (bounds.least + bounds.most) * 0.5f;
   const float size = glm::length(bounds.most - bounds.least);
-  const glm::vec3 side(towards.x, 1.2f, towards.y);
-  const glm::mat4 clip = seen_from(middle + size * side, middle, size * 0.1f, size * 4);
+  const glm::vec3 eye = middle + size * glm::vec3(side.x, 1.2f, side.y);
+  const glm::mat4 clip = seen_from(eye, middle, size * 0.1f, size * 4);
   // Stretched until the box touches the edges of the picture, but for a hair.
   SceneBounds shown = none;
   for (const glm::vec3& corner : corners_of(bounds)) {

@@ -17,8 +17,8 @@ struct SceneBounds {
 /// Of all that placed_draws() shows: the box round each primitive's box.
 SceneBounds bounds_of(const Scene& scene);
 
-/// All of it, filling the picture and cut off nowhere, from above and from this side: `towards` points away from it, along
-/// x and z.
-glm::mat4 overview(const SceneBounds& bounds, const glm::vec2& towards);
+/// All of it, filling the picture and cut off nowhere, from above and from one side: `side` is how far the eye stands from
+/// its middle along x and z, in diagonals.
+glm::mat4 overview(const SceneBounds& bounds, const glm::vec2& side);
 
 }  // namespace foredraw::bench

@@ -4,8 +4,6 @@
 
 #include "placed_draws.h"
 
-#include <foredraw/base/parallel.h>
-
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,17 +16,18 @@ namespace foredraw::bench {
 /// In all ways the meshes lie in one vertex and one index buffer and materials are looked up by the shader, so that between
 /// two calls nothing is bound but what the way itself needs.
 enum class DrawWay : std::uint8_t {
-  each,            ///< a call for each placed primitive, whose number is a push constant
-  instanced,       ///< a call with instances for each primitive of a mesh
-  group_instanced, ///< the same within each group of merged draws, so that groups can be culled
-  gpu_instancing,  ///< a call for each node and primitive, with the node's instances (EXT_mesh_gpu_instancing)
-  indirect,        ///< one call, whose buffer holds a command for each primitive of a mesh
-  indirect_each,   ///< one call, whose buffer holds a command for each placed primitive, as those have who cull on the GPU
-  duplicated,      ///< a call for each group of merged draws, all of whose instances are vertices of their own
-  merged,          ///< Scene::merged
+  each,             ///< a call for each placed primitive, whose number is a push constant
+  instanced,        ///< a call with instances for each primitive of a mesh
+  group_instanced,  ///< the same within each group of merged draws, so that groups can be culled
+  gpu_instancing,   ///< a call for each node and primitive, with the node's instances (EXT_mesh_gpu_instancing)
+  indirect,         ///< one call, whose buffer holds a command for each primitive of a mesh
+  indirect_each,    ///< one call, whose buffer holds a command for each placed primitive, as those have who cull on the GPU
+  duplicated,       ///< a call for each group of merged draws, all of whose instances are vertices of their own
+  merged,           ///< Scene::merged
 };
-inline constexpr DrawWay all_draw_ways[] = {DrawWay::each,     DrawWay::instanced,     DrawWay::group_instanced, DrawWay::gpu_instancing,
-                                            DrawWay::indirect, DrawWay::indirect_each, DrawWay::duplicated,      DrawWay::merged};
+inline constexpr DrawWay all_draw_ways[] = {
+    DrawWay::each,     DrawWay::instanced,     DrawWay::group_instanced, DrawWay::gpu_instancing,
+    DrawWay::indirect, DrawWay::indirect_each, DrawWay::duplicated,      DrawWay::merged};
 std::string_view to_text(DrawWay way);  ///< "gpu-instancing"
 
 /// As vkCmdDrawIndexedIndirect reads it.
@@ -54,9 +53,9 @@ struct IndirectCall {
 
 /// How the vertex shader comes by its vertex and its instance.
 enum class VertexFetch : std::uint8_t {
-  indexed,  ///< by vertex and index buffers; the instance's number is the device's, plus the push constant
-  in_world,  ///< likewise, and vertices stand in the world already
-  merged,   ///< by itself, from slots
+  indexed,   ///< by vertex and index buffers; the instance's number is the device's, plus the push constant
+  in_world,  ///< by these too; vertices stand in the world already, and each says its instance
+  merged,    ///< by itself, from slots
 };
 
 /// What is drawn from one set of buffers.

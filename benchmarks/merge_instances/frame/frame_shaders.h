@@ -15,7 +15,8 @@ struct FrameConstants {
 
 /// Storage buffers of descriptor set 0. The first five are where merged_shader_text() puts them.
 namespace binding {
-inline constexpr std::uint32_t slots = 0, indices = 1, transforms = 2, vertices = 3, materials = 4, places = 5, looks = 6, count = 7;
+inline constexpr std::uint32_t slots = 0, indices = 1, transforms = 2, vertices = 3, materials = 4, places = 5, looks = 6,
+                               count = 7;
 }
 
 /// Vertex inputs of draws that have any.

@@ -113,7 +113,8 @@ FramePart plain_part(const Scene& scene, std::span<const PlacedDraw> placed, Dra
 
 }  // namespace
 
-void add_plain_parts(const Scene& scene, std::vector<PlacedDraw> placed, DrawWay way, bool is_ordered, FrameContent& content) {
+void add_plain_parts(const Scene& scene, std::vector<PlacedDraw> placed, DrawWay way, bool is_ordered,
+                     FrameContent& content) {
   std::map<Stamp, std::uint32_t> numbers;
   std::vector<std::uint32_t> layout;  // [draw]
   for (const Draw& draw : scene.draws) {

@@ -1,6 +1,7 @@
 #include "shader_compiler.h"
 
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -57,7 +58,7 @@ std::vector<std::uint32_t> compiled_shader(const std::string& text, const std::s
   }
   const std::vector<char> bytes = contents(code);
   std::vector<std::uint32_t> words(bytes.size() / 4);
-  std::copy(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(4 * words.size()), reinterpret_cast<char*>(words.data()));
+  std::memcpy(words.data(), bytes.data(), 4 * words.size());
   return words;
 }
 
