@@ -44,7 +44,7 @@ struct Node {
   /// EXT_mesh_gpu_instancing: the node's mesh is drawn once for each, placed by it within the node's space. Children
   /// are not. Empty: drawn once, as the node stands.
   Shared<Transform> instances;
-  /// Its mesh can not be drawn by another node in its place: the file says more of it than stands here, as an extension
+  /// Its mesh can not be drawn by anything else in its place: the file says more of it than stands here, as an extension
   /// or a further scene that shows it, or no scene shows it. Found by the reader.
   bool keeps_mesh = false;
 

@@ -168,6 +168,7 @@ class Sorting {
 
 /// Why a node's drawing of a mesh stays as it is; empty: it can be merged.
 std::string why_not_merged(const Node& node, bool is_moved, const glm::mat4& world) {
+  if (node.keeps_mesh) return "an extension or another scene refers to its node, or no scene shows it";
   if (node.skin) return "it is skinned";
   if (is_moved) return "an animation moves it";
   const Placing placing = placing_of(world);
