@@ -35,7 +35,7 @@ std::vector<PlacedMesh> placed_meshes(const Scene& scene) {
   const std::vector<glm::mat4> worlds = world_transforms(scene);
   for (NodeId i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
-    if (!node.mesh) continue;
+    if (!node.mesh || !node.is_shown) continue;
     const bool node_is_mirrored = !node.skin && is_mirrored(worlds[i]);  // joints alone place what has a skin
     PlacedMesh mesh{*node.mesh, i, &node};
     if (node.instances.empty()) mesh.mirrored.push_back(node_is_mirrored);
@@ -94,7 +94,19 @@ DrawnOnce drawn_once(const Scene& scene, DrawId id, std::uint32_t cache_size) {
 
 class Sum {
  public:
-  explicit Sum(const Scene& scene) : scene_(scene) {}
+  explicit Sum(const Scene& scene) : scene_(scene) {
+    // The vertices of a mesh that is merged are a part of the merged ones, whoever else draws from them.
+    for (const MergedInstances& merged : scene.merged) {
+      for (const MergedMesh& mesh : merged.meshes) {
+        for (const VertexStream& stream : scene.draws[mesh.draw].levels[0].vertices->base) {
+          vertex_streams_.insert(stream.bytes.view().data());
+        }
+      }
+    }
+    for (const MergedInstances& merged : scene.merged) {
+      for (const VertexStream& stream : merged.vertices->base) vertex_streams_.erase(stream.bytes.view().data());
+    }
+  }
 
   /// One draw call that draws a primitive as often as its node places it.
   void add_call(DrawId id, const DrawnOnce& once, const PlacedMesh& placed, const Times& placings) {

@@ -1,5 +1,6 @@
 #include "evaluators/scene_cost/scene_cost.h"
 
+#include "support/merged_draws.h"
 #include "support/meshes.h"
 
 #include <foredraw/analysis/vertex_cache.h>
@@ -166,6 +167,54 @@ TEST(SceneCost, points_and_lines_are_shaded_but_have_no_triangles) {
   EXPECT_GT(cost.shaded, 0);
   EXPECT_EQ(cost.triangles, 0u);
   EXPECT_EQ(cost.triangles_shaded, 0);
+}
+
+/// Two meshes of 24 and 4 triangles, each placed five times, in slots of 30 indices: three and one of them.
+TEST(SceneCost, merged_draws_stand_for_what_they_show) {
+  const Scene plain = two_primitives(5);
+  const std::vector<MergedPlace> places = testing::all_places(plain);
+  Scene scene = testing::with_merged(plain, {testing::merged_by_hand(plain, places, {.frequencies = {30}})});
+  const SceneCost cost = scene_cost(scene);
+  EXPECT_EQ(cost.draws, 2u) << "of two groups";
+  EXPECT_EQ(cost.draws_if_instanced, 2u);
+  EXPECT_EQ(cost.instances, 10u);
+  EXPECT_EQ(cost.indices, 5u * (3 + 1) * 30);
+  EXPECT_EQ(cost.shaded, 5.0 * (3 + 1) * 30) << "padding too, and no cache";
+  EXPECT_EQ(cost.triangles, 5u * (3 + 1) * 10);
+  EXPECT_EQ(cost.vertex_bytes, 12u * (20 + 6));
+  EXPECT_EQ(cost.index_bytes, 4u * (3 + 1) * 30);
+  EXPECT_EQ(cost.instance_bytes, 10u * 48 + 5 * (3 + 1) * 8);
+  scene.merged[0].materials = Shared(std::vector<std::uint32_t>(10));
+  EXPECT_EQ(scene_cost(scene).instance_bytes, cost.instance_bytes + 10 * 4);
+}
+
+TEST(SceneCost, what_is_merged_in_part_is_drawn_in_part) {
+  Scene plain = two_primitives(5);
+  plain.nodes[4].instances = Shared<Transform>(std::vector<Transform>(7));
+  std::vector<MergedPlace> places = testing::all_places(plain);
+  // Left: the second primitive of the first two nodes, and two of seven instances of both of the last one.
+  std::erase_if(places, [](const MergedPlace& place) {
+    return (place.node < 2 && place.primitive == 1) || (place.node == 4 && place.instance >= 5);
+  });
+  const Scene scene = testing::with_merged(plain, {testing::merged_by_hand(plain, places, {.frequencies = {30}, .groups = 1})});
+  const SceneCost cost = scene_cost(scene);
+  EXPECT_EQ(cost.draws, 1u + 2 + 2);
+  EXPECT_EQ(cost.draws_if_instanced, 1u + 2);
+  EXPECT_EQ(cost.instances, 11u * 2);
+  const std::uint64_t slots = 9 * 3 + 7 * 1, left = 2 * 3 * 24 + 4 * 3 * 4;
+  EXPECT_EQ(cost.indices, slots * 30 + left);
+  EXPECT_EQ(cost.shaded, static_cast<double>(slots * 30 + 2 * misses(grid(4, 3), 16) + 4 * misses(grid(2, 1), 16)));
+  EXPECT_EQ(cost.vertex_bytes, 12u * (20 + 6)) << "of which those that are left draw a part";
+  EXPECT_EQ(cost.index_bytes, 4u * (3 + 1) * 30 + 2u * 3 * (24 + 4));
+  EXPECT_EQ(cost.instance_bytes, 16u * 48 + slots * 8 + (1 + 1 + 2) * 48);
+}
+
+TEST(SceneCost, what_the_file_does_not_show_costs_nothing) {
+  Scene scene = two_primitives(3);
+  scene.nodes[1].is_shown = false;
+  EXPECT_EQ(scene_cost(scene).draws, 4u);
+  for (Node& node : scene.nodes) node.is_shown = false;
+  EXPECT_EQ(scene_cost(scene).draws, 0u);
 }
 
 TEST(SceneCost, threads_change_nothing_and_the_plugin_tells_the_figures) {

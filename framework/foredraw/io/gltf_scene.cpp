@@ -291,6 +291,7 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
   Streams streams(document);
   add_meshes(scene, model, streams);
   for (const auto& node : model.nodes) scene.nodes.push_back(node_of(node));
+  find_shown_nodes(scene, document);
   add_instances(scene, document);
   for (const auto& skin : model.skins) scene.skins.push_back(skin_of(skin, streams));
   for (const auto& animation : model.animations) scene.animations.push_back(animation_of(animation, streams));

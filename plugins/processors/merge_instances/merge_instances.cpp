@@ -167,7 +167,9 @@ MergedInstances merged_instances(const Scene& scene, const MergedSet& set) {
   }
   merged.places = Shared(std::move(places));
   const auto look = [&](MaterialId id) { return scene.materials[id].look; };
-  const bool differ = std::ranges::any_of(materials, [&](MaterialId id) { return id != materials[0] && look(id) != look(materials[0]); });
+  const bool differ = std::ranges::any_of(materials, [&](MaterialId id) {
+    return id != materials[0] && (!look(id) || look(id) != look(materials[0]));
+  });
   if (differ) merged.materials = Shared(std::move(materials));
   for (std::size_t g = 0; g < set.groups.size(); ++g) {
     const std::uint32_t first = packed.first_instance[g];

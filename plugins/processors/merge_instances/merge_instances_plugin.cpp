@@ -38,7 +38,7 @@ std::size_t draws_left(const Scene& scene) {
   std::size_t draws = 0;
   for (NodeId n = 0; n < scene.nodes.size(); ++n) {
     const Node& node = scene.nodes[n];
-    if (!node.mesh) continue;
+    if (!node.mesh || !node.is_shown) continue;
     for (std::uint32_t primitive = 0; primitive < scene.meshes[*node.mesh].draws.size(); ++primitive) {
       const auto shown = std::ranges::equal_range(merged, std::pair(n, primitive), {}, [](const MergedPlace& place) {
         return std::pair(place.node, place.primitive);

@@ -168,7 +168,8 @@ class Sorting {
 
 /// Why a node's drawing of a mesh stays as it is; empty: it can be merged.
 std::string why_not_merged(const Node& node, bool is_moved, const glm::mat4& world) {
-  if (node.keeps_mesh) return "an extension or another scene refers to its node, or no scene shows it";
+  if (!node.is_shown) return "the scene that the file shows does not hold it";
+  if (node.keeps_mesh) return "an extension or another scene may refer to its node";
   if (node.skin) return "it is skinned";
   if (is_moved) return "an animation moves it";
   const Placing placing = placing_of(world);
@@ -218,6 +219,7 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
     may[candidates[i]] = 1;
   }
 
+  std::vector<char> is_placed(scene.draws.size(), 0);
   const std::vector<char> moved = moved_nodes(scene);
   const std::vector<glm::mat4> world = world_transforms(scene);
   const auto place = [&](NodeId n, std::uint32_t instance, const glm::mat4& to_world) {
@@ -227,6 +229,7 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
     for (std::uint32_t primitive = 0; primitive < shown.size(); ++primitive) {
       const DrawId id = shown[primitive];
       if (may[id] == 0) continue;
+      is_placed[id] = 1;
       const PlaceInSet& in = places[id];
       MergeablePlacement placement{in.mesh, {n, primitive, instance}, to_world, {}};
       std::string why = why_node;
@@ -251,6 +254,9 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
     for (const Transform& transform : node.instances.view()) place(n, instance++, world[n] * transform.matrix());
   }
   // Meshes that are not placed have no part in it.
+  for (const DrawId id : candidates) {
+    if (may[id] != 0 && is_placed[id] == 0) result.left_alone.push_back({id, std::nullopt, "no node places it"});
+  }
   for (MergeableSet& set : result.sets) {
     std::vector<std::uint32_t> number(set.meshes.size(), none);
     std::vector<MergeableMesh> placed;

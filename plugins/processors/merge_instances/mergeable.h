@@ -67,7 +67,7 @@ struct MergeableScene {
 
 /// Of `draws` (rising), those that can be merged: triangle lists of opaque or masked materials, of one level and one order,
 /// that are not skinned, morphed, moved by an animation (or below a node that is) or tied to an extension; placed by an
-/// affine transform that has an inverse. Sets where nothing is to be saved say so in `why_not`, with the figures.
+/// affine transform that has an inverse, and shown. Sets where nothing is to be saved say so in `why_not`, with the figures.
 MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws, const MergeableOptions& options,
                                const Executor& executor);
 

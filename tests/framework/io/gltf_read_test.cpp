@@ -242,5 +242,22 @@ TEST(GltfRead, nodes_of_the_same_instances_share_them) {
   EXPECT_TRUE(scene.nodes[1].instances.is(scene.nodes[0].instances));
 }
 
+TEST(GltfRead, nodes_outside_of_the_scene_that_is_shown_are_not_shown) {
+  GltfBuilder builder = ribbon(1);
+  builder.json["nodes"] = GltfJson::parse(R"([{"mesh": 0, "children": [2]}, {"mesh": 0}, {"mesh": 0}, {"mesh": 0}])");
+  const auto shown = [&] {
+    std::vector<bool> are;
+    for (const Node& node : read(builder).nodes) are.push_back(node.is_shown);
+    return are;
+  };
+  EXPECT_EQ(shown(), std::vector<bool>(4, true)) << "without scenes all are";
+  builder.json["scenes"] = GltfJson::parse(R"([{"nodes": [0]}, {"nodes": [1, 3]}, {}])");
+  EXPECT_EQ(shown(), (std::vector<bool>{true, false, true, false})) << "the first where none is the default";
+  builder.json["scene"] = 1;
+  EXPECT_EQ(shown(), (std::vector<bool>{false, true, false, true}));
+  builder.json["scene"] = 2;
+  EXPECT_EQ(shown(), std::vector<bool>(4, false));
+}
+
 }  // namespace
 }  // namespace foredraw
