@@ -128,8 +128,8 @@ class Bench {
 
   void print() const {
     fmt::print("device: {}\n\n", device_);
-    print({"kit", "placed", "way", "calls", "vertices", "indices", "transforms", "slots", "commands", "all MB", "record ms",
-           "frame ms"},
+    print({"kit", "placed", "way", "calls", "vertex MB", "index MB", "transform MB", "slot MB", "command MB", "all MB",
+           "recording ms", "frame ms"},
           cells_of_ways());
     fmt::print("\n");
     print({"kit", "placed", "merged", "sets", "groups", "frequencies", "padding", "slot bytes", "merging ms",
