@@ -63,7 +63,7 @@ void find_kept_meshes(Scene& scene, const Document& document) {
   const Json& json = document.json;
   std::vector<Node>& nodes = scene.nodes;
   std::vector<char> kept(nodes.size(), may_mean_any_node(json));
-  std::vector<char> shown(nodes.size(), 0);
+  std::vector<char> is_root(nodes.size(), 0);
   std::vector<char> has_parent(nodes.size(), 0);
   for (NodeId i = 0; i < nodes.size(); ++i) {
     const bool is_spoken_of = any_extension(json["nodes"][i], [](auto& name) { return !leaves_mesh_alone(name); });
@@ -78,11 +78,12 @@ void find_kept_meshes(Scene& scene, const Document& document) {
     for (const Json& number : scenes[s]["nodes"]) {
       const auto root = number.get<NodeId>();
       // Twice in a scene, or without its parent: viewers make of it what they like.
-      if (s != first_shown || has_parent[root] != 0 || shown[root] != 0) mark(root, nodes, kept);
-      if (s == first_shown) mark(root, nodes, shown);
+      if (s != first_shown || has_parent[root] != 0 || is_root[root] != 0) mark(root, nodes, kept);
+      is_root[root] = 1;
     }
   }
-  for (NodeId i = 0; i < nodes.size(); ++i) nodes[i].keeps_mesh = kept[i] != 0 || shown[i] == 0;
+  // Without scenes, what is added would be in the only one.
+  for (NodeId i = 0; i < nodes.size(); ++i) nodes[i].keeps_mesh = kept[i] != 0 || !nodes[i].is_shown || scenes.empty();
 }
 
 }  // namespace foredraw::gltf

@@ -27,9 +27,6 @@ std::string checked_structure(const Json& json);
 /// Which nodes the scene that the file shows holds: the default one, or the first. A file without scenes shows all.
 void find_shown_nodes(Scene& scene, const Document& document);
 
-/// Which nodes the scene that the file shows holds: the default one, or the first. A file without scenes shows all.
-void find_shown_nodes(Scene& scene, const Document& document);
-
 /// The traits found in the asset, for every draw.
 void find_traits(Scene& scene, const Document& document);
 
