@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { validate } from './validate.mjs';
 
 const [output, program, ...words] = process.argv.slice(2);
-const run = spawnSync(program, [`--output=${output}`, ...words], { encoding: 'utf8' });
+const run = spawnSync(program, [...words, `--output=${output}`], { encoding: 'utf8' });
 const record = run.status === 0 ? await validate(output) : { errors: { [run.stderr]: 1 }, warnings: {} };
 const faults = [...Object.keys(record.errors), ...Object.keys(record.warnings)];
 console.log(faults.length === 0 ? `ok    ${output}` : `FAIL  ${output}: ${faults.join(', ')}`);
