@@ -1,5 +1,8 @@
 #include "support/merged_draws.h"
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <map>
 
@@ -72,19 +75,30 @@ MergedInstances merged_by_hand(const Scene& scene, const std::vector<MergedPlace
   struct Slots {
     std::uint32_t frequency = 0, first = 0, count = 0;
   };
-  std::map<DrawId, Slots> slots_of;
-  for (const MergedPlace& place : places) slots_of[draw_at(scene, place)];
+  const std::vector<glm::mat4> worlds = world_transforms(scene);
+  const auto world_of = [&](const MergedPlace& place) {
+    const auto instances = scene.nodes[place.node].instances.view();
+    return worlds[place.node] * (instances.empty() ? glm::mat4(1) : instances[place.instance].matrix());
+  };
+  const auto is_mirrored = [](const glm::mat4& world) { return glm::determinant(glm::dmat3(world)) < 0; };
+  std::map<DrawId, std::map<bool, Slots>> slots_of;  // mirrored or not
+  for (const MergedPlace& place : places) slots_of[draw_at(scene, place)][is_mirrored(world_of(place))];
   std::size_t k = 0;
-  for (auto& [id, slots] : slots_of) {
+  for (auto& [id, sides] : slots_of) {
     const Level& level = scene.draws[id].levels[0];
     const std::uint32_t first = vertices.first_of(level.vertices);
     merged.meshes.push_back({id, first});
-    slots = {how.frequencies[k++ % how.frequencies.size()], static_cast<std::uint32_t>(indices.size()), 0};
-    for (const std::uint32_t index : level.orders[0].indices.view()) indices.push_back(first + index);
-    while ((indices.size() - slots.first) % slots.frequency != 0) indices.push_back(indices.back());
-    slots.count = static_cast<std::uint32_t>(indices.size() - slots.first) / slots.frequency;
+    const std::uint32_t frequency = how.frequencies[k++ % how.frequencies.size()];
+    for (auto& [is_turned, slots] : sides) {
+      slots = {frequency, static_cast<std::uint32_t>(indices.size()), 0};
+      const auto own = level.orders[0].indices.view();
+      for (std::size_t i = 0; i < own.size(); i += 3) {
+        for (const std::size_t c : {0, is_turned ? 2 : 1, is_turned ? 1 : 2}) indices.push_back(first + own[i + c]);
+      }
+      while ((indices.size() - slots.first) % frequency != 0) indices.push_back(indices.back());
+      slots.count = static_cast<std::uint32_t>(indices.size() - slots.first) / frequency;
+    }
   }
-  const std::vector<glm::mat4> worlds = world_transforms(scene);
   std::vector<MergedSlot> slots;
   std::vector<MergedTransform> transforms;
   std::vector<std::uint32_t> materials;
@@ -96,11 +110,10 @@ MergedInstances merged_by_hand(const Scene& scene, const std::vector<MergedPlace
     std::map<std::uint32_t, std::vector<MergedSlot>> by_frequency;
     for (std::uint32_t i = first; i < end; ++i) {
       const DrawId id = draw_at(scene, places[i]);
-      const auto instances = scene.nodes[places[i].node].instances.view();
-      const glm::mat4 own = instances.empty() ? glm::mat4(1) : instances[places[i].instance].matrix();
-      transforms.push_back(rows_of(worlds[places[i].node] * own));
+      const glm::mat4 world = world_of(places[i]);
+      transforms.push_back(rows_of(world));
       materials.push_back(scene.draws[id].material.value_or(0));
-      const Slots& cut = slots_of[id];
+      const Slots& cut = slots_of[id][is_mirrored(world)];
       for (std::uint32_t s = 0; s < cut.count; ++s) by_frequency[cut.frequency].push_back({cut.first + s * cut.frequency, i});
     }
     for (const auto& [frequency, own] : by_frequency) {

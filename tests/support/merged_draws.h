@@ -16,7 +16,7 @@ struct MergeByHand {
   bool materials = false;                     ///< instances have their own
 };
 
-/// The places' draws, which must have one vertex layout and be lists of triangles. None may be turned inside out.
+/// The places' draws, which must have one vertex layout and be lists of triangles.
 MergedInstances merged_by_hand(const Scene& scene, const std::vector<MergedPlace>& places, const MergeByHand& how = {});
 
 /// The scene with them, as a stage would leave it behind.

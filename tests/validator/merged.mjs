@@ -1,6 +1,6 @@
 // Merged draws are valid glTF: node merged.mjs OUTPUT_FOLDER FOREDRAW PROGRAM ARGUMENTS... makes a scene with the program and
 // merges it. Exit 1 where something failed, merged nothing, or wrote a file with an error or a warning that the scene did not
-// have. The validator does not know the extension and tells of the accessors that only this one names (hints: unused).
+// have. The validator does not know the extension and tells of the accessors that only this one names (infos: unused objects).
 
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';

@@ -2,6 +2,7 @@
 #include <foredraw/io/private/gltf_merged_instances.h>
 
 #include <foredraw/io/private/gltf_gate.h>
+#include <foredraw/io/private/gltf_merged_proof.h>
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ const Json* member(const Json& json, const char* key) {
 
 class MergedReader {
  public:
-  MergedReader(const Document& document, const Scene& scene) : document_(document), scene_(scene) {
+  MergedReader(const Document& document, const Scene& scene) : document_(document), scene_(scene), proof_(scene) {
     for (const Accessor& accessor : document.accessors) most_bytes_ += accessor.bytes();
   }
 
@@ -39,6 +40,8 @@ class MergedReader {
       if (!mistake_.empty()) break;
       if (auto mistake = mistake_in(merged.back())) wrong(*mistake);
       check_places(merged.back());
+      if (!mistake_.empty()) break;
+      if (const std::string found = proof_.difference(merged.back()); !found.empty()) wrong(found);
     }
     std::ranges::sort(places_);
     if (mistake_.empty() && std::ranges::adjacent_find(places_) != places_.end()) {
@@ -185,6 +188,7 @@ class MergedReader {
 
   const Document& document_;
   const Scene& scene_;
+  MergedProof proof_;
   std::map<Json, std::shared_ptr<const VertexStreams>> vertices_;
   std::vector<MergedPlace> places_;
   std::uint64_t bytes_ = 0;

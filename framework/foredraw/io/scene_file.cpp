@@ -104,6 +104,10 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   if (const auto mesh_kind = mesh_kind_of(path)) {
     auto file = encode_mesh_file(scene, *mesh_kind, path, diagnostics);
     if (!file) return std::nullopt;
+    if (!scene.merged.empty()) {
+      diagnostics.warning({.file = path}, "merged-draws-left-out", "files of this kind can not hold merged draws; they are left out",
+                          "write the scene as .glb too, or the merged draws as .json");
+    }
     std::vector<OutputFile> files{std::move(*file)};
     if (mesh_source) tell_growth(mesh_source->bytes(), files, diagnostics);
     return files;

@@ -168,7 +168,7 @@ class Sorting {
 
 /// Why a node's drawing of a mesh stays as it is; empty: it can be merged.
 std::string why_not_merged(const Node& node, bool is_moved, const glm::mat4& world) {
-  if (!node.is_shown) return "the scene that the file shows does not hold it";
+  if (!node.is_shown) return "it is not shown: hidden, or not in the scene that the file shows";
   if (node.keeps_mesh) return "an extension or another scene may refer to its node";
   if (node.skin) return "it is skinned";
   if (is_moved) return "an animation moves it";

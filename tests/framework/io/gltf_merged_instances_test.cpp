@@ -131,6 +131,14 @@ TEST(GltfMergedInstances, instances_of_one_node_are_told_apart) {
   expect_comes_back(scene, write(scene));
 }
 
+/// Their second and third corners are exchanged.
+TEST(GltfMergedInstances, mirrored_instances_come_back) {
+  GltfBuilder builder = yard();
+  for (const std::size_t n : {1u, 5u, 6u}) builder.json["nodes"][n]["scale"] = {-1, 2, 1};
+  const Scene scene = merged_yard(read(builder), {.frequencies = {6, 9}});
+  expect_comes_back(scene, write(scene));
+}
+
 TEST(GltfMergedInstances, accessors_that_several_primitives_share_are_parts_once) {
   GltfBuilder builder = yard();
   GltfJson& primitives = builder.json["meshes"][0]["primitives"];

@@ -257,6 +257,11 @@ TEST(GltfRead, nodes_outside_of_the_scene_that_is_shown_are_not_shown) {
   EXPECT_EQ(shown(), (std::vector<bool>{false, true, false, true}));
   builder.json["scene"] = 2;
   EXPECT_EQ(shown(), std::vector<bool>(4, false));
+  for (const char* key : {"scene", "scenes"}) builder.json.erase(key);
+  builder.json["nodes"][0]["extensions"]["KHR_node_visibility"]["visible"] = false;
+  builder.json["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = true;
+  builder.json["nodes"][3]["extensions"]["KHR_node_visibility"] = "odd";
+  EXPECT_EQ(shown(), (std::vector<bool>{false, true, false, true})) << "with those below it";
 }
 
 }  // namespace

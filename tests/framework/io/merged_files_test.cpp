@@ -4,6 +4,7 @@
 #include "framework/io/merged_scenes.h"
 
 #include <foredraw/io/merged_shader.h>
+#include <foredraw/io/mesh_files.h>
 #include <foredraw/io/scene_file.h>
 
 #include <gtest/gtest.h>
@@ -144,6 +145,17 @@ TEST(MergedFiles, WhereNothingIsMergedAnErrorTellsWhatToDo) {
     EXPECT_EQ(diagnostics.all()[0].where.file, name);
     EXPECT_NE(diagnostics.all()[0].hint.find("merge-instances"), std::string::npos);
   }
+}
+
+TEST(MergedFiles, MeshFilesCanNotHoldThemAndSaySo) {
+  const std::string text = "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  Diagnostics diagnostics;
+  const auto scene = read_mesh_file(std::as_bytes(std::span(text)), MeshKind::obj, "in.obj", {}, diagnostics);
+  ASSERT_TRUE(scene);
+  const Scene merged = with_merged(*scene, {merged_by_hand(*scene, all_places(*scene))});
+  ASSERT_TRUE(encode_scene(merged, "out.obj", diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].code, "merged-draws-left-out");
 }
 
 TEST(MergedFiles, TheirPlacesAreKnownBefore) {

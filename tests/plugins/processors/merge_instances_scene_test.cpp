@@ -179,7 +179,7 @@ TEST(MergeInstancesOfScene, NodesThatTheFileDoesNotShowStay) {
   const Said said = merge(scene);
   ASSERT_EQ(scene.merged.size(), 1u);
   EXPECT_EQ(scene.merged[0].places.size(), 16u);
-  EXPECT_TRUE(has_note(said, "not merged in 1 of its places: the scene that the file shows does not hold it"));
+  EXPECT_TRUE(has_note(said, "not merged in 1 of its places: it is not shown: hidden, or not in the scene that the file shows"));
   EXPECT_EQ(said.figures.at("draws"), static_cast<double>(scene.merged[0].draws.size()));
 }
 

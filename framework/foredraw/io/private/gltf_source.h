@@ -24,7 +24,8 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
 /// upset it. Buffers and images stay out, so that it neither copies bytes nor opens files.
 std::string checked_structure(const Json& json);
 
-/// Which nodes the scene that the file shows holds: the default one, or the first. A file without scenes shows all.
+/// Which nodes the scene that the file shows holds: the default one, or the first. A file without scenes shows all. Those that
+/// KHR_node_visibility hides, with all below them, are not shown.
 void find_shown_nodes(Scene& scene, const Document& document);
 
 /// The traits found in the asset, for every draw.
