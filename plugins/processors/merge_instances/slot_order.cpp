@@ -1,7 +1,6 @@
 #include "slot_order.h"
 
 #include <foredraw/analysis/outward_sequence.h>
-#include <foredraw/runtime/merge_instances.h>
 
 #include <glm/vec3.hpp>
 
@@ -13,7 +12,10 @@ namespace {
 
 glm::vec3 in_world(const MergedTransform& transform, const glm::vec3& position) {
   glm::vec3 world;
-  foredraw_merged_to_world(transform.data(), &position.x, &world.x);
+  for (int row = 0; row < 3; ++row) {
+    const float* const from = &transform[static_cast<std::size_t>(4 * row)];
+    world[row] = from[0] * position.x + from[1] * position.y + from[2] * position.z + from[3];
+  }
   return world;
 }
 
