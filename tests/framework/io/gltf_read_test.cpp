@@ -243,7 +243,7 @@ TEST(GltfRead, nodes_of_the_same_instances_share_them) {
 }
 
 TEST(GltfRead, nodes_outside_of_the_scene_that_is_shown_are_not_shown) {
-  GltfBuilder builder = ribbon(1);
+  GltfBuilder builder = testing::ribbon(1);
   builder.json["nodes"] = GltfJson::parse(R"([{"mesh": 0, "children": [2]}, {"mesh": 0}, {"mesh": 0}, {"mesh": 0}])");
   const auto shown = [&] {
     std::vector<bool> are;
