@@ -206,6 +206,7 @@ void read_merged_instances(Document& document, Scene& scene, Diagnostics& diagno
   if (!mistake.empty()) {
     diagnostics.warning({.file = document.name, .inside = merge_instances}, "merged-draws-left-out",
                         "the merged draws are left out: " + mistake, "merge them again; the nodes show the same");
+    document.let_go = used_by_merged(document.json);
     take_extension(document.json, merge_instances);
     unlist_extension(document.json, merge_instances);
     document.left_out = true;
@@ -217,30 +218,36 @@ void read_merged_instances(Document& document, Scene& scene, Diagnostics& diagno
   }
 }
 
-std::set<std::size_t> merged_vertex_data(const Json& json) {
-  std::set<std::size_t> numbers;
+namespace {
+
+/// Numbers of accessors, whatever else is wrong.
+void collect(const Json* json, std::set<std::size_t>& numbers) {
+  if (json != nullptr && json->is_number_unsigned()) numbers.insert(json->get<std::size_t>());
+}
+
+const Json& sets_of(const Json& json) {
+  static const Json none = Json::array();
   const Json* extension = extension_of(json, merge_instances);
   const Json* sets = extension == nullptr ? nullptr : member(*extension, "sets");
-  if (sets == nullptr || !sets->is_array()) return numbers;
-  for (const Json& set : *sets) {
+  return sets == nullptr || !sets->is_array() ? none : *sets;
+}
+
+}  // namespace
+
+std::set<std::size_t> merged_vertex_data(const Json& json) {
+  std::set<std::size_t> numbers;
+  for (const Json& set : sets_of(json)) {
     const Json* attributes = member(set, "attributes");
     if (attributes == nullptr || !attributes->is_object()) continue;
-    for (const Json& number : *attributes) {
-      if (number.is_number_unsigned()) numbers.insert(number.get<std::size_t>());
-    }
+    for (const Json& number : *attributes) collect(&number, numbers);
   }
   return numbers;
 }
 
 std::set<std::size_t> used_by_merged(const Json& json) {
-  std::set<std::size_t> numbers;
-  const Json* extension = extension_of(json, merge_instances);
-  if (extension == nullptr) return numbers;
-  for (const Json& set : extension->at("sets")) {
-    for (const Json& number : set.at("attributes")) numbers.insert(number.get<std::size_t>());
-    for (const char* key : {"indices", "slots", "transforms", "places", "materials"}) {
-      if (set.contains(key)) numbers.insert(set[key].get<std::size_t>());
-    }
+  std::set<std::size_t> numbers = merged_vertex_data(json);
+  for (const Json& set : sets_of(json)) {
+    for (const char* key : {"indices", "slots", "transforms", "places", "materials"}) collect(member(set, key), numbers);
   }
   return numbers;
 }

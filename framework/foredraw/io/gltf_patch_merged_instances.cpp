@@ -81,14 +81,21 @@ Json primitives_of(const Scene& scene, const MergedInstances& set, const Json& a
 }  // namespace
 
 void patch_merged_instances(const Scene& scene, const Source& source, Json& json, AccessorStore& store) {
-  if (scene.merged == source.as_read.merged) return;
-  std::set<std::size_t> others = used_elsewhere(source.document.json);
-  others.merge(used_by_primitives(source.document.json));
-  others.merge(used_by_tables(source.document.json));
-  for (const std::size_t accessor : used_by_merged(source.document.json)) {
-    if (!others.contains(accessor)) store.release(accessor);
+  const Document& document = source.document;
+  const bool stay = scene.merged == source.as_read.merged;
+  std::set<std::size_t> gone = document.let_go;
+  if (!stay) gone.merge(used_by_merged(document.json));
+  if (!gone.empty()) {
+    std::set<std::size_t> others = used_elsewhere(document.json);
+    others.merge(used_by_primitives(document.json));
+    others.merge(used_by_tables(document.json));
+    for (const std::size_t accessor : gone) {
+      const bool is_there = accessor < document.accessors.size() && document.accessors[accessor].count > 0;
+      if (is_there && !others.contains(accessor)) store.release(accessor);
+    }
   }
-  const bool may_move = knows_all_extensions(source.document.json);
+  if (stay) return;
+  const bool may_move = knows_all_extensions(document.json);
   Json sets = Json::array();
   for (const MergedInstances& set : scene.merged) {
     Json made = json_of(set, store);

@@ -272,6 +272,19 @@ TEST(DamagedMergedInstances, padding_takes_bounded_time) {
   EXPECT_TRUE(scene->merged.empty());
 }
 
+/// What only they named goes with them: numbers that are none would be a mistake where nobody calls them vertices.
+TEST(DamagedMergedInstances, leave_nothing_behind) {
+  GltfBuilder builder = yard();
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(builder.buffer.data(), &none, 4);
+  GltfBuilder merged = builder_of(write(merged_yard(read(builder))));
+  merged.json.erase("buffers");
+  merged.json["extensions"][merge_instances]["sets"][0]["material"] = 77;
+  const Bytes file = write(read(merged));
+  EXPECT_TRUE(read(file).merged.empty());
+  EXPECT_LE(file.size(), builder.glb().size() + 1000) << "accessors without bytes are left";
+}
+
 TEST(DamagedMergedInstances, no_sets_are_none) {
   GltfBuilder builder = merged_file();
   builder.json["extensions"][merge_instances]["sets"] = GltfJson::array();

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -83,6 +84,7 @@ struct Document {
   Shared<std::byte> file;  ///< as it came
   Json json;
   bool left_out = false;  ///< `json` lacks what the reader took out of it, so that the file can not stay as it came
+  std::set<std::size_t> let_go;  ///< accessors that this named, where the writer may drop them; perhaps some that are not there
   std::vector<Chunk> further_chunks;  ///< of a GLB, after JSON and BIN
   std::vector<Buffer> buffers;
   std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed

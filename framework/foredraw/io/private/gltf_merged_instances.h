@@ -20,10 +20,10 @@ void read_merged_instances(Document& document, Scene& scene, Diagnostics& diagno
 /// of merged ones become a part of theirs, so that no vertex is written twice.
 void patch_merged_instances(const Scene& scene, const Source& source, Json& json, AccessorStore& store);
 
-/// Accessors that merged draws name.
+/// Accessors that merged draws name; of JSON in which anything may be wrong, too.
 std::set<std::size_t> used_by_merged(const Json& json);
 
-/// Accessors that merged draws name as vertices; of JSON in which anything may be wrong.
+/// Those that they name as vertices.
 std::set<std::size_t> merged_vertex_data(const Json& json);
 
 }  // namespace foredraw::gltf
