@@ -2,6 +2,8 @@
 
 #include "instance_transform.h"
 
+#include <foredraw/analysis/moved_nodes.h>
+
 #include <algorithm>
 #include <map>
 #include <string_view>
@@ -32,28 +34,10 @@ std::string_view why_not(const Scene& scene, const Mesh& mesh, const std::vector
   return {};
 }
 
-/// Nodes that an animation moves, or that are joints, which a program may move, and all below them.
-std::vector<char> movable_nodes(const Scene& scene) {
-  std::vector<NodeId> open;
-  for (const Animation& animation : scene.animations) {
-    for (const AnimationChannel& channel : animation.channels) open.push_back(channel.node);
-  }
-  for (const Skin& skin : scene.skins) open.insert(open.end(), skin.joints.begin(), skin.joints.end());
-  std::vector<char> movable(scene.nodes.size(), 0);
-  while (!open.empty()) {
-    const NodeId node = open.back();
-    open.pop_back();
-    if (movable[node] != 0) continue;
-    movable[node] = 1;
-    open.insert(open.end(), scene.nodes[node].children.begin(), scene.nodes[node].children.end());
-  }
-  return movable;
-}
-
 /// What of the nodes is found once for all meshes.
 struct NodeFacts {
   explicit NodeFacts(const Scene& scene)
-      : movable(movable_nodes(scene)), merged(scene.nodes.size(), 0), has_parent(scene.nodes.size(), 0),
+      : moved(moved_nodes(scene)), merged(scene.nodes.size(), 0), has_parent(scene.nodes.size(), 0),
         world(world_transforms(scene)) {
     for (const MergedPlace& place : merged_places(scene)) merged[place.node] = 1;
     for (const Node& node : scene.nodes) {
@@ -61,7 +45,7 @@ struct NodeFacts {
     }
   }
 
-  std::vector<char> movable;
+  std::vector<bool> moved;
   std::vector<char> merged;
   std::vector<char> has_parent;
   std::vector<glm::mat4> world;
@@ -73,7 +57,7 @@ InstanceTransform placed(const Node& node, NodeId id, const NodeFacts& facts) {
   if (!node.weights.empty()) return {{}, "they have morph weights"};
   if (facts.merged[id] != 0) return {{}, "merged draws show them"};
   if (node.keeps_mesh) return {{}, "an extension or a further scene refers to them, or no scene shows them"};
-  if (facts.movable[id] != 0) return {{}, "an animation moves them, or they hang on a joint"};
+  if (facts.moved[id]) return {{}, "an animation moves them, or they hang on a joint"};
   return instance_transform(node, facts.has_parent[id] == 0, facts.world[id]);
 }
 

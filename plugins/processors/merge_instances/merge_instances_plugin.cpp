@@ -26,9 +26,9 @@ void note_left_alone(const MergedScene& merged, const Run& run) {
   }
   for (const merging::MergeableSet& set : merged.not_merged) {
     if (set.meshes.empty()) continue;
-    run.note_at({set.meshes.front().draw}, "not-merged",
-                fmt::format("not merged, with {} that share its material and layout: {}",
-                            set.meshes.size() - 1, set.why_not));
+    const std::size_t others = set.meshes.size() - 1;
+    const std::string with = others == 0 ? "" : fmt::format(", with {} that share its material and layout", others);
+    run.note_at({set.meshes.front().draw}, "not-merged", fmt::format("not merged{}: {}", with, set.why_not));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "packing.h"
 
+#include <foredraw/analysis/moved_nodes.h>
 #include <foredraw/analysis/vertex_cache.h>
 
 #include <algorithm>
@@ -46,25 +47,6 @@ std::string why_not_merged(const Scene& scene, const Draw& draw) {
   if (draw.levels[0].vertices->find("POSITION") == nullptr) return "it has no positions";
   if (draw.levels[0].orders[0].indices.size() < 3) return "it has no triangles";
   return "";
-}
-
-/// Nodes that an animation moves, and all below them.
-std::vector<char> moved_nodes(const Scene& scene) {
-  std::vector<char> moved(scene.nodes.size(), 0);
-  std::vector<NodeId> open;
-  for (const Animation& animation : scene.animations) {
-    for (const AnimationChannel& channel : animation.channels) {
-      if (channel.path != AnimatedPath::weights && channel.node < moved.size()) open.push_back(channel.node);
-    }
-  }
-  while (!open.empty()) {
-    const NodeId node = open.back();
-    open.pop_back();
-    if (moved[node] != 0) continue;
-    moved[node] = 1;
-    for (const NodeId child : scene.nodes[node].children) open.push_back(child);
-  }
-  return moved;
 }
 
 /// What of a draw does not depend on where it is placed.
@@ -171,7 +153,7 @@ std::string why_not_merged(const Node& node, bool is_moved, const glm::mat4& wor
   if (!node.is_shown) return "it is not shown: hidden, or not in the scene that the file shows";
   if (node.keeps_mesh) return "an extension or another scene may refer to its node";
   if (node.skin) return "it is skinned";
-  if (is_moved) return "an animation moves it";
+  if (is_moved) return "an animation moves it, or it hangs on a joint";
   const Placing placing = placing_of(world);
   return placing == Placing::plain || placing == Placing::mirrored ? "" : std::string(to_text(placing));
 }
@@ -220,12 +202,12 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
   }
 
   std::vector<char> is_placed(scene.draws.size(), 0);
-  const std::vector<char> moved = moved_nodes(scene);
+  const std::vector<bool> moved = moved_nodes(scene);
   const std::vector<glm::mat4> world = world_transforms(scene);
   const auto place = [&](NodeId n, std::uint32_t instance, const glm::mat4& to_world) {
     const Node& node = scene.nodes[n];
     const std::vector<DrawId>& shown = scene.meshes[*node.mesh].draws;
-    const std::string why_node = why_not_merged(node, moved[n] != 0, to_world);
+    const std::string why_node = why_not_merged(node, moved[n], to_world);
     for (std::uint32_t primitive = 0; primitive < shown.size(); ++primitive) {
       const DrawId id = shown[primitive];
       if (may[id] == 0) continue;
