@@ -301,5 +301,16 @@ TEST(GltfMergedInstances, further_ones_are_put_beside_those_there_were) {
   EXPECT_EQ(json_of(file)["extensionsUsed"], GltfJson::array({"KHR_mesh_quantization", merge_instances}));
 }
 
+/// Whoever sorted them for low overdraw draws the same.
+TEST(GltfMergedInstances, slots_of_a_draw_may_come_in_any_sequence) {
+  Scene scene = merged_yard(read(yard()));
+  std::vector<MergedSlot> slots(scene.merged[0].slots.view().begin(), scene.merged[0].slots.view().end());
+  for (const MergedDraw& draw : scene.merged[0].draws) {
+    std::reverse(slots.begin() + draw.first_slot, slots.begin() + draw.first_slot + draw.slot_count);
+  }
+  scene.merged[0].slots = Shared(std::move(slots));
+  EXPECT_EQ(read(builder_of(write(scene))).merged, scene.merged);
+}
+
 }  // namespace
 }  // namespace foredraw
