@@ -115,9 +115,10 @@ std::string MergedProof::placings(const MergedInstances& set) const {
     const std::string where = fmt::format("instance {} (primitive {} of node {})", i, place.primitive, place.node);
     const DrawId id = draw_at(place);
     if (!first_vertex_.contains(id)) return where + " is of no primitive of the set";
-    if (node.skin) return where + " is skinned";
     const auto own = node.instances.view();
-    const glm::mat4 world = own.empty() ? worlds_[place.node] : worlds_[place.node] * own[place.instance].matrix();
+    if (node.skin && !own.empty()) return where + " is skinned and one of many";
+    glm::mat4 world = own.empty() ? worlds_[place.node] : worlds_[place.node] * own[place.instance].matrix();
+    if (node.skin) world = glm::mat4(1);  // its joints place it
     if (!is_near(set.transforms.view()[i], world)) return where + " lies elsewhere than its node";
     const std::optional<MaterialId> is = set.materials.empty() ? set.material : std::optional(set.materials.view()[i]);
     const std::optional<MaterialId> wanted = scene_.draws[id].material;

@@ -120,6 +120,8 @@ MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, c
                             const Executor& executor) {
   merging::MergeableOptions wanted;
   wanted.materials = options.materials;
+  wanted.skinned = options.skinned;
+  wanted.poses = options.poses;
   wanted.draw_cost = options.draw_cost;
   merging::MergeableScene found = merging::mergeable_scene(scene, draws, wanted, executor);
   MergedScene result;

@@ -15,6 +15,8 @@ enum class FrequencyGoal : std::uint8_t {
 
 struct MergeInstancesOptions {
   merging::SharedMaterials materials = merging::SharedMaterials::alike;
+  bool skinned = false;         ///< skinned draws too; who draws them applies their joints
+  Poses poses = rest_pose;      ///< that the boxes of skinned draws hold; the stage takes the pipeline's
   int multiple = 3;      ///< of the frequency, in index entries
   int frequencies = 2;   ///< of slots, at most, 1 to 4; each is a draw of each group
   FrequencyGoal goal = FrequencyGoal::fewest_slots;

@@ -67,7 +67,8 @@ MergedInstances with_less_overdraw(const Scene& scene, MergedInstances merged, R
   sorted.slots = Shared(merging::outward_slots(merged, run.executor));
   std::vector<MergedSlot> slots(merged.slots.view().begin(), merged.slots.view().end());
   OverdrawCount before, after;
-  for (std::uint32_t g = 0; g < merged.groups.size(); ++g) {
+  for (std::uint32_t g = 0; g < merged.groups.size() && !run.cancelled(); ++g) {
+    if (run.progress) run.progress(static_cast<double>(g) / static_cast<double>(merged.groups.size()));
     const OverdrawCount as_is = overdraw_of(scene, merged, g, run);
     const OverdrawCount outwards = overdraw_of(scene, sorted, g, run);
     const bool is_better = outwards.shaded < as_is.shaded;
@@ -92,7 +93,9 @@ class MergeInstances final : public Processor {
   explicit MergeInstances(const MergeInstancesOptions& options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
-    const MergedScene merged = merge_instances(scene, draws, options_, run.executor);
+    MergeInstancesOptions options = options_;
+    options.poses = run.poses;
+    const MergedScene merged = merge_instances(scene, draws, options, run.executor);
     note_left_alone(merged, run);
     if (merged.merged.empty()) {
       run.keep("no draws that could be merged are worth it; notes say why");
@@ -145,6 +148,8 @@ Plugin merge_instances_plugin() {
   table.choice(&MergeInstancesOptions::materials, "materials",
                "Draws are merged whose materials look alike, or are of one kind: the shader looks up each instance's",
                {{"alike", merging::SharedMaterials::alike}, {"kind", merging::SharedMaterials::kind}});
+  table.row(&MergeInstancesOptions::skinned, "skinned",
+            "Merge skinned draws too: their joints place them, and boxes hold the pipeline's poses");
   table.row(&MergeInstancesOptions::multiple, "multiple",
             "Slots have multiples of so many index entries: 3, or those of a primitive group", {3, 3072, "entries"});
   table.row(&MergeInstancesOptions::frequencies, "frequencies",

@@ -2,8 +2,13 @@
 
 #include "packing.h"
 
+#include <foredraw/analysis/animation.h>
 #include <foredraw/analysis/moved_nodes.h>
+#include <foredraw/analysis/posed_positions.h>
 #include <foredraw/analysis/vertex_cache.h>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +34,12 @@ std::string counted(std::uint64_t number, const std::string& what) {
   return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
 
-std::string why_not_merged(const Scene& scene, const Draw& draw) {
+std::string why_not_merged(const Scene& scene, const Draw& draw, const MergeableOptions& options) {
   if (draw.topology != Topology::triangles) return "it draws no triangles";
-  if (draw.traits.has(traits::skinned)) return "it is skinned";
+  const bool is_skinned = draw.traits.has(traits::skinned);
+  if (is_skinned && !options.skinned) return "it is skinned";
   if (draw.traits.has(traits::morphed) || !draw.levels[0].vertices->morph_targets.empty()) return "it has morph targets";
-  if (draw.traits.has(traits::animated)) return "an animation changes its shape";
+  if (draw.traits.has(traits::animated) && !is_skinned) return "an animation changes its shape";
   const Material* material = scene.material_of(draw);
   if (draw.traits.has(traits::blended) || (material != nullptr && material->alpha_mode == AlphaMode::blend)) {
     return "it is blended, so that the sequence of draws shows";
@@ -148,11 +154,22 @@ class Sorting {
   std::map<std::pair<Stamp, Stamp>, std::size_t> places_;
 };
 
+/// Where a draw's triangles are in all poses.
+Box box_of_poses(const Scene& scene, const SubjectPart& part, std::span<const PosedNodes> poses) {
+  Box box;
+  for (const PosedNodes& nodes : poses) {
+    const std::vector<glm::vec3> positions = posed_positions(scene, part, nodes);
+    for (const std::uint32_t index : scene.draws[part.draw].levels[0].orders[0].indices.view()) box.add(positions[index]);
+  }
+  return box;
+}
+
 /// Why a node's drawing of a mesh stays as it is; empty: it can be merged.
 std::string why_not_merged(const Node& node, bool is_moved, const glm::mat4& world) {
   if (!node.is_shown) return "it is not shown: hidden, or not in the scene that the file shows";
   if (node.keeps_mesh) return "an extension or another scene may refer to its node";
-  if (node.skin) return "it is skinned";
+  if (node.skin && !node.instances.empty()) return "it is skinned and has instances";
+  if (node.skin) return glm::determinant(glm::dmat3(world)) < 0 ? "its node turns inside out what its joints place" : "";
   if (is_moved) return "an animation moves it, or it hangs on a joint";
   const Placing placing = placing_of(world);
   return placing == Placing::plain || placing == Placing::mirrored ? "" : std::string(to_text(placing));
@@ -166,7 +183,7 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
   std::vector<char> may(scene.draws.size(), 0);
   std::vector<DrawId> candidates;
   for (const DrawId id : draws) {
-    std::string why = why_not_merged(scene, scene.draws[id]);
+    std::string why = why_not_merged(scene, scene.draws[id], options);
     if (why.empty()) {
       candidates.push_back(id);
     } else {
@@ -204,6 +221,10 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
   std::vector<char> is_placed(scene.draws.size(), 0);
   const std::vector<bool> moved = moved_nodes(scene);
   const std::vector<glm::mat4> world = world_transforms(scene);
+  std::vector<PosedNodes> poses;
+  for (const Pose& pose : options.poses.poses) {
+    if (options.skinned) poses.push_back(posed_nodes(scene, pose));
+  }
   const auto place = [&](NodeId n, std::uint32_t instance, const glm::mat4& to_world) {
     const Node& node = scene.nodes[n];
     const std::vector<DrawId>& shown = scene.meshes[*node.mesh].draws;
@@ -215,8 +236,16 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
       const PlaceInSet& in = places[id];
       MergeablePlacement placement{in.mesh, {n, primitive, instance}, to_world, {}};
       std::string why = why_node;
-      if (why.empty()) {
+      const bool is_skinned = scene.draws[id].traits.has(traits::skinned);
+      if (why.empty() && node.skin && !is_skinned) why = "its node has a skin, but it has no joints";
+      if (why.empty() && !node.skin && is_skinned) why = "it has joints, but its node has no skin";
+      if (why.empty() && is_skinned) {
+        placement.world = glm::mat4(1);
+        placement.box = box_of_poses(scene, {id, n}, poses);
+      } else if (why.empty()) {
         placement.box = box_in_world(in.box, to_world);
+      }
+      if (why.empty()) {
         if (!is_finite(placement.box)) why = "it reaches farther than numbers do";
       }
       if (!why.empty()) {

@@ -9,8 +9,8 @@
 
 namespace foredraw::merging {
 
-/// A group's merged draws as draws of a scene of their own: a triangle list in the world for each, of the scene's material;
-/// all attributes are there.
+/// A group's merged draws as draws of a scene of their own: a triangle list in the world for each, with all attributes, of the
+/// set's first material, whose holes those of other materials are taken to be.
 Scene group_scene(const Scene& scene, const MergedInstances& merged, std::uint32_t group);
 
 /// The slots with those of each draw sorted by the DotRule within their group: what faces outwards from the group's middle
