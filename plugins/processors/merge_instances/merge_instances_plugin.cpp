@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace foredraw {
@@ -90,7 +91,10 @@ MergedInstances with_less_overdraw(const Scene& scene, MergedInstances merged, R
 
 class MergeInstances final : public Processor {
  public:
-  explicit MergeInstances(const MergeInstancesOptions& options) : options_(options) {}
+  explicit MergeInstances(const MergeInstancesOptions& options) : options_(options) {
+    if (options.multiple % 3 == 0) return;
+    throw std::invalid_argument(fmt::format("multiple is {}; it must be a multiple of 3, so that no triangle is cut", options.multiple));
+  }
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
     MergeInstancesOptions options = options_;

@@ -270,5 +270,10 @@ TEST(MergeInstancesOfScene, DrawsAreOfAsManyEntriesAsAskedFor) {
   EXPECT_EQ(drawn_merged(scene), drawn_by_nodes(before, all_places(before)));
 }
 
+TEST(MergeInstancesOfScene, SlotsOfNoWholeTrianglesAreRefusedInThePlan) {
+  EXPECT_THROW(merge_instances_plugin().create({{"multiple", std::int64_t{4}}}), std::invalid_argument);
+  EXPECT_NO_THROW(merge_instances_plugin().create({{"multiple", std::int64_t{96}}}));
+}
+
 }  // namespace
 }  // namespace foredraw
