@@ -20,21 +20,6 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// The same call that merge_instances() makes.
-void pack_again(const Scene& scene, const MergedSet& set, const MergeInstancesOptions& options, const Executor& executor) {
-  std::vector<merging::PackedMesh> meshes;
-  for (std::size_t m = 0; m < set.set.meshes.size(); ++m) {
-    const Draw& draw = scene.draws[set.set.meshes[m].draw];
-    const Level& level = draw.levels[0];
-    meshes.push_back({draw.name, level.orders[0].indices.view(), set.first_vertex[m], level.vertices->count});
-  }
-  std::vector<merging::PlacedMesh> placed;
-  placed.reserve(set.set.placements.size());
-  for (const merging::MergeablePlacement& placement : set.set.placements) placed.push_back({placement.mesh, placement.world});
-  merging::pack_instances(meshes, placed, set.groups.instances, set.groups.first, set.frequencies,
-                          {.cut_well = options.cut_well}, executor);
-}
-
 }  // namespace
 
 MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threads, int rounds) {
@@ -48,7 +33,7 @@ MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threa
     merged = {};
     whole.push_back(milliseconds([&] { merged = merge_instances(scene, draws, options, executor); }));
     packing.push_back(milliseconds([&] {
-      for (const MergedSet& set : merged.merged) pack_again(scene, set, options, executor);
+      for (const MergedSet& set : merged.merged) packed_instances(scene, set, options, executor);
     }));
   }
   figures.milliseconds = median(whole);

@@ -3,6 +3,7 @@
 
 #include <foredraw/analysis/pose_set.h>
 #include <foredraw/io/private/gltf_gate.h>
+#include <foredraw/io/private/gltf_member.h>
 #include <foredraw/scene/reorder.h>
 
 #include <fmt/format.h>
@@ -49,12 +50,6 @@ class DrawOrdersReader {
   bool wrong(const std::string& place, const std::string& why) {
     mistake_ = place + " " + why;
     return false;
-  }
-
-  static const Json* member(const Json& json, const char* key) {
-    if (!json.is_object()) return nullptr;
-    const auto found = json.find(key);
-    return found == json.end() ? nullptr : &*found;
   }
 
   static std::optional<std::size_t> number(const Json* json) {

@@ -2,6 +2,7 @@
 #include <foredraw/io/private/gltf_merged_instances.h>
 
 #include <foredraw/io/private/gltf_gate.h>
+#include <foredraw/io/private/gltf_member.h>
 #include <foredraw/io/private/gltf_merged_proof.h>
 
 #include <fmt/format.h>
@@ -15,12 +16,6 @@
 namespace foredraw::gltf {
 
 namespace {
-
-const Json* member(const Json& json, const char* key) {
-  if (!json.is_object()) return nullptr;
-  const auto found = json.find(key);
-  return found == json.end() ? nullptr : &*found;
-}
 
 class MergedReader {
  public:

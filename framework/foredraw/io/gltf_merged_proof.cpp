@@ -1,5 +1,6 @@
 #include <foredraw/io/private/gltf_merged_proof.h>
 
+#include <foredraw/analysis/moved_nodes.h>
 #include <foredraw/runtime/merge_instances.h>
 
 #include <fmt/format.h>
@@ -109,6 +110,7 @@ std::string MergedProof::vertices(const MergedInstances& set) {
 
 std::string MergedProof::placings(const MergedInstances& set) const {
   const auto look = [&](MaterialId id) { return scene_.materials[id].look; };
+  const std::vector<bool> moved = moved_nodes(scene_);
   for (std::size_t i = 0; i < set.places.size(); ++i) {
     const MergedPlace& place = set.places.view()[i];
     const Node& node = scene_.nodes[place.node];
@@ -117,6 +119,8 @@ std::string MergedProof::placings(const MergedInstances& set) const {
     if (!first_vertex_.contains(id)) return where + " is of no primitive of the set";
     const auto own = node.instances.view();
     if (node.skin && !own.empty()) return where + " is skinned and one of many";
+    if (!node.is_shown) return where + " is not shown by its node";
+    if (!node.skin && moved[place.node]) return where + " stands still, but its node is moved";
     glm::mat4 world = own.empty() ? worlds_[place.node] : worlds_[place.node] * own[place.instance].matrix();
     if (node.skin) world = glm::mat4(1);  // its joints place it
     if (!is_near(set.transforms.view()[i], world)) return where + " lies elsewhere than its node";

@@ -1,4 +1,5 @@
 // Which nodes are seen: a file may hold several scenes, nodes of none, and nodes that say that they are hidden.
+#include <foredraw/io/private/gltf_member.h>
 #include <foredraw/io/private/gltf_source.h>
 
 namespace foredraw::gltf {
@@ -26,9 +27,8 @@ std::vector<NodeId> roots_of(const Scene& scene, const Json& json) {
 /// With all that is below it.
 bool is_hidden(const Json& node) {
   const Json* visibility = extension_of(node, "KHR_node_visibility");
-  if (visibility == nullptr || !visibility->is_object()) return false;
-  const auto visible = visibility->find("visible");
-  return visible != visibility->end() && *visible == false;
+  const Json* visible = visibility == nullptr ? nullptr : member(*visibility, "visible");
+  return visible != nullptr && *visible == false;
 }
 
 }  // namespace

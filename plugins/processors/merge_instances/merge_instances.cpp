@@ -96,25 +96,25 @@ void share_vertices(const Scene& scene, std::vector<MergedSet>& sets) {
   }
 }
 
-void pack(const Scene& scene, const MergeInstancesOptions& options, const Executor& executor, MergedSet& merged) {
+}  // namespace
+
+merging::PackedInstances packed_instances(const Scene& scene, const MergedSet& set, const MergeInstancesOptions& options,
+                                          const Executor& executor) {
   std::vector<merging::PackedMesh> meshes;
-  for (std::size_t m = 0; m < merged.set.meshes.size(); ++m) {
-    const Draw& draw = scene.draws[merged.set.meshes[m].draw];
+  for (std::size_t m = 0; m < set.set.meshes.size(); ++m) {
+    const Draw& draw = scene.draws[set.set.meshes[m].draw];
     const Level& level = draw.levels[0];
-    meshes.push_back({draw.name, level.orders[0].indices.view(), merged.first_vertex[m], level.vertices->count});
+    meshes.push_back({draw.name, level.orders[0].indices.view(), set.first_vertex[m], level.vertices->count});
   }
   std::vector<merging::PlacedMesh> placed;
-  placed.reserve(merged.set.placements.size());
-  for (const merging::MergeablePlacement& placement : merged.set.placements) {
+  placed.reserve(set.set.placements.size());
+  for (const merging::MergeablePlacement& placement : set.set.placements) {
     placed.push_back({placement.mesh, placement.world});
   }
   merging::PackOptions wanted;
   wanted.cut_well = options.cut_well;
-  merged.packed = merging::pack_instances(meshes, placed, merged.groups.instances, merged.groups.first,
-                                          merged.frequencies, wanted, executor);
+  return merging::pack_instances(meshes, placed, set.groups.instances, set.groups.first, set.frequencies, wanted, executor);
 }
-
-}  // namespace
 
 MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, const MergeInstancesOptions& options,
                             const Executor& executor) {
@@ -143,7 +143,7 @@ MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, c
     result.merged.push_back(std::move(merged));
   }
   share_vertices(scene, result.merged);
-  for (MergedSet& merged : result.merged) pack(scene, options, executor, merged);
+  for (MergedSet& merged : result.merged) merged.packed = packed_instances(scene, merged, options, executor);
   return result;
 }
 

@@ -54,6 +54,10 @@ struct MergedScene {
 MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, const MergeInstancesOptions& options,
                             const Executor& executor);
 
+/// The last step of merge_instances(): what a set, of which all else is known, comes to in buffers.
+merging::PackedInstances packed_instances(const Scene& scene, const MergedSet& set, const MergeInstancesOptions& options,
+                                          const Executor& executor);
+
 /// As the scene holds it.
 MergedInstances merged_instances(const Scene& scene, const MergedSet& set);
 

@@ -292,5 +292,23 @@ TEST(DamagedMergedInstances, no_sets_are_none) {
   EXPECT_EQ(write(read(builder)), builder.glb());
 }
 
+/// Somebody hid a node since, or lets an animation move it.
+TEST(DamagedMergedInstances, nodes_that_were_hidden_or_are_moved_cost_the_merged_draws) {
+  const GltfBuilder whole = builder_of(write(merged_yard(read(yard()))));
+  EXPECT_FALSE(read(whole).merged.empty());
+  GltfBuilder hidden = whole;
+  hidden.json["nodes"][4]["extensions"]["KHR_node_visibility"] = {{"visible", false}};
+  EXPECT_TRUE(read(hidden).merged.empty());
+  GltfBuilder moved = whole;
+  moved.json.erase("buffers");
+  const std::size_t times = moved.add_values(std::vector<float>{0, 1}, "SCALAR");
+  moved.json["accessors"][times]["min"] = {0};
+  moved.json["accessors"][times]["max"] = {1};
+  const std::size_t values = moved.add_values(std::vector<float>{0, 0, 0, 5, 0, 0}, "VEC3");
+  moved.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 4}, {"path", "translation"}}}}}},
+                           {"samplers", {{{"input", times}, {"output", values}}}}});
+  EXPECT_TRUE(read(moved).merged.empty());
+}
+
 }  // namespace
 }  // namespace foredraw
