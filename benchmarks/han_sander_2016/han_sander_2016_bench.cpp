@@ -12,7 +12,7 @@
 
 #include "bench_meshes.h"
 
-#include <foredraw/analysis/pose_set.h>
+#include <foredraw/viewing/pose_set.h>
 #include <foredraw/io/scene_file.h>
 
 #include <fmt/format.h>

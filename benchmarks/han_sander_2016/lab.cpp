@@ -1,7 +1,7 @@
 #include "lab.h"
 
-#include <foredraw/analysis/view_sphere.h>
-#include <foredraw/io/images.h>
+#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/technique/built_in_plugins.h>
 

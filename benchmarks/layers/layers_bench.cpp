@@ -5,8 +5,8 @@
 #include "bench_meshes.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
-#include <foredraw/analysis/cluster_layers.h>
-#include <foredraw/analysis/view_sphere.h>
+#include <foredraw/overdraw/cluster_layers.h>
+#include <foredraw/viewing/view_sphere.h>
 #include <plugins/clusterers/linear_clusters/linear_clusters.h>
 
 #include <fmt/format.h>

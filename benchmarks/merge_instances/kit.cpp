@@ -2,7 +2,7 @@
 
 #include "kit_document.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 
 #include <algorithm>
 #include <stdexcept>

@@ -9,7 +9,7 @@
 #include "gpu_instancing.h"
 #include "layout.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "layout.h"
 
-#include <foredraw/analysis/turn.h>
+#include <foredraw/image/turn.h>
 
 #include <cmath>
 #include <string_view>

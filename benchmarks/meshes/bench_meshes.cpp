@@ -1,6 +1,6 @@
 #include "bench_meshes.h"
 
-#include <foredraw/analysis/posed_positions.h>
+#include <foredraw/viewing/posed_positions.h>
 #include <foredraw/io/scene_file.h>
 
 #include <fmt/format.h>

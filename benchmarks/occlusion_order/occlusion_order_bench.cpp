@@ -8,9 +8,9 @@
 #include "bench_meshes.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
-#include <foredraw/analysis/cluster_layers.h>
+#include <foredraw/overdraw/cluster_layers.h>
 #include <foredraw/analysis/vertex_cache.h>
-#include <foredraw/analysis/view_sphere.h>
+#include <foredraw/viewing/view_sphere.h>
 #include <foredraw/platform/memory.h>
 #include <plugins/orderers/lookahead/lookahead.h>
 #include <plugins/orderers/occlusion_order/k_orders.h>

@@ -9,7 +9,7 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/io/images.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/io/scene_file.h>
 #include <foredraw/technique/built_in_plugins.h>
 #include <foredraw/technique/registry.h>

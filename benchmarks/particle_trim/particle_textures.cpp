@@ -2,7 +2,7 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/io/images.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/io/scene_file.h>
 
 #include <algorithm>

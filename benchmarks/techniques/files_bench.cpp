@@ -5,7 +5,7 @@
 #include "ratio_table.h"
 #include "support/meshes.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 #include <foredraw/scene/reorder.h>
 
 #include <tiny_gltf.h>

@@ -1,8 +1,8 @@
 #pragma once
 // Overdraw counted along rays, with as many samples in a pixel as one likes.
 
-#include <foredraw/analysis/overdraw_count.h>
-#include <foredraw/analysis/raster_part.h>
+#include <foredraw/overdraw/overdraw_count.h>
+#include <foredraw/viewing/raster_part.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/views.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Which pixels are worth a ray?
 
-#include <foredraw/analysis/coverage.h>
+#include <foredraw/viewing/coverage.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -3,8 +3,8 @@
 #include "row_spans.h"
 #include "sample_pattern.h"
 
-#include <foredraw/analysis/camera.h>
-#include <foredraw/analysis/mask.h>
+#include <foredraw/viewing/camera.h>
+#include <foredraw/viewing/mask.h>
 
 #include <glm/common.hpp>
 

@@ -1,6 +1,6 @@
 #include "overdraw_raster.h"
 
-#include <foredraw/analysis/fragments.h>
+#include <foredraw/overdraw/fragments.h>
 
 #include <algorithm>
 #include <limits>

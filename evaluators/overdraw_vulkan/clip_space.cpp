@@ -1,6 +1,6 @@
 #include "clip_space.h"
 
-#include <foredraw/analysis/camera.h>
+#include <foredraw/viewing/camera.h>
 
 #include <algorithm>
 

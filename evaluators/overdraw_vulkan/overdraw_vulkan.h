@@ -4,8 +4,8 @@
 #include "count_method.h"
 #include "vulkan_choice.h"
 
-#include <foredraw/analysis/overdraw_count.h>
-#include <foredraw/analysis/raster_part.h>
+#include <foredraw/overdraw/overdraw_count.h>
+#include <foredraw/viewing/raster_part.h>
 #include <foredraw/scene/views.h>
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "overdraw_vulkan.h"
 
-#include <foredraw/technique/overdraw_evaluator.h>
+#include <foredraw/measuring/overdraw_evaluator.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "uploaded_parts.h"
 
-#include <foredraw/analysis/mask.h>
+#include <foredraw/viewing/mask.h>
 #include <foredraw/analysis/mesh_facts.h>
 
 #include <glm/common.hpp>

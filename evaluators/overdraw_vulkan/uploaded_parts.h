@@ -1,7 +1,7 @@
 #pragma once
 #include "vulkan_memory.h"
 
-#include <foredraw/analysis/raster_part.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "scene_cost.h"
 
-#include <foredraw/analysis/order_lookup.h>
+#include <foredraw/viewing/order_lookup.h>
 #include <foredraw/analysis/vertex_cache.h>
 
 #include <glm/mat3x3.hpp>

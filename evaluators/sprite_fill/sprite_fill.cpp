@@ -2,7 +2,7 @@
 
 #include "pixel_rows.h"
 
-#include <foredraw/analysis/turn.h>
+#include <foredraw/image/turn.h>
 #include <foredraw/base/random.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 // How many pixels sprites fill, and how many of these show.
 
-#include <foredraw/analysis/alpha_image.h>
+#include <foredraw/image/alpha_image.h>
 
 #include <glm/vec2.hpp>
 

@@ -1,6 +1,6 @@
 #include "sprite_fill.h"
 
-#include <foredraw/analysis/texture_places.h>
+#include <foredraw/image/texture_places.h>
 #include <foredraw/technique/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 

@@ -1,6 +1,6 @@
 #include "vertex_cache.h"
 
-#include <foredraw/analysis/order_lookup.h>
+#include <foredraw/viewing/order_lookup.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 # It makes two static libraries. foredraw::<name> is the function, and links what LINK names and nothing else: without it
 # the standard library alone, for whose sake headers of the framework that need no .cpp file may be included all the same.
 # foredraw::<name>_plugin is the dress, listed for add_built_in_plugins(Registry&); it is made where the framework is
-# built as far as `technique`.
+# built as far as `measuring`.
 
 set_property(GLOBAL PROPERTY FOREDRAW_BUILT_IN "")
 set_property(GLOBAL PROPERTY FOREDRAW_FUNCTIONS_LINK "")
@@ -72,9 +72,9 @@ function(_foredraw_add_plugin folder)
   list(TRANSFORM ARG_LINK REPLACE "^foredraw::" "")
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_FUNCTIONS_LINK ${ARG_LINK})
 
-  foredraw_reaches(technique "${FOREDRAW_FRAMEWORK}" dressed)
+  foredraw_reaches(measuring "${FOREDRAW_FRAMEWORK}" dressed)
   if(dressed)
-    foredraw_add_library(${name}_plugin SOURCES "${folder}/${name}_plugin.cpp" LINK foredraw::technique foredraw::${name}
+    foredraw_add_library(${name}_plugin SOURCES "${folder}/${name}_plugin.cpp" LINK foredraw::measuring foredraw::${name}
                          REQUIRES fmt PRIVATE_LINK fmt::fmt)
     foredraw_install_component(${name}_plugin)
   endif()
@@ -114,7 +114,7 @@ function(foredraw_finish_plugins)
       message(FATAL_ERROR "Foredraw: FOREDRAW_PLUGINS names '${config_name}', but there is no such plugin")
     endif()
   endforeach()
-  foredraw_reaches(technique "${FOREDRAW_FRAMEWORK}" dressed)
+  foredraw_reaches(measuring "${FOREDRAW_FRAMEWORK}" dressed)
   if(NOT dressed)
     return()
   endif()

@@ -3,10 +3,10 @@
 #include "file_runs.h"
 #include "text_outputs.h"
 
-#include <hosts/report/page.h>
+#include <foredraw/report/page/page.h>
 
-#include <foredraw/io/images.h>
-#include <foredraw/io/scene_folder.h>
+#include <foredraw/io/image/images.h>
+#include "scene_folder.h"
 #include <foredraw/pipeline/sweep.h>
 #include <foredraw/report/bound.h>
 #include <foredraw/report/fronts.h>

@@ -1,9 +1,9 @@
 #include "file_runs.h"
 
-#include <hosts/report/page.h>
+#include <foredraw/report/page/page.h>
 
-#include <foredraw/io/heat_maps.h>
-#include <foredraw/io/images.h>
+#include <foredraw/report/page/heat_maps.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/report/draw_orders.h>
 #include <foredraw/report/remap.h>
 

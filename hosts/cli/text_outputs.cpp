@@ -2,7 +2,7 @@
 
 #include "session.h"
 
-#include <foredraw/io/sprite_files.h>
+#include <foredraw/io/sprite/sprite_files.h>
 
 #include <algorithm>
 #include <array>

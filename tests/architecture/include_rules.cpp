@@ -2,20 +2,47 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <regex>
 #include <span>
 #include <sstream>
 
 namespace foredraw::architecture {
 
+const std::vector<Room>& rooms() {
+  static const std::vector<Room> all = rooms_in(text_of(std::filesystem::path(FOREDRAW_SOURCE_DIR) / "framework/cmake/ForedrawBuild.cmake"));
+  return all;
+}
+
+std::vector<Room> rooms_in(const std::string& cmake) {
+  static const std::regex pattern(R"(foredraw_room\((\w+)((?: \w+)*)\))");
+  std::vector<Room> rooms;
+  for (std::sregex_iterator match(cmake.begin(), cmake.end(), pattern), end; match != end; ++match) {
+    if ((*match)[1] == "name") continue;  // the macro itself
+    std::istringstream links((*match)[2]);
+    rooms.push_back({(*match)[1], {std::istream_iterator<std::string>(links), {}}});
+  }
+  return rooms;
+}
+
 namespace {
 
-constexpr std::array<std::string_view, 7> layers = {"base",   "scene",    "analysis", "technique",
-                                                    "report", "pipeline", "io"};
+/// The room of a file below framework/foredraw, or of a header that is included: "io_gltf" of io/gltf/read.cpp.
+std::string room_of(std::vector<std::string> place) {
+  place.pop_back();
+  if (!place.empty() && place.back() == "private") place.pop_back();
+  std::string room;
+  for (const std::string& part : place) room += (room.empty() ? "" : "_") + part;
+  return room;
+}
 
-/// The place in the order of layers; past its end for platform, runtime and whatever is no layer.
-std::size_t rank(std::string_view layer) {
-  return static_cast<std::size_t>(std::find(layers.begin(), layers.end(), layer) - layers.begin());
+/// Whether `from` links `to`, directly or not.
+bool reaches(const std::string& from, const std::string& to) {
+  for (const Room& room : rooms()) {
+    if (room.name != from) continue;
+    return std::ranges::any_of(room.links, [&](const std::string& link) { return link == to || reaches(link, to); });
+  }
+  return false;
 }
 
 constexpr std::array<std::string_view, 29> c_headers = {
@@ -54,7 +81,10 @@ struct Include {
   bool is_tinygltf() const { return target.find("tiny_gltf") != std::string::npos; }
   bool is_private() const { return target.find("/private/") != std::string::npos; }
   bool is_own_folder() const { return quoted && target.find("..") == std::string::npos; }
-  std::string layer() const { return target.starts_with("foredraw/") ? parts_of(target).at(1) : std::string(); }
+  std::string room() const {
+    const std::vector<std::string> parts = parts_of(target);
+    return parts.front() == "foredraw" && parts.size() > 2 ? room_of({parts.begin() + 1, parts.end()}) : std::string();
+  }
 };
 
 std::vector<Include> includes_of(const std::string& text) {
@@ -69,17 +99,13 @@ std::vector<Include> includes_of(const std::string& text) {
   return includes;
 }
 
-/// Why a file of a framework layer may not include this; empty: it may.
-std::string refused_in_framework(const std::string& layer, bool is_public_header, const Include& include) {
-  if (layer == "runtime") return include.is_c() ? "" : "runtime/ is C for frame loops: only C's own headers";
-  const std::string other = include.layer();
-  if (other == layer || other == "runtime") return "";
-  if (other == "platform") {
-    return layer == "pipeline" || layer == "io" ? "" : "of the layers only pipeline and io include platform";
-  }
-  if (layer == "platform" && !other.empty() && other != "base") return "platform includes only base";
-  if (!other.empty() && rank(other) >= rank(layer)) {
-    return "the order is base <- scene <- analysis <- technique <- report <- pipeline <- io, only leftwards";
+/// Why a file of a room may not include this; empty: it may.
+std::string refused_in_framework(const std::string& room, bool is_public_header, const Include& include) {
+  if (room == "runtime") return include.is_c() ? "" : "runtime/ is C for frame loops: only C's own headers";
+  const std::string other = include.room();
+  if (other == room || other == "runtime") return "";
+  if (!other.empty() && !reaches(room, other)) {
+    return "framework/cmake/ForedrawBuild.cmake does not let " + room + " link " + other;
   }
   if (is_public_header && other.empty() && !include.is_standard() && !include.is_glm()) {
     return "headers of the framework include the standard library, GLM and the framework; move it into the .cpp";
@@ -91,33 +117,37 @@ std::string refused_in_framework(const std::string& layer, bool is_public_header
 std::string refused_in_plugin(const std::vector<std::string>& place, const Include& include) {
   const std::string& file = place.back();
   const bool is_face = place.size() > 1 && file == place[place.size() - 2] + ".h";
-  const std::string layer = include.layer();
-  if (layer.empty()) {
+  const std::string room = include.room();
+  if (room == "runtime") return "";
+  if (room.empty()) {
     if (include.is_standard() || include.is_glm() || include.is_own_folder()) return "";
     if (!is_face && begins_with_one_of(packages_of_techniques, include.target)) return "";
     if (include.quoted || include.target.starts_with("plugins/") || include.target.starts_with("evaluators/")) {
-      return "plugins and evaluators include only their own folder; what two need goes to framework/foredraw/analysis";
+      return "plugins and evaluators include only their own folder; what two need goes to a room of the framework";
     }
   }
-  if (!layer.empty() && rank(layer) > rank("technique")) {
-    return "plugins and evaluators include the framework up to technique only";
+  if (!room.empty() && room != "measuring" && !reaches("measuring", room)) {
+    return "plugins and evaluators include the framework up to measuring only";
   }
   const bool is_plain = file.find("_plugin.") == std::string::npos;
-  if (is_plain && (layer.empty() || rank(layer) > rank("analysis"))) {
-    return "a technique's plain files include the standard library, GLM, their own folder and foredraw/{base,scene,"
-           "analysis}, and behind its header what they are made of; what dresses it goes to its _plugin.cpp";
+  if (is_plain && (room.empty() || (room != "overdraw" && !reaches("overdraw", room)))) {
+    return "a technique's plain files include the standard library, GLM, their own folder and the framework up to "
+           "overdraw, and behind its header what they are made of; what dresses it goes to its _plugin.cpp";
   }
   return "";
 }
 
 std::string refused(const std::vector<std::string>& place, const Include& include) {
   const bool in_framework = place.size() > 3 && place[0] == "framework" && place[1] == "foredraw";
-  if (include.is_posix() && !(in_framework && place[2] == "platform")) return "POSIX calls live in platform/ alone";
-  if (include.is_tinygltf() && !(in_framework && place[2] == "io")) return "tinygltf is used by io/ alone";
-  if (include.is_private() && !(in_framework && place[2] == include.layer())) return "private/ is for its own layer";
+  const std::string room = in_framework ? room_of({place.begin() + 2, place.end()}) : std::string();
+  if (include.is_posix() && room != "platform") return "POSIX calls live in platform/ alone";
+  if (include.is_tinygltf() && room != "io_gltf") return "tinygltf is used by io/gltf/ alone";
+  if (include.is_private() && !(in_framework && place[2] == parts_of(include.target).at(1))) {
+    return "private/ is for its own room, and in io for the rooms of io";
+  }
   if (in_framework) {
-    const bool is_public_header = place.back().ends_with(".h") && place[3] != "private";
-    return refused_in_framework(place[2], is_public_header, include);
+    const bool is_public_header = place.back().ends_with(".h") && place[place.size() - 2] != "private";
+    return refused_in_framework(room, is_public_header, include);
   }
   if (place[0] == "plugins" || place[0] == "evaluators") return refused_in_plugin(place, include);
   return "";

@@ -14,23 +14,33 @@ bool may_include(const std::string& path, const std::string& target) {
   return include_breaches(path, "#pragma once\n#include " + target + "\n").empty();
 }
 
-TEST(IncludeRules, layers_point_leftwards) {
+TEST(IncludeRules, rooms_include_what_they_link) {
   EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<foredraw/base/random.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<foredraw/scene/traits.h>"));
-  EXPECT_TRUE(may_include("framework/foredraw/io/gltf.cpp", "<foredraw/pipeline/plan.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/mesh/read.cpp", "<foredraw/io/gltf/private/document.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf/read.cpp", "<foredraw/pipeline/plan.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf/read.cpp", "<foredraw/technique/run.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/base/random.h", "<foredraw/scene/draw.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/analysis/analyses.cpp", "<foredraw/technique/run.h>"));
-  EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<foredraw/io/gltf.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<foredraw/io/gltf/gltf.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/scene/draw.h", "<foredraw/nowhere/x.h>"));
+}
+
+TEST(IncludeRules, rooms_are_read_from_the_build) {
+  const std::vector<Room> made = rooms_in("macro(foredraw_room name)\nforedraw_room(base)\nforedraw_room(io_gltf base scene)\n");
+  ASSERT_EQ(made.size(), 2u);
+  EXPECT_EQ(made[1].name, "io_gltf");
+  EXPECT_EQ(made[1].links, (std::vector<std::string>{"base", "scene"}));
+  EXPECT_GT(rooms().size(), 12u);
 }
 
 TEST(IncludeRules, platform_includes_base_and_alone_calls_posix) {
   EXPECT_TRUE(may_include("framework/foredraw/platform/files.cpp", "<foredraw/base/diagnostics.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/platform/files.cpp", "<sys/stat.h>"));
-  EXPECT_TRUE(may_include("framework/foredraw/io/gltf.h", "<foredraw/platform/files.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/gltf.h", "<foredraw/platform/files.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/platform/files.cpp", "<foredraw/scene/draw.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/scene/draw.cpp", "<foredraw/platform/files.h>"));
-  EXPECT_FALSE(may_include("framework/foredraw/io/gltf.cpp", "<unistd.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf/read.cpp", "<unistd.h>"));
   EXPECT_FALSE(may_include("hosts/cli/main.cpp", "<sys/stat.h>"));
   EXPECT_FALSE(may_include("plugins/orderers/x/x_plugin.cpp", "<fcntl.h>"));
 }
@@ -40,11 +50,11 @@ TEST(IncludeRules, framework_headers_show_glm_alone) {
   EXPECT_TRUE(may_include("framework/foredraw/report/report.cpp", "<nlohmann/json.hpp>"));
   EXPECT_FALSE(may_include("framework/foredraw/report/report.h", "<nlohmann/json.hpp>"));
   EXPECT_FALSE(may_include("framework/foredraw/base/parallel.h", "<tbb/parallel_for.h>"));
-  EXPECT_TRUE(may_include("framework/foredraw/io/gltf.cpp", "<tiny_gltf.h>"));
-  EXPECT_FALSE(may_include("framework/foredraw/io/gltf.h", "<tiny_gltf.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/read.cpp", "<tiny_gltf.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf/gltf.h", "<tiny_gltf.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<tiny_gltf.h>"));
-  EXPECT_TRUE(may_include("framework/foredraw/io/private/gltf_document.h", "<tiny_gltf.h>"));
-  EXPECT_FALSE(may_include("hosts/cli/main.cpp", "<foredraw/io/private/gltf_document.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/private/document.h", "<tiny_gltf.h>"));
+  EXPECT_FALSE(may_include("hosts/cli/main.cpp", "<foredraw/io/gltf/private/document.h>"));
 }
 
 TEST(IncludeRules, runtime_is_c) {
@@ -53,12 +63,12 @@ TEST(IncludeRules, runtime_is_c) {
   EXPECT_FALSE(may_include("framework/foredraw/runtime/order_table.h", "<foredraw/base/random.h>"));
 }
 
-TEST(IncludeRules, plugins_know_the_framework_up_to_technique_and_no_one_else) {
+TEST(IncludeRules, plugins_know_the_framework_up_to_measuring_and_no_one_else) {
   const std::string dress = "plugins/orderers/x/x_plugin.cpp";
   EXPECT_TRUE(may_include(dress, "\"x.h\""));
   EXPECT_TRUE(may_include(dress, "<foredraw/technique/plugin.h>"));
   EXPECT_TRUE(may_include(dress, "<fmt/format.h>"));
-  for (const char* target : {"<foredraw/report/report.h>", "<foredraw/pipeline/plan.h>", "<foredraw/io/gltf.h>",
+  for (const char* target : {"<foredraw/report/report.h>", "<foredraw/pipeline/plan.h>", "<foredraw/io/gltf/gltf.h>",
                              "<foredraw/platform/files.h>", "\"../weld/weld.h\"", "<plugins/processors/weld/weld.h>"}) {
     EXPECT_FALSE(may_include(dress, target)) << target;
     EXPECT_FALSE(may_include("evaluators/x/x_plugin.cpp", target)) << target;

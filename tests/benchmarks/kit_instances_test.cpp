@@ -6,7 +6,7 @@
 #include "plugins/processors/merge_instances/merge_instances.h"
 #include "support/meshes.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 
 #include <gtest/gtest.h>
 

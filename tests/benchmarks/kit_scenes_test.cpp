@@ -6,7 +6,7 @@
 #include "support/gltf_builder.h"
 #include "support/meshes.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 
 #include <gtest/gtest.h>
 

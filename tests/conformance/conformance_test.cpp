@@ -4,7 +4,7 @@
 #include "odd_scenes.h"
 
 #include <foredraw/analysis/vertex_rows.h>
-#include <foredraw/io/images.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/technique/built_in_plugins.h>

@@ -3,8 +3,8 @@
 #include "support/image_builder.h"
 #include "support/sprite_scenes.h"
 
-#include <foredraw/io/gltf.h>
-#include <foredraw/io/images.h>
+#include <foredraw/io/gltf/gltf.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/technique/built_in_plugins.h>

@@ -4,7 +4,7 @@
 #include "../../evaluators/overdraw_embree/overdraw_embree.h"
 #include "../../evaluators/overdraw_embree/sample_pattern.h"
 
-#include <foredraw/analysis/camera.h>
+#include <foredraw/viewing/camera.h>
 
 #include <algorithm>
 #include <vector>

@@ -4,8 +4,8 @@
 
 #include "support/painter.h"
 
-#include <foredraw/analysis/fragment_layers.h>
-#include <foredraw/analysis/view_sphere.h>
+#include <foredraw/overdraw/fragment_layers.h>
+#include <foredraw/viewing/view_sphere.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "support/exact_fragments.h"
 
-#include <foredraw/analysis/overdraw_count.h>
+#include <foredraw/overdraw/overdraw_count.h>
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
 #include "claim.h"
 #include "gltf_mutator.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace foredraw;

@@ -3,7 +3,7 @@
 
 #include "claim.h"
 
-#include <foredraw/io/images.h>
+#include <foredraw/io/image/images.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace foredraw;

@@ -4,7 +4,7 @@
 #include "claim.h"
 #include "support/mesh_reading.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/scene_file.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,7 +4,7 @@
 #include "claim.h"
 
 #include <foredraw/analysis/certificate.h>
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/technique/built_in_plugins.h>

@@ -5,7 +5,7 @@
 #include "support/sprites.h"
 
 #include <foredraw/io/scene_file.h>
-#include <foredraw/io/sprite_files.h>
+#include <foredraw/io/sprite/sprite_files.h>
 
 #include <unistd.h>
 

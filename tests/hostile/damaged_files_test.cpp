@@ -2,7 +2,7 @@
 #include "support/meshes.h"
 #include "support/program.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 
 namespace foredraw {
 namespace {

@@ -4,7 +4,7 @@
 #include "support/program.h"
 
 #include <foredraw/base/random.h>
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/scene_file.h>
 
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 #pragma once
 // Read, optimise, write, read again: the way of every file through the program, without the program.
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 
 #include <span>
 #include <string>

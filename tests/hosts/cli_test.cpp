@@ -2,7 +2,7 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

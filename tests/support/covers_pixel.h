@@ -1,7 +1,7 @@
 #pragma once
 // Coverage found without cleverness.
 
-#include <foredraw/analysis/coverage.h>
+#include <foredraw/viewing/coverage.h>
 
 namespace foredraw {
 

@@ -3,8 +3,8 @@
 
 #include "support/covers_pixel.h"
 
-#include <foredraw/analysis/camera.h>
-#include <foredraw/analysis/raster_part.h>
+#include <foredraw/viewing/camera.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 // Mesh files from texts, and what they draw.
 
-#include <foredraw/io/mesh_files.h>
+#include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/scene/vertex_groups.h>
 

@@ -3,9 +3,9 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/analysis/mask.h>
-#include <foredraw/analysis/overdraw_count.h>
-#include <foredraw/analysis/view_sphere.h>
+#include <foredraw/viewing/mask.h>
+#include <foredraw/overdraw/overdraw_count.h>
+#include <foredraw/viewing/view_sphere.h>
 #include <foredraw/base/random.h>
 #include <foredraw/technique/plugin.h>
 

@@ -3,8 +3,8 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/analysis/fragments.h>
-#include <foredraw/analysis/overdraw_count.h>
+#include <foredraw/overdraw/fragments.h>
+#include <foredraw/overdraw/overdraw_count.h>
 
 #include <numeric>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 // Sprites painted the plain way, pixel by pixel: a second opinion on what fills and what shows.
 
-#include <foredraw/analysis/alpha_image.h>
-#include <foredraw/analysis/texture_places.h>
+#include <foredraw/image/alpha_image.h>
+#include <foredraw/image/texture_places.h>
 #include <foredraw/scene/scene.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 // Scenes of images alone, made on the spot.
 
-#include <foredraw/analysis/alpha_image.h>
+#include <foredraw/image/alpha_image.h>
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/scene/scene.h>
 

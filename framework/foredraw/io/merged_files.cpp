@@ -1,7 +1,7 @@
 #include <foredraw/io/merged_files.h>
 
 #include <foredraw/io/merged_shader.h>
-#include <foredraw/io/private/file_kind.h>
+#include <foredraw/io/text/private/file_kind.h>
 
 #include <nlohmann/json.hpp>
 

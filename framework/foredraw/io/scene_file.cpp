@@ -1,13 +1,13 @@
 #include <foredraw/io/scene_file.h>
 
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/merged_files.h>
-#include <foredraw/io/mesh_files.h>
-#include <foredraw/io/private/file_kind.h>
-#include <foredraw/io/private/gltf_stand_ins.h>
-#include <foredraw/io/private/gltf_write.h>
-#include <foredraw/io/private/mesh_source.h>
-#include <foredraw/io/sprite_files.h>
+#include <foredraw/io/mesh/mesh_files.h>
+#include <foredraw/io/text/private/file_kind.h>
+#include <foredraw/io/gltf/private/stand_ins.h>
+#include <foredraw/io/gltf/private/write.h>
+#include <foredraw/io/mesh/private/source.h>
+#include <foredraw/io/sprite/sprite_files.h>
 
 #include <algorithm>
 #include <iterator>

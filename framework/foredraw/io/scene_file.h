@@ -2,7 +2,7 @@
 // Scenes by path. "-" is standard input or output, and then glTF; the extension picks the kind.
 
 #include <foredraw/base/diagnostics.h>
-#include <foredraw/io/gltf.h>
+#include <foredraw/io/gltf/gltf.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/scene/scene.h>
 

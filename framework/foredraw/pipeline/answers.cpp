@@ -1,7 +1,7 @@
 #include <foredraw/pipeline/answers.h>
 
 #include <foredraw/analysis/certificate.h>
-#include <foredraw/analysis/pose_set.h>
+#include <foredraw/viewing/pose_set.h>
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // A pipeline as it was written: what to run, in which sequence, with which options. A value that says nothing yet of
 // whether it can run; plan() does.
 
-#include <foredraw/analysis/pose_set.h>
-#include <foredraw/analysis/view_sphere.h>
+#include <foredraw/viewing/pose_set.h>
+#include <foredraw/viewing/view_sphere.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/technique/options.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Options that techniques for sprites share, so that they are spelled alike.
 
-#include <foredraw/analysis/alpha_image.h>
+#include <foredraw/image/alpha_image.h>
 #include <foredraw/technique/options.h>
 
 namespace foredraw {

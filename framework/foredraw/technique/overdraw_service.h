@@ -2,9 +2,9 @@
 // Measured overdraw for techniques that want it, whoever answers: a plugin says uses_overdraw on its card and asks
 // run.overdraw; the pipeline's [services] says which evaluator that is.
 
-#include <foredraw/analysis/drawn_subject.h>
-#include <foredraw/analysis/fragment_layers.h>
-#include <foredraw/analysis/overdraw_count.h>
+#include <foredraw/viewing/drawn_subject.h>
+#include <foredraw/overdraw/fragment_layers.h>
+#include <foredraw/overdraw/overdraw_count.h>
 #include <foredraw/scene/views.h>
 #include <foredraw/technique/run.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <foredraw/analysis/pose_set.h>
+#include <foredraw/viewing/pose_set.h>
 #include <foredraw/technique/options.h>
 
 #include <concepts>

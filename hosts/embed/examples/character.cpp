@@ -1,8 +1,8 @@
 #include "character.h"
 
-#include <foredraw/analysis/drawn_orders.h>
-#include <foredraw/analysis/order_lookup.h>
-#include <foredraw/analysis/pose_set.h>
+#include <foredraw/viewing/drawn_orders.h>
+#include <foredraw/viewing/order_lookup.h>
+#include <foredraw/viewing/pose_set.h>
 #include <foredraw/io/scene_file.h>
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>

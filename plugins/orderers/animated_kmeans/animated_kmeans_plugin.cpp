@@ -1,8 +1,8 @@
 #include "animated_kmeans.h"
 
-#include <foredraw/analysis/order_nodes.h>
+#include <foredraw/viewing/order_nodes.h>
 #include <foredraw/base/random.h>
-#include <foredraw/technique/captured_subject.h>
+#include <foredraw/measuring/captured_subject.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "patch_places.h"
 
-#include <foredraw/analysis/bounding_sphere.h>
+#include <foredraw/viewing/bounding_sphere.h>
 
 #include <glm/geometric.hpp>
 

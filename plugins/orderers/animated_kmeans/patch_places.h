@@ -1,8 +1,8 @@
 #pragma once
 // Where the patches of a subject are in each pose, and from where they are seen: what sorting by distance asks.
 
-#include <foredraw/analysis/raster_part.h>
-#include <foredraw/analysis/seen_subject.h>
+#include <foredraw/viewing/raster_part.h>
+#include <foredraw/overdraw/seen_subject.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/views.h>
 

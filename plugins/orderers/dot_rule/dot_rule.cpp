@@ -1,6 +1,6 @@
 #include "dot_rule.h"
 
-#include <foredraw/analysis/outward_sequence.h>
+#include <foredraw/overdraw/outward_sequence.h>
 
 namespace foredraw {
 

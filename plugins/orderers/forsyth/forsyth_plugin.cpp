@@ -1,6 +1,6 @@
 #include "forsyth.h"
 
-#include <foredraw/technique/cache_orderer.h>
+#include <foredraw/measuring/cache_orderer.h>
 #include <foredraw/technique/plugin.h>
 
 namespace foredraw {

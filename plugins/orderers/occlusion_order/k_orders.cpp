@@ -1,6 +1,6 @@
 #include "k_orders.h"
 
-#include <foredraw/analysis/view_directions.h>
+#include <foredraw/viewing/view_directions.h>
 
 #include <glm/geometric.hpp>
 

@@ -6,7 +6,7 @@
 #include "atoms.h"
 #include "occlusions.h"
 
-#include <foredraw/analysis/seen_subject.h>
+#include <foredraw/overdraw/seen_subject.h>
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #include "k_orders.h"
 
-#include <foredraw/analysis/order_nodes.h>
-#include <foredraw/technique/captured_subject.h>
+#include <foredraw/viewing/order_nodes.h>
+#include <foredraw/measuring/captured_subject.h>
 #include <foredraw/technique/plugin.h>
 
 namespace foredraw {

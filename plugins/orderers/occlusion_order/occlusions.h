@@ -1,7 +1,7 @@
 #pragma once
 // Who hides whom: fragment layers as a search for orders asks them.
 
-#include <foredraw/analysis/seen_subject.h>
+#include <foredraw/overdraw/seen_subject.h>
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #include "tipsify.h"
 
-#include <foredraw/analysis/posed_positions.h>
-#include <foredraw/technique/cache_orderer.h>
+#include <foredraw/viewing/posed_positions.h>
+#include <foredraw/measuring/cache_orderer.h>
 #include <foredraw/technique/plugin.h>
 
 namespace foredraw {

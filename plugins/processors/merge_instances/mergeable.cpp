@@ -2,9 +2,9 @@
 
 #include "packing.h"
 
-#include <foredraw/analysis/animation.h>
+#include <foredraw/viewing/animation.h>
 #include <foredraw/analysis/moved_nodes.h>
-#include <foredraw/analysis/posed_positions.h>
+#include <foredraw/viewing/posed_positions.h>
 #include <foredraw/analysis/vertex_cache.h>
 
 #include <glm/mat3x3.hpp>

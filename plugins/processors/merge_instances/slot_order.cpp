@@ -1,6 +1,6 @@
 #include "slot_order.h"
 
-#include <foredraw/analysis/outward_sequence.h>
+#include <foredraw/overdraw/outward_sequence.h>
 
 #include <glm/vec3.hpp>
 

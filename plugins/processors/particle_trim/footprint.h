@@ -3,7 +3,7 @@
 
 #include "convex_hull.h"
 
-#include <foredraw/analysis/alpha_image.h>
+#include <foredraw/image/alpha_image.h>
 
 #include <memory>
 #include <mutex>

@@ -2,8 +2,8 @@
 
 #include "fewest_inner_edges.h"
 
-#include <foredraw/analysis/sprite_pieces.h>
-#include <foredraw/analysis/texture_places.h>
+#include <foredraw/image/sprite_pieces.h>
+#include <foredraw/image/texture_places.h>
 
 #include <glm/common.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Rows of texels as a sampler sees them: the image and what lies beyond its edges.
 
-#include <foredraw/analysis/alpha_image.h>
+#include <foredraw/image/alpha_image.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-#include <foredraw/analysis/alpha_image.h>
+#include <foredraw/image/alpha_image.h>
 #include <foredraw/scene/sprite.h>
 
 #include <cstdint>

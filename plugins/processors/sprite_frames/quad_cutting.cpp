@@ -1,7 +1,7 @@
 #include "quad_cutting.h"
 
-#include <foredraw/analysis/sprite_pieces.h>
-#include <foredraw/analysis/texture_places.h>
+#include <foredraw/image/sprite_pieces.h>
+#include <foredraw/image/texture_places.h>
 
 #include <algorithm>
 #include <cmath>

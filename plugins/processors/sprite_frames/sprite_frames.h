@@ -1,7 +1,7 @@
 #pragma once
 // An image of many sprites cut into frames: by a grid, or where the gaps are.
 
-#include <foredraw/analysis/alpha_image.h>
+#include <foredraw/image/alpha_image.h>
 #include <foredraw/scene/sprite.h>
 
 #include <cstdint>

@@ -1,10 +1,10 @@
 // Merged draws as engines get them: what lies where, the buffers, and shaders that a compiler takes.
 #include <foredraw/io/merged_files.h>
 
-#include "framework/io/merged_scenes.h"
+#include "framework/io/gltf/merged_scenes.h"
 
 #include <foredraw/io/merged_shader.h>
-#include <foredraw/io/mesh_files.h>
+#include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/scene_file.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "support/overdraw.h"
 
-#include <foredraw/analysis/cluster_layers.h>
+#include <foredraw/overdraw/cluster_layers.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "support/overdraw.h"
 #include "support/painter.h"
 
-#include <foredraw/analysis/cluster_layers.h>
+#include <foredraw/overdraw/cluster_layers.h>
 #include <foredraw/analysis/vertex_cache.h>
 
 #include <meshoptimizer.h>

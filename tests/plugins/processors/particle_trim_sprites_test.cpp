@@ -4,7 +4,7 @@
 #include "support/sprite_painter.h"
 #include "support/sprite_scenes.h"
 
-#include <foredraw/analysis/sprite_pieces.h>
+#include <foredraw/image/sprite_pieces.h>
 #include <foredraw/base/random.h>
 #include <foredraw/technique/plugin.h>
 

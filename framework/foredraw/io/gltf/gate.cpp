@@ -1,0 +1,242 @@
+#include <foredraw/io/gltf/private/gate.h>
+#include <foredraw/io/text/private/json_text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foredraw::gltf {
+
+namespace {
+
+constexpr std::size_t most_mistakes = 20;
+
+const char* kind_name(const Json& value) {
+  return value.is_number_float() ? "a fraction" : value.is_number() ? "a number" : value.type_name();
+}
+
+/// The top-level arrays of objects that we look into.
+constexpr const char* kinds[] = {"accessors", "animations", "buffers", "bufferViews", "cameras",
+                                 "images",    "materials",  "meshes",  "nodes",       "samplers",
+                                 "scenes",    "skins",      "textures"};
+
+}  // namespace
+
+std::string at(const std::string& place, std::size_t i) { return fmt::format("{}[{}]", place, i); }
+
+std::string in(const std::string& place, std::string_view key) {
+  return place.empty() ? std::string(key) : fmt::format("{}.{}", place, key);
+}
+
+void Gate::error(const std::string& place, std::string code, std::string message, std::string hint) {
+  if (++mistakes_ > most_mistakes) return;
+  diagnostics_.error({.file = document_.name, .inside = place}, std::move(code), std::move(message), std::move(hint));
+}
+
+void Gate::warning(const std::string& place, std::string code, std::string message) {
+  if (++warnings_ > most_mistakes) return;
+  diagnostics_.warning({.file = document_.name, .inside = place}, std::move(code), std::move(message));
+}
+
+void Gate::error_at(std::size_t byte, std::string_view text, std::string code, std::string message, std::string hint) {
+  ++mistakes_;
+  diagnostics_.error(place_in(document_.name, text, byte), std::move(code), std::move(message), std::move(hint));
+}
+
+void Gate::note(const std::string& place, std::string code, std::string message) {
+  diagnostics_.note({.file = document_.name, .inside = place}, std::move(code), std::move(message));
+}
+
+void Gate::finish() {
+  if (mistakes_ > most_mistakes) {
+    diagnostics_.note({.file = document_.name}, "more-mistakes",
+                      fmt::format("{} more mistakes are not shown", mistakes_ - most_mistakes));
+  }
+  if (warnings_ > most_mistakes) {
+    diagnostics_.note({.file = document_.name}, "more-warnings",
+                      fmt::format("{} more warnings are not shown", warnings_ - most_mistakes));
+  }
+}
+
+const Json& Gate::all(const char* kind) const {
+  static const Json none = Json::array();
+  const auto found = json().find(kind);
+  return found == json().end() ? none : *found;
+}
+
+const Json* Gate::array(const Json& parent, const char* key, const std::string& place) {
+  const auto found = parent.find(key);
+  if (found == parent.end()) return nullptr;
+  if (found->is_array()) return &*found;
+  error(in(place, key), "wrong-type", fmt::format("must be an array, but is {}", kind_name(*found)));
+  return nullptr;
+}
+
+const Json* Gate::object(const Json& parent, const char* key, const std::string& place) {
+  const auto found = parent.find(key);
+  if (found == parent.end()) return nullptr;
+  if (found->is_object()) return &*found;
+  error(in(place, key), "wrong-type", fmt::format("must be an object, but is {}", kind_name(*found)));
+  return nullptr;
+}
+
+std::optional<std::string> Gate::text(const Json& parent, const char* key, const std::string& place) {
+  const auto found = parent.find(key);
+  if (found == parent.end()) return std::nullopt;
+  if (found->is_string()) return found->get<std::string>();
+  error(in(place, key), "wrong-type", fmt::format("must be a text, but is {}", kind_name(*found)));
+  return std::nullopt;
+}
+
+std::optional<bool> Gate::boolean(const Json& parent, const char* key, const std::string& place) {
+  const auto found = parent.find(key);
+  if (found == parent.end()) return std::nullopt;
+  if (found->is_boolean()) return found->get<bool>();
+  error(in(place, key), "wrong-type", fmt::format("must be true or false, but is {}", kind_name(*found)));
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> Gate::whole(const Json& parent, const char* key, const std::string& place,
+                                         std::uint64_t least, std::uint64_t most) {
+  const auto found = parent.find(key);
+  if (found == parent.end()) return std::nullopt;
+  if (!found->is_number_integer()) {
+    error(in(place, key), "wrong-type", fmt::format("must be a whole number, but is {}", kind_name(*found)));
+    return std::nullopt;
+  }
+  const bool negative = !found->is_number_unsigned() && found->get<std::int64_t>() < 0;
+  const std::uint64_t value = negative ? 0 : found->get<std::uint64_t>();
+  if (!negative && value >= least && value <= most) return value;
+  error(in(place, key), "out-of-range", fmt::format("is {}, but must be {} to {}", found->dump(), least, most));
+  return std::nullopt;
+}
+
+std::optional<double> Gate::number(const Json& parent, const char* key, const std::string& place) {
+  const auto found = parent.find(key);
+  if (found == parent.end()) return std::nullopt;
+  if (!found->is_number()) {
+    error(in(place, key), "wrong-type", fmt::format("must be a number, but is {}", kind_name(*found)));
+    return std::nullopt;
+  }
+  const double value = found->get<double>();
+  if (std::abs(value) <= std::numeric_limits<float>::max()) return value;
+  error(in(place, key), "out-of-range", "does not fit a 32-bit float");
+  return std::nullopt;
+}
+
+bool Gate::numbers(const Json& parent, const char* key, const std::string& place, std::size_t size) {
+  const Json* values = array(parent, key, place);
+  if (values == nullptr) return false;
+  if (size != 0 && values->size() != size) {
+    error(in(place, key), "out-of-range", fmt::format("has {} numbers, but must have {}", values->size(), size));
+    return false;
+  }
+  for (std::size_t i = 0; i < values->size(); ++i) {
+    const Json& value = (*values)[i];
+    if (value.is_number() && std::abs(value.get<double>()) <= std::numeric_limits<float>::max()) continue;
+    error(at(in(place, key), i), "wrong-type", "must be a number that fits a 32-bit float");
+    return false;
+  }
+  return true;
+}
+
+std::optional<std::size_t> Gate::reference(const Json& value, const char* kind, const std::string& place) {
+  if (!value.is_number_integer()) {
+    error(place, "wrong-type", fmt::format("must be the number of one of the {}, but is {}", kind, kind_name(value)));
+    return std::nullopt;
+  }
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count(kind)) {
+    error(place, "bad-reference", fmt::format("is {}, but the file has {} {}", value.dump(), count(kind), kind));
+    return std::nullopt;
+  }
+  const auto number = value.get<std::size_t>();
+  if (kind == std::string_view("accessors") && unknown_accessors.contains(number)) {
+    error(place, "accessor-type", fmt::format("accessor {} is of a type that glTF does not have", number));
+    return std::nullopt;
+  }
+  return number;
+}
+
+std::optional<std::size_t> Gate::reference(const Json& parent, const char* key, const char* kind,
+                                           const std::string& place) {
+  const auto found = parent.find(key);
+  if (found == parent.end()) return std::nullopt;
+  return reference(*found, kind, in(place, key));
+}
+
+void Gate::required(const Json& parent, const char* key, const std::string& place) {
+  if (parent.contains(key)) return;
+  error(place, "missing-member", fmt::format("lacks '{}'", key));
+}
+
+const Accessor* Gate::accessor(std::optional<std::size_t> number) const {
+  return number && *number < accessors.size() && accessors[*number] ? &*accessors[*number] : nullptr;
+}
+
+const BufferView* Gate::view(std::optional<std::size_t> number) const {
+  if (!number || *number >= document_.views.size() || document_.views[*number].length == 0) return nullptr;
+  return &document_.views[*number];
+}
+
+bool check_structure(Gate& gate) {
+  const Json& json = gate.json();
+  if (!json.is_object()) {
+    gate.error({}, "wrong-type", "the JSON must be an object");
+    return false;
+  }
+  for (const char* kind : kinds) {
+    const Json* values = gate.array(json, kind, {});
+    for (std::size_t i = 0; values != nullptr && i < values->size(); ++i) {
+      if (!(*values)[i].is_object()) gate.error(at(kind, i), "wrong-type", "must be an object");
+    }
+  }
+  const Json* asset = gate.object(json, "asset", {});
+  if (asset == nullptr) {
+    gate.required(json, "asset", "the file");
+    return false;
+  }
+  const auto version = gate.text(*asset, "version", "asset");
+  gate.required(*asset, "version", "asset");
+  const auto least = gate.text(*asset, "minVersion", "asset");
+  for (const auto& wanted : {version, least}) {
+    if (wanted && wanted->substr(0, 2) != "2.") {
+      gate.error("asset.version", "gltf-version", fmt::format("glTF version is '{}', but must be 2.x", *wanted),
+                 "convert the file to glTF 2.0 first");
+    }
+  }
+  return gate.sound();
+}
+
+std::optional<Document> open_document(Shared<std::byte> file, const std::string& name,
+                                      const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  Document document;
+  document.name = name;
+  document.folder = folder;
+  document.file = std::move(file);
+  Gate gate(document, diagnostics);
+
+  const auto container = open_container(gate);
+  const bool readable = container && parse_json(gate, container->json) && check_structure(gate);
+  if (readable) {
+    check_extensions(gate);
+    check_buffers(gate, container->bin);
+    check_views(gate);
+    check_compression(gate);
+    check_accessors(gate);
+    check_images(gate);
+    check_materials(gate);
+    check_meshes(gate);
+    check_nodes(gate);
+    check_instances(gate);
+    check_skins(gate);
+    check_animations(gate);
+    if (gate.sound()) check_finite(gate);
+  }
+  gate.finish();
+  if (!gate.sound()) return std::nullopt;
+  for (const auto& accessor : gate.accessors) document.accessors.push_back(*accessor);
+  return document;
+}
+
+}  // namespace foredraw::gltf

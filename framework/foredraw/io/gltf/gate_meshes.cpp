@@ -1,0 +1,214 @@
+// Checks of meshes: that every primitive's attributes fit one another and its indices stay below its vertices.
+#include <foredraw/io/gltf/private/gate.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace foredraw::gltf {
+
+namespace {
+
+struct IndexRange {
+  std::uint32_t most = 0;
+  std::uint32_t restart = 0;  ///< the type's greatest value, which glTF keeps free
+};
+
+/// What glTF lets a semantic hold. Components are not told apart further: quantised assets mix them.
+struct SemanticRule {
+  std::string_view prefix;
+  std::uint8_t least, most;  ///< components
+};
+constexpr SemanticRule rules[] = {{"POSITION", 3, 3}, {"NORMAL", 3, 3},  {"TANGENT", 3, 4}, {"TEXCOORD_", 2, 2},
+                                  {"COLOR_", 3, 4},   {"JOINTS_", 4, 4}, {"WEIGHTS_", 4, 4}};
+
+class MeshCheck {
+ public:
+  explicit MeshCheck(Gate& gate) : gate_(gate) {}
+
+  void mesh(const Json& mesh, const std::string& place) {
+    gate_.required(mesh, "primitives", place);
+    const Json* primitives = gate_.array(mesh, "primitives", place);
+    if (primitives == nullptr) return;
+    if (primitives->empty()) gate_.error(in(place, "primitives"), "out-of-range", "must not be empty");
+    std::optional<std::size_t> targets;
+    for (std::size_t p = 0; p < primitives->size(); ++p) {
+      const std::string inside = at(in(place, "primitives"), p);
+      if (!(*primitives)[p].is_object()) {
+        gate_.error(inside, "wrong-type", "must be an object");
+        continue;
+      }
+      const std::size_t own = primitive((*primitives)[p], inside);
+      if (targets && *targets != own) {
+        gate_.error(in(inside, "targets"), "unequal-counts",
+                    fmt::format("has {} morph targets, but the first primitive has {}", own, *targets));
+      }
+      if (!targets) targets = own;
+    }
+    if (mesh.contains("weights")) gate_.numbers(mesh, "weights", place, targets.value_or(0));
+  }
+
+ private:
+  /// Returns the number of morph targets.
+  std::size_t primitive(const Json& primitive, const std::string& place) {
+    gate_.required(primitive, "attributes", place);
+    const Json* attributes = gate_.object(primitive, "attributes", place);
+    std::optional<std::size_t> vertices;
+    if (attributes != nullptr) {
+      vertices = streams(*attributes, std::nullopt, in(place, "attributes"));
+      if (attributes->empty()) {
+        gate_.error(in(place, "attributes"), "out-of-range", "must not be empty");
+      } else if (!attributes->contains("POSITION")) {
+        gate_.warning(in(place, "attributes"), "no-position",
+                      "lacks POSITION: there is nothing to draw, so it stays as it is");
+      }
+    }
+    const Json* targets = gate_.array(primitive, "targets", place);
+    for (std::size_t t = 0; targets != nullptr && t < targets->size(); ++t) {
+      const std::string inside = at(in(place, "targets"), t);
+      if ((*targets)[t].is_object()) {
+        streams((*targets)[t], vertices, inside);
+      } else {
+        gate_.error(inside, "wrong-type", "must be an object");
+      }
+    }
+    gate_.reference(primitive, "material", "materials", place);
+    const auto mode = gate_.whole(primitive, "mode", place, 0, 6);
+    std::optional<std::size_t> drawn = vertices;
+    if (primitive.contains("indices")) drawn = indices(primitive, vertices, place);
+    if (drawn && (mode || !primitive.contains("mode"))) index_count(*drawn, mode.value_or(4), place);
+    return targets == nullptr ? 0 : targets->size();
+  }
+
+  /// The one count that all of the streams have.
+  std::optional<std::size_t> streams(const Json& attributes, std::optional<std::size_t> vertices,
+                                     const std::string& place) {
+    for (const auto& [semantic, value] : attributes.items()) {
+      const auto number = gate_.reference(value, "accessors", in(place, semantic));
+      const Accessor* accessor = gate_.accessor(number);
+      if (accessor == nullptr) continue;
+      format(semantic, accessor->format, in(place, semantic));
+      if (!vertices) vertices = accessor->count;
+      if (accessor->count != *vertices) {
+        gate_.error(in(place, semantic), "unequal-counts",
+                    fmt::format("accessor {} has {} elements, but the primitive's others have {}", *number,
+                                accessor->count, *vertices));
+      }
+    }
+    return vertices;
+  }
+
+  void format(const std::string& semantic, const Format& format, const std::string& place) {
+    for (const SemanticRule& rule : rules) {
+      if (semantic.compare(0, rule.prefix.size(), rule.prefix) != 0) continue;
+      const bool joints = rule.prefix == "JOINTS_";
+      const bool type_fits = joints ? format.component == Component::uint8 || format.component == Component::uint16
+                                    : format.component != Component::uint32;
+      if (type_fits && format.components >= rule.least && format.components <= rule.most) return;
+      gate_.error(place, "attribute-type",
+                  fmt::format("accessor has {} components of {} bytes, which {} can not have", format.components,
+                              bytes_of(format.component), semantic));
+      return;
+    }
+  }
+
+  std::optional<std::size_t> indices(const Json& primitive, std::optional<std::size_t> vertices,
+                                     const std::string& place) {
+    const auto number = gate_.reference(primitive, "indices", "accessors", place);
+    const Accessor* accessor = gate_.accessor(number);
+    if (accessor == nullptr) return std::nullopt;
+    const Format& format = accessor->format;
+    const bool is_unsigned = format.component == Component::uint8 || format.component == Component::uint16 ||
+                             format.component == Component::uint32;
+    if (format.components != 1 || !is_unsigned || format.normalized || !accessor->rows) {
+      gate_.error(
+          in(place, "indices"), "index-type",
+          fmt::format("accessor {} must be SCALAR, of 8, 16 or 32 bits unsigned, not normalized, in a buffer view",
+                      *number));
+      return std::nullopt;
+    }
+    const IndexRange& range = range_of(*number, *accessor);
+    if (range.most == range.restart) {
+      gate_.error(
+          in(place, "indices"), "primitive-restart",
+          fmt::format("accessor {} holds {}, which restarts primitives; glTF forbids it", *number, range.restart));
+    } else if (vertices && range.most >= *vertices) {
+      gate_.error(in(place, "indices"), "index-range",
+                  fmt::format("accessor {} names vertex {}, but there are {}", *number, range.most, *vertices));
+    }
+    return accessor->count;
+  }
+
+  /// Kept, since many primitives may share one accessor.
+  const IndexRange& range_of(std::size_t number, const Accessor& accessor) {
+    const auto [known, is_new] = ranges_.try_emplace(number);
+    if (!is_new) return known->second;
+    known->second.most = greatest_index(gate_.document(), accessor);
+    known->second.restart = accessor.format.component == Component::uint8    ? 0xffu
+                            : accessor.format.component == Component::uint16 ? 0xffffu
+                                                                             : 0xffffffffu;
+    return known->second;
+  }
+
+  void index_count(std::size_t count, std::uint64_t mode, const std::string& place) {
+    struct Need {
+      std::size_t least, multiple;
+      const char* of;
+    };
+    static constexpr Need needs[] = {{1, 1, "points"},        {2, 2, "lines"},     {2, 1, "a line loop"},
+                                     {2, 1, "a line strip"},  {3, 3, "triangles"}, {3, 1, "a triangle strip"},
+                                     {3, 1, "a triangle fan"}};
+    const Need& need = needs[mode];
+    if (count < need.least) {
+      gate_.error(place, "index-count", fmt::format("{} corners are too few for {}", count, need.of));
+    } else if (count % need.multiple != 0) {
+      gate_.warning(
+          place, "index-count",
+          fmt::format("{} corners make no whole number of {}; what is left over is not drawn", count, need.of));
+    }
+  }
+
+  Gate& gate_;
+  std::map<std::size_t, IndexRange> ranges_;
+};
+
+}  // namespace
+
+void check_meshes(Gate& gate) {
+  const Json& meshes = gate.all("meshes");
+  MeshCheck check(gate);
+  for (std::size_t m = 0; m < meshes.size(); ++m) check.mesh(meshes[m], at("meshes", m));
+}
+
+void check_materials(Gate& gate) {
+  const Json& textures = gate.all("textures");
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    gate.reference(textures[i], "source", "images", at("textures", i));
+    gate.reference(textures[i], "sampler", "samplers", at("textures", i));
+  }
+  const Json& materials = gate.all("materials");
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const std::string place = at("materials", i);
+    const auto mode = gate.text(materials[i], "alphaMode", place);
+    if (mode && *mode != "OPAQUE" && *mode != "MASK" && *mode != "BLEND") {
+      gate.error(in(place, "alphaMode"), "out-of-range",
+                 fmt::format("is '{}', but must be OPAQUE, MASK or BLEND", *mode));
+    }
+    gate.number(materials[i], "alphaCutoff", place);
+    gate.boolean(materials[i], "doubleSided", place);
+    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
+      if (const Json* texture = gate.object(materials[i], key, place)) {
+        gate.reference(*texture, "index", "textures", in(place, key));
+      }
+    }
+    const Json* surface = gate.object(materials[i], "pbrMetallicRoughness", place);
+    for (const char* key : {"baseColorTexture", "metallicRoughnessTexture"}) {
+      const Json* texture =
+          surface == nullptr ? nullptr : gate.object(*surface, key, in(place, "pbrMetallicRoughness"));
+      if (texture != nullptr) gate.reference(*texture, "index", "textures", in(in(place, "pbrMetallicRoughness"), key));
+    }
+  }
+}
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,100 @@
+#include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/io/gltf/private/draw_orders.h>
+#include <foredraw/io/gltf/private/merged_instances.h>
+#include <foredraw/io/gltf/private/write.h>
+
+#include <algorithm>
+
+namespace foredraw::gltf {
+
+namespace {
+
+constexpr const char* draco = "KHR_draco_mesh_compression";
+
+/// A Draco stream holds a whole primitive beside its plain data, and would go on showing what was before. Views that
+/// only the extension knew of go with it.
+void drop_draco(Json& json, AccessorStore& store, const Document& document, Diagnostics& diagnostics) {
+  bool dropped = false;
+  for (std::size_t m = 0; json.contains("meshes") && m < json["meshes"].size(); ++m) {
+    for (Json& primitive : json["meshes"][m]["primitives"]) {
+      const Json value = take_extension(primitive, draco);
+      const auto view = value.find("bufferView");
+      if (view != value.end() && view->is_number_unsigned()) store.forget_view(view->get<std::size_t>());
+      dropped = !value.is_null() || dropped;
+    }
+  }
+  unlist_extension(json, draco);
+  if (!dropped) return;
+  diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "compressed-copy-dropped",
+                   "the Draco copy of the geometry is left out, as it no longer fits; the plain data is written");
+}
+
+void unlist_what_is_not_used(Json& json) {
+  for (const char* name : meshopt_extensions) {
+    const auto views = json.find("bufferViews");
+    const bool used = views != json.end() && std::any_of(views->begin(), views->end(), [&](const Json& view) {
+                        return extension_of(view, name) != nullptr;
+                      });
+    if (!used) unlist_extension(json, name);
+  }
+}
+
+bool is_compressed(const Document& document) {
+  const std::vector<std::string> names = extensions_in(document.json);
+  return std::any_of(document.views.begin(), document.views.end(), [](const auto& v) { return v.compressed; }) ||
+         std::find(names.begin(), names.end(), draco) != names.end();
+}
+
+bool names_a_buffer(const Json& value) {
+  if (value.is_object() && value.contains("buffer")) return true;
+  return value.is_structured() && std::any_of(value.begin(), value.end(), names_a_buffer);
+}
+
+/// All buffers become one. An extension that we do not know must not be left pointing at another.
+bool may_join_buffers(const Json& value) {
+  if (!value.is_structured()) return true;
+  for (const auto& [key, part] : value.items()) {
+    if (value.is_object() && key == "extensions" && part.is_object()) {
+      for (const auto& [name, held] : part.items()) {
+        if (!is_known_extension(name) && names_a_buffer(held)) return false;
+      }
+    }
+    if (!may_join_buffers(part)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
+                               bool may_stay, Compression compression, Diagnostics& diagnostics) {
+  const Document& document = source.document;
+  const bool compress = compression == Compression::keep;
+  Written written;
+  written.json = document.json;
+  written.further_chunks = document.further_chunks;
+  const auto text = document.file.view();
+  const std::size_t last = text.empty() ? 0 : text.size() - 1;
+  written.compact = !text.empty() && !document.binary && std::ranges::count(text.first(last), std::byte{'\n'}) == 0;
+  AccessorStore store(document, written.json);
+  if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
+  if (!patch_meshes(scene, source, written.json, store, diagnostics)) return std::nullopt;
+  patch_order_tables(scene, source, written.json, store, diagnostics);
+  patch_merged_instances(scene, source, written.json, store);
+  relocate_images(written.json, document, target, diagnostics);
+  written.changed =
+      !may_stay || document.left_out || store.changed() || written.json != document.json || (!compress && is_compressed(document));
+  if (!written.changed) return written;
+  if (document.buffers.size() > 1 && !may_join_buffers(document.json)) {
+    diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
+                      "the file has several buffers, and an extension that is not known here refers to them by number",
+                      "pack the file into one .glb first");
+    return std::nullopt;
+  }
+  drop_draco(written.json, store, document, diagnostics);
+  written.laid_out = store.lay_out(compress);
+  unlist_what_is_not_used(written.json);
+  return written;
+}
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,299 @@
+// Nodes, skins, animations, materials and images put back: additions, changed materials and images, and nodes without
+// the mesh that they had. Nothing else of the structure may change, and whoever changes it is told.
+#include <foredraw/io/gltf/private/instances.h>
+#include <foredraw/io/gltf/private/write.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace foredraw::gltf {
+
+namespace {
+
+bool same_but_for_mesh(const Node& a, const Node& b) {
+  return a.name == b.name && a.transform.translation == b.transform.translation &&
+         a.transform.rotation == b.transform.rotation && a.transform.scale == b.transform.scale &&
+         a.matrix == b.matrix && a.skin == b.skin && a.weights == b.weights && a.children == b.children &&
+         a.instances == b.instances;
+}
+
+bool same(const Skin& a, const Skin& b) {
+  return a.name == b.name && a.joints == b.joints && a.inverse_bind_matrices == b.inverse_bind_matrices;
+}
+
+bool same(const AnimationChannel& a, const AnimationChannel& b) {
+  return a.node == b.node && a.path == b.path && a.interpolation == b.interpolation && a.times == b.times &&
+         a.values == b.values;
+}
+
+bool same(const Animation& a, const Animation& b) {
+  return a.name == b.name && std::equal(a.channels.begin(), a.channels.end(), b.channels.begin(), b.channels.end(),
+                                        [](const auto& x, const auto& y) { return same(x, y); });
+}
+
+const char* word(AlphaMode mode) {
+  return mode == AlphaMode::blend ? "BLEND" : mode == AlphaMode::mask ? "MASK" : "OPAQUE";
+}
+
+const char* word(AnimatedPath path) {
+  switch (path) {
+    case AnimatedPath::translation: return "translation";
+    case AnimatedPath::rotation: return "rotation";
+    case AnimatedPath::scale: return "scale";
+    case AnimatedPath::weights: return "weights";
+  }
+  return "weights";
+}
+
+const char* word(Interpolation between) {
+  return between == Interpolation::step ? "STEP" : between == Interpolation::cubic_spline ? "CUBICSPLINE" : "LINEAR";
+}
+
+Content floats(std::span<const float> values, std::uint8_t components, bool wants_range) {
+  const Bytes bytes = std::as_bytes(values);
+  return {Content::Kind::other,
+          {Component::float32, components, false, static_cast<std::uint16_t>(4 * components)},
+          values.size() / components,
+          Shared<std::byte>({bytes.begin(), bytes.end()}),
+          wants_range};
+}
+
+Json numbers(const float* from, int count) {
+  Json result = Json::array();
+  for (int i = 0; i < count; ++i) result.push_back(from[i]);
+  return result;
+}
+
+Json json_of(const Node& node) {
+  Json json = Json::object();
+  if (!node.name.empty()) json["name"] = node.name;
+  if (node.matrix) {
+    json["matrix"] = numbers(glm::value_ptr(*node.matrix), 16);
+  } else {
+    const Transform& t = node.transform;
+    if (t.translation != glm::vec3(0)) json["translation"] = numbers(glm::value_ptr(t.translation), 3);
+    if (t.rotation != glm::quat(1, 0, 0, 0))
+      json["rotation"] = {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w};
+    if (t.scale != glm::vec3(1)) json["scale"] = numbers(glm::value_ptr(t.scale), 3);
+  }
+  if (node.mesh) json["mesh"] = *node.mesh;
+  if (node.skin) json["skin"] = *node.skin;
+  if (!node.weights.empty()) json["weights"] = node.weights;
+  if (!node.children.empty()) json["children"] = node.children;
+  return json;
+}
+
+Json json_of(const Skin& skin, AccessorStore& store) {
+  Json json{{"joints", skin.joints}};
+  if (!skin.name.empty()) json["name"] = skin.name;
+  if (skin.inverse_bind_matrices.empty()) return json;
+  const float* first = glm::value_ptr(skin.inverse_bind_matrices.front());
+  Content matrices = floats({first, 16 * skin.inverse_bind_matrices.size()}, 16, false);
+  matrices.kind = Content::Kind::inverse_bind_matrices;
+  json["inverseBindMatrices"] = store.append(matrices);
+  return json;
+}
+
+Json json_of(const Animation& animation, AccessorStore& store) {
+  Json json = Json::object();
+  if (!animation.name.empty()) json["name"] = animation.name;
+  json["channels"] = Json::array();
+  json["samplers"] = Json::array();
+  for (const AnimationChannel& channel : animation.channels) {
+    const std::uint8_t components = channel.path == AnimatedPath::weights    ? 1
+                                    : channel.path == AnimatedPath::rotation ? 4
+                                                                             : 3;
+    json["channels"].push_back(
+        {{"sampler", json["samplers"].size()}, {"target", {{"node", channel.node}, {"path", word(channel.path)}}}});
+    json["samplers"].push_back({{"input", store.append(floats(channel.times.view(), 1, true))},
+                                {"interpolation", word(channel.interpolation)},
+                                {"output", store.append(floats(channel.values.view(), components, false))}});
+  }
+  return json;
+}
+
+/// Says only what differs from `was`.
+void put_material(Json& json, const Material& now, const Material& was) {
+  if (now.name != was.name) json["name"] = now.name;
+  if (now.alpha_mode != was.alpha_mode) json["alphaMode"] = word(now.alpha_mode);
+  if (now.alpha_mode != AlphaMode::mask && now.alpha_mode != was.alpha_mode) json.erase("alphaCutoff");
+  if (now.alpha_mode == AlphaMode::mask && now.alpha_cutoff != was.alpha_cutoff) json["alphaCutoff"] = now.alpha_cutoff;
+  if (now.double_sided != was.double_sided) json["doubleSided"] = now.double_sided;
+}
+
+int word(Wrap wrap) { return wrap == Wrap::clamped ? 33071 : wrap == Wrap::mirrored ? 33648 : 10497; }
+
+/// The number of what is in the list, or was put into it.
+std::size_t listed(Json& list, const Json& value) {
+  if (!list.is_array()) list = Json::array();
+  const auto found = std::find(list.begin(), list.end(), value);
+  if (found != list.end()) return static_cast<std::size_t>(found - list.begin());
+  list.push_back(value);
+  return list.size() - 1;
+}
+
+/// What a texture that the material did not have makes of it. Whatever the document lists may move in memory.
+Json textured_surface(Json& document, const Material& now, const Texture& texture) {
+  Json surface = Json::object();
+  if (now.alpha != 1) surface["baseColorFactor"] = {1, 1, 1, now.alpha};
+  const int filter = texture.is_nearest ? 9728 : 9729;
+  const Json sampler{{"magFilter", filter},
+                     {"minFilter", filter},
+                     {"wrapS", word(texture.wrap[0])},
+                     {"wrapT", word(texture.wrap[1])}};
+  const std::size_t number = listed(document["samplers"], sampler);
+  Json use{{"index", listed(document["textures"], {{"sampler", number}, {"source", *texture.image}})}};
+  if (texture.texcoord != 0) use["texCoord"] = texture.texcoord;
+  if (texture.scale != glm::dvec2(1) || texture.rotation != 0 || texture.offset != glm::dvec2(0)) {
+    use["extensions"]["KHR_texture_transform"] = {{"offset", {texture.offset.x, texture.offset.y}},
+                                                  {"rotation", texture.rotation},
+                                                  {"scale", {texture.scale.x, texture.scale.y}}};
+    listed(document["extensionsUsed"], "KHR_texture_transform");
+  }
+  surface["baseColorTexture"] = std::move(use);
+  surface["metallicFactor"] = 0;
+  return surface;
+}
+
+std::string media_type_of(std::span<const std::byte> bytes) {
+  const auto starts = [&](std::initializer_list<unsigned char> with) {
+    return bytes.size() >= with.size() && std::equal(with.begin(), with.end(), bytes.begin(),
+                                                     [](unsigned char a, std::byte b) { return std::byte{a} == b; });
+  };
+  if (starts({0x89, 'P', 'N', 'G'})) return "image/png";
+  if (starts({0xFF, 0xD8, 0xFF})) return "image/jpeg";
+  return {};
+}
+
+class StructurePatch {
+ public:
+  StructurePatch(const Scene& scene, const Source& source, Json& json, AccessorStore& store, Diagnostics& diagnostics)
+      : scene_(scene), was_(source.as_read), json_(json), store_(store), diagnostics_(diagnostics) {}
+
+  bool run() {
+    bool said = old_nodes();
+    said = unchanged(scene_.skins, was_.skins, "skins") && said;
+    said = unchanged(scene_.animations, was_.animations, "animations") && said;
+    if (!said || !materials() || !images()) return false;
+    add_nodes();
+    for (std::size_t i = was_.skins.size(); i < scene_.skins.size(); ++i)
+      json_["skins"][i] = json_of(scene_.skins[i], store_);
+    for (std::size_t i = was_.animations.size(); i < scene_.animations.size(); ++i) {
+      json_["animations"][i] = json_of(scene_.animations[i], store_);
+    }
+    return true;
+  }
+
+ private:
+  bool fail(const std::string& inside, const std::string& why) {
+    diagnostics_.error({.file = scene_.name, .inside = inside}, "cannot-express",
+                       why + "; this can not be written back", "leave out the stage that did it");
+    return false;
+  }
+
+  template <class T>
+  bool unchanged(const std::vector<T>& now, const std::vector<T>& was, const char* kind) {
+    if (now.size() < was.size()) return fail(kind, "some were taken away");
+    for (std::size_t i = 0; i < was.size(); ++i) {
+      if (!same(now[i], was[i])) return fail(std::string(kind) + '[' + std::to_string(i) + ']', "it was changed");
+    }
+    return true;
+  }
+
+  bool old_nodes() {
+    if (scene_.nodes.size() < was_.nodes.size()) return fail("nodes", "some were taken away");
+    for (std::size_t i = 0; i < was_.nodes.size(); ++i) {
+      if (!old_node(i, scene_.nodes[i], was_.nodes[i])) return false;
+    }
+    return true;
+  }
+
+  /// As it was, or without its mesh, which another node may draw.
+  bool old_node(std::size_t i, const Node& now, const Node& was) {
+    const std::string place = "nodes[" + std::to_string(i) + ']';
+    if (!same_but_for_mesh(now, was)) return fail(place, "it was changed");
+    if (now.mesh == was.mesh) return true;
+    const bool is_drawn_plainly = !was.skin && was.weights.empty() && was.instances.empty();
+    if (now.mesh || !is_drawn_plainly) return fail(place, "it was changed");
+    if (was.keeps_mesh) {
+      return fail(place, "its mesh was taken away, but an extension or a further scene refers to it, or no scene shows it");
+    }
+    json_["nodes"][i].erase("mesh");
+    return true;
+  }
+
+  void add_nodes() {
+    std::vector<bool> has_parent(scene_.nodes.size(), false);
+    for (const Node& node : scene_.nodes) {
+      for (NodeId child : node.children) has_parent[child] = true;
+    }
+    for (std::size_t i = was_.nodes.size(); i < scene_.nodes.size(); ++i) {
+      json_["nodes"][i] = json_of(scene_.nodes[i]);
+      if (const auto instances = scene_.nodes[i].instances.view(); !instances.empty()) {
+        json_["nodes"][i]["extensions"][mesh_gpu_instancing] = instancing_of(instances, store_);
+        // Who does not know it would show one where there are many, also in a file that could do without it so far.
+        for (const char* list : {"extensionsUsed", "extensionsRequired"}) listed(json_[list], mesh_gpu_instancing);
+      }
+      if (has_parent[i]) continue;
+      if (!json_.contains("scene")) json_["scene"] = 0;
+      json_["scenes"][json_["scene"].get<std::size_t>()]["nodes"].push_back(i);
+    }
+  }
+
+  bool materials() {
+    if (scene_.materials.size() < was_.materials.size()) return fail("materials", "some were taken away");
+    for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+      if (i >= was_.materials.size()) json_["materials"][i] = Json::object();
+      put_material(json_["materials"][i], scene_.materials[i],
+                   i < was_.materials.size() ? was_.materials[i] : Material{});
+      const bool had_texture = i < was_.materials.size() && was_.materials[i].base_colour;
+      const Material& now = scene_.materials[i];
+      if (!now.base_colour || !now.base_colour->image || had_texture) continue;
+      Json surface = textured_surface(json_, now, *now.base_colour);
+      json_["materials"][i]["pbrMetallicRoughness"].update(surface);
+    }
+    return true;
+  }
+
+  bool images() {
+    if (scene_.images.size() < was_.images.size()) return fail("images", "some were taken away");
+    for (std::size_t i = 0; i < scene_.images.size(); ++i) {
+      const bool is_new = i >= was_.images.size();
+      if (!image(i, scene_.images[i], is_new ? Image{} : was_.images[i])) return false;
+    }
+    return true;
+  }
+
+  bool image(std::size_t i, const Image& now, const Image& was) {
+    if (i >= was_.images.size()) json_["images"][i] = Json::object();
+    Json& json = json_["images"][i];
+    if (now.name != was.name) json["name"] = now.name;
+    if (!now.uri.empty() && now.uri != was.uri) {
+      if (json.contains("bufferView")) return fail("images[" + std::to_string(i) + "]", "bytes became a reference");
+      json["uri"] = now.uri;
+    }
+    if (now.uri.empty() && !(now.bytes == was.bytes)) {
+      const std::string type = now.media_type.empty() ? media_type_of(now.bytes.view()) : now.media_type;
+      if (type.empty() || now.bytes.empty()) return fail("images[" + std::to_string(i) + "]", "it is of no known type");
+      store_.set_image(i, now.bytes);
+      json["mimeType"] = type;
+    }
+    return true;
+  }
+
+  const Scene& scene_;
+  const Scene& was_;
+  Json& json_;
+  AccessorStore& store_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+bool patch_structure(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
+                     Diagnostics& diagnostics) {
+  return StructurePatch(scene, source, json, store, diagnostics).run();
+}
+
+}  // namespace foredraw::gltf

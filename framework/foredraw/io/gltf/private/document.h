@@ -1,0 +1,135 @@
+#pragma once
+// A glTF file taken apart and found sound: its JSON, its buffers, and where the elements of every accessor lie.
+// Private to io: the one kind of header that may name the JSON library.
+
+#include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/scene/vertex_streams.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foredraw::gltf {
+
+using Json = nlohmann::ordered_json;  // keeps the sequence of the keys, so that what was not touched comes out equal
+using Bytes = std::span<const std::byte>;
+
+inline constexpr std::uint32_t glb_magic = 0x46546C67;       // "glTF"
+inline constexpr std::uint32_t glb_json_chunk = 0x4E4F534A;  // "JSON"
+inline constexpr std::uint32_t glb_bin_chunk = 0x004E4942;   // "BIN\0"
+
+struct Chunk {
+  std::uint32_t type = 0;
+  Bytes bytes;
+};
+
+struct Buffer {
+  Bytes bytes;             ///< empty: a fallback that is not there, or, while a document is being checked, refused
+  std::size_t length = 0;  ///< that it has, or would have; 0: refused
+  bool fallback = false;   ///< holds plain copies of compressed views, for whoever can not decompress
+};
+
+/// The compressed bytes of a view, which stand for its plain ones.
+struct Compressed {
+  std::string extension;
+  std::size_t buffer = 0;
+  std::size_t offset = 0;
+  Bytes stream;
+  Coding coding;
+  bool understood = true;  ///< false: there is no decoder, and the view holds the plain copy
+};
+
+struct BufferView {
+  std::size_t buffer = 0;
+  std::size_t offset = 0;
+  std::size_t length = 0;  ///< 0 only while a document is being checked: the view was refused
+  std::size_t stride = 0;  ///< 0: elements are tight
+  Bytes bytes;             ///< plain
+  std::optional<Compressed> compressed;
+};
+
+/// Elements at even distances in a buffer.
+struct Rows {
+  std::size_t view = 0;
+  std::size_t offset = 0;  ///< in the view
+  std::size_t stride = 0;
+};
+
+struct SparseElements {
+  std::size_t count = 0;
+  Component index = Component::uint32;
+  Rows indices;
+  Rows values;
+};
+
+struct Accessor {
+  Format format;
+  std::size_t count = 0;
+  std::optional<Rows> rows;  ///< none: every element is zero
+  std::optional<SparseElements> sparse;
+
+  std::size_t bytes() const { return count * format.bytes; }
+};
+
+/// Movable only: the spans lead into `file` and `kept`.
+struct Document {
+  std::string name;
+  std::filesystem::path folder;  ///< empty: there are no files beside it
+  bool binary = false;
+  Shared<std::byte> file;  ///< as it came
+  Json json;
+  bool left_out = false;  ///< `json` lacks what the reader took out of it, so that the file can not stay as it came
+  std::set<std::size_t> let_go;  ///< accessors that this named, where the writer may drop them; perhaps some that are not there
+  std::vector<Chunk> further_chunks;  ///< of a GLB, after JSON and BIN
+  std::vector<Buffer> buffers;
+  std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed
+  std::vector<BufferView> views;
+  std::vector<Accessor> accessors;
+
+  Document() = default;
+  Document(Document&&) = default;
+  Document& operator=(Document&&) = default;
+};
+
+/// All elements without gaps, in the asset's own format, sparse ones put in.
+std::vector<std::byte> elements(const Document& document, const Accessor& accessor);
+
+/// As above, decoded; for formats without padding.
+std::vector<float> decoded_elements(const Document& document, const Accessor& accessor);
+
+/// The elements of a SCALAR accessor of unsigned integers.
+std::vector<std::uint32_t> index_elements(const Document& document, const Accessor& accessor);
+std::uint32_t greatest_index(const Document& document, const Accessor& accessor);
+
+/// "VEC3" and its component type to a format; nullopt where there is none such.
+std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized);
+
+inline constexpr const char* mesh_gpu_instancing = "EXT_mesh_gpu_instancing";
+
+/// The extension's value in an object; nothing where it has none.
+const Json* extension_of(const Json& holder, std::string_view name);
+
+/// The extension's value taken out of an object; null where it has none.
+Json take_extension(Json& holder, std::string_view name);
+
+/// Takes the name out of the lists of extensions that are used and required.
+void unlist_extension(Json& json, std::string_view name);
+
+/// The bytes of the file and of the buffers beside it.
+std::uint64_t bytes_read(const Document& document);
+
+/// Every name in extensionsUsed, and every key of an object called "extensions" anywhere; sorted, each once.
+std::vector<std::string> extensions_in(const Json& json);
+
+/// Whether we know of the extension which members refer to what, so that nothing it points at is lost or moved unseen.
+bool is_known_extension(std::string_view name);
+
+/// Whether we know all of the document's. Else what was there stays where it was.
+bool knows_all_extensions(const Json& json);
+
+}  // namespace foredraw::gltf

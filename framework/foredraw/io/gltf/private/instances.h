@@ -1,0 +1,15 @@
+#pragma once
+// EXT_mesh_gpu_instancing, read and written. Private to io.
+
+#include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/scene/scene.h>
+
+namespace foredraw::gltf {
+
+/// Gives every node the instances that its extension places. The gate has looked at them.
+void add_instances(Scene& scene, const Document& document);
+
+/// The extension's object that places these, of which there is one at least.
+Json instancing_of(std::span<const Transform> instances, AccessorStore& store);
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,34 @@
+#pragma once
+// What the reader keeps for the writer. Private to io.
+
+#include <foredraw/base/diagnostics.h>
+#include <foredraw/io/gltf/private/document.h>
+#include <foredraw/scene/scene.h>
+
+namespace foredraw::gltf {
+
+class Source final : public SceneSource {
+ public:
+  Source(Document document, Scene as_read) : document(std::move(document)), as_read(std::move(as_read)) {}
+
+  std::uint64_t bytes() const override { return bytes_read(document); }
+
+  Document document;
+  Scene as_read;  ///< handles to what the stages were given; its own source is empty
+};
+
+/// The scene that a document holds, its source left out.
+std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics);
+
+/// A JSON text for tinygltf: the members that the gate has looked at, and no others, for what it never sees can not
+/// upset it. Buffers and images stay out, so that it neither copies bytes nor opens files.
+std::string checked_structure(const Json& json);
+
+/// Which nodes the scene that the file shows holds: the default one, or the first. A file without scenes shows all. Those that
+/// KHR_node_visibility hides, with all below them, are not shown.
+void find_shown_nodes(Scene& scene, const Document& document);
+
+/// The traits found in the asset, for every draw.
+void find_traits(Scene& scene, const Document& document);
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,59 @@
+#pragma once
+// From a scene back to a document. Private to io.
+
+#include <foredraw/io/gltf/gltf.h>
+#include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/io/gltf/private/source.h>
+#include <foredraw/platform/files.h>
+
+#include <set>
+
+namespace foredraw::gltf {
+
+/// A document ready to be packed: its JSON, and the bytes of its buffers.
+struct Written {
+  Json json;
+  LaidOut laid_out;
+  std::vector<Chunk> further_chunks;
+  bool compact = false;  ///< text without line breaks, as it came
+  bool changed = true;   ///< false: the file can stay as it was, and nothing was laid out
+};
+
+/// The source's document with the scene's changes in it, for a target. With `may_stay`, the file itself will do where
+/// nothing changed. nullopt, with an error, where a change can not be said.
+std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
+                               bool may_stay, Compression compression, Diagnostics& diagnostics);
+
+/// Puts the changed draws into `json` and `store`. False, with an error, where one can not be said.
+bool patch_meshes(const Scene& scene, const Source& source, Json& json, AccessorStore& store, Diagnostics& diagnostics);
+
+/// Nodes, skins, animations, materials and images: those that were added, and what may change of the old ones.
+bool patch_structure(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
+                     Diagnostics& diagnostics);
+
+/// Accessors that primitives name as attributes, targets, indices or further orders.
+std::set<std::size_t> used_by_primitives(const Json& json);
+
+/// Accessors that somebody else may refer to, order tables apart. An extension that we do not know may mean any number
+/// that it holds.
+std::set<std::size_t> used_elsewhere(const Json& json);
+
+/// Images by uri still mean the same files when the document lies in another folder.
+void relocate_images(Json& json, const Document& document, const std::filesystem::path& target,
+                     Diagnostics& diagnostics);
+
+/// Whether a target's name asks for a .glb.
+bool is_glb(const std::filesystem::path& target);
+
+/// out.bin beside out.gltf.
+std::filesystem::path buffer_beside(const std::filesystem::path& target);
+
+/// out.fallback.bin beside out.gltf, then out.fallback1.bin, as other tools call them; out.glb.fallback.bin beside
+/// out.glb, so that two scenes of one name have files of their own.
+std::filesystem::path fallback_beside(const std::filesystem::path& target, std::size_t i);
+
+/// The files of a document. nullopt, with an error, where a GLB would be longer than its header can say.
+std::optional<std::vector<OutputFile>> packed(Written written, const std::filesystem::path& target,
+                                              Diagnostics& diagnostics);
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,49 @@
+// Which nodes are seen: a file may hold several scenes, nodes of none, and nodes that say that they are hidden.
+#include <foredraw/io/gltf/private/member.h>
+#include <foredraw/io/gltf/private/source.h>
+
+namespace foredraw::gltf {
+
+namespace {
+
+std::vector<NodeId> roots_of(const Scene& scene, const Json& json) {
+  const auto scenes = json.find("scenes");
+  if (scenes != json.end() && !scenes->empty()) {
+    const Json& shown = (*scenes)[json.value("scene", std::size_t{0})];
+    const auto nodes = shown.find("nodes");
+    return nodes == shown.end() ? std::vector<NodeId>() : nodes->get<std::vector<NodeId>>();
+  }
+  std::vector<char> has_parent(scene.nodes.size(), 0);
+  for (const Node& node : scene.nodes) {
+    for (const NodeId child : node.children) has_parent[child] = 1;
+  }
+  std::vector<NodeId> roots;
+  for (NodeId n = 0; n < scene.nodes.size(); ++n) {
+    if (has_parent[n] == 0) roots.push_back(n);
+  }
+  return roots;
+}
+
+/// With all that is below it.
+bool is_hidden(const Json& node) {
+  const Json* visibility = extension_of(node, "KHR_node_visibility");
+  const Json* visible = visibility == nullptr ? nullptr : member(*visibility, "visible");
+  return visible != nullptr && *visible == false;
+}
+
+}  // namespace
+
+void find_shown_nodes(Scene& scene, const Document& document) {
+  for (Node& node : scene.nodes) node.is_shown = false;
+  std::vector<NodeId> open = roots_of(scene, document.json);
+  while (!open.empty()) {
+    const NodeId n = open.back();
+    open.pop_back();
+    Node& node = scene.nodes[n];
+    if (node.is_shown || is_hidden(document.json["nodes"][n])) continue;
+    node.is_shown = true;
+    open.insert(open.end(), node.children.begin(), node.children.end());
+  }
+}
+
+}  // namespace foredraw::gltf

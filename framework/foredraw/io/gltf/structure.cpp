@@ -1,0 +1,94 @@
+#include <foredraw/io/gltf/private/source.h>
+
+namespace foredraw::gltf {
+
+namespace {
+
+/// The members of `from` with these names.
+Json only(const Json& from, std::initializer_list<const char*> keys) {
+  Json result = Json::object();
+  for (const char* key : keys) {
+    if (const auto found = from.find(key); found != from.end()) result[key] = *found;
+  }
+  return result;
+}
+
+/// Names are free text and may be of any type in a careless file.
+Json named(const Json& from, Json result) {
+  if (const auto name = from.find("name"); name != from.end() && name->is_string()) result["name"] = *name;
+  return result;
+}
+
+template <class F>
+void each(const Json& json, const char* kind, F&& make, Json& into) {
+  const auto found = json.find(kind);
+  if (found == json.end()) return;
+  Json& list = into[kind] = Json::array();
+  for (const Json& item : *found) list.push_back(named(item, make(item)));
+}
+
+}  // namespace
+
+std::string checked_structure(const Json& json) {
+  Json result{{"asset", {{"version", "2.0"}}}};
+  const Json nothing{{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}};  // for what nobody refers to
+  each(
+      json, "bufferViews",
+      [](const Json& v) {
+        return only(v, {"buffer", "byteLength"});
+      },
+      result);
+  each(
+      json, "accessors",
+      [&](const Json& a) {
+        if (!format_of(a["type"].get<std::string>(), a["componentType"].get<std::uint64_t>(), false)) return nothing;
+        return only(a, {"bufferView", "componentType", "count", "type"});
+      },
+      result);
+  each(
+      json, "meshes",
+      [](const Json& mesh) {
+        Json copy = only(mesh, {"weights"});
+        for (const Json& p : mesh["primitives"]) {
+          copy["primitives"].push_back(only(p, {"attributes", "targets", "indices", "material", "mode"}));
+        }
+        return copy;
+      },
+      result);
+  each(
+      json, "nodes",
+      [](const Json& n) {
+        return only(n, {"children", "mesh", "skin", "weights", "matrix", "translation", "rotation", "scale"});
+      },
+      result);
+  each(
+      json, "skins",
+      [](const Json& s) {
+        return only(s, {"joints", "inverseBindMatrices"});
+      },
+      result);
+  each(
+      json, "materials",
+      [](const Json& m) {
+        return only(m, {"alphaMode", "alphaCutoff", "doubleSided"});
+      },
+      result);
+  each(
+      json, "animations",
+      [](const Json& animation) {
+        Json copy = Json::object();
+        for (const Json& s : animation["samplers"])
+          copy["samplers"].push_back(only(s, {"input", "output", "interpolation"}));
+        for (const Json& c : animation["channels"]) {
+          const Json& target = c["target"];
+          // What aims at no node aims by an extension at something that has no shape.
+          if (!target.contains("node") || target["path"] == "pointer") continue;
+          copy["channels"].push_back({{"sampler", c["sampler"]}, {"target", only(target, {"node", "path"})}});
+        }
+        return copy;
+      },
+      result);
+  return result.dump();
+}
+
+}  // namespace foredraw::gltf

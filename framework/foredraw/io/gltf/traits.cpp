@@ -1,0 +1,150 @@
+// The traits that an asset brings with it.
+#include <foredraw/image/sprite_pieces.h>
+#include <foredraw/io/gltf/private/draw_orders.h>
+#include <foredraw/io/gltf/private/source.h>
+
+#include <algorithm>
+#include <set>
+
+namespace foredraw::gltf {
+
+namespace {
+
+/// What nodes make of each mesh: how often it is drawn, by which skins, and whether an animation bends it.
+struct MeshUse {
+  std::size_t nodes = 0;
+  bool instanced = false;
+  bool skinned = false;
+  bool bent = false;
+};
+
+constexpr NodeId none = ~NodeId{0};
+
+/// All nodes, none before its children.
+std::vector<NodeId> children_first(const std::vector<NodeId>& parent) {
+  std::vector<std::size_t> children(parent.size(), 0);
+  for (NodeId above : parent) {
+    if (above != none) ++children[above];
+  }
+  std::vector<NodeId> order;
+  for (NodeId i = 0; i < parent.size(); ++i) {
+    if (children[i] == 0) order.push_back(i);
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const NodeId above = parent[order[i]];
+    if (above != none && --children[above] == 0) order.push_back(above);
+  }
+  return order;
+}
+
+/// For each skin whether an animation moves a joint, or a node between joints. What moves the skeleton as a whole does
+/// not change its shape.
+std::vector<bool> bent_skins(const Scene& scene) {
+  std::set<NodeId> moved;
+  for (const Animation& animation : scene.animations) {
+    for (const AnimationChannel& channel : animation.channels) {
+      if (channel.path != AnimatedPath::weights) moved.insert(channel.node);
+    }
+  }
+  std::vector<NodeId> parent(scene.nodes.size(), none);
+  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+    for (NodeId child : scene.nodes[i].children) parent[child] = i;
+  }
+  const std::vector<NodeId> upwards = children_first(parent);
+  std::vector<bool> bent;
+  for (const Skin& skin : scene.skins) {
+    const std::set<NodeId> joints(skin.joints.begin(), skin.joints.end());
+    if (std::any_of(skin.joints.begin(), skin.joints.end(), [&](NodeId joint) { return moved.contains(joint); })) {
+      bent.push_back(true);
+      continue;
+    }
+    if (moved.empty() || joints.size() == 1) {
+      bent.push_back(false);
+      continue;
+    }
+    std::vector<std::size_t> joints_below(scene.nodes.size(), 0);
+    for (NodeId joint : joints) joints_below[joint] = 1;
+    for (NodeId node : upwards) {
+      if (parent[node] != none) joints_below[parent[node]] += joints_below[node];
+    }
+    bent.push_back(std::any_of(moved.begin(), moved.end(), [&](NodeId node) {
+      return joints_below[node] > 0 && joints_below[node] < joints.size();
+    }));
+  }
+  return bent;
+}
+
+std::vector<MeshUse> mesh_uses(const Scene& scene) {
+  std::vector<MeshUse> uses(scene.meshes.size());
+  const std::vector<bool> bent = bent_skins(scene);
+  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (!node.mesh) continue;
+    MeshUse& use = uses[*node.mesh];
+    ++use.nodes;
+    use.skinned = use.skinned || node.skin.has_value();
+    use.bent = use.bent || (node.skin && bent[*node.skin]);
+    use.instanced = use.instanced || use.nodes > 1 || !node.instances.empty();
+  }
+  for (const Animation& animation : scene.animations) {
+    for (const AnimationChannel& channel : animation.channels) {
+      const Node& node = scene.nodes[channel.node];
+      if (channel.path == AnimatedPath::weights && node.mesh) uses[*node.mesh].bent = true;
+    }
+  }
+  return uses;
+}
+
+/// Extensions of a primitive that say nothing about its triangles or vertices, or that the writer makes anew, takes
+/// along or leaves out.
+bool is_harmless(std::string_view name) {
+  return name == "KHR_materials_variants" || name == "KHR_draco_mesh_compression" || name == draw_orders;
+}
+
+bool is_extended(const Json& primitive) {
+  const auto extensions = primitive.find("extensions");
+  if (extensions == primitive.end() || !extensions->is_object()) return false;
+  for (const auto& [name, value] : extensions->items()) {
+    if (!is_harmless(name)) return true;
+  }
+  return false;
+}
+
+bool is_sprite(const Draw& draw, const Material* material) {
+  if (material == nullptr || material->alpha_mode == AlphaMode::opaque) return false;
+  if (material->alpha_mode == AlphaMode::mask && material->alpha_cutoff <= 0) return false;  // all of it shows
+  return material->base_colour &&
+         material->base_colour->image && draw.levels[0].vertices->morph_targets.empty() &&
+         !draw.traits.has(traits::skinned) && is_made_of_sprites(draw, material->base_colour->texcoord);
+}
+
+}  // namespace
+
+void find_traits(Scene& scene, const Document& document) {
+  const std::vector<MeshUse> uses = mesh_uses(scene);
+  for (Draw& draw : scene.draws) {
+    const MeshUse& use = uses[draw.origin->mesh];
+    const VertexStreams& vertices = *draw.levels[0].vertices;
+    const Material* material = scene.material_of(draw);
+    const auto add = [&](bool holds, Trait trait) {
+      if (holds) draw.traits.add(trait);
+    };
+    add(draw.topology == Topology::triangles, traits::triangles);
+    add(vertices.find("TEXCOORD_0") != nullptr, traits::uv0);
+    add(vertices.find("NORMAL") != nullptr, traits::normals);
+    add(use.skinned && vertices.find("JOINTS_0") != nullptr, traits::skinned);
+    add(!vertices.morph_targets.empty(), traits::morphed);
+    add(use.bent, traits::animated);
+    add(material != nullptr && material->alpha_mode == AlphaMode::blend, traits::blended);
+    add(material != nullptr && material->alpha_mode == AlphaMode::mask, traits::masked);
+    add(material != nullptr && material->double_sided, traits::double_sided);
+    add(use.instanced, traits::instanced);
+    add(is_sprite(draw, material), traits::sprite);
+    const VertexStream* positions = vertices.find("POSITION");
+    add(positions != nullptr && positions->format.component != Component::float32, traits::quantized);
+    add(is_extended(document.json["meshes"][draw.origin->mesh]["primitives"][draw.origin->primitive]),
+        traits::extended);
+  }
+}
+
+}  // namespace foredraw::gltf

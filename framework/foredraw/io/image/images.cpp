@@ -1,0 +1,107 @@
+#include <foredraw/io/image/images.h>
+
+#include <foredraw/io/text/private/uri.h>
+#include <foredraw/io/image/private/exr.h>
+#include <foredraw/io/image/private/headers.h>
+#include <foredraw/io/image/private/stb.h>
+#include <foredraw/platform/files.h>
+
+#include <fmt/format.h>
+
+namespace foredraw {
+
+namespace {
+
+/// Or why it is not read.
+std::variant<std::vector<std::byte>, std::string> file_beside(const std::string& uri,
+                                                              const std::filesystem::path& folder) {
+  const auto path = gltf::percent_decoded(uri);
+  const std::string why = path ? gltf::why_not_beside(*path) : "is not well-formed";
+  if (!why.empty()) return fmt::format("the image's file '{}' {}", uri, why);
+  const std::filesystem::path file = folder / std::filesystem::path(std::u8string(path->begin(), path->end()));
+  std::error_code error;
+  if (folder.empty() || !std::filesystem::is_regular_file(file, error)) {
+    return fmt::format("there is no image '{}' in the folder of the scene", *path);
+  }
+  if (!gltf::lies_within(file, folder))
+    return fmt::format("the image '{}' leads out of the folder of the scene", *path);
+  Diagnostics reading;
+  auto bytes = read_file(file, reading);
+  if (!bytes) return reading.all().front().message;
+  return std::move(*bytes);
+}
+
+/// Of an image that may be decoded; or an error.
+std::optional<images::Header> checked_header(std::span<const std::byte> bytes, const Where& where,
+                                             Diagnostics& diagnostics, const ImageLimits& limits) {
+  const auto header = images::header_of(bytes);
+  if (!header) {
+    diagnostics.error(where, "image-kind", "is no image that can be decoded, or its header is damaged",
+                      "PNG, JPEG, TGA and OpenEXR can be");
+    return std::nullopt;
+  }
+  const ImageFacts& facts = header->facts;
+  const std::uint64_t texels = std::uint64_t{facts.width} * facts.height;
+  if (texels > limits.texels) {
+    diagnostics.error(
+        where, "image-size",
+        fmt::format("has {} x {} texels, more than the limit of {}", facts.width, facts.height, limits.texels));
+    return std::nullopt;
+  }
+  if (texels > header->most_texels) {
+    diagnostics.error(
+        where, "image-size",
+        fmt::format("claims {} x {} texels, which its {} bytes can not hold", facts.width, facts.height, bytes.size()),
+        "it was cut off or damaged");
+    return std::nullopt;
+  }
+  return header;
+}
+
+}  // namespace
+
+std::optional<ImageFacts> image_facts(std::span<const std::byte> bytes) {
+  const auto header = images::header_of(bytes);
+  return header ? std::optional(header->facts) : std::nullopt;
+}
+
+std::optional<ImageFacts> checked_image_facts(std::span<const std::byte> bytes, const Where& where,
+                                              Diagnostics& diagnostics, const ImageLimits& limits) {
+  const auto header = checked_header(bytes, where, diagnostics, limits);
+  return header ? std::optional(header->facts) : std::nullopt;
+}
+
+std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where& where, Diagnostics& diagnostics,
+                                   const ImageLimits& limits) {
+  const auto header = checked_header(bytes, where, diagnostics, limits);
+  if (!header) return std::nullopt;
+  const bool is_exr = header->kind == images::Kind::exr;
+  auto made = is_exr ? images::exr_texels(bytes) : images::stb_texels(bytes, *header);
+  if (const std::string* why = std::get_if<std::string>(&made)) {
+    diagnostics.error(where, "image-data", "can not be decoded: " + *why);
+    return std::nullopt;
+  }
+  Texels result{header->facts, std::move(std::get<std::vector<std::byte>>(made))};
+  result.facts.bits = is_exr ? 32 : header->facts.bits > 8 ? 16 : 8;
+  return result;
+}
+
+ImageDecoder image_decoder(const std::filesystem::path& scene_file) {
+  const bool has_folder = scene_file.empty() || scene_file.has_parent_path();
+  const std::filesystem::path folder = has_folder ? scene_file.parent_path() : std::filesystem::path(".");
+  return [folder](const Image& image) -> std::variant<Texels, std::string> {
+    std::span<const std::byte> bytes = image.bytes.view();
+    std::variant<std::vector<std::byte>, std::string> file;
+    if (!image.uri.empty()) {
+      file = file_beside(image.uri, folder);
+      if (std::string* why = std::get_if<std::string>(&file)) return std::move(*why);
+      bytes = std::get<std::vector<std::byte>>(file);
+    }
+    Diagnostics diagnostics;
+    if (auto texels = decode_image(bytes, {}, diagnostics)) return std::move(*texels);
+    return fmt::format("the image '{}' {}", image.uri.empty() ? image.name : image.uri,
+                       diagnostics.all().front().message);
+  };
+}
+
+}  // namespace foredraw

@@ -1,0 +1,257 @@
+#include <foredraw/io/mesh/private/ply.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace foredraw::mesh_files {
+
+namespace {
+
+struct TypeName {
+  std::string_view name;
+  PlyType type;
+};
+
+constexpr TypeName type_names[] = {
+    {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+    {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
+    {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+    {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+    {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
+    {"float64", PlyType::float64}};
+
+std::optional<PlyType> type_of(std::string_view name) {
+  for (const TypeName& row : type_names) {
+    if (row.name == name) return row.type;
+  }
+  return std::nullopt;
+}
+
+/// The header, line by line.
+class HeaderReader {
+ public:
+  explicit HeaderReader(const Reading& reading) : reading_(reading), text_(without_mark(reading.text)) {}
+
+  bool run() {
+    std::string_view line = take_line(text_);
+    if (trimmed(line) != "ply") return reading_.refuse(reading_.at(line), "a PLY begins with a line 'ply'");
+    bool has_format = false;
+    while (!text_.empty()) {
+      line = take_line(text_);
+      std::string_view rest = line;
+      const std::string_view key = take_token(rest);
+      if (key == "end_header") {
+        header.end = reading_.text.size() - text_.size();
+        return has_format || reading_.refuse(reading_.at(key), "the header has no line 'format'");
+      }
+      if (key.empty() || key == "comment" || key == "obj_info") continue;
+      if (key == "format"     ? !format(rest)
+          : key == "element"  ? !element(rest)
+          : key == "property" ? !property(rest)
+                              : true) {
+        if (key == "format" || key == "element" || key == "property") return false;
+        return reading_.refuse(reading_.at(key), fmt::format("{} is no word of a PLY's header", shown(key)));
+      }
+      has_format = has_format || key == "format";
+    }
+    return reading_.refuse(reading_.at(text_), "the file ends inside its header");
+  }
+
+  PlyHeader header;
+
+ private:
+  bool format(std::string_view rest) {
+    const std::string_view name = take_token(rest), version = take_token(rest);
+    using Encoding = PlyHeader::Encoding;
+    if (name == "ascii")
+      header.encoding = Encoding::ascii;
+    else if (name == "binary_little_endian")
+      header.encoding = Encoding::little;
+    else if (name == "binary_big_endian")
+      header.encoding = Encoding::big;
+    else
+      return reading_.refuse(reading_.at(name), fmt::format("{} is no format of PLY", shown(name)));
+    return version == "1.0" ||
+           reading_.refuse(reading_.at(version), fmt::format("version {}, expected 1.0", shown(version)));
+  }
+
+  bool element(std::string_view rest) {
+    PlyElement made;
+    made.name = take_token(rest);
+    made.count_token = take_token(rest);
+    if (!read_integer(made.count_token, made.count)) {
+      return reading_.refuse(reading_.at(made.count_token),
+                             fmt::format("{} is no number of elements", shown(made.count_token)));
+    }
+    if (!element_names_.insert(made.name).second) {
+      return reading_.refuse(reading_.at(made.count_token), fmt::format("there are two elements {}", shown(made.name)));
+    }
+    header.elements.push_back(std::move(made));
+    property_names_.clear();
+    return true;
+  }
+
+  bool property(std::string_view rest) {
+    if (header.elements.empty()) return reading_.refuse(reading_.at(rest), "a property before the first element");
+    PlyProperty made;
+    std::string_view word = take_token(rest);
+    if (word == "list") {
+      word = take_token(rest);
+      made.list = type_of(word);
+      if (!made.list || !is_whole(*made.list)) {
+        return reading_.refuse(reading_.at(word), fmt::format("{} is no type for the length of a list", shown(word)));
+      }
+      word = take_token(rest);
+    }
+    const auto type = type_of(word);
+    if (!type) return reading_.refuse(reading_.at(word), fmt::format("{} is no type of PLY", shown(word)));
+    made.type = *type;
+    made.name = take_token(rest);
+    if (made.name.empty()) return reading_.refuse(reading_.at(rest), "the property has no name");
+    if (!property_names_.insert(made.name).second) {
+      return reading_.refuse(reading_.at(word), fmt::format("the element has two properties {}", shown(made.name)));
+    }
+    header.elements.back().properties.push_back(std::move(made));
+    return true;
+  }
+
+  const Reading& reading_;
+  std::string_view text_;
+  std::set<std::string> element_names_, property_names_;  // the latter of the last element
+};
+
+template <class T>
+double from_bytes(const char* bytes, bool swap) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), bytes, sizeof(T));
+  if (swap) std::reverse(raw.begin(), raw.end());
+  return static_cast<double>(std::bit_cast<T>(raw));
+}
+
+template <class T>
+bool integer_from_text(std::string_view token, double& value) {
+  T number = 0;
+  if (!read_integer(token, number)) return false;
+  value = static_cast<double>(number);
+  return true;
+}
+
+}  // namespace
+
+std::size_t bytes_of(PlyType type) {
+  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[static_cast<std::size_t>(type)];
+}
+
+const PlyElement* PlyHeader::find(std::string_view name) const {
+  const auto found = std::ranges::find_if(elements, [&](const PlyElement& e) { return e.name == name; });
+  return found == elements.end() ? nullptr : &*found;
+}
+
+const PlyProperty* PlyHeader::corner_list() const {
+  const PlyElement* faces = find("face");
+  if (faces == nullptr) return nullptr;
+  const auto found = std::ranges::find_if(faces->properties, names_vertices);
+  return found == faces->properties.end() ? nullptr : &*found;
+}
+
+std::optional<PlyHeader> read_ply_header(const Reading& reading) {
+  HeaderReader reader(reading);
+  if (!reader.run()) return std::nullopt;
+  return std::move(reader.header);
+}
+
+bool PlyWalk::may_hold(const PlyElement& element) const {
+  std::size_t least = 0;
+  for (const PlyProperty& p : element.properties) {
+    least += header_.encoding == PlyHeader::Encoding::ascii ? 2 : bytes_of(p.list ? *p.list : p.type);
+  }
+  const std::size_t left = reading_.text.size() - at_;
+  // The last value of a text needs no space after it.
+  if (element.count <= (left + 1) / least) return true;
+  return reading_.refuse(reading_.at(element.count_token),
+                         fmt::format("{} elements '{}' take at least {} bytes each, and {} bytes are left",
+                                     element.count, element.name, least, left));
+}
+
+bool PlyWalk::refuse_list(const PlyValue& value, std::size_t left) const {
+  const bool is_text = header_.encoding == PlyHeader::Encoding::ascii;
+  return reading_.refuse(is_text ? reading_.at(reading_.text.substr(value.begin)) : reading_.at_byte(value.begin),
+                         fmt::format("a list of {} values, and {} bytes are left", value.value, left));
+}
+
+bool PlyWalk::find(PlyType type, PlyValue& value) {
+  if (header_.encoding == PlyHeader::Encoding::ascii) {
+    std::string_view rest = reading_.text.substr(at_);
+    const std::string_view token = take_token(rest);
+    if (token.empty()) return reading_.refuse(reading_.at(rest), "the file ends inside its records");
+    value.begin = static_cast<std::size_t>(token.data() - reading_.text.data());
+    value.end = value.begin + token.size();
+  } else {
+    const std::size_t size = bytes_of(type);
+    if (reading_.text.size() - at_ < size)
+      return reading_.refuse(reading_.at_byte(at_), "the file ends inside a record");
+    value.begin = at_;
+    value.end = at_ + size;
+  }
+  at_ = value.end;
+  begin_ = std::min(begin_, value.begin);
+  return true;
+}
+
+bool PlyWalk::pass_over(PlyType type, std::size_t count) {
+  PlyValue value;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!find(type, value)) return false;
+  }
+  return true;
+}
+
+bool PlyWalk::read(PlyType type, PlyValue& value) {
+  if (!find(type, value)) return false;
+  if (header_.encoding == PlyHeader::Encoding::ascii) return read_text(type, value);
+  const char* bytes = reading_.text.data() + value.begin;
+  const bool swap = (header_.encoding == PlyHeader::Encoding::big) == (std::endian::native == std::endian::little);
+  switch (type) {
+    case PlyType::int8: value.value = from_bytes<std::int8_t>(bytes, swap); break;
+    case PlyType::uint8: value.value = from_bytes<std::uint8_t>(bytes, swap); break;
+    case PlyType::int16: value.value = from_bytes<std::int16_t>(bytes, swap); break;
+    case PlyType::uint16: value.value = from_bytes<std::uint16_t>(bytes, swap); break;
+    case PlyType::int32: value.value = from_bytes<std::int32_t>(bytes, swap); break;
+    case PlyType::uint32: value.value = from_bytes<std::uint32_t>(bytes, swap); break;
+    case PlyType::float32: value.value = from_bytes<float>(bytes, swap); break;
+    case PlyType::float64: value.value = from_bytes<double>(bytes, swap); break;
+  }
+  return true;
+}
+
+bool PlyWalk::read_text(PlyType type, PlyValue& value) const {
+  const std::string_view token = reading_.text.substr(value.begin, value.end - value.begin);
+  bool good = false;
+  switch (type) {
+    case PlyType::int8: good = integer_from_text<std::int8_t>(token, value.value); break;
+    case PlyType::uint8: good = integer_from_text<std::uint8_t>(token, value.value); break;
+    case PlyType::int16: good = integer_from_text<std::int16_t>(token, value.value); break;
+    case PlyType::uint16: good = integer_from_text<std::uint16_t>(token, value.value); break;
+    case PlyType::int32: good = integer_from_text<std::int32_t>(token, value.value); break;
+    case PlyType::uint32: good = integer_from_text<std::uint32_t>(token, value.value); break;
+    default: {
+      float number = 0;
+      if (!reading_.read(token, number)) return false;
+      value.value = number;
+      return true;
+    }
+  }
+  return good || reading_.refuse(reading_.at(token),
+                                 fmt::format("{} is not a whole number, or does not fit its type", shown(token)));
+}
+
+void put_ply_integer(std::span<char> bytes, std::uint32_t value, bool big_endian) {
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    bytes[big_endian ? bytes.size() - 1 - i : i] = static_cast<char>((value >> (8 * i)) & 0xff);
+  }
+}
+
+}  // namespace foredraw::mesh_files

@@ -1,0 +1,21 @@
+#pragma once
+// OFF, line by line: comments and empty lines do not count. Private to io.
+
+#include <foredraw/io/mesh/private/text.h>
+#include <foredraw/io/mesh/private/polygon_mesh.h>
+
+namespace foredraw::mesh_files {
+
+struct OffHeader {
+  bool has_texcoords = false, has_colors = false, has_normals = false;
+  std::uint64_t vertices = 0, faces = 0;
+  std::string_view body;  ///< what follows the counts
+};
+
+/// The next line that holds something, its comment cut off; nothing at the end.
+std::string_view take_off_line(std::string_view& text);
+
+std::optional<OffHeader> read_off_header(const Reading& reading);
+bool read_off(const Reading& reading, PolygonMesh& mesh);
+
+}  // namespace foredraw::mesh_files

@@ -1,0 +1,115 @@
+#include <foredraw/io/text/private/json_text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace foredraw {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Parsers recurse, so that depth has to be bounded before one is let loose. Returns the byte where it gets too deep.
+std::optional<std::size_t> too_deep(std::string_view text, int deepest) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > deepest) return i;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return std::nullopt;
+}
+
+/// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." without what we say ourselves.
+std::string reason(const std::string& what) {
+  const std::size_t from = what.find("syntax error");
+  if (from != std::string::npos) return what.substr(from);
+  const std::size_t bracket = what.find("] ");
+  return bracket == std::string::npos ? what : what.substr(bracket + 2);
+}
+
+/// Reads along for what a tree of values no longer shows or has no room for. The parser's own callback would ask all of
+/// an array at the end of each of its objects.
+class Reading final : public Json::json_sax_t {
+ public:
+  explicit Reading(std::size_t most_keys) : most_keys_(most_keys) {}
+
+  std::string twice;                 ///< the first key that stands twice in one object
+  bool is_crowded = false;           ///< some object has too many keys
+  std::optional<std::size_t> stuck;  ///< the byte at which it is no JSON
+  std::string why;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool start_object(std::size_t) override {
+    keys_.emplace_back();
+    return true;
+  }
+  bool end_object() override {
+    keys_.pop_back();
+    return true;
+  }
+  bool key(string_t& key) override {
+    if (!keys_.back().insert(key).second && twice.empty()) twice = key;
+    is_crowded = keys_.back().size() > most_keys_;
+    return !is_crowded;
+  }
+  bool parse_error(std::size_t byte, const std::string&, const Json::exception& mistake) override {
+    stuck = byte == 0 ? 0 : byte - 1;
+    why = reason(mistake.what());
+    return false;
+  }
+
+ private:
+  std::size_t most_keys_;
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+};
+
+}  // namespace
+
+std::variant<Json, JsonFault> parse_json_text(std::string_view text, const JsonLimits& limits) {
+  if (const auto byte = too_deep(text, limits.depth)) {
+    return JsonFault{byte, "json-nesting", fmt::format("the JSON is nested deeper than {} levels", limits.depth), ""};
+  }
+  Reading reading(limits.keys);
+  Json::sax_parse(text.begin(), text.end(), &reading);
+  if (reading.stuck) return JsonFault{reading.stuck, "json-syntax", "is not JSON: " + reading.why, ""};
+  if (reading.is_crowded) {
+    return JsonFault{std::nullopt, "json-crowd", fmt::format("an object has more than {} keys", limits.keys),
+                     "put them into an array"};
+  }
+  if (!reading.twice.empty()) {
+    return JsonFault{std::nullopt, "json-duplicate-key",
+                     fmt::format("the key '{}' stands twice in one object", reading.twice),
+                     "keep one of them; readers differ in which they take"};
+  }
+  return Json::parse(text.begin(), text.end());
+}
+
+Where place_in(const std::string& file, std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte, text.size()));
+  const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
+  const std::size_t start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+  return {.file = file, .line = line, .column = static_cast<int>(before.size() - start) + 1, .inside = {}};
+}
+
+}  // namespace foredraw

@@ -1,0 +1,33 @@
+#include <foredraw/measuring/cache_orderer.h>
+
+#include <fmt/format.h>
+
+namespace foredraw {
+
+namespace {
+
+constexpr double near_best = 1.02;  ///< misses for each vertex, of which one is the least that there can be
+
+}  // namespace
+
+IndexOrder CacheOrderer::order(const DrawView& draw, Run& run) {
+  const CacheCount before = count(draw.indices(), draw.vertex_count());
+  if (before.misses == before.referenced) {
+    run.keep("each of its vertices is shaded once, and no order does with less");
+    return {};
+  }
+  if (static_cast<double>(before.misses) <= near_best * static_cast<double>(before.referenced)) {
+    run.keep(fmt::format("{} vertices miss the cache, and at best {} would: less than {:.0f} per cent to gain",
+                         before.misses, before.referenced, 100 * (near_best - 1)));
+    return {};
+  }
+  IndexOrder order = order_for_cache(draw, run);
+  const CacheCount after = count(with_triangle_order(draw.stream(), order).indices.view(), draw.vertex_count());
+  if (after.misses >= before.misses) {
+    run.keep(fmt::format("in the order found {} vertices would miss the cache, and in its own {} do", after.misses,
+                         before.misses));
+  }
+  return order;
+}
+
+}  // namespace foredraw

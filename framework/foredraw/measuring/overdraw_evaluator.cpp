@@ -1,0 +1,294 @@
+#include <foredraw/measuring/overdraw_evaluator.h>
+
+#include <foredraw/viewing/draw_mask.h>
+#include <foredraw/viewing/drawn_orders.h>
+#include <foredraw/measuring/overdraw_details.h>
+#include <foredraw/measuring/overdraw_samples.h>
+#include <foredraw/measuring/overdraw_tally.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <utility>
+
+namespace foredraw {
+
+namespace {
+
+std::vector<ViewTally> sums_by_view(std::span<const OverdrawTally> tallies, std::size_t views) {
+  std::vector<ViewTally> sums(views);
+  for (const OverdrawTally& tally : tallies) {
+    for (std::size_t view = 0; view < tally.views.size(); ++view) sums[view] += tally.views[view];
+  }
+  return sums;
+}
+
+class OverdrawEvaluator final : public Evaluator {
+ public:
+  OverdrawEvaluator(std::unique_ptr<OverdrawService> service, const OverdrawOptions& options)
+      : service_(std::move(service)), options_(options), samples_{make_views(options)} {}
+
+  void evaluate(const Scene& scene, Run& run) override {
+    PosedSubjects subjects{scene, subjects_of(scene), make_poses(scene, options_), {}};
+    subjects.distinct = distinct_poses(scene, subjects.subjects, subjects.poses, run.executor);
+    const OverdrawTallies tallies =
+        options_.error ? counted_to(*options_.error, subjects, run) : counted(subjects, run);
+    measure(subjects, tallies, run);
+    if (options_.details) tell_overdraw_details(subjects, *service_, samples_.views, run);
+    tell_of_poses(subjects, tallies, run);
+    tell_what_is_not_as_drawn(scene, subjects.poses, tallies, run);
+    service_->tell_more(scene, subjects.subjects, samples_.views, run);
+  }
+
+ private:
+  /// What a subject counts in a pose.
+  struct Counted {
+    OverdrawCounts counts;  ///< empty where the subject looked so before
+    std::size_t non_finite = 0;
+  };
+
+  /// Poses in parallel, few enough at a time that little is held, and merged in their sequence.
+  OverdrawTallies counted(const PosedSubjects& subjects, Run& run) const {
+    constexpr std::size_t at_a_time = 8;
+    OverdrawTallies tallies(subjects, samples_.views.views.size());
+    const std::size_t poses = subjects.poses.poses.size();
+    std::atomic<std::size_t> done = 0;
+    for (std::size_t first = 0; first < poses; first += at_a_time) {
+      std::vector<std::vector<Counted>> some(std::min(at_a_time, poses - first));
+      run.executor.for_each(some.size(), [&](std::size_t i) {
+        some[i] = counted_in(subjects, first + i, run, [&] {
+          if (run.progress) {
+            run.progress(static_cast<double>(++done) / static_cast<double>(poses * subjects.subjects.size()));
+          }
+        });
+      });
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        for (std::size_t subject = 0; subject < some[i].size(); ++subject) {
+          if (!subjects.is_new(subject, first + i)) continue;
+          tallies.add(subjects, subject, first + i, some[i][subject].counts, samples_.views.views);
+          tallies.non_finite[subject] = std::max(tallies.non_finite[subject], some[i][subject].non_finite);
+        }
+      }
+    }
+    return tallies;
+  }
+
+  /// Each subject that looks new in the pose.
+  template <class Done>
+  std::vector<Counted> counted_in(const PosedSubjects& subjects, std::size_t pose, Run& run, Done one_is_done) const {
+    const PosedNodes nodes = posed_nodes(subjects.scene, subjects.poses.poses[pose]);
+    std::vector<Counted> counted(subjects.subjects.size());
+    run.executor.for_each(counted.size(), [&](std::size_t i) {
+      if (run.cancelled()) throw std::runtime_error("cancelled");
+      if (subjects.is_new(i, pose)) {
+        DrawnSubject drawn = drawn_subject(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
+        counted[i].counts = drawn_in_orders(drawn, subjects, i, pose, run);
+        for (const RasterPart& part : drawn.parts) counted[i].non_finite += count_non_finite_triangles(part);
+      }
+      one_is_done();
+    });
+    return counted;
+  }
+
+  /// From each view in the orders that the subject's tables give there.
+  OverdrawCounts drawn_in_orders(DrawnSubject& drawn, const PosedSubjects& subjects, std::size_t i, std::size_t pose,
+                                 Run& run) const {
+    const Views& views = samples_.views;
+    const auto by_orders =
+        views_by_orders(subjects.scene, subjects.subjects[i], subjects.poses.poses[pose], views.views);
+    OverdrawCounts counts(drawn.parts.size(), std::vector<OverdrawCount>(views.views.size()));
+    for (const ViewsOfOrders& some : by_orders) {
+      set_orders(drawn, subjects.scene, subjects.subjects[i], some.orders);
+      if (by_orders.size() == 1) return service_->draw(drawn.parts, views, run);
+      const OverdrawCounts seen = service_->draw(drawn.parts, chosen(views, some.views), run);
+      for (std::size_t part = 0; part < counts.size(); ++part) {
+        for (std::size_t v = 0; v < some.views.size(); ++v) counts[part][some.views[v]] = seen[part][v];
+      }
+    }
+    return counts;
+  }
+
+  /// Looks from ever more sides until the error is as wanted.
+  OverdrawTallies counted_to(double wanted, const PosedSubjects& subjects, Run& run) {
+    constexpr std::size_t first = 12;
+    constexpr std::size_t most = 4096;
+    std::size_t most_triangles = 0;
+    for (const Subject& subject : subjects.subjects) {
+      most_triangles = std::max(most_triangles, count_triangles(subjects.scene, subject));
+    }
+    for (std::size_t views = first;;) {
+      samples_ = turned_sets(views, static_cast<std::uint64_t>(options_.seed), options_.distance.value_or(0),
+                             balanced_size(most_triangles));
+      OverdrawTallies tallies = counted(subjects, run);
+      const double bound = errors_to_bound * largest_error(tallies);
+      if (bound > wanted && views < most) {
+        views = std::min(most, views_for(views, bound, wanted));
+        continue;
+      }
+      run.note("views", fmt::format("looked from {} x {} views of {} x {} pixels", sets_of_views, views,
+                                    samples_.views.size, samples_.views.size));
+      if (bound > wanted) {
+        run.note("error-not-reached", fmt::format("the error is up to {:.2g}; more views were not tried", bound));
+      }
+      return tallies;
+    }
+  }
+
+  /// The standard error of the subject's ratio that is least sure.
+  double largest_error(const OverdrawTallies& tallies) const {
+    double largest = 0;
+    for (const OverdrawTally& subject : tallies.subjects) largest = std::max(largest, ratio_of(subject.views).error);
+    return largest;
+  }
+
+  /// Views that are samples by themselves weigh as they say; in sets of views all weigh the same.
+  Estimate ratio_of(std::span<const ViewTally> views) const {
+    return overdraw_ratio(summed_by_sample(views, samples_.views_in_sample), samples_.views.views);
+  }
+
+  void measure(const PosedSubjects& subjects, const OverdrawTallies& tallies, const Run& run) const {
+    for (DrawId draw = 0; draw < tallies.draws.size(); ++draw) {
+      std::vector<OverdrawTally> in_subjects;
+      for (const auto& [subject, tally] : tallies.draws[draw]) in_subjects.push_back(tally);
+      measure_at({draw, {}, {}}, in_subjects, run);
+    }
+    measure_at({}, tallies.subjects, run);
+    if (subjects.poses.poses.size() == 1 || subjects.poses.poses.size() > most_told_poses) return;
+    const std::vector<std::string> clips = clip_names(subjects.scene);
+    for (std::size_t pose = 0; pose < tallies.poses.size(); ++pose) {
+      const Estimate ratio = ratio_in_pose(tallies, pose);
+      if (ratio.denominator == 0) continue;
+      run.measure_at({}, fmt::format("poses.{}.ratio", pose_name(subjects.poses.poses[pose], clips)), ratio.numerator,
+                     ratio.denominator, ratio.error);
+    }
+  }
+
+  Estimate ratio_in_pose(const OverdrawTallies& tallies, std::size_t pose) const {
+    const std::vector<ViewTally>& views = tallies.poses[pose];
+    const std::size_t in_sample = std::min(samples_.views_in_sample, views.size());
+    return overdraw_ratio(summed_by_sample(views, in_sample), std::vector<View>(1));
+  }
+
+  /// A place is its part in each of some subjects.
+  void measure_at(Place place, std::span<const OverdrawTally> tallies, const Run& run) const {
+    double hidden = 0;
+    double ties = 0;
+    double discarded = 0;
+    OverdrawCount worst;
+    std::vector<ViewTally> pictures;
+    for (const OverdrawTally& tally : tallies) {
+      hidden += tally.hidden;
+      ties += tally.ties;
+      discarded += tally.discarded;
+      if (is_worse(tally.worst, worst)) worst = tally.worst;
+      pictures.insert(pictures.end(), tally.views.begin(), tally.views.end());
+    }
+    const Estimate ratio = ratio_of(sums_by_view(tallies, samples_.views.views.size()));
+    if (ratio.numerator + ties + discarded == 0) return;  // never seen
+    const Estimate mean = overdraw_view_mean(pictures, samples_.views.views);
+    run.measure_at(place, "ratio", ratio.numerator, ratio.denominator, ratio.error);
+    run.measure_at(place, "view-mean", mean.numerator, mean.denominator, mean.error);
+    if (worst.visible > 0) {
+      run.measure_at(place, "worst-view", static_cast<double>(worst.shaded), static_cast<double>(worst.visible));
+    }
+    run.count_at(place, "hidden", hidden);
+    run.count_at(place, "ties", ties);
+    if (place == Place() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
+      run.note("close", fmt::format("surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
+                                    "ties per pixel, more than its error; who rounds depths otherwise finds another one",
+                                    ties / ratio.denominator));
+    }
+    if (discarded > 0) run.count_at(place, "discarded", discarded);
+  }
+
+  void tell_of_poses(const PosedSubjects& subjects, const OverdrawTallies& tallies, const Run& run) const {
+    if (const auto why = why_at_rest(subjects.scene, options_)) run.note("at-rest", "drawn at rest: " + *why);
+    const std::vector<Pose>& poses = subjects.poses.poses;
+    if (poses.size() == 1) return;
+    std::size_t worst = 0;
+    std::size_t different = 0;
+    double highest = 0;
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+      bool is_new = pose == 0;
+      for (std::size_t i = 0; i < subjects.subjects.size(); ++i) is_new = is_new || subjects.is_new(i, pose);
+      different += is_new ? 1 : 0;
+      const Estimate ratio = ratio_in_pose(tallies, pose);
+      if (ratio.denominator == 0 || ratio.numerator / ratio.denominator <= highest) continue;
+      highest = ratio.numerator / ratio.denominator;
+      worst = pose;
+    }
+    if (highest == 0) return;
+    run.note("worst-pose",
+             fmt::format("looked in {} poses, {} of them different; the worst is {}, with {:.4f} fragments "
+                         "per pixel",
+                         poses.size(), different, pose_name(poses[worst], clip_names(subjects.scene)), highest));
+  }
+
+  void tell_what_is_not_as_drawn(const Scene& scene, const Poses& poses, const OverdrawTallies& tallies,
+                                 const Run& run) const {
+    std::vector<std::string> blended;
+    std::vector<std::string> unknown;
+    std::string why;
+    for (const Draw& draw : scene.draws) {
+      if (draw.topology != Topology::triangles) continue;
+      if (is_blended(scene, draw)) blended.push_back(draw.name);
+      const auto mask = mask_of(run.analyses, scene, draw);
+      if (const std::string* text = std::get_if<std::string>(&mask)) {
+        unknown.push_back(draw.name);
+        if (why.empty()) why = *text;
+      }
+    }
+    if (!blended.empty()) {
+      run.count("blended-left-out", static_cast<double>(blended.size()));
+      run.note("blended", fmt::format("left out as blended: {}", listed_draws(blended)));
+    }
+    if (!unknown.empty()) {
+      run.count("masked-left-out", static_cast<double>(unknown.size()));
+      run.note("masked",
+               fmt::format("left out, for it is not known where their holes are: {}; {}", listed_draws(unknown), why));
+    }
+    const std::size_t non_finite =
+        std::accumulate(tallies.non_finite.begin(), tallies.non_finite.end(), std::size_t{0});
+    if (non_finite > 0) {
+      run.count("triangles-left-out", static_cast<double>(non_finite));
+      run.note("not-finite", fmt::format("{} triangles are left out: positions that are not finite", non_finite));
+    }
+    if (samples_.views.views == run.views.views && poses == run.poses) {
+      run.note("same-views", "these are the views that orders are optimised for; figures from others tell more");
+    }
+  }
+
+  std::unique_ptr<OverdrawService> service_;
+  OverdrawOptions options_;
+  OverdrawSamples samples_;
+};
+
+}  // namespace
+
+std::vector<Metric> overdraw_metrics() {
+  return {
+      {"ratio", "fragments per pixel",
+       "Fragments that pass the depth test over those that stay, of all views and poses; 1 is the limit"},
+      {"view-mean", "fragments per pixel", "The mean of the ratios of all views and poses, as papers print it"},
+      {"worst-view", "fragments per pixel", "The highest ratio of any view and pose", true, true},
+      {"hidden", "fragments",
+       "Fragments that pass but do not stay, of all views and poses: a draw's part of the overdraw"},
+      {"ties", "fragments", "Fragments exactly as near as what was drawn before them, of all views and poses"},
+      {"discarded", "fragments",
+       "Fragments that pass the depth test and fall into the holes of a mask, of all views and poses; in no ratio"},
+      {"blended-left-out", "draws", "Blended draws, which are left out"},
+      {"masked-left-out", "draws", "Masked draws of which it is not known where their holes are, which are left out"},
+      {"triangles-left-out", "triangles", "Triangles with positions that are not finite, which are left out"},
+  };
+}
+
+std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> service,
+                                              const OverdrawOptions& options) {
+  if (const auto mistake = mistake_in(static_cast<const ViewSet&>(options))) throw std::invalid_argument(*mistake);
+  if (const auto mistake = mistake_in(static_cast<const PoseSet&>(options))) throw std::invalid_argument(*mistake);
+  return std::make_unique<OverdrawEvaluator>(std::move(service), options);
+}
+
+}  // namespace foredraw

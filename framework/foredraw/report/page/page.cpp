@@ -1,0 +1,90 @@
+#include <foredraw/report/page/page.h>
+
+#include <foredraw/report/page/private/html.h>
+#include <foredraw/report/page/private/page_assets.h>
+#include <foredraw/report/page/private/page_sections.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace foredraw {
+
+namespace {
+
+constexpr std::string_view without_script =
+    "This program was built without npm, so that the page has no plot, no viewer and no sorting. Build it where npm is "
+    "installed and its registry can be reached.";
+constexpr std::string_view script_is_off = "This part is made by the page's script, which has not run.";
+
+struct Section {
+  std::string id;
+  std::string title;
+  std::string content;
+};
+
+std::string with_script() {
+  return element("p", page_script().empty() ? without_script : script_is_off, "class=\"without-script\"");
+}
+
+/// Of many files the first ones have a viewer.
+std::string left_out(std::size_t files, std::size_t displays) {
+  if (files <= most_displays) return "";
+  return '\n' + element("p", fmt::format("Of {} files the first {} are shown here.", files, displays), "class=\"note\"");
+}
+
+std::string data(const std::string& type, const std::string& id, std::string_view content) {
+  return element("script", content, fmt::format("type=\"{}\" id=\"{}\"", type, id)) + '\n';
+}
+
+/// The JSON form without the spaces that are for people.
+std::string compact_json(std::span<const Comparison> comparisons) {
+  return nlohmann::ordered_json::parse(to_json({comparisons.begin(), comparisons.end()})).dump();
+}
+
+std::string scripts(std::span<const Comparison> comparisons, std::span<const Display> displays) {
+  std::string text = data("application/json", "comparison", script_safe(compact_json(comparisons)));
+  if (page_script().empty()) return text;
+  std::string scenes;
+  for (const Display& display : displays) scenes += (scenes.empty() ? "" : ",") + display.scene;
+  text += data("application/json", "scenes", script_safe("{\"scenes\":[" + scenes + "]}"));
+  for (std::size_t i = 0; i < displays.size(); ++i) {
+    text += data("application/octet-stream", displays[i].buffer_name, displays[i].buffer);
+  }
+  return text + element("script", page_script()) + '\n';
+}
+
+}  // namespace
+
+std::string page(std::span<const Comparison> comparisons, std::span<const Display> displays,
+                 const std::string& program) {
+  const Section sections[] = {{"summary", "Summary", summary_html(comparisons)},
+                              {"figures", "Figures", figures_html(comparisons)},
+                              {"plot", "One against another", with_script()},
+                              {"viewer", "In three dimensions", with_script() + left_out(comparisons.size(), displays.size())},
+                              {"draws", "Draws", draws_html(comparisons)},
+                              {"stages", "Stages", stages_html(comparisons)},
+                              {"diagnostics", "Diagnostics", diagnostics_html(comparisons)},
+                              {"pipelines", "Pipelines", pipelines_html(comparisons)},
+                              {"run", "The run", run_html(comparisons, program)}};
+  std::string links, body;
+  for (const Section& section : sections) {
+    if (section.content.empty()) continue;
+    links += element("a", escaped(section.title), fmt::format("href=\"#{}\"", section.id)) + '\n';
+    body += element("section", '\n' + element("h2", escaped(section.title)) + '\n' + section.content + '\n',
+                    fmt::format("id=\"{}\"", section.id)) + '\n';
+  }
+  const std::string title =
+      comparisons.size() == 1 ? comparisons[0].input.path : fmt::format("{} files", comparisons.size());
+  return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         // Nothing is fetched, whatever a name in a file may try.
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+         "style-src 'unsafe-inline'; img-src data: blob:\">\n" +
+         element("title", escaped(title + ", by Foredraw")) + '\n' + element("style", page_style()) +
+         "\n</head>\n<body>\n" +
+         element("header", element("h1", "Foredraw") + element("p", escaped(title), "class=\"lead\"")) + '\n' +
+         element("nav", '\n' + links, "aria-label=\"Sections\"") + '\n' + element("main", '\n' + body) + '\n' +
+         scripts(comparisons, displays) + "</body>\n</html>\n";
+}
+
+}  // namespace foredraw

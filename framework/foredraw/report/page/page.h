@@ -1,0 +1,21 @@
+#pragma once
+// A comparison as one HTML file, which opens without a server or a network: tables that can be read without a script,
+// and what the script makes of the rest.
+
+#include <foredraw/report/page/display.h>
+
+#include <foredraw/report/comparison.h>
+
+#include <span>
+#include <string>
+
+namespace foredraw {
+
+/// How many files a page has a viewer for.
+inline constexpr std::size_t most_displays = 8;
+
+/// `displays`: of the first files. `program`: its name and version.
+std::string page(std::span<const Comparison> comparisons, std::span<const Display> displays,
+                 const std::string& program);
+
+}  // namespace foredraw

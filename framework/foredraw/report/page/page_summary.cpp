@@ -1,0 +1,76 @@
+#include <foredraw/report/page/private/page_sections.h>
+
+#include <foredraw/report/page/private/page_parts.h>
+
+#include <foredraw/report/figure_rows.h>
+#include <foredraw/report/fronts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+/// A figure in the words of who has never heard of it.
+struct PlainWords {
+  std::string_view metric;
+  std::string_view less;  ///< what is done less often where the figure is lower
+};
+constexpr PlainWords plain_words[] = {{"ratio", "pixels are shaded"}, {"acmr", "vertices are transformed"}};
+
+/// "pixels are shaded 4.0 % less often"; nothing where there is nothing to tell.
+std::string plain_change(const FigureRow& row, std::size_t branch, std::string_view what) {
+  const auto found = difference(row.branches[branch], row.input);
+  if (row.branches[branch] == nullptr || row.input == nullptr) return "";
+  if (!found || found->is_within_errors) return fmt::format("{} as often as before", what);
+  return fmt::format("{} {:.1f} % {} often", what, std::abs(100 * found->change), found->change < 0 ? "less" : "more");
+}
+
+std::string finding(const Comparison& comparison, std::size_t index, const std::vector<FigureRow>& rows) {
+  const Branch& branch = comparison.branches[index];
+  if (branch.is_lost) return fmt::format("{} could not be planned for this file: see Diagnostics.", number_of(index));
+  std::vector<std::string> parts;
+  for (const PlainWords& words : plain_words) {
+    const auto row = std::ranges::find(rows, words.metric, &FigureRow::metric);
+    if (row == rows.end()) continue;
+    const std::string part = plain_change(*row, index, words.less);
+    if (!part.empty()) parts.push_back(part);
+  }
+  std::string text = number_of(index) + ": " + fmt::format("{}", fmt::join(parts, ", ")) + (parts.empty() ? "" : "; ") +
+                     fmt::format("{:.0f} ms of work.", 1000 * stages_seconds(branch.report));
+  const bool has_errors = std::ranges::any_of(branch.report.diagnostics,
+                                              [](const Diagnostic& d) { return d.severity == Severity::error; });
+  return has_errors ? text + " Something failed: see Diagnostics." : text;
+}
+
+std::string fronts_html(const Comparison& comparison) {
+  std::string items;
+  for (const Front& front : fronts_of(comparison)) {
+    std::vector<std::string> names;
+    for (const std::size_t branch : front.branches) names.push_back(number_of(branch));
+    items += element("li", escaped(fmt::format("Not beaten in both {} and {}: {}.", front.x, front.y,
+                                               fmt::join(names, " ")))) + '\n';
+  }
+  return items;
+}
+
+std::string summary_of(const Comparison& comparison) {
+  if (comparison.is_lost()) return element("p", "Could not be read: see Diagnostics.");
+  const std::vector<FigureRow> rows = total_rows(comparison);
+  std::string branches, findings;
+  for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
+    branches += element("li", element("span", number_of(i), "class=\"branch\"") + ' ' +
+                                  element("code", escaped(comparison.branches[i].name)),
+                        fmt::format("data-branch=\"{}\"", i)) + '\n';
+    findings += element("li", escaped(finding(comparison, i, rows))) + '\n';
+  }
+  return element("ol", '\n' + branches, "class=\"branches\"") + '\n' +
+         element("ul", '\n' + findings + fronts_html(comparison), "class=\"findings\"");
+}
+
+}  // namespace
+
+std::string summary_html(std::span<const Comparison> comparisons) { return articles_and_sum(comparisons, summary_of); }
+
+}  // namespace foredraw

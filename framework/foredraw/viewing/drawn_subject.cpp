@@ -1,0 +1,71 @@
+#include <foredraw/viewing/drawn_subject.h>
+
+#include <foredraw/viewing/draw_mask.h>
+#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/viewing/posed_positions.h>
+
+namespace foredraw {
+
+namespace {
+
+bool draws_triangles(const Scene& scene, const Draw& draw) {
+  return draw.topology == Topology::triangles && !is_blended(scene, draw);
+}
+
+RasterPart raster_part(const Scene& scene, const SubjectPart& part, std::span<const glm::vec3> positions,
+                       const PosedNodes& nodes, Faces faces, Analyses& analyses) {
+  const Draw& draw = scene.draws[part.draw];
+  const Material* material = scene.material_of(draw);
+  RasterPart result;
+  result.positions = positions;
+  if (draws_triangles(scene, draw) && !positions.empty()) {
+    const auto mask = mask_of(analyses, scene, draw);
+    if (const auto* known = std::get_if<std::shared_ptr<const Mask>>(&mask)) {
+      result.indices = draw.levels[0].orders[0].indices.view();
+      result.mask = *known;
+    }
+  }
+  result.culls_back_faces = faces == Faces::front || material == nullptr || !material->double_sided;
+  result.is_mirrored = is_mirrored(part, nodes);
+  return result;
+}
+
+}  // namespace
+
+bool is_blended(const Scene& scene, const Draw& draw) {
+  const Material* material = scene.material_of(draw);
+  return material != nullptr && material->alpha_mode == AlphaMode::blend;
+}
+
+DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
+                           Analyses& analyses) {
+  DrawnSubject drawn;
+  for (const SubjectPart& part : subject.parts) drawn.positions.push_back(posed_positions(scene, part, nodes));
+  for (std::size_t i = 0; i < subject.parts.size(); ++i) {
+    drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], nodes, faces, analyses));
+  }
+  return drawn;
+}
+
+std::size_t count_triangles(const Scene& scene, const Subject& subject) {
+  std::size_t count = 0;
+  for (const SubjectPart& part : subject.parts) {
+    const Draw& draw = scene.draws[part.draw];
+    if (draws_triangles(scene, draw)) count += draw.levels[0].orders[0].triangle_count();
+  }
+  return count;
+}
+
+std::size_t count_non_finite_triangles(const RasterPart& part) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
+    for (std::size_t corner = i; corner < i + 3; ++corner) {
+      if (is_finite(part.positions[part.indices[corner]])) continue;
+      ++count;
+      break;
+    }
+  }
+  return count;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,103 @@
+#include <foredraw/viewing/posed_positions.h>
+
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+namespace foredraw {
+
+namespace {
+
+/// One JOINTS_n with its WEIGHTS_n.
+struct Influences {
+  const VertexStream* joints;
+  const VertexStream* weights;
+  std::size_t components;
+};
+
+std::vector<Influences> influences_of(const VertexStreams& vertices) {
+  std::vector<Influences> sets;
+  for (int n = 0;; ++n) {
+    const VertexStream* joints = vertices.find("JOINTS_" + std::to_string(n));
+    const VertexStream* weights = vertices.find("WEIGHTS_" + std::to_string(n));
+    if (joints == nullptr || weights == nullptr) return sets;
+    sets.push_back({joints, weights, std::min(joints->format.components, weights->format.components)});
+  }
+}
+
+std::vector<glm::dmat4> joint_matrices(const Skin& skin, std::span<const glm::mat4> world) {
+  std::vector<glm::dmat4> matrices;
+  for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+    const glm::dmat4 from_bind = i < skin.inverse_bind_matrices.size() ? skin.inverse_bind_matrices[i] : glm::mat4(1);
+    matrices.push_back(glm::dmat4(world[skin.joints[i]]) * from_bind);
+  }
+  return matrices;
+}
+
+glm::dvec3 moved(const glm::dmat4& by, const glm::dvec3& position) { return glm::dvec3(by * glm::dvec4(position, 1)); }
+
+/// By the joints, or `otherwise` where none has a weight.
+glm::dmat4 blended(std::span<const glm::dmat4> joints, std::span<const Influences> sets, std::size_t vertex,
+                   const glm::dmat4& otherwise) {
+  glm::dmat4 sum(0);
+  double weights = 0;
+  for (const Influences& set : sets) {
+    for (std::size_t c = 0; c < set.components; ++c) {
+      const double weight = decode_component(*set.weights, vertex, c);
+      const float joint = decode_component(*set.joints, vertex, c);
+      if (weight == 0 || !(joint >= 0 && joint < static_cast<float>(joints.size()))) continue;
+      sum += weight * joints[static_cast<std::size_t>(joint)];
+      weights += weight;
+    }
+  }
+  return weights == 0 ? otherwise : sum / weights;
+}
+
+void add_morph_targets(std::vector<glm::dvec3>& positions, const VertexStreams& vertices,
+                       std::span<const float> weights) {
+  for (std::size_t target = 0; target < std::min(weights.size(), vertices.morph_targets.size()); ++target) {
+    if (weights[target] == 0) continue;
+    for (const VertexStream& stream : vertices.morph_targets[target]) {
+      if (stream.semantic != "POSITION") continue;
+      const std::vector<glm::vec3> offsets = decode_vec3(stream);
+      for (std::size_t v = 0; v < std::min(positions.size(), offsets.size()); ++v) {
+        positions[v] += static_cast<double>(weights[target]) * glm::dvec3(offsets[v]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes) {
+  const VertexStreams& vertices = *scene.draws[part.draw].levels[0].vertices;
+  const VertexStream* stream = vertices.find("POSITION");
+  if (stream == nullptr) return {};
+  std::vector<glm::vec3> stored = decode_vec3(*stream);
+  if (!part.node) return stored;
+
+  const Node& node = scene.nodes[*part.node];
+  std::vector<glm::dvec3> positions(stored.begin(), stored.end());
+  add_morph_targets(positions, vertices, nodes.weights[*part.node]);
+
+  const glm::dmat4 by_node(nodes.world[*part.node]);
+  if (node.skin) {
+    const std::vector<glm::dmat4> joints = joint_matrices(scene.skins[*node.skin], nodes.world);
+    const std::vector<Influences> sets = influences_of(vertices);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      positions[v] = moved(blended(joints, sets, v, by_node), positions[v]);
+    }
+  } else {
+    for (glm::dvec3& position : positions) position = moved(by_node, position);
+  }
+  return {positions.begin(), positions.end()};
+}
+
+bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes) {
+  return part.node && glm::determinant(glm::dmat3(nodes.world[*part.node])) < 0;
+}
+
+}  // namespace foredraw

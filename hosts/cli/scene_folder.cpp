@@ -1,0 +1,78 @@
+#include "scene_folder.h"
+
+#include <foredraw/io/scene_file.h>
+#include <foredraw/io/sprite/sprite_files.h>
+
+#include <algorithm>
+#include <set>
+
+namespace foredraw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_same(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return !b.empty() && fs::equivalent(a, b, error);
+}
+
+/// Without the images that its lists name.
+void drop_images_of_lists(const fs::path& folder, std::vector<fs::path>& scenes) {
+  std::set<fs::path> named;
+  std::erase_if(scenes, [&](const fs::path& scene) {
+    if (!is_frame_list(scene)) return false;
+    const auto images = images_of_list(folder / scene);
+    for (const fs::path& image : images.value_or(std::vector<fs::path>{})) named.insert(image.lexically_normal());
+    return !images;
+  });
+  std::erase_if(scenes, [&](const fs::path& scene) { return named.contains((folder / scene).lexically_normal()); });
+}
+
+}  // namespace
+
+bool works_on_sprites(const Pipeline& pipeline, const Registry& registry) {
+  const auto does = [&](const Stage& stage) {
+    const Plugin* plugin = stage.enabled ? registry.find(stage.use) : nullptr;
+    return plugin != nullptr && plugin->card.acts_on.has(traits::sprite);
+  };
+  return std::ranges::any_of(pipeline.stages, does) || std::ranges::any_of(pipeline.measure, does);
+}
+
+std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const fs::path& except, FolderScenes which,
+                                                  Diagnostics& diagnostics) {
+  const bool with_sprites = which == FolderScenes::and_sprites;
+  std::vector<fs::path> scenes;
+  bool has_images = false;
+  std::error_code error;
+  fs::recursive_directory_iterator at(folder, error);
+  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+    std::error_code gone;
+    if (at->is_directory(gone)) {
+      if (is_same(at->path(), except)) at.disable_recursion_pending();
+    } else if (is_scene_file(at->path()) || (with_sprites && is_sprite_input(at->path()))) {
+      scenes.push_back(at->path().lexically_relative(folder));
+    } else {
+      has_images = has_images || (is_sprite_input(at->path()) && !is_frame_list(at->path()));
+    }
+  }
+  if (error) {
+    diagnostics.error({.file = folder.string()}, "unreadable-folder", "can not be read: " + error.message(),
+                      "see that you may read it and all folders below it");
+    return std::nullopt;
+  }
+  drop_images_of_lists(folder, scenes);
+  if (scenes.empty()) {
+    diagnostics.error({.file = folder.string()}, "no-scenes", "holds no scene, nor do the folders below it",
+                      with_sprites ? "scenes are files called .glb, .gltf, .obj, .ply, .off or .stl; sprites are images "
+                                     "(.png, .jpg, .tga, .exr) and frame lists (.json)"
+                      : has_images ? "its images count as sprites only where a stage or an evaluator is for sprites; "
+                                     "the pipeline has none"
+                                   : "scenes are files called .glb, .gltf, .obj, .ply, .off or .stl");
+    return std::nullopt;
+  }
+  std::ranges::sort(scenes);
+  return scenes;
+}
+
+}  // namespace foredraw

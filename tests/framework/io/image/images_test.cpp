@@ -1,0 +1,279 @@
+// Images read: what was put in comes out, and what claims more than it has is refused.
+#include <foredraw/base/random.h>
+#include <foredraw/io/gltf/gltf.h>
+#include <foredraw/io/image/images.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "support/gltf_builder.h"
+#include "support/image_builder.h"
+
+namespace foredraw {
+namespace {
+
+using Values = std::vector<std::uint16_t>;
+
+/// Smooth, so that JPEG keeps it nearly as it is.
+Values values_of(const ImageFacts& facts) {
+  Values values;
+  for (std::uint32_t y = 0; y < facts.height; ++y) {
+    for (std::uint32_t x = 0; x < facts.width; ++x) {
+      for (int c = 0; c < facts.channels; ++c) {
+        const std::uint32_t value = 20 + 3 * x + 2 * y + 10 * static_cast<std::uint32_t>(c);
+        values.push_back(static_cast<std::uint16_t>(facts.bits == 16 ? value * 211 : value));
+      }
+    }
+  }
+  return values;
+}
+
+Values values_in(const Texels& texels) {
+  Values values;
+  const std::size_t width = static_cast<std::size_t>(texels.facts.bits) / 8;
+  for (std::size_t i = 0; i < texels.bytes.size(); i += width) {
+    std::uint16_t value = 0;
+    std::memcpy(&value, texels.bytes.data() + i, width);
+    values.push_back(value);
+  }
+  return values;
+}
+
+std::vector<float> floats_in(const Texels& texels) {
+  std::vector<float> values(texels.bytes.size() / sizeof(float));
+  std::memcpy(values.data(), texels.bytes.data(), texels.bytes.size());
+  return values;
+}
+
+std::string code_of(std::span<const std::byte> bytes, const ImageLimits& limits = {}) {
+  Diagnostics diagnostics;
+  const auto texels = decode_image(bytes, {.file = "image"}, diagnostics, limits);
+  EXPECT_EQ(texels.has_value(), diagnostics.empty());
+  return texels ? "" : diagnostics.all().at(0).code;
+}
+
+TEST(Images, png_comes_out_as_it_went_in) {
+  for (const int bits : {8, 16}) {
+    for (int channels = 1; channels <= 4; ++channels) {
+      const ImageFacts facts{37, 21, channels, bits};
+      const auto file = testing::png_of(facts, values_of(facts));
+      EXPECT_EQ(image_facts(file), facts);
+      Diagnostics diagnostics;
+      const auto texels = decode_image(file, {.file = "image"}, diagnostics);
+      ASSERT_TRUE(texels) << to_text(diagnostics);
+      EXPECT_EQ(texels->facts, facts);
+      EXPECT_EQ(values_in(*texels), values_of(facts)) << channels << " of " << bits;
+    }
+  }
+}
+
+TEST(Images, jpeg_comes_out_nearly_as_it_went_in) {
+  for (const int channels : {1, 3}) {
+    const ImageFacts facts{37, 21, channels, 8};
+    const auto file = testing::jpeg_of(facts, values_of(facts));
+    Diagnostics diagnostics;
+    const auto texels = decode_image(file, {.file = "image"}, diagnostics);
+    ASSERT_TRUE(texels) << to_text(diagnostics);
+    EXPECT_EQ(texels->facts, *image_facts(file));
+    EXPECT_EQ(texels->facts.width, 37u);
+    const Values now = values_in(*texels), before = values_of(facts);
+    const std::size_t stored = static_cast<std::size_t>(texels->facts.channels);  // the writer makes three of one
+    for (std::size_t i = 0; i < before.size() / static_cast<std::size_t>(channels); ++i) {
+      EXPECT_NEAR(now[i * stored], before[i * static_cast<std::size_t>(channels)], 8);
+    }
+  }
+}
+
+TEST(Images, tga_comes_out_as_it_went_in) {
+  for (const int channels : {1, 3, 4}) {
+    const ImageFacts facts{37, 21, channels, 8};
+    const auto file = testing::tga_of(facts, values_of(facts));
+    EXPECT_EQ(image_facts(file), facts);
+    Diagnostics diagnostics;
+    const auto texels = decode_image(file, {.file = "image"}, diagnostics);
+    ASSERT_TRUE(texels) << to_text(diagnostics);
+    EXPECT_EQ(values_in(*texels), values_of(facts)) << channels;
+  }
+}
+
+TEST(Images, exr_comes_out_as_it_went_in) {
+  for (const char* compression : {"none", "rle", "zips", "zip"}) {
+    for (const int bits : {16, 32}) {
+      for (const int channels : {1, 3, 4}) {
+        const ImageFacts facts{19, 37, channels, bits, true};
+        std::vector<float> values;
+        for (std::size_t i = 0; i < 19 * 37 * static_cast<std::size_t>(channels); ++i) {
+          values.push_back(static_cast<float>(static_cast<int>(i % 97) - 40) / 16);  // halves hold these exactly
+        }
+        const auto file = testing::exr_of(facts, values, compression);
+        ASSERT_EQ(image_facts(file), facts) << compression;
+        Diagnostics diagnostics;
+        const auto texels = decode_image(file, {.file = "image"}, diagnostics);
+        ASSERT_TRUE(texels) << compression << ' ' << to_text(diagnostics);
+        EXPECT_EQ(floats_in(*texels), values) << compression << ' ' << channels << " of " << bits;
+      }
+    }
+  }
+}
+
+TEST(Images, exr_that_can_not_be_decoded_is_named) {
+  const auto piz = testing::exr_of({8, 8, 3, 16, true}, std::vector<float>(192, 0.5f), "piz");
+  Diagnostics diagnostics;
+  EXPECT_FALSE(decode_image(piz, {.file = "image"}, diagnostics));
+  EXPECT_NE(to_text(diagnostics).find("PIZ"), std::string::npos) << to_text(diagnostics);
+}
+
+void set(std::vector<std::byte>& file, std::size_t at, std::initializer_list<int> bytes) {
+  for (const int byte : bytes) file[at++] = static_cast<std::byte>(byte);
+}
+
+TEST(Images, claims_beyond_the_bytes_are_refused_before_anything_is_allocated) {
+  const ImageLimits no_limit{~std::uint64_t{0}};
+  const ImageFacts facts{16, 16, 3, 8};
+  auto png = testing::png_of(facts, values_of(facts));
+  set(png, 16, {0, 0, 0xea, 0x60, 0, 0, 0xea, 0x60});  // 60000 x 60000
+  EXPECT_EQ(image_facts(png)->width, 60000u);
+  EXPECT_EQ(code_of(png), "image-size");
+  EXPECT_EQ(code_of(png, no_limit), "image-size");
+  auto jpeg = testing::jpeg_of(facts, values_of(facts));
+  for (std::size_t i = 0; i + 9 < jpeg.size(); ++i) {
+    if (jpeg[i] == std::byte{0xff} && jpeg[i + 1] == std::byte{0xc0}) set(jpeg, i + 5, {0xea, 0x60, 0xea, 0x60});
+  }
+  EXPECT_EQ(code_of(jpeg, no_limit), "image-size");
+  auto tga = testing::tga_of(facts, values_of(facts));
+  set(tga, 12, {0x60, 0xea, 0x60, 0xea});
+  EXPECT_EQ(code_of(tga, no_limit), "image-size");
+  for (const char* compression : {"none", "rle", "zip"}) {
+    auto exr = testing::exr_of({16, 16, 3, 16, true}, std::vector<float>(768, 0.5f), compression);
+    const std::string text(reinterpret_cast<const char*>(exr.data()), exr.size());
+    const std::size_t window = text.find("box2i", text.find("dataWindow")) + 6 + 4;
+    set(exr, window + 8, {0x5f, 0xea, 0, 0, 0x5f, 0xea, 0, 0});
+    ASSERT_EQ(image_facts(exr)->width, 60000u);
+    EXPECT_EQ(code_of(exr, no_limit), "image-size") << compression;
+  }
+}
+
+TEST(Images, damage_that_decoders_pass_by_is_told) {
+  const ImageFacts facts{16, 16, 4, 8};
+  auto tga = testing::tga_of(facts, values_of(facts));
+  EXPECT_EQ(code_of(tga), "");
+  tga.resize(tga.size() / 2);
+  EXPECT_NE(code_of(tga), "");
+  auto png = testing::png_of(facts, values_of(facts));
+  const std::string text(reinterpret_cast<const char*>(png.data()), png.size());
+  const std::size_t data = text.find("IDAT");
+  png[data + 12] ^= std::byte{1};
+  EXPECT_NE(code_of(png), "");
+}
+
+TEST(Images, a_tga_may_begin_at_the_right) {
+  const ImageFacts facts{5, 3, 4, 8};
+  const auto values = values_of(facts);
+  auto tga = testing::tga_of(facts, values);
+  tga[17] |= std::byte{0x10};
+  Diagnostics diagnostics;
+  const auto texels = decode_image(tga, {.file = "image"}, diagnostics);
+  ASSERT_TRUE(texels) << to_text(diagnostics);
+  const auto turned = values_in(*texels);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 5; ++column) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(turned[(row * 5 + column) * 4 + k], values[(row * 5 + 4 - column) * 4 + k]);
+      }
+    }
+  }
+}
+
+TEST(Images, limit_is_an_option) {
+  const ImageFacts facts{16, 16, 3, 8};
+  const auto png = testing::png_of(facts, values_of(facts));
+  EXPECT_EQ(code_of(png, {256}), "");
+  EXPECT_EQ(code_of(png, {255}), "image-size");
+}
+
+TEST(Images, other_files_are_none) {
+  for (const char* text :
+       {"", "P6 1 1 255", "no real picture!", "\x89PNG", "\x89PNG\r\n\x1a\n", "\xff\xd8\xff", "glTF", "II*"}) {
+    EXPECT_EQ(image_facts(testing::bytes_of(text)), std::nullopt) << text;
+    EXPECT_EQ(code_of(testing::bytes_of(text)), "image-kind") << text;
+  }
+  EXPECT_EQ(image_facts(std::vector<std::byte>(1000)), std::nullopt);
+}
+
+TEST(Images, damaged_ones_are_decoded_or_refused) {
+  const ImageFacts facts{16, 16, 3, 8};
+  const ImageFacts halves{16, 16, 3, 16, true};
+  const std::vector<float> floats(768, 0.5f);
+  Random random(3);
+  for (const auto& whole : {testing::png_of(facts, values_of(facts)), testing::jpeg_of(facts, values_of(facts)),
+                            testing::tga_of(facts, values_of(facts)), testing::exr_of(halves, floats, "zip"),
+                            testing::exr_of(halves, floats, "rle"), testing::exr_of(halves, floats, "none")}) {
+    for (std::size_t length = 0; length < whole.size(); ++length) code_of(std::span(whole).first(length));
+    for (int round = 0; round < 2000; ++round) {
+      auto file = whole;
+      for (std::uint64_t n = random.below(4) + 1; n > 0; --n)
+        file[random.below(file.size())] = static_cast<std::byte>(random.below(256));
+      code_of(file);
+    }
+  }
+}
+
+TEST(Images, jpeg_tables_of_too_many_codes_are_refused) {
+  const ImageFacts facts{16, 16, 3, 8};
+  auto file = testing::jpeg_of(facts, values_of(facts));
+  int tables = 0;
+  for (std::size_t i = 2; i + 20 < file.size(); ++i) {
+    if (file[i] != std::byte{0xff} || file[i + 1] != std::byte{0xc4}) continue;
+    ++tables;
+    auto damaged = file;
+    std::fill_n(damaged.begin() + static_cast<std::ptrdiff_t>(i) + 5, 16, std::byte{0x11});  // 272 codes
+    EXPECT_EQ(code_of(damaged), "image-data") << tables;
+  }
+  EXPECT_GT(tables, 0);
+}
+
+TEST(Images, facts_are_known_of_a_scene_that_was_read) {
+  const ImageFacts facts{16, 8, 4, 16};
+  testing::GltfBuilder builder;
+  builder.add("images",
+              {{"bufferView", builder.add_view(testing::png_of(facts, values_of(facts)))}, {"mimeType", "image/jpeg"}});
+  builder.add("images", {{"uri", "elsewhere.png"}});
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(builder.glb(), "scene", {}, diagnostics);
+  ASSERT_TRUE(scene) << to_text(diagnostics);
+  EXPECT_EQ(scene->images[0].facts, facts) << "by content, whatever the name says";
+  EXPECT_EQ(scene->images[1].facts, std::nullopt);
+}
+
+TEST(Images, are_decoded_for_analyses_from_the_scene_or_from_beside_it) {
+  const ImageFacts facts{3, 2, 4, 8};
+  const std::vector<std::byte> png = testing::png_of(facts, values_of(facts));
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "images beside";
+  std::filesystem::create_directories(folder / "inner");
+  std::ofstream(folder / "inner" / "a leaf.png", std::ios::binary)
+      .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  Image image;
+  image.name = "leaf";
+  image.bytes = Shared<std::byte>(std::vector<std::byte>(png));
+  const auto texels = [&](const std::filesystem::path& scene_file) { return image_decoder(scene_file)(image); };
+  const auto why_not = [&](const std::filesystem::path& scene_file) { return std::get<std::string>(texels(scene_file)); };
+  EXPECT_EQ(std::get<Texels>(texels({})).facts, facts);
+  image.bytes = {};
+  image.uri = "inner/a%20leaf.png";
+  EXPECT_EQ(std::get<Texels>(texels(folder / "scene.gltf")).facts, facts);
+  EXPECT_EQ(why_not({}), "there is no image 'inner/a leaf.png' in the folder of the scene");
+  EXPECT_EQ(why_not(folder / "inner" / "scene.gltf"), "there is no image 'inner/a leaf.png' in the folder of the scene");
+  image.uri = "../images%20beside/inner/a%20leaf.png";
+  EXPECT_EQ(why_not(folder / "inner" / "scene.gltf"),
+            "the image's file '../images%20beside/inner/a%20leaf.png' leads out of the file's folder");
+  image.uri.clear();
+  EXPECT_EQ(why_not(folder / "scene.gltf"),
+            "the image 'leaf' is no image that can be decoded, or its header is damaged");
+}
+
+}  // namespace
+}  // namespace foredraw

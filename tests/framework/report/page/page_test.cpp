@@ -1,0 +1,92 @@
+#include <foredraw/report/page/page.h>
+
+#include <foredraw/report/page/private/html.h>
+#include <foredraw/report/page/private/page_assets.h>
+#include <foredraw/report/page/private/page_buffer.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace foredraw {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* hostile = "<img src=x onerror=alert(1)>\"'&</script><!--";
+
+Comparison comparison_of(const std::string& name) {
+  Branch branch{name, {}};
+  branch.report.optimized = true;
+  branch.report.before.metrics.set("vertex-cache", "acmr", {3, 1, 0, "misses per triangle"});
+  branch.report.after.metrics.set("vertex-cache", "acmr", {3, 2, 0, "misses per triangle"});
+  branch.report.pipeline = name;
+  branch.report.draws.resize(1);
+  branch.report.draws[0].name = name;
+  branch.report.draws[0].after.metrics.set("vertex-cache", "acmr", {3, 2, 0, name});
+  branch.report.diagnostics = {{Severity::warning, {.file = name}, "code", name, name}};
+  StageRecord stage;
+  stage.use = stage.text = stage.places = name;
+  stage.skipped = {{"code", name, {name}}};
+  stage.notes = {{name, "code", name}};
+  branch.report.stages = {stage};
+  branch.report.machine = name;
+  return {{name, 1}, {branch, branch}, {}};
+}
+
+/// What stands before the first element of that name, or all.
+std::string before(const std::string& html, const std::string& element) { return html.substr(0, html.find(element)); }
+
+TEST(Html, ShowsTextAsText) {
+  EXPECT_EQ(escaped("<b> & \"c\" 'd'"), "&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
+  EXPECT_EQ(element("p", "x", "class=\"y\""), "<p class=\"y\">x</p>");
+  EXPECT_EQ(script_safe("{\"a\":\"</script>\"}"), "{\"a\":\"\\u003c/script>\"}");
+}
+
+TEST(Page, TellsFiguresWithWhatTheyAreWorth) {
+  const Comparison comparison = comparison_of("rock.glb");
+  const std::string html = before(page({&comparison, 1}, {}, "foredraw 1"), "<script");
+  EXPECT_THAT(html, HasSubstr("<td class=\"number best\" data-value=\"1.5\" data-branch=\"0\">1.5000</td>"));
+  EXPECT_THAT(html, HasSubstr("vertices are transformed 50.0 % less often"));
+  EXPECT_THAT(html, HasSubstr("foredraw 1"));
+}
+
+TEST(Page, NamesAreNoMarkupWhereverTheyStand) {
+  const Comparison comparison = comparison_of(hostile);
+  const std::string html = page({&comparison, 1}, {}, hostile);
+  const std::string body = before(html.substr(html.find("<body>")), "<script");
+  EXPECT_THAT(body, Not(HasSubstr("<img")));
+  EXPECT_THAT(body, HasSubstr("&lt;img src=x onerror=alert(1)&gt;"));
+  const std::string data = html.substr(html.find("id=\"comparison\">") + 16);
+  EXPECT_THAT(before(data, "</script>"), Not(HasSubstr("<")));
+  EXPECT_THAT(before(data, "</script>"), HasSubstr("\\u003cimg"));
+}
+
+TEST(Page, OfALostPipelineSaysSo) {
+  Comparison comparison = comparison_of("a");
+  comparison.branches[0].is_lost = true;
+  comparison.branches[0].report = {};
+  const std::string html = page({&comparison, 1}, {}, "foredraw");
+  EXPECT_THAT(before(html, "<script"), HasSubstr("[1] could not be planned for this file"));
+}
+
+TEST(Page, OfNothingIsAPageAllTheSame) { EXPECT_TRUE(page({}, {}, "foredraw").ends_with("</html>\n")); }
+
+TEST(PageBuffer, IsBase64AndHoldsEqualNumbersOnce) {
+  PageBuffer buffer;
+  const std::array<std::uint32_t, 2> a{0x03020100, 0x07060504};
+  const std::array<std::uint32_t, 1> b{0xfffefdfc};
+  EXPECT_EQ(buffer.add(std::span<const std::uint32_t>(a)), 0u);
+  EXPECT_EQ(buffer.add(std::span<const std::uint32_t>(b)), 8u);
+  EXPECT_EQ(buffer.add(std::span<const std::uint32_t>(a)), 0u);
+  EXPECT_EQ(buffer.base64(), "AAECAwQFBgf8/f7/");
+  EXPECT_EQ(PageBuffer().base64(), "");
+  PageBuffer one;
+  one.add(std::span<const std::uint32_t>(b));
+  EXPECT_EQ(one.base64(), "/P3+/w==");
+}
+
+}  // namespace
+}  // namespace foredraw
