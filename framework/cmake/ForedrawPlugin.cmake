@@ -4,6 +4,8 @@
 #     CMakeLists.txt          foredraw_add_plugin()   or   foredraw_add_plugin(REQUIRES "CGAL 5.5" LINK CGAL::CGAL)
 #     <name>.h <name>.cpp     the technique as a plain function, and whatever else the folder holds for it
 #     <name>_plugin.cpp       its card and its option table; defines Plugin <name>_plugin()
+#     <x>_product*.cpp        what it makes beside triangles and vertices, if anything: the row of a product
+#     schemas/<x>.json        JSON Schemas of the product's extension
 #     shaders/<x>.<stage>     GLSL, if any, which the function includes as "shaders/<x>_<stage>.h": the array <x>_<stage>
 #     README.md
 #   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp   (and <name>_<what>_test.cpp)
@@ -62,7 +64,8 @@ function(_foredraw_add_plugin folder)
   endforeach()
 
   file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
-  list(REMOVE_ITEM sources "${folder}/${name}_plugin.cpp")
+  file(GLOB dress CONFIGURE_DEPENDS "${folder}/*_plugin.cpp" "${folder}/*_product*.cpp")
+  list(REMOVE_ITEM sources ${dress})
   foredraw_add_library(${name} SOURCES ${sources} LINK ${ARG_LINK} REQUIRES ${ARG_REQUIRES})
   target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)  # <plugins/.../name.h>
   _foredraw_add_shaders(foredraw_${name} ${shaders})
@@ -74,8 +77,9 @@ function(_foredraw_add_plugin folder)
 
   foredraw_reaches(measuring "${FOREDRAW_FRAMEWORK}" dressed)
   if(dressed)
-    foredraw_add_library(${name}_plugin SOURCES "${folder}/${name}_plugin.cpp" LINK foredraw::measuring foredraw::${name}
+    foredraw_add_library(${name}_plugin SOURCES ${dress} LINK foredraw::measuring foredraw::${name}
                          REQUIRES fmt PRIVATE_LINK fmt::fmt)
+    foredraw_add_schemas(foredraw_${name}_plugin "${folder}")
     foredraw_install_component(${name}_plugin)
   endif()
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_BUILT_IN ${name})

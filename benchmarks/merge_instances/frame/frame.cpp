@@ -5,7 +5,7 @@
 
 #include <evaluators/overdraw_vulkan/stopwatch.h>
 
-#include <foredraw/io/merged_shader.h>
+#include <plugins/processors/merge_instances/merged_shader.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 // The traits that an asset brings with it.
 #include <foredraw/image/sprite_pieces.h>
-#include <foredraw/io/gltf/private/draw_orders.h>
 #include <foredraw/io/gltf/private/source.h>
 
 #include <algorithm>
@@ -95,13 +94,13 @@ std::vector<MeshUse> mesh_uses(const Scene& scene) {
   return uses;
 }
 
-/// Extensions of a primitive that say nothing about its triangles or vertices, or that the writer makes anew, takes
-/// along or leaves out.
-bool is_harmless(std::string_view name) {
-  return name == "KHR_materials_variants" || name == "KHR_draco_mesh_compression" || name == draw_orders;
-}
-
-bool is_extended(const Json& primitive) {
+/// Whether the primitive has an extension that may say something about its triangles or vertices, and that the writer does
+/// not make anew, take along or leave out. Products hold on to draws themselves.
+bool is_extended(const Json& primitive, const ProductRows& products) {
+  const auto is_harmless = [&](const std::string& name) {
+    return name == "KHR_materials_variants" || name == "KHR_draco_mesh_compression" ||
+           std::ranges::any_of(products, [&](const auto& row) { return row->card().extension == name; });
+  };
   const auto extensions = primitive.find("extensions");
   if (extensions == primitive.end() || !extensions->is_object()) return false;
   for (const auto& [name, value] : extensions->items()) {
@@ -142,7 +141,7 @@ void find_traits(Scene& scene, const Document& document) {
     add(is_sprite(draw, material), traits::sprite);
     const VertexStream* positions = vertices.find("POSITION");
     add(positions != nullptr && positions->format.component != Component::float32, traits::quantized);
-    add(is_extended(document.json["meshes"][draw.origin->mesh]["primitives"][draw.origin->primitive]),
+    add(is_extended(document.json["meshes"][draw.origin->mesh]["primitives"][draw.origin->primitive], document.products),
         traits::extended);
   }
 }
