@@ -10,14 +10,14 @@ class OverdrawRaster final : public OverdrawService {
  public:
   using OverdrawService::OverdrawService;
 
-  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run& run) override {
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run& run) const override {
     return overdraw_raster(parts, views, run.executor);
   }
 
   bool can_capture() const override { return true; }
 
   std::optional<FragmentLayers> capture(std::span<const RasterPart> parts, const Views& views, Run& run,
-                                        std::size_t most_bytes) override {
+                                        std::size_t most_bytes) const override {
     return fragment_layers(parts, views, run.executor, most_bytes);
   }
 };

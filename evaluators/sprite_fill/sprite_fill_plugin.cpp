@@ -21,7 +21,7 @@ class SpriteFillEvaluator final : public DrawEvaluator {
  public:
   explicit SpriteFillEvaluator(const SpriteFillOptions& options) : options_(options), looks_(sprite_looks(options)) {}
 
-  void evaluate(const DrawView& draw, Run& run) override {
+  void evaluate(const DrawView& draw, Run& run) const override {
     const Texture& texture = texture_of(draw);
     const std::string semantic = fmt::format("TEXCOORD_{}", texture.texcoord);
     const VertexStream* texcoords = draw.vertices().find(semantic);

@@ -34,12 +34,12 @@ std::vector<std::uint32_t> rising(std::size_t count) {
 }
 
 struct ReverseDraw final : DrawOrderer {
-  IndexOrder order(const DrawView& draw, Run&) override { return falling(draw.triangle_count()); }
+  IndexOrder order(const DrawView& draw, Run&) const override { return falling(draw.triangle_count()); }
   int cache_size() const override { return 24; }
 };
 
 struct KeepsEverything final : DrawOrderer {
-  IndexOrder order(const DrawView&, Run& run) override {
+  IndexOrder order(const DrawView&, Run& run) const override {
     run.keep("it is best as it is");
     return {};
   }
@@ -48,7 +48,7 @@ struct KeepsEverything final : DrawOrderer {
 
 /// And a third one, between them, that its table never names: it is left out.
 struct TwoOrders final : SubjectOrderer {
-  SubjectOrders order(const SubjectView& subject, Run&) override {
+  SubjectOrders order(const SubjectView& subject, Run&) const override {
     SubjectOrders answer;
     answer.table.draws = subject.draws;
     answer.table.theta_steps = 2;
@@ -62,11 +62,11 @@ struct TwoOrders final : SubjectOrderer {
 };
 
 struct ReverseVertices final : VertexOrderer {
-  VertexOrder order(const VertexUse& use, Run&) override { return falling(use.vertices.count); }
+  VertexOrder order(const VertexUse& use, Run&) const override { return falling(use.vertices.count); }
 };
 
 struct Pairs final : Clusterer {
-  Clusters cluster(const DrawView& draw, Run&) override {
+  Clusters cluster(const DrawView& draw, Run&) const override {
     Clusters clusters;
     for (std::uint32_t t = 0; t < draw.triangle_count(); t += 2) clusters.offsets.push_back(t);
     clusters.offsets.push_back(static_cast<std::uint32_t>(draw.triangle_count()));
@@ -75,7 +75,7 @@ struct Pairs final : Clusterer {
 };
 
 struct AddDraw final : Processor {
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     if (draws.empty()) return {};
     Draw copy = scene.draws[draws.front()];
     copy.name += " again";
@@ -90,7 +90,7 @@ struct AddDraw final : Processor {
 };
 
 struct DoubleTriangles final : DrawProcessor {
-  Draw process(const DrawView& draw, Run&) override {
+  Draw process(const DrawView& draw, Run&) const override {
     Draw result = draw.draw();
     std::vector<std::uint32_t> indices(draw.indices().begin(), draw.indices().end());
     indices.insert(indices.end(), draw.indices().begin(), draw.indices().end());
@@ -100,7 +100,7 @@ struct DoubleTriangles final : DrawProcessor {
 };
 
 struct EmptyImages final : ImageProcessor {
-  Image process(const Image& image, Run&) override {
+  Image process(const Image& image, Run&) const override {
     Image result = image;
     result.bytes = {};
     return result;
@@ -108,22 +108,22 @@ struct EmptyImages final : ImageProcessor {
 };
 
 struct CountDraws final : Evaluator {
-  void evaluate(const Scene& scene, Run& run) override { run.count("draws", static_cast<double>(scene.draws.size())); }
+  void evaluate(const Scene& scene, Run& run) const override { run.count("draws", static_cast<double>(scene.draws.size())); }
 };
 
 struct CountTriangles final : DrawEvaluator {
-  void evaluate(const DrawView& draw, Run& run) override {
+  void evaluate(const DrawView& draw, Run& run) const override {
     run.count("triangles", static_cast<double>(draw.triangle_count()));
     run.measure("corners-per-vertex", static_cast<double>(draw.indices().size()), static_cast<double>(draw.vertex_count()));
   }
 };
 
 struct CountBytes final : ImageEvaluator {
-  void evaluate(const Image& image, Run& run) override { run.count("bytes", static_cast<double>(image.bytes.size())); }
+  void evaluate(const Image& image, Run& run) const override { run.count("bytes", static_cast<double>(image.bytes.size())); }
 };
 
 struct AskOverdraw final : DrawOrderer {
-  IndexOrder order(const DrawView& draw, Run& run) override {
+  IndexOrder order(const DrawView& draw, Run& run) const override {
     if (run.overdraw == nullptr) throw std::runtime_error("nobody measures overdraw");
     const Subject subject{draw.draw().name, {{draw.id, {}}}};
     const OverdrawCount count = run.overdraw->count(draw.scene, subject, run.views, run)[0][0];
@@ -132,14 +132,14 @@ struct AskOverdraw final : DrawOrderer {
 };
 
 struct FixedOverdraw final : OverdrawService {
-  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) override {
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) const override {
     return OverdrawCounts(parts.size(), std::vector<OverdrawCount>(views.views.size(), {3, 2, 0}));
   }
 };
 
 struct Faulty final : DrawOrderer {
   explicit Faulty(FaultyOptions o) : options(std::move(o)) {}
-  IndexOrder order(const DrawView& draw, Run&) override {
+  IndexOrder order(const DrawView& draw, Run&) const override {
     IndexOrder order = rising(draw.triangle_count());
     if (options.on != "*" && options.on != draw.draw().name) return order;
     if (options.fault == "throw") throw std::runtime_error("something went wrong");

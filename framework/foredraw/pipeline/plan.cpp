@@ -182,7 +182,7 @@ class Planner {
     for (const std::string& trait : card.provides) provider_[trait] = card.name;
   }
 
-  std::shared_ptr<OverdrawService> overdraw_service(const Pipeline& pipeline, const std::vector<PlannedStage>& stages) {
+  std::shared_ptr<const OverdrawService> overdraw_service(const Pipeline& pipeline, const std::vector<PlannedStage>& stages) {
     if (pipeline.overdraw) return service_of(*pipeline.overdraw);
     const auto user = std::ranges::find_if(stages, [](const PlannedStage& s) { return s.plugin->card.uses_overdraw; });
     if (user == stages.end()) return nullptr;
@@ -200,7 +200,7 @@ class Planner {
     return nullptr;
   }
 
-  std::shared_ptr<OverdrawService> service_of(const Stage& stage) {
+  std::shared_ptr<const OverdrawService> service_of(const Stage& stage) {
     const Plugin* plugin = find(stage);
     if (plugin == nullptr) return nullptr;
     if (!plugin->overdraw_service) {

@@ -32,13 +32,14 @@ struct PlannedStage {
   std::string_view places() const;
 };
 
+/// May run any number of times, and at once. It refers to the registry's plugins: the registry outlives it.
 struct Plan {
   Pipeline pipeline;
   std::vector<PlannedStage> stages;
   std::vector<PlannedStage> measures;
   Views views;
   Poses poses;
-  std::shared_ptr<OverdrawService> overdraw;  ///< null: no service is named or needed
+  std::shared_ptr<const OverdrawService> overdraw;  ///< null: no service is named or needed
 };
 
 /// Plans the pipeline for the scene. nullopt where something is wrong; all mistakes are in `diagnostics`, each with its

@@ -8,7 +8,7 @@ namespace foredraw {
 class Clusterer {
  public:
   virtual ~Clusterer() = default;
-  virtual Clusters cluster(const DrawView&, Run&) = 0;
+  virtual Clusters cluster(const DrawView&, Run&) const = 0;
 };
 
 }  // namespace foredraw

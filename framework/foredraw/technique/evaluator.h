@@ -10,21 +10,21 @@ namespace foredraw {
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
-  virtual void evaluate(const Scene&, Run&) = 0;
+  virtual void evaluate(const Scene&, Run&) const = 0;
 };
 
 /// The framework loops over the draws, many at once.
 class DrawEvaluator {
  public:
   virtual ~DrawEvaluator() = default;
-  virtual void evaluate(const DrawView&, Run&) = 0;
+  virtual void evaluate(const DrawView&, Run&) const = 0;
 };
 
 /// The framework loops over the images, many at once.
 class ImageEvaluator {
  public:
   virtual ~ImageEvaluator() = default;
-  virtual void evaluate(const Image&, Run&) = 0;
+  virtual void evaluate(const Image&, Run&) const = 0;
 };
 
 }  // namespace foredraw

@@ -15,7 +15,7 @@ namespace foredraw {
 class DrawOrderer {
  public:
   virtual ~DrawOrderer() = default;
-  virtual IndexOrder order(const DrawView&, Run&) = 0;
+  virtual IndexOrder order(const DrawView&, Run&) const = 0;
   /// The vertex cache that the order is made for, in entries; 0: the draw's own stays. Kept with the index stream.
   virtual int cache_size() const { return 0; }
 };
@@ -37,7 +37,7 @@ struct SubjectOrders {
 class SubjectOrderer {
  public:
   virtual ~SubjectOrderer() = default;
-  virtual SubjectOrders order(const SubjectView&, Run&) = 0;
+  virtual SubjectOrders order(const SubjectView&, Run&) const = 0;
 };
 
 /// Vertices and every index stream that uses them, in draw order.
@@ -50,7 +50,7 @@ struct VertexUse {
 class VertexOrderer {
  public:
   virtual ~VertexOrderer() = default;
-  virtual VertexOrder order(const VertexUse&, Run&) = 0;
+  virtual VertexOrder order(const VertexUse&, Run&) const = 0;
 };
 
 }  // namespace foredraw

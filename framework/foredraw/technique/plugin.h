@@ -17,7 +17,7 @@ namespace foredraw {
 enum class Kind { orderer, clusterer, processor, evaluator };
 std::string_view to_text(Kind kind);
 
-/// A technique of any shape.
+/// A technique of any shape. Working never changes it, so several threads and several runs may use it at once.
 using Technique =
     std::variant<std::unique_ptr<DrawOrderer>, std::unique_ptr<SubjectOrderer>, std::unique_ptr<VertexOrderer>,
                  std::unique_ptr<Clusterer>, std::unique_ptr<Processor>, std::unique_ptr<DrawProcessor>,

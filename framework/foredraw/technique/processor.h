@@ -12,21 +12,21 @@ class Processor {
   virtual ~Processor() = default;
   /// Changes the scene. `draws` are those that it may change, rising; it leaves the others alone. Answers with those that
   /// are now as its card says, whether they had to change or not.
-  virtual std::vector<DrawId> process(Scene&, const std::vector<DrawId>& draws, Run&) = 0;
+  virtual std::vector<DrawId> process(Scene&, const std::vector<DrawId>& draws, Run&) const = 0;
 };
 
 /// The framework loops over the draws, many at once. The answer stands in the draw's place.
 class DrawProcessor {
  public:
   virtual ~DrawProcessor() = default;
-  virtual Draw process(const DrawView&, Run&) = 0;
+  virtual Draw process(const DrawView&, Run&) const = 0;
 };
 
 /// The framework loops over the images, many at once. The answer stands in the image's place.
 class ImageProcessor {
  public:
   virtual ~ImageProcessor() = default;
-  virtual Image process(const Image&, Run&) = 0;
+  virtual Image process(const Image&, Run&) const = 0;
 };
 
 }  // namespace foredraw

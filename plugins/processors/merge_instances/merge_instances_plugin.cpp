@@ -96,7 +96,7 @@ class MergeInstances final : public Processor {
     throw std::invalid_argument(fmt::format("multiple is {}; it must be a multiple of 3, so that no triangle is cut", options.multiple));
   }
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     MergeInstancesOptions options = options_;
     options.poses = run.poses;
     const MergedScene merged = merge_instances(scene, draws, options, run.executor);

@@ -59,7 +59,7 @@ class ParticleTrim final : public Processor {
  public:
   explicit ParticleTrim(ParticleTrimOptions options) : options_(options) {}
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<SpriteDraw> sprites = sprites_of(scene, draws, run);
     trim_all(sprites, run);
     std::vector<DrawId> as_tight_as_can_be;

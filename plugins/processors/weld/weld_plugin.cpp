@@ -22,7 +22,7 @@ class WeldVertices final : public Processor {
  public:
   explicit WeldVertices(WeldOptions options) : options_(options) {}
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<DrawId> may_change = draws;
     std::erase_if(may_change, [&](DrawId id) { return has_vertex_rows(scene.draws[id]); });
     std::vector<VertexGroup> groups = vertex_groups(scene);

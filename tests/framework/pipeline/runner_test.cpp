@@ -3,12 +3,14 @@
 #include "support/meshes.h"
 #include "support/test_plugins.h"
 
+#include <foredraw/measuring/overdraw_evaluator.h>
 #include <foredraw/pipeline/parse.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <thread>
 
 namespace foredraw {
 namespace {
@@ -248,6 +250,48 @@ TEST_F(Runner, GivesTheSameAtAnyThreadCount) {
   for (DrawId id = 0; id < scene.draws.size(); ++id) {
     EXPECT_EQ(indices(one.scene, id), indices(many.scene, id));
     EXPECT_EQ(one.scene.draws[id].levels[0].vertices->stamp(), many.scene.draws[id].levels[0].vertices->stamp());
+  }
+}
+
+/// Counts that scatter over the views, so that who wants a small error asks for more of them.
+struct ScatteredOverdraw final : OverdrawService {
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) const override {
+    std::vector<OverdrawCount> counts;
+    for (std::size_t view = 0; view < views.views.size(); ++view) counts.push_back({10 + view * view % 7, 10, 0});
+    return OverdrawCounts(parts.size(), counts);
+  }
+};
+
+TEST_F(Runner, OnePlanRunsTwiceAtOnce) {
+  registry_.add(overdraw_plugin<OverdrawOptions>({.name = "scattered", .summary = "For tests", .reference = "own"},
+                                                 [](auto&) {}, [](const OverdrawOptions&) {
+                                                   return std::make_unique<ScatteredOverdraw>();
+                                                 }));
+  Diagnostics diagnostics;
+  Pipeline pipeline = *parse_line("pairs, reverse-draw, two-orders, reverse-vertices, add-draw", diagnostics);
+  pipeline.measure = *parse_stages("count-triangles, scattered(error=0.02)", "measure", diagnostics);
+  const std::optional<Plan> plan = foredraw::plan(pipeline, registry_, two_, diagnostics);
+  ASSERT_TRUE(plan) << to_text(diagnostics);
+  const Executor executor(2);
+  Analyses analyses;
+  const auto run = [&] { return foredraw::optimize(*plan, two_, {executor, analyses}); };
+  const Result alone = run();
+  ASSERT_FALSE(alone.failed);
+  ASSERT_NE(alone.report.after.metrics.find("scattered", "ratio"), nullptr);
+  std::vector<Result> at_once(2);
+  std::vector<std::thread> threads;
+  for (Result& result : at_once) threads.emplace_back([&result, &run] { result = run(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Result& result : at_once) {
+    for (DrawId id = 0; id < alone.scene.draws.size(); ++id) {
+      EXPECT_EQ(indices(result.scene, id), indices(alone.scene, id));
+      EXPECT_EQ(result.scene.draws[id].levels[0].vertices->stamp(), alone.scene.draws[id].levels[0].vertices->stamp());
+    }
+    for (const StateRecord Report::*state : {&Report::before, &Report::after}) {
+      const Figure* ratio = (result.report.*state).metrics.find("scattered", "ratio");
+      ASSERT_NE(ratio, nullptr);
+      EXPECT_EQ(ratio->value(), (alone.report.*state).metrics.find("scattered", "ratio")->value());
+    }
   }
 }
 
