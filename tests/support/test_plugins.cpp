@@ -99,16 +99,10 @@ struct DoubleTriangles final : DrawProcessor {
   }
 };
 
-struct EmptyImages final : ImageProcessor {
-  Image process(const Image& image, Run&) const override {
-    Image result = image;
-    result.bytes = {};
-    return result;
-  }
-};
-
 struct CountDraws final : Evaluator {
-  void evaluate(const Scene& scene, Run& run) const override { run.count("draws", static_cast<double>(scene.draws.size())); }
+  void evaluate(const Scene& scene, Run& run) const override {
+    run.count("draws", static_cast<double>(scene.draws.size()));
+  }
 };
 
 struct CountTriangles final : DrawEvaluator {
@@ -116,10 +110,6 @@ struct CountTriangles final : DrawEvaluator {
     run.count("triangles", static_cast<double>(draw.triangle_count()));
     run.measure("corners-per-vertex", static_cast<double>(draw.indices().size()), static_cast<double>(draw.vertex_count()));
   }
-};
-
-struct CountBytes final : ImageEvaluator {
-  void evaluate(const Image& image, Run& run) const override { run.count("bytes", static_cast<double>(image.bytes.size())); }
 };
 
 struct AskOverdraw final : DrawOrderer {
@@ -165,7 +155,6 @@ Plugin add_draw() { return plugin_of<AddDraw>(Kind::processor, {.name = "add-dra
 Plugin double_triangles() {
   return plugin_of<DoubleTriangles>(Kind::processor, {.name = "double-triangles", .acts_on = {traits::triangles}, .breaks = {traits::clustered}});
 }
-Plugin empty_images() { return plugin_of<EmptyImages>(Kind::processor, {.name = "empty-images"}); }
 Plugin count_draws() {
   return plugin_of<CountDraws>(Kind::evaluator, {.name = "count-draws", .metrics = {{"draws", "draws", "How many"}}});
 }
@@ -174,9 +163,6 @@ Plugin count_triangles() {
                                                      .acts_on = {traits::triangles},
                                                      .metrics = {{"triangles", "triangles", "How many"},
                                                                  {"corners-per-vertex", "corners per vertex", "Sharing"}}});
-}
-Plugin count_bytes() {
-  return plugin_of<CountBytes>(Kind::evaluator, {.name = "count-bytes", .metrics = {{"bytes", "bytes", "How many"}}});
 }
 Plugin ask_overdraw() {
   return plugin_of<AskOverdraw>(Kind::orderer, {.name = "ask-overdraw", .acts_on = {traits::triangles}, .uses_overdraw = true});
@@ -216,9 +202,9 @@ Plugin needs_clusters() {
 }
 
 void add_test_plugins(Registry& registry) {
-  for (const auto& make : {reverse_draw, two_orders, reverse_vertices, pairs, add_draw, double_triangles, empty_images,
-                           count_draws, count_triangles, count_bytes, ask_overdraw, answer_overdraw, faulty, keeps_everything, unavailable,
-                           needs_clusters}) {
+  for (const auto& make :
+       {reverse_draw, two_orders, reverse_vertices, pairs, add_draw, double_triangles, count_draws, count_triangles,
+        ask_overdraw, answer_overdraw, faulty, keeps_everything, unavailable, needs_clusters}) {
     registry.add(make());
   }
 }

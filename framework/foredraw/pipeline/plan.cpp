@@ -182,7 +182,8 @@ class Planner {
     for (const std::string& trait : card.provides) provider_[trait] = card.name;
   }
 
-  std::shared_ptr<const OverdrawService> overdraw_service(const Pipeline& pipeline, const std::vector<PlannedStage>& stages) {
+  std::shared_ptr<const OverdrawService> overdraw_service(const Pipeline& pipeline,
+                                                          const std::vector<PlannedStage>& stages) {
     if (pipeline.overdraw) return service_of(*pipeline.overdraw);
     const auto user = std::ranges::find_if(stages, [](const PlannedStage& s) { return s.plugin->card.uses_overdraw; });
     if (user == stages.end()) return nullptr;
@@ -227,19 +228,7 @@ class Planner {
 }  // namespace
 
 std::string_view PlannedStage::places() const {
-  struct Name {
-    std::string_view operator()(const std::unique_ptr<DrawOrderer>&) const { return "draws"; }
-    std::string_view operator()(const std::unique_ptr<SubjectOrderer>&) const { return "subjects"; }
-    std::string_view operator()(const std::unique_ptr<VertexOrderer>&) const { return "vertex streams"; }
-    std::string_view operator()(const std::unique_ptr<Clusterer>&) const { return "draws"; }
-    std::string_view operator()(const std::unique_ptr<Processor>&) const { return "scene"; }
-    std::string_view operator()(const std::unique_ptr<DrawProcessor>&) const { return "draws"; }
-    std::string_view operator()(const std::unique_ptr<ImageProcessor>&) const { return "images"; }
-    std::string_view operator()(const std::unique_ptr<Evaluator>&) const { return "scene"; }
-    std::string_view operator()(const std::unique_ptr<DrawEvaluator>&) const { return "draws"; }
-    std::string_view operator()(const std::unique_ptr<ImageEvaluator>&) const { return "images"; }
-  };
-  return std::visit(Name(), *technique);
+  return std::visit([](const auto& shape) { return shape->works_on; }, *technique);
 }
 
 std::optional<Plan> plan(const Pipeline& pipeline, const Registry& registry, const Scene& scene,

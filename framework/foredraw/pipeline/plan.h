@@ -28,7 +28,7 @@ struct PlannedStage {
   std::vector<Skip> skips;
   std::optional<std::string> left_out;   ///< the whole stage does nothing, and why
 
-  /// What it loops over: "draws", "subjects", "vertex streams", "images", "scene".
+  /// What it loops over: "draws", "subjects", "vertex streams", "scene".
   std::string_view places() const;
 };
 

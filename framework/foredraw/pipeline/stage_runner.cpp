@@ -156,17 +156,6 @@ class StageRunner {
     }
   }
 
-  void run(const ImageProcessor& technique) {
-    auto outcomes = over_images<Image>([&](const Image& image, Run& run, Outcome<Image>& outcome) {
-      Image changed = technique.process(image, run);
-      if (!run.keeps()) outcome.answer = std::move(changed);
-    });
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      accept(outcomes[i], scene_.images[i].name);
-      if (outcomes[i].answer) scene_.images[i] = std::move(*outcomes[i].answer);
-    }
-  }
-
   void run(const Evaluator& technique) {
     auto outcomes = over<Measurement>(1, [](std::size_t) { return Place{}; },
                                       [&](std::size_t, Run& run, Outcome<Measurement>& outcome) {
@@ -182,14 +171,6 @@ class StageRunner {
       outcome.answer.emplace();
     });
     for (std::size_t i = 0; i < outcomes.size(); ++i) accept(outcomes[i], scene_.draws[choice_.draws[i]].name);
-  }
-
-  void run(const ImageEvaluator& technique) {
-    auto outcomes = over_images<Measurement>([&](const Image& image, Run& run, Outcome<Measurement>& outcome) {
-      technique.evaluate(image, run);
-      outcome.answer.emplace();
-    });
-    for (std::size_t i = 0; i < outcomes.size(); ++i) accept(outcomes[i], scene_.images[i].name);
   }
 
   // --- the loop that they share -------------------------------------------------------------------------------------
@@ -237,13 +218,6 @@ class StageRunner {
         [&](std::size_t i, Run& run, Outcome<Answer>& outcome) {
           task(DrawView{scene_, choice_.draws[i]}, run, outcome);
         });
-  }
-
-  template <class Answer, class Task>
-  std::vector<Outcome<Answer>> over_images(Task task) {
-    return over<Answer>(
-        scene_.images.size(), [](std::size_t i) { return Place{.image = static_cast<ImageId>(i)}; },
-        [&](std::size_t i, Run& run, Outcome<Answer>& outcome) { task(scene_.images[i], run, outcome); });
   }
 
   template <class Answer>

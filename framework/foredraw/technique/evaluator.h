@@ -9,6 +9,7 @@ namespace foredraw {
 
 class Evaluator {
  public:
+  static constexpr std::string_view works_on = "scene";
   virtual ~Evaluator() = default;
   virtual void evaluate(const Scene&, Run&) const = 0;
 };
@@ -16,15 +17,9 @@ class Evaluator {
 /// The framework loops over the draws, many at once.
 class DrawEvaluator {
  public:
+  static constexpr std::string_view works_on = "draws";
   virtual ~DrawEvaluator() = default;
   virtual void evaluate(const DrawView&, Run&) const = 0;
-};
-
-/// The framework loops over the images, many at once.
-class ImageEvaluator {
- public:
-  virtual ~ImageEvaluator() = default;
-  virtual void evaluate(const Image&, Run&) const = 0;
 };
 
 }  // namespace foredraw

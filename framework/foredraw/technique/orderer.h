@@ -14,6 +14,7 @@ namespace foredraw {
 /// Orders the triangles of one draw. Called for many draws at once.
 class DrawOrderer {
  public:
+  static constexpr std::string_view works_on = "draws";  ///< what the framework loops over
   virtual ~DrawOrderer() = default;
   virtual IndexOrder order(const DrawView&, Run&) const = 0;
   /// The vertex cache that the order is made for, in entries; 0: the draw's own stays. Kept with the index stream.
@@ -36,6 +37,7 @@ struct SubjectOrders {
 /// Orders the draws of one subject together.
 class SubjectOrderer {
  public:
+  static constexpr std::string_view works_on = "subjects";
   virtual ~SubjectOrderer() = default;
   virtual SubjectOrders order(const SubjectView&, Run&) const = 0;
 };
@@ -49,6 +51,7 @@ struct VertexUse {
 /// Numbers the vertices of one VertexStreams anew; the framework moves all attributes, targets and indices.
 class VertexOrderer {
  public:
+  static constexpr std::string_view works_on = "vertex streams";
   virtual ~VertexOrderer() = default;
   virtual VertexOrder order(const VertexUse&, Run&) const = 0;
 };

@@ -21,8 +21,7 @@ std::string_view to_text(Kind kind);
 using Technique =
     std::variant<std::unique_ptr<DrawOrderer>, std::unique_ptr<SubjectOrderer>, std::unique_ptr<VertexOrderer>,
                  std::unique_ptr<Clusterer>, std::unique_ptr<Processor>, std::unique_ptr<DrawProcessor>,
-                 std::unique_ptr<ImageProcessor>, std::unique_ptr<Evaluator>, std::unique_ptr<DrawEvaluator>,
-                 std::unique_ptr<ImageEvaluator>>;
+                 std::unique_ptr<Evaluator>, std::unique_ptr<DrawEvaluator>>;
 
 struct Metric {
   std::string name;  ///< "acmr"
