@@ -154,6 +154,22 @@ TEST_F(Runner, ComparesPlansAsIfEachRanAlone) {
   }
 }
 
+TEST_F(Runner, ComparingLeavesTheAnalysesOfItsCallerAlone) {
+  Diagnostics diagnostics;
+  const std::vector<Plan> plans = {*foredraw::plan(*parse_line("pairs", diagnostics), registry_, two_, diagnostics)};
+  const Executor executor(2);
+  Analyses analyses;
+  positions_of(analyses, *two_.draws[0].levels[0].vertices);
+  compare(plans, two_, 2, {executor, analyses});
+  EXPECT_EQ(analyses.size(), 1u);
+}
+
+TEST_F(Runner, ComparingNoPlansGivesNoResults) {
+  const Executor executor(1);
+  Analyses analyses;
+  EXPECT_TRUE(compare({}, two_, 1, {executor, analyses}).empty());
+}
+
 class Fault : public Runner, public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(Fault, KeepsTheDrawAsItWasAndGoesOn) {
