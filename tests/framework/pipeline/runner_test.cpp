@@ -20,12 +20,15 @@ class Runner : public ::testing::Test {
   Runner() { testing::add_test_plugins(registry_); }
 
   Result run(const std::string& stages, const Scene& scene, const std::string& measure = "", int threads = 2) {
+    return run(stages, scene, measure, Executor(threads));
+  }
+
+  Result run(const std::string& stages, const Scene& scene, const std::string& measure, const Executor& executor) {
     Diagnostics diagnostics;
     auto pipeline = parse_line(stages, diagnostics);
     if (!measure.empty()) pipeline->measure = *parse_stages(measure, "measure", diagnostics);
     const auto plan = foredraw::plan(*pipeline, registry_, scene, diagnostics);
     if (!plan) throw std::runtime_error(to_text(diagnostics));
-    const Executor executor(threads);
     Analyses analyses;
     return foredraw::optimize(*plan, scene, {executor, analyses});
   }
@@ -33,6 +36,13 @@ class Runner : public ::testing::Test {
   static std::vector<std::uint32_t> indices(const Scene& scene, DrawId id, std::size_t order = 0) {
     const auto view = scene.draws[id].levels[0].orders[order].indices.view();
     return {view.begin(), view.end()};
+  }
+
+  static void expect_same(const Result& a, const Result& b) {
+    for (DrawId id = 0; id < b.scene.draws.size(); ++id) {
+      EXPECT_EQ(indices(a.scene, id), indices(b.scene, id));
+      EXPECT_EQ(a.scene.draws[id].levels[0].vertices->stamp(), b.scene.draws[id].levels[0].vertices->stamp());
+    }
   }
 
   Registry registry_;
@@ -257,9 +267,31 @@ TEST_F(Runner, GivesTheSameAtAnyThreadCount) {
   const std::string stages = "pairs, reverse-draw, two-orders, reverse-vertices";
   const Result one = run(stages, scene, "count-triangles", 1);
   const Result many = run(stages, scene, "count-triangles", 7);
-  for (DrawId id = 0; id < scene.draws.size(); ++id) {
-    EXPECT_EQ(indices(one.scene, id), indices(many.scene, id));
-    EXPECT_EQ(one.scene.draws[id].levels[0].vertices->stamp(), many.scene.draws[id].levels[0].vertices->stamp());
+  expect_same(many, one);
+}
+
+TEST_F(Runner, GivesTheSameWithACallersLoop) {
+  std::vector<Draw> draws;
+  for (std::uint32_t i = 1; i < 40; ++i) draws.push_back(testing::draw_of(testing::soup(i * 5, i)));
+  const Scene scene = testing::scene_of(std::move(draws));
+  const std::string stages = "pairs, reverse-draw, two-orders, reverse-vertices";
+  const Result expected = run(stages, scene, "count-triangles");
+  const Executor backwards(1, [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = count; i-- > 0;) task(i);
+  });
+  const Executor on_threads(4, [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    std::vector<std::thread> threads;
+    for (std::size_t first = 0; first < 4; ++first) {
+      threads.emplace_back([&task, first, count] {
+        for (std::size_t i = first; i < count; i += 4) task(i);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+  });
+  for (const Executor* executor : {&backwards, &on_threads}) {
+    const Result result = run(stages, scene, "count-triangles", *executor);
+    expect_same(result, expected);
+    EXPECT_EQ(result.report.threads, executor->threads());
   }
 }
 
@@ -292,10 +324,7 @@ TEST_F(Runner, OnePlanRunsTwiceAtOnce) {
   for (Result& result : at_once) threads.emplace_back([&result, &run] { result = run(); });
   for (std::thread& thread : threads) thread.join();
   for (const Result& result : at_once) {
-    for (DrawId id = 0; id < alone.scene.draws.size(); ++id) {
-      EXPECT_EQ(indices(result.scene, id), indices(alone.scene, id));
-      EXPECT_EQ(result.scene.draws[id].levels[0].vertices->stamp(), alone.scene.draws[id].levels[0].vertices->stamp());
-    }
+    expect_same(result, alone);
     for (const StateRecord Report::*state : {&Report::before, &Report::after}) {
       const Figure* ratio = (result.report.*state).metrics.find("scattered", "ratio");
       ASSERT_NE(ratio, nullptr);
