@@ -25,13 +25,15 @@ class OverdrawRaster final : public OverdrawService {
 }  // namespace
 
 Plugin overdraw_raster_plugin() {
-  return overdraw_plugin<OverdrawOptions>(
+  Plugin plugin = overdraw_plugin<OverdrawOptions>(
       {
           .name = "overdraw-raster",
           .summary = "Counts overdraw exactly by drawing every subject from all sides on the processor",
           .reference = "Han, Sander 2016, section 1 (overdraw ratio); own",
       },
       [](auto&) {}, [](const OverdrawOptions& options) { return std::make_unique<OverdrawRaster>(options.faces); });
+  plugin.exact = true;
+  return plugin;
 }
 
 }  // namespace foredraw

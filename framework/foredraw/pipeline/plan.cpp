@@ -187,17 +187,17 @@ class Planner {
     if (pipeline.overdraw) return service_of(*pipeline.overdraw);
     const auto user = std::ranges::find_if(stages, [](const PlannedStage& s) { return s.plugin->card.uses_overdraw; });
     if (user == stages.end()) return nullptr;
-    // The exact one, so that orders do not hang on what else a build or a machine has; others where they are all there is.
+    // An exact one, so that orders do not hang on what else a build or a machine has; others where there is none.
     std::vector<const Plugin*> answering = registry_.all();
-    std::stable_partition(answering.begin(), answering.end(),
-                          [](const Plugin* plugin) { return plugin->card.name == "overdraw-raster"; });
+    std::ranges::stable_partition(answering, &Plugin::exact);
     for (const Plugin* plugin : answering) {
       if (plugin->overdraw_service && !(plugin->unavailable && plugin->unavailable())) {
         return plugin->overdraw_service({});
       }
     }
-    error(user->stage.where, "no-service", fmt::format("'{}' asks for measured overdraw, and no evaluator here gives it", user->stage.use),
-          "build with 'overdraw-raster'");
+    error(user->stage.where, "no-service",
+          fmt::format("'{}' asks for measured overdraw, and no evaluator here gives it", user->stage.use),
+          "build with an evaluator that can answer for measured overdraw");
     return nullptr;
   }
 

@@ -56,6 +56,7 @@ struct Plugin {
   /// An evaluator that can answer for measured overdraw makes its service here, with options of the service's own: who
   /// asks brings views and scene.
   std::function<std::unique_ptr<OverdrawService>(const Settings&)> overdraw_service = {};
+  bool exact = false;  ///< its service counts exactly: asked first where a pipeline names none
   std::vector<OptionSpec> service_options = {};
 };
 
