@@ -36,7 +36,7 @@ struct CacheOptions {
 class MeshoptVertexCacheFifo final : public DrawOrderer {
  public:
   explicit MeshoptVertexCacheFifo(CacheOptions options) : options_(options) {}
-  IndexOrder order(const DrawView& draw, Run&) override {
+  IndexOrder order(const DrawView& draw, Run&) const override {
     std::vector<std::uint32_t> result(draw.indices().size());
     meshopt_optimizeVertexCacheFifo(result.data(), draw.indices().data(), result.size(), draw.vertex_count(),
                                     static_cast<unsigned>(options_.cache_size));
@@ -50,7 +50,7 @@ class MeshoptVertexCacheFifo final : public DrawOrderer {
 
 class MeshoptVertexCache final : public DrawOrderer {
  public:
-  IndexOrder order(const DrawView& draw, Run&) override {
+  IndexOrder order(const DrawView& draw, Run&) const override {
     std::vector<std::uint32_t> result(draw.indices().size());
     meshopt_optimizeVertexCache(result.data(), draw.indices().data(), result.size(), draw.vertex_count());
     return order_of(draw.indices(), result);
@@ -64,7 +64,7 @@ struct OverdrawOptions {
 class MeshoptOverdraw final : public DrawOrderer {
  public:
   explicit MeshoptOverdraw(OverdrawOptions options) : options_(options) {}
-  IndexOrder order(const DrawView& draw, Run& run) override {
+  IndexOrder order(const DrawView& draw, Run& run) const override {
     const auto positions = positions_of(run.analyses, draw.vertices());
     std::vector<std::uint32_t> result(draw.indices().size());
     meshopt_optimizeOverdraw(result.data(), draw.indices().data(), result.size(),

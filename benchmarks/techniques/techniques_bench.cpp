@@ -104,7 +104,8 @@ Indices our_cache_order_in_parts(const TestMesh& mesh) {
   const auto for_each = [](std::size_t count, const std::function<void(std::size_t)>& task) {
     executor.for_each(count, task);
   };
-  return tipsify_parts_indices(mesh.indices, {&mesh.positions[0].x, 3 * mesh.positions.size()}, {.cache_size = cache_size, .parts = 8}, for_each);
+  return tipsify_parts_indices(mesh.indices, {&mesh.positions[0].x, 3 * mesh.positions.size()}, 8,
+                               {.cache_size = cache_size}, for_each);
 }
 
 Indices peers_cache_order(const TestMesh& mesh) {

@@ -10,7 +10,7 @@ class OverdrawEmbree final : public OverdrawService {
  public:
   OverdrawEmbree(Faces faces, const OverdrawEmbreeOptions& options) : OverdrawService(faces), options_(options) {}
 
-  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run& run) override {
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run& run) const override {
     return overdraw_embree(parts, views, options_, run.executor);
   }
 

@@ -23,13 +23,13 @@ class OverdrawVulkan final : public OverdrawService {
  public:
   explicit OverdrawVulkan(const OverdrawVulkanOptions& options) : OverdrawService(options.faces), options_(options) {}
 
-  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) override {
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) const override {
     const std::lock_guard lock(one_at_a_time_);
     return overdraw_vulkan(device(), parts, views, options_.method);
   }
 
   /// Of the subjects at rest.
-  void tell_more(const Scene& scene, std::span<const Subject> subjects, const Views& views, Run& run) override {
+  void tell_more(const Scene& scene, std::span<const Subject> subjects, const Views& views, Run& run) const override {
     const std::lock_guard lock(one_at_a_time_);
     run.note("device", fmt::format("drawn by {}, whose depths have {} bits", device().name(), device().depth_bits()));
     const bool takes_times = options_.times && !device().is_processor();
@@ -70,14 +70,14 @@ class OverdrawVulkan final : public OverdrawService {
 
  private:
   /// Made when it is first drawn with: who lists plugins or plans a run starts no driver.
-  OverdrawDevice& device() {
+  OverdrawDevice& device() const {
     if (!device_) device_ = std::make_unique<OverdrawDevice>(VulkanChoice{options_.device.value_or("")});
     return *device_;
   }
 
   OverdrawVulkanOptions options_;
-  std::mutex one_at_a_time_;
-  std::unique_ptr<OverdrawDevice> device_;
+  mutable std::mutex one_at_a_time_;
+  mutable std::unique_ptr<OverdrawDevice> device_;
 };
 
 void add_rows(OptionTable<OverdrawVulkanOptions>& table) {

@@ -10,7 +10,7 @@ class SceneCostEvaluator final : public Evaluator {
  public:
   explicit SceneCostEvaluator(const SceneCostOptions& options) : options_(options) {}
 
-  void evaluate(const Scene& scene, Run& run) override {
+  void evaluate(const Scene& scene, Run& run) const override {
     const SceneCost cost = scene_cost(scene, options_, run.executor);
     const auto count = [&](const char* metric, std::uint64_t number) {
       run.count(metric, static_cast<double>(number));

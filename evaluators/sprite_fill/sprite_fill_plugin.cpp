@@ -14,14 +14,22 @@ namespace {
 
 /// What is kept of an image for all draws that show it.
 struct KeptLevels {
+  static constexpr std::string_view name = "sprite-fill.levels";
   AlphaLevels levels;
+
+  /// The first one is kept with the image.
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (std::size_t i = 1; i < levels.size(); ++i) sum += levels[i]->alpha.size() * sizeof(std::uint16_t);
+    return sum;
+  }
 };
 
 class SpriteFillEvaluator final : public DrawEvaluator {
  public:
   explicit SpriteFillEvaluator(const SpriteFillOptions& options) : options_(options), looks_(sprite_looks(options)) {}
 
-  void evaluate(const DrawView& draw, Run& run) override {
+  void evaluate(const DrawView& draw, Run& run) const override {
     const Texture& texture = texture_of(draw);
     const std::string semantic = fmt::format("TEXCOORD_{}", texture.texcoord);
     const VertexStream* texcoords = draw.vertices().find(semantic);

@@ -33,7 +33,7 @@ class VertexCache final : public DrawEvaluator {
  public:
   explicit VertexCache(const VertexCacheOptions& options) : options_(options), models_(models_of(options.models)) {}
 
-  void evaluate(const DrawView& draw, Run& run) override {
+  void evaluate(const DrawView& draw, Run& run) const override {
     const std::vector<ServedOrder> orders = served_orders(draw.scene, draw.id);
     const std::size_t vertices = draw.vertex_count();
     const auto cache_size = static_cast<std::uint32_t>(options_.cache_size);

@@ -12,7 +12,7 @@ struct NoOptions {};
 
 class Hexagons final : public foredraw::DrawProcessor {
  public:
-  foredraw::Draw process(const foredraw::DrawView& view, foredraw::Run&) override {
+  foredraw::Draw process(const foredraw::DrawView& view, foredraw::Run&) const override {
     foredraw::Draw draw = view.draw();
     foredraw::testing::trim(draw, 6);
     return draw;

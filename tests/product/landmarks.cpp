@@ -116,7 +116,7 @@ class MakeLandmarks final : public Processor {
  public:
   explicit MakeLandmarks(LandmarksOptions options) : options_(options) {}
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run&) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run&) const override {
     Landmarks landmarks;
     for (const DrawId id : draws) {
       const Level& level = scene.draws[id].levels[0];

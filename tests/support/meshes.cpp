@@ -1,5 +1,7 @@
 #include "support/meshes.h"
 
+#include <foredraw/scene/triangle_draw.h>
+
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -95,10 +97,9 @@ TestMesh joined(const TestMesh& a, const TestMesh& b) {
 }
 
 std::shared_ptr<const VertexStreams> vertex_streams(const std::vector<glm::vec3>& positions) {
-  const auto bytes = std::as_bytes(std::span<const glm::vec3>(positions));
   VertexStreams streams;
   streams.count = static_cast<std::uint32_t>(positions.size());
-  streams.base.push_back({"POSITION", Format{}, Shared<std::byte>({bytes.begin(), bytes.end()})});
+  streams.base.push_back(float_stream("POSITION", positions));
   return std::make_shared<const VertexStreams>(std::move(streams));
 }
 

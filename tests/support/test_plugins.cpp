@@ -34,12 +34,12 @@ std::vector<std::uint32_t> rising(std::size_t count) {
 }
 
 struct ReverseDraw final : DrawOrderer {
-  IndexOrder order(const DrawView& draw, Run&) override { return falling(draw.triangle_count()); }
+  IndexOrder order(const DrawView& draw, Run&) const override { return falling(draw.triangle_count()); }
   int cache_size() const override { return 24; }
 };
 
 struct KeepsEverything final : DrawOrderer {
-  IndexOrder order(const DrawView&, Run& run) override {
+  IndexOrder order(const DrawView&, Run& run) const override {
     run.keep("it is best as it is");
     return {};
   }
@@ -48,7 +48,7 @@ struct KeepsEverything final : DrawOrderer {
 
 /// And a third one, between them, that its table never names: it is left out.
 struct TwoOrders final : SubjectOrderer {
-  SubjectOrders order(const SubjectView& subject, Run&) override {
+  SubjectOrders order(const SubjectView& subject, Run&) const override {
     SubjectOrders answer;
     answer.table.draws = subject.draws;
     answer.table.theta_steps = 2;
@@ -62,11 +62,11 @@ struct TwoOrders final : SubjectOrderer {
 };
 
 struct ReverseVertices final : VertexOrderer {
-  VertexOrder order(const VertexUse& use, Run&) override { return falling(use.vertices.count); }
+  VertexOrder order(const VertexUse& use, Run&) const override { return falling(use.vertices.count); }
 };
 
 struct Pairs final : Clusterer {
-  Clusters cluster(const DrawView& draw, Run&) override {
+  Clusters cluster(const DrawView& draw, Run&) const override {
     Clusters clusters;
     for (std::uint32_t t = 0; t < draw.triangle_count(); t += 2) clusters.offsets.push_back(t);
     clusters.offsets.push_back(static_cast<std::uint32_t>(draw.triangle_count()));
@@ -75,7 +75,7 @@ struct Pairs final : Clusterer {
 };
 
 struct AddDraw final : Processor {
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     if (draws.empty()) return {};
     Draw copy = scene.draws[draws.front()];
     copy.name += " again";
@@ -90,7 +90,7 @@ struct AddDraw final : Processor {
 };
 
 struct DoubleTriangles final : DrawProcessor {
-  Draw process(const DrawView& draw, Run&) override {
+  Draw process(const DrawView& draw, Run&) const override {
     Draw result = draw.draw();
     std::vector<std::uint32_t> indices(draw.indices().begin(), draw.indices().end());
     indices.insert(indices.end(), draw.indices().begin(), draw.indices().end());
@@ -99,31 +99,21 @@ struct DoubleTriangles final : DrawProcessor {
   }
 };
 
-struct EmptyImages final : ImageProcessor {
-  Image process(const Image& image, Run&) override {
-    Image result = image;
-    result.bytes = {};
-    return result;
+struct CountDraws final : Evaluator {
+  void evaluate(const Scene& scene, Run& run) const override {
+    run.count("draws", static_cast<double>(scene.draws.size()));
   }
 };
 
-struct CountDraws final : Evaluator {
-  void evaluate(const Scene& scene, Run& run) override { run.count("draws", static_cast<double>(scene.draws.size())); }
-};
-
 struct CountTriangles final : DrawEvaluator {
-  void evaluate(const DrawView& draw, Run& run) override {
+  void evaluate(const DrawView& draw, Run& run) const override {
     run.count("triangles", static_cast<double>(draw.triangle_count()));
     run.measure("corners-per-vertex", static_cast<double>(draw.indices().size()), static_cast<double>(draw.vertex_count()));
   }
 };
 
-struct CountBytes final : ImageEvaluator {
-  void evaluate(const Image& image, Run& run) override { run.count("bytes", static_cast<double>(image.bytes.size())); }
-};
-
 struct AskOverdraw final : DrawOrderer {
-  IndexOrder order(const DrawView& draw, Run& run) override {
+  IndexOrder order(const DrawView& draw, Run& run) const override {
     if (run.overdraw == nullptr) throw std::runtime_error("nobody measures overdraw");
     const Subject subject{draw.draw().name, {{draw.id, {}}}};
     const OverdrawCount count = run.overdraw->count(draw.scene, subject, run.views, run)[0][0];
@@ -132,14 +122,14 @@ struct AskOverdraw final : DrawOrderer {
 };
 
 struct FixedOverdraw final : OverdrawService {
-  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) override {
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) const override {
     return OverdrawCounts(parts.size(), std::vector<OverdrawCount>(views.views.size(), {3, 2, 0}));
   }
 };
 
 struct Faulty final : DrawOrderer {
   explicit Faulty(FaultyOptions o) : options(std::move(o)) {}
-  IndexOrder order(const DrawView& draw, Run&) override {
+  IndexOrder order(const DrawView& draw, Run&) const override {
     IndexOrder order = rising(draw.triangle_count());
     if (options.on != "*" && options.on != draw.draw().name) return order;
     if (options.fault == "throw") throw std::runtime_error("something went wrong");
@@ -165,7 +155,6 @@ Plugin add_draw() { return plugin_of<AddDraw>(Kind::processor, {.name = "add-dra
 Plugin double_triangles() {
   return plugin_of<DoubleTriangles>(Kind::processor, {.name = "double-triangles", .acts_on = {traits::triangles}, .breaks = {traits::clustered}});
 }
-Plugin empty_images() { return plugin_of<EmptyImages>(Kind::processor, {.name = "empty-images"}); }
 Plugin count_draws() {
   return plugin_of<CountDraws>(Kind::evaluator, {.name = "count-draws", .metrics = {{"draws", "draws", "How many"}}});
 }
@@ -174,9 +163,6 @@ Plugin count_triangles() {
                                                      .acts_on = {traits::triangles},
                                                      .metrics = {{"triangles", "triangles", "How many"},
                                                                  {"corners-per-vertex", "corners per vertex", "Sharing"}}});
-}
-Plugin count_bytes() {
-  return plugin_of<CountBytes>(Kind::evaluator, {.name = "count-bytes", .metrics = {{"bytes", "bytes", "How many"}}});
 }
 Plugin ask_overdraw() {
   return plugin_of<AskOverdraw>(Kind::orderer, {.name = "ask-overdraw", .acts_on = {traits::triangles}, .uses_overdraw = true});
@@ -216,9 +202,9 @@ Plugin needs_clusters() {
 }
 
 void add_test_plugins(Registry& registry) {
-  for (const auto& make : {reverse_draw, two_orders, reverse_vertices, pairs, add_draw, double_triangles, empty_images,
-                           count_draws, count_triangles, count_bytes, ask_overdraw, answer_overdraw, faulty, keeps_everything, unavailable,
-                           needs_clusters}) {
+  for (const auto& make :
+       {reverse_draw, two_orders, reverse_vertices, pairs, add_draw, double_triangles, count_draws, count_triangles,
+        ask_overdraw, answer_overdraw, faulty, keeps_everything, unavailable, needs_clusters}) {
     registry.add(make());
   }
 }

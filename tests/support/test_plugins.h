@@ -11,10 +11,8 @@ Plugin reverse_vertices();    ///< vertex orderer: the last vertex first
 Plugin pairs();               ///< clusterer: two triangles each
 Plugin add_draw();            ///< scene processor: one more draw, a copy of the first
 Plugin double_triangles();    ///< draw processor: every triangle twice
-Plugin empty_images();        ///< image processor: no bytes
 Plugin count_draws();         ///< scene evaluator: metric "draws"
 Plugin count_triangles();     ///< draw evaluator: metric "triangles"
-Plugin count_bytes();         ///< image evaluator: metric "bytes"
 Plugin ask_overdraw();        ///< draw orderer that asks run.overdraw, and fails where nobody answers
 Plugin answer_overdraw();     ///< scene evaluator whose service answers 3 shaded of 2 visible
 

@@ -4,18 +4,51 @@
 
 namespace foredraw {
 
-std::shared_ptr<const void> Analyses::kept(const Key& key, const std::function<std::shared_ptr<const void>()>& make) {
+std::shared_ptr<const void> Analyses::kept(std::string_view name, const Stamp& content,
+                                           const std::function<Made()>& make) {
+  const Stamp parts[] = {content_hash(std::span<const char>(name)), content};
+  const Stamp key = combine(parts);
   std::shared_ptr<Entry> entry;
   {
     const std::lock_guard lock(mutex_);
     std::shared_ptr<Entry>& slot = entries_[key];
-    if (!slot) slot = std::make_shared<Entry>();
+    if (!slot) {
+      slot = std::make_shared<Entry>();
+      slot->use = uses_.insert(uses_.end(), key);
+    }
+    uses_.splice(uses_.end(), uses_, slot->use);
     entry = slot;
   }
   // The entry's own lock: an analysis that takes long holds up only those who want the same one.
   const std::lock_guard lock(entry->making);
-  if (!entry->value) entry->value = make();
-  return entry->value;
+  if (entry->made.value) return entry->made.value;
+  entry->made = make();
+  std::vector<std::shared_ptr<Entry>> forgotten;  // ends after the lock on all
+  const std::lock_guard lock_all(mutex_);
+  const auto held = entries_.find(key);
+  if (held != entries_.end() && held->second == entry) {
+    bytes_ += entry->made.bytes;
+    forgotten = take_what_is_too_much();
+  }
+  return entry->made.value;
+}
+
+/// Who has an entry may be about to take its value, and gets it under the lock that is held here: an entry and a value
+/// that are here alone stay so.
+std::vector<std::shared_ptr<Analyses::Entry>> Analyses::take_what_is_too_much() {
+  std::vector<std::shared_ptr<Entry>> taken;
+  for (auto use = uses_.begin(); bytes_ > most_bytes_ && use != uses_.end();) {
+    const auto held = entries_.find(*use);
+    if (held->second.use_count() > 1 || held->second->made.value.use_count() > 1) {
+      ++use;
+      continue;
+    }
+    bytes_ -= held->second->made.bytes;
+    taken.push_back(std::move(held->second));
+    entries_.erase(held);
+    use = uses_.erase(use);
+  }
+  return taken;
 }
 
 std::variant<Texels, std::string> Analyses::decode(const Image& image) const {
@@ -31,6 +64,8 @@ std::size_t Analyses::size() const {
 void Analyses::clear() {
   const std::lock_guard lock(mutex_);
   entries_.clear();
+  uses_.clear();
+  bytes_ = 0;
 }
 
 std::shared_ptr<const Positions> positions_of(Analyses& analyses, const VertexStreams& vertices) {

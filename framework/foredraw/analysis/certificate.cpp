@@ -8,7 +8,9 @@ namespace {
 
 /// The content of each vertex, and how it is read: the same bytes under another name or format are something else.
 struct VertexContent {
+  static constexpr std::string_view name = "vertex-content";
   std::vector<Stamp> stamps;
+  std::size_t bytes() const { return stamps.size() * sizeof(Stamp); }
 };
 
 VertexContent content_of(const VertexStreams& vertices) {

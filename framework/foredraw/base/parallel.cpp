@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -15,65 +16,75 @@
 
 namespace foredraw {
 
-struct Executor::Arena {
-  tbb::task_arena arena;
-};
+namespace {
 
-Executor::Executor(int threads)
-    : threads_(threads > 0 ? std::min(threads, tbb::info::default_concurrency()) : tbb::info::default_concurrency()),
-      arena_(new Arena{tbb::task_arena(threads_)}) {}
-
-Executor::~Executor() = default;
+int threads_for(int wanted) {
+  const int processors = tbb::info::default_concurrency();
+  return wanted > 0 ? std::min(wanted, processors) : processors;
+}
 
 #ifdef __SANITIZE_THREAD__
 
 // ThreadSanitizer sees nothing of TBB's library and calls every hand-over in it a race. Under it, plain threads keep the
 // same promise, so that what it reports is ours.
-void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& task) const {
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr first;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        task(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!first) first = std::current_exception();
-        next = count;
-      }
-    }
+ParallelLoop loop_over(int threads) {
+  return [threads](std::size_t count, const std::function<void(std::size_t)>& task) {
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < count; i = next++) task(i);
+    };
+    std::vector<std::thread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back(work);
+    work();
+    for (std::thread& other : others) other.join();
   };
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads_; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
-  if (first) std::rethrow_exception(first);
 }
 
 #else
 
-void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& task) const {
-  std::atomic<bool> task_failed = false;
-  const auto loop = [&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
-      try {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) task(i);
-      } catch (...) {
-        task_failed = true;
-        throw;
-      }
-    }, tbb::simple_partitioner());
+ParallelLoop loop_over(int threads) {
+  return [arena = std::make_shared<tbb::task_arena>(threads)](std::size_t count,
+                                                              const std::function<void(std::size_t)>& task) {
+    const auto loop = [&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, count, 1),
+          [&](const auto& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i) task(i);
+          },
+          tbb::simple_partitioner());
+    };
+    try {
+      // Isolated: who waits here holds perhaps a lock, and must be given no task from outside that wants the same one.
+      arena->execute([&] { tbb::this_task_arena::isolate(loop); });
+    } catch (const std::runtime_error&) {
+      throw std::bad_alloc();  // TBB's own: there was no memory for the stack of a thread
+    }
   };
-  try {
-    // Isolated: who waits here holds perhaps a lock, and must not be given a task from outside that wants the same one.
-    arena_->arena.execute([&] { tbb::this_task_arena::isolate(loop); });
-  } catch (const std::runtime_error&) {
-    if (!task_failed) throw std::bad_alloc();  // TBB's own: there was no memory for the stack of a thread
-    throw;
-  }
 }
 
 #endif
+
+}  // namespace
+
+Executor::Executor(int threads) : Executor(threads_for(threads), loop_over(threads_for(threads))) {}
+
+Executor::Executor(int threads, ParallelLoop loop) : threads_(std::max(threads, 1)), loop_(std::move(loop)) {}
+
+void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& task) const {
+  std::atomic<bool> task_failed = false;
+  std::mutex mutex;
+  std::exception_ptr first;
+  loop_(count, [&](std::size_t i) {
+    if (task_failed.load(std::memory_order_relaxed)) return;
+    try {
+      task(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!first) first = std::current_exception();
+      task_failed = true;
+    }
+  });
+  if (first) std::rethrow_exception(first);
+}
 
 }  // namespace foredraw

@@ -9,10 +9,11 @@ namespace foredraw {
 namespace {
 
 /// What alpha_image_of() keeps: an image's alpha, or why there is none.
-template <AlphaChannel>
 struct DecodedAlpha {
+  static constexpr std::string_view name = "alpha";
   std::shared_ptr<const AlphaImage> image;
   std::string why_not;
+  std::size_t bytes() const { return image ? image->alpha.size() * sizeof(std::uint16_t) : 0; }
 };
 
 /// A channel's value, 0 to 65535.
@@ -51,19 +52,6 @@ void read_alpha(const Texels& texels, AlphaChannel channel, std::vector<std::uin
     }
     at += channels * sizeof(T);
   }
-}
-
-template <AlphaChannel channel>
-std::variant<std::shared_ptr<const AlphaImage>, std::string> kept_alpha(Analyses& analyses, const Image& image) {
-  using Decoded = DecodedAlpha<channel>;
-  const Stamp parts[] = {image.bytes.stamp(), content_hash(std::span<const char>(image.uri))};
-  const auto decoded = analyses.get<Decoded>(combine(parts), [&]() -> Decoded {
-    const auto texels = analyses.decode(image);
-    if (const std::string* why = std::get_if<std::string>(&texels)) return {nullptr, *why};
-    return {std::make_shared<const AlphaImage>(alpha_image(std::get<Texels>(texels), channel)), {}};
-  });
-  if (!decoded->image) return decoded->why_not;
-  return decoded->image;
 }
 
 /// Which texels of a finer level one of a coarser level covers along one axis, and how much of each, in 1/`coarse`
@@ -120,11 +108,15 @@ AlphaImage alpha_image(const Texels& texels, AlphaChannel channel) {
 
 std::variant<std::shared_ptr<const AlphaImage>, std::string> alpha_image_of(Analyses& analyses, const Image& image,
                                                                             AlphaChannel channel) {
-  switch (channel) {
-    case AlphaChannel::luminance: return kept_alpha<AlphaChannel::luminance>(analyses, image);
-    case AlphaChannel::any: return kept_alpha<AlphaChannel::any>(analyses, image);
-    default: return kept_alpha<AlphaChannel::alpha>(analyses, image);
-  }
+  const Stamp parts[] = {image.bytes.stamp(), content_hash(std::span<const char>(image.uri)),
+                         content_hash(std::span<const AlphaChannel>(&channel, 1))};
+  const auto decoded = analyses.get<DecodedAlpha>(combine(parts), [&]() -> DecodedAlpha {
+    const auto texels = analyses.decode(image);
+    if (const std::string* why = std::get_if<std::string>(&texels)) return {nullptr, *why};
+    return {std::make_shared<const AlphaImage>(alpha_image(std::get<Texels>(texels), channel)), {}};
+  });
+  if (!decoded->image) return decoded->why_not;
+  return decoded->image;
 }
 
 AlphaImage next_level(const AlphaImage& image) {

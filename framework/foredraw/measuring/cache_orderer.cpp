@@ -10,7 +10,7 @@ constexpr double near_best = 1.02;  ///< misses for each vertex, of which one is
 
 }  // namespace
 
-IndexOrder CacheOrderer::order(const DrawView& draw, Run& run) {
+IndexOrder CacheOrderer::order(const DrawView& draw, Run& run) const {
   const CacheCount before = count(draw.indices(), draw.vertex_count());
   if (before.misses == before.referenced) {
     run.keep("each of its vertices is shaded once, and no order does with less");

@@ -8,7 +8,7 @@ namespace foredraw {
 /// where its own is not better: both are counted in the cache that it orders for.
 class CacheOrderer : public DrawOrderer {
  public:
-  IndexOrder order(const DrawView& draw, Run& run) final;
+  IndexOrder order(const DrawView& draw, Run& run) const final;
 
  private:
   virtual IndexOrder order_for_cache(const DrawView& draw, const Run& run) const = 0;

@@ -65,7 +65,8 @@ std::string listed_draws(const std::vector<std::string>& names) {
                      shown < names.size() ? ", ..." : "");
 }
 
-void tell_overdraw_details(const PosedSubjects& subjects, OverdrawService& service, const Views& views, Run& run) {
+void tell_overdraw_details(const PosedSubjects& subjects, const OverdrawService& service, const Views& views,
+                           Run& run) {
   if (!service.can_capture()) {
     return run.note("no-details",
                     "this evaluator counts fragments and does not keep whose they are; overdraw-raster does");

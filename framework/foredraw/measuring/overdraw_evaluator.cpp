@@ -25,21 +25,22 @@ std::vector<ViewTally> sums_by_view(std::span<const OverdrawTally> tallies, std:
   return sums;
 }
 
-class OverdrawEvaluator final : public Evaluator {
+/// One evaluation of a scene. Where an error is wanted, how many samples there are is found out on the way.
+class OverdrawEvaluation {
  public:
-  OverdrawEvaluator(std::unique_ptr<OverdrawService> service, const OverdrawOptions& options)
-      : service_(std::move(service)), options_(options), samples_{make_views(options)} {}
+  OverdrawEvaluation(const OverdrawService& service, const OverdrawOptions& options, const Views& views)
+      : service_(service), options_(options), samples_{views} {}
 
-  void evaluate(const Scene& scene, Run& run) override {
+  void evaluate(const Scene& scene, Run& run) {
     PosedSubjects subjects{scene, subjects_of(scene), make_poses(scene, options_), {}};
     subjects.distinct = distinct_poses(scene, subjects.subjects, subjects.poses, run.executor);
     const OverdrawTallies tallies =
         options_.error ? counted_to(*options_.error, subjects, run) : counted(subjects, run);
     measure(subjects, tallies, run);
-    if (options_.details) tell_overdraw_details(subjects, *service_, samples_.views, run);
+    if (options_.details) tell_overdraw_details(subjects, service_, samples_.views, run);
     tell_of_poses(subjects, tallies, run);
     tell_what_is_not_as_drawn(scene, subjects.poses, tallies, run);
-    service_->tell_more(scene, subjects.subjects, samples_.views, run);
+    service_.tell_more(scene, subjects.subjects, samples_.views, run);
   }
 
  private:
@@ -101,8 +102,8 @@ class OverdrawEvaluator final : public Evaluator {
     OverdrawCounts counts(drawn.parts.size(), std::vector<OverdrawCount>(views.views.size()));
     for (const ViewsOfOrders& some : by_orders) {
       set_orders(drawn, subjects.scene, subjects.subjects[i], some.orders);
-      if (by_orders.size() == 1) return service_->draw(drawn.parts, views, run);
-      const OverdrawCounts seen = service_->draw(drawn.parts, chosen(views, some.views), run);
+      if (by_orders.size() == 1) return service_.draw(drawn.parts, views, run);
+      const OverdrawCounts seen = service_.draw(drawn.parts, chosen(views, some.views), run);
       for (std::size_t part = 0; part < counts.size(); ++part) {
         for (std::size_t v = 0; v < some.views.size(); ++v) counts[part][some.views[v]] = seen[part][v];
       }
@@ -260,9 +261,24 @@ class OverdrawEvaluator final : public Evaluator {
     }
   }
 
-  std::unique_ptr<OverdrawService> service_;
-  OverdrawOptions options_;
+  const OverdrawService& service_;
+  const OverdrawOptions& options_;
   OverdrawSamples samples_;
+};
+
+class OverdrawEvaluator final : public Evaluator {
+ public:
+  OverdrawEvaluator(std::unique_ptr<const OverdrawService> service, const OverdrawOptions& options)
+      : service_(std::move(service)), options_(options), views_(make_views(options)) {}
+
+  void evaluate(const Scene& scene, Run& run) const override {
+    OverdrawEvaluation(*service_, options_, views_).evaluate(scene, run);
+  }
+
+ private:
+  std::unique_ptr<const OverdrawService> service_;
+  OverdrawOptions options_;
+  Views views_;
 };
 
 }  // namespace

@@ -183,25 +183,26 @@ class Planner {
     for (const std::string& trait : card.provides) provider_[trait] = card.name;
   }
 
-  std::shared_ptr<OverdrawService> overdraw_service(const Pipeline& pipeline, const std::vector<PlannedStage>& stages) {
+  std::shared_ptr<const OverdrawService> overdraw_service(const Pipeline& pipeline,
+                                                          const std::vector<PlannedStage>& stages) {
     if (pipeline.overdraw) return service_of(*pipeline.overdraw);
     const auto user = std::ranges::find_if(stages, [](const PlannedStage& s) { return s.plugin->card.uses_overdraw; });
     if (user == stages.end()) return nullptr;
-    // The exact one, so that orders do not hang on what else a build or a machine has; others where they are all there is.
+    // An exact one, so that orders do not hang on what else a build or a machine has; others where there is none.
     std::vector<const Plugin*> answering = registry_.all();
-    std::stable_partition(answering.begin(), answering.end(),
-                          [](const Plugin* plugin) { return plugin->card.name == "overdraw-raster"; });
+    std::ranges::stable_partition(answering, &Plugin::exact);
     for (const Plugin* plugin : answering) {
       if (plugin->overdraw_service && !(plugin->unavailable && plugin->unavailable())) {
         return plugin->overdraw_service({});
       }
     }
-    error(user->stage.where, "no-service", fmt::format("'{}' asks for measured overdraw, and no evaluator here gives it", user->stage.use),
-          "build with 'overdraw-raster'");
+    error(user->stage.where, "no-service",
+          fmt::format("'{}' asks for measured overdraw, and no evaluator here gives it", user->stage.use),
+          "build with an evaluator that can answer for measured overdraw");
     return nullptr;
   }
 
-  std::shared_ptr<OverdrawService> service_of(const Stage& stage) {
+  std::shared_ptr<const OverdrawService> service_of(const Stage& stage) {
     const Plugin* plugin = find(stage);
     if (plugin == nullptr) return nullptr;
     if (!plugin->overdraw_service) {
@@ -228,19 +229,7 @@ class Planner {
 }  // namespace
 
 std::string_view PlannedStage::places() const {
-  struct Name {
-    std::string_view operator()(const std::unique_ptr<DrawOrderer>&) const { return "draws"; }
-    std::string_view operator()(const std::unique_ptr<SubjectOrderer>&) const { return "subjects"; }
-    std::string_view operator()(const std::unique_ptr<VertexOrderer>&) const { return "vertex streams"; }
-    std::string_view operator()(const std::unique_ptr<Clusterer>&) const { return "draws"; }
-    std::string_view operator()(const std::unique_ptr<Processor>&) const { return "scene"; }
-    std::string_view operator()(const std::unique_ptr<DrawProcessor>&) const { return "draws"; }
-    std::string_view operator()(const std::unique_ptr<ImageProcessor>&) const { return "images"; }
-    std::string_view operator()(const std::unique_ptr<Evaluator>&) const { return "scene"; }
-    std::string_view operator()(const std::unique_ptr<DrawEvaluator>&) const { return "draws"; }
-    std::string_view operator()(const std::unique_ptr<ImageEvaluator>&) const { return "images"; }
-  };
-  return std::visit(Name(), *technique);
+  return std::visit([](const auto& shape) { return shape->works_on; }, *technique);
 }
 
 std::optional<Plan> plan(const Pipeline& pipeline, const Registry& registry, const Scene& scene,

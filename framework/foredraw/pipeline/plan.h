@@ -28,18 +28,19 @@ struct PlannedStage {
   std::vector<Skip> skips;
   std::optional<std::string> left_out;   ///< the whole stage does nothing, and why
 
-  /// What it loops over: "draws", "subjects", "vertex streams", "images", "scene".
+  /// What it loops over: "draws", "subjects", "vertex streams", "scene".
   std::string_view places() const;
 };
 
+/// May run any number of times, and at once. It refers to the registry's plugins: the registry outlives it.
 struct Plan {
   Pipeline pipeline;
   std::vector<PlannedStage> stages;
   std::vector<PlannedStage> measures;
   Views views;
   Poses poses;
-  ProductRows products;                       ///< what the registry's plugins make
-  std::shared_ptr<OverdrawService> overdraw;  ///< null: no service is named or needed
+  ProductRows products;  ///< what the registry's plugins make
+  std::shared_ptr<const OverdrawService> overdraw;  ///< null: no service is named or needed
 };
 
 /// Plans the pipeline for the scene. nullopt where something is wrong; all mistakes are in `diagnostics`, each with its

@@ -266,17 +266,20 @@ Result measure(const Plan& plan, Scene scene, const Surroundings& surroundings) 
 
 std::vector<Result> compare(std::span<const Plan> plans, const Scene& scene, int rounds,
                             const Surroundings& surroundings) {
+  if (plans.empty()) return {};
   const std::size_t shared = shared_stages(plans);
-  PlanRunner input(plans.front(), scene, surroundings, true);
+  Analyses analyses = surroundings.analyses.emptied();
+  const Surroundings own{surroundings.executor, analyses, surroundings.cancel, surroundings.progress};
+  PlanRunner input(plans.front(), scene, own, true);
   input.begin(true);
   std::vector<Result> results;
   std::vector<std::vector<std::vector<double>>> seconds(plans.size());  // [plan][stage][round]
   for (int round = 0; round < rounds; ++round) {
-    surroundings.analyses.clear();
+    analyses.clear();
     PlanRunner common = input;
     common.run_stages(0, shared);
     for (std::size_t p = 0; p < plans.size(); ++p) {
-      surroundings.analyses.clear();
+      analyses.clear();
       PlanRunner branch = common;
       branch.go_on_with(plans[p]);
       branch.run_stages(shared, plans[p].stages.size());

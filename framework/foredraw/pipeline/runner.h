@@ -32,9 +32,10 @@ Result optimize(const Plan& plan, Scene scene, const Surroundings& surroundings)
 /// Measures once; the plan's stages are not run.
 Result measure(const Plan& plan, Scene scene, const Surroundings& surroundings);
 
-/// The same scene in several plans, which all measure as the first one does: [plan]. The input is measured once, and the
-/// stages that all plans begin with alike run once. Stages run in so many rounds, every plan once in each, and none lives
-/// on analyses that another one made: a stage's time is the median of its rounds.
+/// The same scene in several plans, which all measure as the first one does: [plan]. The input is measured once, and
+/// the stages that all plans begin with alike run once. Stages run in so many rounds, every plan once in each, and none
+/// lives on analyses that another one made, nor on those of the surroundings: a stage's time is the median of its
+/// rounds. Of no plans there are no results.
 std::vector<Result> compare(std::span<const Plan> plans, const Scene& scene, int rounds,
                             const Surroundings& surroundings);
 

@@ -52,7 +52,7 @@ class StageRunner {
  private:
   // --- the shapes ---------------------------------------------------------------------------------------------------
 
-  void run(DrawOrderer& technique) {
+  void run(const DrawOrderer& technique) {
     const int cache_size = technique.cache_size();
     auto outcomes = over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
       const IndexOrder order = technique.order(draw, run);
@@ -67,13 +67,13 @@ class StageRunner {
     accept_draws(std::move(outcomes));
   }
 
-  void run(Clusterer& technique) {
+  void run(const Clusterer& technique) {
     accept_draws(over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
       outcome.answer = clustered(draw, technique.cluster(draw, run));
     }));
   }
 
-  void run(DrawProcessor& technique) {
+  void run(const DrawProcessor& technique) {
     accept_draws(over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
       Draw changed = technique.process(draw, run);
       if (run.keeps()) return;
@@ -82,7 +82,7 @@ class StageRunner {
     }));
   }
 
-  void run(SubjectOrderer& technique) {
+  void run(const SubjectOrderer& technique) {
     const std::vector<Subject> subjects = subjects_of(scene_);
     const std::vector<std::vector<DrawId>> draws = draws_of(subjects);
     auto outcomes = over<OrderedSubject>(
@@ -115,7 +115,7 @@ class StageRunner {
     }
   }
 
-  void run(VertexOrderer& technique) {
+  void run(const VertexOrderer& technique) {
     std::vector<VertexGroup> groups = vertex_groups(scene_);
     for (const HeldDraw& held : keep_groups_of(groups, choice_.draws)) {
       add_skip("shared-vertices", "it shares its vertices with " + scene_.draws[held.by].name + ", which stays as it is",
@@ -140,7 +140,7 @@ class StageRunner {
     }
   }
 
-  void run(Processor& technique) {
+  void run(const Processor& technique) {
     std::vector<DrawId> worked_on;
     auto outcomes = over<Scene>(1, [](std::size_t) { return Place{}; },
                                 [&](std::size_t, Run& run, Outcome<Scene>& outcome) {
@@ -163,18 +163,7 @@ class StageRunner {
     }
   }
 
-  void run(ImageProcessor& technique) {
-    auto outcomes = over_images<Image>([&](const Image& image, Run& run, Outcome<Image>& outcome) {
-      Image changed = technique.process(image, run);
-      if (!run.keeps()) outcome.answer = std::move(changed);
-    });
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      accept(outcomes[i], scene_.images[i].name);
-      if (outcomes[i].answer) scene_.images[i] = std::move(*outcomes[i].answer);
-    }
-  }
-
-  void run(Evaluator& technique) {
+  void run(const Evaluator& technique) {
     auto outcomes = over<Measurement>(1, [](std::size_t) { return Place{}; },
                                       [&](std::size_t, Run& run, Outcome<Measurement>& outcome) {
       technique.evaluate(scene_, run);
@@ -183,20 +172,12 @@ class StageRunner {
     accept(outcomes[0], "");
   }
 
-  void run(DrawEvaluator& technique) {
+  void run(const DrawEvaluator& technique) {
     auto outcomes = over_draws<Measurement>([&](const DrawView& draw, Run& run, Outcome<Measurement>& outcome) {
       technique.evaluate(draw, run);
       outcome.answer.emplace();
     });
     for (std::size_t i = 0; i < outcomes.size(); ++i) accept(outcomes[i], scene_.draws[choice_.draws[i]].name);
-  }
-
-  void run(ImageEvaluator& technique) {
-    auto outcomes = over_images<Measurement>([&](const Image& image, Run& run, Outcome<Measurement>& outcome) {
-      technique.evaluate(image, run);
-      outcome.answer.emplace();
-    });
-    for (std::size_t i = 0; i < outcomes.size(); ++i) accept(outcomes[i], scene_.images[i].name);
   }
 
   // --- the loop that they share -------------------------------------------------------------------------------------
@@ -244,13 +225,6 @@ class StageRunner {
         [&](std::size_t i, Run& run, Outcome<Answer>& outcome) {
           task(DrawView{scene_, choice_.draws[i]}, run, outcome);
         });
-  }
-
-  template <class Answer, class Task>
-  std::vector<Outcome<Answer>> over_images(Task task) {
-    return over<Answer>(
-        scene_.images.size(), [](std::size_t i) { return Place{.image = static_cast<ImageId>(i)}; },
-        [&](std::size_t i, Run& run, Outcome<Answer>& outcome) { task(scene_.images[i], run, outcome); });
   }
 
   template <class Answer>

@@ -7,8 +7,8 @@
 namespace foredraw {
 
 /// The row `channel`.
-template <class Options>
-void add_alpha_channel(OptionTable<Options>& table, AlphaChannel Options::*channel) {
+template <class Options, class Owner>
+void add_alpha_channel(OptionTable<Options>& table, AlphaChannel Owner::*channel) {
   table.choice(channel, "channel",
                "What counts as alpha: the image's, or, for sprites that are added to what is there, the luminance of its "
                "colour, or the greatest of its channels",

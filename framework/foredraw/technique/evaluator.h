@@ -9,22 +9,17 @@ namespace foredraw {
 
 class Evaluator {
  public:
+  static constexpr std::string_view works_on = "scene";
   virtual ~Evaluator() = default;
-  virtual void evaluate(const Scene&, Run&) = 0;
+  virtual void evaluate(const Scene&, Run&) const = 0;
 };
 
 /// The framework loops over the draws, many at once.
 class DrawEvaluator {
  public:
+  static constexpr std::string_view works_on = "draws";
   virtual ~DrawEvaluator() = default;
-  virtual void evaluate(const DrawView&, Run&) = 0;
-};
-
-/// The framework loops over the images, many at once.
-class ImageEvaluator {
- public:
-  virtual ~ImageEvaluator() = default;
-  virtual void evaluate(const Image&, Run&) = 0;
+  virtual void evaluate(const DrawView&, Run&) const = 0;
 };
 
 }  // namespace foredraw

@@ -2,6 +2,7 @@
 // Option tables. A row binds a member of an options struct to its name, and everything else follows from the rows: help,
 // reference pages, the JSON Schema, checks, "did you mean". The default is the member's own initialiser.
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -60,8 +62,9 @@ template <class Options>
 class OptionTable {
  public:
   /// A bool, integer, floating-point or string member, or an optional one of these.
-  template <class T>
-  OptionTable& row(T Options::*member, std::string name, std::string doc, Range range = {}) {
+  template <class T, class Owner>
+  requires std::derived_from<Options, Owner> OptionTable& row(T Owner::*member, std::string name, std::string doc,
+                                                              Range range = {}) {
     OptionSpec spec = spec_of(std::move(name), std::move(doc), defaults_.*member);
     spec.least = range.least;
     spec.most = range.most;
@@ -81,9 +84,10 @@ class OptionTable {
   }
 
   /// An enumeration member: each choice's name and value.
-  template <class T>
-  OptionTable& choice(T Options::*member, std::string name, std::string doc,
-                      std::vector<std::pair<std::string, T>> choices) {
+  template <class T, class Owner>
+  requires std::derived_from<Options, Owner> OptionTable& choice(
+      T Owner::*member, std::string name, std::string doc,
+      std::vector<std::pair<std::string, std::type_identity_t<T>>> choices) {
     OptionSpec spec;
     spec.name = std::move(name);
     spec.type = OptionType::choice;

@@ -14,8 +14,9 @@ namespace foredraw {
 /// Orders the triangles of one draw. Called for many draws at once.
 class DrawOrderer {
  public:
+  static constexpr std::string_view works_on = "draws";  ///< what the framework loops over
   virtual ~DrawOrderer() = default;
-  virtual IndexOrder order(const DrawView&, Run&) = 0;
+  virtual IndexOrder order(const DrawView&, Run&) const = 0;
   /// The vertex cache that the order is made for, in entries; 0: the draw's own stays. Kept with the index stream.
   virtual int cache_size() const { return 0; }
 };
@@ -36,8 +37,9 @@ struct SubjectOrders {
 /// Orders the draws of one subject together.
 class SubjectOrderer {
  public:
+  static constexpr std::string_view works_on = "subjects";
   virtual ~SubjectOrderer() = default;
-  virtual SubjectOrders order(const SubjectView&, Run&) = 0;
+  virtual SubjectOrders order(const SubjectView&, Run&) const = 0;
 };
 
 /// Vertices and every index stream that uses them, in draw order.
@@ -49,8 +51,9 @@ struct VertexUse {
 /// Numbers the vertices of one VertexStreams anew; the framework moves all attributes, targets and indices.
 class VertexOrderer {
  public:
+  static constexpr std::string_view works_on = "vertex streams";
   virtual ~VertexOrderer() = default;
-  virtual VertexOrder order(const VertexUse&, Run&) = 0;
+  virtual VertexOrder order(const VertexUse&, Run&) const = 0;
 };
 
 }  // namespace foredraw

@@ -18,12 +18,11 @@ namespace foredraw {
 enum class Kind { orderer, clusterer, processor, evaluator };
 std::string_view to_text(Kind kind);
 
-/// A technique of any shape.
+/// A technique of any shape. Working never changes it, so several threads and several runs may use it at once.
 using Technique =
     std::variant<std::unique_ptr<DrawOrderer>, std::unique_ptr<SubjectOrderer>, std::unique_ptr<VertexOrderer>,
                  std::unique_ptr<Clusterer>, std::unique_ptr<Processor>, std::unique_ptr<DrawProcessor>,
-                 std::unique_ptr<ImageProcessor>, std::unique_ptr<Evaluator>, std::unique_ptr<DrawEvaluator>,
-                 std::unique_ptr<ImageEvaluator>>;
+                 std::unique_ptr<Evaluator>, std::unique_ptr<DrawEvaluator>>;
 
 struct Metric {
   std::string name;  ///< "acmr"
@@ -58,6 +57,7 @@ struct Plugin {
   /// An evaluator that can answer for measured overdraw makes its service here, with options of the service's own: who
   /// asks brings views and scene.
   std::function<std::unique_ptr<OverdrawService>(const Settings&)> overdraw_service = {};
+  bool exact = false;  ///< its service counts exactly: asked first where a pipeline names none
   std::vector<OptionSpec> service_options = {};
   /// Of what it makes beside triangles and vertices. Several plugins may make the same product.
   ProductRows products = {};

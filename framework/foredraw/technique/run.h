@@ -58,7 +58,7 @@ struct Run {
   Findings& findings;
   const Views& views;                          ///< what orders are optimised for: the pipeline's [views]
   const Poses& poses = rest_pose;              ///< and in which poses: the pipeline's [poses]
-  OverdrawService* overdraw = nullptr;         ///< who answers for measured overdraw, where the card asks for it
+  const OverdrawService* overdraw = nullptr;   ///< who answers for measured overdraw, where the card asks for it
   std::uint64_t seed = 0;                      ///< from the pipeline's seed, the stage and the place
   Place place;                                 ///< what figures and notes are about unless they say otherwise
   const std::atomic<bool>* cancel = nullptr;

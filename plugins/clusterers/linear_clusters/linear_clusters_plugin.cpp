@@ -14,7 +14,7 @@ class LinearClusters final : public Clusterer {
  public:
   explicit LinearClusters(LinearClustersOptions options) : options_(options) {}
 
-  Clusters cluster(const DrawView& draw, Run& run) override {
+  Clusters cluster(const DrawView& draw, Run& run) const override {
     warn_where_out_of_reach(draw, run);
     const int made_for = draw.stream().cache_size;
     return linear_clusters(draw.indices(), draw.vertex_count(), made_for > 0 ? made_for : 16, options_);

@@ -45,7 +45,7 @@ class AnimatedKMeans final : public SubjectOrderer {
  public:
   explicit AnimatedKMeans(Options options) : options_(options) {}
 
-  SubjectOrders order(const SubjectView& view, Run& run) override {
+  SubjectOrders order(const SubjectView& view, Run& run) const override {
     const auto sets = shares(run.poses, options_.clips);
     require_room(sets.size());
     Answer answer;

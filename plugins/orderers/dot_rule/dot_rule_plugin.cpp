@@ -16,7 +16,7 @@ class DotRule final : public DrawOrderer {
  public:
   explicit DotRule(DotRuleOptions options) : options_(options) {}
 
-  IndexOrder order(const DrawView& draw, Run& run) override {
+  IndexOrder order(const DrawView& draw, Run& run) const override {
     const Clusters& clusters = *draw.stream().clusters;
     if (clusters.count() < 2) {
       run.keep("its triangles are one cluster, so there is nothing to sort");

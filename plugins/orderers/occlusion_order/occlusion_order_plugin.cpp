@@ -33,7 +33,7 @@ class OcclusionOrder final : public SubjectOrderer {
  public:
   explicit OcclusionOrder(Options options) : options_(options) {}
 
-  SubjectOrders order(const SubjectView& view, Run& run) override {
+  SubjectOrders order(const SubjectView& view, Run& run) const override {
     if (!may_overdraw(view, run)) return {};
     Options options = options_;
     options.seed = run.seed + static_cast<std::uint64_t>(options_.start);

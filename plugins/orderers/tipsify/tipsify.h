@@ -15,7 +15,6 @@ namespace foredraw {
 struct TipsifyOptions {
   int cache_size = 16;           ///< entries of the FIFO vertex cache to order for, at least 3
   std::optional<int> built_for;  ///< entries of the cache that fans are chosen for, at least 3; none: cache_size
-  int parts = 1;                 ///< of tipsify_parts: how many the draw is cut into, at least 1
 };
 
 /// Whether the sizes can be had: vertices are numbered in 31 bits, and every index and every miss in 32.
@@ -27,7 +26,7 @@ constexpr bool tipsify_takes(std::uint64_t index_count, std::uint64_t vertex_cou
 
 /// The order of the triangles ([new] = old) for a FIFO vertex cache of `cache_size` entries. `indices` holds three a
 /// triangle, each below `vertex_count`; any triangles will do, degenerate and non-manifold ones too. O(triangles).
-/// Where tipsify_takes() does not hold the order stays as it is. `parts` is not asked for.
+/// Where tipsify_takes() does not hold the order stays as it is.
 std::vector<std::uint32_t> tipsify(std::span<const std::uint32_t> indices, std::size_t vertex_count,
                                    const TipsifyOptions& options = {});
 
@@ -55,12 +54,12 @@ using ForEach = std::function<void(std::size_t count, const std::function<void(s
 /// what is not finite counts as 0. Every part that is worked on holds 16 bytes a triangle and 4 for each vertex of the
 /// draw, besides tipsify's own memory.
 std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices, std::span<const float> positions,
-                                         const TipsifyOptions& options, const ForEach& for_each);
+                                         int parts, const TipsifyOptions& options, const ForEach& for_each);
 
 /// The new index buffer itself, as with tipsify_indices().
 std::vector<std::uint32_t> tipsify_parts_indices(std::span<const std::uint32_t> indices,
-                                                 std::span<const float> positions, const TipsifyOptions& options,
-                                                 const ForEach& for_each);
+                                                 std::span<const float> positions, int parts,
+                                                 const TipsifyOptions& options, const ForEach& for_each);
 
 struct Plugin;
 Plugin tipsify_plugin();

@@ -122,16 +122,16 @@ void for_each_part(std::span<const std::uint32_t> indices, std::span<const float
   });
 }
 
-std::size_t parts_of(std::size_t triangles, const TipsifyOptions& options) {
-  const auto most = static_cast<std::size_t>(std::max(options.parts, 1));
+std::size_t parts_of(std::size_t triangles, int parts) {
+  const auto most = static_cast<std::size_t>(std::max(parts, 1));
   return std::clamp(triangles / fewest_triangles, std::size_t{1}, most);
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices, std::span<const float> positions,
-                                         const TipsifyOptions& options, const ForEach& for_each) {
-  const std::size_t parts = parts_of(indices.size() / 3, options);
+                                         int parts_wanted, const TipsifyOptions& options, const ForEach& for_each) {
+  const std::size_t parts = parts_of(indices.size() / 3, parts_wanted);
   if (parts == 1) return tipsify(indices, positions.size() / 3, options);
   std::vector<std::uint32_t> order(indices.size() / 3);
   for_each_part(indices, positions, parts, for_each, [&](const Part& part, const LocalMesh& mesh) {
@@ -143,9 +143,9 @@ std::vector<std::uint32_t> tipsify_parts(std::span<const std::uint32_t> indices,
 }
 
 std::vector<std::uint32_t> tipsify_parts_indices(std::span<const std::uint32_t> indices,
-                                                 std::span<const float> positions, const TipsifyOptions& options,
-                                                 const ForEach& for_each) {
-  const std::size_t parts = parts_of(indices.size() / 3, options);
+                                                 std::span<const float> positions, int parts_wanted,
+                                                 const TipsifyOptions& options, const ForEach& for_each) {
+  const std::size_t parts = parts_of(indices.size() / 3, parts_wanted);
   if (parts == 1) return tipsify_indices(indices, positions.size() / 3, options);
   std::vector<std::uint32_t> ordered(indices.size());
   for_each_part(indices, positions, parts, for_each, [&](const Part& part, const LocalMesh& mesh) {

@@ -8,9 +8,13 @@ namespace foredraw {
 
 namespace {
 
+struct Options : TipsifyOptions {
+  int parts = 1;
+};
+
 class Tipsify final : public CacheOrderer {
  public:
-  explicit Tipsify(TipsifyOptions options) : options_(options) {}
+  explicit Tipsify(const Options& options) : options_(options) {}
 
   int cache_size() const override { return options_.cache_size; }
 
@@ -22,7 +26,8 @@ class Tipsify final : public CacheOrderer {
         run.executor.for_each(count, task);
       };
       if (!positions.empty()) {
-        return tipsify_parts(draw.indices(), {&positions[0].x, 3 * positions.size()}, options_, for_each);
+        return tipsify_parts(draw.indices(), {&positions[0].x, 3 * positions.size()}, options_.parts, options_,
+                             for_each);
       }
     }
     return tipsify(draw.indices(), draw.vertex_count(), options_);
@@ -31,7 +36,7 @@ class Tipsify final : public CacheOrderer {
     return count_fifo(indices, vertex_count, static_cast<std::uint32_t>(options_.cache_size));
   }
 
-  TipsifyOptions options_;
+  Options options_;
 };
 
 }  // namespace
@@ -48,7 +53,7 @@ Plugin tipsify_plugin() {
       .breaks = {traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},
       .pays_if = "fewer vertices miss the cache than in the order there is",
   };
-  OptionTable<TipsifyOptions> table;
+  OptionTable<Options> table;
   table.row(&TipsifyOptions::cache_size, "cache-size", "Size of the FIFO vertex cache to order for",
             {3, 1024, "entries"});
   table.row(
@@ -57,11 +62,11 @@ Plugin tipsify_plugin() {
       "16 misses less, and a smaller one more",
       {3, 1024, "entries"});
   table.row(
-      &TipsifyOptions::parts, "parts",
+      &Options::parts, "parts",
       "How many the draw is cut into by where its triangles lie, each ordered on its own and all at once; of fewer "
       "than 10000 triangles none is made",
       {1, 64, "parts"});
-  bind_options(plugin, table, [](const TipsifyOptions& options) { return std::make_unique<Tipsify>(options); });
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<Tipsify>(options); });
   return plugin;
 }
 

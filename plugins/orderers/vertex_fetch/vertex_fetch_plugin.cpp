@@ -11,7 +11,7 @@ namespace {
 
 class VertexFetch final : public VertexOrderer {
  public:
-  VertexOrder order(const VertexUse& use, Run& run) override {
+  VertexOrder order(const VertexUse& use, Run& run) const override {
     VertexOrder order = vertex_fetch(use.index_streams, use.vertices.count);
     std::vector<std::uint32_t> destination(order.size());
     for (std::uint32_t v = 0; v < order.size(); ++v) destination[order[v]] = v;

@@ -14,7 +14,7 @@ class GpuInstances final : public Processor {
  public:
   explicit GpuInstances(const GpuInstancesOptions& options) : options_(options) {}
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const InstancedNodes made = gpu_instances(scene, draws, options_);
     for (const LeftPlaced& left : made.left) {
       run.note_at({scene.meshes[left.mesh].draws.front()}, "not-instanced",

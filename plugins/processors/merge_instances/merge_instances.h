@@ -31,7 +31,6 @@ struct MergeInstancesOptions {
   double most_size = 0;         ///< of a group's box, its longest side in the scene's units; 0: any
   double view_distance = 0;     ///< of cameras, in the scene's units; 0: a quarter of its diagonal
   bool cut_well = true;         ///< cut meshes where few vertices are shared
-  bool overdraw_order = false;  ///< of the stage, which can measure: sort the slots of each group where it pays
 };
 
 /// Draws of one layout that one shader draws, merged.

@@ -90,14 +90,18 @@ MergedInstances with_less_overdraw(const Scene& scene, MergedInstances merged, R
   return merged;
 }
 
+struct Options : MergeInstancesOptions {
+  bool overdraw_order = false;  // sort the slots of each group where that pays
+};
+
 class MergeInstances final : public Processor {
  public:
-  explicit MergeInstances(const MergeInstancesOptions& options) : options_(options) {
+  explicit MergeInstances(const Options& options) : options_(options) {
     if (options.multiple % 3 == 0) return;
     throw std::invalid_argument(fmt::format("multiple is {}; it must be a multiple of 3, so that no triangle is cut", options.multiple));
   }
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     MergeInstancesOptions options = options_;
     options.poses = run.poses;
     const MergedScene merged = merge_instances(scene, draws, options, run.executor);
@@ -145,13 +149,13 @@ class MergeInstances final : public Processor {
     run.measure_at({}, "wasted", wasted, entries);
   }
 
-  MergeInstancesOptions options_;
+  Options options_;
 };
 
 }  // namespace
 
 Plugin merge_instances_plugin() {
-  OptionTable<MergeInstancesOptions> table;
+  OptionTable<Options> table;
   table.choice(&MergeInstancesOptions::materials, "materials",
                "Draws are merged whose materials look alike, or are of one kind: the shader looks up each instance's",
                {{"alike", merging::SharedMaterials::alike}, {"kind", merging::SharedMaterials::kind}});
@@ -177,8 +181,9 @@ Plugin merge_instances_plugin() {
   table.row(&MergeInstancesOptions::view_distance, "view-distance",
             "How far cameras see, in the scene's units; 0: a quarter of its diagonal", {0, 1e30, ""});
   table.row(&MergeInstancesOptions::cut_well, "cut-well", "Cut meshes where few vertices are shared");
-  table.row(&MergeInstancesOptions::overdraw_order, "overdraw-order",
-            "Sort the slots of each group for low overdraw, where its measured overdraw from the pipeline's views falls");
+  table.row(
+      &Options::overdraw_order, "overdraw-order",
+      "Sort the slots of each group for low overdraw, where its measured overdraw from the pipeline's views falls");
 
   Plugin plugin;
   plugin.kind = Kind::processor;
@@ -202,7 +207,7 @@ Plugin merge_instances_plugin() {
   };
   plugin.products = {merged_draws_product()};
   bind_options(plugin, std::move(table),
-               [](const MergeInstancesOptions& options) { return std::make_unique<MergeInstances>(options); });
+               [](const Options& options) { return std::make_unique<MergeInstances>(options); });
   return plugin;
 }
 

@@ -26,7 +26,6 @@ struct ParticleTrimOptions {
   double padding = 0;                         ///< texels more on each side; 0 to 64
   trim::UvFormat uv = trim::UvFormat::float32;
   TrimWinding winding = TrimWinding::as_before;  ///< as the quad's
-  bool shared = false;                        ///< one polygon for all frames of an image that are of one size
   double least_saving = 0.05;                 ///< of the frame, below which a sprite stays as it is; 0 to 1
   int hull_edges = 24;                        ///< of method persson: to which the hull is reduced first; 3 to 32
 };

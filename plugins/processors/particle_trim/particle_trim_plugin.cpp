@@ -55,11 +55,15 @@ Told told(TrimmedSprite::Outcome outcome) {
   }
 }
 
+struct Options : ParticleTrimOptions {
+  bool shared = false;  // one polygon for all frames of an image that are of one size
+};
+
 class ParticleTrim final : public Processor {
  public:
-  explicit ParticleTrim(ParticleTrimOptions options) : options_(options) {}
+  explicit ParticleTrim(Options options) : options_(options) {}
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<SpriteDraw> sprites = sprites_of(scene, draws, run);
     trim_all(sprites, run);
     std::vector<DrawId> as_tight_as_can_be;
@@ -180,7 +184,7 @@ class ParticleTrim final : public Processor {
     }
   }
 
-  ParticleTrimOptions options_;
+  Options options_;
 };
 
 }  // namespace
@@ -200,7 +204,7 @@ Plugin particle_trim_plugin() {
                   {"alpha-lost", "alpha", "Largest value that may show outside of the polygon, 0 to 1; at most the threshold", true, true},
                   {"texels", "texels", "Texels that were checked: all that show are drawn", false}},
   };
-  OptionTable<ParticleTrimOptions> table;
+  OptionTable<Options> table;
   table.row(&ParticleTrimOptions::vertices, "vertices", "Most vertices of a polygon", {3, 16, "vertices"})
       .choice(&ParticleTrimOptions::method, "method", "The smallest of all polygons, or Persson's search on a reduced hull",
               {{"optimal", TrimMethod::optimal}, {"persson", TrimMethod::persson}})
@@ -212,18 +216,23 @@ Plugin particle_trim_plugin() {
               {{"texels", trim::Footprint::texels},
                {"bilinear-loose", trim::Footprint::bilinear_loose},
                {"bilinear", trim::Footprint::bilinear}})
-      .row(&ParticleTrimOptions::mip_levels, "mip-levels", "Smaller versions of the image that may be sampled", {0, 14, "levels"})
+      .row(&ParticleTrimOptions::mip_levels, "mip-levels", "Smaller versions of the image that may be sampled",
+           {0, 14, "levels"})
       .row(&ParticleTrimOptions::padding, "padding", "More on each side", {0, 64, "texels"})
       .choice(&ParticleTrimOptions::uv, "uv", "Numbers that the polygon's texture coordinates are rounded to",
-              {{"float32", trim::UvFormat::float32}, {"float16", trim::UvFormat::float16}, {"unorm16", trim::UvFormat::unorm16}})
+              {{"float32", trim::UvFormat::float32},
+               {"float16", trim::UvFormat::float16},
+               {"unorm16", trim::UvFormat::unorm16}})
       .choice(&ParticleTrimOptions::winding, "winding", "How polygons run as seen in the image; kept: as the quads do",
               {{"kept", TrimWinding::as_before},
                {"clockwise", TrimWinding::clockwise},
                {"counter-clockwise", TrimWinding::counter_clockwise}})
-      .row(&ParticleTrimOptions::shared, "shared", "One polygon for all frames of an image that are of one size")
-      .row(&ParticleTrimOptions::least_saving, "least-saving", "Sprites that save less stay as they are", {0, 1, "of the frame"})
-      .row(&ParticleTrimOptions::hull_edges, "hull-edges", "Of method persson: to so many the hull is reduced first", {3, 32, "edges"});
-  bind_options(plugin, table, [](const ParticleTrimOptions& options) { return std::make_unique<ParticleTrim>(options); });
+      .row(&Options::shared, "shared", "One polygon for all frames of an image that are of one size")
+      .row(&ParticleTrimOptions::least_saving, "least-saving", "Sprites that save less stay as they are",
+           {0, 1, "of the frame"})
+      .row(&ParticleTrimOptions::hull_edges, "hull-edges", "Of method persson: to so many the hull is reduced first",
+           {3, 32, "edges"});
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<ParticleTrim>(options); });
   return plugin;
 }
 

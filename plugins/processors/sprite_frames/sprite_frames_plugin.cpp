@@ -70,7 +70,7 @@ class SpriteFrames final : public Processor {
     }
   }
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     if (!options_.find && options_.columns == 1 && options_.rows == 1) {
       run.keep("one column and one row are the whole; give columns and rows, or find = true");
       return {};

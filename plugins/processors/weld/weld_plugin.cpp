@@ -13,7 +13,7 @@ class WeldVertices final : public Processor {
  public:
   explicit WeldVertices(WeldOptions options) : options_(options) {}
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<VertexGroup> groups = vertex_groups(scene);
     for (const HeldDraw& held : keep_groups_of(groups, draws)) {
       run.note_at({held.draw}, "shared-vertices", "not welded: it shares its vertices with " +

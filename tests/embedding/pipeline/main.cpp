@@ -1,8 +1,10 @@
 // Runs a pipeline made in code on a scene made in code, with a registry of two plugins.
 
 #include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/image/found_traits.h>
 #include <foredraw/pipeline/plan.h>
 #include <foredraw/pipeline/runner.h>
+#include <foredraw/scene/triangle_draw.h>
 #include <plugins/orderers/tipsify/tipsify.h>
 #include <plugins/orderers/vertex_fetch/vertex_fetch.h>
 
@@ -26,20 +28,7 @@ Draw sheet(std::uint32_t size) {
     const std::uint32_t b = a + size + 1;
     indices.insert(indices.end(), {a, a + 1, b, b, a + 1, b + 1});
   }
-
-  VertexStreams vertices;
-  vertices.count = static_cast<std::uint32_t>(positions.size());
-  const auto bytes = std::as_bytes(std::span<const glm::vec3>(positions));
-  vertices.base.push_back({"POSITION", Format{}, Shared<std::byte>({bytes.begin(), bytes.end()})});
-
-  Draw draw;
-  draw.name = "sheet";
-  draw.traits = {traits::triangles};
-  Level level;
-  level.vertices = std::make_shared<const VertexStreams>(std::move(vertices));
-  level.orders.push_back({.indices = Shared<std::uint32_t>(std::move(indices))});
-  draw.levels.push_back(std::move(level));
-  return draw;
+  return triangle_draw("sheet", positions, std::move(indices));
 }
 
 double acmr(const Draw& draw) {
@@ -62,6 +51,7 @@ int main() {
   scene.draws = {sheet(60)};
   scene.meshes = {{.name = "sheet", .draws = {0}}};
   scene.nodes = {{.name = "sheet", .mesh = 0}};
+  find_traits(scene);
 
   Diagnostics diagnostics;  // a plan that exists can be run; where there is none, these say why
   const auto planned = plan(pipeline, registry, scene, diagnostics);

@@ -90,15 +90,51 @@ TEST(Executor, PassesAnExceptionOnAfterAllHaveEnded) {
   EXPECT_EQ(after, 10) << "an executor works on after an exception";
 }
 
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& task) {
+  for (std::size_t i = count; i-- > 0;) task(i);
+}
+
+/// A scheduler such as an engine brings along: every third task to each of three threads.
+void on_threads(std::size_t count, const std::function<void(std::size_t)>& task) {
+  std::vector<std::thread> threads;
+  for (std::size_t first = 0; first < 3; ++first) {
+    threads.emplace_back([&task, first, count] {
+      for (std::size_t i = first; i < count; i += 3) task(i);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+std::vector<Executor> executors_of_every_kind() {
+  return {Executor(1), Executor(3), Executor(1, one_after_the_other), Executor(3, on_threads)};
+}
+
 TEST(Executor, MayBeNested) {
-  for (const int threads : {1, 3}) {
-    const Executor executor(threads);
+  for (const Executor& executor : executors_of_every_kind()) {
     std::vector<std::vector<int>> calls(20, std::vector<int>(30, 0));
     executor.for_each(
         20, [&](std::size_t outer) { executor.for_each(30, [&](std::size_t inner) { ++calls[outer][inner]; }); });
     EXPECT_EQ(calls, std::vector<std::vector<int>>(20, std::vector<int>(30, 1)));
   }
 }
+
+TEST(Executor, ACallersLoopNeedNotKnowOfExceptions) {
+  for (const Executor& executor : executors_of_every_kind()) {
+    std::atomic<int> ended{0};
+    EXPECT_THROW(executor.for_each(50,
+                                   [&](std::size_t i) {
+                                     if (i % 10 == 3) throw std::runtime_error("three");
+                                     ++ended;
+                                   }),
+                 std::runtime_error);
+    EXPECT_LT(ended, 45) << "the rest is left out";
+    ended = 0;
+    executor.for_each(50, [&](std::size_t) { ++ended; });
+    EXPECT_EQ(ended, 50);
+  }
+}
+
+TEST(Executor, AskedForNoThreadsTellsOfOne) { EXPECT_EQ(Executor(0, one_after_the_other).threads(), 1); }
 
 }  // namespace
 }  // namespace foredraw

@@ -13,9 +13,9 @@ using Numbers = std::vector<std::uint32_t>;
 class Captures final : public OverdrawService {
  public:
   explicit Captures(bool can_capture) : can_capture_(can_capture) {}
-  OverdrawCounts draw(std::span<const RasterPart>, const Views&, Run&) override { return {}; }
+  OverdrawCounts draw(std::span<const RasterPart>, const Views&, Run&) const override { return {}; }
   std::optional<FragmentLayers> capture(std::span<const RasterPart> parts, const Views& views, Run& run,
-                                        std::size_t) override {
+                                        std::size_t) const override {
     if (!can_capture_) return std::nullopt;
     return fragment_layers(parts, views, run.executor);
   }

@@ -110,6 +110,22 @@ TEST(Plan, FindsAServiceForWhoAsks) {
   EXPECT_FALSE(Planned("reverse-draw", scene()).plan->overdraw);
 }
 
+TEST(Plan, AsksAnExactServiceBeforeOthers) {
+  Registry plugins = registry();
+  Plugin exact = testing::answer_overdraw();
+  exact.card.name = "the-last-of-all";
+  exact.exact = true;
+  bool is_asked = false;
+  exact.overdraw_service = [&is_asked](const Settings& settings) {
+    is_asked = true;
+    return testing::answer_overdraw().overdraw_service(settings);
+  };
+  plugins.add(exact);
+  Diagnostics diagnostics;
+  EXPECT_TRUE(plan(*parse_line("ask-overdraw", diagnostics), plugins, scene(), diagnostics)->overdraw);
+  EXPECT_TRUE(is_asked);
+}
+
 TEST(Plan, RefusesAServiceThatThisMachineCanNotRun) {
   Registry plugins = registry();
   Plugin gone = testing::answer_overdraw();

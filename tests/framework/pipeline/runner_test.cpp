@@ -4,12 +4,14 @@
 #include "support/meshes.h"
 #include "support/test_plugins.h"
 
+#include <foredraw/measuring/overdraw_evaluator.h>
 #include <foredraw/pipeline/parse.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <thread>
 
 namespace foredraw {
 namespace {
@@ -19,12 +21,15 @@ class Runner : public ::testing::Test {
   Runner() { testing::add_test_plugins(registry_); }
 
   Result run(const std::string& stages, const Scene& scene, const std::string& measure = "", int threads = 2) {
+    return run(stages, scene, measure, Executor(threads));
+  }
+
+  Result run(const std::string& stages, const Scene& scene, const std::string& measure, const Executor& executor) {
     Diagnostics diagnostics;
     auto pipeline = parse_line(stages, diagnostics);
     if (!measure.empty()) pipeline->measure = *parse_stages(measure, "measure", diagnostics);
     const auto plan = foredraw::plan(*pipeline, registry_, scene, diagnostics);
     if (!plan) throw std::runtime_error(to_text(diagnostics));
-    const Executor executor(threads);
     Analyses analyses;
     return foredraw::optimize(*plan, scene, {executor, analyses});
   }
@@ -32,6 +37,13 @@ class Runner : public ::testing::Test {
   static std::vector<std::uint32_t> indices(const Scene& scene, DrawId id, std::size_t order = 0) {
     const auto view = scene.draws[id].levels[0].orders[order].indices.view();
     return {view.begin(), view.end()};
+  }
+
+  static void expect_same(const Result& a, const Result& b) {
+    for (DrawId id = 0; id < b.scene.draws.size(); ++id) {
+      EXPECT_EQ(indices(a.scene, id), indices(b.scene, id));
+      EXPECT_EQ(a.scene.draws[id].levels[0].vertices->stamp(), b.scene.draws[id].levels[0].vertices->stamp());
+    }
   }
 
   Registry registry_;
@@ -79,21 +91,15 @@ TEST_F(Runner, AppliesTheOrdersOfASubject) {
 }
 
 TEST_F(Runner, RunsProcessorsOfEveryShape) {
-  Scene scene = two_;
-  scene.images.push_back({"picture", "image/png", "", Shared<std::byte>({std::byte{1}, std::byte{2}})});
-  const Result result =
-      run("add-draw, double-triangles(only=\"B\"), empty-images", scene, "count-draws, count-triangles, count-bytes");
+  const Result result = run("add-draw, double-triangles(only=\"B\")", two_, "count-draws, count-triangles");
   EXPECT_FALSE(result.failed);
   EXPECT_EQ(result.scene.draws.size(), 3u);
   EXPECT_EQ(result.scene.draws[1].levels[0].orders[0].triangle_count(), 4u);
-  EXPECT_TRUE(result.scene.images[0].bytes.empty());
   const Report& report = result.report;
   EXPECT_EQ(report.before.metrics.find("count-draws", "draws")->value(), 2);
   EXPECT_EQ(report.after.metrics.find("count-draws", "draws")->value(), 3);
   EXPECT_EQ(report.before.metrics.find("count-triangles", "triangles")->value(), 6);
   EXPECT_EQ(report.after.metrics.find("count-triangles", "triangles")->value(), 12);
-  EXPECT_EQ(report.before.metrics.find("count-bytes", "bytes")->value(), 2);
-  EXPECT_EQ(report.after.metrics.find("count-bytes", "bytes")->value(), 0);
 }
 
 TEST_F(Runner, BooksWhatIsMeasuredOfDrawsThatAStageAdded) {
@@ -157,6 +163,22 @@ TEST_F(Runner, ComparesPlansAsIfEachRanAlone) {
     }
     EXPECT_EQ(compared[0].report.stages[0].seconds, compared[1].report.stages[0].seconds);  // it ran for all of them
   }
+}
+
+TEST_F(Runner, ComparingLeavesTheAnalysesOfItsCallerAlone) {
+  Diagnostics diagnostics;
+  const std::vector<Plan> plans = {*foredraw::plan(*parse_line("pairs", diagnostics), registry_, two_, diagnostics)};
+  const Executor executor(2);
+  Analyses analyses;
+  positions_of(analyses, *two_.draws[0].levels[0].vertices);
+  compare(plans, two_, 2, {executor, analyses});
+  EXPECT_EQ(analyses.size(), 1u);
+}
+
+TEST_F(Runner, ComparingNoPlansGivesNoResults) {
+  const Executor executor(1);
+  Analyses analyses;
+  EXPECT_TRUE(compare({}, two_, 1, {executor, analyses}).empty());
 }
 
 class Fault : public Runner, public ::testing::WithParamInterface<const char*> {};
@@ -246,9 +268,69 @@ TEST_F(Runner, GivesTheSameAtAnyThreadCount) {
   const std::string stages = "pairs, reverse-draw, two-orders, reverse-vertices";
   const Result one = run(stages, scene, "count-triangles", 1);
   const Result many = run(stages, scene, "count-triangles", 7);
-  for (DrawId id = 0; id < scene.draws.size(); ++id) {
-    EXPECT_EQ(indices(one.scene, id), indices(many.scene, id));
-    EXPECT_EQ(one.scene.draws[id].levels[0].vertices->stamp(), many.scene.draws[id].levels[0].vertices->stamp());
+  expect_same(many, one);
+}
+
+TEST_F(Runner, GivesTheSameWithACallersLoop) {
+  std::vector<Draw> draws;
+  for (std::uint32_t i = 1; i < 40; ++i) draws.push_back(testing::draw_of(testing::soup(i * 5, i)));
+  const Scene scene = testing::scene_of(std::move(draws));
+  const std::string stages = "pairs, reverse-draw, two-orders, reverse-vertices";
+  const Result expected = run(stages, scene, "count-triangles");
+  const Executor backwards(1, [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = count; i-- > 0;) task(i);
+  });
+  const Executor on_threads(4, [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    std::vector<std::thread> threads;
+    for (std::size_t first = 0; first < 4; ++first) {
+      threads.emplace_back([&task, first, count] {
+        for (std::size_t i = first; i < count; i += 4) task(i);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+  });
+  for (const Executor* executor : {&backwards, &on_threads}) {
+    const Result result = run(stages, scene, "count-triangles", *executor);
+    expect_same(result, expected);
+    EXPECT_EQ(result.report.threads, executor->threads());
+  }
+}
+
+/// Counts that scatter over the views, so that who wants a small error asks for more of them.
+struct ScatteredOverdraw final : OverdrawService {
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) const override {
+    std::vector<OverdrawCount> counts;
+    for (std::size_t view = 0; view < views.views.size(); ++view) counts.push_back({10 + view * view % 7, 10, 0});
+    return OverdrawCounts(parts.size(), counts);
+  }
+};
+
+TEST_F(Runner, OnePlanRunsTwiceAtOnce) {
+  registry_.add(overdraw_plugin<OverdrawOptions>(
+      {.name = "scattered", .summary = "For tests", .reference = "own"}, [](auto&) {},
+      [](const OverdrawOptions&) { return std::make_unique<ScatteredOverdraw>(); }));
+  Diagnostics diagnostics;
+  Pipeline pipeline = *parse_line("pairs, reverse-draw, two-orders, reverse-vertices, add-draw", diagnostics);
+  pipeline.measure = *parse_stages("count-triangles, scattered(error=0.02)", "measure", diagnostics);
+  const std::optional<Plan> plan = foredraw::plan(pipeline, registry_, two_, diagnostics);
+  ASSERT_TRUE(plan) << to_text(diagnostics);
+  const Executor executor(2);
+  Analyses analyses;
+  const auto run = [&] { return foredraw::optimize(*plan, two_, {executor, analyses}); };
+  const Result alone = run();
+  ASSERT_FALSE(alone.failed);
+  ASSERT_NE(alone.report.after.metrics.find("scattered", "ratio"), nullptr);
+  std::vector<Result> at_once(2);
+  std::vector<std::thread> threads;
+  for (Result& result : at_once) threads.emplace_back([&result, &run] { result = run(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Result& result : at_once) {
+    expect_same(result, alone);
+    for (const StateRecord Report::*state : {&Report::before, &Report::after}) {
+      const Figure* ratio = (result.report.*state).metrics.find("scattered", "ratio");
+      ASSERT_NE(ratio, nullptr);
+      EXPECT_EQ(ratio->value(), (alone.report.*state).metrics.find("scattered", "ratio")->value());
+    }
   }
 }
 

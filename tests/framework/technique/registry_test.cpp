@@ -88,7 +88,7 @@ TEST(BindOptions, MakesFromSettings) {
   class SizedOrderer : public DrawOrderer {
    public:
     explicit SizedOrderer(int size) : size_(size) {}
-    IndexOrder order(const DrawView&, foredraw::Run&) override { return {}; }
+    IndexOrder order(const DrawView&, foredraw::Run&) const override { return {}; }
     int cache_size() const override { return size_; }
 
    private:

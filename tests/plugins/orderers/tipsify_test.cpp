@@ -229,11 +229,10 @@ TEST(TipsifyParts, AnswersAlikeWhoeverDoesThem) {
   };
   const TestMesh mesh = testing::shuffled(testing::torus(300, 150), 4);
   for (const int parts : {2, 3, 5, 64}) {
-    const TipsifyOptions options{.parts = parts};
-    const auto order = tipsify_parts(mesh.indices, floats(mesh.positions), options, one_by_one);
+    const auto order = tipsify_parts(mesh.indices, floats(mesh.positions), parts, {}, one_by_one);
     EXPECT_TRUE(is_permutation(order, mesh.indices.size() / 3));
-    EXPECT_EQ(order, tipsify_parts(mesh.indices, floats(mesh.positions), options, at_once));
-    EXPECT_EQ(tipsify_parts_indices(mesh.indices, floats(mesh.positions), options, at_once),
+    EXPECT_EQ(order, tipsify_parts(mesh.indices, floats(mesh.positions), parts, {}, at_once));
+    EXPECT_EQ(tipsify_parts_indices(mesh.indices, floats(mesh.positions), parts, {}, at_once),
               in_order(mesh.indices, order));
   }
 }
@@ -243,7 +242,7 @@ TEST(TipsifyParts, CostLittle) {
   for (const TestMesh& mesh : {testing::torus(500, 200), testing::shuffled(testing::torus(500, 200), 4)}) {
     const double whole = acmr(tipsify_indices(mesh.indices, mesh.positions.size()), mesh.positions.size(), 16);
     const auto cost = [&](int parts) {
-      const auto ordered = tipsify_parts_indices(mesh.indices, floats(mesh.positions), {.parts = parts}, one_by_one);
+      const auto ordered = tipsify_parts_indices(mesh.indices, floats(mesh.positions), parts, {}, one_by_one);
       return acmr(ordered, mesh.positions.size(), 16) / whole;
     };
     EXPECT_LT(cost(2), 1.01);
@@ -258,14 +257,14 @@ TEST(TipsifyParts, AreMadeByThePlugin) {
   testing::RunFixture fixture;
   const Technique technique = tipsify_plugin().create({{"parts", std::int64_t{3}}, {"built-for", std::int64_t{18}}});
   EXPECT_EQ(std::get<std::unique_ptr<DrawOrderer>>(technique)->order({scene, 0}, fixture.run),
-            tipsify_parts(mesh.indices, floats(mesh.positions), {.built_for = 18, .parts = 3}, one_by_one));
+            tipsify_parts(mesh.indices, floats(mesh.positions), 3, {.built_for = 18}, one_by_one));
   EXPECT_FALSE(fixture.run.keeps());
 }
 
 TEST(TipsifyParts, AreNotMadeOfSmallDraws) {
   const TestMesh mesh = testing::grid(90, 100);
   const auto refuse = [](std::size_t, const std::function<void(std::size_t)>&) { FAIL(); };
-  EXPECT_EQ(tipsify_parts(mesh.indices, floats(mesh.positions), {.parts = 8}, refuse),
+  EXPECT_EQ(tipsify_parts(mesh.indices, floats(mesh.positions), 8, {}, refuse),
             tipsify(mesh.indices, mesh.positions.size()));
 }
 
@@ -277,12 +276,11 @@ TEST(TipsifyParts, TakeAnyPositions) {
   for (const float odd : {0.f, std::numeric_limits<float>::quiet_NaN(), infinite, -infinite, largest, -largest}) {
     std::vector<glm::vec3> positions = mesh.positions;
     for (std::size_t v = 0; v < positions.size(); v += 7) positions[v] = glm::vec3(odd, -odd, 1);
-    EXPECT_TRUE(is_permutation(tipsify_parts(mesh.indices, floats(positions), {.parts = 4}, one_by_one),
-                               mesh.indices.size() / 3));
+    EXPECT_TRUE(
+        is_permutation(tipsify_parts(mesh.indices, floats(positions), 4, {}, one_by_one), mesh.indices.size() / 3));
   }
   const std::vector<glm::vec3> nowhere(mesh.positions.size());
-  EXPECT_TRUE(
-      is_permutation(tipsify_parts(mesh.indices, floats(nowhere), {.parts = 4}, one_by_one), mesh.indices.size() / 3));
+  EXPECT_TRUE(is_permutation(tipsify_parts(mesh.indices, floats(nowhere), 4, {}, one_by_one), mesh.indices.size() / 3));
 }
 
 }  // namespace

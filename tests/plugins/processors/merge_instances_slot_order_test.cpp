@@ -94,7 +94,7 @@ class HeightService final : public OverdrawService {
  public:
   explicit HeightService(bool likes_high) : likes_high_(likes_high) {}
 
-  OverdrawCounts draw(std::span<const RasterPart> parts, const Views&, Run&) override {
+  OverdrawCounts draw(std::span<const RasterPart> parts, const Views&, Run&) const override {
     const bool is_high = parts[0].positions[parts[0].indices[0]].z > 0;
     OverdrawCounts counts(parts.size());
     for (auto& part : counts) part.push_back({.shaded = is_high == likes_high_ ? 10u : 20u, .visible = 10});

@@ -1,9 +1,10 @@
 // A sound document to a scene. tinygltf reads the structure; the bytes come from the layouts that the gate checked.
-#include <foredraw/io/image/images.h>
+#include <foredraw/image/found_traits.h>
 #include <foredraw/io/gltf/private/base_colour.h>
 #include <foredraw/io/gltf/private/instances.h>
 #include <foredraw/io/gltf/private/material_stamps.h>
 #include <foredraw/io/gltf/private/source.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/io/text/private/uri.h>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -304,7 +305,8 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
     ViewBytes views;
     for (const Json& image : *images) scene.images.push_back(image_of(image, document, views));
   }
-  find_traits(scene, document);
+  find_traits(scene);
+  find_extended(scene, document);
   return scene;
 }
 

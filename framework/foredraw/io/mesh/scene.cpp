@@ -1,6 +1,8 @@
 // A polygon mesh to a scene: faces cut into triangles, corners made vertices, parts made draws.
-#include <foredraw/io/mesh/private/text.h>
+#include <foredraw/image/found_traits.h>
 #include <foredraw/io/mesh/private/polygon_mesh.h>
+#include <foredraw/io/mesh/private/text.h>
+#include <foredraw/scene/triangle_draw.h>
 
 #include <fmt/format.h>
 
@@ -22,16 +24,6 @@ struct CornerHash {
     return h ^ (h >> 31);
   }
 };
-
-template <class T>
-Shared<std::byte> bytes_of(const std::vector<T>& values) {
-  const auto bytes = std::as_bytes(std::span(values));
-  return Shared<std::byte>({bytes.begin(), bytes.end()});
-}
-
-constexpr Format floats(std::uint8_t components) {
-  return {Component::float32, components, false, static_cast<std::uint16_t>(4 * components)};
-}
 
 /// One draw being made: the faces of a part that have the same attributes.
 struct DrawMaking {
@@ -63,6 +55,7 @@ class SceneMaking {
     if (!collect()) return false;
     for (DrawMaking& making : makings_) add(making);
     name_draws();
+    find_traits(made.scene);
     return true;
   }
 
@@ -140,16 +133,15 @@ class SceneMaking {
   template <class T>
   VertexStream gathered(const char* semantic, const std::vector<T>& values, const DrawMaking& making,
                         std::uint32_t Corner::*record) const {
-    const Format format = floats(T::length());
-    if (mesh_.whole_vertices) return {semantic, format, bytes_of(values)};
+    if (mesh_.whole_vertices) return float_stream(semantic, values);
     std::vector<T> rows;
     rows.reserve(making.records.vertices.size());
     for (const Corner& corner : making.records.vertices) rows.push_back(values[corner.*record]);
-    return {semantic, format, bytes_of(rows)};
+    return float_stream(semantic, rows);
   }
 
   VertexStream colors(const DrawMaking& making) const {
-    if (mesh_.whole_vertices) return {"COLOR_0", mesh_.color_format, bytes_of(mesh_.colors)};
+    if (mesh_.whole_vertices) return {"COLOR_0", mesh_.color_format, Shared<std::byte>(mesh_.colors)};
     const std::size_t size = mesh_.color_format.bytes;
     std::vector<std::byte> rows;
     rows.reserve(making.records.vertices.size() * size);
@@ -181,12 +173,6 @@ class SceneMaking {
     level.orders.push_back(std::move(order));
     draw.levels.push_back(std::move(level));
     draw.material = material_of(mesh_.parts[making.part].material);
-    if (!is_cloud) draw.traits.add(traits::triangles);
-    if (texcoords) draw.traits.add(traits::uv0);
-    if (normals) draw.traits.add(traits::normals);
-    if (draw.material && made.scene.materials[*draw.material].alpha_mode == AlphaMode::blend) {
-      draw.traits.add(traits::blended);
-    }
 
     Mesh& mesh = mesh_of(mesh_.parts[making.part].object);
     draw.origin = DrawOrigin{static_cast<std::uint32_t>(&mesh - made.scene.meshes.data()),

@@ -1,13 +1,15 @@
 // Images and frame lists to scenes.
+#include <foredraw/image/found_traits.h>
 #include <foredraw/io/image/images.h>
-#include <foredraw/io/text/private/file_kind.h>
-#include <foredraw/io/text/private/uri.h>
 #include <foredraw/io/image/private/headers.h>
-#include <foredraw/io/text/private/json_text.h>
 #include <foredraw/io/sprite/private/source.h>
 #include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/io/text/private/file_kind.h>
+#include <foredraw/io/text/private/json_text.h>
+#include <foredraw/io/text/private/uri.h>
 
 #include <foredraw/base/printable.h>
+#include <foredraw/scene/triangle_draw.h>
 
 #include <fmt/format.h>
 
@@ -26,16 +28,6 @@ using sprites::SpriteSource;
 std::string utf8(const fs::path& path) {
   const std::u8string text = path.u8string();
   return {text.begin(), text.end()};
-}
-
-template <class T>
-Shared<std::byte> bytes_of(const std::vector<T>& values) {
-  const auto bytes = std::as_bytes(std::span(values));
-  return Shared<std::byte>({bytes.begin(), bytes.end()});
-}
-
-constexpr Format floats(std::uint8_t components) {
-  return {Component::float32, components, false, static_cast<std::uint16_t>(4 * components)};
 }
 
 std::string media_type_of(std::span<const std::byte> bytes) {
@@ -71,7 +63,7 @@ Material material_of(ImageId image, const std::string& name) {
 }
 
 /// Corners from the lower left one on, counter-clockwise as they are seen.
-std::shared_ptr<const VertexStreams> quad(const FrameEntry& entry, const ImageFacts& facts) {
+Draw quad(const FrameEntry& entry, const ImageFacts& facts) {
   const float unit = static_cast<float>(std::max(facts.width, facts.height));
   const glm::vec2 half = glm::vec2(entry.size()) / (2 * unit);
   const std::vector<glm::vec3> positions = {
@@ -84,10 +76,7 @@ std::shared_ptr<const VertexStreams> quad(const FrameEntry& entry, const ImageFa
   std::vector<glm::vec2> texcoords = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
   // What lies turned clockwise has its lower left corner at the upper left.
   if (entry.is_turned) std::rotate(texcoords.begin(), texcoords.begin() + 3, texcoords.end());
-  VertexStreams streams;
-  streams.count = 4;
-  streams.base = {{"POSITION", floats(3), bytes_of(positions)}, {"TEXCOORD_0", floats(2), bytes_of(texcoords)}};
-  return std::make_shared<const VertexStreams>(std::move(streams));
+  return triangle_draw(entry.name, positions, {0, 1, 2, 0, 2, 3}, {float_stream("TEXCOORD_0", texcoords)});
 }
 
 /// Where the frame lies in its image, whose centre is at `centre`.
@@ -105,17 +94,8 @@ Transform transform_of(const FrameEntry& entry, const ImageFacts& facts, float c
 void add_sprite(Scene& scene, const FrameEntry& entry, std::uint32_t number, float centre) {
   const auto image = static_cast<ImageId>(entry.texture);
   const ImageFacts& facts = *scene.images[image].facts;
-  Level level;
-  level.vertices = quad(entry, facts);
-  IndexStream order;
-  order.indices = Shared<std::uint32_t>({0, 1, 2, 0, 2, 3});
-  level.orders.push_back(std::move(order));
-
-  Draw draw;
-  draw.name = entry.name;
-  draw.levels.push_back(std::move(level));
+  Draw draw = quad(entry, facts);
   draw.material = image;
-  draw.traits = {traits::triangles, traits::uv0, traits::blended, traits::double_sided, traits::sprite};
   draw.origin = DrawOrigin{number, 0};
   draw.frame = entry.place;
   scene.draws.push_back(std::move(draw));
@@ -139,6 +119,7 @@ void fill(Scene& scene, const std::vector<FrameEntry>& entries) {
     right = centres.back() + half;
   }
   for (std::uint32_t i = 0; i < entries.size(); ++i) add_sprite(scene, entries[i], i, centres[entries[i].texture]);
+  find_traits(scene);
 }
 
 fs::path path_of(const std::string& utf8) { return fs::path(std::u8string(utf8.begin(), utf8.end())); }

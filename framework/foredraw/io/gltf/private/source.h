@@ -28,7 +28,7 @@ std::string checked_structure(const Json& json);
 /// KHR_node_visibility hides, with all below them, are not shown.
 void find_shown_nodes(Scene& scene, const Document& document);
 
-/// The traits found in the asset, for every draw.
-void find_traits(Scene& scene, const Document& document);
+/// The draws with an extension that may refer to their triangles or vertices by number.
+void find_extended(Scene& scene, const Document& document);
 
 }  // namespace foredraw::gltf

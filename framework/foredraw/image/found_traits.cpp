@@ -1,16 +1,16 @@
-// The traits that an asset brings with it.
+#include <foredraw/image/found_traits.h>
+
 #include <foredraw/image/sprite_pieces.h>
-#include <foredraw/io/gltf/private/source.h>
 
 #include <algorithm>
 #include <set>
 
-namespace foredraw::gltf {
+namespace foredraw {
 
 namespace {
 
-/// What nodes make of each mesh: how often it is drawn, by which skins, and whether an animation bends it.
-struct MeshUse {
+/// What nodes make of a draw: how many draw it, and whether by a skin and bent by an animation.
+struct DrawUse {
   std::size_t nodes = 0;
   bool instanced = false;
   bool skinned = false;
@@ -73,56 +73,44 @@ std::vector<bool> bent_skins(const Scene& scene) {
   return bent;
 }
 
-std::vector<MeshUse> mesh_uses(const Scene& scene) {
-  std::vector<MeshUse> uses(scene.meshes.size());
+std::vector<DrawUse> draw_uses(const Scene& scene) {
+  std::vector<DrawUse> uses(scene.draws.size());
   const std::vector<bool> bent = bent_skins(scene);
+  std::vector<bool> is_morphed(scene.nodes.size(), false);
+  for (const Animation& animation : scene.animations) {
+    for (const AnimationChannel& channel : animation.channels) {
+      if (channel.path == AnimatedPath::weights) is_morphed[channel.node] = true;
+    }
+  }
   for (NodeId i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     if (!node.mesh) continue;
-    MeshUse& use = uses[*node.mesh];
-    ++use.nodes;
-    use.skinned = use.skinned || node.skin.has_value();
-    use.bent = use.bent || (node.skin && bent[*node.skin]);
-    use.instanced = use.instanced || use.nodes > 1 || !node.instances.empty();
-  }
-  for (const Animation& animation : scene.animations) {
-    for (const AnimationChannel& channel : animation.channels) {
-      const Node& node = scene.nodes[channel.node];
-      if (channel.path == AnimatedPath::weights && node.mesh) uses[*node.mesh].bent = true;
+    for (const DrawId draw : scene.meshes[*node.mesh].draws) {
+      DrawUse& use = uses[draw];
+      ++use.nodes;
+      use.skinned = use.skinned || node.skin.has_value();
+      use.bent = use.bent || is_morphed[i] || (node.skin && bent[*node.skin]);
+      use.instanced = use.instanced || use.nodes > 1 || !node.instances.empty();
     }
   }
   return uses;
 }
 
-/// Whether the primitive has an extension that may say something about its triangles or vertices, and that the writer does
-/// not make anew, take along or leave out. Products hold on to draws themselves.
-bool is_extended(const Json& primitive, const ProductRows& products) {
-  const auto is_harmless = [&](const std::string& name) {
-    return name == "KHR_materials_variants" || name == "KHR_draco_mesh_compression" ||
-           std::ranges::any_of(products, [&](const auto& row) { return row->card().extension == name; });
-  };
-  const auto extensions = primitive.find("extensions");
-  if (extensions == primitive.end() || !extensions->is_object()) return false;
-  for (const auto& [name, value] : extensions->items()) {
-    if (!is_harmless(name)) return true;
-  }
-  return false;
-}
-
 bool is_sprite(const Draw& draw, const Material* material) {
+  if (draw.frame) return true;
   if (material == nullptr || material->alpha_mode == AlphaMode::opaque) return false;
   if (material->alpha_mode == AlphaMode::mask && material->alpha_cutoff <= 0) return false;  // all of it shows
-  return material->base_colour &&
-         material->base_colour->image && draw.levels[0].vertices->morph_targets.empty() &&
+  return material->base_colour && material->base_colour->image && draw.levels[0].vertices->morph_targets.empty() &&
          !draw.traits.has(traits::skinned) && is_made_of_sprites(draw, material->base_colour->texcoord);
 }
 
 }  // namespace
 
-void find_traits(Scene& scene, const Document& document) {
-  const std::vector<MeshUse> uses = mesh_uses(scene);
-  for (Draw& draw : scene.draws) {
-    const MeshUse& use = uses[draw.origin->mesh];
+void find_traits(Scene& scene) {
+  const std::vector<DrawUse> uses = draw_uses(scene);
+  for (DrawId id = 0; id < scene.draws.size(); ++id) {
+    Draw& draw = scene.draws[id];
+    const DrawUse& use = uses[id];
     const VertexStreams& vertices = *draw.levels[0].vertices;
     const Material* material = scene.material_of(draw);
     const auto add = [&](bool holds, Trait trait) {
@@ -141,9 +129,7 @@ void find_traits(Scene& scene, const Document& document) {
     add(is_sprite(draw, material), traits::sprite);
     const VertexStream* positions = vertices.find("POSITION");
     add(positions != nullptr && positions->format.component != Component::float32, traits::quantized);
-    add(is_extended(document.json["meshes"][draw.origin->mesh]["primitives"][draw.origin->primitive], document.products),
-        traits::extended);
   }
 }
 
-}  // namespace foredraw::gltf
+}  // namespace foredraw
