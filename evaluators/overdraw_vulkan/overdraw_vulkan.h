@@ -2,11 +2,11 @@
 // Overdraw as a Vulkan device counts it: the real index buffers, drawn by a real driver.
 
 #include "count_method.h"
-#include "vulkan_choice.h"
 
+#include <foredraw/gpu/choice.h>
 #include <foredraw/overdraw/overdraw_count.h>
-#include <foredraw/viewing/raster_part.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <cstdint>
 #include <memory>
@@ -22,8 +22,8 @@ class VulkanPainter;
 /// A Vulkan device with what drawing needs on it, kept from call to call. Used by one thread at a time.
 class OverdrawDevice {
  public:
-  /// Throws std::runtime_error with what why_no_vulkan_device() says.
-  explicit OverdrawDevice(const VulkanChoice& choice = {});
+  /// Throws std::runtime_error with what gpu::why_no_device() says.
+  explicit OverdrawDevice(const gpu::DeviceChoice& choice = {});
   ~OverdrawDevice();
 
   const std::string& name() const;  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"

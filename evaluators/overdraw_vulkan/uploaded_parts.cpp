@@ -1,7 +1,7 @@
 #include "uploaded_parts.h"
 
-#include <foredraw/viewing/mask.h>
 #include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/viewing/mask.h>
 
 #include <glm/common.hpp>
 
@@ -56,7 +56,7 @@ struct UploadedMasks {
 
 }  // namespace
 
-UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> parts) {
+UploadedParts::UploadedParts(gpu::Device& device, std::span<const RasterPart> parts) {
   std::vector<glm::vec3> all_positions;
   std::vector<std::uint32_t> all_indices;
   UploadedMasks masks;
@@ -77,14 +77,14 @@ UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> p
       all_positions.emplace_back(glm::clamp(ready[number].position(v), -1.0, 1.0));
     }
   }
-  vertices = DeviceBuffer(device, std::as_bytes(std::span(all_positions)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-  indices = DeviceBuffer(device, std::as_bytes(std::span(all_indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  vertices = gpu::DeviceBuffer(device, std::as_bytes(std::span(all_positions)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  indices = gpu::DeviceBuffer(device, std::as_bytes(std::span(all_indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   if (masks.places.empty()) return;
   if (masks.texels.size() * sizeof(std::uint32_t) > device.limits().maxStorageBufferRange) {
     throw std::runtime_error(device.name() + " can not hold the alpha of all masks at once; take overdraw-raster");
   }
-  places = DeviceBuffer(device, std::as_bytes(std::span(masks.places)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-  texels = DeviceBuffer(device, std::as_bytes(std::span(masks.texels)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  places = gpu::DeviceBuffer(device, std::as_bytes(std::span(masks.places)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  texels = gpu::DeviceBuffer(device, std::as_bytes(std::span(masks.texels)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 }  // namespace foredraw

@@ -1,6 +1,5 @@
 #pragma once
-#include "vulkan_memory.h"
-
+#include <foredraw/gpu/memory.h>
 #include <foredraw/viewing/raster_part.h>
 
 #include <cstdint>
@@ -35,14 +34,14 @@ struct UploadedParts {
     std::optional<Holes> holes;
   };
 
-  UploadedParts(VulkanDevice& device, std::span<const RasterPart> parts);
+  UploadedParts(gpu::Device& device, std::span<const RasterPart> parts);
 
   std::vector<Part> drawn;  ///< those that have triangles
   std::uint64_t triangles = 0;
-  DeviceBuffer vertices;
-  DeviceBuffer indices;
-  DeviceBuffer places;  ///< of the vertices of parts with holes: where in their image, and their alpha
-  DeviceBuffer texels;  ///< alphas of their images
+  gpu::DeviceBuffer vertices;
+  gpu::DeviceBuffer indices;
+  gpu::DeviceBuffer places;  ///< of the vertices of parts with holes: where in their image, and their alpha
+  gpu::DeviceBuffer texels;  ///< alphas of their images
 };
 
 }  // namespace foredraw

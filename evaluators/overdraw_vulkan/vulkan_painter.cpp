@@ -1,13 +1,13 @@
 #include "vulkan_painter.h"
 
-#include "clip_space.h"
+#include <foredraw/gpu/clip_space.h>
 
 namespace foredraw {
 
-Pictures& VulkanPainter::pictures(int size) {
+gpu::Pictures& VulkanPainter::pictures(int size) {
   if (pictures_ && pictures_->size() != static_cast<std::uint32_t>(size))
     pictures_.reset();  // before the next are made
-  if (!pictures_) pictures_ = std::make_unique<Pictures>(device_, pipelines_.render_pass(), size);
+  if (!pictures_) pictures_ = std::make_unique<gpu::Pictures>(device_, pipelines_.render_pass(), size);
   return *pictures_;
 }
 
@@ -20,7 +20,7 @@ UploadedParts VulkanPainter::uploaded(std::span<const RasterPart> parts) {
 void VulkanPainter::draw(VkCommandBuffer commands, const UploadedParts& parts, const View& view,
                          const DrawManner& manner) {
   DrawConstants constants{};
-  constants.clip_from_position = clip_from_position(view);
+  constants.clip_from_position = gpu::clip_from_position(view);
   if (parts.texels.get() != VK_NULL_HANDLE) {
     const VkDescriptorSet texels = pipelines_.texels();
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 1, 1, &texels, 0, nullptr);

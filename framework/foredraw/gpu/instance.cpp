@@ -1,13 +1,13 @@
-#include "vulkan_instance.h"
+#include <foredraw/gpu/instance.h>
 
-#include "vulkan_choice.h"
+#include <foredraw/gpu/choice.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 namespace {
 
@@ -37,7 +37,7 @@ Function named(VkInstance instance, const char* name) {
 
 }  // namespace
 
-bool has_vulkan_validation() {
+bool has_validation() {
   std::uint32_t count = 0;
   if (vkEnumerateInstanceLayerProperties(&count, nullptr) != VK_SUCCESS) return false;
   std::vector<VkLayerProperties> layers(count);
@@ -46,7 +46,7 @@ bool has_vulkan_validation() {
                      [](const auto& layer) { return std::strcmp(layer.layerName, validation_layer) == 0; });
 }
 
-VulkanInstance::VulkanInstance(std::vector<std::string>* complaints) {
+Instance::Instance(std::vector<std::string>* complaints) {
   VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
   application.pApplicationName = "foredraw";
   application.apiVersion = VK_API_VERSION_1_1;
@@ -67,14 +67,14 @@ VulkanInstance::VulkanInstance(std::vector<std::string>* complaints) {
     info.ppEnabledExtensionNames = &extension;
   }
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw std::runtime_error(no_vulkan_device);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw std::runtime_error(no_device);
   check(result, "vkCreateInstance");
   if (complaints == nullptr) return;
   const auto create = named<PFN_vkCreateDebugUtilsMessengerEXT>(instance_, "vkCreateDebugUtilsMessengerEXT");
   if (create(instance_, &messenger, nullptr, &messenger_) != VK_SUCCESS) messenger_ = VK_NULL_HANDLE;
 }
 
-VulkanInstance::~VulkanInstance() {
+Instance::~Instance() {
   if (messenger_ != VK_NULL_HANDLE) {
     const auto destroy = named<PFN_vkDestroyDebugUtilsMessengerEXT>(instance_, "vkDestroyDebugUtilsMessengerEXT");
     destroy(instance_, messenger_, nullptr);
@@ -82,4 +82,4 @@ VulkanInstance::~VulkanInstance() {
   vkDestroyInstance(instance_, nullptr);
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

@@ -1,4 +1,4 @@
-#include "vulkan_candidate.h"
+#include <foredraw/gpu/candidate.h>
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 namespace {
 
@@ -64,13 +64,13 @@ std::string lack_of(VkPhysicalDevice device, std::uint32_t api_version) {
 
 }  // namespace
 
-VulkanCandidate chosen_device(VkInstance instance, const std::string& name) {
+Candidate chosen_device(VkInstance instance, const std::string& name) {
   std::uint32_t count = 0;
   check(vkEnumeratePhysicalDevices(instance, &count, nullptr), "vkEnumeratePhysicalDevices");
   std::vector<VkPhysicalDevice> devices(count);
   check(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "vkEnumeratePhysicalDevices");
 
-  VulkanCandidate best;
+  Candidate best;
   int best_rank = 0;
   std::string others;
   for (VkPhysicalDevice device : devices) {
@@ -88,9 +88,9 @@ VulkanCandidate chosen_device(VkInstance instance, const std::string& name) {
     }
   }
   if (best.device != VK_NULL_HANDLE) return best;
-  if (others.empty()) throw std::runtime_error(no_vulkan_device);
+  if (others.empty()) throw std::runtime_error(no_device);
   if (name.empty()) throw std::runtime_error("no Vulkan device that will do, only " + others);
   throw std::runtime_error("no Vulkan device that will do is called '" + name + "', but there is " + others);
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

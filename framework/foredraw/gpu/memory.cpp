@@ -1,20 +1,20 @@
-#include "vulkan_memory.h"
+#include <foredraw/gpu/memory.h>
 
 #include <algorithm>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 namespace {
 
-OwnedBuffer make_buffer(const VulkanDevice& device, VkDeviceSize bytes, VkBufferUsageFlags usage) {
+OwnedBuffer make_buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage) {
   VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
   info.size = std::max<VkDeviceSize>(bytes, 16);  // none may be empty
   info.usage = usage;
   return OwnedBuffer(device.get(), info, "vkCreateBuffer");
 }
 
-OwnedMemory make_memory(const VulkanDevice& device, const VkMemoryRequirements& wants, VkMemoryPropertyFlags wanted,
+OwnedMemory make_memory(const Device& device, const VkMemoryRequirements& wants, VkMemoryPropertyFlags wanted,
                         VkMemoryPropertyFlags better = 0) {
   VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
   info.allocationSize = wants.size;
@@ -22,7 +22,7 @@ OwnedMemory make_memory(const VulkanDevice& device, const VkMemoryRequirements& 
   return OwnedMemory(device.get(), info, "vkAllocateMemory");
 }
 
-OwnedMemory memory_of(const VulkanDevice& device, VkBuffer buffer, VkMemoryPropertyFlags wanted,
+OwnedMemory memory_of(const Device& device, VkBuffer buffer, VkMemoryPropertyFlags wanted,
                       VkMemoryPropertyFlags better = 0) {
   VkMemoryRequirements wants;
   vkGetBufferMemoryRequirements(device.get(), buffer, &wants);
@@ -41,14 +41,14 @@ void let_see(VkCommandBuffer commands, VkPipelineStageFlags writing, VkAccessFla
   vkCmdPipelineBarrier(commands, writing, reading, 0, 1, &barrier, 0, nullptr, 0, nullptr);
 }
 
-VisibleBuffer::VisibleBuffer(const VulkanDevice& device, VkDeviceSize bytes, VkBufferUsageFlags usage) : bytes_(bytes) {
+VisibleBuffer::VisibleBuffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage) : bytes_(bytes) {
   buffer_ = make_buffer(device, bytes, usage);
   memory_ = memory_of(device, buffer_.get(), VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                       VK_MEMORY_PROPERTY_HOST_CACHED_BIT);
   check(vkMapMemory(device.get(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped_), "vkMapMemory");
 }
 
-DeviceBuffer::DeviceBuffer(VulkanDevice& device, std::span<const std::byte> content, VkBufferUsageFlags usage) {
+DeviceBuffer::DeviceBuffer(Device& device, std::span<const std::byte> content, VkBufferUsageFlags usage) {
   buffer_ = make_buffer(device, content.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   memory_ = memory_of(device, buffer_.get(), VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
   if (content.empty()) return;
@@ -58,14 +58,14 @@ DeviceBuffer::DeviceBuffer(VulkanDevice& device, std::span<const std::byte> cont
     const VkBufferCopy all{0, 0, content.size()};
     vkCmdCopyBuffer(commands, staging.get(), get(), 1, &all);
     let_see(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
-            VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_VERTEX_INPUT_BIT | VK_PIPELINE_STAGE_VERTEX_SHADER_BIT |
-                VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
+            VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_VERTEX_INPUT_BIT |
+                VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
             VK_ACCESS_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_INDEX_READ_BIT | VK_ACCESS_VERTEX_ATTRIBUTE_READ_BIT |
                 VK_ACCESS_SHADER_READ_BIT);
   });
 }
 
-LayeredImage::LayeredImage(const VulkanDevice& device, std::uint32_t size, std::uint32_t layers, VkFormat format,
+LayeredImage::LayeredImage(const Device& device, std::uint32_t size, std::uint32_t layers, VkFormat format,
                            VkImageUsageFlags usage)
     : format_(format) {
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
@@ -84,7 +84,7 @@ LayeredImage::LayeredImage(const VulkanDevice& device, std::uint32_t size, std::
   check(vkBindImageMemory(device.get(), get(), memory_.get(), 0), "vkBindImageMemory");
 }
 
-OwnedImageView LayeredImage::view(const VulkanDevice& device, std::uint32_t layer, VkImageAspectFlags aspect) const {
+OwnedImageView LayeredImage::view(const Device& device, std::uint32_t layer, VkImageAspectFlags aspect) const {
   VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   info.image = get();
   info.viewType = VK_IMAGE_VIEW_TYPE_2D;
@@ -93,4 +93,4 @@ OwnedImageView LayeredImage::view(const VulkanDevice& device, std::uint32_t laye
   return OwnedImageView(device.get(), info, "vkCreateImageView");
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

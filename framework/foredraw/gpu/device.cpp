@@ -1,14 +1,14 @@
-#include "vulkan_device.h"
+#include <foredraw/gpu/device.h>
 
-#include "vulkan_candidate.h"
+#include <foredraw/gpu/candidate.h>
 
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 namespace {
 
-VkDevice make_device(const VulkanCandidate& candidate, bool counts_vertices, bool draws_many_indirectly) {
+VkDevice make_device(const Candidate& candidate, bool counts_vertices, bool draws_many_indirectly) {
   const float priority = 1;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueFamilyIndex = candidate.queue_family;
@@ -40,9 +40,9 @@ VkCommandBufferAllocateInfo one_buffer(VkCommandPool pool) {
 
 }  // namespace
 
-std::optional<std::string> why_no_vulkan_device(const VulkanChoice& choice) {
+std::optional<std::string> why_no_device(const DeviceChoice& choice) {
   try {
-    const VulkanInstance instance(choice.complaints);
+    const Instance instance(choice.complaints);
     static_cast<void>(chosen_device(instance.get(), choice.device));
   } catch (const std::runtime_error& error) {
     return error.what();
@@ -50,8 +50,8 @@ std::optional<std::string> why_no_vulkan_device(const VulkanChoice& choice) {
   return std::nullopt;
 }
 
-VulkanDevice::VulkanDevice(const VulkanChoice& choice) : instance_(choice.complaints) {
-  const VulkanCandidate candidate = chosen_device(instance_.get(), choice.device);
+Device::Device(const DeviceChoice& choice) : instance_(choice.complaints) {
+  const Candidate candidate = chosen_device(instance_.get(), choice.device);
   VkPhysicalDeviceFeatures features;
   vkGetPhysicalDeviceFeatures(candidate.device, &features);
   vkGetPhysicalDeviceProperties(candidate.device, &properties_);
@@ -74,8 +74,8 @@ VulkanDevice::VulkanDevice(const VulkanChoice& choice) : instance_(choice.compla
   done_ = OwnedFence(get(), VkFenceCreateInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO}, "vkCreateFence");
 }
 
-std::uint32_t VulkanDevice::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
-                                        VkMemoryPropertyFlags better) const {
+std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
+                                  VkMemoryPropertyFlags better) const {
   for (const VkMemoryPropertyFlags flags : {wanted | better, wanted}) {
     for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
       if ((allowed >> i & 1) != 0 && (memory_.memoryTypes[i].propertyFlags & flags) == flags) return i;
@@ -84,7 +84,7 @@ std::uint32_t VulkanDevice::memory_type(std::uint32_t allowed, VkMemoryPropertyF
   throw std::runtime_error(name_ + " has no memory of the kind that is needed; choose another device");
 }
 
-void VulkanDevice::run(const std::function<void(VkCommandBuffer)>& record) {
+void Device::run(const std::function<void(VkCommandBuffer)>& record) {
   check(vkResetCommandPool(get(), commands_.get(), 0), "vkResetCommandPool");
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -101,4 +101,4 @@ void VulkanDevice::run(const std::function<void(VkCommandBuffer)>& record) {
   check(vkResetFences(get(), 1, &done), "vkResetFences");
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

@@ -1,21 +1,21 @@
 #pragma once
 // A device to draw with, chosen among those that there are.
 
-#include "vulkan_choice.h"
-#include "vulkan_instance.h"
+#include <foredraw/gpu/choice.h>
+#include <foredraw/gpu/instance.h>
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 /// One device with one queue. Used by one thread at a time.
-class VulkanDevice {
+class Device {
  public:
-  /// Throws std::runtime_error with what why_no_vulkan_device() says.
-  explicit VulkanDevice(const VulkanChoice& choice = {});
+  /// Throws std::runtime_error with what why_no_device() says.
+  explicit Device(const DeviceChoice& choice = {});
 
   VkDevice get() const { return device_.get(); }
   const std::string& name() const { return name_; }  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
@@ -41,7 +41,7 @@ class VulkanDevice {
   };
 
   // In this sequence they are made, and in the other destroyed.
-  VulkanInstance instance_;
+  Instance instance_;
   std::unique_ptr<VkDevice, DestroyDevice> device_;
   OwnedCommandPool commands_;
   VkCommandBuffer buffer_ = VK_NULL_HANDLE;
@@ -57,4 +57,4 @@ class VulkanDevice {
   std::string name_;
 };
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

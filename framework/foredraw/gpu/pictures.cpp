@@ -1,13 +1,12 @@
-#include "pictures.h"
+#include <foredraw/gpu/pictures.h>
 
-#include "draw_pipelines.h"
-#include "render_pass.h"
+#include <foredraw/gpu/render_pass.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 namespace {
 
@@ -16,14 +15,15 @@ constexpr std::uint64_t most_pixels = 1u << 22;
 
 std::array<VkClearValue, 2> emptiness() {
   std::array<VkClearValue, 2> values{};
-  values[0].color.uint32[0] = nobody;
+  values[0].color.uint32[0] = empty_pixel;
   values[1].depthStencil.depth = 1;
   return values;
 }
 
 }  // namespace
 
-Pictures::Pictures(VulkanDevice& device, VkRenderPass render_pass, int size) : size_(static_cast<std::uint32_t>(size)) {
+Pictures::Pictures(const Device& device, VkRenderPass render_pass, int size)
+    : render_pass_(render_pass), size_(static_cast<std::uint32_t>(size)) {
   const VkPhysicalDeviceLimits& limits = device.limits();
   const std::uint32_t most = std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth,
                                        limits.maxFramebufferHeight, limits.maxViewportDimensions[0]});
@@ -33,15 +33,15 @@ Pictures::Pictures(VulkanDevice& device, VkRenderPass render_pass, int size) : s
   }
   const std::uint64_t pixels = std::uint64_t{size_} * size_;
   count_ = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(most_pixels / pixels, 1, limits.maxImageArrayLayers));
-  owner_image_ = LayeredImage(device, size_, count_, owner_format,
+  pixel_image_ = LayeredImage(device, size_, count_, pixel_format,
                               VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
   depth_image_ =
       LayeredImage(device, size_, count_, device.depth_format(), VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
-  owners_ = VisibleBuffer(device, count_ * pixels * sizeof(std::uint32_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  pixels_ = VisibleBuffer(device, count_ * pixels * sizeof(std::uint32_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   for (std::uint32_t layer = 0; layer < count_; ++layer) {
-    OwnedImageView owner = owner_image_.view(device, layer, VK_IMAGE_ASPECT_COLOR_BIT);
+    OwnedImageView colour = pixel_image_.view(device, layer, VK_IMAGE_ASPECT_COLOR_BIT);
     OwnedImageView depth = depth_image_.view(device, layer, VK_IMAGE_ASPECT_DEPTH_BIT);
-    const std::array attachments = {owner.get(), depth.get()};
+    const std::array attachments = {colour.get(), depth.get()};
     VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
     info.renderPass = render_pass;
     info.attachmentCount = attachments.size();
@@ -50,15 +50,15 @@ Pictures::Pictures(VulkanDevice& device, VkRenderPass render_pass, int size) : s
     info.height = size_;
     info.layers = 1;
     framebuffers_.emplace_back(device.get(), info, "vkCreateFramebuffer");
-    views_.push_back(std::move(owner));
+    views_.push_back(std::move(colour));
     views_.push_back(std::move(depth));
   }
 }
 
-void Pictures::begin(VkCommandBuffer commands, VkRenderPass render_pass, std::uint32_t picture) const {
+void Pictures::begin(VkCommandBuffer commands, std::uint32_t picture) const {
   const std::array values = emptiness();
   VkRenderPassBeginInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
-  info.renderPass = render_pass;
+  info.renderPass = render_pass_;
   info.framebuffer = framebuffers_[picture].get();
   info.renderArea.extent = {size_, size_};
   info.clearValueCount = values.size();
@@ -82,14 +82,14 @@ void Pictures::copy_out(VkCommandBuffer commands, std::uint32_t pictures) const 
   VkBufferImageCopy region{};
   region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, pictures};
   region.imageExtent = {size_, size_, 1};
-  vkCmdCopyImageToBuffer(commands, owner_image_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, owners_.get(), 1, &region);
+  vkCmdCopyImageToBuffer(commands, pixel_image_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels_.get(), 1, &region);
   let_see(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_HOST_BIT,
           VK_ACCESS_HOST_READ_BIT);
 }
 
-std::span<const std::uint32_t> Pictures::owners(std::uint32_t picture) const {
-  const std::size_t pixels = std::size_t{size_} * size_;
-  return owners_.as<const std::uint32_t>().subspan(picture * pixels, pixels);
+std::span<const std::uint32_t> Pictures::pixels(std::uint32_t picture) const {
+  const std::size_t count = std::size_t{size_} * size_;
+  return pixels_.as<const std::uint32_t>().subspan(picture * count, count);
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

@@ -1,19 +1,19 @@
 #pragma once
 // Buffers and images with the memory that they lie in.
 
-#include "vulkan_device.h"
+#include <foredraw/gpu/device.h>
 
 #include <cstddef>
 #include <span>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 /// A buffer that the processor sees, for as long as it lives. Nothing has to be flushed.
 class VisibleBuffer {
  public:
   VisibleBuffer() = default;
   /// `bytes` may be 0, then it has a few.
-  VisibleBuffer(const VulkanDevice& device, VkDeviceSize bytes, VkBufferUsageFlags usage);
+  VisibleBuffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage);
 
   VkBuffer get() const { return buffer_.get(); }
   template <class T>
@@ -32,7 +32,7 @@ class VisibleBuffer {
 class DeviceBuffer {
  public:
   DeviceBuffer() = default;
-  DeviceBuffer(VulkanDevice& device, std::span<const std::byte> content, VkBufferUsageFlags usage);
+  DeviceBuffer(Device& device, std::span<const std::byte> content, VkBufferUsageFlags usage);
 
   VkBuffer get() const { return buffer_.get(); }
 
@@ -45,12 +45,12 @@ class DeviceBuffer {
 class LayeredImage {
  public:
   LayeredImage() = default;
-  LayeredImage(const VulkanDevice& device, std::uint32_t size, std::uint32_t layers, VkFormat format,
+  LayeredImage(const Device& device, std::uint32_t size, std::uint32_t layers, VkFormat format,
                VkImageUsageFlags usage);
 
   VkImage get() const { return image_.get(); }
   /// One layer, to be drawn into.
-  OwnedImageView view(const VulkanDevice& device, std::uint32_t layer, VkImageAspectFlags aspect) const;
+  OwnedImageView view(const Device& device, std::uint32_t layer, VkImageAspectFlags aspect) const;
 
  private:
   VkFormat format_ = VK_FORMAT_UNDEFINED;
@@ -62,4 +62,4 @@ class LayeredImage {
 void let_see(VkCommandBuffer commands, VkPipelineStageFlags writing, VkAccessFlags written,
              VkPipelineStageFlags reading, VkAccessFlags read);
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
-struct VulkanChoice {
+struct DeviceChoice {
   std::string
       device;  ///< part of the device's name, in any case; empty: the first of discrete, integrated, virtual, CPU
   std::vector<std::string>* complaints =
@@ -15,9 +15,9 @@ struct VulkanChoice {
 };
 
 /// Why no device can be had, and what to do; nothing: one can. Starts the drivers, and ends them.
-std::optional<std::string> why_no_vulkan_device(const VulkanChoice& choice = {});
+std::optional<std::string> why_no_device(const DeviceChoice& choice = {});
 
 /// Whether the validation layer is installed.
-bool has_vulkan_validation();
+bool has_validation();
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

@@ -1,16 +1,16 @@
-#include "render_pass.h"
+#include <foredraw/gpu/render_pass.h>
 
 #include <array>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
-OwnedRenderPass make_render_pass(const VulkanDevice& device) {
-  VkAttachmentDescription owner{};
-  owner.format = owner_format;
-  owner.samples = VK_SAMPLE_COUNT_1_BIT;
-  owner.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-  owner.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  owner.finalLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+OwnedRenderPass make_render_pass(const Device& device) {
+  VkAttachmentDescription pixels{};
+  pixels.format = pixel_format;
+  pixels.samples = VK_SAMPLE_COUNT_1_BIT;
+  pixels.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  pixels.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  pixels.finalLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
   VkAttachmentDescription depth{};
   depth.format = device.depth_format();
   depth.samples = VK_SAMPLE_COUNT_1_BIT;
@@ -19,14 +19,14 @@ OwnedRenderPass make_render_pass(const VulkanDevice& device) {
   depth.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
   depth.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
   depth.finalLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
-  const std::array attachments = {owner, depth};
+  const std::array attachments = {pixels, depth};
 
-  const VkAttachmentReference owner_at{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+  const VkAttachmentReference pixels_at{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
   const VkAttachmentReference depth_at{1, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
   VkSubpassDescription subpass{};
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
   subpass.colorAttachmentCount = 1;
-  subpass.pColorAttachments = &owner_at;
+  subpass.pColorAttachments = &pixels_at;
   subpass.pDepthStencilAttachment = &depth_at;
 
   // Passes that draw into the same layer one after the other, and the copy that follows the last of them.
@@ -58,4 +58,4 @@ OwnedRenderPass make_render_pass(const VulkanDevice& device) {
   return OwnedRenderPass(device.get(), info, "vkCreateRenderPass");
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

@@ -1,0 +1,51 @@
+#include <foredraw/gpu/storage_sets.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace foredraw::gpu {
+
+OwnedSetLayout storage_layout(const Device& device, std::uint32_t buffers, VkShaderStageFlags stages) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (std::uint32_t i = 0; i < buffers; ++i) {
+    bindings.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, stages, nullptr});
+  }
+  VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  info.bindingCount = buffers;
+  info.pBindings = bindings.data();
+  return OwnedSetLayout(device.get(), info, "vkCreateDescriptorSetLayout");
+}
+
+StorageSets::StorageSets(const Device& device, VkDescriptorSetLayout layout, std::uint32_t buffers, std::size_t most)
+    : device_(device.get()), layout_(layout) {
+  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  info.maxSets = static_cast<std::uint32_t>(std::max<std::size_t>(1, most));
+  const VkDescriptorPoolSize all{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffers * info.maxSets};
+  info.poolSizeCount = 1;
+  info.pPoolSizes = &all;
+  pool_ = OwnedDescriptorPool(device_, info, "vkCreateDescriptorPool");
+}
+
+VkDescriptorSet StorageSets::add() {
+  VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+  info.descriptorPool = pool_.get();
+  info.descriptorSetCount = 1;
+  info.pSetLayouts = &layout_;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  check(vkAllocateDescriptorSets(device_, &info, &set), "vkAllocateDescriptorSets");
+  return set;
+}
+
+void StorageSets::write(VkDescriptorSet set, std::span<const VkBuffer> buffers) const {
+  std::vector<VkDescriptorBufferInfo> wholes;
+  for (const VkBuffer buffer : buffers) wholes.push_back({buffer, 0, VK_WHOLE_SIZE});
+  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+  write.dstSet = set;
+  write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+  // What is more than one binding holds goes to the next ones.
+  write.descriptorCount = static_cast<std::uint32_t>(wholes.size());
+  write.pBufferInfo = wholes.data();
+  vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
+}
+
+}  // namespace foredraw::gpu
