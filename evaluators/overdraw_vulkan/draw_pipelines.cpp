@@ -1,6 +1,6 @@
 #include "draw_pipelines.h"
 
-#include <foredraw/gpu/render_pass.h>
+#include <foredraw/gpu/pictures.h>
 
 #include "shaders/counted_frag.h"
 #include "shaders/draw_vert.h"
@@ -29,11 +29,9 @@ DrawPipelines::DrawPipelines(const gpu::Device& device)
                               VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, sizeof(DrawConstants))),
       vertex_shader_(make_shader(device, draw_vert)),
       masked_vertex_shader_(make_shader(device, masked_vert)),
-      masked_fragment_shader_(make_shader(device, masked_frag)) {
-  fragment_shaders_.emplace(Shading::owner, make_shader(device, owner_frag));
-  fragment_shaders_.emplace(Shading::counted, make_shader(device, counted_frag));
-  fragment_shaders_.emplace(Shading::heavy, make_shader(device, heavy_frag));
-}
+      masked_fragment_shader_(make_shader(device, masked_frag)),
+      fragment_shaders_{make_shader(device, owner_frag), make_shader(device, counted_frag),
+                        make_shader(device, heavy_frag)} {}
 
 VkPipeline DrawPipelines::get(Shading shading, Passing passing, Culled culled, bool has_holes) {
   gpu::OwnedPipeline& pipeline = pipelines_[{shading, passing, culled, has_holes}];
@@ -57,7 +55,8 @@ gpu::OwnedPipeline DrawPipelines::make(Shading shading, Passing passing, Culled 
   state.layout = layout();
   state.render_pass = render_pass();
   state.vertex_shader = has_holes ? masked_vertex_shader_.get() : vertex_shader_.get();
-  state.fragment_shader = has_holes ? masked_fragment_shader_.get() : fragment_shaders_.at(shading).get();
+  state.fragment_shader =
+      has_holes ? masked_fragment_shader_.get() : fragment_shaders_[static_cast<std::size_t>(shading)].get();
   state.fragment_constants = has_holes ? &special : nullptr;
   state.inputs = std::span(inputs).first(has_holes ? 2 : 1);
   if (culled == Culled::none) state.culled = VK_CULL_MODE_NONE;

@@ -8,6 +8,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <tuple>
@@ -26,9 +27,7 @@ struct DrawConstants {
   glm::mat4 clip_from_position;
   std::uint32_t owner;    ///< what is written: the part's number
   std::uint32_t counter;  ///< of `counted`: which one
-  // Of parts with holes, as UploadedParts::Holes.
-  std::uint32_t first_texel, width, height, wrap_u, wrap_v, is_nearest;
-  float cutoff;
+  HoleConstants holes;    ///< of parts that have any
 };
 
 /// A render pass for pictures of owners, and every pipeline for it, made when it is first asked for.
@@ -57,7 +56,7 @@ class DrawPipelines {
   gpu::OwnedPipelineLayout layout_;
   gpu::OwnedShader vertex_shader_;
   gpu::OwnedShader masked_vertex_shader_, masked_fragment_shader_;
-  std::map<Shading, gpu::OwnedShader> fragment_shaders_;
+  std::array<gpu::OwnedShader, 3> fragment_shaders_;  ///< [Shading]
   std::map<std::tuple<Shading, Passing, Culled, bool>, gpu::OwnedPipeline> pipelines_;
 };
 

@@ -38,16 +38,12 @@ void FragmentCounters::end(VkCommandBuffer commands, std::uint32_t counter) cons
 
 std::vector<std::uint64_t> FragmentCounters::read(std::uint32_t count) const {
   std::vector<std::uint64_t> counted(count);
-  for (std::uint32_t first = 0; first < count;) {
-    std::uint32_t end = first;  // of a run of queries
-    while (end < count && is_queried_[end]) ++end;
-    if (end == first) {
-      counted[first] = atomics_.as<std::uint32_t>()[first];
-      ++first;
-      continue;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (is_queried_[i]) {
+      queries_.read(i, std::span(counted).subspan(i, 1));
+    } else {
+      counted[i] = atomics_.as<std::uint32_t>()[i];
     }
-    queries_.read(first, std::span(counted).subspan(first, end - first));
-    first = end;
   }
   return counted;
 }

@@ -1,6 +1,6 @@
 #pragma once
-#include "count_method.h"
 #include "draw_pipelines.h"
+#include "overdraw_vulkan.h"
 
 #include <foredraw/gpu/memory.h>
 #include <foredraw/gpu/queries.h>

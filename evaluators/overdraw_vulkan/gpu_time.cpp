@@ -16,12 +16,11 @@ std::optional<GpuTime> gpu_time(OverdrawDevice& device, std::span<const RasterPa
   const UploadedParts uploaded = painter.uploaded(parts);
   if (uploaded.drawn.empty()) return GpuTime{};
   const gpu::Pictures& pictures = painter.pictures(views.size);
-  gpu::Stopwatch stopwatch(painter.device());
 
   const auto nanoseconds = [&](Shading shading) {
     double sum = 0;
     for_each_batch(views.views, views_in_batch(pictures, uploaded, 1), [&](std::span<const View> some) {
-      sum += stopwatch.time([&](VkCommandBuffer commands) {
+      sum += gpu::nanoseconds(painter.device(), [&](VkCommandBuffer commands) {
         for (std::uint32_t v = 0; v < some.size(); ++v) {
           pictures.begin(commands, v);
           painter.draw(commands, uploaded, some[v], {.shading = shading});

@@ -1,8 +1,6 @@
 #pragma once
 // Overdraw as a Vulkan device counts it: the real index buffers, drawn by a real driver.
 
-#include "count_method.h"
-
 #include <foredraw/gpu/choice.h>
 #include <foredraw/overdraw/overdraw_count.h>
 #include <foredraw/scene/views.h>
@@ -18,6 +16,9 @@
 namespace foredraw {
 
 class VulkanPainter;
+
+/// How the fragments that pass are counted: around each draw by the device, or one by one in the fragment shader.
+enum class CountMethod { queries, atomics };
 
 /// A Vulkan device with what drawing needs on it, kept from call to call. Used by one thread at a time.
 class OverdrawDevice {
@@ -37,8 +38,7 @@ class OverdrawDevice {
 
 /// Draws the parts one after the other from every view, one draw call a part, with depth test `less`, into pictures of
 /// views.size x views.size pixels that just hold the bounding sphere of all parts. Distance 0 (orthographic) or more
-/// than
-/// 1. Both methods count the same on one device; `atomics` up to 2^32 - 1 fragments of a part in a view.
+/// than 1. Both methods count the same on one device; `atomics` up to 2^32 - 1 fragments of a part in a view.
 ///
 /// What is covered and how near it is are as the device rounds, which is not as overdraw_raster() does, and another
 /// device may count otherwise. A view's counts do not depend on the other views. Triangles with a position that is not

@@ -35,21 +35,20 @@ struct UploadedMasks {
   std::map<const AlphaImage*, std::size_t> first_texels;
 
   UploadedParts::Holes append(const Mask& mask) {
-    UploadedParts::Holes holes{};
-    holes.places_at = places.size() * sizeof(glm::vec3);
-    holes.cutoff = static_cast<float>(mask.cutoff);
+    UploadedParts::Holes holes{places.size() * sizeof(glm::vec3), {.cutoff = static_cast<float>(mask.cutoff)}};
     for (std::size_t v = 0; v < mask.alphas.size(); ++v) {
       places.emplace_back(glm::vec2(mask.image ? mask.places[v] : glm::dvec2(0)), mask.alphas[v]);
     }
     if (!mask.image) return holes;
     const auto [found, is_new] = first_texels.emplace(mask.image.get(), texels.size());
     if (is_new) texels.insert(texels.end(), mask.image->alpha.begin(), mask.image->alpha.end());
-    holes.first_texel = static_cast<std::uint32_t>(found->second);
-    holes.width = mask.image->width;
-    holes.height = mask.image->height;
-    holes.wrap_u = static_cast<std::uint32_t>(mask.sampling.wrap[0]);
-    holes.wrap_v = static_cast<std::uint32_t>(mask.sampling.wrap[1]);
-    holes.is_nearest = mask.sampling.is_nearest ? 1 : 0;
+    holes.constants = {static_cast<std::uint32_t>(found->second),
+                       mask.image->width,
+                       mask.image->height,
+                       static_cast<std::uint32_t>(mask.sampling.wrap[0]),
+                       static_cast<std::uint32_t>(mask.sampling.wrap[1]),
+                       mask.sampling.is_nearest ? 1u : 0u,
+                       holes.constants.cutoff};
     return holes;
   }
 };

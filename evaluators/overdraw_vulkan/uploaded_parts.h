@@ -12,18 +12,19 @@ namespace foredraw {
 /// Which triangles are not drawn, by how they turn in the picture.
 enum class Culled { none, clockwise, counter_clockwise };
 
+/// What shaders/masked.frag is told.
+struct HoleConstants {
+  std::uint32_t first_texel, width, height, wrap_u, wrap_v, is_nearest;
+  float cutoff;
+};
+
 /// The vertex and index buffers of all parts on the device: indices as they are, so that the device finds in its vertex
 /// cache what it would find in a renderer's draw call. Positions are in radii from the centre of the sphere around all
 /// parts. Triangles with a position that is not finite are left out.
 struct UploadedParts {
-  /// As shaders/masked.frag wants it.
   struct Holes {
     VkDeviceSize places_at;  ///< in `places`
-    std::uint32_t first_texel;
-    std::uint32_t width, height;
-    std::uint32_t wrap_u, wrap_v;
-    std::uint32_t is_nearest;
-    float cutoff;
+    HoleConstants constants;
   };
   struct Part {
     std::uint32_t number;  ///< among all parts

@@ -30,13 +30,7 @@ void VulkanPainter::draw(VkCommandBuffer commands, const UploadedParts& parts, c
     constants.owner = part.number;
     constants.counter = manner.first_counter + i;
     if (const auto& holes = part.holes) {
-      constants.first_texel = holes->first_texel;
-      constants.width = holes->width;
-      constants.height = holes->height;
-      constants.wrap_u = holes->wrap_u;
-      constants.wrap_v = holes->wrap_v;
-      constants.is_nearest = holes->is_nearest;
-      constants.cutoff = holes->cutoff;
+      constants.holes = holes->constants;
       const VkBuffer places = parts.places.get();
       vkCmdBindVertexBuffers(commands, 1, 1, &places, &holes->places_at);
     }

@@ -188,8 +188,8 @@ std::vector<std::uint32_t> Frame::pixels(const glm::mat4& clip_from_world) const
 
 std::optional<double> Frame::milliseconds(const glm::mat4& clip_from_world) const {
   if (!is_complete_ || device_.device().timestamp_mask() == 0) return std::nullopt;
-  gpu::Stopwatch stopwatch(device_.device());
-  return 1e-6 * stopwatch.time([&](VkCommandBuffer commands) { record_pass(commands, clip_from_world); });
+  const auto record = [&](VkCommandBuffer commands) { record_pass(commands, clip_from_world); };
+  return 1e-6 * gpu::nanoseconds(device_.device(), record);
 }
 
 }  // namespace foredraw::bench

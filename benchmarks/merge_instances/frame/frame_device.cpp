@@ -4,7 +4,6 @@
 #include "shader_compiler.h"
 
 #include <foredraw/gpu/graphics_pipeline.h>
-#include <foredraw/gpu/render_pass.h>
 #include <foredraw/gpu/storage_sets.h>
 
 #include <array>

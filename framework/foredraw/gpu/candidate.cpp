@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -17,8 +16,8 @@ std::string lower_case(std::string text) {
 }
 
 /// A small number is better.
-int rank(VkPhysicalDeviceType type) {
-  switch (type) {
+int rank(const Candidate& candidate) {
+  switch (candidate.properties.deviceType) {
     case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 0;
     case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 1;
     case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
@@ -27,20 +26,17 @@ int rank(VkPhysicalDeviceType type) {
   }
 }
 
-struct GraphicsQueue {
-  std::uint32_t family;
-  std::uint32_t timestamp_bits;
-};
-
-std::optional<GraphicsQueue> graphics_queue(VkPhysicalDevice device) {
+bool has_graphics_queue(Candidate& candidate) {
   std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+  vkGetPhysicalDeviceQueueFamilyProperties(candidate.device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0) return GraphicsQueue{i, families[i].timestampValidBits};
-  }
-  return std::nullopt;
+  vkGetPhysicalDeviceQueueFamilyProperties(candidate.device, &count, families.data());
+  const auto found = std::ranges::find_if(
+      families, [](const VkQueueFamilyProperties& family) { return (family.queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0; });
+  if (found == families.end()) return false;
+  candidate.queue_family = static_cast<std::uint32_t>(found - families.begin());
+  candidate.timestamp_bits = found->timestampValidBits;
+  return true;
 }
 
 VkFormat depth_format(VkPhysicalDevice device) {
@@ -50,15 +46,22 @@ VkFormat depth_format(VkPhysicalDevice device) {
   return has_float ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_X8_D24_UNORM_PACK32;  // one of the two is always there
 }
 
-/// What the device can not do that is needed; empty: nothing.
-std::string lack_of(VkPhysicalDevice device, std::uint32_t api_version) {
-  VkPhysicalDeviceFeatures features;
-  vkGetPhysicalDeviceFeatures(device, &features);
-  if (api_version < VK_API_VERSION_1_1) return "Vulkan 1.1";
-  if (!graphics_queue(device)) return "a queue for graphics";
-  if (!features.occlusionQueryPrecise) return "precise occlusion queries";
-  if (!features.fragmentStoresAndAtomics) return "atomics in fragment shaders";
-  if (!features.fullDrawIndexUint32) return "32-bit indices";
+/// What the device can not do that is needed; empty: nothing, and the candidate is whole.
+std::string lack_of(Candidate& candidate) {
+  VkPhysicalDeviceFeatures has;
+  vkGetPhysicalDeviceFeatures(candidate.device, &has);
+  if (candidate.properties.apiVersion < VK_API_VERSION_1_1) return "Vulkan 1.1";
+  if (!has_graphics_queue(candidate)) return "a queue for graphics";
+  if (!has.occlusionQueryPrecise) return "precise occlusion queries";
+  if (!has.fragmentStoresAndAtomics) return "atomics in fragment shaders";
+  if (!has.fullDrawIndexUint32) return "32-bit indices";
+  candidate.features = {.fullDrawIndexUint32 = VK_TRUE,
+                        .multiDrawIndirect = has.multiDrawIndirect & has.drawIndirectFirstInstance,
+                        .drawIndirectFirstInstance = has.multiDrawIndirect & has.drawIndirectFirstInstance,
+                        .occlusionQueryPrecise = VK_TRUE,
+                        .pipelineStatisticsQuery = has.pipelineStatisticsQuery,
+                        .fragmentStoresAndAtomics = VK_TRUE};
+  candidate.depth_format = depth_format(candidate.device);
   return "";
 }
 
@@ -71,20 +74,15 @@ Candidate chosen_device(VkInstance instance, const std::string& name) {
   check(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "vkEnumeratePhysicalDevices");
 
   Candidate best;
-  int best_rank = 0;
   std::string others;
   for (VkPhysicalDevice device : devices) {
-    VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(device, &properties);
-    const std::string lack = lack_of(device, properties.apiVersion);
-    const bool is_named = lower_case(properties.deviceName).find(lower_case(name)) != std::string::npos;
-    if (!lack.empty() || !is_named) {
-      others += (others.empty() ? "" : ", ") + std::string(properties.deviceName);
-      if (!lack.empty()) others += " (which lacks " + lack + ')';
-    } else if (best.device == VK_NULL_HANDLE || rank(properties.deviceType) < best_rank) {
-      const GraphicsQueue queue = *graphics_queue(device);
-      best = {device, queue.family, queue.timestamp_bits, depth_format(device)};
-      best_rank = rank(properties.deviceType);
+    Candidate candidate{device};
+    vkGetPhysicalDeviceProperties(device, &candidate.properties);
+    const std::string lack = lack_of(candidate), called = candidate.properties.deviceName;
+    if (!lack.empty() || lower_case(called).find(lower_case(name)) == std::string::npos) {
+      others += (others.empty() ? "" : ", ") + called + (lack.empty() ? "" : " (which lacks " + lack + ')');
+    } else if (best.device == VK_NULL_HANDLE || rank(candidate) < rank(best)) {
+      best = candidate;
     }
   }
   if (best.device != VK_NULL_HANDLE) return best;

@@ -11,6 +11,8 @@ namespace foredraw::gpu {
 /// A device that can do all that is asked of it.
 struct Candidate {
   VkPhysicalDevice device = VK_NULL_HANDLE;
+  VkPhysicalDeviceProperties properties{};
+  VkPhysicalDeviceFeatures features{};  ///< those that are needed, and of those that are used what it has
   std::uint32_t queue_family = 0;
   std::uint32_t timestamp_bits = 0;
   VkFormat depth_format = VK_FORMAT_UNDEFINED;

@@ -8,10 +8,10 @@
 namespace foredraw::gpu {
 
 struct DeviceChoice {
-  std::string
-      device;  ///< part of the device's name, in any case; empty: the first of discrete, integrated, virtual, CPU
-  std::vector<std::string>* complaints =
-      nullptr;  ///< where the validation layer tells its own; none: without the layer
+  /// Part of the device's name, in any case; empty: the first of discrete, integrated, virtual, CPU.
+  std::string device;
+  /// Where the validation layer tells its own; none: without the layer.
+  std::vector<std::string>* complaints = nullptr;
 };
 
 /// Why no device can be had, and what to do; nothing: one can. Starts the drivers, and ends them.

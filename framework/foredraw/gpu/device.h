@@ -1,8 +1,8 @@
 #pragma once
 // A device to draw with, chosen among those that there are.
 
+#include <foredraw/gpu/candidate.h>
 #include <foredraw/gpu/choice.h>
-#include <foredraw/gpu/instance.h>
 
 #include <cstdint>
 #include <functional>
@@ -19,17 +19,21 @@ class Device {
 
   VkDevice get() const { return device_.get(); }
   const std::string& name() const { return name_; }  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
-  bool is_processor() const { return properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
-  const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
-  VkFormat depth_format() const { return depth_format_; }           ///< D32_SFLOAT; X8_D24_UNORM where there is no such
-  std::uint64_t timestamp_mask() const { return timestamp_mask_; }  ///< the bits of its clock; 0: it has none
-  bool counts_vertices() const { return counts_vertices_; }
-  bool draws_many_indirectly() const { return draws_many_indirectly_; }  ///< also with first instances other than 0
-  std::uint32_t queue_family() const { return queue_family_; }
+  bool is_processor() const { return candidate_.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
+  const VkPhysicalDeviceLimits& limits() const { return candidate_.properties.limits; }
+  VkFormat depth_format() const { return candidate_.depth_format; }  ///< D32_SFLOAT; X8_D24_UNORM where it is missing
+  /// The bits of its clock; 0: it has none.
+  std::uint64_t timestamp_mask() const {
+    return candidate_.timestamp_bits == 0 ? 0 : ~std::uint64_t{0} >> (64 - candidate_.timestamp_bits);
+  }
+  bool counts_vertices() const { return candidate_.features.pipelineStatisticsQuery == VK_TRUE; }
+  /// Also with first instances other than 0.
+  bool draws_many_indirectly() const { return candidate_.features.multiDrawIndirect == VK_TRUE; }
+  std::uint32_t queue_family() const { return candidate_.queue_family; }
 
-  /// The number of a memory type among `allowed` that has all of `wanted`, and `better` too if there is one.
-  std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
-                            VkMemoryPropertyFlags better = 0) const;
+  /// Memory of a type that has all of `wanted`, and `better` too if there is one.
+  OwnedMemory allocated(const VkMemoryRequirements& wants, VkMemoryPropertyFlags wanted,
+                        VkMemoryPropertyFlags better = 0) const;
 
   /// Records commands, hands them in, and waits until they are done.
   void run(const std::function<void(VkCommandBuffer)>& record);
@@ -42,19 +46,14 @@ class Device {
 
   // In this sequence they are made, and in the other destroyed.
   Instance instance_;
+  Candidate candidate_;
+  std::string name_;
   std::unique_ptr<VkDevice, DestroyDevice> device_;
   OwnedCommandPool commands_;
-  VkCommandBuffer buffer_ = VK_NULL_HANDLE;
   OwnedFence done_;
+  VkCommandBuffer buffer_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
-  VkPhysicalDeviceProperties properties_{};
   VkPhysicalDeviceMemoryProperties memory_{};
-  VkFormat depth_format_ = VK_FORMAT_UNDEFINED;
-  std::uint64_t timestamp_mask_ = 0;
-  std::uint32_t queue_family_ = 0;
-  bool counts_vertices_ = false;
-  bool draws_many_indirectly_ = false;
-  std::string name_;
 };
 
 }  // namespace foredraw::gpu

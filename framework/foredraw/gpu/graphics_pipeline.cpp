@@ -9,31 +9,29 @@ namespace {
 
 VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits stage, VkShaderModule shader,
                                       const VkSpecializationInfo* constants = nullptr) {
-  VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
-  info.stage = stage;
-  info.module = shader;
-  info.pName = "main";
-  info.pSpecializationInfo = constants;
-  return info;
+  return {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+          .stage = stage,
+          .module = shader,
+          .pName = "main",
+          .pSpecializationInfo = constants};
 }
 
 }  // namespace
 
 OwnedShader make_shader(const Device& device, std::span<const std::uint32_t> code) {
-  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-  info.codeSize = code.size_bytes();
-  info.pCode = code.data();
+  const VkShaderModuleCreateInfo info{
+      .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = code.size_bytes(), .pCode = code.data()};
   return OwnedShader(device.get(), info, "vkCreateShaderModule");
 }
 
 OwnedPipelineLayout pipeline_layout(const Device& device, std::span<const VkDescriptorSetLayout> sets,
                                     VkShaderStageFlags stages, std::uint32_t constants) {
   const VkPushConstantRange range{stages, 0, constants};
-  VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  info.setLayoutCount = static_cast<std::uint32_t>(sets.size());
-  info.pSetLayouts = sets.data();
-  info.pushConstantRangeCount = constants > 0 ? 1 : 0;
-  info.pPushConstantRanges = &range;
+  const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                        .setLayoutCount = static_cast<std::uint32_t>(sets.size()),
+                                        .pSetLayouts = sets.data(),
+                                        .pushConstantRangeCount = constants > 0 ? 1u : 0u,
+                                        .pPushConstantRanges = &range};
   return OwnedPipelineLayout(device.get(), info, "vkCreatePipelineLayout");
 }
 
@@ -46,49 +44,48 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
     bindings.push_back({input.buffer, input.stride, VK_VERTEX_INPUT_RATE_VERTEX});
     attributes.push_back({input.location, input.buffer, input.format, 0});
   }
-  VkPipelineVertexInputStateCreateInfo vertices{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-  vertices.vertexBindingDescriptionCount = static_cast<std::uint32_t>(bindings.size());
-  vertices.pVertexBindingDescriptions = bindings.data();
-  vertices.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
-  vertices.pVertexAttributeDescriptions = attributes.data();
-  VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
-  viewport.viewportCount = 1;
-  viewport.scissorCount = 1;
+  const VkPipelineVertexInputStateCreateInfo vertices{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
+      .vertexBindingDescriptionCount = static_cast<std::uint32_t>(bindings.size()),
+      .pVertexBindingDescriptions = bindings.data(),
+      .vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size()),
+      .pVertexAttributeDescriptions = attributes.data()};
+  const VkPipelineInputAssemblyStateCreateInfo assembly{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+      .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+  const VkPipelineViewportStateCreateInfo viewport{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
   constexpr std::array set_later = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-  VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
-  dynamic.dynamicStateCount = set_later.size();
-  dynamic.pDynamicStates = set_later.data();
-  VkPipelineRasterizationStateCreateInfo rasterised{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-  rasterised.cullMode = state.culled;
-  rasterised.frontFace = state.front_face;
-  rasterised.lineWidth = 1;
-  VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
-  VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
-  depth.depthTestEnable = VK_TRUE;
-  depth.depthWriteEnable = VK_TRUE;
-  depth.depthCompareOp = state.passing;
-  VkPipelineColorBlendAttachmentState number{};
-  number.colorWriteMask = VK_COLOR_COMPONENT_R_BIT;
-  VkPipelineColorBlendStateCreateInfo colours{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-  colours.attachmentCount = 1;
-  colours.pAttachments = &number;
-
-  VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
-  info.stageCount = stages.size();
-  info.pStages = stages.data();
-  info.pVertexInputState = &vertices;
-  info.pInputAssemblyState = &assembly;
-  info.pViewportState = &viewport;
-  info.pRasterizationState = &rasterised;
-  info.pMultisampleState = &samples;
-  info.pDepthStencilState = &depth;
-  info.pColorBlendState = &colours;
-  info.pDynamicState = &dynamic;
-  info.layout = state.layout;
-  info.renderPass = state.render_pass;
+  const VkPipelineDynamicStateCreateInfo dynamic{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+                                                 .dynamicStateCount = set_later.size(),
+                                                 .pDynamicStates = set_later.data()};
+  const VkPipelineRasterizationStateCreateInfo rasterised{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+      .cullMode = state.culled,
+      .frontFace = state.front_face,
+      .lineWidth = 1};
+  const VkPipelineMultisampleStateCreateInfo samples{.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+                                                     .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
+  const VkPipelineDepthStencilStateCreateInfo depth{.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+                                                    .depthTestEnable = VK_TRUE,
+                                                    .depthWriteEnable = VK_TRUE,
+                                                    .depthCompareOp = state.passing};
+  const VkPipelineColorBlendAttachmentState number{.colorWriteMask = VK_COLOR_COMPONENT_R_BIT};
+  const VkPipelineColorBlendStateCreateInfo colours{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1, .pAttachments = &number};
+  const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                          .stageCount = stages.size(),
+                                          .pStages = stages.data(),
+                                          .pVertexInputState = &vertices,
+                                          .pInputAssemblyState = &assembly,
+                                          .pViewportState = &viewport,
+                                          .pRasterizationState = &rasterised,
+                                          .pMultisampleState = &samples,
+                                          .pDepthStencilState = &depth,
+                                          .pColorBlendState = &colours,
+                                          .pDynamicState = &dynamic,
+                                          .layout = state.layout,
+                                          .renderPass = state.render_pass};
   return OwnedPipeline(device.get(), info, "vkCreateGraphicsPipelines");
 }
 

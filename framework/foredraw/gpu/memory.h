@@ -8,37 +8,43 @@
 
 namespace foredraw::gpu {
 
+class Buffer {
+ public:
+  VkBuffer get() const { return buffer_.get(); }
+
+ protected:
+  Buffer() = default;
+  Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, VkMemoryPropertyFlags wanted,
+         VkMemoryPropertyFlags better = 0);
+  VkDeviceMemory memory() const { return memory_.get(); }
+
+ private:
+  OwnedMemory memory_;
+  OwnedBuffer buffer_;
+};
+
 /// A buffer that the processor sees, for as long as it lives. Nothing has to be flushed.
-class VisibleBuffer {
+class VisibleBuffer : public Buffer {
  public:
   VisibleBuffer() = default;
   /// `bytes` may be 0, then it has a few.
   VisibleBuffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage);
 
-  VkBuffer get() const { return buffer_.get(); }
   template <class T>
   std::span<T> as() const {
     return {static_cast<T*>(mapped_), bytes_ / sizeof(T)};
   }
 
  private:
-  OwnedMemory memory_;
-  OwnedBuffer buffer_;
   void* mapped_ = nullptr;
   std::size_t bytes_ = 0;
 };
 
 /// A buffer in the device's own memory.
-class DeviceBuffer {
+class DeviceBuffer : public Buffer {
  public:
   DeviceBuffer() = default;
   DeviceBuffer(Device& device, std::span<const std::byte> content, VkBufferUsageFlags usage);
-
-  VkBuffer get() const { return buffer_.get(); }
-
- private:
-  OwnedMemory memory_;
-  OwnedBuffer buffer_;
 };
 
 /// Square images, one behind the other, in the device's own memory.

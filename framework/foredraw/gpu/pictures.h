@@ -10,6 +10,9 @@ namespace foredraw::gpu {
 /// What a pixel holds where nothing was drawn.
 inline constexpr std::uint32_t empty_pixel = ~std::uint32_t{0};
 
+/// Clears pixels and depths, is drawn into, and leaves the pixels ready to be copied.
+OwnedRenderPass make_render_pass(const Device& device);
+
 /// As many square pictures of one size as fit into a bounded memory, each with 32 bits and a depth for each pixel: what
 /// a batch of views is drawn into.
 class Pictures {

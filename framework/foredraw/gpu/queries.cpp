@@ -4,10 +4,7 @@ namespace foredraw::gpu {
 
 Queries::Queries(const Device& device, VkQueryType type, std::uint32_t count, VkQueryPipelineStatisticFlags statistics)
     : device_(device.get()), count_(count) {
-  VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-  info.queryType = type;
-  info.queryCount = count;
-  info.pipelineStatistics = statistics;
+  const VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO, nullptr, 0, type, count, statistics};
   pool_ = OwnedQueryPool(device_, info, "vkCreateQueryPool");
 }
 

@@ -10,27 +10,22 @@ OwnedSetLayout storage_layout(const Device& device, std::uint32_t buffers, VkSha
   for (std::uint32_t i = 0; i < buffers; ++i) {
     bindings.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, stages, nullptr});
   }
-  VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-  info.bindingCount = buffers;
-  info.pBindings = bindings.data();
+  const VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, nullptr, 0, buffers,
+                                             bindings.data()};
   return OwnedSetLayout(device.get(), info, "vkCreateDescriptorSetLayout");
 }
 
 StorageSets::StorageSets(const Device& device, VkDescriptorSetLayout layout, std::uint32_t buffers, std::size_t most)
     : device_(device.get()), layout_(layout) {
-  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  info.maxSets = static_cast<std::uint32_t>(std::max<std::size_t>(1, most));
-  const VkDescriptorPoolSize all{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffers * info.maxSets};
-  info.poolSizeCount = 1;
-  info.pPoolSizes = &all;
+  const auto sets = static_cast<std::uint32_t>(std::max<std::size_t>(1, most));
+  const VkDescriptorPoolSize all{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffers * sets};
+  const VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, nullptr, 0, sets, 1, &all};
   pool_ = OwnedDescriptorPool(device_, info, "vkCreateDescriptorPool");
 }
 
 VkDescriptorSet StorageSets::add() {
-  VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-  info.descriptorPool = pool_.get();
-  info.descriptorSetCount = 1;
-  info.pSetLayouts = &layout_;
+  const VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, nullptr, pool_.get(), 1,
+                                         &layout_};
   VkDescriptorSet set = VK_NULL_HANDLE;
   check(vkAllocateDescriptorSets(device_, &info, &set), "vkAllocateDescriptorSets");
   return set;

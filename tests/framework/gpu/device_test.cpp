@@ -29,8 +29,8 @@ TEST_F(GpuDevice, is_called_by_a_part_of_its_name) {
 
 TEST_F(GpuDevice, has_memory_that_the_processor_sees_and_none_that_no_type_is_allowed) {
   const Device device(choice());
-  EXPECT_NO_THROW(device.memory_type(~0u, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT));
-  EXPECT_THROW(device.memory_type(0, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT), std::runtime_error);
+  EXPECT_NO_THROW(device.allocated({64, 1, ~0u}, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT));
+  EXPECT_THROW(device.allocated({64, 1, 0}, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT), std::runtime_error);
 }
 
 TEST(GpuDrivers, where_there_is_none_the_reason_says_what_to_install) {

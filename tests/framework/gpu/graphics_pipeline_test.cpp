@@ -2,7 +2,6 @@
 #include <foredraw/gpu/memory.h>
 #include <foredraw/gpu/pictures.h>
 #include <foredraw/gpu/queries.h>
-#include <foredraw/gpu/render_pass.h>
 #include <foredraw/gpu/storage_sets.h>
 
 #include "shaders/numbered_frag.h"

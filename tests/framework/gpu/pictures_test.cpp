@@ -1,5 +1,4 @@
 #include <foredraw/gpu/pictures.h>
-#include <foredraw/gpu/render_pass.h>
 
 #include "support/on_device.h"
 
