@@ -33,9 +33,9 @@ DrawPipelines::DrawPipelines(const gpu::Device& device)
       fragment_shaders_{make_shader(device, owner_frag), make_shader(device, counted_frag),
                         make_shader(device, heavy_frag)} {}
 
-VkPipeline DrawPipelines::get(Shading shading, Passing passing, Culled culled, bool has_holes) {
-  gpu::OwnedPipeline& pipeline = pipelines_[{shading, passing, culled, has_holes}];
-  if (pipeline.get() == VK_NULL_HANDLE) pipeline = make(shading, passing, culled, has_holes);
+VkPipeline DrawPipelines::get(Shading shading, Passing passing, const UploadedParts::Part& part) {
+  gpu::OwnedPipeline& pipeline = pipelines_[{shading, passing, part.culled, part.front_face, part.holes.has_value()}];
+  if (pipeline.get() == VK_NULL_HANDLE) pipeline = make(shading, passing, part);
   return pipeline.get();
 }
 
@@ -44,7 +44,8 @@ VkDescriptorSet DrawPipelines::counters_at(VkBuffer counters) {
   return counters_;
 }
 
-gpu::OwnedPipeline DrawPipelines::make(Shading shading, Passing passing, Culled culled, bool has_holes) const {
+gpu::OwnedPipeline DrawPipelines::make(Shading shading, Passing passing, const UploadedParts::Part& part) const {
+  const bool has_holes = part.holes.has_value();
   const VkBool32 is_heavy = shading == Shading::heavy ? VK_TRUE : VK_FALSE;
   const VkSpecializationMapEntry entry{0, 0, sizeof(is_heavy)};
   const VkSpecializationInfo special{1, &entry, sizeof(is_heavy), &is_heavy};
@@ -59,8 +60,8 @@ gpu::OwnedPipeline DrawPipelines::make(Shading shading, Passing passing, Culled 
       has_holes ? masked_fragment_shader_.get() : fragment_shaders_[static_cast<std::size_t>(shading)].get();
   state.fragment_constants = has_holes ? &special : nullptr;
   state.inputs = std::span(inputs).first(has_holes ? 2 : 1);
-  if (culled == Culled::none) state.culled = VK_CULL_MODE_NONE;
-  if (culled == Culled::counter_clockwise) state.front_face = VK_FRONT_FACE_CLOCKWISE;
+  state.culled = part.culled;
+  state.front_face = part.front_face;
   if (passing == Passing::nearer_or_equal) state.passing = VK_COMPARE_OP_LESS_OR_EQUAL;
   return graphics_pipeline(device_, state);
 }

@@ -37,7 +37,7 @@ class DrawPipelines {
 
   VkRenderPass render_pass() const { return render_pass_.get(); }
   VkPipelineLayout layout() const { return layout_.get(); }
-  VkPipeline get(Shading shading, Passing passing, Culled culled, bool has_holes);
+  VkPipeline get(Shading shading, Passing passing, const UploadedParts::Part& part);
   /// The set that holds the counters of `counted`.
   VkDescriptorSet counters_at(VkBuffer counters);
   /// The set that holds the texels of masks, and puts them there: not while commands that use it wait.
@@ -45,7 +45,7 @@ class DrawPipelines {
   void put_texels(VkBuffer texels) { sets_.write(texels_, {&texels, 1}); }
 
  private:
-  gpu::OwnedPipeline make(Shading shading, Passing passing, Culled culled, bool has_holes) const;
+  gpu::OwnedPipeline make(Shading shading, Passing passing, const UploadedParts::Part& part) const;
 
   const gpu::Device& device_;
   gpu::OwnedRenderPass render_pass_;
@@ -57,7 +57,7 @@ class DrawPipelines {
   gpu::OwnedShader vertex_shader_;
   gpu::OwnedShader masked_vertex_shader_, masked_fragment_shader_;
   std::array<gpu::OwnedShader, 3> fragment_shaders_;  ///< [Shading]
-  std::map<std::tuple<Shading, Passing, Culled, bool>, gpu::OwnedPipeline> pipelines_;
+  std::map<std::tuple<Shading, Passing, VkCullModeFlags, VkFrontFace, bool>, gpu::OwnedPipeline> pipelines_;
 };
 
 }  // namespace foredraw

@@ -14,11 +14,6 @@ namespace foredraw {
 
 namespace {
 
-Culled culled(const RasterPart& part) {
-  if (!part.culls_back_faces) return Culled::none;
-  return part.is_mirrored ? Culled::counter_clockwise : Culled::clockwise;
-}
-
 void append_finite(std::vector<std::uint32_t>& indices, const RasterPart& part) {
   for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
     const std::span<const std::uint32_t> triangle = part.indices.subspan(i, 3);
@@ -67,8 +62,10 @@ UploadedParts::UploadedParts(gpu::Device& device, std::span<const RasterPart> pa
     if (count == 0) continue;
     if (count > 0xFFFFFFFF)
       throw std::runtime_error("overdraw-vulkan draws 2^32 indices at once at most; split the mesh");
-    drawn.push_back({number, all_positions.size() * sizeof(glm::vec3), first * sizeof(std::uint32_t),
-                     static_cast<std::uint32_t>(count), culled(parts[number]), std::nullopt});
+    drawn.push_back(
+        {number, all_positions.size() * sizeof(glm::vec3), first * sizeof(std::uint32_t),
+         static_cast<std::uint32_t>(count), parts[number].culls_back_faces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE,
+         parts[number].is_mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE, std::nullopt});
     if (parts[number].mask) drawn.back().holes = masks.append(*parts[number].mask);
     triangles += count / 3;
     for (std::size_t v = 0; v < parts[number].positions.size(); ++v) {

@@ -9,9 +9,6 @@
 
 namespace foredraw {
 
-/// Which triangles are not drawn, by how they turn in the picture.
-enum class Culled { none, clockwise, counter_clockwise };
-
 /// What shaders/masked.frag is told.
 struct HoleConstants {
   std::uint32_t first_texel, width, height, wrap_u, wrap_v, is_nearest;
@@ -31,7 +28,8 @@ struct UploadedParts {
     VkDeviceSize vertices_at;
     VkDeviceSize indices_at;
     std::uint32_t index_count;
-    Culled culled;
+    VkCullModeFlags culled;
+    VkFrontFace front_face;
     std::optional<Holes> holes;
   };
 

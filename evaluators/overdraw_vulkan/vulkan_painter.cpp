@@ -35,8 +35,7 @@ void VulkanPainter::draw(VkCommandBuffer commands, const UploadedParts& parts, c
       vkCmdBindVertexBuffers(commands, 1, 1, &places, &holes->places_at);
     }
     const VkBuffer vertices = parts.vertices.get();
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      pipelines_.get(manner.shading, manner.passing, part.culled, part.holes.has_value()));
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.get(manner.shading, manner.passing, part));
     vkCmdPushConstants(commands, pipelines_.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                        sizeof(constants), &constants);
     vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &part.vertices_at);

@@ -3,7 +3,6 @@
 #include <foredraw/gpu/choice.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <stdexcept>
 
@@ -47,17 +46,13 @@ bool has_validation() {
 }
 
 Instance::Instance(std::vector<std::string>* complaints) {
-  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
-  application.pApplicationName = "foredraw";
-  application.apiVersion = VK_API_VERSION_1_1;
+  const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_1};
   VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
   info.pApplicationInfo = &application;
 
-  constexpr std::array synchronisation = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
-  VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
-  features.enabledValidationFeatureCount = synchronisation.size();
-  features.pEnabledValidationFeatures = synchronisation.data();
-  VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_into(complaints);
+  const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+  const VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT, nullptr, 1, &synchronisation};
+  const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_into(complaints);
   const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
   if (complaints != nullptr) {
     info.pNext = &features;

@@ -34,12 +34,12 @@ VkDescriptorSet StorageSets::add() {
 void StorageSets::write(VkDescriptorSet set, std::span<const VkBuffer> buffers) const {
   std::vector<VkDescriptorBufferInfo> wholes;
   for (const VkBuffer buffer : buffers) wholes.push_back({buffer, 0, VK_WHOLE_SIZE});
-  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-  write.dstSet = set;
-  write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
   // What is more than one binding holds goes to the next ones.
-  write.descriptorCount = static_cast<std::uint32_t>(wholes.size());
-  write.pBufferInfo = wholes.data();
+  const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                   .dstSet = set,
+                                   .descriptorCount = static_cast<std::uint32_t>(wholes.size()),
+                                   .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                   .pBufferInfo = wholes.data()};
   vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
 }
 
