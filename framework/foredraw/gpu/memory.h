@@ -8,6 +8,7 @@
 
 namespace foredraw::gpu {
 
+/// What both kinds of buffers are: a handle, and the memory bound to it.
 class Buffer {
  public:
   VkBuffer get() const { return buffer_.get(); }
