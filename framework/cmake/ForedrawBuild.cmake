@@ -27,6 +27,7 @@ foredraw_room(analysis scene)
 foredraw_room(image analysis)
 foredraw_room(viewing image)
 foredraw_room(overdraw viewing)
+foredraw_room(gpu viewing)
 foredraw_room(technique overdraw)
 foredraw_room(draw_orders viewing)
 foredraw_room(measuring technique draw_orders)
@@ -40,9 +41,20 @@ foredraw_room(report measuring io_text)
 foredraw_room(report_page report io_image)
 foredraw_room(pipeline report platform)
 
+set(foredraw_room_needs_gpu Vulkan)  # where this package is missing, the room and what links it are left out
+
 # FOREDRAW_FRAMEWORK names the rooms to build; they bring what they link.
 if(FOREDRAW_BUILD_HOSTS OR FOREDRAW_BUILD_TESTS OR FOREDRAW_BUILD_BENCHMARKS)
   set(FOREDRAW_FRAMEWORK ${foredraw_rooms})
+  foreach(room IN LISTS foredraw_rooms)
+    foreach(package IN LISTS foredraw_room_needs_${room})
+      find_package(${package} QUIET)
+      if(NOT ${package}_FOUND)
+        list(REMOVE_ITEM FOREDRAW_FRAMEWORK ${room})
+        message(STATUS "Foredraw: the room '${room}' is left out, for package ${package} was not found")
+      endif()
+    endforeach()
+  endforeach()
 endif()
 foreach(room IN LISTS FOREDRAW_FRAMEWORK)
   if(NOT room IN_LIST foredraw_rooms)
@@ -144,6 +156,25 @@ inline std::vector<std::pair<std::string, std::string>> schemas() {
 }  // namespace foredraw
 ")
   target_include_directories(${target} PRIVATE "${generated}")
+endfunction()
+
+# Compiles shaders in GLSL into headers in the build folder, for the target's own files: x.vert is "shaders/x_vert.h", with
+# the array x_vert. Files' names have to differ within a folder of the build.
+function(foredraw_add_shaders target)
+  find_program(FOREDRAW_GLSLANG glslangValidator)
+  if(ARGN AND NOT FOREDRAW_GLSLANG)
+    message(FATAL_ERROR "Foredraw: ${target} has shaders, and glslangValidator was not found")
+  endif()
+  foreach(shader IN LISTS ARGN)
+    get_filename_component(file "${shader}" NAME)
+    string(REPLACE "." "_" name "${file}")
+    set(header "${CMAKE_CURRENT_BINARY_DIR}/generated/shaders/${name}.h")
+    add_custom_command(OUTPUT "${header}" DEPENDS "${shader}" VERBATIM COMMENT "Compiling the shader ${file}"
+                       COMMAND "${CMAKE_COMMAND}" -E make_directory "${CMAKE_CURRENT_BINARY_DIR}/generated/shaders"
+                       COMMAND "${FOREDRAW_GLSLANG}" -V --quiet --vn ${name} -o "${header}" "${shader}")
+    target_sources(${target} PRIVATE "${header}")
+    target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/generated")
+  endforeach()
 endfunction()
 
 # A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...).

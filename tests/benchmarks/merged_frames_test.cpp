@@ -9,6 +9,7 @@
 
 #include "support/edit_product.h"
 #include "support/meshes.h"
+#include "support/on_device.h"
 
 #include <plugins/processors/merge_instances/merge_instances.h>
 
@@ -114,21 +115,22 @@ TEST(FrameContent, every_way_draws_everything_once_with_its_own_calls) {
   EXPECT_EQ(counted.calls(), of[DrawWay::duplicated].calls());
 }
 
-/// On the device that is the processor: others may round the arithmetic of two shaders differently, and every bit counts
-/// here. Under the eyes of the validation layer where that is installed.
-class MergedFrames : public ::testing::Test {
+/// On the device that is the processor: others may round the arithmetic of two shaders differently, and every bit
+/// counts here.
+class MergedFrames : public testing::OnDevice {
  protected:
+  MergedFrames() : OnDevice("llvmpipe") {}
+
   void SetUp() override {
-    VulkanChoice choice{.device = "llvmpipe"};
-    if (const auto reason = why_no_vulkan_device(choice)) GTEST_SKIP() << *reason;
+    OnDevice::SetUp();
+    if (IsSkipped()) return;
     if (!has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
-    if (has_vulkan_validation()) choice.complaints = &complaints_;
-    device_ = std::make_unique<FrameDevice>(size, choice);
+    device_ = std::make_unique<FrameDevice>(size, choice());
   }
 
   void TearDown() override {
     device_.reset();
-    for (const std::string& complaint : complaints_) ADD_FAILURE() << complaint;
+    OnDevice::TearDown();
   }
 
   std::vector<std::uint32_t> pixels(const Scene& scene, const FrameContent& content, const glm::mat4& view) {
@@ -169,7 +171,6 @@ class MergedFrames : public ::testing::Test {
     EXPECT_LE(content.calls(), merged_draws + placed - instances);
   }
 
-  std::vector<std::string> complaints_;
   std::unique_ptr<FrameDevice> device_;
 };
 

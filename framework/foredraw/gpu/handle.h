@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 /// Throws std::runtime_error where the call failed: what was called, what came back, and what may help.
 void check(VkResult result, const char* call);
@@ -58,4 +58,4 @@ using OwnedRenderPass = Owned<VkRenderPass, vkCreateRenderPass, vkDestroyRenderP
 using OwnedSetLayout = Owned<VkDescriptorSetLayout, vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout>;
 using OwnedShader = Owned<VkShaderModule, vkCreateShaderModule, vkDestroyShaderModule>;
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

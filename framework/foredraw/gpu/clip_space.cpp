@@ -1,10 +1,10 @@
-#include "clip_space.h"
+#include <foredraw/gpu/clip_space.h>
 
 #include <foredraw/viewing/camera.h>
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 glm::mat4 clip_from_position(const View& view) {
   const Camera camera(view, 1);
@@ -25,4 +25,4 @@ glm::mat4 clip_from_position(const View& view) {
   return glm::mat4(glm::transpose(glm::dmat4(x, y, z, w)));
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

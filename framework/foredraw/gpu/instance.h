@@ -1,23 +1,23 @@
 #pragma once
 // The way to the drivers, and the validation layer's way back.
 
-#include "vulkan_handle.h"
+#include <foredraw/gpu/handle.h>
 
 #include <string>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
-inline constexpr const char* no_vulkan_device = "no Vulkan device: install a driver or mesa-vulkan-drivers";
+inline constexpr const char* no_device = "no Vulkan device: install a driver or mesa-vulkan-drivers";
 
-class VulkanInstance {
+class Instance {
  public:
   /// `complaints`: where the validation layer's messages are put, until this ends; null: without the layer. Throws
   /// std::runtime_error where there is no driver, or no layer.
-  explicit VulkanInstance(std::vector<std::string>* complaints = nullptr);
-  ~VulkanInstance();
-  VulkanInstance(const VulkanInstance&) = delete;
-  VulkanInstance& operator=(const VulkanInstance&) = delete;
+  explicit Instance(std::vector<std::string>* complaints = nullptr);
+  ~Instance();
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
 
   VkInstance get() const { return instance_; }
 
@@ -26,4 +26,4 @@ class VulkanInstance {
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
 };
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

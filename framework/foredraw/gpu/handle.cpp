@@ -1,9 +1,9 @@
-#include "vulkan_handle.h"
+#include <foredraw/gpu/handle.h>
 
 #include <stdexcept>
 #include <string>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 namespace {
 
@@ -35,4 +35,4 @@ VkResult create_pipeline(VkDevice device, const VkGraphicsPipelineCreateInfo* in
   return vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, info, allocator, pipeline);
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu

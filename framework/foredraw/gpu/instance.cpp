@@ -1,13 +1,12 @@
-#include "vulkan_instance.h"
+#include <foredraw/gpu/instance.h>
 
-#include "vulkan_choice.h"
+#include <foredraw/gpu/choice.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::gpu {
 
 namespace {
 
@@ -20,13 +19,13 @@ VKAPI_ATTR VkBool32 VKAPI_CALL complain(VkDebugUtilsMessageSeverityFlagBitsEXT, 
 }
 
 VkDebugUtilsMessengerCreateInfoEXT messenger_into(std::vector<std::string>* complaints) {
-  VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
-  info.messageSeverity =
-      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
-  info.pfnUserCallback = complain;
-  info.pUserData = complaints;
-  return info;
+  return {
+      .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+      .messageSeverity =
+          VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+      .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
+      .pfnUserCallback = complain,
+      .pUserData = complaints};
 }
 
 /// A function of an extension, which the loader knows by name alone.
@@ -37,7 +36,7 @@ Function named(VkInstance instance, const char* name) {
 
 }  // namespace
 
-bool has_vulkan_validation() {
+bool has_validation() {
   std::uint32_t count = 0;
   if (vkEnumerateInstanceLayerProperties(&count, nullptr) != VK_SUCCESS) return false;
   std::vector<VkLayerProperties> layers(count);
@@ -46,18 +45,14 @@ bool has_vulkan_validation() {
                      [](const auto& layer) { return std::strcmp(layer.layerName, validation_layer) == 0; });
 }
 
-VulkanInstance::VulkanInstance(std::vector<std::string>* complaints) {
-  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
-  application.pApplicationName = "foredraw";
-  application.apiVersion = VK_API_VERSION_1_1;
+Instance::Instance(std::vector<std::string>* complaints) {
+  const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_1};
   VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
   info.pApplicationInfo = &application;
 
-  constexpr std::array synchronisation = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
-  VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
-  features.enabledValidationFeatureCount = synchronisation.size();
-  features.pEnabledValidationFeatures = synchronisation.data();
-  VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_into(complaints);
+  const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+  const VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT, nullptr, 1, &synchronisation};
+  const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_into(complaints);
   const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
   if (complaints != nullptr) {
     info.pNext = &features;
@@ -67,14 +62,14 @@ VulkanInstance::VulkanInstance(std::vector<std::string>* complaints) {
     info.ppEnabledExtensionNames = &extension;
   }
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw std::runtime_error(no_vulkan_device);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw std::runtime_error(no_device);
   check(result, "vkCreateInstance");
   if (complaints == nullptr) return;
   const auto create = named<PFN_vkCreateDebugUtilsMessengerEXT>(instance_, "vkCreateDebugUtilsMessengerEXT");
   if (create(instance_, &messenger, nullptr, &messenger_) != VK_SUCCESS) messenger_ = VK_NULL_HANDLE;
 }
 
-VulkanInstance::~VulkanInstance() {
+Instance::~Instance() {
   if (messenger_ != VK_NULL_HANDLE) {
     const auto destroy = named<PFN_vkDestroyDebugUtilsMessengerEXT>(instance_, "vkDestroyDebugUtilsMessengerEXT");
     destroy(instance_, messenger_, nullptr);
@@ -82,4 +77,4 @@ VulkanInstance::~VulkanInstance() {
   vkDestroyInstance(instance_, nullptr);
 }
 
-}  // namespace foredraw
+}  // namespace foredraw::gpu
