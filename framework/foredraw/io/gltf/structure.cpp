@@ -19,18 +19,21 @@ Json named(const Json& from, Json result) {
   return result;
 }
 
+/// Of many items no tree is made, only their text.
 template <class F>
-void each(const Json& json, const char* kind, F&& make, Json& into) {
+void each(const Json& json, const char* kind, F&& make, std::string& into) {
   const auto found = json.find(kind);
   if (found == json.end()) return;
-  Json& list = into[kind] = Json::array();
-  for (const Json& item : *found) list.push_back(named(item, make(item)));
+  into += std::string(",\"") + kind + "\":[";
+  for (const Json& item : *found) into += named(item, make(item)).dump() + ',';
+  if (!found->empty()) into.pop_back();
+  into += ']';
 }
 
 }  // namespace
 
 std::string checked_structure(const Json& json) {
-  Json result{{"asset", {{"version", "2.0"}}}};
+  std::string result = R"({"asset":{"version":"2.0"})";
   const Json nothing{{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}};  // for what nobody refers to
   each(
       json, "bufferViews",
@@ -53,12 +56,6 @@ std::string checked_structure(const Json& json) {
           copy["primitives"].push_back(only(p, {"attributes", "targets", "indices", "material", "mode"}));
         }
         return copy;
-      },
-      result);
-  each(
-      json, "nodes",
-      [](const Json& n) {
-        return only(n, {"children", "mesh", "skin", "weights", "matrix", "translation", "rotation", "scale"});
       },
       result);
   each(
@@ -88,7 +85,7 @@ std::string checked_structure(const Json& json) {
         return copy;
       },
       result);
-  return result.dump();
+  return result + '}';
 }
 
 }  // namespace foredraw::gltf
