@@ -61,7 +61,11 @@ class Reading {
   bool binary(Json::binary_t&) { return false; }  // there is none in a text
   bool start_array(std::size_t) { return begin(Json::array()); }
   bool end_array() { return end(); }
-  bool start_object(std::size_t) { return begin(Json::object()); }
+  bool start_object(std::size_t) {
+    Json::object_t members;
+    members.reserve(open_.empty() ? 32 : 4);  // where it grows it copies all that its members hold
+    return begin(std::move(members));
+  }
   bool end_object() { return end(); }
   bool key(std::string& key) {
     Json& object = *open_.back();
