@@ -97,9 +97,7 @@ void JsonWriter::tree(const Json& json) {
       break;
     case Json::value_t::string: value(std::string_view(json.get_ref<const std::string&>())); break;
     case Json::value_t::number_float: value(json.get<double>()); break;
-    default:
-      place();
-      waiting_ += json.dump();
+    default: place(); waiting_ += json.dump();
   }
 }
 

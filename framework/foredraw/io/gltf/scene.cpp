@@ -1,4 +1,5 @@
-// A sound document to a scene. tinygltf reads the structure, nodes apart; the bytes come from the layouts that the gate checked.
+// A sound document to a scene. tinygltf reads the structure, nodes apart; the bytes come from the layouts that the gate
+// checked.
 #include <foredraw/io/image/images.h>
 #include <foredraw/io/gltf/private/base_colour.h>
 #include <foredraw/io/gltf/private/instances.h>

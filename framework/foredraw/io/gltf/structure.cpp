@@ -13,6 +13,10 @@ Json only(const Json& from, std::initializer_list<const char*> keys) {
   return result;
 }
 
+auto keeping(auto... keys) {
+  return [=](const Json& from) { return only(from, {keys...}); };
+}
+
 /// Names are free text and may be of any type in a careless file.
 Json named(const Json& from, Json result) {
   if (const auto name = from.find("name"); name != from.end() && name->is_string()) result["name"] = *name;
@@ -35,12 +39,7 @@ void each(const Json& json, const char* kind, F&& make, std::string& into) {
 std::string checked_structure(const Json& json) {
   std::string result = R"({"asset":{"version":"2.0"})";
   const Json nothing{{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}};  // for what nobody refers to
-  each(
-      json, "bufferViews",
-      [](const Json& v) {
-        return only(v, {"buffer", "byteLength"});
-      },
-      result);
+  each(json, "bufferViews", keeping("buffer", "byteLength"), result);
   each(
       json, "accessors",
       [&](const Json& a) {
@@ -58,18 +57,8 @@ std::string checked_structure(const Json& json) {
         return copy;
       },
       result);
-  each(
-      json, "skins",
-      [](const Json& s) {
-        return only(s, {"joints", "inverseBindMatrices"});
-      },
-      result);
-  each(
-      json, "materials",
-      [](const Json& m) {
-        return only(m, {"alphaMode", "alphaCutoff", "doubleSided"});
-      },
-      result);
+  each(json, "skins", keeping("joints", "inverseBindMatrices"), result);
+  each(json, "materials", keeping("alphaMode", "alphaCutoff", "doubleSided"), result);
   each(
       json, "animations",
       [](const Json& animation) {

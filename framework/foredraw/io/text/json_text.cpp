@@ -40,8 +40,8 @@ std::string reason(const std::string& what) {
   return bracket == std::string::npos ? what : what.substr(bracket + 2);
 }
 
-/// Makes the tree of values, and sees what such a tree does not show or has no room for. The library's own callback would
-/// ask all of an array at the end of each of its objects.
+/// Makes the tree of values, and sees what such a tree does not show or has no room for. The library's own callback
+/// would ask all of an array at the end of each of its objects.
 class Reading {
  public:
   explicit Reading(std::size_t most_keys) : most_keys_(most_keys) {}
