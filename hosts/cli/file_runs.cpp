@@ -67,6 +67,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   result.report.input = {input, file->bytes};
   for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
   result.report.diagnostics = diagnostics.all();
+  if (!draws) analyses.clear();  // nobody asks them any more
   if (!written(before, result, diagnostics)) return lost(something_failed);
   if (draws) {
     const Scene* after = result.report.optimized ? &result.scene : nullptr;
@@ -118,7 +119,9 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     report.diagnostics = diagnostics.all();
     if (!is_folder(arguments.inputs[0])) {
       std::vector<OutputFile> texts;
-      if (!arguments.report.empty()) texts.push_back(text_file(arguments.report, to_json(report)));
+      if (!arguments.report.empty()) {
+        texts.push_back({arguments.report, {}, [&](const OutputFile::Put& put) { write_json(report, put); }});
+      }
       if (!arguments.html.empty()) texts.push_back(text_file(arguments.html, page_of(before, result, job)));
       if (!texts.empty()) scenes.push_back(std::move(texts));
     }

@@ -112,7 +112,11 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   }
   auto for_gltf = sprites_for_gltf(scene, path, diagnostics);
   if (!for_gltf) return std::nullopt;
-  if (mesh_source) for_gltf->source = mesh_source->gltf;
+  if (mesh_source) {
+    Scene as_gltf = *for_gltf;
+    as_gltf.source = mesh_source->gltf;
+    for_gltf = std::make_shared<const Scene>(std::move(as_gltf));
+  }
   auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression, products);
   if (files && !spares_its_inputs(scene, *files, diagnostics)) return std::nullopt;
   if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);

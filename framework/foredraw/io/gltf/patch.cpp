@@ -63,6 +63,14 @@ bool may_join_buffers(const Json& value, const Document& document) {
   return true;
 }
 
+/// An object that grows copies all that its members hold, and of a document this is everything.
+Json copy_with_room(const Json& from) {
+  Json::object_t members;
+  members.reserve(from.size() + 16);
+  for (const auto& [key, value] : from.items()) members.emplace_back(key, value);
+  return members;
+}
+
 }  // namespace
 
 std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
@@ -71,7 +79,7 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   const Document& document = source.document;
   const bool compress = compression == Compression::keep;
   Written written;
-  written.json = document.json;
+  written.json = copy_with_room(document.json);
   written.further_chunks = document.further_chunks;
   const auto text = document.file.view();
   const std::size_t last = text.empty() ? 0 : text.size() - 1;
