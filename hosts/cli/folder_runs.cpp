@@ -33,7 +33,7 @@ struct FolderOutputs {
 FolderOutputs outputs_in(const std::vector<std::string>& words, const ProductRows& rows, Diagnostics& diagnostics) {
   FolderOutputs result;
   for (const std::string& word : words) {
-    const Output output = output_of(word, rows);
+    const Output output = typed_output(word, rows);
     if (!output.is_scene()) {
       diagnostics.error({.file = output.path}, "bad-arguments",
                         "is to hold the " + output.kind + " of one scene, and the input is a folder",
@@ -90,7 +90,7 @@ bool outputs_meet(std::vector<fs::path> scenes, const std::vector<fs::path>& inp
   std::error_code error;
   for (const fs::path& input : inputs) taken.emplace(fs::weakly_canonical(input, error), "an input");
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (const fs::path& file : paths_written_for(outputs[i])) {
+    for (const fs::path& file : foredraw::paths_written_for(outputs[i])) {
       const auto [at, is_new] = taken.emplace(fs::weakly_canonical(file, error), scenes[i]);
       if (is_new) continue;
       diagnostics.error({.file = file.string()}, "outputs-meet",

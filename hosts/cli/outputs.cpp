@@ -23,7 +23,7 @@ std::vector<std::string> kinds_of(const ProductRows& rows) {
 
 }  // namespace
 
-Output output_of(const std::string& word, const ProductRows& rows) {
+Output typed_output(const std::string& word, const ProductRows& rows) {
   const std::size_t colon = word.find(':');
   const std::string kind = word.substr(0, colon);
   if (colon == std::string::npos || !std::ranges::count(kinds_of(rows), kind)) return {{}, word};
@@ -45,7 +45,7 @@ bool has_kind_for(const Output& kind, const std::filesystem::path& path) {
 Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostics) {
   std::vector<Output> fitting;
   for (const std::string& kind : kinds_of(rows)) {
-    Output one = output_of(kind + ':' + output.path, rows);
+    Output one = typed_output(kind + ':' + output.path, rows);
     if (has_kind_for(one, one.path)) fitting.push_back(std::move(one));
   }
   if (fitting.size() == 1) return fitting.front();
@@ -66,7 +66,7 @@ std::vector<Output> outputs_of(const std::vector<std::string>& words, const std:
                                Diagnostics& diagnostics) {
   std::vector<Output> outputs;
   for (const std::string& word : words) {
-    Output output = output_of(word, rows);
+    Output output = typed_output(word, rows);
     const bool is_of_sprites = input != "-" && is_sprite_input(input);
     const bool is_scenes = output.path == "-" || is_scene_file(output.path) || (is_of_sprites && is_sprite_output(output.path));
     if (output.kind.empty() && !is_scenes && !std::filesystem::is_directory(input)) output = with_kind(std::move(output), rows, diagnostics);

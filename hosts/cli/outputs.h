@@ -19,7 +19,7 @@ struct Output {
 };
 
 /// "kind:FILE" taken apart. What stands before the first colon and is no kind belongs to the path.
-Output output_of(const std::string& word, const ProductRows& rows);
+Output typed_output(const std::string& word, const ProductRows& rows);
 
 /// Reads what was typed. A path without a kind is the scene's, or of the one kind that has such files; where several have,
 /// an error says which. `input`: where the scene comes from.
@@ -29,7 +29,7 @@ std::vector<Output> outputs_of(const std::vector<std::string>& words, const std:
 /// Every path that is written to for it.
 std::vector<std::filesystem::path> paths_written_for(const Output& output);
 
-/// "remap, sprites, draw-orders".
+/// "remap, sprites", and the products' names.
 std::string kinds_text(const ProductRows& rows);
 
 }  // namespace foredraw::cli

@@ -7,6 +7,7 @@
 
 #include "include_rules.h"
 #include "name_rules.h"
+#include "product_rules.h"
 #include "shape_rules.h"
 #include "source_tree.h"
 #include "text_rules.h"
@@ -47,6 +48,12 @@ TEST_F(Architecture, the_tree_is_found) { EXPECT_GT(texts().size(), 50u) << "in 
 TEST_F(Architecture, includes_point_leftwards) {
   Breaches breaches;
   for (const TextFile& file : texts()) add(breaches, include_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, who_is_handed_rows_names_no_product) {
+  Breaches breaches;
+  for (const TextFile& file : texts()) add(breaches, product_breaches(file.path, file.text));
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 

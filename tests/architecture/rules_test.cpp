@@ -4,6 +4,7 @@
 
 #include "include_rules.h"
 #include "name_rules.h"
+#include "product_rules.h"
 #include "shape_rules.h"
 #include "text_rules.h"
 
@@ -114,6 +115,13 @@ TEST(IncludeRules, name_the_line) {
   ASSERT_EQ(breaches.size(), 1u);
   EXPECT_EQ(breaches[0].find("plugins/orderers/x/x.cpp:3: includes fmt/format.h"), 0u) << breaches[0];
   EXPECT_TRUE(include_breaches("tests/x_test.cpp", "#include <unistd.h>\n").empty());
+}
+
+TEST(ProductRules, names_of_products_are_found_where_rows_are_handed_round) {
+  EXPECT_EQ(product_breaches("framework/foredraw/io/gltf/patch.cpp", "a\n\"FOREDRAW_merge_instances\"\n").size(), 1u);
+  EXPECT_EQ(product_breaches("hosts/cli/outputs.cpp", "DrawOrders::product").size(), 1u);
+  EXPECT_TRUE(product_breaches("framework/foredraw/pipeline/stage_runner.cpp", "DrawOrders::product").empty());
+  EXPECT_TRUE(product_breaches("plugins/processors/merge_instances/x.cpp", "MergedDraws").empty());
 }
 
 TEST(ShapeRules, name_what_a_plugin_lacks) {

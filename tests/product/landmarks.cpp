@@ -121,7 +121,7 @@ class MakeLandmarks final : public Processor {
     for (const DrawId id : draws) {
       const Level& level = scene.draws[id].levels[0];
       const auto last = static_cast<std::uint32_t>(level.orders[0].triangle_count() - 1);
-      landmarks.draws.push_back({id, {0, level.vertices->count - (options_.wrong ? 0 : 1)}, {0, last}});
+      landmarks.draws.push_back({id, {level.vertices->count / 3, level.vertices->count - (options_.wrong ? 0 : 1)}, {0, last}});
     }
     scene.products.set(std::move(landmarks));
     return draws;

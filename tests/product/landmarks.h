@@ -16,7 +16,7 @@ struct Landmarks {
   friend bool operator==(const Landmarks&, const Landmarks&) = default;
 };
 
-/// Makes them of the first and last vertex and triangle of each draw. `wrong`: names a vertex that there is not.
+/// Makes them of a vertex in the midst and the last one, and of the first and last triangle, of each draw. `wrong`: names a vertex that there is not.
 Plugin landmarks_plugin();
 
 }  // namespace foredraw::testing

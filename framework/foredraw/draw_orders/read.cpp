@@ -19,7 +19,8 @@ constexpr std::size_t most_orders = 256;  // a table's cells are bytes
 
 class Reader {
  public:
-  Reader(ExtensionReader& from, Scene& scene) : from_(from), scene_(scene) {}
+  Reader(ExtensionReader& from, Scene& scene)
+      : from_(from), scene_(scene), most_indices_((std::uint64_t{16} << 20) + 4 * from.bytes()) {}
 
   std::string read() {
     for (DrawId id = 0; id < scene_.draws.size(); ++id) {
@@ -79,7 +80,9 @@ class Reader {
       if (data->count != first.indices.size()) {
         return wrong(draw.name, fmt::format("has an order of {} indices, but draws {}", data->count, first.indices.size()));
       }
-      // Accessors may be named again and again; what is made of them may not fill the memory.
+      // Bytes may be named again and again; what is made of them may not fill the memory.
+      indices_ += data->count;
+      if (indices_ > most_indices_) return wrong(draw.name, "has orders that claim far more indices than the file holds");
       const auto same = std::pair(first.indices.stamp(), *one.whole());
       auto known = known_.find(same);
       if (known == known_.end()) {
@@ -153,6 +156,7 @@ class Reader {
 
   ExtensionReader& from_;
   Scene& scene_;
+  std::uint64_t indices_ = 0, most_indices_;
   DrawOrders made_;
   std::set<DrawId> in_tables_;
   std::map<std::pair<Stamp, std::uint32_t>, IndexStream> known_;
