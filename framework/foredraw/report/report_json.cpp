@@ -56,6 +56,11 @@ Json to_json(const DrawRecord& draw, bool optimized) {
   Json json{{"name", draw.name}, {"traits", std::vector<std::string>(draw.traits.begin(), draw.traits.end())}};
   json["facts"] = to_json(draw.facts);
   json.update(with_before(draw.after, draw.before, optimized));
+  for (const LevelRecord& level : draw.levels) {
+    Json& one = json["levels"].emplace_back(with_before(level.after, level.before, optimized));
+    one["traits"] = std::vector<std::string>(level.traits.begin(), level.traits.end());
+    one["error"] = json_of(level.error);
+  }
   return json;
 }
 
