@@ -76,7 +76,7 @@ struct DrawnOnce {
 
 DrawnOnce drawn_once(const Scene& scene, DrawId id, std::uint32_t cache_size) {
   const Draw& draw = scene.draws[id];
-  const Level& level = draw.levels[0];
+  const Level& level = draw.full();
   DrawnOnce once;
   once.indices = level.orders[0].indices.size();
   if (once.indices == 0) return once;
@@ -99,7 +99,7 @@ class Sum {
     // The vertices of a mesh that is merged are a part of the merged ones, whoever else draws from them.
     for (const MergedInstances& merged : merged_sets(scene)) {
       for (const MergedMesh& mesh : merged.meshes) {
-        for (const VertexStream& stream : scene.draws[mesh.draw].levels[0].vertices->base) {
+        for (const VertexStream& stream : scene.draws[mesh.draw].full().vertices->base) {
           vertex_streams_.insert(stream.bytes.view().data());
         }
       }
@@ -159,7 +159,7 @@ class Sum {
 
  private:
   void refer_to(DrawId id) {
-    const VertexStreams& vertices = *scene_.draws[id].levels[0].vertices;
+    const VertexStreams& vertices = *scene_.draws[id].full().vertices;
     refer_to(vertices);
     const std::uint64_t width = vertices.count < 65536 ? 2 : 4;
     for (const ServedOrder& order : served_orders(scene_, id)) refer_to(order.indices(), width);

@@ -7,6 +7,7 @@
 #include <foredraw/io/image/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
+#include <foredraw/scene/levels.h>
 #include <foredraw/technique/built_in_plugins.h>
 #include <peers.h>
 
@@ -168,16 +169,16 @@ TEST_P(EveryPlugin, ProvidesWhatItsCardSays) {
   const PlannedStage& stage = outcome.plan.stages.back();
   for (const Draw& draw : outcome.result.scene.draws) {
     for (const std::string& trait : plugin().card.provides) {
-      EXPECT_TRUE(!draw.traits.has(trait) || holds(trait, draw)) << draw.name << ' ' << trait;
+      EXPECT_TRUE(!traits_of(draw).has(trait) || holds(trait, draw)) << draw.name << ' ' << trait;
     }
-    EXPECT_EQ(draw.traits.has(traits::clustered), draw.levels[0].orders[0].clusters.has_value()) << draw.name;
+    EXPECT_EQ(traits_of(draw).has(traits::clustered), draw.levels[0].orders[0].clusters.has_value()) << draw.name;
   }
   // Every draw that it was planned for has it now, but for those that vertices shared with others hold back.
   for (DrawId id : stage.draws) {
     const Draw& draw = outcome.result.scene.draws[id];
     const bool held = draw.name.starts_with("held back");
     for (const std::string& trait : plugin().card.provides) {
-      EXPECT_TRUE(held || draw.traits.has(trait)) << draw.name << ' ' << trait;
+      EXPECT_TRUE(held || traits_of(draw).has(trait)) << draw.name << ' ' << trait;
     }
   }
 }

@@ -100,7 +100,7 @@ bool is_sprite(const Draw& draw, const Material* material) {
   if (draw.frame) return true;
   if (material == nullptr || material->alpha_mode == AlphaMode::opaque) return false;
   if (material->alpha_mode == AlphaMode::mask && material->alpha_cutoff <= 0) return false;  // all of it shows
-  return material->base_colour && material->base_colour->image && draw.levels[0].vertices->morph_targets.empty() &&
+  return material->base_colour && material->base_colour->image && draw.full().vertices->morph_targets.empty() &&
          !draw.traits.has(traits::skinned) && is_made_of_sprites(draw, material->base_colour->texcoord);
 }
 
@@ -111,7 +111,7 @@ void find_traits(Scene& scene) {
   for (DrawId id = 0; id < scene.draws.size(); ++id) {
     Draw& draw = scene.draws[id];
     const DrawUse& use = uses[id];
-    const VertexStreams& vertices = *draw.levels[0].vertices;
+    const VertexStreams& vertices = *draw.full().vertices;
     const Material* material = scene.material_of(draw);
     const auto add = [&](bool holds, Trait trait) {
       if (holds) draw.traits.add(trait);

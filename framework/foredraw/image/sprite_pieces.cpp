@@ -134,7 +134,7 @@ template <class Holds>
 bool are_all(const Draw& draw, std::uint32_t texcoord, Holds&& holds) {
   const std::vector<SpritePiece> pieces = sprite_pieces(draw, texcoord);
   if (pieces.empty()) return false;
-  const std::vector<Place> places = places_of(*draw.levels[0].vertices, texcoord);
+  const std::vector<Place> places = places_of(*draw.full().vertices, texcoord);
   return std::ranges::all_of(pieces, [&](const SpritePiece& piece) { return holds(places, piece); });
 }
 
@@ -142,7 +142,7 @@ bool are_all(const Draw& draw, std::uint32_t texcoord, Holds&& holds) {
 
 std::vector<SpritePiece> sprite_pieces(const Draw& draw, std::uint32_t texcoord) {
   if (draw.topology != Topology::triangles) return {};
-  const Level& level = draw.levels[0];
+  const Level& level = draw.full();
   const std::vector<Place> places = places_of(*level.vertices, texcoord);
   if (places.size() < level.vertices->count || places.empty()) return {};
   const std::vector<std::uint32_t> first = first_at(places);

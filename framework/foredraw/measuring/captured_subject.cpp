@@ -19,10 +19,10 @@ void add_draws(CapturedSubject& captured, const SubjectView& view,
     if (std::ranges::find(captured.draws, part.draw) != captured.draws.end()) continue;
     captured.draws.push_back(part.draw);
     const Draw& draw = view.scene.draws[part.draw];
-    const IndexStream& stream = draw.levels[0].orders[0];
+    const IndexStream& stream = draw.full().stream();
     const bool is_ordered = std::ranges::find(view.draws, part.draw) != view.draws.end();
     const auto triangles = static_cast<std::uint32_t>(stream.triangle_count());
-    captured.seen.draws.push_back({stream.indices.view(), draw.levels[0].vertices->count,
+    captured.seen.draws.push_back({stream.indices.view(), draw.full().vertices->count,
                                    is_ordered      ? atoms_of(draw)
                                    : triangles > 0 ? Clusters{{0, triangles}}
                                                    : Clusters{{0}}});

@@ -113,7 +113,7 @@ void tell_overdraw_details(const PosedSubjects& subjects, const OverdrawService&
     if (of_draw == 0 && !hidden[draw].empty()) free_of_it.push_back(scene.draws[draw].name);
     if (of_draw == 0 || of_draw < all / 100) continue;
     std::string message = fmt::format("shades {:.1f} % of what is hidden in the end", 100 * of_draw / all);
-    const std::vector<IndexStream>& orders = scene.draws[draw].levels[0].orders;
+    const std::vector<IndexStream>& orders = scene.draws[draw].full().orders;
     const auto& clusters = orders[0].clusters;
     // In several orders a triangle has several numbers, and so has a cluster.
     if (clusters && orders.size() == 1) message += "; " + worst_clusters(*clusters, hidden[draw]);

@@ -65,8 +65,8 @@ void certify(const Draw& before, const Draw& after, Analyses& analyses) {
 Draw ordered(const DrawView& draw, const IndexOrder& order, int cache_size, Analyses& analyses) {
   require_permutation(order, draw.triangle_count(), "triangles");
   Draw result = with_triangle_order(draw.draw(), order);
-  result.levels[0].orders.resize(1);  // others went with the one that stood alone
-  if (cache_size > 0) result.levels[0].orders[0].cache_size = static_cast<std::uint16_t>(cache_size);
+  result.full().orders.resize(1);  // others went with the one that stood alone
+  if (cache_size > 0) result.full().stream().cache_size = static_cast<std::uint16_t>(cache_size);
   certify(draw.draw(), result, analyses);
   return result;
 }
@@ -75,7 +75,7 @@ Draw clustered(const DrawView& draw, Clusters clusters) {
   require(is_partition(clusters, draw.triangle_count()), "its clusters are no partition of {} triangles",
           draw.triangle_count());
   Draw result = draw.draw();
-  result.levels[0].orders[0].clusters = std::move(clusters);
+  result.full().stream().clusters = std::move(clusters);
   return result;
 }
 
@@ -99,7 +99,7 @@ OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyse
             id);
     require(answer.orders[i].size() == k, "it answers with {} orders for one draw and {} for another", k,
             answer.orders[i].size());
-    const std::size_t triangles = subject.scene.draws[id].levels[0].orders[0].triangle_count();
+    const std::size_t triangles = subject.scene.draws[id].full().stream().triangle_count();
     for (const IndexOrder& order : answer.orders[i]) require_permutation(order, triangles, "triangles");
   }
   leave_out_unnamed(answer);
@@ -107,11 +107,11 @@ OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyse
   OrderedSubject result;
   for (std::size_t i = 0; i < table.draws.size(); ++i) {
     const Draw& before = subject.scene.draws[table.draws[i]];
-    const IndexStream stream = before.levels[0].orders[0];
+    const IndexStream stream = before.full().stream();
     Draw draw = with_triangle_order(before, answer.orders[i][0]);
-    draw.levels[0].orders.resize(1);
+    draw.full().orders.resize(1);
     for (std::size_t j = 1; j < answer.orders[i].size(); ++j) {
-      draw.levels[0].orders.push_back(with_triangle_order(stream, answer.orders[i][j]));
+      draw.full().orders.push_back(with_triangle_order(stream, answer.orders[i][j]));
     }
     certify(before, draw, analyses);
     result.draws.emplace_back(table.draws[i], std::move(draw));

@@ -29,6 +29,8 @@ bool orders_triangles(const PlannedStage& stage) {
          std::holds_alternative<std::unique_ptr<SubjectOrderer>>(*stage.technique);
 }
 
+}  // namespace
+
 std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits) {
   const Draw& draw = scene.draws[id];
   const Card& card = stage.plugin->card;
@@ -49,20 +51,6 @@ std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawI
     return Skip{id, "needs", "not " + lacks};
   }
   return std::nullopt;
-}
-
-}  // namespace
-
-Choice choose(const PlannedStage& stage, const Scene& scene, const std::vector<Traits>& traits) {
-  Choice choice;
-  for (DrawId id = 0; id < scene.draws.size(); ++id) {
-    if (auto skip = why_not(stage, scene, id, traits[id])) {
-      choice.skips.push_back(std::move(*skip));
-    } else {
-      choice.draws.push_back(id);
-    }
-  }
-  return choice;
 }
 
 }  // namespace foredraw

@@ -5,13 +5,9 @@
 
 namespace foredraw {
 
-/// The draws that a stage works on, and those that it leaves alone. `traits` holds each draw's, as they are or as earlier
-/// stages will leave them.
-struct Choice {
-  std::vector<DrawId> draws;
-  std::vector<Skip> skips;
-};
-Choice choose(const PlannedStage& stage, const Scene& scene, const std::vector<Traits>& traits);
+/// Why a stage leaves a draw alone that has the traits, as they are or as earlier stages will leave them; nothing where it
+/// works on it.
+std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits);
 
 /// The traits in `wanted` that are not in `held`, as "clustered" or "uv0 and normals".
 std::string missing(const Traits& wanted, const Traits& held);

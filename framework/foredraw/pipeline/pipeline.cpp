@@ -8,7 +8,7 @@ namespace {
 
 bool same_stage(const Stage& a, const Stage& b) {
   return a.use == b.use && a.settings == b.settings && a.only == b.only && a.required == b.required &&
-         a.enabled == b.enabled && a.blended == b.blended;
+         a.enabled == b.enabled && a.blended == b.blended && a.level == b.level;
 }
 
 bool same_stages(const std::vector<Stage>& a, const std::vector<Stage>& b) {

@@ -23,6 +23,7 @@ struct Stage {
   bool required = false;   ///< an error where it would be skipped
   bool enabled = true;
   bool blended = false;    ///< also reorder blended draws
+  int level = 0;           ///< of detail, that an evaluator measures
 
   Where where;                              ///< of the stage in the text
   std::map<std::string, Where> option_where;  ///< of each option's value

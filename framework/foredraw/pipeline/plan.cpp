@@ -1,6 +1,7 @@
 #include <foredraw/pipeline/plan.h>
 
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/scene/levels.h>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ class Planner {
  public:
   Planner(const Registry& registry, const Scene& scene, Diagnostics& diagnostics)
       : registry_(registry), scene_(scene), diagnostics_(diagnostics) {
-    for (const Draw& draw : scene.draws) traits_.push_back(draw.traits);
+    for (const Draw& draw : scene.draws) traits_.push_back(traits_of(draw));
   }
 
   Plan plan(const Pipeline& pipeline) {
@@ -131,9 +132,16 @@ class Planner {
     if (planned.places() == "scene" && !planned.stage.only.empty() && planned.plugin->kind == Kind::evaluator) {
       error(planned.stage.where, "bad-option", fmt::format("'{}' measures the scene as a whole; it takes no 'only'", card.name));
     }
-    Choice choice = choose(planned, scene_, traits_);
-    planned.draws = std::move(choice.draws);
-    planned.skips = std::move(choice.skips);
+    if (planned.stage.level > 0 && planned.plugin->kind != Kind::evaluator) {
+      error(planned.stage.where, "bad-option", fmt::format("'{}' works on every level; 'level' is for evaluators", card.name));
+    }
+    for (DrawId id = 0; id < scene_.draws.size(); ++id) {
+      if (auto skip = why_not(planned, scene_, id, traits_[id])) {
+        planned.skips.push_back(std::move(*skip));
+      } else {
+        planned.draws.push_back(id);
+      }
+    }
     if (planned.plugin->kind != Kind::evaluator) follow(planned);
     if (planned.draws.empty() && !planned.skips.empty() && planned.places() != "images") {
       refuse_where_required(planned, planned.skips.front().reason);

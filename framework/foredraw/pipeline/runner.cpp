@@ -5,6 +5,7 @@
 #include <foredraw/pipeline/stage_runner.h>
 #include <foredraw/platform/machine.h>
 #include <foredraw/platform/memory.h>
+#include <foredraw/scene/levels.h>
 
 #include <algorithm>
 #include <chrono>
@@ -26,6 +27,7 @@ std::map<std::string, OptionValue> whole_settings(const PlannedStage& stage) {
   std::map<std::string, OptionValue> whole;
   for (const OptionSpec& option : stage.plugin->options) whole[option.name] = option.default_value;
   for (const auto& [name, value] : stage.settings) whole[name] = value;
+  if (stage.stage.level > 0) whole["level"] = std::int64_t{stage.stage.level};
   return whole;
 }
 
@@ -86,7 +88,7 @@ class PlanRunner {
   }
 
  private:
-  using DrawState = StateRecord DrawRecord::*;
+  using DrawState = StateRecord LevelRecord::*;
   using ImageState = Metrics ImageRecord::*;
 
   void count_steps() {
@@ -101,10 +103,12 @@ class PlanRunner {
       const Draw& draw = scene.draws[i];
       DrawRecord& record = report.draws[i];
       record.name = draw.name;
-      record.before = state_of(draw);
+      for (std::size_t level = 0; level < draw.levels.size(); ++level) {
+        record.level(level).before = state_of(draw, draw.levels[level]);
+      }
       if (draw.topology == Topology::triangles) {
-        const auto positions = positions_of(surroundings_->analyses, *draw.levels[0].vertices);
-        record.facts = mesh_facts(positions->values, draw.levels[0].orders[0].indices.view());
+        const auto positions = positions_of(surroundings_->analyses, *draw.full().vertices);
+        record.facts = mesh_facts(positions->values, draw.full().stream().indices.view());
       }
     });
     for (const DrawRecord& record : report.draws) add_counts(report.before, record.before);
@@ -117,20 +121,24 @@ class PlanRunner {
     for (std::size_t i = 0; i < report.draws.size(); ++i) {
       const Draw& draw = result_.scene.draws[i];
       report.draws[i].name = draw.name;
-      report.draws[i].traits = draw.traits;
-      const StateRecord state = state_of(draw);
-      report.draws[i].after.triangles = state.triangles;
-      report.draws[i].after.vertices = state.vertices;
-      add_counts(report.after, state);
+      for (std::size_t level = 0; level < draw.levels.size(); ++level) {
+        LevelRecord& record = report.draws[i].level(level);
+        const StateRecord state = state_of(draw, draw.levels[level]);
+        record.traits = traits_of(draw, level);
+        record.error = draw.levels[level].error;
+        record.after.triangles = state.triangles;
+        record.after.vertices = state.vertices;
+        if (level == 0) add_counts(report.after, state);
+      }
     }
     report.images.resize(result_.scene.images.size());
     for (std::size_t i = 0; i < report.images.size(); ++i) report.images[i].name = result_.scene.images[i].name;
   }
 
-  static StateRecord state_of(const Draw& draw) {
+  static StateRecord state_of(const Draw& draw, const Level& level) {
     StateRecord state;
-    state.vertices = draw.levels[0].vertices->count;
-    if (draw.topology == Topology::triangles) state.triangles = draw.levels[0].orders[0].triangle_count();
+    state.vertices = level.vertices->count;
+    if (draw.topology == Topology::triangles) state.triangles = level.stream().triangle_count();
     return state;
   }
 
@@ -170,7 +178,10 @@ class PlanRunner {
     if (stage.left_out) {
       record.skipped.push_back({"unavailable", *stage.left_out, {}});
     } else {
-      auto measured = run_stage(stage, number, result_.scene, *plan_, surroundings, record, diagnostics_);
+      std::optional<Scene> coarser;
+      if (stage.stage.level > 0) coarser = at_level(result_.scene, static_cast<std::size_t>(stage.stage.level));
+      auto measured = run_stage(stage, number, coarser ? *coarser : result_.scene, *plan_, surroundings, record,
+                                diagnostics_);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
       std::stable_partition(measured.begin(), measured.end(),
                             [](const Measured& figure) { return figure.place != Place{}; });
@@ -196,14 +207,14 @@ class PlanRunner {
     report.draws.resize(std::max(report.draws.size(), result_.scene.draws.size()));
     report.images.resize(std::max(report.images.size(), result_.scene.images.size()));
     if (measured.place.draw && *measured.place.draw < report.draws.size()) {
-      (report.draws[*measured.place.draw].*draw_state).metrics.add(stage.label, measured.metric, figure);
+      (report.draws[*measured.place.draw].level(measured.place.level).*draw_state).metrics.add(stage.label, measured.metric, figure);
     }
     if (measured.place.image && *measured.place.image < report.images.size()) {
       (report.images[*measured.place.image].*image_state).add(stage.label, measured.metric, figure);
     }
     if (measured.place == Place{}) {
       total.metrics.set(stage.label, measured.metric, figure);
-    } else {
+    } else if (measured.place.level == 0) {
       total.metrics.add(stage.label, measured.metric, figure);
     }
   }

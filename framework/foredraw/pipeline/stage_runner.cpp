@@ -4,12 +4,15 @@
 #include <foredraw/base/random.h>
 #include <foredraw/pipeline/answers.h>
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/scene/levels.h>
+#include <foredraw/scene/order_table.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 namespace foredraw {
 
@@ -34,11 +37,10 @@ class StageRunner {
               const Surroundings& surroundings, StageRecord& record, Diagnostics& diagnostics)
       : stage_(stage), number_(number), scene_(scene), plan_(plan), surroundings_(surroundings), record_(record),
         diagnostics_(diagnostics) {
-    std::vector<Traits> traits;
-    for (const Draw& draw : scene.draws) traits.push_back(draw.traits);
-    choice_ = choose(stage, scene, traits);
     if (surroundings.progress) progress_ = [this](double part) { surroundings_.progress(stage_.label, part); };
-    for (const Skip& skip : choice_.skips) add_skip(skip.code, skip.reason, scene.draws[skip.draw].name);
+    const std::size_t most = most_levels(scene);
+    for (DrawId id = 0; id < scene.draws.size(); ++id) choose_levels(id);
+    for (std::size_t level = 0; most > 1 && level < most; ++level) at_level_.push_back(at_level(scene, level));
   }
 
   std::vector<Measured> run() {
@@ -59,9 +61,9 @@ class StageRunner {
       if (!run.keeps()) outcome.answer = ordered(draw, order, cache_size, run.analyses);
     });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      const DrawId id = choice_.draws[i];
+      const auto [id, level] = levels_[i];
       // An order that could not be bettered for this cache is as good as made for it.
-      IndexStream& stream = scene_.draws[id].levels[0].orders[0];
+      IndexStream& stream = scene_.draws[id].levels[level].stream();
       if (outcomes[i].kept() && cache_size > 0) stream.cache_size = static_cast<std::uint16_t>(cache_size);
     }
     accept_draws(std::move(outcomes));
@@ -84,29 +86,22 @@ class StageRunner {
 
   void run(const SubjectOrderer& technique) {
     const std::vector<Subject> subjects = subjects_of(scene_);
-    const std::vector<std::vector<DrawId>> draws = draws_of(subjects);
+    const std::vector<SubjectLevel> parts = levels_of(subjects);
     auto outcomes = over<OrderedSubject>(
-        subjects.size(), [](std::size_t i) { return Place{.subject = static_cast<std::uint32_t>(i)}; },
+        parts.size(), [&](std::size_t i) { return Place{.subject = parts[i].subject, .level = parts[i].level}; },
         [&](std::size_t i, Run& run, Outcome<OrderedSubject>& outcome) {
-          const SubjectView view{scene_, subjects[i], draws[i]};
+          const SubjectView view{scene_at(parts[i].level), subjects[parts[i].subject], parts[i].draws};
           if (view.draws.empty()) return run.keep("none of its draws may be ordered anew");
           SubjectOrders orders = technique.order(view, run);
           if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
         });
     const auto before = order_tables(scene_);
     std::vector<OrderTable> tables(before.begin(), before.end());
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-      accept(outcomes[i], subjects[i].name);
-      if (outcomes[i].answer) {
-        for (auto& [id, draw] : outcomes[i].answer->draws) {
-          forget_tables_of(id, tables);
-          scene_.draws[id] = std::move(draw);
-        }
-        OrderTable& table = outcomes[i].answer->table;
-        const bool has_choice = std::ranges::any_of(table.order, [](std::uint8_t order) { return order > 0; });
-        if (has_choice) tables.push_back(std::move(table));
-      }
-      for (DrawId id : draws[i]) update_traits(scene_.draws[id], outcomes[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string& name = subjects[parts[i].subject].name;
+      accept(outcomes[i], parts[i].level == 0 ? name : fmt::format("{}, level {}", name, parts[i].level));
+      if (outcomes[i].answer) put_subject(std::move(*outcomes[i].answer), parts[i].level, tables);
+      for (DrawId id : parts[i].draws) update_traits(scene_.draws[id], parts[i].level, outcomes[i]);
     }
     if (tables.empty()) {
       scene_.products.erase(DrawOrders::product);
@@ -117,26 +112,28 @@ class StageRunner {
 
   void run(const VertexOrderer& technique) {
     std::vector<VertexGroup> groups = vertex_groups(scene_);
-    for (const HeldDraw& held : keep_groups_of(groups, choice_.draws)) {
+    for (const HeldDraw& held : keep_groups_of(groups, draws_)) {
       add_skip("shared-vertices", "it shares its vertices with " + scene_.draws[held.by].name + ", which stays as it is",
                scene_.draws[held.draw].name);
     }
     using Users = std::vector<std::pair<VertexGroup::User, Draw>>;
     auto outcomes = over<Users>(
-        groups.size(), [&](std::size_t i) { return Place{groups[i].users.front().draw}; },
+        groups.size(), [&](std::size_t i) { return place_of(groups[i].users.front()); },
         [&](std::size_t i, Run& run, Outcome<Users>& outcome) {
           const VertexUse use{*groups[i].vertices, index_streams_of(scene_, groups[i])};
           const VertexOrder order = technique.order(use, run);
           if (!run.keeps()) outcome.answer = renumbered(scene_, groups[i], order, run.analyses);
         });
     for (std::size_t i = 0; i < groups.size(); ++i) {
-      accept(outcomes[i], scene_.draws[groups[i].users.front().draw].name);
+      accept(outcomes[i], name_of(groups[i].users.front()));
       if (outcomes[i].answer) {
         for (auto& [user, draw] : *outcomes[i].answer) {
           scene_.draws[user.draw].levels[user.level] = std::move(draw.levels[user.level]);
         }
       }
-      for (const VertexGroup::User& user : groups[i].users) update_traits(scene_.draws[user.draw], outcomes[i]);
+      for (const VertexGroup::User& user : groups[i].users) {
+        update_traits(scene_.draws[user.draw], user.level, outcomes[i]);
+      }
     }
   }
 
@@ -145,11 +142,11 @@ class StageRunner {
     auto outcomes = over<Scene>(1, [](std::size_t) { return Place{}; },
                                 [&](std::size_t, Run& run, Outcome<Scene>& outcome) {
       Scene changed = scene_;
-      worked_on = technique.process(changed, choice_.draws, run);
+      worked_on = technique.process(changed, draws_, run);
       if (run.keeps()) return;
       if (stage_.plugin->card.lossless) {
         if (changed.draws.size() != scene_.draws.size()) throw std::runtime_error("it promised the same draws");
-        for (DrawId id : choice_.draws) certify(scene_.draws[id], changed.draws[id], run.analyses);
+        for (DrawId id : draws_) certify(scene_.draws[id], changed.draws[id], run.analyses);
         if (const std::string other = placement_difference(scene_, changed); !other.empty()) throw std::runtime_error(other);
       }
       must_be_left(changed);
@@ -159,7 +156,10 @@ class StageRunner {
     accept(outcomes[0], "", outcomes[0].answer ? *outcomes[0].answer : scene_);
     if (outcomes[0].answer) scene_ = std::move(*outcomes[0].answer);
     for (DrawId id : worked_on) {
-      if (id < scene_.draws.size()) update_traits(scene_.draws[id], outcomes[0]);
+      if (id >= scene_.draws.size()) continue;
+      for (std::size_t level = 0; level < scene_.draws[id].levels.size(); ++level) {
+        update_traits(scene_.draws[id], level, outcomes[0]);
+      }
     }
   }
 
@@ -177,7 +177,7 @@ class StageRunner {
       technique.evaluate(draw, run);
       outcome.answer.emplace();
     });
-    for (std::size_t i = 0; i < outcomes.size(); ++i) accept(outcomes[i], scene_.draws[choice_.draws[i]].name);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) accept(outcomes[i], name_of(levels_[i]));
   }
 
   // --- the loop that they share -------------------------------------------------------------------------------------
@@ -214,16 +214,17 @@ class StageRunner {
 
   /// Not of the number among those that are worked on, so that a draw's seed does not hang on what else is skipped.
   std::uint64_t seed_of(const Place& place) const {
-    const std::uint32_t id = place.draw.value_or(place.image.value_or(place.subject.value_or(0)));
-    return derive_seed(static_cast<std::uint64_t>(plan_.pipeline.seed), number_, id);
+    const std::uint64_t id = place.draw.value_or(place.image.value_or(place.subject.value_or(0)));
+    return derive_seed(static_cast<std::uint64_t>(plan_.pipeline.seed), number_, id + (std::uint64_t{place.level} << 32));
   }
 
   template <class Answer, class Task>
   std::vector<Outcome<Answer>> over_draws(Task task) {
+    if (levels_.size() > draws_.size()) record_.places = "levels of draws";
     return over<Answer>(
-        choice_.draws.size(), [&](std::size_t i) { return Place{choice_.draws[i]}; },
+        levels_.size(), [&](std::size_t i) { return place_of(levels_[i]); },
         [&](std::size_t i, Run& run, Outcome<Answer>& outcome) {
-          task(DrawView{scene_, choice_.draws[i]}, run, outcome);
+          task(DrawView{scene_at(levels_[i].level), levels_[i].draw}, run, outcome);
         });
   }
 
@@ -237,11 +238,12 @@ class StageRunner {
   template <class Answer>
   void accept(Outcome<Answer>& outcome, const std::string& place, const Scene& changed) {
     for (Measured& measured : outcome.findings.measured) measured_.push_back(std::move(measured));
-    const auto name_of = [&](DrawId id) {
-      return id < scene_.draws.size() ? scene_.draws[id].name : id < changed.draws.size() ? changed.draws[id].name : "";
+    const auto name_at = [&](const Place& at) {
+      const Scene& scene = *at.draw < scene_.draws.size() ? scene_ : changed;
+      return *at.draw < scene.draws.size() ? foredraw::name_of(scene.draws[*at.draw], at.level) : "";
     };
     for (Note& note : outcome.findings.notes) {
-      const std::string where = note.place.draw ? name_of(*note.place.draw) : note.place == Place{} ? "" : place;
+      const std::string where = note.place.draw ? name_at(note.place) : note.place == Place{} ? "" : place;
       record_.notes.push_back({where, std::move(note.code), std::move(note.message)});
     }
     if (outcome.answer) {
@@ -257,10 +259,10 @@ class StageRunner {
 
   void accept_draws(std::vector<Outcome<Draw>> outcomes) {
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      Draw& draw = scene_.draws[choice_.draws[i]];
-      accept(outcomes[i], draw.name);
-      if (outcomes[i].answer) draw = std::move(*outcomes[i].answer);
-      update_traits(draw, outcomes[i]);
+      Draw& draw = scene_.draws[levels_[i].draw];
+      accept(outcomes[i], name_of(levels_[i]));
+      if (outcomes[i].answer) put_level(draw, levels_[i].level, std::move(*outcomes[i].answer));
+      update_traits(draw, levels_[i].level, outcomes[i]);
     }
   }
 
@@ -273,16 +275,18 @@ class StageRunner {
 
   /// What stays as it was has what the stage provides, and loses nothing that it had.
   template <class Answer>
-  void update_traits(Draw& draw, const Outcome<Answer>& outcome) const {
+  void update_traits(Draw& draw, std::size_t level, const Outcome<Answer>& outcome) const {
     const Card& card = stage_.plugin->card;
+    Level& changed = draw.levels[level];
     if (!outcome.answer) {
-      if (outcome.kept()) draw.traits.add(card.provides);
+      if (outcome.kept()) changed.made.add(card.provides);
       return;
     }
     // Torn clusters are gone already, and with them the trait.
-    draw.traits = after_stage(card, std::move(draw.traits));
-    for (IndexStream& stream : draw.levels[0].orders) {
-      if (!draw.traits.has(traits::clustered)) stream.clusters.reset();
+    changed.made = after_stage(card, std::move(changed.made));
+    draw.traits.remove(card.breaks);
+    for (IndexStream& stream : changed.orders) {
+      if (!changed.made.has(traits::clustered)) stream.clusters.reset();
     }
   }
 
@@ -290,7 +294,7 @@ class StageRunner {
   void forget_tables_of(DrawId id, std::vector<OrderTable>& tables) {
     std::erase_if(tables, [&](const OrderTable& table) {
       if (std::ranges::find(table.draws, id) == table.draws.end()) return false;
-      for (const DrawId other : table.draws) scene_.draws[other].levels[0].orders.resize(1);
+      for (const DrawId other : table.draws) scene_.draws[other].full().orders.resize(1);
       return true;
     });
   }
@@ -300,7 +304,7 @@ class StageRunner {
   /// Draws that a processor was not given have the same handles afterwards.
   void must_be_left(const Scene& changed) const {
     for (DrawId id = 0; id < std::min(scene_.draws.size(), changed.draws.size()); ++id) {
-      if (std::ranges::binary_search(choice_.draws, id) || has_same_handles(scene_.draws[id], changed.draws[id])) continue;
+      if (std::ranges::binary_search(draws_, id) || has_same_handles(scene_.draws[id], changed.draws[id])) continue;
       throw std::runtime_error(fmt::format("it changed {}, which it was not given", scene_.draws[id].name));
     }
   }
@@ -326,18 +330,59 @@ class StageRunner {
     }
   }
 
-  /// Of each subject the draws that may be ordered anew. A draw that is in several belongs to the first.
-  std::vector<std::vector<DrawId>> draws_of(const std::vector<Subject>& subjects) const {
-    std::vector<std::vector<DrawId>> draws(subjects.size());
-    std::vector<bool> taken(scene_.draws.size(), false);
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-      for (const SubjectPart& part : subjects[i].parts) {
-        if (taken[part.draw] || !std::ranges::binary_search(choice_.draws, part.draw)) continue;
-        taken[part.draw] = true;
-        draws[i].push_back(part.draw);
+  // --- levels -------------------------------------------------------------------------------------------------------
+
+  void choose_levels(DrawId id) {
+    std::string told;
+    for (std::size_t level = 0; level < scene_.draws[id].levels.size(); ++level) {
+      const auto skip = why_not(stage_, scene_, id, traits_of(scene_.draws[id], level));
+      if (!skip) {
+        levels_.push_back({id, level});
+        if (level == 0) draws_.push_back(id);
+      } else if (std::exchange(told, skip->reason) != skip->reason) {
+        add_skip(skip->code, skip->reason, name_of({id, level}));
       }
     }
-    return draws;
+  }
+
+  const Scene& scene_at(std::size_t level) const { return at_level_.empty() ? scene_ : at_level_[level]; }
+  std::string name_of(const DrawLevel& at) const { return foredraw::name_of(scene_.draws[at.draw], at.level); }
+  static Place place_of(const DrawLevel& at) { return {.draw = at.draw, .level = at.level}; }
+
+  struct SubjectLevel {
+    std::uint32_t subject = 0;
+    std::size_t level = 0;
+    std::vector<DrawId> draws;  ///< that may be ordered anew
+  };
+
+  /// Every subject at full detail, and at each coarser level at which it has something to order. A draw that is in several
+  /// subjects belongs to the first.
+  std::vector<SubjectLevel> levels_of(const std::vector<Subject>& subjects) const {
+    std::vector<SubjectLevel> parts;
+    for (std::size_t level = 0; level < std::max<std::size_t>(at_level_.size(), 1); ++level) {
+      std::vector<bool> is_free(scene_.draws.size(), false);
+      for (const DrawLevel& chosen : levels_) is_free[chosen.draw] = is_free[chosen.draw] || chosen.level == level;
+      for (std::uint32_t i = 0; i < subjects.size(); ++i) {
+        SubjectLevel part{i, level, {}};
+        for (const SubjectPart& of_subject : subjects[i].parts) {
+          if (is_free[of_subject.draw]) part.draws.push_back(of_subject.draw);
+          is_free[of_subject.draw] = false;
+        }
+        if (level == 0 || !part.draws.empty()) parts.push_back(std::move(part));
+      }
+    }
+    return parts;
+  }
+
+  /// Engines choose among several orders at full detail alone: of the others the one that stands alone is kept.
+  void put_subject(OrderedSubject answer, std::size_t level, std::vector<OrderTable>& tables) {
+    for (auto& [id, draw] : answer.draws) {
+      if (level == 0) forget_tables_of(id, tables);
+      if (level > 0) draw.full().orders.resize(1);
+      put_level(scene_.draws[id], level, std::move(draw));
+    }
+    const bool has_choice = std::ranges::any_of(answer.table.order, [](std::uint8_t order) { return order > 0; });
+    if (level == 0 && has_choice) tables.push_back(std::move(answer.table));
   }
 
   const PlannedStage& stage_;
@@ -347,7 +392,9 @@ class StageRunner {
   const Surroundings& surroundings_;
   StageRecord& record_;
   Diagnostics& diagnostics_;
-  Choice choice_;
+  std::vector<DrawLevel> levels_;  ///< that the stage works on
+  std::vector<DrawId> draws_;      ///< of which it is so at full detail
+  std::vector<Scene> at_level_;    ///< [level]; empty where no draw has several
   std::function<void(double)> progress_;
   std::vector<Measured> measured_;
 };

@@ -3,6 +3,7 @@
 #include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/io/text/extension_text.h>
 #include <foredraw/report/table.h>
+#include <foredraw/scene/levels.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/scene/vertex_groups.h>
 
@@ -17,8 +18,8 @@ using Json = nlohmann::ordered_json;
 
 MeshFacts facts_of(const Draw& draw, Analyses& analyses) {
   if (draw.topology != Topology::triangles) return {};
-  const auto positions = positions_of(analyses, *draw.levels[0].vertices);
-  return mesh_facts(positions->values, draw.levels[0].orders[0].indices.view());
+  const auto positions = positions_of(analyses, *draw.full().vertices);
+  return mesh_facts(positions->values, draw.full().stream().indices.view());
 }
 
 std::string_view text_of(Topology topology) {
@@ -30,8 +31,8 @@ std::string_view text_of(Topology topology) {
   return "triangles";
 }
 
-std::size_t elements(const Draw& draw) {
-  const std::size_t indices = draw.levels[0].orders[0].indices.size();
+std::size_t elements(const Draw& draw, std::size_t level = 0) {
+  const std::size_t indices = draw.levels[level].stream().indices.size();
   switch (draw.topology) {
     case Topology::triangles: return indices / 3;
     case Topology::lines: return indices / 2;
@@ -47,12 +48,38 @@ std::string attributes_text(const VertexStreams& vertices) {
   return text;
 }
 
+std::vector<std::string> names_of(const Traits& traits) { return {traits.begin(), traits.end()}; }
+
 std::string odd_text(const MeshFacts& facts) {
   std::string text;
   for (const auto& [name, count] : named_counts(facts)) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
   }
   return text;
+}
+
+std::string levels_text(const Scene& scene) {
+  std::string text;
+  for (const Draw& draw : scene.draws) {
+    for (std::size_t i = 1; i < draw.levels.size(); ++i) {
+      const bool shares = draw.levels[i].vertices == draw.full().vertices;
+      text += fmt::format("  {}: {} {}, {}; error {:.4g}\n", name_of(draw, i), elements(draw, i), text_of(draw.topology),
+                          shares ? "vertices of full detail" : fmt::format("{} vertices", draw.levels[i].vertices->count),
+                          draw.levels[i].error);
+    }
+  }
+  return text;
+}
+
+Json levels_json(const Draw& draw) {
+  Json json = Json::array();
+  for (std::size_t i = 1; i < draw.levels.size(); ++i) {
+    json.push_back({{"elements", elements(draw, i)},
+                    {"vertices", draw.levels[i].vertices->count},
+                    {"shares-vertices", draw.levels[i].vertices == draw.full().vertices},
+                    {"error", draw.levels[i].error}});
+  }
+  return json;
 }
 
 std::string images_text(const Scene& scene) {
@@ -106,16 +133,19 @@ std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyse
   Table table({"draw", "", "", "vertices", "bytes/vertex", "attributes", "traits"});
   std::string odd;
   for (const Draw& draw : scene.draws) {
-    const VertexStreams& vertices = *draw.levels[0].vertices;
+    const VertexStreams& vertices = *draw.full().vertices;
     table.add({draw.name, std::to_string(elements(draw)), std::string(text_of(draw.topology)),
                std::to_string(vertices.count), std::to_string(vertices.bytes_per_vertex()), attributes_text(vertices),
-               fmt::format("{}", fmt::join(draw.traits, " "))});
+               fmt::format("{}", fmt::join(traits_of(draw), " "))});
     if (const std::string what = odd_text(facts_of(draw, analyses)); !what.empty()) {
       odd += fmt::format("  {}: {}\n", draw.name, what);
     }
   }
   text += table.text();
   if (!odd.empty()) text += "\nodd:\n" + odd;
+  if (const std::string levels = levels_text(scene); !levels.empty()) {
+    text += "\nlevels of detail (beside full detail):\n" + levels;
+  }
   for (const auto& [name, product] : products_of(scene, rows)) {
     text += fmt::format("\n{}:\n", product.heading);
     for (const std::string& line : product.lines) text += fmt::format("  {}\n", line);
@@ -143,7 +173,7 @@ std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyse
   }
   json["draws"] = Json::array();
   for (const Draw& draw : scene.draws) {
-    const VertexStreams& vertices = *draw.levels[0].vertices;
+    const VertexStreams& vertices = *draw.full().vertices;
     Json facts = Json::object();
     for (const auto& [name, count] : named_counts(facts_of(draw, analyses))) facts[std::string(name)] = count;
     Json attributes = Json::array();
@@ -151,13 +181,14 @@ std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyse
     json["draws"].push_back({{"name", draw.name},
                              {"topology", text_of(draw.topology)},
                              {"elements", elements(draw)},
-                             {"orders", draw.levels[0].orders.size()},
+                             {"orders", draw.full().orders.size()},
                              {"vertices", vertices.count},
                              {"bytes-per-vertex", vertices.bytes_per_vertex()},
                              {"attributes", attributes},
                              {"morph-targets", vertices.morph_targets.size()},
-                             {"traits", std::vector<std::string>(draw.traits.begin(), draw.traits.end())},
+                             {"traits", names_of(traits_of(draw))},
                              {"facts", facts}});
+    if (draw.levels.size() > 1) json["draws"].back()["levels"] = levels_json(draw);
   }
   json["products"] = Json::object();
   for (const auto& [name, product] : products_of(scene, rows)) json["products"][name] = Json::parse(json_text(product.value));

@@ -34,12 +34,22 @@ struct StateRecord {
   }
 };
 
-struct DrawRecord {
-  std::string name;
+struct LevelRecord {
   Traits traits;      ///< afterwards
-  MeshFacts facts;    ///< of the input: what was odd about it
+  float error = 0;    ///< afterwards; as Level::error
   StateRecord before;
   StateRecord after;
+};
+
+struct DrawRecord : LevelRecord {  ///< of full detail
+  std::string name;
+  MeshFacts facts;                  ///< of the input: what was odd about it
+  std::vector<LevelRecord> levels;  ///< the coarser ones; in no total
+
+  LevelRecord& level(std::size_t number) {
+    if (number > levels.size()) levels.resize(number);
+    return number == 0 ? *this : levels[number - 1];
+  }
 };
 
 struct ImageRecord {

@@ -77,16 +77,31 @@ void write(JsonWriter& out, const StateRecord& after, const StateRecord& before,
   out.end('}');
 }
 
+void write(JsonWriter& out, const Traits& traits) {
+  out.key("traits").begin('[');
+  for (const Trait trait : traits) out.value(trait);
+  out.end(']');
+}
+
 void write(JsonWriter& out, const DrawRecord& draw, bool optimized) {
   out.begin('{');
   out.key("name").value(draw.name);
-  out.key("traits").begin('[');
-  for (const Trait trait : draw.traits) out.value(trait);
-  out.end(']');
+  write(out, draw.traits);
   out.key("facts").begin('{');
   for (const auto& [name, count] : named_counts(draw.facts)) out.key(name).value(count);
   out.end('}');
   write(out, draw.after, draw.before, optimized);
+  if (!draw.levels.empty()) {
+    out.key("levels").begin('[');
+    for (const LevelRecord& level : draw.levels) {
+      out.begin('{');
+      write(out, level.after, level.before, optimized);
+      write(out, level.traits);
+      out.key("error").value(static_cast<double>(level.error));
+      out.end('}');
+    }
+    out.end(']');
+  }
   out.end('}');
 }
 

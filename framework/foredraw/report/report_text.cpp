@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -61,6 +62,27 @@ std::string metrics_text(const Report& report) {
     }
   }
   return table.empty() ? "" : '\n' + table.text();
+}
+
+/// A row for each coarser level of detail, of all draws that have it: what it draws, and figures without a dot.
+std::string levels_text(const Report& report) {
+  std::vector<StateRecord> levels;
+  for (const DrawRecord& draw : report.draws) {
+    levels.resize(std::max(levels.size(), draw.levels.size()));
+    for (std::size_t i = 0; i < draw.levels.size(); ++i) levels[i].add(draw.levels[i].after);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    text += fmt::format("{}level {}: {} triangles, {} vertices", i == 0 ? "\n" : "", i + 1, counted(levels[i].triangles),
+                        counted(levels[i].vertices));
+    for (const auto& [plugin, by_metric] : levels[i].metrics.all()) {
+      for (const auto& [metric, figure] : by_metric) {
+        if (metric.find('.') == std::string::npos) text += fmt::format(", {} {} {}", plugin, metric, to_text(figure));
+      }
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 /// One figure may be traded for another; who reads the table in a hurry shall not miss it.
@@ -156,6 +178,7 @@ std::string to_text(const Report& report) {
                              changed_count("vertices", report.optimized ? report.before.vertices : report.after.vertices,
                                            report.after.vertices));
   text += metrics_text(report);
+  text += levels_text(report);
   if (report.optimized) text += losses_text(report);
   text += stages_text(report);
   for (const StageRecord& measure : report.measures) text += stage_text(measure);

@@ -106,10 +106,10 @@ IndexStream with_triangle_order(const IndexStream& stream, std::span<const std::
 
 Draw with_triangle_order(const Draw& draw, std::span<const std::uint32_t> order) {
   Draw result = draw;
-  IndexStream& stream = result.levels[0].orders[0];
+  IndexStream& stream = result.full().stream();
   const bool had_clusters = stream.clusters.has_value();
   stream = with_triangle_order(stream, order);
-  if (had_clusters && !stream.clusters) result.traits.remove(traits::clustered);
+  if (had_clusters && !stream.clusters) result.full().made.remove(traits::clustered);
   return result;
 }
 

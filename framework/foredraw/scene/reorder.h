@@ -24,7 +24,7 @@ std::optional<IndexOrder> order_between(std::span<const std::uint32_t> from, std
 /// their new sequence, and are lost where one is torn.
 IndexStream with_triangle_order(const IndexStream& stream, std::span<const std::uint32_t> order);
 
-/// The draw with orders[0] of level 0 put in the new order, rows of triangle extensions moved along.
+/// The draw with orders[0] of full detail put in the new order, rows of triangle extensions moved along.
 Draw with_triangle_order(const Draw& draw, std::span<const std::uint32_t> order);
 
 /// The streams with vertex v at destination[v]; several may share one (their bytes must then be equal), and no_vertex

@@ -5,10 +5,7 @@ namespace foredraw {
 
 /// One VertexStreams and everybody who draws from it. Whoever moves its vertices has to renumber all of them.
 struct VertexGroup {
-  struct User {
-    DrawId draw = 0;
-    std::size_t level = 0;
-  };
+  using User = DrawLevel;
   std::shared_ptr<const VertexStreams> vertices;
   std::vector<User> users;  ///< in draw order
 };

@@ -1,5 +1,6 @@
 #pragma once
-// A draw as a technique sees it: level 0 in the order that stands alone.
+// A draw as a technique sees it: at one level of detail, in the order that stands alone. The runner hands each level out
+// as the one that the draw has; run.place says which it is.
 
 #include <foredraw/scene/scene.h>
 
@@ -10,8 +11,8 @@ struct DrawView {
   DrawId id;
 
   const Draw& draw() const { return scene.draws[id]; }
-  const VertexStreams& vertices() const { return *draw().levels[0].vertices; }
-  const IndexStream& stream() const { return draw().levels[0].orders[0]; }
+  const VertexStreams& vertices() const { return *draw().full().vertices; }
+  const IndexStream& stream() const { return draw().full().stream(); }
   std::span<const std::uint32_t> indices() const { return stream().indices.view(); }
   std::size_t triangle_count() const { return stream().triangle_count(); }
   std::size_t vertex_count() const { return vertices().count; }

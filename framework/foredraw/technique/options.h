@@ -24,7 +24,7 @@ using OptionValue = std::variant<std::monostate, bool, std::int64_t, double, std
 using Settings = std::map<std::string, OptionValue>;
 
 /// Words of a pipeline's stage, which no option may be called.
-inline constexpr std::string_view reserved_words[] = {"use", "only", "required", "enabled", "blended"};
+inline constexpr std::string_view reserved_words[] = {"use", "only", "required", "enabled", "blended", "level"};
 
 enum class OptionType { boolean, integer, number, text, choice, number_or_text };
 

@@ -25,6 +25,7 @@ struct Place {
   std::optional<DrawId> draw;
   std::optional<ImageId> image;
   std::optional<std::uint32_t> subject;
+  std::size_t level = 0;  ///< of a draw or subject; figures of coarser levels are in no sum
   friend bool operator==(const Place&, const Place&) = default;
 };
 

@@ -23,7 +23,7 @@ std::variant<std::shared_ptr<const Mask>, std::string> mask_of(Analyses& analyse
                                                                const Draw& draw) {
   const Material* material = scene.material_of(draw);
   if (material == nullptr || material->alpha_mode != AlphaMode::mask || draw.levels.empty()) return std::shared_ptr<const Mask>();
-  const VertexStreams& vertices = *draw.levels[0].vertices;
+  const VertexStreams& vertices = *draw.full().vertices;
   auto mask = std::make_shared<Mask>();
   mask->cutoff = material->alpha_cutoff;
   mask->alphas = alphas_of(vertices, material->alpha);

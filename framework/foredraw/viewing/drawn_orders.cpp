@@ -71,7 +71,7 @@ void set_orders(DrawnSubject& drawn, const Scene& scene, const Subject& subject,
                 std::span<const std::uint32_t> orders) {
   for (std::size_t part = 0; part < drawn.parts.size(); ++part) {
     if (drawn.parts[part].indices.empty()) continue;  // not drawn
-    drawn.parts[part].indices = scene.draws[subject.parts[part].draw].levels[0].orders.at(orders[part]).indices.view();
+    drawn.parts[part].indices = scene.draws[subject.parts[part].draw].full().orders.at(orders[part]).indices.view();
   }
 }
 

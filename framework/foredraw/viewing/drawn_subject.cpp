@@ -21,7 +21,7 @@ RasterPart raster_part(const Scene& scene, const SubjectPart& part, std::span<co
   if (draws_triangles(scene, draw) && !positions.empty()) {
     const auto mask = mask_of(analyses, scene, draw);
     if (const auto* known = std::get_if<std::shared_ptr<const Mask>>(&mask)) {
-      result.indices = draw.levels[0].orders[0].indices.view();
+      result.indices = draw.full().stream().indices.view();
       result.mask = *known;
     }
   }
@@ -51,7 +51,7 @@ std::size_t count_triangles(const Scene& scene, const Subject& subject) {
   std::size_t count = 0;
   for (const SubjectPart& part : subject.parts) {
     const Draw& draw = scene.draws[part.draw];
-    if (draws_triangles(scene, draw)) count += draw.levels[0].orders[0].triangle_count();
+    if (draws_triangles(scene, draw)) count += draw.full().stream().triangle_count();
   }
   return count;
 }

@@ -73,7 +73,7 @@ void add_morph_targets(std::vector<glm::dvec3>& positions, const VertexStreams& 
 }  // namespace
 
 std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes) {
-  const VertexStreams& vertices = *scene.draws[part.draw].levels[0].vertices;
+  const VertexStreams& vertices = *scene.draws[part.draw].full().vertices;
   const VertexStream* stream = vertices.find("POSITION");
   if (stream == nullptr) return {};
   std::vector<glm::vec3> stored = decode_vec3(*stream);

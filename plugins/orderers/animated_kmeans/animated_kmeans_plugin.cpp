@@ -78,7 +78,7 @@ class AnimatedKMeans final : public SubjectOrderer {
     for (const std::size_t number : numbers) poses.poses.push_back(run.poses.poses[number]);
     PatchPlaces places(run.views.views);
     const CapturedSubject captured = captured_subject(
-        view, poses, [](const Draw& draw) { return *draw.levels[0].orders[0].clusters; }, run,
+        view, poses, [](const Draw& draw) { return *draw.full().stream().clusters; }, run,
         [&](const SeenSubject& seen, const DrawnSubject& drawn) { places.add_pose(seen, drawn.parts, run.executor); });
     AnimatedKMeansOptions options = options_;
     options.seed = derive_seed(run.seed, static_cast<std::uint64_t>(options_.start), 0);

@@ -23,9 +23,9 @@ std::uint32_t cache_size_of(const IndexStream& stream, const Options& options) {
 
 /// Clusters where the draw has some, else atoms of its order.
 Clusters atoms_of(const Draw& draw, const Options& options) {
-  const IndexStream& stream = draw.levels[0].orders[0];
+  const IndexStream& stream = draw.full().stream();
   if (stream.clusters) return *stream.clusters;
-  return cut_atoms(stream.indices.view(), draw.levels[0].vertices->count, cache_size_of(stream, options),
+  return cut_atoms(stream.indices.view(), draw.full().vertices->count, cache_size_of(stream, options),
                    atom_size(options.quality, stream.triangle_count()));
 }
 
@@ -37,7 +37,7 @@ class OcclusionOrder final : public SubjectOrderer {
     if (!may_overdraw(view, run)) return {};
     Options options = options_;
     options.seed = run.seed + static_cast<std::uint64_t>(options_.start);
-    options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].levels[0].orders[0], options_);
+    options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].full().stream(), options_);
     const CapturedSubject captured = captured_subject(
         view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run);
     const SeenSubject& subject = captured.seen;

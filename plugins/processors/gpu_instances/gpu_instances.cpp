@@ -22,8 +22,8 @@ std::string_view why_not(const Scene& scene, const Draw& draw) {
   if (draw.traits.has(traits::skinned)) return "they are skinned";
   if (draw.traits.has(traits::animated)) return "an animation changes the shape";
   if (draw.levels.size() != 1) return "there are several levels of detail";
-  if (draw.levels[0].orders.size() != 1) return "there are several orders, among which each node chooses by itself";
-  if (draw.traits.has(traits::morphed) || !draw.levels[0].vertices->morph_targets.empty()) return "there are morph targets";
+  if (draw.full().orders.size() != 1) return "there are several orders, among which each node chooses by itself";
+  if (draw.traits.has(traits::morphed) || !draw.full().vertices->morph_targets.empty()) return "there are morph targets";
   return {};
 }
 

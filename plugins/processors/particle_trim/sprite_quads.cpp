@@ -126,7 +126,7 @@ Format texcoord_format(UvFormat format) {
 
 std::variant<std::vector<SpriteQuad>, std::string> sprite_quads(const Draw& draw, const Texture& texture,
                                                                 const AlphaImage& image) {
-  const Level& level = draw.levels[0];
+  const Level& level = draw.full();
   if (draw.levels.size() > 1 || level.orders.size() > 1) return "it has several levels of detail or orders";
   if (!level.vertices->morph_targets.empty()) return "it has morph targets";
   if (texture.scale != glm::dvec2(1) || texture.rotation != 0 || texture.offset != glm::dvec2(0)) {
@@ -156,7 +156,7 @@ std::variant<std::vector<SpriteQuad>, std::string> sprite_quads(const Draw& draw
 
 Draw with_polygons(const Draw& draw, const std::vector<SpriteQuad>& quads, const std::vector<TrimmedSprite>& sprites,
                    const Texture& texture, const AlphaImage& image, const ParticleTrimOptions& options) {
-  const VertexStreams& old = *draw.levels[0].vertices;
+  const VertexStreams& old = *draw.full().vertices;
   const std::string texcoord = texcoord_name(texture);
   const auto places = texture_places(*old.find(texcoord), texture);
   const glm::dvec2 size(image.width, image.height);
@@ -203,6 +203,7 @@ Draw with_polygons(const Draw& draw, const std::vector<SpriteQuad>& quads, const
   }
   Draw made = draw;
   made.levels = {{std::move(vertices), {{.indices = Shared<std::uint32_t>(std::move(indices))}}}};
+  made.full().made = draw.full().made;
   return made;
 }
 

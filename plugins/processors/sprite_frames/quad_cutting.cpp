@@ -17,7 +17,7 @@ std::string semantic_of(const Texture& texture) { return "TEXCOORD_" + std::to_s
 class ShownQuad {
  public:
   ShownQuad(const Draw& draw, const Texture& texture, const ImageFacts& facts)
-      : vertices_(*draw.levels[0].vertices), size_(facts.width, facts.height) {
+      : vertices_(*draw.full().vertices), size_(facts.width, facts.height) {
     for (const glm::dvec2& place : texture_places(*vertices_.find(semantic_of(texture)), texture)) {
       texels_.push_back(place * size_);
     }
@@ -88,7 +88,7 @@ bool is_plain(const VertexStreams& vertices) {
 std::string why_not_cut(const Scene& scene, const Draw& draw) {
   if (!draw.frame) return "it has no frame: it was not made from an image";
   const SpriteFrame& frame = *draw.frame;
-  if (draw.levels.size() != 1 || draw.levels[0].orders.size() != 1) return "it has several levels or orders";
+  if (draw.levels.size() != 1 || draw.full().orders.size() != 1) return "it has several levels or orders";
   const Material* material = scene.material_of(draw);
   if (material == nullptr || !material->base_colour) return "its material has no texture";
   const Texture& texture = *material->base_colour;
@@ -99,7 +99,7 @@ std::string why_not_cut(const Scene& scene, const Draw& draw) {
       frame.width == 0 || frame.height == 0) {
     return "its frame is empty or reaches out of the image";
   }
-  if (!is_plain(*draw.levels[0].vertices)) return "it has morph targets, or attributes that are no 32-bit floats";
+  if (!is_plain(*draw.full().vertices)) return "it has morph targets, or attributes that are no 32-bit floats";
   if (sprite_pieces(draw, texture.texcoord).size() != 1 || !is_made_of_quads(draw, texture.texcoord)) {
     return "it is not one quad: frames are cut before sprites are trimmed";
   }

@@ -44,11 +44,12 @@ Stage any_stage() {
   Stage stage;
   stage.use = *any_text();
   stage.settings = *rc::gen::container<Settings>(any_text(), any_value());
-  for (const char* reserved : {"use", "only", "required", "enabled", "blended"}) stage.settings.erase(reserved);
+  for (const char* reserved : {"use", "only", "required", "enabled", "blended", "level"}) stage.settings.erase(reserved);
   stage.only = *any_text();
   stage.required = *rc::gen::arbitrary<bool>();
   stage.enabled = *rc::gen::arbitrary<bool>();
   stage.blended = *rc::gen::arbitrary<bool>();
+  stage.level = *rc::gen::inRange(0, 256);
   return stage;
 }
 
@@ -211,6 +212,7 @@ TEST(SamePipeline, ComparesWhatDecidesWhatRuns) {
   EXPECT_FALSE(same_after([](Pipeline& p) { p.stages[0].required = true; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.stages[0].enabled = false; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.stages[0].blended = true; }));
+  EXPECT_FALSE(same_after([](Pipeline& p) { p.stages[0].level = 1; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.stages[0].settings["a"] = true; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.stages.push_back(p.stages[0]); }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.measure = p.stages; }));

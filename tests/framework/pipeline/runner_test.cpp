@@ -6,6 +6,7 @@
 
 #include <foredraw/measuring/overdraw_evaluator.h>
 #include <foredraw/pipeline/parse.h>
+#include <foredraw/scene/levels.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -57,7 +58,7 @@ TEST_F(Runner, AppliesAnOrderAndBooksIt) {
   const IndexStream& stream = result.scene.draws[1].levels[0].orders[0];
   EXPECT_EQ(stream.cache_size, 24);
   EXPECT_EQ(stream.triangle_origin.view()[0], 1u);
-  EXPECT_TRUE(result.scene.draws[1].traits.has(traits::cache_ordered));
+  EXPECT_TRUE(traits_of(result.scene.draws[1]).has(traits::cache_ordered));
   ASSERT_EQ(result.report.stages.size(), 1u);
   EXPECT_EQ(result.report.stages[0].changed, 2u);
 }
@@ -67,7 +68,7 @@ TEST_F(Runner, AppliesClustersAndKeepsThemWhereTheyHold) {
   EXPECT_EQ(kept.scene.draws[0].levels[0].orders[0].clusters->offsets, (std::vector<std::uint32_t>{0, 2, 4}));
   // The last triangle first turns each cluster round but keeps it in one piece.
   const Result turned = run("pairs, reverse-draw", two_);
-  EXPECT_TRUE(turned.scene.draws[0].traits.has(traits::clustered));
+  EXPECT_TRUE(traits_of(turned.scene.draws[0]).has(traits::clustered));
   EXPECT_EQ(turned.scene.draws[0].levels[0].orders[0].clusters->offsets, (std::vector<std::uint32_t>{0, 2, 4}));
 }
 
@@ -253,8 +254,8 @@ TEST_F(Runner, KeepsWhatADrawHadWhereNothingIsToBeGained) {
   const Result result = run("pairs, keeps-everything", two_);
   EXPECT_FALSE(result.failed);
   const Draw& draw = result.scene.draws[0];
-  EXPECT_TRUE(draw.traits.has(traits::clustered));      // it would break these
-  EXPECT_TRUE(draw.traits.has(traits::cache_ordered));  // and provide this
+  EXPECT_TRUE(traits_of(draw).has(traits::clustered));      // it would break these
+  EXPECT_TRUE(traits_of(draw).has(traits::cache_ordered));  // and provide this
   EXPECT_EQ(draw.levels[0].orders[0].cache_size, 48);
   EXPECT_EQ(result.report.stages[1].changed, 0u);
   EXPECT_EQ(result.report.stages[1].skipped[0].reason, "it is best as it is");

@@ -63,10 +63,10 @@ TEST(Schema, HoldsEveryOptionOfEveryPlugin) {
       ASSERT_TRUE(stage["properties"].contains(option.name)) << option.name;
       EXPECT_NE(stage["properties"][option.name]["description"].get<std::string>().find(option.doc), std::string::npos);
     }
-    for (const char* reserved : {"only", "required", "enabled", "blended"}) {
+    for (const char* reserved : {"only", "required", "enabled", "blended", "level"}) {
       EXPECT_TRUE(stage["properties"].contains(reserved)) << reserved;
     }
-    EXPECT_EQ(stage["properties"].size(), plugin->options.size() + 5);
+    EXPECT_EQ(stage["properties"].size(), plugin->options.size() + 6);
   }
 }
 

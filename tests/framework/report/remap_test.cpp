@@ -49,6 +49,17 @@ TEST(RemapJson, LeavesOutWhatNoFileHeld) {
   EXPECT_EQ(json::parse(remap_json({}))["draws"], json::array());
 }
 
+TEST(RemapJson, TellsOfEachLevel) {
+  Draw draw = two_triangles({3, 1});
+  draw.levels.push_back(two_triangles({}).full());
+  draw.levels.push_back(with_triangle_order(two_triangles({}), Numbers{1, 0}).full());
+  draw.levels[2].origin = DrawOrigin{4, 0};
+  const json levels = json::parse(remap_json(testing::scene_of({draw})))["draws"][0]["levels"];
+  EXPECT_EQ(levels, json::parse(R"([
+    {"triangles": null, "vertices": null},
+    {"mesh": 4, "primitive": 0, "triangles": {"new-to-old": [1, 0]}, "vertices": null}])"));
+}
+
 TEST(RemapJson, NamesThatAreNoUtf8StillMakeJson) {
   Draw draw = two_triangles({0, 0});
   draw.name = "Rock\xff";

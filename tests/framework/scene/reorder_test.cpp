@@ -183,11 +183,11 @@ TEST(TriangleOrderOfDraw, MovesRowsAndRenumbersValuesOfTriangles) {
 
 TEST(TriangleOrderOfDraw, TornClustersTakeTheTraitAlong) {
   Draw draw = testing::draw_of(testing::soup(4, 1));
-  draw.traits.add(traits::clustered);
+  draw.full().made.add(traits::clustered);
   draw.levels[0].orders[0].clusters = Clusters{{0, 2, 4}};
-  EXPECT_TRUE(with_triangle_order(draw, Numbers{2, 3, 1, 0}).traits.has(traits::clustered));
+  EXPECT_TRUE(with_triangle_order(draw, Numbers{2, 3, 1, 0}).full().made.has(traits::clustered));
   const Draw torn = with_triangle_order(draw, Numbers{0, 2, 1, 3});
-  EXPECT_FALSE(torn.traits.has(traits::clustered));
+  EXPECT_FALSE(torn.full().made.has(traits::clustered));
   EXPECT_FALSE(torn.levels[0].orders[0].clusters);
   EXPECT_TRUE(torn.traits.has(traits::triangles));
 }

@@ -104,7 +104,7 @@ class MeshPatch {
   }
 
   bool draw(const Draw& now, std::size_t m) {
-    if (now.levels.empty() || now.levels[0].orders.empty() || !now.levels[0].vertices) {
+    if (now.levels.empty() || now.full().orders.empty() || !now.full().vertices) {
       return fail(now.name, "the draw has neither vertices nor triangles");
     }
     const Draw* was = original(now);
@@ -123,8 +123,8 @@ class MeshPatch {
   }
 
   bool vertices(const Draw& now, const Draw* was, Json& json) {
-    const VertexStreams& streams = *now.levels[0].vertices;
-    const VertexStreams* old = was == nullptr ? nullptr : was->levels[0].vertices.get();
+    const VertexStreams& streams = *now.full().vertices;
+    const VertexStreams* old = was == nullptr ? nullptr : was->full().vertices.get();
     const bool had_none = old != nullptr && old->find("POSITION") == nullptr;
     if ((streams.find("POSITION") == nullptr && !had_none) || streams.count == 0) {
       return fail(now.name, "the draw has no positions");
@@ -180,22 +180,22 @@ class MeshPatch {
 
   /// Indices and mode. Strips, fans and unindexed draws stay what they were until their triangles change.
   void corners(const Draw& now, const Draw* was, Json& json) {
-    Shared<std::uint32_t> indices = now.levels[0].orders[0].indices;
-    const std::size_t count = now.levels[0].vertices->count;
+    Shared<std::uint32_t> indices = now.full().stream().indices;
+    const std::size_t count = now.full().vertices->count;
     // What has several orders is a plain list, so that all of them are.
-    const bool is_one_of_several = now.levels[0].orders.size() > 1;
+    const bool is_one_of_several = now.full().orders.size() > 1;
     const bool is_list = json.contains("indices") && json.value("mode", 4) == list_mode(now.topology);
-    const bool same = was != nullptr && was->topology == now.topology && indices == was->levels[0].orders[0].indices &&
+    const bool same = was != nullptr && was->topology == now.topology && indices == was->full().stream().indices &&
                       (is_list || !is_one_of_several);
     // glTF has no empty primitive: one that covers nothing stands for it.
     if (indices.empty()) indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(corners_of(now.topology), 0));
 
     Request request{mesh_, primitive_, std::nullopt, {}, number_at(json, "indices"), std::nullopt};
-    const bool same_vertices = same && was->levels[0].vertices->count == count;
+    const bool same_vertices = same && was->full().vertices->count == count;
     // Corners left over, which no draw holds, may name vertices that are no longer there.
     const int old_mode = json.value("mode", 4);
     const bool left_over = request.accessor && (old_mode == 1 || old_mode == 4) && was != nullptr &&
-                           was->levels[0].vertices != now.levels[0].vertices &&
+                           was->full().vertices != now.full().vertices &&
                            source_.document.accessors[*request.accessor].count != indices.size();
     if (request.accessor ? same && !left_over : same_vertices) {
       if (request.accessor) requests_.push_back(std::move(request));

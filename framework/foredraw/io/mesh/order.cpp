@@ -32,7 +32,7 @@ bool same_surroundings(const Scene& a, const Scene& b) {
 /// A draw beside what it was when it was read.
 class DrawChange {
  public:
-  DrawChange(const Draw& now, const Draw& was) : now_(now.levels[0]), was_(was.levels[0]) {
+  DrawChange(const Draw& now, const Draw& was) : now_(now.full()), was_(was.full()) {
     alike_ = now.levels.size() == 1 && now_.orders.size() == 1 &&
              now.topology == was.topology && now.material == was.material;
   }

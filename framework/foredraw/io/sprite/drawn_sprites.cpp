@@ -32,11 +32,11 @@ void set_frame(const Draw& draw, const SpriteSource* source, DrawnSprite& sprite
 }
 
 void add_corners(const Draw& draw, const Texture& texture, const ImageFacts& facts, DrawnSprite& sprite) {
-  const VertexStreams& vertices = *draw.levels[0].vertices;
+  const VertexStreams& vertices = *draw.full().vertices;
   const VertexStream* texcoords = vertices.find("TEXCOORD_" + std::to_string(texture.texcoord));
   if (texcoords == nullptr || draw.topology != Topology::triangles) return;
   const std::vector<glm::dvec2> places = texture_places(*texcoords, texture);
-  const auto indices = draw.levels[0].orders[0].indices.view();
+  const auto indices = draw.full().stream().indices.view();
   // Equal corners become one, whatever else their vertices hold.
   std::map<std::array<double, 2>, std::uint32_t> numbers;
   const auto corner = [&](std::uint32_t vertex) {

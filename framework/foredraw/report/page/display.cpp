@@ -84,7 +84,7 @@ class SubjectDisplay {
     }
   }
 
-  static const IndexStream& order_of(const Scene& scene, DrawId draw) { return scene.draws[draw].levels[0].orders[0]; }
+  static const IndexStream& order_of(const Scene& scene, DrawId draw) { return scene.draws[draw].full().stream(); }
 
   std::string note() const {
     if (shown_triangles_ == all_triangles_) return "";
@@ -165,13 +165,13 @@ class SubjectDisplay {
     const OrderTable* table = table_of(scene);
     std::size_t count = 1;
     for (const ShownPart& part : parts_) {
-      if (table != nullptr) count = std::max(count, scene.draws[part.part.draw].levels[0].orders.size());
+      if (table != nullptr) count = std::max(count, scene.draws[part.part.draw].full().orders.size());
     }
     Json orders = Json::array();
     for (std::size_t k = 0; k < count; ++k) {
       Json parts = Json::array();
       for (const ShownPart& part : parts_) {
-        const auto& streams = scene.draws[part.part.draw].levels[0].orders;
+        const auto& streams = scene.draws[part.part.draw].full().orders;
         parts.push_back(order_json(streams[k < streams.size() ? k : 0], part.shown));
       }
       orders.push_back(std::move(parts));

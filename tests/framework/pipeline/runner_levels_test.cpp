@@ -1,0 +1,158 @@
+// Every stage works on every level of detail; figures of coarser levels stand by themselves.
+
+#include <foredraw/pipeline/runner.h>
+
+#include "support/meshes.h"
+#include "support/test_plugins.h"
+
+#include <foredraw/pipeline/parse.h>
+#include <foredraw/scene/levels.h>
+#include <foredraw/technique/built_in_plugins.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace foredraw {
+namespace {
+
+Draw levels_of(const std::vector<testing::TestMesh>& meshes, const std::string& name) {
+  Draw draw = testing::draw_of(meshes.front(), name);
+  for (std::size_t i = 1; i < meshes.size(); ++i) draw.levels.push_back(testing::draw_of(meshes[i]).full());
+  return draw;
+}
+
+class RunnerLevels : public ::testing::Test {
+ protected:
+  RunnerLevels() {
+    testing::add_test_plugins(registry_);
+    add_built_in_plugins(registry_);
+  }
+
+  Result run(const std::string& stages, const Scene& scene, const std::string& measure = "", int threads = 2) {
+    Diagnostics diagnostics;
+    auto pipeline = parse_line(stages, diagnostics);
+    if (pipeline && !measure.empty()) pipeline->measure = *parse_stages(measure, "measure", diagnostics);
+    const auto plan = pipeline ? foredraw::plan(*pipeline, registry_, scene, diagnostics) : std::nullopt;
+    if (!plan) throw std::runtime_error(to_text(diagnostics));
+    const Executor executor(threads);
+    Analyses analyses;
+    return foredraw::optimize(*plan, scene, {executor, analyses});
+  }
+
+  /// The same, of each level alone.
+  Result run_alone(const std::string& stages, std::size_t level, const std::string& measure = "") {
+    return run(stages, at_level(levels_, level), measure);
+  }
+
+  static std::vector<std::uint32_t> indices(const Draw& draw, std::size_t level) {
+    const auto view = draw.levels[level].stream().indices.view();
+    return {view.begin(), view.end()};
+  }
+
+  Registry registry_;
+  Scene levels_ = testing::scene_of(
+      {levels_of({testing::shuffled(testing::sphere(24, 16), 1), testing::shuffled(testing::sphere(12, 8), 2),
+                  testing::shuffled(testing::sphere(6, 4), 3)},
+                 "Ball"),
+       testing::draw_of(testing::shuffled(testing::torus(12, 8), 4), "Ring")});
+};
+
+TEST_F(RunnerLevels, AnOrderOfEachLevelIsThatOfTheLevelAlone) {
+  const std::string stages = "weld, tipsify, vertex-fetch";
+  const Result all = run(stages, levels_);
+  ASSERT_FALSE(all.failed);
+  for (std::size_t level = 0; level < 3; ++level) {
+    const Result alone = run_alone(stages, level);
+    EXPECT_EQ(indices(all.scene.draws[0], level), indices(alone.scene.draws[0], 0)) << level;
+    EXPECT_EQ(traits_of(all.scene.draws[0], level), traits_of(alone.scene.draws[0])) << level;
+  }
+  EXPECT_EQ(all.report.stages[1].candidates, 4u);
+  EXPECT_EQ(all.report.stages[1].places, "levels of draws");
+}
+
+TEST_F(RunnerLevels, SubjectsAreOrderedAtEachLevelAndHaveSeveralOrdersAtFullDetailAlone) {
+  const Result result = run("two-orders", levels_);
+  ASSERT_FALSE(result.failed);
+  EXPECT_EQ(result.scene.draws[0].levels[0].orders.size(), 2u);
+  EXPECT_EQ(result.scene.draws[0].levels[1].orders.size(), 1u);
+  EXPECT_EQ(result.scene.order_tables.size(), 2u);
+}
+
+TEST_F(RunnerLevels, OcclusionOrderMakesEachLevelDrawLess) {
+  const std::string overdraw = "overdraw-raster(count=20, size=64)";
+  const Result all = run("linear-clusters, occlusion-order", levels_, "overdraw-raster(count=20, size=64, level=1)");
+  const Result alone = run_alone("linear-clusters, occlusion-order", 1, overdraw);
+  ASSERT_FALSE(all.failed);
+  const double before = all.report.before.metrics.find("overdraw-raster", "ratio")->value();
+  EXPECT_EQ(before, alone.report.before.metrics.find("overdraw-raster", "ratio")->value());
+  EXPECT_LT(all.report.after.metrics.find("overdraw-raster", "ratio")->value(), before);
+  EXPECT_EQ(std::get<std::int64_t>(all.report.evaluator_options.at("overdraw-raster").at("level")), 1);
+}
+
+TEST_F(RunnerLevels, OneVertexOrderForLevelsThatShareTheirVertices) {
+  Draw shared = testing::draw_of(testing::grid(2, 2), "Shared");
+  shared.levels.push_back(shared.full());
+  shared.levels[1].stream().indices = Shared<std::uint32_t>(std::vector<std::uint32_t>{0, 2, 6, 8, 6, 2});
+  const Scene before = testing::scene_of({shared});
+  const Result result = run("reverse-draw, reverse-vertices", before);
+  ASSERT_FALSE(result.failed);
+  const Draw& draw = result.scene.draws[0];
+  EXPECT_EQ(draw.levels[0].vertices, draw.levels[1].vertices);
+  EXPECT_EQ(indices(draw, 1), (std::vector<std::uint32_t>{0, 2, 6, 8, 6, 2}));  // reversed both ways
+}
+
+TEST_F(RunnerLevels, FiguresOfCoarserLevelsAreInNoTotal) {
+  const Result all = run("tipsify", levels_, "vertex-cache");
+  const Metrics& full = all.report.draws[0].after.metrics;
+  ASSERT_EQ(all.report.draws[0].levels.size(), 2u);
+  for (std::size_t level = 0; level < 3; ++level) {
+    const Result alone = run_alone("tipsify", level, "vertex-cache");
+    const StateRecord& state = level == 0 ? all.report.draws[0].after : all.report.draws[0].levels[level - 1].after;
+    EXPECT_EQ(state.metrics.find("vertex-cache", "acmr")->value(),
+              alone.report.draws[0].after.metrics.find("vertex-cache", "acmr")->value())
+        << level;
+    EXPECT_EQ(state.triangles, alone.report.draws[0].after.triangles);
+  }
+  EXPECT_EQ(all.report.after.metrics.find("vertex-cache", "acmr")->numerator,
+            full.find("vertex-cache", "acmr")->numerator +
+                all.report.draws[1].after.metrics.find("vertex-cache", "acmr")->numerator);
+  const auto json = nlohmann::json::parse(to_json(all.report));
+  EXPECT_EQ(json["draws"][0]["levels"].size(), 2u);
+  EXPECT_FALSE(json["draws"][1].contains("levels"));
+  EXPECT_NE(to_text(all.report).find("\nlevel 2: "), std::string::npos) << to_text(all.report);
+}
+
+TEST_F(RunnerLevels, OneLevelMayBeKeptWhereAnotherIsWorkedOn) {
+  Scene scene = levels_;
+  for (const std::size_t level : {0u, 2u}) {
+    IndexStream& stream = scene.draws[0].levels[level].stream();
+    scene.draws[0].levels[level].made.add(traits::clustered);
+    stream.clusters = Clusters{{0, static_cast<std::uint32_t>(stream.triangle_count())}};
+  }
+  const Result result = run("pairs(only=Ring), needs-clusters", scene);
+  ASSERT_FALSE(result.failed);
+  EXPECT_EQ(result.report.stages[1].changed, 3u);
+  ASSERT_EQ(result.report.stages[1].skipped.size(), 1u);
+  EXPECT_EQ(result.report.stages[1].skipped[0].reason, "not clustered");
+  EXPECT_EQ(result.report.stages[1].skipped[0].places, std::vector<std::string>{"Ball, level 1"});
+}
+
+TEST_F(RunnerLevels, TheLevelIsAWordOfEvaluators) {
+  EXPECT_THROW(run("tipsify(level=1)", levels_), std::runtime_error);
+  const Result result = run("", levels_, "vertex-cache(level=2)");
+  const Result alone = run_alone("", 2, "vertex-cache");
+  EXPECT_EQ(result.report.after.metrics.find("vertex-cache", "acmr")->value(),
+            alone.report.after.metrics.find("vertex-cache", "acmr")->value());
+}
+
+TEST_F(RunnerLevels, GivesTheSameAtAnyThreadCount) {
+  const std::string stages = "weld, tipsify, linear-clusters, occlusion-order, vertex-fetch";
+  const Result one = run(stages, levels_, "", 1);
+  const Result many = run(stages, levels_, "", 4);
+  for (std::size_t level = 0; level < 3; ++level) {
+    EXPECT_EQ(indices(one.scene.draws[0], level), indices(many.scene.draws[0], level));
+  }
+}
+
+}  // namespace
+}  // namespace foredraw
