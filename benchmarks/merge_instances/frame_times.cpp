@@ -50,7 +50,7 @@ Contestant contestant(FrameDevice& device, TimedWay&& way, bool is_drawn) {
 FrameTimes frame_times(std::vector<TimedWay>& ways, int rounds, int frames) {
   FrameTimes times;
   times.of.resize(ways.size());
-  if (const auto reason = why_no_vulkan_device()) {
+  if (const auto reason = gpu::why_no_device()) {
     times.device = *reason;
     return times;
   }

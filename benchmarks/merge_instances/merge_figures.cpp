@@ -1,5 +1,7 @@
 #include "merge_figures.h"
 
+#include <foredraw/scene/merged_instances.h>
+
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -39,8 +41,9 @@ MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threa
   figures.milliseconds = median(whole);
   figures.packing = median(packing);
   double entries = 0, padded = 0, slots = 0;
+  MergedDraws made;
   for (const MergedSet& set : merged.merged) {
-    scene.merged.push_back(merged_instances(scene, set));
+    made.sets.push_back(merged_instances(scene, set));
     figures.sets += 1;
     figures.groups += set.groups.size();
     figures.merged += set.packed.placed.size();
@@ -53,6 +56,7 @@ MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threa
     }
     figures.frequencies += (figures.frequencies.empty() ? "" : " ") + own;
   }
+  scene.products.set(std::move(made));
   if (figures.merged > 0) {
     figures.padding = padded / entries;
     figures.slot_bytes = sizeof(MergedSlot) * slots / static_cast<double>(figures.merged);

@@ -4,21 +4,16 @@
 
 namespace foredraw {
 
-FragmentCounters::FragmentCounters(const VulkanDevice& device, DrawPipelines& pipelines, CountMethod method,
+FragmentCounters::FragmentCounters(const gpu::Device& device, DrawPipelines& pipelines, CountMethod method,
                                    std::uint32_t count)
-    : device_(device), pipelines_(pipelines), method_(method), count_(count) {
-  if (method == CountMethod::atomics) {
-    atomics_ = VisibleBuffer(device, std::size_t{count} * sizeof(std::uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  }
-  VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-  info.queryType = VK_QUERY_TYPE_OCCLUSION;
-  info.queryCount = count;
-  queries_ = OwnedQueryPool(device.get(), info, "vkCreateQueryPool");
+    : pipelines_(pipelines), method_(method), count_(count), queries_(device, VK_QUERY_TYPE_OCCLUSION, count) {
+  if (method == CountMethod::queries) return;
+  atomics_ = gpu::VisibleBuffer(device, std::size_t{count} * sizeof(std::uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 void FragmentCounters::start(VkCommandBuffer commands) {
   is_queried_.assign(count_, false);
-  vkCmdResetQueryPool(commands, queries_.get(), 0, count_);
+  queries_.reset(commands);
   if (method_ == CountMethod::queries) return;
   std::ranges::fill(atomics_.as<std::uint32_t>(), 0);  // seen by the device, for it is written before the hand-in
   const VkDescriptorSet set = pipelines_.counters_at(atomics_.get());
@@ -27,8 +22,8 @@ void FragmentCounters::start(VkCommandBuffer commands) {
 
 void FragmentCounters::finish(VkCommandBuffer commands) const {
   if (method_ == CountMethod::queries) return;
-  let_see(commands, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_HOST_BIT,
-          VK_ACCESS_HOST_READ_BIT);
+  gpu::let_see(commands, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_HOST_BIT,
+               VK_ACCESS_HOST_READ_BIT);
 }
 
 void FragmentCounters::begin(VkCommandBuffer commands, std::uint32_t counter, bool has_holes) {
@@ -43,20 +38,12 @@ void FragmentCounters::end(VkCommandBuffer commands, std::uint32_t counter) cons
 
 std::vector<std::uint64_t> FragmentCounters::read(std::uint32_t count) const {
   std::vector<std::uint64_t> counted(count);
-  for (std::uint32_t first = 0; first < count;) {
-    std::uint32_t end = first;  // of a run of queries
-    while (end < count && is_queried_[end]) ++end;
-    if (end == first) {
-      counted[first] = atomics_.as<std::uint32_t>()[first];
-      ++first;
-      continue;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (is_queried_[i]) {
+      queries_.read(i, std::span(counted).subspan(i, 1));
+    } else {
+      counted[i] = atomics_.as<std::uint32_t>()[i];
     }
-    const std::uint32_t some = end - first;
-    check(
-        vkGetQueryPoolResults(device_.get(), queries_.get(), first, some, some * sizeof(std::uint64_t), &counted[first],
-                              sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-        "vkGetQueryPoolResults");
-    first = end;
   }
   return counted;
 }

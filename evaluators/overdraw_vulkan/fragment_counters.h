@@ -1,16 +1,19 @@
 #pragma once
-#include "count_method.h"
 #include "draw_pipelines.h"
+#include "overdraw_vulkan.h"
+
+#include <foredraw/gpu/memory.h>
+#include <foredraw/gpu/queries.h>
 
 #include <vector>
 
 namespace foredraw {
 
-/// Numbered counters of fragments that pass. A shader that may discard can not count what passes, so parts with holes are
-/// counted by queries whatever the method is.
+/// Numbered counters of fragments that pass. A shader that may discard can not count what passes, so parts with holes
+/// are counted by queries whatever the method is.
 class FragmentCounters {
  public:
-  FragmentCounters(const VulkanDevice& device, DrawPipelines& pipelines, CountMethod method, std::uint32_t count);
+  FragmentCounters(const gpu::Device& device, DrawPipelines& pipelines, CountMethod method, std::uint32_t count);
 
   /// The fragment shader that goes with them.
   Shading shading() const { return method_ == CountMethod::atomics ? Shading::counted : Shading::owner; }
@@ -24,12 +27,11 @@ class FragmentCounters {
   std::vector<std::uint64_t> read(std::uint32_t count) const;
 
  private:
-  const VulkanDevice& device_;
   DrawPipelines& pipelines_;
   CountMethod method_;
   std::uint32_t count_;
-  OwnedQueryPool queries_;
-  VisibleBuffer atomics_;
+  gpu::Queries queries_;
+  gpu::VisibleBuffer atomics_;
   std::vector<bool> is_queried_;  ///< [counter]
 };
 

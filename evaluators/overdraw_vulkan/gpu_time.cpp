@@ -1,8 +1,9 @@
 #include "overdraw_vulkan.h"
 
-#include "stopwatch.h"
 #include "view_batches.h"
 #include "vulkan_painter.h"
+
+#include <foredraw/gpu/stopwatch.h>
 
 #include <algorithm>
 #include <array>
@@ -14,15 +15,14 @@ std::optional<GpuTime> gpu_time(OverdrawDevice& device, std::span<const RasterPa
   if (painter.device().timestamp_mask() == 0) return std::nullopt;
   const UploadedParts uploaded = painter.uploaded(parts);
   if (uploaded.drawn.empty()) return GpuTime{};
-  const Pictures& pictures = painter.pictures(views.size);
-  Stopwatch stopwatch(painter.device());
+  const gpu::Pictures& pictures = painter.pictures(views.size);
 
   const auto nanoseconds = [&](Shading shading) {
     double sum = 0;
     for_each_batch(views.views, views_in_batch(pictures, uploaded, 1), [&](std::span<const View> some) {
-      sum += stopwatch.time([&](VkCommandBuffer commands) {
+      sum += gpu::nanoseconds(painter.device(), [&](VkCommandBuffer commands) {
         for (std::uint32_t v = 0; v < some.size(); ++v) {
-          pictures.begin(commands, painter.pipelines().render_pass(), v);
+          pictures.begin(commands, v);
           painter.draw(commands, uploaded, some[v], {.shading = shading});
           vkCmdEndRenderPass(commands);
         }

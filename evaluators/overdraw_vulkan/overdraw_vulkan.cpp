@@ -34,8 +34,8 @@ class BatchCount {
         count.shaded = passed[first_counter(v, Passing::nearer) + i];
         count.ties = passed[first_counter(v, Passing::nearer_or_equal) + i] - count.shaded;
       }
-      for (const std::uint32_t owner : pictures_.owners(v)) {
-        if (owner != nobody) ++of_view[owner].visible;
+      for (const std::uint32_t owner : pictures_.pixels(v)) {
+        if (owner != gpu::empty_pixel) ++of_view[owner].visible;
       }
       for (std::size_t part = 0; part < counts.size(); ++part) counts[part].push_back(of_view[part]);
     }
@@ -49,7 +49,7 @@ class BatchCount {
   void record(VkCommandBuffer commands, std::span<const View> views) {
     counters_.start(commands);
     for (std::uint32_t v = 0; v < views.size(); ++v) {
-      pictures_.begin(commands, painter_.pipelines().render_pass(), v);
+      pictures_.begin(commands, v);
       draw(commands, views[v], Passing::nearer_or_equal, v);
       pictures_.clear(commands);
       draw(commands, views[v], Passing::nearer, v);
@@ -72,7 +72,7 @@ class BatchCount {
 
   VulkanPainter& painter_;
   const UploadedParts& parts_;
-  const Pictures& pictures_;
+  const gpu::Pictures& pictures_;
   std::uint32_t draws_;
   std::uint32_t most_views_;
   FragmentCounters counters_;
@@ -80,7 +80,7 @@ class BatchCount {
 
 }  // namespace
 
-OverdrawDevice::OverdrawDevice(const VulkanChoice& choice) : painter_(std::make_unique<VulkanPainter>(choice)) {}
+OverdrawDevice::OverdrawDevice(const gpu::DeviceChoice& choice) : painter_(std::make_unique<VulkanPainter>(choice)) {}
 OverdrawDevice::~OverdrawDevice() = default;
 
 const std::string& OverdrawDevice::name() const { return painter_->device().name(); }

@@ -1,12 +1,10 @@
 #pragma once
 // Overdraw as a Vulkan device counts it: the real index buffers, drawn by a real driver.
 
-#include "count_method.h"
-#include "vulkan_choice.h"
-
+#include <foredraw/gpu/choice.h>
 #include <foredraw/overdraw/overdraw_count.h>
-#include <foredraw/viewing/raster_part.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <cstdint>
 #include <memory>
@@ -19,11 +17,14 @@ namespace foredraw {
 
 class VulkanPainter;
 
+/// How the fragments that pass are counted: around each draw by the device, or one by one in the fragment shader.
+enum class CountMethod { queries, atomics };
+
 /// A Vulkan device with what drawing needs on it, kept from call to call. Used by one thread at a time.
 class OverdrawDevice {
  public:
-  /// Throws std::runtime_error with what why_no_vulkan_device() says.
-  explicit OverdrawDevice(const VulkanChoice& choice = {});
+  /// Throws std::runtime_error with what gpu::why_no_device() says.
+  explicit OverdrawDevice(const gpu::DeviceChoice& choice = {});
   ~OverdrawDevice();
 
   const std::string& name() const;  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
@@ -37,8 +38,7 @@ class OverdrawDevice {
 
 /// Draws the parts one after the other from every view, one draw call a part, with depth test `less`, into pictures of
 /// views.size x views.size pixels that just hold the bounding sphere of all parts. Distance 0 (orthographic) or more
-/// than
-/// 1. Both methods count the same on one device; `atomics` up to 2^32 - 1 fragments of a part in a view.
+/// than 1. Both methods count the same on one device; `atomics` up to 2^32 - 1 fragments of a part in a view.
 ///
 /// What is covered and how near it is are as the device rounds, which is not as overdraw_raster() does, and another
 /// device may count otherwise. A view's counts do not depend on the other views. Triangles with a position that is not

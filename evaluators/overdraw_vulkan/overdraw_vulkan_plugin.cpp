@@ -71,7 +71,7 @@ class OverdrawVulkan final : public OverdrawService {
  private:
   /// Made when it is first drawn with: who lists plugins or plans a run starts no driver.
   OverdrawDevice& device() const {
-    if (!device_) device_ = std::make_unique<OverdrawDevice>(VulkanChoice{options_.device.value_or("")});
+    if (!device_) device_ = std::make_unique<OverdrawDevice>(gpu::DeviceChoice{options_.device.value_or("")});
     return *device_;
   }
 
@@ -107,7 +107,7 @@ Plugin overdraw_vulkan_plugin() {
               },
       },
       add_rows, [](const OverdrawVulkanOptions& options) { return std::make_unique<OverdrawVulkan>(options); });
-  plugin.unavailable = [] { return why_no_vulkan_device(); };
+  plugin.unavailable = [] { return gpu::why_no_device(); };
   return plugin;
 }
 

@@ -1,7 +1,7 @@
 #include "uploaded_parts.h"
 
-#include <foredraw/viewing/mask.h>
 #include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/viewing/mask.h>
 
 #include <glm/common.hpp>
 
@@ -13,11 +13,6 @@
 namespace foredraw {
 
 namespace {
-
-Culled culled(const RasterPart& part) {
-  if (!part.culls_back_faces) return Culled::none;
-  return part.is_mirrored ? Culled::counter_clockwise : Culled::clockwise;
-}
 
 void append_finite(std::vector<std::uint32_t>& indices, const RasterPart& part) {
   for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
@@ -35,28 +30,27 @@ struct UploadedMasks {
   std::map<const AlphaImage*, std::size_t> first_texels;
 
   UploadedParts::Holes append(const Mask& mask) {
-    UploadedParts::Holes holes{};
-    holes.places_at = places.size() * sizeof(glm::vec3);
-    holes.cutoff = static_cast<float>(mask.cutoff);
+    UploadedParts::Holes holes{places.size() * sizeof(glm::vec3), {.cutoff = static_cast<float>(mask.cutoff)}};
     for (std::size_t v = 0; v < mask.alphas.size(); ++v) {
       places.emplace_back(glm::vec2(mask.image ? mask.places[v] : glm::dvec2(0)), mask.alphas[v]);
     }
     if (!mask.image) return holes;
     const auto [found, is_new] = first_texels.emplace(mask.image.get(), texels.size());
     if (is_new) texels.insert(texels.end(), mask.image->alpha.begin(), mask.image->alpha.end());
-    holes.first_texel = static_cast<std::uint32_t>(found->second);
-    holes.width = mask.image->width;
-    holes.height = mask.image->height;
-    holes.wrap_u = static_cast<std::uint32_t>(mask.sampling.wrap[0]);
-    holes.wrap_v = static_cast<std::uint32_t>(mask.sampling.wrap[1]);
-    holes.is_nearest = mask.sampling.is_nearest ? 1 : 0;
+    holes.constants = {static_cast<std::uint32_t>(found->second),
+                       mask.image->width,
+                       mask.image->height,
+                       static_cast<std::uint32_t>(mask.sampling.wrap[0]),
+                       static_cast<std::uint32_t>(mask.sampling.wrap[1]),
+                       mask.sampling.is_nearest ? 1u : 0u,
+                       holes.constants.cutoff};
     return holes;
   }
 };
 
 }  // namespace
 
-UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> parts) {
+UploadedParts::UploadedParts(gpu::Device& device, std::span<const RasterPart> parts) {
   std::vector<glm::vec3> all_positions;
   std::vector<std::uint32_t> all_indices;
   UploadedMasks masks;
@@ -68,8 +62,10 @@ UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> p
     if (count == 0) continue;
     if (count > 0xFFFFFFFF)
       throw std::runtime_error("overdraw-vulkan draws 2^32 indices at once at most; split the mesh");
-    drawn.push_back({number, all_positions.size() * sizeof(glm::vec3), first * sizeof(std::uint32_t),
-                     static_cast<std::uint32_t>(count), culled(parts[number]), std::nullopt});
+    drawn.push_back(
+        {number, all_positions.size() * sizeof(glm::vec3), first * sizeof(std::uint32_t),
+         static_cast<std::uint32_t>(count), parts[number].culls_back_faces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE,
+         parts[number].is_mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE, std::nullopt});
     if (parts[number].mask) drawn.back().holes = masks.append(*parts[number].mask);
     triangles += count / 3;
     for (std::size_t v = 0; v < parts[number].positions.size(); ++v) {
@@ -77,14 +73,14 @@ UploadedParts::UploadedParts(VulkanDevice& device, std::span<const RasterPart> p
       all_positions.emplace_back(glm::clamp(ready[number].position(v), -1.0, 1.0));
     }
   }
-  vertices = DeviceBuffer(device, std::as_bytes(std::span(all_positions)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-  indices = DeviceBuffer(device, std::as_bytes(std::span(all_indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  vertices = gpu::DeviceBuffer(device, std::as_bytes(std::span(all_positions)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  indices = gpu::DeviceBuffer(device, std::as_bytes(std::span(all_indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   if (masks.places.empty()) return;
   if (masks.texels.size() * sizeof(std::uint32_t) > device.limits().maxStorageBufferRange) {
     throw std::runtime_error(device.name() + " can not hold the alpha of all masks at once; take overdraw-raster");
   }
-  places = DeviceBuffer(device, std::as_bytes(std::span(masks.places)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-  texels = DeviceBuffer(device, std::as_bytes(std::span(masks.texels)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  places = gpu::DeviceBuffer(device, std::as_bytes(std::span(masks.places)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  texels = gpu::DeviceBuffer(device, std::as_bytes(std::span(masks.texels)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 }  // namespace foredraw

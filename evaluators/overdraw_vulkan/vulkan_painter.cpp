@@ -1,13 +1,13 @@
 #include "vulkan_painter.h"
 
-#include "clip_space.h"
+#include <foredraw/gpu/clip_space.h>
 
 namespace foredraw {
 
-Pictures& VulkanPainter::pictures(int size) {
+gpu::Pictures& VulkanPainter::pictures(int size) {
   if (pictures_ && pictures_->size() != static_cast<std::uint32_t>(size))
     pictures_.reset();  // before the next are made
-  if (!pictures_) pictures_ = std::make_unique<Pictures>(device_, pipelines_.render_pass(), size);
+  if (!pictures_) pictures_ = std::make_unique<gpu::Pictures>(device_, pipelines_.render_pass(), size);
   return *pictures_;
 }
 
@@ -20,7 +20,7 @@ UploadedParts VulkanPainter::uploaded(std::span<const RasterPart> parts) {
 void VulkanPainter::draw(VkCommandBuffer commands, const UploadedParts& parts, const View& view,
                          const DrawManner& manner) {
   DrawConstants constants{};
-  constants.clip_from_position = clip_from_position(view);
+  constants.clip_from_position = gpu::clip_from_position(view);
   if (parts.texels.get() != VK_NULL_HANDLE) {
     const VkDescriptorSet texels = pipelines_.texels();
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.layout(), 1, 1, &texels, 0, nullptr);
@@ -30,19 +30,12 @@ void VulkanPainter::draw(VkCommandBuffer commands, const UploadedParts& parts, c
     constants.owner = part.number;
     constants.counter = manner.first_counter + i;
     if (const auto& holes = part.holes) {
-      constants.first_texel = holes->first_texel;
-      constants.width = holes->width;
-      constants.height = holes->height;
-      constants.wrap_u = holes->wrap_u;
-      constants.wrap_v = holes->wrap_v;
-      constants.is_nearest = holes->is_nearest;
-      constants.cutoff = holes->cutoff;
+      constants.holes = holes->constants;
       const VkBuffer places = parts.places.get();
       vkCmdBindVertexBuffers(commands, 1, 1, &places, &holes->places_at);
     }
     const VkBuffer vertices = parts.vertices.get();
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      pipelines_.get(manner.shading, manner.passing, part.culled, part.holes.has_value()));
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.get(manner.shading, manner.passing, part));
     vkCmdPushConstants(commands, pipelines_.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                        sizeof(constants), &constants);
     vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &part.vertices_at);

@@ -2,9 +2,9 @@
 // A device with what drawing needs on it, kept from subject to subject.
 
 #include "draw_pipelines.h"
-#include "pictures.h"
-#include "vulkan_device.h"
+#include "uploaded_parts.h"
 
+#include <foredraw/gpu/pictures.h>
 #include <foredraw/scene/views.h>
 
 #include <functional>
@@ -25,14 +25,14 @@ struct DrawManner {
 class VulkanPainter {
  public:
   /// Throws std::runtime_error where there is no such device.
-  explicit VulkanPainter(const VulkanChoice& choice = {}) : device_(choice), pipelines_(device_) {}
+  explicit VulkanPainter(const gpu::DeviceChoice& choice = {}) : device_(choice), pipelines_(device_) {}
 
-  VulkanDevice& device() { return device_; }
+  gpu::Device& device() { return device_; }
   DrawPipelines& pipelines() { return pipelines_; }
   /// Kept as long as the same size is asked for.
-  Pictures& pictures(int size);
+  gpu::Pictures& pictures(int size);
   /// Those that there are, of whatever size.
-  Pictures& any_pictures() { return pictures_ ? *pictures_ : pictures(16); }
+  gpu::Pictures& any_pictures() { return pictures_ ? *pictures_ : pictures(16); }
 
   /// Ready to be drawn, and the last ones that are: the shaders' texels are theirs from here on.
   UploadedParts uploaded(std::span<const RasterPart> parts);
@@ -41,9 +41,9 @@ class VulkanPainter {
   void draw(VkCommandBuffer commands, const UploadedParts& parts, const View& view, const DrawManner& manner);
 
  private:
-  VulkanDevice device_;
+  gpu::Device device_;
   DrawPipelines pipelines_;
-  std::unique_ptr<Pictures> pictures_;
+  std::unique_ptr<gpu::Pictures> pictures_;
 };
 
 }  // namespace foredraw

@@ -2,6 +2,7 @@
 
 #include <foredraw/viewing/order_lookup.h>
 #include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/scene/merged_instances.h>
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -96,14 +97,14 @@ class Sum {
  public:
   explicit Sum(const Scene& scene) : scene_(scene) {
     // The vertices of a mesh that is merged are a part of the merged ones, whoever else draws from them.
-    for (const MergedInstances& merged : scene.merged) {
+    for (const MergedInstances& merged : merged_sets(scene)) {
       for (const MergedMesh& mesh : merged.meshes) {
         for (const VertexStream& stream : scene.draws[mesh.draw].levels[0].vertices->base) {
           vertex_streams_.insert(stream.bytes.view().data());
         }
       }
     }
-    for (const MergedInstances& merged : scene.merged) {
+    for (const MergedInstances& merged : merged_sets(scene)) {
       for (const VertexStream& stream : merged.vertices->base) vertex_streams_.erase(stream.bytes.view().data());
     }
   }
@@ -203,7 +204,7 @@ SceneCost scene_cost(const Scene& scene, const SceneCostOptions& options, const 
     }
     sum.add_placements(seen);
   }
-  for (const MergedInstances& set : scene.merged) sum.add_merged(set);
+  for (const MergedInstances& set : merged_sets(scene)) sum.add_merged(set);
   return sum.cost();
 }
 

@@ -4,6 +4,8 @@
 #     CMakeLists.txt          foredraw_add_plugin()   or   foredraw_add_plugin(REQUIRES "CGAL 5.5" LINK CGAL::CGAL)
 #     <name>.h <name>.cpp     the technique as a plain function, and whatever else the folder holds for it
 #     <name>_plugin.cpp       its card and its option table; defines Plugin <name>_plugin()
+#     <x>_product*.cpp        what it makes beside triangles and vertices, if anything: the row of a product
+#     schemas/<x>.json        JSON Schemas of the product's extension
 #     shaders/<x>.<stage>     GLSL, if any, which the function includes as "shaders/<x>_<stage>.h": the array <x>_<stage>
 #     README.md
 #   tests/plugins/<kinds>/<name>_test.cpp   or   tests/evaluators/<name>_test.cpp   (and <name>_<what>_test.cpp)
@@ -32,8 +34,14 @@ function(_foredraw_add_plugin folder)
   if(FOREDRAW_PLUGINS AND NOT config_name IN_LIST FOREDRAW_PLUGINS)
     return()
   endif()
+  set(packages ${ARG_REQUIRES})
+  foreach(library IN LISTS ARG_LINK)
+    if(library MATCHES "^foredraw::(.+)")
+      list(APPEND packages ${foredraw_room_needs_${CMAKE_MATCH_1}})
+    endif()
+  endforeach()
   set(missing "")
-  foreach(package IN LISTS ARG_REQUIRES)
+  foreach(package IN LISTS packages)
     string(REPLACE " " ";" arguments "${package}")
     list(GET arguments 0 found_as)
     find_package(${arguments} QUIET)
@@ -63,10 +71,11 @@ function(_foredraw_add_plugin folder)
   endforeach()
 
   file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
-  list(REMOVE_ITEM sources "${folder}/${name}_plugin.cpp")
+  file(GLOB dress CONFIGURE_DEPENDS "${folder}/*_plugin.cpp" "${folder}/*_product*.cpp")
+  list(REMOVE_ITEM sources ${dress})
   foredraw_add_library(${name} SOURCES ${sources} LINK ${ARG_LINK} REQUIRES ${ARG_REQUIRES})
   target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)  # <plugins/.../name.h>
-  _foredraw_add_shaders(foredraw_${name} ${shaders})
+  foredraw_add_shaders(foredraw_${name} ${shaders})
   foredraw_install_component(${name})
   foredraw_install_headers("${folder}" "${kind_folder}")
   list(FILTER ARG_LINK INCLUDE REGEX "^foredraw::")
@@ -75,8 +84,9 @@ function(_foredraw_add_plugin folder)
 
   foredraw_reaches(measuring "${FOREDRAW_FRAMEWORK}" dressed)
   if(dressed)
-    foredraw_add_library(${name}_plugin SOURCES "${folder}/${name}_plugin.cpp" LINK foredraw::measuring foredraw::${name}
+    foredraw_add_library(${name}_plugin SOURCES ${dress} LINK foredraw::measuring foredraw::${name}
                          REQUIRES fmt PRIVATE_LINK fmt::fmt)
+    foredraw_add_schemas(foredraw_${name}_plugin "${folder}")
     foredraw_install_component(${name}_plugin)
   endif()
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_BUILT_IN ${name})
@@ -92,20 +102,6 @@ function(_foredraw_add_plugin folder)
     message(FATAL_ERROR "Foredraw: plugin '${config_name}' wants its test tests/${kind_folder}/${name}_test.cpp")
   endif()
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_PLUGIN_TESTS "${name}|${test}")
-endfunction()
-
-# Compiles each shader into a header in the build folder.
-function(_foredraw_add_shaders target)
-  foreach(shader IN LISTS ARGN)
-    get_filename_component(file "${shader}" NAME)
-    string(REPLACE "." "_" name "${file}")
-    set(header "${CMAKE_CURRENT_BINARY_DIR}/generated/shaders/${name}.h")
-    add_custom_command(OUTPUT "${header}" DEPENDS "${shader}" VERBATIM COMMENT "Compiling the shader ${file}"
-                       COMMAND "${CMAKE_COMMAND}" -E make_directory "${CMAKE_CURRENT_BINARY_DIR}/generated/shaders"
-                       COMMAND "${FOREDRAW_GLSLANG}" -V --quiet --vn ${name} -o "${header}" "${shader}")
-    target_sources(${target} PRIVATE "${header}")
-    target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/generated")
-  endforeach()
 endfunction()
 
 # Checks that FOREDRAW_PLUGINS names plugins alone, and writes and builds add_built_in_plugins() for those that were added.

@@ -1,4 +1,5 @@
 // CLI11 is slow to compile, so it is included here alone.
+#include "outputs.h"
 #include "session.h"
 
 #include <foredraw/base/diagnostics.h>
@@ -52,9 +53,10 @@ class CommandLine {
     optimize_app
         .add_option("-o,--output", arguments_.outputs,
                     "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; sprites "
-                    "also as .json, .h, .svg, .png or .html, merged draws as .json, .glsl or .hlsl. May be given several times; "
-                    "all are written or none. Of "
-                    "a folder: a folder, and files of sprites that hold those of all its files")
+                    "also as .json, .h, .svg, .png or .html. Something else of it by KIND:FILE; the kinds are " +
+                        kinds_text(registry.products()) +
+                        ". May be given several times; all are written or none. Of a folder: a folder, and files of "
+                        "sprites that hold those of all its files")
         ->required()
         ->expected(1)
         ->take_all();
@@ -62,14 +64,14 @@ class CommandLine {
     with(optimize_app);
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
     html(optimize_app);
-    optimize_app.add_option("--remap", arguments_.remap,
-                            "Write the triangle and vertex remap tables, as JSON, to this file");
-    optimize_app.add_option("--draw-orders", arguments_.draw_orders,
-                            "Write the draws' several orders, and the tables that choose among them, as JSON, to this "
-                            "file");
     optimize_app
         .add_option("--compression", arguments_.compression,
                     "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
+        ->check(CLI::IsMember({"keep", "none"}));
+    optimize_app
+        .add_option("--products", arguments_.products,
+                    "keep: what stages made beside triangles and vertices is written with the scene, as optional extensions; "
+                    "none: it is left out (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
     heat_maps(optimize_app, "before and after");
     json(optimize_app, "Print the record of the run, as JSON, to standard output");
@@ -121,7 +123,7 @@ class CommandLine {
     threads(compare_app);
     memory_limit(compare_app);
 
-    auto& inspect_app = add("inspect", "Show what a scene holds", [this] { return inspect(arguments_); });
+    auto& inspect_app = add("inspect", "Show what a scene holds", [this] { return inspect(arguments_, registry_); });
     input(inspect_app);
     json(inspect_app);
 
@@ -134,7 +136,9 @@ class CommandLine {
     show_app.add_option("name", arguments_.name, "A plugin's name, or @preset")->required();
     json(show_app);
 
-    add("schema", "Print a JSON Schema of the pipeline format, for editors", [this] { return schema(registry_); });
+    auto& schema_app = add("schema", "Print a JSON Schema of the pipeline format, for editors",
+                           [this] { return schema(arguments_, registry_); });
+    schema_app.add_option("product", arguments_.name, "Print those of a product's glTF extension instead, by file name");
   }
 
   int run(int argc, char** argv) {

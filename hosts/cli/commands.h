@@ -16,7 +16,7 @@ enum Exit { done = 0, users_mistake = 1, something_failed = 2, out_of_bounds = 3
 /// What was typed.
 struct Arguments {
   std::vector<std::string> inputs;
-  std::vector<std::string> outputs;    ///< of an optimize that is being run: one at least
+  std::vector<std::string> outputs;    ///< of an optimize that is being run: one at least; "kind:FILE" or a path
   std::vector<std::string> pipelines;  ///< none: @default
   std::vector<std::string> set;
   std::string with;                    ///< evaluators to measure with instead of the pipeline's
@@ -27,9 +27,8 @@ struct Arguments {
   std::vector<std::string> fail_if;    ///< bounds that figures have to keep
   std::vector<std::string> fronts;     ///< two figures each
   std::string baseline;                ///< a stored report that they are held against
-  std::string remap;
-  std::string draw_orders;
   std::string compression = "keep";
+  std::string products = "keep";
   std::string heat_maps;               ///< folder of pictures
   std::string heat_map_view = "worst";
   std::string kind;
@@ -44,10 +43,10 @@ Exit optimize(const Arguments& arguments, const Registry& registry);
 Exit plan(const Arguments& arguments, const Registry& registry);
 Exit measure(const Arguments& arguments, const Registry& registry);
 Exit compare(const Arguments& arguments, const Registry& registry);
-Exit inspect(const Arguments& arguments);
+Exit inspect(const Arguments& arguments, const Registry& registry);
 Exit list(const Arguments& arguments, const Registry& registry);
 Exit show(const Arguments& arguments, const Registry& registry);
-Exit schema(const Registry& registry);
+Exit schema(const Arguments& arguments, const Registry& registry);
 
 /// Reads the arguments and calls the command.
 int main(int argc, char** argv, const Registry& registry);

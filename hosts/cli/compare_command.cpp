@@ -87,7 +87,7 @@ ComparedFile compared(const std::string& input, const Contest& contest, const Re
   ComparedFile made{{{input, 0}, {}, contest.fronts, {}}, {}, {}};
   Comparison& comparison = made.comparison;
   Diagnostics diagnostics;
-  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
+  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, registry.products()); });
   comparison.diagnostics = diagnostics.all();
   if (!file) {
     worst = std::max(worst, refuse_file(diagnostics));
@@ -231,7 +231,7 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   if (!inputs) return refuse(diagnostics);
   const auto budget = budget_of(arguments, pipelines->size(), diagnostics);
   if (!budget || !have_sources(*fronts, *budget, *pipelines, diagnostics) ||
-      !have_files_of_their_own(arguments, diagnostics)) {
+      !have_files_of_their_own(arguments, {}, diagnostics)) {
     return refuse(diagnostics);
   }
   if (!have_folders({arguments.report, arguments.csv, arguments.html}, diagnostics)) return refuse_file(diagnostics);

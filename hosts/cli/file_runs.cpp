@@ -4,7 +4,7 @@
 
 #include <foredraw/report/page/heat_maps.h>
 #include <foredraw/io/image/images.h>
-#include <foredraw/report/draw_orders.h>
+#include <foredraw/io/side_files.h>
 #include <foredraw/report/remap.h>
 
 namespace foredraw::cli {
@@ -50,7 +50,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
     run.is_lost = true;
     return run;
   };
-  auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
+  auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, job.registry.products()); });
   if (!file) return lost(exit_for_file(diagnostics));
   const auto plan = with_memory(input, "plan for it",
                                 [&] { return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics); });
@@ -67,6 +67,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   result.report.input = {input, file->bytes};
   for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
   result.report.diagnostics = diagnostics.all();
+  if (!draws) analyses.clear();  // nobody asks them any more
   if (!written(before, result, diagnostics)) return lost(something_failed);
   if (draws) {
     const Scene* after = result.report.optimized ? &result.scene : nullptr;
@@ -90,19 +91,26 @@ std::string page_of(const Scene& before, const Result& result, const FileJob& jo
 
 }  // namespace
 
-FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<std::string>& outputs) {
+FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<Output>& outputs) {
   const Arguments& arguments = job.arguments;
-  // The scene, the report, the remap tables and the orders: all of them, or none and an explanation.
+  // The scene, the report and whatever else: all of it, or none and an explanation.
   const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
     const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
     Report& report = result.report;
     std::vector<std::vector<OutputFile>> scenes;
     std::vector<std::byte> standard;
-    for (const std::string& output : outputs) {
-      auto files = encode_scene(result.scene, output, diagnostics, compression);
+    const ProductRows rows = job.registry.products();
+    Scene scene = result.scene;
+    for (const auto& row : rows) {
+      if (arguments.products == "none" && scene.products.has(row->card().name)) row->leave_out(scene);
+    }
+    for (const Output& output : outputs) {
+      auto files = output.row             ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
+                   : !output.is_scene()   ? std::vector{text_file(output.path, remap_json(result.scene))}
+                                          : encode_scene(scene, output.path, diagnostics, compression, rows);
       if (!files) return false;
-      if (report.output.path.empty()) report.output = {output, files->front().bytes.size()};
-      if (output == "-") {
+      if (report.output.path.empty() && output.is_scene()) report.output = {output.path, files->front().bytes.size()};
+      if (output.path == "-") {
         standard = std::move(files->front().bytes);
       } else {
         scenes.push_back(std::move(*files));
@@ -111,12 +119,10 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     report.diagnostics = diagnostics.all();
     if (!is_folder(arguments.inputs[0])) {
       std::vector<OutputFile> texts;
-      if (!arguments.report.empty()) texts.push_back(text_file(arguments.report, to_json(report)));
-      if (!arguments.html.empty()) texts.push_back(text_file(arguments.html, page_of(before, result, job)));
-      if (!arguments.remap.empty()) texts.push_back(text_file(arguments.remap, remap_json(result.scene)));
-      if (!arguments.draw_orders.empty()) {
-        texts.push_back(text_file(arguments.draw_orders, draw_orders_json(result.scene)));
+      if (!arguments.report.empty()) {
+        texts.push_back({arguments.report, {}, [&](const OutputFile::Put& put) { write_json(report, put); }});
       }
+      if (!arguments.html.empty()) texts.push_back(text_file(arguments.html, page_of(before, result, job)));
       if (!texts.empty()) scenes.push_back(std::move(texts));
     }
     return write_scenes(std::move(scenes), diagnostics) &&
@@ -124,7 +130,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
   };
   return run_file(job, "optimize", input, foredraw::optimize,
                   [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
-    return with_memory(outputs.empty() ? input : outputs.front(), "write it",
+    return with_memory(outputs.empty() ? input : outputs.front().path, "write it",
                        [&] { return write(before, result, diagnostics); });
   });
 }

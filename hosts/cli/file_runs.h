@@ -1,6 +1,7 @@
 #pragma once
 // One scene file from reading to writing; folders of them, worked on at once.
 
+#include "outputs.h"
 #include "session.h"
 
 #include <foredraw/report/batch.h>
@@ -25,7 +26,7 @@ struct FileRun {
 };
 
 /// All outputs are written or none; there may be none.
-FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<std::string>& outputs);
+FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<Output>& outputs);
 FileRun measure_file(const FileJob& job, const std::string& input);
 
 bool is_folder(const std::string& path);

@@ -30,15 +30,20 @@ struct FolderOutputs {
   std::vector<std::string> gathered;  ///< files of sprites that hold those of all scenes
 };
 
-FolderOutputs outputs_in(const std::vector<std::string>& outputs, Diagnostics& diagnostics) {
+FolderOutputs outputs_in(const std::vector<std::string>& words, const ProductRows& rows, Diagnostics& diagnostics) {
   FolderOutputs result;
-  for (const std::string& output : outputs) {
-    if (is_sprite_output(output) && !is_folder(output)) {
-      result.gathered.push_back(output);
+  for (const std::string& word : words) {
+    const Output output = output_of(word, rows);
+    if (!output.is_scene()) {
+      diagnostics.error({.file = output.path}, "bad-arguments",
+                        "is to hold the " + output.kind + " of one scene, and the input is a folder",
+                        "run it on the file that it is wanted of");
+    } else if (is_sprite_output(output.path) && !is_folder(output.path)) {
+      result.gathered.push_back(output.path);
     } else if (result.folder.empty()) {
-      result.folder = output;
+      result.folder = output.path;
     } else {
-      diagnostics.error({.file = output}, "bad-arguments", "is a second folder for the same scenes",
+      diagnostics.error({.file = output.path}, "bad-arguments", "is a second folder for the same scenes",
                         "give -o one folder, and besides it files of sprites: .json, .h, .svg, .png or .html");
     }
   }
@@ -160,7 +165,7 @@ Exit optimize_folder(const FileJob& job) {
   const Arguments& arguments = job.arguments;
   Diagnostics diagnostics;
   const fs::path from = arguments.inputs[0];
-  const FolderOutputs wanted = outputs_in(arguments.outputs, diagnostics);
+  const FolderOutputs wanted = outputs_in(arguments.outputs, job.registry.products(), diagnostics);
   const fs::path to = wanted.folder;
   std::error_code error;
   if (to == "-" || (fs::exists(to, error) && !is_folder(wanted.folder))) {
@@ -174,14 +179,6 @@ Exit optimize_folder(const FileJob& job) {
   if (!arguments.html.empty()) {
     diagnostics.error({}, "bad-arguments", "--html makes the page of one scene, and the input is a folder",
                       "foredraw compare makes one of several scenes");
-  }
-  if (!arguments.remap.empty()) {
-    diagnostics.error({}, "bad-arguments", "--remap writes the tables of one scene, and the input is a folder",
-                      "run it on the file whose tables are wanted");
-  }
-  if (!arguments.draw_orders.empty()) {
-    diagnostics.error({}, "bad-arguments", "--draw-orders writes the orders of one scene, and the input is a folder",
-                      "run it on the file whose orders are wanted");
   }
   const FolderScenes which = scenes_for(job.pipeline, job.registry);
   const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, which, diagnostics);
@@ -212,8 +209,8 @@ Exit optimize_folder(const FileJob& job) {
 
   Batch batch;
   const auto run_one = [&](const FileJob& each, std::size_t i) {
-    std::vector<std::string> own;
-    if (!outputs.empty()) own.push_back(outputs[i].string());
+    std::vector<Output> own;
+    if (!outputs.empty()) own.push_back({{}, outputs[i].string()});
     return optimize_file(each, inputs[i].string(), own);
   };
   const auto finish = [&](const std::vector<FileRun>& runs) {

@@ -21,12 +21,12 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, Diagnostics& di
 }
 
 /// Record and scene would stand in each other's way.
-bool outputs_clash(const Arguments& arguments, Diagnostics& diagnostics) {
+bool outputs_clash(const Arguments& arguments, const std::vector<Output>& outputs, Diagnostics& diagnostics) {
   if (arguments.json && std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
     diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
                       "use --report FILE for the record");
   }
-  return !have_files_of_their_own(arguments, diagnostics);
+  return !have_files_of_their_own(arguments, outputs, diagnostics);
 }
 
 }  // namespace
@@ -35,17 +35,21 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const std::string& input = arguments.inputs[0];
   const auto pipeline = one_pipeline(arguments, diagnostics);
-  if (!pipeline || outputs_clash(arguments, diagnostics)) return refuse(diagnostics);
+  if (!pipeline) return refuse(diagnostics);
+  const std::vector<Output> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
+  if (outputs_clash(arguments, outputs, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
   if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor});
-  for (const std::string& output : arguments.outputs) can_write_scene(output, input, diagnostics);
+  std::vector<std::string> written = {arguments.report, arguments.html};
+  for (const Output& output : outputs) {
+    if (output.is_scene()) can_write_scene(output.path, input, diagnostics);
+    written.push_back(output.path);
+  }
   if (diagnostics.has_errors()) return refuse(diagnostics);
-  std::vector<std::string> written = {arguments.report, arguments.html, arguments.remap, arguments.draw_orders};
-  written.insert(written.end(), arguments.outputs.begin(), arguments.outputs.end());
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
 
   const FileRun run =
-      optimize_file({arguments, *pipeline, registry, executor, progress_line()}, input, arguments.outputs);
+      optimize_file({arguments, *pipeline, registry, executor, progress_line()}, input, outputs);
   end_progress();
   tell(run.report.diagnostics);
   if (run.is_lost) return run.exit;
@@ -58,7 +62,7 @@ Exit plan(const Arguments& arguments, const Registry& registry) {
   const auto pipeline = one_pipeline(arguments, diagnostics);
   if (!pipeline) return refuse(diagnostics);
   const std::string& input = arguments.inputs[0];
-  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
+  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, registry.products()); });
   if (!file) return refuse_file(diagnostics);
   const auto planned =
       with_memory(input, "plan for it", [&] { return foredraw::plan(*pipeline, registry, file->scene, diagnostics); });

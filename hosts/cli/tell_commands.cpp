@@ -13,15 +13,16 @@
 
 namespace foredraw::cli {
 
-Exit inspect(const Arguments& arguments) {
+Exit inspect(const Arguments& arguments, const Registry& registry) {
+  const ProductRows rows = registry.products();
   Diagnostics diagnostics;
   const std::string& input = arguments.inputs[0];
-  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics); });
+  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, rows); });
   if (!file) return refuse_file(diagnostics);
   tell(diagnostics);
   Analyses analyses;
   return print(with_memory(input, "look into it", [&] {
-    return arguments.json ? inspection_json(file->scene, analyses) : inspection_text(file->scene, analyses);
+    return arguments.json ? inspection_json(file->scene, rows, analyses) : inspection_text(file->scene, rows, analyses);
   }));
 }
 
@@ -54,6 +55,19 @@ Exit show(const Arguments& arguments, const Registry& registry) {
   return users_mistake;
 }
 
-Exit schema(const Registry& registry) { return print(pipeline_schema(registry)); }
+Exit schema(const Arguments& arguments, const Registry& registry) {
+  if (arguments.name.empty()) return print(pipeline_schema(registry));
+  std::vector<std::string> names;
+  for (const auto& row : registry.products()) {
+    const ProductCard card = row->card();
+    names.push_back(card.name);
+    if (card.name != arguments.name) continue;
+    std::vector<std::string> texts;
+    for (const auto& [file, text] : card.schemas) texts.push_back(fmt::format("\"{}\": {}", file, text));
+    return print(fmt::format("{{{}}}\n", fmt::join(texts, ", ")));
+  }
+  fmt::print(stderr, "foredraw: error: there is no product '{}'\n    hint: there are {}\n", arguments.name, fmt::join(names, ", "));
+  return users_mistake;
+}
 
 }  // namespace foredraw::cli

@@ -27,15 +27,15 @@ bool is_among(const std::vector<std::string>& files, const std::string& file) {
 
 /// Whether no scene that is to be written takes a file of another, and no file of sprites one that is read: a picture of
 /// an image is not what the image is.
-void check_scenes(const std::vector<std::string>& outputs, const std::vector<std::string>& read,
+void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& read,
                   Diagnostics& diagnostics) {
   std::vector<std::string> taken;
-  for (const std::string& output : outputs) {
-    const bool is_standard = output == "-";
+  for (const Output& output : outputs) {
+    const bool is_standard = output.path == "-";
     std::vector<std::string> files;
     for (const auto& path : paths_written_for(output)) files.push_back(path.string());
-    if (is_sprite_output(output) && is_among(read, output)) {
-      diagnostics.error({.file = output}, "bad-arguments", "is read by this very run",
+    if (!is_scene_file(output.path) && !is_standard && is_among(read, output.path)) {
+      diagnostics.error({.file = output.path}, "bad-arguments", "is read by this very run",
                         "give the output another name or folder");
     }
     const auto is_taken = [&](const std::string& file) {
@@ -43,7 +43,7 @@ void check_scenes(const std::vector<std::string>& outputs, const std::vector<std
     };
     const bool meets = std::ranges::any_of(files, is_taken);
     if (meets) {
-      diagnostics.error({.file = is_standard ? "" : output}, "bad-arguments", "is to hold two outputs",
+      diagnostics.error({.file = is_standard ? "" : output.path}, "bad-arguments", "is to hold two outputs",
                         "give each -o a file of its own");
     }
     taken.insert(taken.end(), files.begin(), files.end());
@@ -52,20 +52,20 @@ void check_scenes(const std::vector<std::string>& outputs, const std::vector<std
 
 }  // namespace
 
-bool have_files_of_their_own(const Arguments& arguments, Diagnostics& diagnostics) {
+bool have_files_of_their_own(const Arguments& arguments, const std::vector<Output>& outputs, Diagnostics& diagnostics) {
   std::vector<std::string> read = arguments.inputs;
   read.insert(read.end(), arguments.pipelines.begin(), arguments.pipelines.end());
   if (!arguments.baseline.empty()) read.push_back(arguments.baseline);
-  check_scenes(arguments.outputs, read, diagnostics);
-  std::vector<std::string> written = arguments.outputs;
+  check_outputs(outputs, read, diagnostics);
+  std::vector<std::string> written;
+  for (const Output& output : outputs) written.push_back(output.path);
   const auto refuse = [&](const std::string& file, const char* why, const char* hint) {
     diagnostics.error({.file = file}, "bad-arguments", why, hint);
   };
-  for (const std::string& file :
-       {arguments.report, arguments.csv, arguments.html, arguments.remap, arguments.draw_orders}) {
+  for (const std::string& file : {arguments.report, arguments.csv, arguments.html}) {
     if (file.empty()) continue;
     if (file == "-") {
-      refuse("", "--report, --csv, --html, --remap and --draw-orders take the name of a file", "--json prints the record");
+      refuse("", "--report, --csv and --html take the name of a file", "--json prints the record");
     } else if (is_among(read, file)) {
       refuse(file, "is read by this very run", "give the output a file of its own");
     } else if (is_among(written, file)) {

@@ -62,7 +62,7 @@ bool is_one_of(const std::array<std::string_view, count>& names, std::string_vie
 
 /// Packages that a technique is made of. All its plain files but the header that bears its name may include them, and its
 /// CMakeLists.txt asks for them.
-constexpr std::array<std::string_view, 3> packages_of_techniques = {"embree3/", "vulkan/", "CGAL/"};
+constexpr std::array<std::string_view, 2> packages_of_techniques = {"embree3/", "CGAL/"};
 
 bool begins_with_one_of(std::span<const std::string_view> beginnings, std::string_view name) {
   return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view b) { return name.starts_with(b); });
@@ -79,6 +79,7 @@ struct Include {
   bool is_posix() const { return is_one_of(posix_headers, target) || target.starts_with("sys/"); }
   bool is_glm() const { return target.starts_with("glm/"); }
   bool is_tinygltf() const { return target.find("tiny_gltf") != std::string::npos; }
+  bool is_vulkan() const { return target.starts_with("vulkan/"); }
   bool is_private() const { return target.find("/private/") != std::string::npos; }
   bool is_own_folder() const { return quoted && target.find("..") == std::string::npos; }
   std::string room() const {
@@ -107,10 +108,18 @@ std::string refused_in_framework(const std::string& room, bool is_public_header,
   if (!other.empty() && !reaches(room, other)) {
     return "framework/cmake/ForedrawBuild.cmake does not let " + room + " link " + other;
   }
-  if (is_public_header && other.empty() && !include.is_standard() && !include.is_glm()) {
+  if (is_public_header && other.empty() && !include.is_standard() && !include.is_glm() && !include.is_vulkan()) {
     return "headers of the framework include the standard library, GLM and the framework; move it into the .cpp";
   }
   return "";
+}
+
+/// Whether the CMakeLists.txt of a plugin's folder asks for the kit for Vulkan.
+bool links_gpu(std::vector<std::string> place) {
+  std::filesystem::path build = FOREDRAW_SOURCE_DIR;
+  place.back() = "CMakeLists.txt";
+  for (const std::string& part : place) build /= part;
+  return text_of(build).find("foredraw::gpu") != std::string::npos;
 }
 
 /// The same for a file of a plugin or evaluator.
@@ -119,6 +128,11 @@ std::string refused_in_plugin(const std::vector<std::string>& place, const Inclu
   const bool is_face = place.size() > 1 && file == place[place.size() - 2] + ".h";
   const std::string room = include.room();
   if (room == "runtime") return "";
+  if (room == "gpu") {
+    if (!links_gpu(place)) return "the folder's CMakeLists.txt does not link foredraw::gpu";
+    if (is_face && include.target != "foredraw/gpu/choice.h") return "who calls the function needs no header of Vulkan";
+    return "";
+  }
   if (room.empty()) {
     if (include.is_standard() || include.is_glm() || include.is_own_folder()) return "";
     if (!is_face && begins_with_one_of(packages_of_techniques, include.target)) return "";
@@ -142,6 +156,7 @@ std::string refused(const std::vector<std::string>& place, const Include& includ
   const std::string room = in_framework ? room_of({place.begin() + 2, place.end()}) : std::string();
   if (include.is_posix() && room != "platform") return "POSIX calls live in platform/ alone";
   if (include.is_tinygltf() && room != "io_gltf") return "tinygltf is used by io/gltf/ alone";
+  if (include.is_vulkan() && room != "gpu") return "Vulkan is called through gpu/ alone";
   if (include.is_private() && !(in_framework && place[2] == parts_of(include.target).at(1))) {
     return "private/ is for its own room, and in io for the rooms of io";
   }

@@ -86,9 +86,27 @@ TEST(IncludeRules, techniques_are_plain) {
   }
   EXPECT_TRUE(may_include("evaluators/x/x.cpp", "<embree3/rtcore.h>"));
   EXPECT_FALSE(may_include("evaluators/x/x.h", "<embree3/rtcore.h>"));
-  EXPECT_TRUE(may_include("evaluators/x/x.cpp", "<vulkan/vulkan.h>"));
-  EXPECT_TRUE(may_include("evaluators/x/device.h", "<vulkan/vulkan.h>"));
-  EXPECT_FALSE(may_include("evaluators/x/x.h", "<vulkan/vulkan.h>"));
+}
+
+TEST(IncludeRules, vulkan_is_behind_the_room_gpu) {
+  EXPECT_TRUE(may_include("framework/foredraw/gpu/handle.h", "<vulkan/vulkan.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/gpu/clip_space.cpp", "<foredraw/viewing/camera.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/gpu/handle.h", "<embree3/rtcore.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/gpu/device.cpp", "<foredraw/overdraw/fragments.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/overdraw/fragments.h", "<vulkan/vulkan.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/overdraw/fragments.cpp", "<vulkan/vulkan.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/measuring/overdraw_evaluator.cpp", "<foredraw/gpu/device.h>"));
+}
+
+TEST(IncludeRules, who_links_gpu_may_include_it) {
+  const std::string folder = "evaluators/overdraw_vulkan/";  // which does
+  EXPECT_TRUE(may_include(folder + "x.cpp", "<foredraw/gpu/device.h>"));
+  EXPECT_TRUE(may_include(folder + "x.h", "<foredraw/gpu/device.h>"));
+  EXPECT_TRUE(may_include(folder + "overdraw_vulkan.h", "<foredraw/gpu/choice.h>"));
+  EXPECT_FALSE(may_include(folder + "overdraw_vulkan.h", "<foredraw/gpu/device.h>"));
+  EXPECT_FALSE(may_include(folder + "x.cpp", "<vulkan/vulkan.h>"));
+  EXPECT_FALSE(may_include("evaluators/overdraw_raster/x.cpp", "<foredraw/gpu/device.h>"));
+  EXPECT_FALSE(may_include("plugins/orderers/x/x.cpp", "<foredraw/gpu/device.h>"));
 }
 
 TEST(IncludeRules, name_the_line) {

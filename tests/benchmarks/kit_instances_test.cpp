@@ -4,9 +4,11 @@
 #include "evaluators/scene_cost/scene_cost.h"
 #include "plugins/processors/gpu_instances/gpu_instances.h"
 #include "plugins/processors/merge_instances/merge_instances.h"
+#include "support/edit_product.h"
 #include "support/meshes.h"
 
 #include <foredraw/io/gltf/gltf.h>
+#include <foredraw/scene/merged_instances.h>
 
 #include <gtest/gtest.h>
 
@@ -117,7 +119,7 @@ Scene merged_half(const Scene& plain, bool even) {
   Scene scene = plain;
   const MergedScene sets = merge_instances(plain, draws, {}, Executor(2));
   for (const MergedSet& set : sets.merged) {
-    scene.merged.push_back(merged_instances(plain, set));
+    testing::edit<MergedDraws>(scene)->sets.push_back(merged_instances(plain, set));
     for (const merging::MergeableMesh& mesh : set.set.meshes) scene.draws[mesh.draw].traits.add(traits::extended);
   }
   return scene;
@@ -159,7 +161,7 @@ TEST(KitInstances, what_is_instanced_is_merged_where_that_saves_more) {
   gpu_instances(made, free_draws(made));
   const std::uint64_t by_instancing = scene_cost(made).draws;
   const MergedScene sets = merge_instances(made, free_draws(made), {}, Executor(2));
-  for (const MergedSet& set : sets.merged) made.merged.push_back(merged_instances(made, set));
+  for (const MergedSet& set : sets.merged) testing::edit<MergedDraws>(made)->sets.push_back(merged_instances(made, set));
   const Scene after = through_file(made);
   EXPECT_LE(scene_cost(after).draws, by_instancing);
   EXPECT_EQ(scene_cost(after).instances, 3000u);

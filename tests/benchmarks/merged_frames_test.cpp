@@ -7,7 +7,9 @@
 #include "gpu_instancing.h"
 #include "layout.h"
 
+#include "support/edit_product.h"
 #include "support/meshes.h"
+#include "support/on_device.h"
 
 #include <plugins/processors/merge_instances/merge_instances.h>
 
@@ -53,7 +55,7 @@ Scene merged(Scene scene, const MergeInstancesOptions& options = {}) {
   std::vector<DrawId> draws(scene.draws.size());
   std::iota(draws.begin(), draws.end(), DrawId{0});
   for (const MergedSet& set : merge_instances(scene, draws, options, Executor(2)).merged) {
-    scene.merged.push_back(merged_instances(scene, set));
+    testing::edit<MergedDraws>(scene)->sets.push_back(merged_instances(scene, set));
   }
   return scene;
 }
@@ -94,16 +96,16 @@ TEST(FrameContent, every_way_draws_everything_once_with_its_own_calls) {
     EXPECT_TRUE(std::ranges::equal(sequence, placed, {}, {}, &PlacedDraw::place)) << to_text(way);
     EXPECT_GT(of[way].bytes.vertices, 0u);
   }
-  ASSERT_EQ(scene.merged.size(), 1u);
+  ASSERT_EQ(merged_sets(scene).size(), 1u);
   EXPECT_EQ(of[DrawWay::each].calls(), placed.size());
   EXPECT_EQ(of[DrawWay::instanced].calls(), different.size());
   EXPECT_GT(of[DrawWay::group_instanced].calls(), of[DrawWay::merged].calls());
   EXPECT_EQ(of[DrawWay::indirect].calls(), 2u);  // as they wind
   EXPECT_EQ(of[DrawWay::indirect].bytes.commands, 20 * different.size());
   EXPECT_EQ(of[DrawWay::indirect_each].bytes.commands, 20 * placed.size());
-  EXPECT_EQ(of[DrawWay::duplicated].calls(), scene.merged[0].groups.size());
-  EXPECT_EQ(of[DrawWay::merged].calls(), scene.merged[0].draws.size());
-  EXPECT_EQ(of[DrawWay::merged].bytes.slots, scene.merged[0].slots.view().size_bytes());
+  EXPECT_EQ(of[DrawWay::duplicated].calls(), merged_sets(scene)[0].groups.size());
+  EXPECT_EQ(of[DrawWay::merged].calls(), merged_sets(scene)[0].draws.size());
+  EXPECT_EQ(of[DrawWay::merged].bytes.slots, merged_sets(scene)[0].slots.view().size_bytes());
   EXPECT_EQ(of[DrawWay::merged].bytes.vertices, of[DrawWay::each].bytes.vertices);
   EXPECT_EQ(of[DrawWay::each].bytes.transforms, 48 * placed.size());
 
@@ -113,21 +115,22 @@ TEST(FrameContent, every_way_draws_everything_once_with_its_own_calls) {
   EXPECT_EQ(counted.calls(), of[DrawWay::duplicated].calls());
 }
 
-/// On the device that is the processor: others may round the arithmetic of two shaders differently, and every bit counts
-/// here. Under the eyes of the validation layer where that is installed.
-class MergedFrames : public ::testing::Test {
+/// On the device that is the processor: others may round the arithmetic of two shaders differently, and every bit
+/// counts here.
+class MergedFrames : public testing::OnDevice {
  protected:
+  MergedFrames() : OnDevice("llvmpipe") {}
+
   void SetUp() override {
-    VulkanChoice choice{.device = "llvmpipe"};
-    if (const auto reason = why_no_vulkan_device(choice)) GTEST_SKIP() << *reason;
+    OnDevice::SetUp();
+    if (IsSkipped()) return;
     if (!has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
-    if (has_vulkan_validation()) choice.complaints = &complaints_;
-    device_ = std::make_unique<FrameDevice>(size, choice);
+    device_ = std::make_unique<FrameDevice>(size, choice());
   }
 
   void TearDown() override {
     device_.reset();
-    for (const std::string& complaint : complaints_) ADD_FAILURE() << complaint;
+    OnDevice::TearDown();
   }
 
   std::vector<std::uint32_t> pixels(const Scene& scene, const FrameContent& content, const glm::mat4& view) {
@@ -153,11 +156,11 @@ class MergedFrames : public ::testing::Test {
   }
 
   void expect_merged_shows_the_same(const Scene& scene, std::span<const glm::mat4> views, bool is_cut_mirrored = false) {
-    ASSERT_FALSE(scene.merged.empty());
+    ASSERT_FALSE(merged_sets(scene).empty());
     const FrameContent content = frame_content(scene, DrawWay::merged);
     expect_same_as_each(scene, content, views, is_cut_mirrored);
     std::size_t merged_draws = 0, instances = 0;
-    for (const MergedInstances& set : scene.merged) {
+    for (const MergedInstances& set : merged_sets(scene)) {
       merged_draws += set.draws.size();
       instances += set.places.size();
     }
@@ -168,7 +171,6 @@ class MergedFrames : public ::testing::Test {
     EXPECT_LE(content.calls(), merged_draws + placed - instances);
   }
 
-  std::vector<std::string> complaints_;
   std::unique_ptr<FrameDevice> device_;
 };
 
@@ -188,8 +190,8 @@ TEST_F(MergedFrames, space_shows_the_same) {
 
 TEST_F(MergedFrames, instances_may_have_their_own_materials) {
   const Scene scene = merged(space(800, 0.3), {.materials = merging::SharedMaterials::kind});
-  ASSERT_EQ(scene.merged.size(), 1u);
-  EXPECT_FALSE(scene.merged[0].materials.empty());
+  ASSERT_EQ(merged_sets(scene).size(), 1u);
+  EXPECT_FALSE(merged_sets(scene)[0].materials.empty());
   expect_merged_shows_the_same(scene, overviews(scene));
 }
 
@@ -205,10 +207,11 @@ TEST_F(MergedFrames, a_wrong_transform_shows) {
   Scene scene = merged(city(300, 0));
   const glm::mat4 view = overviews(scene)[0];
   const auto before = pixels(scene, frame_content(scene, DrawWay::merged), view);
-  MergedInstances& set = scene.merged[0];
+  MergedInstances set = merged_sets(scene)[0];
   std::vector<MergedTransform> transforms(set.transforms.view().begin(), set.transforms.view().end());
   transforms[transforms.size() / 2][7] += 8;  // up into the air
   set.transforms = Shared(std::move(transforms));
+  testing::edit<MergedDraws>(scene)->sets[0] = set;
   EXPECT_GT(different(pixels(scene, frame_content(scene, DrawWay::merged), view), before), 0u);
 }
 
@@ -220,7 +223,7 @@ TEST_F(MergedFrames, wrong_slots_places_materials_and_corners_show) {
     int told = 0;
     for (std::size_t i = 0; i < 16; ++i) {
       Scene broken = scene;
-      break_one(broken.merged[0], i);
+      break_one(testing::edit<MergedDraws>(broken)->sets[0], i);
       told += different(pixels(broken, frame_content(broken, DrawWay::merged), view), before) > 0;
     }
     return told;

@@ -2,6 +2,7 @@
 
 #include "../../evaluators/overdraw_raster/overdraw_raster.h"
 
+#include "support/edit_product.h"
 #include "support/overdraw.h"
 
 #include <foredraw/scene/reorder.h>
@@ -39,7 +40,7 @@ Scene scene_with(std::vector<std::uint8_t> order, std::uint32_t theta_steps) {
   Scene scene = testing::scene_of({tower()});
   scene.materials.emplace_back().double_sided = true;
   scene.draws[0].material = 0;
-  scene.order_tables.push_back({{0}, {}, theta_steps, 1, std::move(order)});
+  testing::edit<DrawOrders>(scene)->tables.push_back({{0}, {}, theta_steps, 1, std::move(order)});
   return scene;
 }
 
@@ -95,9 +96,9 @@ TEST(OverdrawOrders, details_tell_the_same_overdraw) {
 
 TEST(OverdrawOrders, poses_draw_what_their_keyframe_says) {
   Scene scene = scene_with({}, 1);
-  scene.order_tables[0].theta_steps = 2;
-  scene.order_tables[0].clips = {{"Good", {0}}, {"Bad", {0, 1}}};
-  scene.order_tables[0].order = {0, 1, 1, 0, 0, 1};
+  testing::edit<DrawOrders>(scene)->tables[0].theta_steps = 2;
+  testing::edit<DrawOrders>(scene)->tables[0].clips = {{"Good", {0}}, {"Bad", {0, 1}}};
+  testing::edit<DrawOrders>(scene)->tables[0].order = {0, 1, 1, 0, 0, 1};
   // A joint above the tower makes it a character, which clips of one and two keys do not bend.
   Node root;
   root.children = {0};

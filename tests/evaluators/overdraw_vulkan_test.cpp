@@ -1,19 +1,16 @@
 #include "../../evaluators/overdraw_vulkan/overdraw_vulkan.h"
 #include "../../evaluators/overdraw_vulkan/vulkan_painter.h"
 
+#include "support/on_device.h"
 #include "support/overdraw.h"
 #include "support/painter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace foredraw {
@@ -32,23 +29,21 @@ std::vector<RasterPart> parts_of(std::span<const TestMesh> meshes, bool culls_ba
   return parts;
 }
 
-/// On whatever device there is, under the eyes of the validation layer where that is installed: it must not complain.
-class OverdrawVulkan : public ::testing::Test {
+class OverdrawVulkan : public testing::OnDevice {
  protected:
   void SetUp() override {
-    if (const auto reason = why_no_vulkan_device()) GTEST_SKIP() << *reason;
-    renew();
+    OnDevice::SetUp();
+    if (!IsSkipped()) renew();
   }
 
   void TearDown() override {
-    device_.reset();  // what is not given back is complained of too
-    for (const std::string& complaint : complaints_) ADD_FAILURE() << complaint;
+    device_.reset();
+    OnDevice::TearDown();
   }
 
   void renew() {
     device_.reset();
-    device_ =
-        std::make_unique<OverdrawDevice>(VulkanChoice{.complaints = has_vulkan_validation() ? &complaints_ : nullptr});
+    device_ = std::make_unique<OverdrawDevice>(choice());
   }
 
   OverdrawDevice& device() { return *device_; }
@@ -64,7 +59,6 @@ class OverdrawVulkan : public ::testing::Test {
   }
 
  private:
-  std::vector<std::string> complaints_;
   std::unique_ptr<OverdrawDevice> device_;
 };
 
@@ -400,37 +394,6 @@ TEST_F(OverdrawVulkan, pictures_too_large_for_the_device_are_refused) {
     EXPECT_NE(std::string(error.what()).find("smaller size"), std::string::npos) << error.what();
   }
   EXPECT_GT(draw(quad(0), views_of({{0, 0, 1}})).visible, 1500u);  // the device is whole
-}
-
-TEST_F(OverdrawVulkan, a_device_is_called_by_a_part_of_its_name) {
-  const std::string name = device().name();
-  std::string part = name.substr(0, 6);
-  for (char& c : part) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  EXPECT_FALSE(why_no_vulkan_device({.device = part}));
-  EXPECT_NE(OverdrawDevice({.device = part}).name().find(name.substr(0, 6)), std::string::npos);
-  const auto reason = why_no_vulkan_device({.device = "abacus"});
-  ASSERT_TRUE(reason);
-  EXPECT_NE(reason->find("'abacus'"), std::string::npos) << *reason;
-  EXPECT_NE(reason->find(name), std::string::npos) << *reason;
-  EXPECT_THROW(OverdrawDevice({.device = "abacus"}), std::runtime_error);
-}
-
-TEST(VulkanDevice, where_there_is_no_driver_the_reason_says_what_to_install) {
-  const std::array variables = {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"};
-  std::vector<std::optional<std::string>> before;
-  for (const char* variable : variables) {
-    const char* value = std::getenv(variable);
-    before.push_back(value != nullptr ? std::optional<std::string>(value) : std::nullopt);
-    setenv(variable, "no-such-driver.json", 1);
-  }
-  EXPECT_EQ(why_no_vulkan_device(), "no Vulkan device: install a driver or mesa-vulkan-drivers");
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    if (before[i]) {
-      setenv(variables[i], before[i]->c_str(), 1);
-    } else {
-      unsetenv(variables[i]);
-    }
-  }
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "evaluators/scene_cost/scene_cost.h"
 
+#include "support/edit_product.h"
 #include "support/merged_draws.h"
 #include "support/meshes.h"
 
 #include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/scene/merged_instances.h>
+#include <foredraw/scene/order_table.h>
 #include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
@@ -149,14 +152,14 @@ TEST(SceneCost, orders_are_shaded_as_their_table_serves_them) {
   table.draws = {0};
   table.theta_steps = 2;
   table.order = {0, 1};
-  scene.order_tables.push_back(table);
+  testing::edit<DrawOrders>(scene)->tables.push_back(table);
   const double half = scene_cost(scene).shaded;
-  scene.order_tables[0].order = {1, 1};
+  testing::edit<DrawOrders>(scene)->tables[0].order = {1, 1};
   const double worse = scene_cost(scene).shaded;
   EXPECT_NEAR(half, (plain + worse) / 2, 1);
   EXPECT_GT(worse, 1.5 * plain);
   EXPECT_EQ(scene_cost(scene).index_bytes, bytes);
-  scene.order_tables[0].order = {0, 1};
+  testing::edit<DrawOrders>(scene)->tables[0].order = {0, 1};
   EXPECT_EQ(scene_cost(scene).index_bytes, 2 * bytes);
 }
 
@@ -184,7 +187,7 @@ TEST(SceneCost, merged_draws_stand_for_what_they_show) {
   EXPECT_EQ(cost.vertex_bytes, 12u * (20 + 6));
   EXPECT_EQ(cost.index_bytes, 4u * (3 + 1) * 30);
   EXPECT_EQ(cost.instance_bytes, 10u * 48 + 5 * (3 + 1) * 8);
-  scene.merged[0].materials = Shared(std::vector<std::uint32_t>(10));
+  testing::edit<MergedDraws>(scene)->sets[0].materials = Shared(std::vector<std::uint32_t>(10));
   EXPECT_EQ(scene_cost(scene).instance_bytes, cost.instance_bytes + 10 * 4);
 }
 

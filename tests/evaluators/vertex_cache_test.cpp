@@ -1,5 +1,6 @@
 #include "../../evaluators/vertex_cache/vertex_cache.h"
 
+#include "support/edit_product.h"
 #include "support/meshes.h"
 
 #include <foredraw/technique/plugin.h>
@@ -117,7 +118,7 @@ TEST(VertexCache, several_orders_weigh_as_their_tables_say) {
     return alone;
   }());
   // The cap down to 60 degrees from +Y is a quarter of the sphere; of two keyframes that makes an eighth.
-  scene.order_tables.push_back({{0}, {{"Walk", {0, 1}}}, 3, 1, {1, 0, 0, 0, 0, 0}});
+  testing::edit<DrawOrders>(scene)->tables.push_back({{0}, {{"Walk", {0, 1}}}, 3, 1, {1, 0, 0, 0, 0, 0}});
   const auto figures = figures_of(scene);
   for (const auto& [metric, good] : good_figures) {
     const auto& worse = bad_figures.at(metric);

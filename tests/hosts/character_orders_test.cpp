@@ -1,8 +1,11 @@
 // The example engine walks round a character and draws what the table says; and what else tells of orders.
 
-#include <foredraw/report/draw_orders.h>
+#include <foredraw/draw_orders/draw_orders_product.h>
+#include <foredraw/draw_orders/order_memory.h>
+#include <foredraw/io/text/extension_text.h>
 #include <foredraw/scene/reorder.h>
 
+#include "support/edit_product.h"
 #include "support/meshes.h"
 #include "support/program.h"
 
@@ -30,7 +33,7 @@ Scene character() {
   Scene scene = testing::scene_of(std::move(draws));
   OrderTable table{{0, 1}, {{"\"times\":[9]", {0, 0.5f}}, {"Walk", {1, 2, 4}}}, 4, 6, {}};
   for (std::size_t cell = 0; cell < table.cells(); ++cell) table.order.push_back(cell * 7 % 5 % 3);
-  scene.order_tables = {table};
+  testing::edit<DrawOrders>(scene)->tables = {table};
   return scene;
 }
 
@@ -97,7 +100,7 @@ TEST_F(CharacterOrders, RefusesWhatHasNoTable) {
 }
 
 TEST(DrawOrdersJson, OrdersAreToldByTheTrianglesOfTheFirst) {
-  const nlohmann::json json = nlohmann::json::parse(draw_orders_json(character()));
+  const nlohmann::json json = nlohmann::json::parse(json_text(draw_orders_value(character())));
   EXPECT_EQ(json["draw-orders"], 1);
   const nlohmann::json& table = json["tables"][0];
   EXPECT_EQ(table["theta-steps"], 4);
@@ -112,16 +115,16 @@ TEST(DrawOrdersJson, OrdersAreToldByTheTrianglesOfTheFirst) {
 
 TEST(DrawOrders, MemoryIsToldAgainstAnOrderForEachKeyframe) {
   Scene scene = character();
-  const OrderMemory memory = memory_of(scene, scene.order_tables[0]);
+  const OrderMemory memory = memory_of(scene, order_tables(scene)[0]);
   EXPECT_EQ(memory.orders, 3u);
   EXPECT_EQ(memory.triangles, 8u);
   EXPECT_EQ(memory.bytes, 3u * 8 * 3 * 2);
   EXPECT_EQ(memory.bytes_for_each_keyframe, 5u * 8 * 3 * 2);
-  EXPECT_EQ(memory_text(scene, scene.order_tables[0]),
+  EXPECT_EQ(memory_text(memory, 5),
             "3 orders of 8 triangles: 144 bytes; one for each of 5 keyframes would take 240 bytes");
   scene.draws[0] = testing::draw_of(testing::grid(300, 300), "large");
-  scene.order_tables = {{{0}, {}, 1, 1, {0}}};
-  EXPECT_EQ(memory_text(scene, scene.order_tables[0]), "1 order of 180000 triangles: 2.2 MB");
+  testing::edit<DrawOrders>(scene)->tables = {{{0}, {}, 1, 1, {0}}};
+  EXPECT_EQ(memory_text(memory_of(scene, order_tables(scene)[0]), 1), "1 order of 180000 triangles: 2.2 MB");
 }
 
 }  // namespace

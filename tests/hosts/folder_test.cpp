@@ -133,8 +133,8 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
   };
   refused("optimize in -o in/spot.glb", "is no folder");
   refused("optimize in -o -", "is no folder");
-  refused("optimize in -o out --remap remap.json", "--remap");
-  refused("optimize in -o out --draw-orders orders.json", "--draw-orders");
+  refused("optimize in -o out -o remap:remap.json", "remap");
+  refused("optimize in -o out -o draw-orders:orders.json", "draw-orders");
   fs::create_directories(folder_ / "empty");
   refused("optimize empty -o out", "holds no scene");
   testing::put(folder_ / "in/spot.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -46,7 +46,7 @@ export class Program {
   remap(model, pipeline) {
     const table = path.join(this.folder, 'remap.json');
     const output = path.join(this.folder, 'remapped.glb');
-    this.run(['optimize', model, '-p', pipeline, '-o', output, '--remap', table]);
+    this.run(['optimize', model, '-p', pipeline, '-o', output, '-o', `remap:${table}`]);
     return JSON.parse(readFileSync(table, 'utf8')).draws.map(({ triangles }) => triangles?.['new-to-old'] ?? null);
   }
 }

@@ -132,10 +132,12 @@ MergedInstances merged_by_hand(const Scene& scene, const std::vector<MergedPlace
 }
 
 Scene with_merged(Scene scene, const std::vector<MergedInstances>& merged) {
+  std::vector<MergedInstances> sets = merged_of(scene);
   for (const MergedInstances& set : merged) {
-    scene.merged.push_back(set);
+    sets.push_back(set);
     for (const MergedMesh& mesh : set.meshes) scene.draws[mesh.draw].traits.add(traits::extended);
   }
+  scene.products.set(MergedDraws{std::move(sets)});
   return scene;
 }
 

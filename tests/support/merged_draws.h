@@ -1,6 +1,7 @@
 #pragma once
 // Merged draws put together in the plainest way, for tests of who writes, reads or counts them: no slot is shared out with care.
 
+#include <foredraw/scene/merged_instances.h>
 #include <foredraw/scene/scene.h>
 
 #include <vector>
@@ -21,5 +22,10 @@ MergedInstances merged_by_hand(const Scene& scene, const std::vector<MergedPlace
 
 /// The scene with them, as a stage would leave it behind.
 Scene with_merged(Scene scene, const std::vector<MergedInstances>& merged);
+
+inline std::vector<MergedInstances> merged_of(const Scene& scene) {
+  const auto sets = merged_sets(scene);
+  return {sets.begin(), sets.end()};
+}
 
 }  // namespace foredraw::testing

@@ -1,5 +1,7 @@
 #include "content_parts.h"
 
+#include <foredraw/scene/merged_instances.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -95,14 +97,14 @@ struct Growing {
 void add_duplicated_parts(const Scene& scene, std::span<const PlacedDraw> placed, std::uint64_t most_bytes,
                           FrameContent& content) {
   std::map<DrawId, UsedMesh> meshes;
-  for (const MergedInstances& merged : scene.merged) {
+  for (const MergedInstances& merged : merged_sets(scene)) {
     for (const MergedMesh& mesh : merged.meshes) meshes.try_emplace(mesh.draw, used_mesh(scene.draws[mesh.draw]));
   }
   const auto found = [&](const MergedPlace& place) -> const PlacedDraw& {
     return *std::ranges::lower_bound(placed, place, {}, &PlacedDraw::place);
   };
   FrameBytes& bytes = content.bytes;
-  for (const MergedInstances& merged : scene.merged) {
+  for (const MergedInstances& merged : merged_sets(scene)) {
     // Vertices of several materials each have to say theirs.
     const std::size_t material_bytes = looks_differ(scene, merged.materials.view()) ? sizeof(std::uint32_t) : 0;
     for (const MergedPlace& place : merged.places.view()) {
@@ -115,7 +117,7 @@ void add_duplicated_parts(const Scene& scene, std::span<const PlacedDraw> placed
   }
   content.is_complete = bytes.vertices + bytes.indices <= most_bytes;
 
-  for (const MergedInstances& merged : scene.merged) {
+  for (const MergedInstances& merged : merged_sets(scene)) {
     FramePart part;
     part.fetch = VertexFetch::in_world;
     Growing vertices;

@@ -3,9 +3,8 @@
 #include "frame_pipeline.h"
 #include "frame_shaders.h"
 
-#include <evaluators/overdraw_vulkan/stopwatch.h>
-
-#include <foredraw/io/merged_shader.h>
+#include <foredraw/gpu/stopwatch.h>
+#include <plugins/processors/merge_instances/merged_shader.h>
 
 #include <algorithm>
 #include <array>
@@ -17,25 +16,15 @@ namespace foredraw::bench {
 
 namespace {
 
-OwnedDescriptorPool make_set_pool(const VulkanDevice& device, std::size_t sets) {
-  const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(1, sets));
-  const VkDescriptorPoolSize buffers{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, binding::count * count};
-  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  info.maxSets = count;
-  info.poolSizeCount = 1;
-  info.pPoolSizes = &buffers;
-  return OwnedDescriptorPool(device.get(), info, "vkCreateDescriptorPool");
-}
-
 template <class T>
-DeviceBuffer uploaded(VulkanDevice& device, const std::vector<T>& content, VkBufferUsageFlags usage) {
+gpu::DeviceBuffer uploaded(gpu::Device& device, const std::vector<T>& content, VkBufferUsageFlags usage) {
   const bool is_read_by_shaders = (usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) != 0;
   if (is_read_by_shaders && content.size() * sizeof(T) > device.limits().maxStorageBufferRange) {
     throw std::runtime_error(device.name() + " has no buffers of " + std::to_string(content.size() * sizeof(T)) +
                              " bytes for shaders, only of " + std::to_string(device.limits().maxStorageBufferRange) +
                              "; draw fewer instances");
   }
-  return DeviceBuffer(device, std::as_bytes(std::span(content)), usage);
+  return gpu::DeviceBuffer(device, std::as_bytes(std::span(content)), usage);
 }
 
 void push(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first) {
@@ -63,7 +52,7 @@ Frame::Frame(FrameDevice& device, const Scene& scene, const FrameContent& conten
     : device_(device),
       is_complete_(content.is_complete),
       looks_(uploaded(device.device(), hashes_of_looks(scene), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)),
-      set_pool_(make_set_pool(device.device(), content.parts.size())) {
+      sets_(device.device(), device.set_layout(), binding::count, content.parts.size()) {
   for (const FramePart& from : content.parts) {
     Part& part = parts_.emplace_back();
     upload(from, part);
@@ -73,7 +62,7 @@ Frame::Frame(FrameDevice& device, const Scene& scene, const FrameContent& conten
 }
 
 void Frame::upload(const FramePart& from, Part& part) {
-  VulkanDevice& device = device_.device();
+  gpu::Device& device = device_.device();
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vertex = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                                index = VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
   const bool is_merged = from.fetch == VertexFetch::merged;
@@ -126,15 +115,7 @@ void Frame::add_calls(const Scene& scene, const FramePart& from, Part& part) {
   part.indirect = from.indirect;
 }
 
-VkDescriptorSet Frame::written_set(const FramePart& from, const Part& part) const {
-  const VkDescriptorSetLayout layout = device_.set_layout();
-  VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-  info.descriptorPool = set_pool_.get();
-  info.descriptorSetCount = 1;
-  info.pSetLayouts = &layout;
-  VkDescriptorSet set = VK_NULL_HANDLE;
-  check(vkAllocateDescriptorSets(device_.device().get(), &info, &set), "vkAllocateDescriptorSets");
-
+VkDescriptorSet Frame::written_set(const FramePart& from, const Part& part) {
   // Where a part's shader reads none there has to be one all the same.
   std::array<VkBuffer, binding::count> buffers;
   buffers.fill(looks_.get());
@@ -146,18 +127,8 @@ VkDescriptorSet Frame::written_set(const FramePart& from, const Part& part) cons
   buffers[binding::transforms] = part.transforms.get();
   buffers[binding::materials] = part.materials.get();
   buffers[binding::places] = part.places.get();
-  std::array<VkDescriptorBufferInfo, binding::count> wholes;
-  std::array<VkWriteDescriptorSet, binding::count> writes;
-  for (std::uint32_t i = 0; i < binding::count; ++i) {
-    wholes[i] = {buffers[i], 0, VK_WHOLE_SIZE};
-    writes[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    writes[i].dstSet = set;
-    writes[i].dstBinding = i;
-    writes[i].descriptorCount = 1;
-    writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    writes[i].pBufferInfo = &wholes[i];
-  }
-  vkUpdateDescriptorSets(device_.device().get(), binding::count, writes.data(), 0, nullptr);
+  const VkDescriptorSet set = sets_.add();
+  sets_.write(set, buffers);
   return set;
 }
 
@@ -200,7 +171,7 @@ void Frame::record(VkCommandBuffer commands, const Part& part) const {
 }
 
 void Frame::record_pass(VkCommandBuffer commands, const glm::mat4& clip_from_world) const {
-  device_.pictures().begin(commands, device_.render_pass(), 0);
+  device_.pictures().begin(commands, 0);
   record(commands, clip_from_world);
   vkCmdEndRenderPass(commands);
 }
@@ -211,14 +182,14 @@ std::vector<std::uint32_t> Frame::pixels(const glm::mat4& clip_from_world) const
     record_pass(commands, clip_from_world);
     device_.pictures().copy_out(commands, 1);
   });
-  const auto shown = device_.pictures().owners(0);
+  const auto shown = device_.pictures().pixels(0);
   return {shown.begin(), shown.end()};
 }
 
 std::optional<double> Frame::milliseconds(const glm::mat4& clip_from_world) const {
   if (!is_complete_ || device_.device().timestamp_mask() == 0) return std::nullopt;
-  Stopwatch stopwatch(device_.device());
-  return 1e-6 * stopwatch.time([&](VkCommandBuffer commands) { record_pass(commands, clip_from_world); });
+  const auto record = [&](VkCommandBuffer commands) { record_pass(commands, clip_from_world); };
+  return 1e-6 * gpu::nanoseconds(device_.device(), record);
 }
 
 }  // namespace foredraw::bench

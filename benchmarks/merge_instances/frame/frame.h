@@ -3,7 +3,8 @@
 
 #include "frame_device.h"
 
-#include <evaluators/overdraw_vulkan/vulkan_memory.h>
+#include <foredraw/gpu/memory.h>
+#include <foredraw/gpu/storage_sets.h>
 
 #include <optional>
 #include <vector>
@@ -32,12 +33,12 @@ class Frame {
   };
 
   struct Part {
-    DeviceBuffer vertices, indices, transforms, materials, slots, commands, places, instances;
+    gpu::DeviceBuffer vertices, indices, transforms, materials, slots, commands, places, instances;
     std::vector<VkBuffer> vertex_buffers;  ///< as the pipelines number them
     std::vector<VkDeviceSize> vertex_offsets;
     VkIndexType index_type = VK_INDEX_TYPE_UINT32;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    std::vector<OwnedPipeline> pipelines;  ///< plain and mirrored; of merged draws one for each frequency
+    std::vector<gpu::OwnedPipeline> pipelines;  ///< plain and mirrored; of merged draws one for each frequency
     std::vector<DirectCall> direct;
     std::vector<IndirectCall> indirect;
     std::vector<MergedCall> merged;
@@ -45,14 +46,14 @@ class Frame {
 
   void upload(const FramePart& from, Part& part);
   void add_calls(const Scene& scene, const FramePart& from, Part& part);
-  VkDescriptorSet written_set(const FramePart& from, const Part& part) const;
+  VkDescriptorSet written_set(const FramePart& from, const Part& part);
   void record(VkCommandBuffer commands, const Part& part) const;
   void record_pass(VkCommandBuffer commands, const glm::mat4& clip_from_world) const;
 
   FrameDevice& device_;
   bool is_complete_;
-  DeviceBuffer looks_;
-  OwnedDescriptorPool set_pool_;
+  gpu::DeviceBuffer looks_;
+  gpu::StorageSets sets_;
   std::vector<Part> parts_;
 };
 

@@ -3,8 +3,7 @@
 
 #include "frame_content.h"
 
-#include <evaluators/overdraw_vulkan/pictures.h>
-#include <evaluators/overdraw_vulkan/vulkan_device.h>
+#include <foredraw/gpu/pictures.h>
 
 #include <map>
 #include <string>
@@ -16,11 +15,11 @@ namespace foredraw::bench {
 class FrameDevice {
  public:
   /// Throws std::runtime_error where there is no device that will do, or no shader compiler.
-  explicit FrameDevice(int size, const VulkanChoice& choice = {});
+  explicit FrameDevice(int size, const gpu::DeviceChoice& choice = {});
 
-  VulkanDevice& device() { return device_; }
+  gpu::Device& device() { return device_; }
   VkRenderPass render_pass() const { return render_pass_.get(); }
-  const Pictures& pictures() const { return pictures_; }
+  const gpu::Pictures& pictures() const { return pictures_; }
   VkPipelineLayout layout() const { return layout_.get(); }
   VkDescriptorSetLayout set_layout() const { return set_layout_.get(); }
   VkShaderModule fragment_shader() const { return fragment_shader_.get(); }
@@ -28,13 +27,13 @@ class FrameDevice {
   VkShaderModule vertex_shader(const std::string& text);
 
  private:
-  VulkanDevice device_;
-  OwnedRenderPass render_pass_;
-  Pictures pictures_;
-  OwnedSetLayout set_layout_;
-  OwnedPipelineLayout layout_;
-  OwnedShader fragment_shader_;
-  std::map<std::string, OwnedShader> vertex_shaders_;
+  gpu::Device device_;
+  gpu::OwnedRenderPass render_pass_;
+  gpu::Pictures pictures_;
+  gpu::OwnedSetLayout set_layout_;
+  gpu::OwnedPipelineLayout layout_;
+  gpu::OwnedShader fragment_shader_;
+  std::map<std::string, gpu::OwnedShader> vertex_shaders_;
 };
 
 }  // namespace foredraw::bench

@@ -1,6 +1,7 @@
 #include "frame_shaders.h"
 
-#include <foredraw/io/merged_shader.h>
+#include <plugins/processors/merge_instances/merged_shader.h>
+#include <foredraw/scene/merged_instances.h>
 
 namespace foredraw::bench {
 
@@ -62,7 +63,7 @@ std::string merged_text(const Scene& scene, const FramePart& part, std::uint32_t
   };
   const std::string material = part.material ? std::to_string(*part.material) + "u" : "merged_material(at.instance)";
   return "#define MERGED_SET " + std::to_string(part.merged_set) + "\n#define MERGED_FREQUENCY " + std::to_string(frequency) +
-         "u\n" + merged_shader_text(scene.merged, ShaderLanguage::glsl) + shared_text +
+         "u\n" + merged_shader_text(merged_sets(scene), ShaderLanguage::glsl) + shared_text +
          "void main() {\n"
          "  MergedVertex at = merged_vertex(uint(gl_VertexIndex), first);\n"
          "  vec3 normal = " + fetched("NORMAL", "merged_normal_to_world(at.instance, merged_normal(at.vertex))", "vec3(0.0)") +

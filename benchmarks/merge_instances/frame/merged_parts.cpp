@@ -1,5 +1,7 @@
 #include "content_parts.h"
 
+#include <foredraw/scene/merged_instances.h>
+
 #include <algorithm>
 
 namespace foredraw::bench {
@@ -23,8 +25,8 @@ std::vector<PlacedDraw> not_merged(const Scene& scene, std::span<const PlacedDra
 }
 
 void add_merged_parts(const Scene& scene, FrameContent& content) {
-  for (std::uint32_t set = 0; set < scene.merged.size(); ++set) {
-    const MergedInstances& merged = scene.merged[set];
+  for (std::uint32_t set = 0; set < merged_sets(scene).size(); ++set) {
+    const MergedInstances& merged = merged_sets(scene)[set];
     FramePart& part = content.parts.emplace_back();
     part.fetch = VertexFetch::merged;
     part.vertices = merged.vertices;

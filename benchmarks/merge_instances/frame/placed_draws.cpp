@@ -12,7 +12,7 @@ namespace {
 
 void number_groups(const Scene& scene, std::vector<PlacedDraw>& placed) {
   std::uint32_t number = 0;
-  for (const MergedInstances& merged : scene.merged) {
+  for (const MergedInstances& merged : merged_sets(scene)) {
     for (const MergedGroup& group : merged.groups) {
       ++number;
       for (const MergedPlace& place : merged.places.view().subspan(group.first_instance, group.instance_count)) {

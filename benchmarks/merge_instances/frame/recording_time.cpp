@@ -7,23 +7,23 @@ namespace foredraw::bench {
 RecordingTime::RecordingTime(FrameDevice& device) : device_(device) {
   VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   pool.queueFamilyIndex = device.device().queue_family();
-  pool_ = OwnedCommandPool(device.device().get(), pool, "vkCreateCommandPool");
+  pool_ = gpu::OwnedCommandPool(device.device().get(), pool, "vkCreateCommandPool");
   VkCommandBufferAllocateInfo one{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
   one.commandPool = pool_.get();
   one.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   one.commandBufferCount = 1;
-  check(vkAllocateCommandBuffers(device.device().get(), &one, &commands_), "vkAllocateCommandBuffers");
+  gpu::check(vkAllocateCommandBuffers(device.device().get(), &one, &commands_), "vkAllocateCommandBuffers");
 }
 
 double RecordingTime::milliseconds(const Frame& frame) {
-  check(vkResetCommandPool(device_.device().get(), pool_.get(), 0), "vkResetCommandPool");
+  gpu::check(vkResetCommandPool(device_.device().get(), pool_.get(), 0), "vkResetCommandPool");
   const auto begin = std::chrono::steady_clock::now();
   const VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-  check(vkBeginCommandBuffer(commands_, &info), "vkBeginCommandBuffer");
-  device_.pictures().begin(commands_, device_.render_pass(), 0);
+  gpu::check(vkBeginCommandBuffer(commands_, &info), "vkBeginCommandBuffer");
+  device_.pictures().begin(commands_, 0);
   frame.record(commands_, glm::mat4(1));
   vkCmdEndRenderPass(commands_);
-  check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
+  gpu::check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 

@@ -14,7 +14,7 @@ class RecordingTime {
 
  private:
   FrameDevice& device_;
-  OwnedCommandPool pool_;
+  gpu::OwnedCommandPool pool_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
 };
 

@@ -1,7 +1,6 @@
 #include <foredraw/io/scene_file.h>
 
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/io/merged_files.h>
 #include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/text/private/file_kind.h>
 #include <foredraw/io/gltf/private/stand_ins.h>
@@ -46,7 +45,7 @@ bool is_gltf_file(const fs::path& path) { return lower_extension(path) == ".glb"
 
 bool is_scene_file(const fs::path& path) { return is_gltf_file(path) || mesh_kind_of(path); }
 
-std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics) {
+std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics, const ProductRows& products) {
   if (path.empty()) {
     diagnostics.error({}, "no-such-file", "the input's name is empty",
                       "give the path of a scene, an image or a frame list, or -");
@@ -58,10 +57,10 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
   const std::size_t length = bytes->size();
   const auto mesh_kind = is_standard ? std::nullopt : mesh_kind_of(path);
   auto scene = mesh_kind               ? read_mesh_file(*bytes, *mesh_kind, path, folder_of(path), diagnostics)
-               : is_standard           ? read_gltf(std::move(*bytes), "standard input", {}, diagnostics)
+               : is_standard           ? read_gltf(std::move(*bytes), "standard input", {}, diagnostics, products)
                : is_frame_list(path)   ? read_sprite_list(*bytes, path, folder_of(path), diagnostics)
                : is_sprite_input(path) ? read_sprite_image(std::move(*bytes), path, diagnostics)
-                                       : read_gltf(std::move(*bytes), path, folder_of(path), diagnostics);
+                                       : read_gltf(std::move(*bytes), path, folder_of(path), diagnostics, products);
   if (!scene) return std::nullopt;
   return SceneFile{std::move(*scene), length};
 }
@@ -69,7 +68,7 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {
   if (path == "-" || is_gltf_file(path)) return true;
   const bool is_of_sprites = input != "-" && is_sprite_input(input);
-  if (is_of_sprites ? is_sprite_output(path) : is_merged_output(path)) return true;
+  if (is_of_sprites && is_sprite_output(path)) return true;
   const auto mesh_kind = mesh_kind_of(path);
   if (mesh_kind && input != "-" && mesh_kind == mesh_kind_of(input)) return true;
   if (mesh_kind) {
@@ -84,16 +83,15 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
                       "they are as .json, .h, .svg, .png, .html, .glb and .gltf");
   } else {
     diagnostics.error({.file = path}, "unknown-kind",
-                      "scenes are written as .glb or .gltf, or as the kind they came from; merged draws of them as .json, .glsl, .hlsl",
+                      "scenes are written as .glb or .gltf, or as the kind they came from",
                       "give the output one of these extensions, or - for a GLB on standard output");
   }
   return false;
 }
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
-                                                    Diagnostics& diagnostics, Compression compression) {
-  const bool has_sprites = std::ranges::any_of(scene.draws, [](const Draw& draw) { return draw.frame.has_value(); });
-  if (is_merged_output(path) && !has_sprites) return encode_merged(scene, path, diagnostics);
+                                                    Diagnostics& diagnostics, Compression compression,
+                                                    const ProductRows& products) {
   if (is_sprite_output(path)) {
     auto file = encode_sprites({&scene, 1}, path, diagnostics);
     return file ? std::optional(std::vector<OutputFile>{std::move(*file)}) : std::nullopt;
@@ -104,18 +102,22 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   if (const auto mesh_kind = mesh_kind_of(path)) {
     auto file = encode_mesh_file(scene, *mesh_kind, path, diagnostics);
     if (!file) return std::nullopt;
-    if (!scene.merged.empty()) {
-      diagnostics.warning({.file = path}, "merged-draws-left-out", "files of this kind can not hold merged draws; they are left out",
-                          "write the scene as .glb too, or the merged draws as .json");
-    }
+    scene.products.each([&](const std::string& name) {
+      diagnostics.warning({.file = path}, "product-left-out", "files of this kind can not hold '" + name + "'; it is left out",
+                          "write the scene as .glb too, or -o " + name + ":FILE");
+    });
     std::vector<OutputFile> files{std::move(*file)};
     if (mesh_source) tell_growth(mesh_source->bytes(), files, diagnostics);
     return files;
   }
   auto for_gltf = sprites_for_gltf(scene, path, diagnostics);
   if (!for_gltf) return std::nullopt;
-  if (mesh_source) for_gltf->source = mesh_source->gltf;
-  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression);
+  if (mesh_source) {
+    Scene as_gltf = *for_gltf;
+    as_gltf.source = mesh_source->gltf;
+    for_gltf = std::make_shared<const Scene>(std::move(as_gltf));
+  }
+  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression, products);
   if (files && !spares_its_inputs(scene, *files, diagnostics)) return std::nullopt;
   if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);
   if (!files || !is_standard) return files;
@@ -131,7 +133,6 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
 
 std::vector<fs::path> paths_written_for(const fs::path& path) {
   std::vector<fs::path> paths{path};
-  if (lower_extension(path) == ".json") paths.push_back(merged_buffer_beside(path));
   if (!is_gltf_file(path)) return paths;
   if (!gltf::is_glb(path)) paths.push_back(gltf::buffer_beside(path));
   paths.push_back(gltf::fallback_beside(path, 0));

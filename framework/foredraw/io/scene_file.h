@@ -4,7 +4,6 @@
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/platform/files.h>
-#include <foredraw/scene/scene.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -24,7 +23,8 @@ struct SceneFile {
 bool is_scene_file(const std::filesystem::path& path);
 bool is_gltf_file(const std::filesystem::path& path);
 
-std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics);
+/// What no row of `products` knows of a glTF file is a foreign extension, which stays as it is.
+std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics, const ProductRows& products = {});
 
 /// Whether scenes can be written to a path of this kind; a diagnostic says why not. `input`: where the scene is to come
 /// from, for an OBJ, PLY, OFF or STL is written only from a file of its own kind, and files of sprites only from images
@@ -35,7 +35,8 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 /// here.
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics,
-                                                    Compression compression = Compression::keep);
+                                                    Compression compression = Compression::keep,
+                                                    const ProductRows& products = {});
 
 /// Every path that encode_scene may write to for one, that itself first.
 std::vector<std::filesystem::path> paths_written_for(const std::filesystem::path& path);

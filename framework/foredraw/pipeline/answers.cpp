@@ -42,6 +42,14 @@ void leave_out_unnamed(SubjectOrders& answer) {
 
 }  // namespace
 
+bool has_same_handles(const Draw& a, const Draw& b) {
+  const auto same_stream = [](const IndexStream& x, const IndexStream& y) { return x.indices.is(y.indices); };
+  const auto same_level = [&](const Level& x, const Level& y) {
+    return x.vertices == y.vertices && std::ranges::equal(x.orders, y.orders, same_stream);
+  };
+  return a.topology == b.topology && a.material == b.material && std::ranges::equal(a.levels, b.levels, same_level);
+}
+
 void certify(const Draw& before, const Draw& after, Analyses& analyses) {
   require(before.levels.size() == after.levels.size(), "the certificate does not hold: levels were added or lost");
   for (std::size_t level = 0; level < before.levels.size(); ++level) {

@@ -2,6 +2,7 @@
 // What techniques answer, checked, applied and certified. Every function leaves the scene alone and throws
 // std::runtime_error, saying what is wrong, where an answer is no answer.
 
+#include <foredraw/scene/order_table.h>
 #include <foredraw/scene/vertex_groups.h>
 #include <foredraw/technique/plugin.h>
 
@@ -26,6 +27,9 @@ OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyse
 /// Each user of the group with its vertices in the order; of a user's draw only that level is new.
 std::vector<std::pair<VertexGroup::User, Draw>> renumbered(const Scene& scene, const VertexGroup& group,
                                                            const VertexOrder& order, Analyses& analyses);
+
+/// Whether both draw from the same memory, with the same material.
+bool has_same_handles(const Draw& a, const Draw& b);
 
 /// That every order of every level of `after` draws the triangles that `before` drew at that level.
 void certify(const Draw& before, const Draw& after, Analyses& analyses);

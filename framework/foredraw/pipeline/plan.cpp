@@ -21,6 +21,7 @@ class Planner {
   Plan plan(const Pipeline& pipeline) {
     Plan plan;
     plan.pipeline = pipeline;
+    plan.products = registry_.products();
     if (const auto mistake = mistake_in(pipeline.views)) {
       error({.file = {}, .inside = "views"}, "bad-views", *mistake);
     } else {

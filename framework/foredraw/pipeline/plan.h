@@ -39,6 +39,7 @@ struct Plan {
   std::vector<PlannedStage> measures;
   Views views;
   Poses poses;
+  ProductRows products;  ///< what the registry's plugins make
   std::shared_ptr<const OverdrawService> overdraw;  ///< null: no service is named or needed
 };
 

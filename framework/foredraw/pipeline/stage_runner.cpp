@@ -1,9 +1,9 @@
 #include <foredraw/pipeline/stage_runner.h>
 
+#include <foredraw/analysis/placements.h>
 #include <foredraw/base/random.h>
 #include <foredraw/pipeline/answers.h>
 #include <foredraw/pipeline/eligible.h>
-#include <foredraw/report/draw_orders.h>
 
 #include <fmt/format.h>
 
@@ -42,8 +42,10 @@ class StageRunner {
   }
 
   std::vector<Measured> run() {
+    const std::optional<Scene> before = scene_.products.empty() ? std::nullopt : std::optional(scene_);
     std::visit([this](const auto& technique) { run(*technique); }, *stage_.technique);
-    forget_broken_tables();
+    if (before) follow(*before);
+    mark_held_draws(scene_, plan_.products);
     return std::move(measured_);
   }
 
@@ -58,7 +60,6 @@ class StageRunner {
     });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       const DrawId id = choice_.draws[i];
-      if (outcomes[i].answer) forget_tables_of(id);
       // An order that could not be bettered for this cache is as good as made for it.
       IndexStream& stream = scene_.draws[id].levels[0].orders[0];
       if (outcomes[i].kept() && cache_size > 0) stream.cache_size = static_cast<std::uint16_t>(cache_size);
@@ -92,21 +93,25 @@ class StageRunner {
           SubjectOrders orders = technique.order(view, run);
           if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
         });
+    const auto before = order_tables(scene_);
+    std::vector<OrderTable> tables(before.begin(), before.end());
     for (std::size_t i = 0; i < subjects.size(); ++i) {
       accept(outcomes[i], subjects[i].name);
       if (outcomes[i].answer) {
         for (auto& [id, draw] : outcomes[i].answer->draws) {
-          forget_tables_of(id);
+          forget_tables_of(id, tables);
           scene_.draws[id] = std::move(draw);
         }
         OrderTable& table = outcomes[i].answer->table;
         const bool has_choice = std::ranges::any_of(table.order, [](std::uint8_t order) { return order > 0; });
-        if (has_choice) {
-          scene_.order_tables.push_back(std::move(table));
-          record_.notes.push_back({subjects[i].name, "memory", memory_text(scene_, scene_.order_tables.back())});
-        }
+        if (has_choice) tables.push_back(std::move(table));
       }
       for (DrawId id : draws[i]) update_traits(scene_.draws[id], outcomes[i]);
+    }
+    if (tables.empty()) {
+      scene_.products.erase(DrawOrders::product);
+    } else {
+      scene_.products.set(DrawOrders{std::move(tables)});
     }
   }
 
@@ -129,7 +134,6 @@ class StageRunner {
       if (outcomes[i].answer) {
         for (auto& [user, draw] : *outcomes[i].answer) {
           scene_.draws[user.draw].levels[user.level] = std::move(draw.levels[user.level]);
-          if (user.level == 0) scene_.draws[user.draw].extensions = std::move(draw.extensions);
         }
       }
       for (const VertexGroup::User& user : groups[i].users) update_traits(scene_.draws[user.draw], outcomes[i]);
@@ -146,7 +150,10 @@ class StageRunner {
       if (stage_.plugin->card.lossless) {
         if (changed.draws.size() != scene_.draws.size()) throw std::runtime_error("it promised the same draws");
         for (DrawId id : choice_.draws) certify(scene_.draws[id], changed.draws[id], run.analyses);
+        if (const std::string other = placement_difference(scene_, changed); !other.empty()) throw std::runtime_error(other);
       }
+      must_be_left(changed);
+      prove_products(changed);
       outcome.answer = std::move(changed);
     });
     accept(outcomes[0], "", outcomes[0].answer ? *outcomes[0].answer : scene_);
@@ -279,30 +286,44 @@ class StageRunner {
     }
   }
 
-  /// A table whose orders are no longer there would lead an engine astray, and without it orders are of no use.
-  template <class Condition>
-  void forget_tables(Condition is_wrong) {
-    std::erase_if(scene_.order_tables, [&](const OrderTable& table) {
-      if (!is_wrong(table)) return false;
-      for (const DrawId id : table.draws) {
-        if (id < scene_.draws.size()) scene_.draws[id].levels[0].orders.resize(1);
-      }
+  /// A draw that is ordered anew has no orders of the old table, and without its table other draws' are of no use.
+  void forget_tables_of(DrawId id, std::vector<OrderTable>& tables) {
+    std::erase_if(tables, [&](const OrderTable& table) {
+      if (std::ranges::find(table.draws, id) == table.draws.end()) return false;
+      for (const DrawId other : table.draws) scene_.draws[other].levels[0].orders.resize(1);
       return true;
     });
   }
 
-  void forget_tables_of(DrawId id) {
-    forget_tables([id](const OrderTable& table) { return std::ranges::find(table.draws, id) != table.draws.end(); });
+  // --- what is not the technique's to change ------------------------------------------------------------------------
+
+  /// Draws that a processor was not given have the same handles afterwards.
+  void must_be_left(const Scene& changed) const {
+    for (DrawId id = 0; id < std::min(scene_.draws.size(), changed.draws.size()); ++id) {
+      if (std::ranges::binary_search(choice_.draws, id) || has_same_handles(scene_.draws[id], changed.draws[id])) continue;
+      throw std::runtime_error(fmt::format("it changed {}, which it was not given", scene_.draws[id].name));
+    }
   }
 
-  /// Those that name what a processor has taken away.
-  void forget_broken_tables() {
-    forget_tables([this](const OrderTable& table) {
-      const std::size_t most = table.order.empty() ? 0 : *std::ranges::max_element(table.order);
-      return std::ranges::any_of(table.draws, [&](DrawId id) {
-        return id >= scene_.draws.size() || scene_.draws[id].levels[0].orders.size() <= most;
-      });
-    });
+  /// What a stage made shows what the scene shows.
+  void prove_products(const Scene& changed) const {
+    for (const auto& row : plan_.products) {
+      const std::string name = row->card().name;
+      if (!changed.products.has(name) || changed.products.same(name, scene_.products)) continue;
+      const std::string difference = row->difference(changed);
+      if (!difference.empty()) throw std::runtime_error(fmt::format("its {} differ from the scene: {}", row->card().title, difference));
+    }
+  }
+
+  /// Products that were there before go along with what became of the draws, or are left out.
+  void follow(const Scene& before) {
+    for (const auto& row : plan_.products) {
+      const ProductCard card = row->card();
+      if (!before.products.has(card.name) || !scene_.products.has(card.name)) continue;
+      for (std::string& why : row->follow(before, scene_)) {
+        record_.notes.push_back({"", card.name + "-left-out", std::move(why)});
+      }
+    }
   }
 
   /// Of each subject the draws that may be ordered anew. A draw that is in several belongs to the first.

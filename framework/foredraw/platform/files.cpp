@@ -57,6 +57,15 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) {
   return true;
 }
 
+bool write_all(int descriptor, const OutputFile& file) {
+  bool is_whole = write_all(descriptor, file.bytes);
+  const OutputFile::Put put = [&](std::string_view text) {
+    is_whole = is_whole && write_all(descriptor, std::as_bytes(std::span(text)));
+  };
+  if (file.rest) file.rest(put);
+  return is_whole;
+}
+
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 /// A file that is being written, under a name of its own in the folder of its place, so that the rename stays within
@@ -166,7 +175,7 @@ std::optional<Part> part_of(const fs::path& place, const OutputFile& file, Diagn
   Part part(place);
   if (part.descriptor() < 0) {
     cannot_open(file, diagnostics);
-  } else if (!write_all(part.descriptor(), file.bytes) || ::fsync(part.descriptor()) != 0) {
+  } else if (!write_all(part.descriptor(), file) || ::fsync(part.descriptor()) != 0) {
     cannot_finish(file, diagnostics);
   } else {
     return part;
@@ -180,7 +189,7 @@ bool write_stream(const OutputFile& file, Diagnostics& diagnostics) {
     cannot_open(file, diagnostics);
     return false;
   }
-  if (write_all(out.get(), file.bytes)) return true;
+  if (write_all(out.get(), file)) return true;
   cannot_finish(file, diagnostics);
   return false;
 }

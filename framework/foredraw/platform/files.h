@@ -5,9 +5,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace foredraw {
@@ -22,8 +24,12 @@ std::optional<std::vector<std::byte>> read_standard_input(Diagnostics& diagnosti
 bool write_standard_output(std::span<const std::byte> bytes, Diagnostics& diagnostics);
 
 struct OutputFile {
+  using Put = std::function<void(std::string_view)>;
+
   std::filesystem::path path;
   std::vector<std::byte> bytes;
+  /// Puts what comes behind the bytes, piece by piece, while the file is written: what is long need not stand in memory.
+  std::function<void(const Put&)> rest = nullptr;
 };
 
 /// Writes every file beside its place ("out.glb.foredraw-part0"), then renames them into it one after the other, the

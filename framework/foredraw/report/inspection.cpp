@@ -1,15 +1,13 @@
 #include <foredraw/report/inspection.h>
 
 #include <foredraw/analysis/mesh_facts.h>
-#include <foredraw/report/draw_orders.h>
+#include <foredraw/io/text/extension_text.h>
 #include <foredraw/report/table.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/scene/vertex_groups.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <map>
 
 namespace foredraw {
 
@@ -72,82 +70,14 @@ std::string images_text(const Scene& scene) {
   return text;
 }
 
-std::string order_tables_text(const Scene& scene) {
-  std::string text;
-  for (const OrderTable& table : scene.order_tables) {
-    text += fmt::format("  {}: {} x {} directions", draws_text(scene, table), table.theta_steps, table.phi_steps);
-    if (!table.clips.empty()) text += fmt::format(", {} keyframes of {} clips", table.keyframes(), table.clips.size());
-    text += fmt::format("; {}\n", memory_text(scene, table));
+/// What the rows tell of the products that the scene has.
+std::vector<std::pair<std::string, ProductText>> products_of(const Scene& scene, const ProductRows& rows) {
+  std::vector<std::pair<std::string, ProductText>> told;
+  for (const auto& row : rows) {
+    const std::string name = row->card().name;
+    if (scene.products.has(name)) told.emplace_back(name, row->told(scene));
   }
-  return text;
-}
-
-/// Index entries of the slots of each size.
-std::map<std::uint32_t, std::uint64_t> slots_by_frequency(const MergedInstances& merged) {
-  std::map<std::uint32_t, std::uint64_t> slots;
-  for (const MergedDraw& draw : merged.draws) slots[draw.frequency] += draw.slot_count;
-  return slots;
-}
-
-std::string material_text(const Scene& scene, const MergedInstances& merged) {
-  if (!merged.materials.empty()) return "materials of their own";
-  if (!merged.material) return "no material";
-  const std::string& name = scene.materials[*merged.material].name;
-  return name.empty() ? fmt::format("material {}", *merged.material) : name;
-}
-
-std::string merged_text(const Scene& scene) {
-  std::string text;
-  for (const MergedInstances& merged : scene.merged) {
-    std::vector<std::string> slots;
-    for (const auto& [frequency, count] : slots_by_frequency(merged)) {
-      slots.push_back(fmt::format("{} slots of {} index entries", count, frequency));
-    }
-    text += fmt::format("  {}: {} instances of {} draws in {} groups, drawn by {} calls; {}\n", material_text(scene, merged),
-                        merged.places.size(), merged.meshes.size(), merged.groups.size(), merged.draws.size(),
-                        fmt::join(slots, ", "));
-  }
-  return text;
-}
-
-Json merged_json(const Scene& scene) {
-  Json json = Json::array();
-  for (const MergedInstances& merged : scene.merged) {
-    Json draws = Json::array();
-    for (const MergedMesh& mesh : merged.meshes) draws.push_back(scene.draws[mesh.draw].name);
-    Json slots = Json::array();
-    for (const auto& [frequency, count] : slots_by_frequency(merged)) {
-      slots.push_back({{"frequency", frequency}, {"slots", count}});
-    }
-    json.push_back({{"material", material_text(scene, merged)},
-                    {"draws", std::move(draws)},
-                    {"instances", merged.places.size()},
-                    {"groups", merged.groups.size()},
-                    {"calls", merged.draws.size()},
-                    {"slots", std::move(slots)}});
-  }
-  return json;
-}
-
-Json order_tables_json(const Scene& scene) {
-  Json json = Json::array();
-  for (const OrderTable& table : scene.order_tables) {
-    Json draws = Json::array();
-    for (const DrawId id : table.draws) draws.push_back(scene.draws[id].name);
-    Json clips = Json::array();
-    for (const OrderTable::Clip& clip : table.clips) {
-      clips.push_back({{"name", clip.name}, {"keyframes", clip.times.size()}});
-    }
-    const OrderMemory memory = memory_of(scene, table);
-    json.push_back({{"draws", std::move(draws)},
-                    {"orders", memory.orders},
-                    {"theta-steps", table.theta_steps},
-                    {"phi-steps", table.phi_steps},
-                    {"clips", std::move(clips)},
-                    {"bytes", memory.bytes},
-                    {"bytes-for-each-keyframe", memory.bytes_for_each_keyframe}});
-  }
-  return json;
+  return told;
 }
 
 Json images_json(const Scene& scene) {
@@ -168,7 +98,7 @@ Json images_json(const Scene& scene) {
 
 }  // namespace
 
-std::string inspection_text(const Scene& scene, Analyses& analyses) {
+std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyses& analyses) {
   std::string text = fmt::format(
       "{}: {} draws in {} meshes on {} nodes, {} vertex streams, {} materials, {} skins, {} animations, {} images\n\n",
       scene.name, scene.draws.size(), scene.meshes.size(), scene.nodes.size(), vertex_groups(scene).size(),
@@ -186,10 +116,10 @@ std::string inspection_text(const Scene& scene, Analyses& analyses) {
   }
   text += table.text();
   if (!odd.empty()) text += "\nodd:\n" + odd;
-  if (!scene.order_tables.empty()) {
-    text += "\norders (chosen by direction, and by clip and keyframe):\n" + order_tables_text(scene);
+  for (const auto& [name, product] : products_of(scene, rows)) {
+    text += fmt::format("\n{}:\n", product.heading);
+    for (const std::string& line : product.lines) text += fmt::format("  {}\n", line);
   }
-  if (!scene.merged.empty()) text += "\nmerged (beside the nodes that show the same):\n" + merged_text(scene);
   if (!scene.images.empty()) text += "\nimages:\n" + images_text(scene);
   text += "\nsubjects (seen and judged together):\n";
   for (const Subject& subject : subjects_of(scene)) {
@@ -198,7 +128,7 @@ std::string inspection_text(const Scene& scene, Analyses& analyses) {
   return text;
 }
 
-std::string inspection_json(const Scene& scene, Analyses& analyses) {
+std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyses& analyses) {
   Json json{{"inspection", 1},
             {"file", scene.name},
             {"meshes", scene.meshes.size()},
@@ -229,8 +159,8 @@ std::string inspection_json(const Scene& scene, Analyses& analyses) {
                              {"traits", std::vector<std::string>(draw.traits.begin(), draw.traits.end())},
                              {"facts", facts}});
   }
-  json["order-tables"] = order_tables_json(scene);
-  json["merged"] = merged_json(scene);
+  json["products"] = Json::object();
+  for (const auto& [name, product] : products_of(scene, rows)) json["products"][name] = Json::parse(json_text(product.value));
   json["subjects"] = Json::array();
   for (const Subject& subject : subjects_of(scene)) {
     Json draws = Json::array();

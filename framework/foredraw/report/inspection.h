@@ -1,13 +1,13 @@
 #pragma once
 #include <foredraw/analysis/analyses.h>
-#include <foredraw/scene/scene.h>
+#include <foredraw/scene/product_row.h>
 
 #include <string>
 
 namespace foredraw {
 
-/// What a scene holds and what is odd about it, for people.
-std::string inspection_text(const Scene& scene, Analyses& analyses);
-std::string inspection_json(const Scene& scene, Analyses& analyses);
+/// What a scene holds and what is odd about it, for people; of its products, what their rows tell.
+std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyses& analyses);
+std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyses& analyses);
 
 }  // namespace foredraw

@@ -5,8 +5,10 @@
 #include <foredraw/report/metrics.h>
 #include <foredraw/analysis/mesh_facts.h>
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foredraw {
@@ -96,6 +98,9 @@ struct Report {
 
 /// The JSON form, described in docs/report.md.
 std::string to_json(const Report& report);
+
+/// The same text handed over in pieces: of many draws it is longer than all the rest of a run.
+void write_json(const Report& report, const std::function<void(std::string_view)>& put);
 
 /// The tables for people: figures before and after, stages with what they skipped and why.
 std::string to_text(const Report& report);

@@ -1,62 +1,105 @@
-#include <foredraw/report/private/json_values.h>
+#include <foredraw/report/private/json_writer.h>
 #include <foredraw/report/report.h>
+
+#include <algorithm>
+#include <array>
 
 namespace foredraw {
 
 namespace {
 
-Json to_json(const Figure& figure) {
-  Json json{{"value", json_of(figure.value())}, {"unit", figure.unit}, {"error", json_of(figure.error)}};
-  if (figure.denominator) {
-    json["numerator"] = json_of(figure.numerator);
-    json["denominator"] = json_of(*figure.denominator);
-  }
-  return json;
+/// What a figure says, within the object that is its own.
+void write(JsonWriter& out, const Figure& figure) {
+  out.key("value").value(figure.value());
+  out.key("unit").value(figure.unit);
+  out.key("error").value(figure.error);
+  if (!figure.denominator) return;
+  out.key("numerator").value(figure.numerator);
+  out.key("denominator").value(*figure.denominator);
 }
+
+struct Entry {
+  std::array<std::string_view, 3> parts;
+  std::size_t count;  ///< of the parts
+  const Figure* figure;
+};
 
 /// "models.fifo-32.acmr" as models, fifo-32, acmr. What is measured apart may have dots in its name: "poses.Walk@0.5.ratio".
-std::vector<std::string> parts_of(const std::string& metric) {
+Entry entry_of(std::string_view metric, const Figure& figure) {
   const std::size_t first = metric.find('.');
-  if (first == std::string::npos) return {metric};
+  if (first == std::string::npos) return {{metric}, 1, &figure};
   const std::size_t last = metric.rfind('.');
-  if (first == last) return {metric.substr(0, first), metric.substr(last + 1)};
-  return {metric.substr(0, first), metric.substr(first + 1, last - first - 1), metric.substr(last + 1)};
+  if (first == last) return {{metric.substr(0, first), metric.substr(last + 1)}, 2, &figure};
+  return {{metric.substr(0, first), metric.substr(first + 1, last - first - 1), metric.substr(last + 1)}, 3, &figure};
 }
 
-/// Groups are objects.
-Json to_json(const Metrics& metrics) {
-  Json json = Json::object();
-  for (const auto& [plugin, by_metric] : metrics.all()) {
-    for (const auto& [metric, figure] : by_metric) {
-      Json* at = &json[plugin];
-      for (const std::string& part : parts_of(metric)) at = &(*at)[part];
-      *at = to_json(figure);
+/// Groups are objects, each where its first figure stands.
+void write(JsonWriter& out, std::vector<Entry> entries, std::size_t part) {
+  while (!entries.empty()) {
+    const std::string_view name = entries.front().parts[part];
+    const auto others = std::ranges::stable_partition(entries, [&](const Entry& e) { return e.parts[part] == name; });
+    std::vector<Entry> group(entries.begin(), others.begin());
+    entries.erase(entries.begin(), others.begin());
+    out.key(name).begin('{');
+    if (group.front().count == part + 1) {
+      write(out, *group.front().figure);
+      group.erase(group.begin());
     }
+    if (!group.empty()) write(out, std::move(group), part + 1);
+    out.end('}');
   }
-  return json;
 }
 
-Json to_json(const StateRecord& state) {
-  return {{"triangles", state.triangles}, {"vertices", state.vertices}, {"metrics", to_json(state.metrics)}};
+void write(JsonWriter& out, const Metrics& metrics) {
+  out.begin('{');
+  for (const auto& [plugin, by_metric] : metrics.all()) {
+    std::vector<Entry> entries;
+    for (const auto& [metric, figure] : by_metric) entries.push_back(entry_of(metric, figure));
+    out.key(plugin).begin('{');
+    write(out, std::move(entries), 0);
+    out.end('}');
+  }
+  out.end('}');
 }
 
-Json with_before(const StateRecord& after, const StateRecord& before, bool optimized) {
-  Json json = to_json(after);
-  if (optimized) json["before"] = to_json(before);
-  return json;
+/// What a state says, within the object that is its own.
+void write(JsonWriter& out, const StateRecord& state) {
+  out.key("triangles").value(state.triangles);
+  out.key("vertices").value(state.vertices);
+  write(out.key("metrics"), state.metrics);
 }
 
-Json to_json(const MeshFacts& facts) {
-  Json json = Json::object();
-  for (const auto& [name, count] : named_counts(facts)) json[std::string(name)] = count;
-  return json;
+void write(JsonWriter& out, const StateRecord& after, const StateRecord& before, bool optimized) {
+  write(out, after);
+  if (!optimized) return;
+  out.key("before").begin('{');
+  write(out, before);
+  out.end('}');
 }
 
-Json to_json(const DrawRecord& draw, bool optimized) {
-  Json json{{"name", draw.name}, {"traits", std::vector<std::string>(draw.traits.begin(), draw.traits.end())}};
-  json["facts"] = to_json(draw.facts);
-  json.update(with_before(draw.after, draw.before, optimized));
-  return json;
+void write(JsonWriter& out, const DrawRecord& draw, bool optimized) {
+  out.begin('{');
+  out.key("name").value(draw.name);
+  out.key("traits").begin('[');
+  for (const Trait trait : draw.traits) out.value(trait);
+  out.end(']');
+  out.key("facts").begin('{');
+  for (const auto& [name, count] : named_counts(draw.facts)) out.key(name).value(count);
+  out.end('}');
+  write(out, draw.after, draw.before, optimized);
+  out.end('}');
+}
+
+void write(JsonWriter& out, const ImageRecord& image, bool optimized) {
+  out.begin('{');
+  out.key("name").value(image.name);
+  write(out.key("metrics"), image.after);
+  if (optimized) {
+    out.key("before").begin('{');
+    write(out.key("metrics"), image.before);
+    out.end('}');
+  }
+  out.end('}');
 }
 
 Json to_json(const StageRecord& stage) {
@@ -97,35 +140,46 @@ Json to_json(const FileRecord& file) { return {{"path", file.path}, {"bytes", fi
 
 }  // namespace
 
-std::string to_json(const Report& report) {
-  Json json{{"report", report_version}, {"command", report.command}, {"input", to_json(report.input)}};
-  if (!report.output.path.empty()) json["output"] = to_json(report.output);
-  json["pipeline"] = report.pipeline;
-  json["seed"] = report.seed;
-  json["threads"] = report.threads;
-  json["machine"] = report.machine;
-  json["seconds"] = report.seconds;
-  json["peak-memory"] = report.peak_memory;
-
-  json["totals"] = with_before(report.after, report.before, report.optimized);
-  json["evaluators"] = Json::object();
+void write_json(const Report& report, const std::function<void(std::string_view)>& put) {
+  JsonWriter out(put);
+  out.begin('{');
+  Json head{{"report", report_version}, {"command", report.command}, {"input", to_json(report.input)}};
+  if (!report.output.path.empty()) head["output"] = to_json(report.output);
+  head["pipeline"] = report.pipeline;
+  head["seed"] = report.seed;
+  head["threads"] = report.threads;
+  head["machine"] = report.machine;
+  head["seconds"] = report.seconds;
+  head["peak-memory"] = report.peak_memory;
+  for (const auto& [name, value] : head.items()) out.key(name).tree(value);
+  out.key("totals").begin('{');
+  write(out, report.after, report.before, report.optimized);
+  out.end('}');
+  Json evaluators = Json::object();
   for (const auto& [name, options] : report.evaluator_options) {
-    Json& values = json["evaluators"][name]["options"] = Json::object();
+    Json& values = evaluators[name]["options"] = Json::object();
     for (const auto& [option, value] : options) values[option] = json_of(value);
   }
-  json["draws"] = Json::array();
-  for (const DrawRecord& draw : report.draws) json["draws"].push_back(to_json(draw, report.optimized));
-  json["images"] = Json::array();
-  for (const ImageRecord& image : report.images) {
-    Json entry{{"name", image.name}, {"metrics", to_json(image.after)}};
-    if (report.optimized) entry["before"] = {{"metrics", to_json(image.before)}};
-    json["images"].push_back(std::move(entry));
-  }
-  json["stages"] = to_json(report.stages);
-  json["measures"] = to_json(report.measures);
-  json["diagnostics"] = Json::array();
-  for (const Diagnostic& diagnostic : report.diagnostics) json["diagnostics"].push_back(to_json(diagnostic));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  out.key("evaluators").tree(evaluators);
+  out.key("draws").begin('[');
+  for (const DrawRecord& draw : report.draws) write(out, draw, report.optimized);
+  out.end(']');
+  out.key("images").begin('[');
+  for (const ImageRecord& image : report.images) write(out, image, report.optimized);
+  out.end(']');
+  out.key("stages").tree(to_json(report.stages));
+  out.key("measures").tree(to_json(report.measures));
+  out.key("diagnostics").begin('[');
+  for (const Diagnostic& diagnostic : report.diagnostics) out.tree(to_json(diagnostic));
+  out.end(']');
+  out.end('}');
+  out.finish();
+}
+
+std::string to_json(const Report& report) {
+  std::string text;
+  write_json(report, [&](std::string_view piece) { text += piece; });
+  return text;
 }
 
 }  // namespace foredraw

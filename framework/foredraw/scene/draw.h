@@ -2,7 +2,6 @@
 // What one draw call draws: a glTF primitive.
 
 #include <foredraw/scene/clusters.h>
-#include <foredraw/scene/extension.h>
 #include <foredraw/scene/material.h>
 #include <foredraw/scene/sprite.h>
 #include <foredraw/scene/traits.h>
@@ -51,7 +50,6 @@ struct Draw {
   Topology topology = Topology::triangles;
   std::optional<MaterialId> material;
   Traits traits;
-  std::vector<Extension> extensions;  ///< what stages added
   std::optional<DrawOrigin> origin;
   std::optional<SpriteFrame> frame;   ///< of a draw that shows a part of an image
 };

@@ -37,6 +37,20 @@ bool operator==(const MergedInstances& a, const MergedInstances& b) {
          a.draws == b.draws;
 }
 
+std::span<const MergedInstances> merged_sets(const Scene& scene) {
+  const auto* merged = scene.products.find<MergedDraws>();
+  return merged == nullptr ? std::span<const MergedInstances>() : merged->sets;
+}
+
+std::vector<MergedPlace> merged_places(const Scene& scene) {
+  std::vector<MergedPlace> places;
+  for (const MergedInstances& merged : merged_sets(scene)) {
+    places.insert(places.end(), merged.places.view().begin(), merged.places.view().end());
+  }
+  std::ranges::sort(places);
+  return places;
+}
+
 std::optional<std::string> mistake_in(const MergedInstances& merged) {
   if (!merged.vertices || merged.vertices->find("POSITION") == nullptr) return "has no positions";
   for (const VertexStream* stream : merged.vertices->all()) {

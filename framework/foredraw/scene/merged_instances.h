@@ -1,8 +1,7 @@
 #pragma once
 // Draws merged into few, beside the nodes and meshes that show the same: whoever knows nothing of them draws those.
 
-#include <foredraw/scene/material.h>
-#include <foredraw/scene/vertex_streams.h>
+#include <foredraw/scene/scene.h>
 
 #include <glm/vec3.hpp>
 
@@ -72,6 +71,19 @@ struct MergedInstances {
   std::vector<MergedDraw> draws;       ///< group after group
 };
 bool operator==(const MergedInstances& a, const MergedInstances& b);
+
+/// The product of merge-instances, beside the nodes that show the same.
+struct MergedDraws {
+  static constexpr std::string_view product = "merged-draws";
+  std::vector<MergedInstances> sets;
+  friend bool operator==(const MergedDraws&, const MergedDraws&) = default;
+};
+
+/// Of the scene; empty where nothing is merged.
+std::span<const MergedInstances> merged_sets(const Scene& scene);
+
+/// What merged draws show of the scene; sorted.
+std::vector<MergedPlace> merged_places(const Scene& scene);
 
 /// What is wrong, as the rest of a sentence that begins with the name of these: buffers of unequal lengths, what leads out
 /// of them, draws that are too long. Whether the places exist is the scene's to say.

@@ -17,6 +17,11 @@ bool rise(const std::vector<float>& times) {
 
 }  // namespace
 
+std::span<const OrderTable> order_tables(const Scene& scene) {
+  const auto* orders = scene.products.find<DrawOrders>();
+  return orders == nullptr ? std::span<const OrderTable>() : orders->tables;
+}
+
 std::optional<std::string> mistake_in(const OrderTable& table, std::size_t orders) {
   if (table.draws.empty()) return "names no draw";
   if (std::set(table.draws.begin(), table.draws.end()).size() < table.draws.size()) return "names a draw twice";

@@ -1,7 +1,7 @@
 #pragma once
 // Which of the k orders to draw: the table that a subject orderer answers with and an engine looks up each frame.
 
-#include <foredraw/scene/draw.h>
+#include <foredraw/scene/scene.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -35,6 +35,16 @@ struct OrderTable {
 
   friend bool operator==(const OrderTable&, const OrderTable&) = default;
 };
+
+/// The product of orderers that answer with several orders for a draw.
+struct DrawOrders {
+  static constexpr std::string_view product = "draw-orders";
+  std::vector<OrderTable> tables;
+  friend bool operator==(const DrawOrders&, const DrawOrders&) = default;
+};
+
+/// Of the scene; empty where no draw has several orders.
+std::span<const OrderTable> order_tables(const Scene& scene);
 
 /// What is wrong with a table that chooses among `orders`, as the rest of a sentence that begins with it: what it names
 /// twice, times that do not rise, more steps than 2^16, too many or too few cells, an order beyond those there are.

@@ -18,12 +18,6 @@ bool is_permutation(std::span<const std::uint32_t> order, std::size_t count) {
 
 namespace {
 
-std::vector<std::uint32_t> inverse(std::span<const std::uint32_t> order) {
-  std::vector<std::uint32_t> result(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) result[order[i]] = i;
-  return result;
-}
-
 std::optional<Clusters> moved_clusters(const Clusters& clusters, std::span<const std::uint32_t> order) {
   std::vector<std::uint32_t> cluster_of(order.size());
   for (std::uint32_t c = 0; c < clusters.count(); ++c) {
@@ -47,26 +41,6 @@ Shared<std::byte> gathered(const VertexStream& stream, std::span<const std::uint
     std::memcpy(result.data() + i * row, bytes.data() + from[i] * row, row);
   }
   return Shared<std::byte>(std::move(result));
-}
-
-Shared<std::byte> renumbered(const VertexStream& stream, std::span<const std::uint32_t> destination) {
-  std::vector<std::byte> result(stream.bytes.view().begin(), stream.bytes.view().end());
-  for (std::size_t at = 0; at + 4 <= result.size(); at += 4) {
-    std::uint32_t value;
-    std::memcpy(&value, result.data() + at, 4);
-    if (value < destination.size()) std::memcpy(result.data() + at, &destination[value], 4);
-  }
-  return Shared<std::byte>(std::move(result));
-}
-
-void move_extensions(std::vector<Extension>& extensions, ExtensionStream::Rows rows, ExtensionStream::Values values,
-                     std::span<const std::uint32_t> from, std::span<const std::uint32_t> destination) {
-  for (Extension& extension : extensions) {
-    for (ExtensionStream& stream : extension.streams) {
-      if (stream.rows == rows) stream.stream.bytes = gathered(stream.stream, from);
-      if (stream.values == values) stream.stream.bytes = renumbered(stream.stream, destination);
-    }
-  }
 }
 
 /// For each new vertex an old one that goes there.
@@ -136,11 +110,6 @@ Draw with_triangle_order(const Draw& draw, std::span<const std::uint32_t> order)
   const bool had_clusters = stream.clusters.has_value();
   stream = with_triangle_order(stream, order);
   if (had_clusters && !stream.clusters) result.traits.remove(traits::clustered);
-  if (!result.extensions.empty()) {
-    const std::vector<std::uint32_t> destination = inverse(order);
-    move_extensions(result.extensions, ExtensionStream::Rows::triangles, ExtensionStream::Values::triangles, order,
-                    destination);
-  }
   return result;
 }
 
@@ -164,10 +133,6 @@ Draw with_vertices_moved(const Draw& draw, std::size_t level, std::shared_ptr<co
     std::vector<std::uint32_t> indices(stream.indices.view().begin(), stream.indices.view().end());
     for (std::uint32_t& index : indices) index = destination[index];
     stream.indices = Shared<std::uint32_t>(std::move(indices));
-  }
-  if (level == 0 && !result.extensions.empty()) {
-    move_extensions(result.extensions, ExtensionStream::Rows::vertices, ExtensionStream::Values::vertices,
-                    sources(destination, moved->count), destination);
   }
   const std::span<const std::uint32_t> before = changed.vertex_destination.view();
   std::vector<std::uint32_t> whole(destination.begin(), destination.end());

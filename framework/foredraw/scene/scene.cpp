@@ -2,8 +2,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
-
 namespace foredraw {
 
 glm::mat4 Transform::matrix() const {
@@ -11,15 +9,6 @@ glm::mat4 Transform::matrix() const {
 }
 
 glm::mat4 Node::local() const { return matrix ? *matrix : transform.matrix(); }
-
-std::vector<MergedPlace> merged_places(const Scene& scene) {
-  std::vector<MergedPlace> places;
-  for (const MergedInstances& merged : scene.merged) {
-    places.insert(places.end(), merged.places.view().begin(), merged.places.view().end());
-  }
-  std::ranges::sort(places);
-  return places;
-}
 
 std::vector<glm::mat4> world_transforms(const Scene& scene, std::span<const glm::mat4> locals) {
   std::vector<char> has_parent(scene.nodes.size(), 0);

@@ -3,8 +3,7 @@
 
 #include <foredraw/scene/draw.h>
 #include <foredraw/scene/image.h>
-#include <foredraw/scene/merged_instances.h>
-#include <foredraw/scene/order_table.h>
+#include <foredraw/scene/products.h>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
@@ -92,17 +91,13 @@ struct Scene {
   std::vector<Animation> animations;
   std::vector<Material> materials;
   std::vector<Image> images;
-  std::vector<OrderTable> order_tables;
-  std::vector<MergedInstances> merged;  ///< beside the nodes that show the same
+  Products products;  ///< what techniques made beside triangles and vertices
   std::shared_ptr<const SceneSource> source;
 
   const Material* material_of(const Draw& draw) const {
     return draw.material && *draw.material < materials.size() ? &materials[*draw.material] : nullptr;
   }
 };
-
-/// What merged draws show of the scene; sorted.
-std::vector<MergedPlace> merged_places(const Scene& scene);
 
 /// Each node's transform to the world, from its transform to its parent. Nodes without a parent are roots.
 std::vector<glm::mat4> world_transforms(const Scene& scene, std::span<const glm::mat4> locals);

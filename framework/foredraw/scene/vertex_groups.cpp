@@ -70,7 +70,6 @@ void move_vertices(Scene& scene, const VertexGroup& group, std::span<const std::
   for (std::size_t i = 0; i < draws.size(); ++i) {
     Draw& draw = scene.draws[group.users[i].draw];
     draw.levels[group.users[i].level] = std::move(draws[i].levels[group.users[i].level]);
-    if (group.users[i].level == 0) draw.extensions = std::move(draws[i].extensions);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <foredraw/technique/options.h>
 #include <foredraw/technique/orderer.h>
 #include <foredraw/technique/overdraw_service.h>
+#include <foredraw/scene/product_row.h>
 #include <foredraw/technique/processor.h>
 
 #include <functional>
@@ -58,6 +59,8 @@ struct Plugin {
   std::function<std::unique_ptr<OverdrawService>(const Settings&)> overdraw_service = {};
   bool exact = false;  ///< its service counts exactly: asked first where a pipeline names none
   std::vector<OptionSpec> service_options = {};
+  /// Of what it makes beside triangles and vertices. Several plugins may make the same product.
+  ProductRows products = {};
 };
 
 /// An option table bound to a maker: plugin.create reads the settings into Options and calls make(options).

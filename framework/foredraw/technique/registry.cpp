@@ -35,7 +35,25 @@ void Registry::add(Plugin plugin) {
       throw std::invalid_argument(name + ": default of " + *why);
     }
   }
+  for (const auto& row : plugin.products) {
+    const ProductCard card = row->card();
+    for (const auto& known : products()) {
+      if ((known->card().name == card.name) != (known->card().extension == card.extension)) {
+        throw std::invalid_argument(name + ": product '" + card.name + "' or its extension " + card.extension + " is there already");
+      }
+    }
+  }
   plugins_.emplace(name, std::move(plugin));
+}
+
+ProductRows Registry::products() const {
+  std::map<std::string, std::shared_ptr<const ProductRow>> rows;
+  for (const auto& [name, plugin] : plugins_) {
+    for (const auto& row : plugin.products) rows.emplace(row->card().name, row);
+  }
+  ProductRows result;
+  for (auto& [name, row] : rows) result.push_back(std::move(row));
+  return result;
 }
 
 const Plugin* Registry::find(std::string_view name) const {

@@ -10,11 +10,13 @@ namespace foredraw {
 class Registry {
  public:
   /// Throws std::invalid_argument where the name is taken, is not in lower case with hyphens, or an option's default does
-  /// not fit its own row: mistakes of whoever wrote the plugin.
+  /// not fit its own row, or two products have one extension: mistakes of whoever wrote the plugin.
   void add(Plugin plugin);
   const Plugin* find(std::string_view name) const;
   std::vector<const Plugin*> all() const;  ///< by name
   std::vector<std::string> names() const;
+  /// What the plugins make, by name, each once.
+  ProductRows products() const;
 
  private:
   std::map<std::string, Plugin, std::less<>> plugins_;

@@ -1,5 +1,6 @@
 #include <foredraw/viewing/drawn_orders.h>
 
+#include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/order_lookup.h>
 #include <foredraw/viewing/pose_set.h>
 
@@ -21,9 +22,9 @@ struct PosedTable {
 
 std::vector<PosedTable> tables_of(const Scene& scene, const Subject& subject, const Pose& pose) {
   std::vector<PosedTable> tables;
-  if (scene.order_tables.empty()) return tables;
+  if (order_tables(scene).empty()) return tables;
   const std::vector<std::string> names = clip_names(scene);
-  for (const OrderTable& table : scene.order_tables) {
+  for (const OrderTable& table : order_tables(scene)) {
     std::vector<std::size_t> parts;
     for (std::size_t i = 0; i < subject.parts.size(); ++i) {
       if (std::ranges::find(table.draws, subject.parts[i].draw) != table.draws.end()) parts.push_back(i);

@@ -1,5 +1,6 @@
 #include <foredraw/viewing/order_lookup.h>
 
+#include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/view_directions.h>
 
 #include <algorithm>
@@ -60,8 +61,8 @@ std::vector<double> shares_of_orders(const OrderTable& table) {
 std::vector<ServedOrder> served_orders(const Scene& scene, DrawId draw) {
   const std::vector<IndexStream>& orders = scene.draws[draw].levels[0].orders;
   const auto table = std::ranges::find_if(
-      scene.order_tables, [&](const OrderTable& one) { return std::ranges::find(one.draws, draw) != one.draws.end(); });
-  if (table == scene.order_tables.end()) return {{&orders[0]}};
+      order_tables(scene), [&](const OrderTable& one) { return std::ranges::find(one.draws, draw) != one.draws.end(); });
+  if (table == order_tables(scene).end()) return {{&orders[0]}};
   std::vector<ServedOrder> served;
   const std::vector<double> shares = shares_of_orders(*table);
   for (std::size_t i = 0; i < shares.size(); ++i) {

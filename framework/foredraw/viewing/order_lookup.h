@@ -3,7 +3,7 @@
 
 #include <foredraw/runtime/order_table.h>
 #include <foredraw/scene/poses.h>
-#include <foredraw/scene/scene.h>
+#include <foredraw/scene/order_table.h>
 
 #include <glm/vec3.hpp>
 

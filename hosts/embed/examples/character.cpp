@@ -1,6 +1,8 @@
 #include "character.h"
 
+#include <foredraw/draw_orders/draw_orders_product.h>
 #include <foredraw/viewing/drawn_orders.h>
+#include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/order_lookup.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/io/scene_file.h>
@@ -35,8 +37,8 @@ Subject subject_of(const foredraw::Scene& scene, const foredraw::OrderTable& tab
 
 /// The first table, in a scene that stays where it is.
 const foredraw::OrderTable& table_of(const foredraw::Scene& scene) {
-  if (scene.order_tables.empty()) throw std::runtime_error("no table of draw orders: optimise it with @character");
-  return scene.order_tables.front();
+  if (order_tables(scene).empty()) throw std::runtime_error("no table of draw orders: optimise it with @character");
+  return order_tables(scene).front();
 }
 
 /// No exception passes into C.
@@ -65,7 +67,7 @@ struct character {
 character* character_load(const char* path) {
   return said([&]() -> character* {
     foredraw::Diagnostics diagnostics;
-    std::optional<foredraw::SceneFile> file = foredraw::read_scene(path, diagnostics);
+    std::optional<foredraw::SceneFile> file = foredraw::read_scene(path, diagnostics, {foredraw::draw_orders_product()});
     std::fprintf(stderr, "%s", foredraw::to_text(diagnostics).c_str());
     if (!file) return nullptr;
     character* hero = new character{std::move(file->scene)};

@@ -2,7 +2,9 @@
 
 #include <foredraw/viewing/order_nodes.h>
 #include <foredraw/base/random.h>
+#include <foredraw/draw_orders/draw_orders_product.h>
 #include <foredraw/measuring/captured_subject.h>
+#include <foredraw/measuring/order_notes.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -55,6 +57,7 @@ class AnimatedKMeans final : public SubjectOrderer {
     result.table = order_table(view.scene, run.poses, run.views, answer.serving, options_);
     result.table.draws = view.draws;
     result.orders = std::move(answer.orders);
+    note_order_memory(view, result, run);
     return result;
   }
 
@@ -116,6 +119,7 @@ Plugin animated_kmeans_plugin() {
       .pays_if = "something is drawn that does not stay, and the new orders draw less of it",
       .uses_overdraw = true,
   };
+  plugin.products = {draw_orders_product()};
   OptionTable<Options> table;
   table.row<int>(&Options::k, "k", "Orders of each draw, of which the engine draws one by view and pose",
                  {1, 255, "orders"});

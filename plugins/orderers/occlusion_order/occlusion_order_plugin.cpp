@@ -1,7 +1,9 @@
 #include "k_orders.h"
 
 #include <foredraw/viewing/order_nodes.h>
+#include <foredraw/draw_orders/draw_orders_product.h>
 #include <foredraw/measuring/captured_subject.h>
+#include <foredraw/measuring/order_notes.h>
 #include <foredraw/technique/plugin.h>
 
 namespace foredraw {
@@ -52,6 +54,7 @@ class OcclusionOrder final : public SubjectOrderer {
       for (const auto& order : found.orders)
         result.orders.back().push_back(in_sequence(subject.draws[d].atoms, order[d]));
     }
+    note_order_memory(view, result, run);
     return result;
   }
 
@@ -74,6 +77,7 @@ Plugin occlusion_order_plugin() {
       .pays_if = "something is drawn that does not stay, and the new order draws less of it",
       .uses_overdraw = true,
   };
+  plugin.products = {draw_orders_product()};
   OptionTable<Options> table;
   table.row<int>(&Options::k, "k", "Orders of each draw, of which the engine draws one by view and pose",
                  {1, 255, "orders"});

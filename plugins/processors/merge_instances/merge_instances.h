@@ -1,6 +1,8 @@
 #pragma once
 // Many meshes with many instances each, drawn as a few draws without a vertex stored twice.
 
+#include <foredraw/scene/merged_instances.h>
+
 #include "mergeable.h"
 #include "packing.h"
 #include "spatial_groups.h"

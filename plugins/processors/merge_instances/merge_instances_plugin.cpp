@@ -1,4 +1,5 @@
 #include "merge_instances.h"
+#include "merged_draws_product.h"
 #include "slot_order.h"
 
 #include <foredraw/technique/plugin.h>
@@ -110,14 +111,16 @@ class MergeInstances final : public Processor {
       return {};
     }
     std::vector<DrawId> changed;
+    const auto* before = scene.products.find<MergedDraws>();
+    MergedDraws all = before == nullptr ? MergedDraws() : *before;
     for (const MergedSet& set : merged.merged) {
       MergedInstances made = merged_instances(scene, set);
-      scene.merged.push_back(options_.overdraw_order ? with_less_overdraw(scene, std::move(made), run) : std::move(made));
+      all.sets.push_back(options_.overdraw_order ? with_less_overdraw(scene, std::move(made), run) : std::move(made));
       for (const merging::MergeableMesh& mesh : set.set.meshes) {
-        scene.draws[mesh.draw].traits.add(traits::extended);
         changed.push_back(mesh.draw);
       }
     }
+    scene.products.set(std::move(all));
     measure(merged, scene, run);
     std::ranges::sort(changed);
     return changed;
@@ -127,7 +130,7 @@ class MergeInstances final : public Processor {
   static void measure(const MergedScene& merged, const Scene& scene, const Run& run) {
     double entries = 0, padded = 0, slots = 0, placed = 0, bytes = 0, groups = 0, wasted = 0;
     double draws = static_cast<double>(draws_left(scene));
-    for (const MergedInstances& set : scene.merged) draws += static_cast<double>(set.draws.size());
+    for (const MergedInstances& set : merged_sets(scene)) draws += static_cast<double>(set.draws.size());
     for (const MergedSet& set : merged.merged) {
       entries += static_cast<double>(set.packed.drawn_entries);
       padded += static_cast<double>(set.packed.padded_entries);
@@ -202,6 +205,7 @@ Plugin merge_instances_plugin() {
                    "Index entries that are drawn though their instance by itself would have been culled, expected over all "
                    "places and ways to look that see some of the scene"}},
   };
+  plugin.products = {merged_draws_product()};
   bind_options(plugin, std::move(table),
                [](const Options& options) { return std::make_unique<MergeInstances>(options); });
   return plugin;

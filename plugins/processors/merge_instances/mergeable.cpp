@@ -44,7 +44,7 @@ std::string why_not_merged(const Scene& scene, const Draw& draw, const Mergeable
   if (draw.traits.has(traits::blended) || (material != nullptr && material->alpha_mode == AlphaMode::blend)) {
     return "it is blended, so that the sequence of draws shows";
   }
-  if (draw.traits.has(traits::extended) || !draw.extensions.empty()) {
+  if (draw.traits.has(traits::extended)) {
     return "an extension refers to its triangles or vertices";
   }
   if (draw.material && material == nullptr) return "its material is missing";

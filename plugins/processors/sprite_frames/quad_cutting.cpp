@@ -89,7 +89,6 @@ std::string why_not_cut(const Scene& scene, const Draw& draw) {
   if (!draw.frame) return "it has no frame: it was not made from an image";
   const SpriteFrame& frame = *draw.frame;
   if (draw.levels.size() != 1 || draw.levels[0].orders.size() != 1) return "it has several levels or orders";
-  if (!draw.extensions.empty()) return "it carries extensions";
   const Material* material = scene.material_of(draw);
   if (material == nullptr || !material->base_colour) return "its material has no texture";
   const Texture& texture = *material->base_colour;

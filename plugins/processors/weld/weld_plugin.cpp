@@ -9,24 +9,13 @@ namespace foredraw {
 
 namespace {
 
-/// Rows that an extension keeps for each vertex are not compared, so such vertices stay as they are.
-bool has_vertex_rows(const Draw& draw) {
-  return std::ranges::any_of(draw.extensions, [](const Extension& extension) {
-    return std::ranges::any_of(extension.streams, [](const ExtensionStream& stream) {
-      return stream.rows == ExtensionStream::Rows::vertices;
-    });
-  });
-}
-
 class WeldVertices final : public Processor {
  public:
   explicit WeldVertices(WeldOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
-    std::vector<DrawId> may_change = draws;
-    std::erase_if(may_change, [&](DrawId id) { return has_vertex_rows(scene.draws[id]); });
     std::vector<VertexGroup> groups = vertex_groups(scene);
-    for (const HeldDraw& held : keep_groups_of(groups, may_change)) {
+    for (const HeldDraw& held : keep_groups_of(groups, draws)) {
       run.note_at({held.draw}, "shared-vertices", "not welded: it shares its vertices with " +
                                                       scene.draws[held.by].name + ", which stays as it is");
     }

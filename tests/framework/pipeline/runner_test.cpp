@@ -1,5 +1,6 @@
 #include <foredraw/pipeline/runner.h>
 
+#include "support/edit_product.h"
 #include "support/meshes.h"
 #include "support/test_plugins.h"
 
@@ -82,8 +83,8 @@ TEST_F(Runner, NumbersVerticesForEveryDrawThatSharesThem) {
 
 TEST_F(Runner, AppliesTheOrdersOfASubject) {
   const Result result = run("two-orders", two_);
-  ASSERT_EQ(result.scene.order_tables.size(), 2u);
-  EXPECT_EQ(result.scene.order_tables[1].order, (std::vector<std::uint8_t>{0, 1}));  // the unnamed one is left out
+  ASSERT_EQ(order_tables(result.scene).size(), 2u);
+  EXPECT_EQ(order_tables(result.scene)[1].order, (std::vector<std::uint8_t>{0, 1}));  // the unnamed one is left out
   ASSERT_EQ(result.scene.draws[1].levels[0].orders.size(), 2u);
   EXPECT_EQ(indices(result.scene, 1, 0), indices(two_, 1));
   EXPECT_EQ(indices(result.scene, 1, 1), (std::vector<std::uint32_t>{2, 1, 3, 0, 1, 2}));
@@ -214,11 +215,11 @@ TEST_F(Runner, SaysWhichDrawHoldsVerticesBack) {
 
 TEST_F(Runner, ForgetsTablesWhoseOrdersAreGone) {
   const Result again = run("two-orders, two-orders", two_);
-  EXPECT_EQ(again.scene.order_tables.size(), 2u);
+  EXPECT_EQ(order_tables(again.scene).size(), 2u);
   EXPECT_EQ(again.scene.draws[0].levels[0].orders.size(), 2u);
   const Result after = run("two-orders, reverse-draw(only=\"A\")", two_);
-  ASSERT_EQ(after.scene.order_tables.size(), 1u);
-  EXPECT_EQ(after.scene.order_tables[0].draws, (std::vector<DrawId>{1}));
+  ASSERT_EQ(order_tables(after.scene).size(), 1u);
+  EXPECT_EQ(order_tables(after.scene)[0].draws, (std::vector<DrawId>{1}));
   EXPECT_EQ(after.scene.draws[0].levels[0].orders.size(), 1u);
 }
 
@@ -228,14 +229,14 @@ TEST_F(Runner, OrdersWithoutTheirTableAreForgottenToo) {
     draw.levels[0].orders.push_back(draw.levels[0].orders[0]);
     draw.levels[0].orders.push_back(draw.levels[0].orders[0]);
   }
-  scene.order_tables.push_back({{0, 1}, {}, 1, 1, {2}});
+  testing::edit<DrawOrders>(scene)->tables.push_back({{0, 1}, {}, 1, 1, {2}});
   const Result kept = run("pairs, reverse-vertices", scene);
-  EXPECT_EQ(kept.scene.order_tables, scene.order_tables);
+  EXPECT_TRUE(kept.scene.products.same(DrawOrders::product, scene.products));
   EXPECT_EQ(kept.scene.draws[1].levels[0].orders.size(), 3u);
   for (const char* stages : {"reverse-draw(only=\"A\")", "double-triangles(only=\"A\")"}) {
     const Result result = run(stages, scene);
     EXPECT_FALSE(result.failed);
-    EXPECT_TRUE(result.scene.order_tables.empty()) << stages;
+    EXPECT_TRUE(order_tables(result.scene).empty()) << stages;
     EXPECT_EQ(result.scene.draws[0].levels[0].orders.size(), 1u) << stages;
     EXPECT_EQ(result.scene.draws[1].levels[0].orders.size(), 1u) << stages;
   }

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <thread>
 
 namespace foredraw {
@@ -106,6 +107,26 @@ TEST_F(Files, WriteAndReadBack) {
   EXPECT_EQ(get(folder_ / "Größe ü.bin"), "");
   EXPECT_EQ(files_in_folder(), 3u) << "nothing else is left";
   EXPECT_TRUE(diagnostics_.empty());
+}
+
+TEST_F(Files, TheRestIsMadeWhileItIsWritten) {
+  const OutputFile file{folder_ / "a", bytes_of("first, "), [](const OutputFile::Put& put) {
+    put("second, ");
+    put("third");
+  }};
+  ASSERT_TRUE(write({file}));
+  EXPECT_EQ(get(folder_ / "a"), "first, second, third");
+}
+
+TEST_F(Files, WhoseRestThrowsStaysAsItWas) {
+  put(folder_ / "a", "old");
+  const OutputFile file{folder_ / "a", {}, [](const OutputFile::Put& put) {
+    put("new");
+    throw std::bad_alloc();
+  }};
+  EXPECT_THROW(write({file}), std::bad_alloc);
+  EXPECT_EQ(get(folder_ / "a"), "old");
+  EXPECT_EQ(files_in_folder(), 1u);
 }
 
 TEST_F(Files, WriteNothing) { EXPECT_TRUE(write({})); }

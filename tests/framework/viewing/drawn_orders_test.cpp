@@ -3,6 +3,7 @@
 #include <foredraw/viewing/distinct_poses.h>
 #include <foredraw/scene/reorder.h>
 
+#include "support/edit_product.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ Scene character() {
   scene.skins.resize(1);
   scene.skins[0].joints = {3};
   scene.animations = {{"Sit", {}}, {"Fly", {}}};
-  scene.order_tables.push_back({{0, 2}, {{"Sit", {0}}, {"Fly", {0}}}, 2, 1, {0, 1, 1, 1}});
+  testing::edit<DrawOrders>(scene)->tables.push_back({{0, 2}, {{"Sit", {0}}, {"Fly", {0}}}, 2, 1, {0, 1, 1, 1}});
   return scene;
 }
 
@@ -68,7 +69,7 @@ TEST(DrawnOrders, parts_draw_the_orders_that_are_set) {
 
 TEST(DrawnOrders, without_tables_all_views_draw_what_stands_alone) {
   Scene scene = character();
-  scene.order_tables.clear();
+  testing::edit<DrawOrders>(scene)->tables.clear();
   const auto all = views_by_orders(scene, subjects_of(scene)[0], {1, 0}, up_down_up);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].orders, (Numbers{0, 0, 0}));
@@ -79,7 +80,7 @@ TEST(DrawnOrders, poses_that_are_drawn_in_other_orders_are_not_alike) {
   Scene scene = character();
   const Poses poses{{{0, 0}, {1, 0}, {0, 5}}};
   EXPECT_EQ(distinct_poses(scene, subjects_of(scene), poses, Executor(2))[0].first_alike, (Places{0, 1, 0}));
-  scene.order_tables.clear();
+  testing::edit<DrawOrders>(scene)->tables.clear();
   EXPECT_EQ(distinct_poses(scene, subjects_of(scene), poses, Executor(2))[0].first_alike, (Places{0, 0, 0}));
 }
 

@@ -1,7 +1,9 @@
 #include <foredraw/viewing/order_lookup.h>
 
+#include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/view_directions.h>
 
+#include "support/edit_product.h"
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
@@ -207,10 +209,10 @@ TEST(OrderLookup, served_orders_are_those_that_the_table_names) {
   scene.draws.resize(2);
   for (Draw& draw : scene.draws) draw.levels.resize(1);
   for (Draw& draw : scene.draws) draw.levels[0].orders.resize(3);
-  scene.order_tables.resize(1);
-  scene.order_tables[0].draws = {1};
-  scene.order_tables[0].theta_steps = 2;
-  scene.order_tables[0].order = {2, 0};
+  testing::edit<DrawOrders>(scene)->tables.resize(1);
+  testing::edit<DrawOrders>(scene)->tables[0].draws = {1};
+  testing::edit<DrawOrders>(scene)->tables[0].theta_steps = 2;
+  testing::edit<DrawOrders>(scene)->tables[0].order = {2, 0};
   const auto alone = served_orders(scene, 0);
   ASSERT_EQ(alone.size(), 1u);
   EXPECT_EQ(alone[0].stream, &scene.draws[0].levels[0].orders[0]);

@@ -1,6 +1,9 @@
 #include "plugins/processors/gpu_instances/gpu_instances.h"
 
+#include <foredraw/scene/merged_instances.h>
+
 #include "plugins/processors/gpu_instances/instance_transform.h"
+#include "support/edit_product.h"
 #include "support/meshes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -162,7 +165,7 @@ TEST(GpuInstances, NodesStayThatAreMoreThanAPlace) {
   scene.nodes[13].transform.scale = {-1, -1, 1};
   MergedInstances merged;
   merged.places = Shared<MergedPlace>({{14, 0, 0}});
-  scene.merged.push_back(merged);
+  testing::edit<MergedDraws>(scene)->sets.push_back(merged);
   const Scene before = scene;
   const InstancedNodes made = instanced(scene);
   ASSERT_EQ(made.meshes.size(), 1u);

@@ -78,7 +78,7 @@ std::vector<Words> drawn_by_nodes(const Scene& scene, const std::vector<MergedPl
 /// The same as the merged draws have them.
 std::vector<Words> drawn_merged(const Scene& scene) {
   std::vector<Words> all;
-  for (const MergedInstances& set : scene.merged) {
+  for (const MergedInstances& set : merged_sets(scene)) {
     EXPECT_EQ(mistake_in(set), std::nullopt);
     std::vector<Words> own(set.places.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
@@ -111,7 +111,7 @@ TEST(MergeInstancesOfScene, NodesStayAndMergedDrawsShowTheSame) {
   const Scene before = scene_with(random_placements(41, 6, 30));
   Scene scene = before;
   const Said said = merge(scene);
-  ASSERT_EQ(scene.merged.size(), 1u);
+  ASSERT_EQ(merged_sets(scene).size(), 1u);
   EXPECT_EQ(said.changed, all_draws(scene));
   EXPECT_EQ(merged_places(scene), all_places(scene));
   EXPECT_EQ(drawn_merged(scene), drawn_by_nodes(before, all_places(before)));
@@ -120,17 +120,17 @@ TEST(MergeInstancesOfScene, NodesStayAndMergedDrawsShowTheSame) {
     EXPECT_TRUE(scene.draws[id].traits.has(traits::extended)) << "no later stage may move its vertices";
     EXPECT_EQ(scene.draws[id].levels[0].vertices, before.draws[id].levels[0].vertices);
   }
-  EXPECT_EQ(said.figures.at("draws"), static_cast<double>(scene.merged[0].draws.size()));
-  EXPECT_EQ(said.figures.at("slots"), static_cast<double>(scene.merged[0].slots.size()));
-  for (const MergedGroup& group : scene.merged[0].groups) EXPECT_GT(group.instance_count, 0u);
+  EXPECT_EQ(said.figures.at("draws"), static_cast<double>(merged_sets(scene)[0].draws.size()));
+  EXPECT_EQ(said.figures.at("slots"), static_cast<double>(merged_sets(scene)[0].slots.size()));
+  for (const MergedGroup& group : merged_sets(scene)[0].groups) EXPECT_GT(group.instance_count, 0u);
 }
 
 TEST(MergeInstancesOfScene, MergingAgainChangesNothing) {
   Scene scene = scene_with(random_placements(42, 5, 20));
   merge(scene);
-  const std::vector<MergedInstances> once = scene.merged;
+  const Products once = scene.products;
   const Said said = merge(scene);
-  EXPECT_EQ(scene.merged, once);
+  EXPECT_TRUE(scene.products.same(MergedDraws::product, once));
   EXPECT_TRUE(said.changed.empty());
   EXPECT_TRUE(has_note(said, "an extension refers to its triangles or vertices"));
 }
@@ -150,7 +150,7 @@ TEST(MergeInstancesOfScene, InstancesOfANodeArePlacedMirroredOnesTooAndSingularO
   scene.nodes[1].matrix = glm::scale(glm::mat4(1), {1, 1, -2});
   const Scene before = scene;
   const Said said = merge(scene);
-  ASSERT_EQ(scene.merged.size(), 1u);
+  ASSERT_EQ(merged_sets(scene).size(), 1u);
   EXPECT_EQ(scene.nodes[1].instances, before.nodes[1].instances);
   std::vector<MergedPlace> places = all_places(before);
   EXPECT_EQ(std::erase(places, MergedPlace{1, 0, 5}), 1u);
@@ -158,7 +158,7 @@ TEST(MergeInstancesOfScene, InstancesOfANodeArePlacedMirroredOnesTooAndSingularO
   EXPECT_EQ(merged_places(scene), places);
   EXPECT_EQ(drawn_merged(scene), drawn_by_nodes(before, places));
   EXPECT_TRUE(has_note(said, "not merged in 1 of its places: its transform is singular"));
-  EXPECT_EQ(said.figures.at("draws"), static_cast<double>(scene.merged[0].draws.size()) + 1) << "the node is drawn still";
+  EXPECT_EQ(said.figures.at("draws"), static_cast<double>(merged_sets(scene)[0].draws.size()) + 1) << "the node is drawn still";
 }
 
 TEST(MergeInstancesOfScene, PrimitivesOfAMeshAreMergedEachForItself) {
@@ -179,10 +179,10 @@ TEST(MergeInstancesOfScene, NodesThatTheFileDoesNotShowStay) {
   Scene scene = scene_with(random_placements(45, 3, 6));
   for (const NodeId n : {2u, 9u}) scene.nodes[n].is_shown = false;
   const Said said = merge(scene);
-  ASSERT_EQ(scene.merged.size(), 1u);
-  EXPECT_EQ(scene.merged[0].places.size(), 16u);
+  ASSERT_EQ(merged_sets(scene).size(), 1u);
+  EXPECT_EQ(merged_sets(scene)[0].places.size(), 16u);
   EXPECT_TRUE(has_note(said, "not merged in 1 of its places: it is not shown: hidden, or not in the scene that the file shows"));
-  EXPECT_EQ(said.figures.at("draws"), static_cast<double>(scene.merged[0].draws.size()));
+  EXPECT_EQ(said.figures.at("draws"), static_cast<double>(merged_sets(scene)[0].draws.size()));
 }
 
 /// Six meshes of materials 0, 1 and 2 in turns.
@@ -200,22 +200,22 @@ Scene with_materials() {
 TEST(MergeInstancesOfScene, MaterialsThatLookAlikeShareASet) {
   Scene scene = with_materials();
   merge(scene);
-  ASSERT_EQ(scene.merged.size(), 2u);
-  EXPECT_EQ(scene.merged[0].material, MaterialId{0});
-  EXPECT_EQ(scene.merged[0].meshes.size(), 4u);
-  EXPECT_TRUE(scene.merged[0].materials.empty()) << "the first one's do for all";
-  EXPECT_EQ(scene.merged[1].material, MaterialId{2});
+  ASSERT_EQ(merged_sets(scene).size(), 2u);
+  EXPECT_EQ(merged_sets(scene)[0].material, MaterialId{0});
+  EXPECT_EQ(merged_sets(scene)[0].meshes.size(), 4u);
+  EXPECT_TRUE(merged_sets(scene)[0].materials.empty()) << "the first one's do for all";
+  EXPECT_EQ(merged_sets(scene)[1].material, MaterialId{2});
 }
 
 TEST(MergeInstancesOfScene, SetsOfOneLayoutShareTheirVertices) {
   Scene scene = with_materials();
   const Scene before = scene;
   merge(scene);
-  ASSERT_EQ(scene.merged.size(), 2u);
-  EXPECT_EQ(scene.merged[0].vertices, scene.merged[1].vertices);
+  ASSERT_EQ(merged_sets(scene).size(), 2u);
+  EXPECT_EQ(merged_sets(scene)[0].vertices, merged_sets(scene)[1].vertices);
   std::uint32_t count = 0;
   for (const Draw& draw : before.draws) count += draw.levels[0].vertices->count;
-  EXPECT_EQ(scene.merged[0].vertices->count, count);
+  EXPECT_EQ(merged_sets(scene)[0].vertices->count, count);
   EXPECT_EQ(drawn_merged(scene), drawn_by_nodes(before, all_places(before)));
 }
 
@@ -227,8 +227,8 @@ TEST(MergeInstancesOfScene, MaterialsOfOneKindAreTheInstances) {
     }
     const Scene before = scene;
     merge(scene, {{"materials", std::string("kind")}});
-    ASSERT_EQ(scene.merged.size(), 1u);
-    const MergedInstances& set = scene.merged[0];
+    ASSERT_EQ(merged_sets(scene).size(), 1u);
+    const MergedInstances& set = merged_sets(scene)[0];
     ASSERT_EQ(set.materials.size(), set.places.size());
     for (std::size_t i = 0; i < set.places.size(); ++i) {
       const MeshId mesh = *before.nodes[set.places.view()[i].node].mesh;
@@ -241,7 +241,7 @@ TEST(MergeInstancesOfScene, MaterialsOfOneKindAreTheInstances) {
 TEST(MergeInstancesOfScene, WhatIsNotWorthItStaysAsItWas) {
   Scene scene = scene_with({random_placements(47, 1, 5)[0]});
   const Said said = merge(scene);
-  EXPECT_TRUE(scene.merged.empty());
+  EXPECT_TRUE(merged_sets(scene).empty());
   EXPECT_TRUE(said.changed.empty());
   EXPECT_FALSE(scene.draws[0].traits.has(traits::extended));
   EXPECT_TRUE(has_note(said, "1 mesh, 5 instances: instancing serves"));
@@ -251,8 +251,8 @@ TEST(MergeInstancesOfScene, MeshesThatNoNodePlacesStay) {
   Scene scene = scene_with(random_placements(49, 3, 5));
   scene.nodes.resize(10);
   const Said said = merge(scene);
-  ASSERT_EQ(scene.merged.size(), 1u);
-  EXPECT_EQ(scene.merged[0].meshes.size(), 2u);
+  ASSERT_EQ(merged_sets(scene).size(), 1u);
+  EXPECT_EQ(merged_sets(scene)[0].meshes.size(), 2u);
   EXPECT_EQ(said.notes, std::vector<std::string>{"not merged: no node places it"});
   EXPECT_FALSE(scene.draws[2].traits.has(traits::extended));
   Scene without = scene_with(random_placements(49, 3, 5));
@@ -264,9 +264,9 @@ TEST(MergeInstancesOfScene, DrawsAreOfAsManyEntriesAsAskedFor) {
   Scene scene = scene_with(random_placements(48, 5, 60));
   const Scene before = scene;
   merge(scene, {{"most-indices", 6000.0}, {"most-instances", 50.0}, {"frequencies", std::int64_t{4}}});
-  ASSERT_EQ(scene.merged.size(), 1u);
-  for (const MergedGroup& group : scene.merged[0].groups) EXPECT_LE(group.instance_count, 50u);
-  EXPECT_GE(scene.merged[0].groups.size(), 6u);
+  ASSERT_EQ(merged_sets(scene).size(), 1u);
+  for (const MergedGroup& group : merged_sets(scene)[0].groups) EXPECT_LE(group.instance_count, 50u);
+  EXPECT_GE(merged_sets(scene)[0].groups.size(), 6u);
   EXPECT_EQ(drawn_merged(scene), drawn_by_nodes(before, all_places(before)));
 }
 

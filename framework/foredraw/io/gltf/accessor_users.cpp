@@ -1,6 +1,4 @@
 // Who refers to which accessor.
-#include <foredraw/io/gltf/private/draw_orders.h>
-#include <foredraw/io/gltf/private/merged_instances.h>
 #include <foredraw/io/gltf/private/write.h>
 
 namespace foredraw::gltf {
@@ -14,27 +12,23 @@ void collect_numbers(const Json& value, std::set<std::size_t>& numbers) {
   for (const Json& part : value) collect_numbers(part, numbers);
 }
 
-bool says_where_its_accessors_are(const std::string& extension) {
-  if (extension == draw_orders || extension == merge_instances) return true;
-  return is_known_extension(extension) && extension != mesh_gpu_instancing && extension.compare(0, 9, "FOREDRAW_") != 0;
-}
-
-void collect_extension_users(const Json& value, std::set<std::size_t>& numbers) {
+void collect_extension_users(const Json& value, const Document& document, std::set<std::size_t>& numbers) {
   if (!value.is_structured()) return;
   for (const auto& [key, part] : value.items()) {
     if (value.is_object() && key == "extras") continue;
     if (value.is_object() && key == "extensions" && part.is_object()) {
       for (const auto& [name, held] : part.items()) {
-        if (!says_where_its_accessors_are(name)) collect_numbers(held, numbers);
+        if (!document.knows_extension(name) || name == mesh_gpu_instancing) collect_numbers(held, numbers);
       }
     }
-    collect_extension_users(part, numbers);
+    collect_extension_users(part, document, numbers);
   }
 }
 
 }  // namespace
 
-std::set<std::size_t> used_elsewhere(const Json& json) {
+std::set<std::size_t> used_elsewhere(const Document& document) {
+  const Json& json = document.json;
   std::set<std::size_t> numbers;
   const auto add = [&](const Json& holder, const char* key) {
     if (const auto found = holder.find(key); found != holder.end()) numbers.insert(found->get<std::size_t>());
@@ -50,12 +44,12 @@ std::set<std::size_t> used_elsewhere(const Json& json) {
       }
     }
   }
-  collect_extension_users(json, numbers);
+  collect_extension_users(json, document, numbers);
   return numbers;
 }
 
 std::set<std::size_t> used_by_primitives(const Json& json) {
-  std::set<std::size_t> numbers = used_by_orders(json);
+  std::set<std::size_t> numbers;
   const auto meshes = json.find("meshes");
   if (meshes == json.end()) return numbers;
   for (const Json& mesh : *meshes) {

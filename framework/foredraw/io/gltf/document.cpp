@@ -116,6 +116,34 @@ Json take_extension(Json& holder, std::string_view name) {
   return value;
 }
 
+namespace {
+
+template <class AnyJson, class Visit>
+void each_primitive(AnyJson& json, Visit visit) {
+  if (!json.contains("meshes")) return;
+  for (auto& mesh : json.at("meshes")) {
+    for (auto& primitive : mesh.at("primitives")) visit(primitive);
+  }
+}
+
+}  // namespace
+
+bool has_extension(const Json& json, std::string_view name) {
+  bool found = extension_of(json, name) != nullptr;
+  each_primitive(json, [&](const Json& primitive) { found = found || extension_of(primitive, name) != nullptr; });
+  return found;
+}
+
+void take_extension_everywhere(Json& json, std::string_view name) {
+  take_extension(json, name);
+  each_primitive(json, [&](Json& primitive) { take_extension(primitive, name); });
+}
+
+void list_extension(Json& json, const char* list, const std::string& name) {
+  Json& names = json[list];
+  if (std::ranges::find(names, Json(name)) == names.end()) names.push_back(name);
+}
+
 void unlist_extension(Json& json, std::string_view name) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     const auto names = json.find(list);
@@ -165,20 +193,23 @@ std::vector<std::string> extensions_in(const Json& json) {
   return {names.begin(), names.end()};
 }
 
-bool is_known_extension(std::string_view name) {
+bool Document::knows_extension(std::string_view name) const {
   // Families that refer to textures, images, nodes or materials alone, none of which is ever renumbered.
   static constexpr std::string_view families[] = {"KHR_materials_", "KHR_texture_", "KHR_lights_",
                                                   "EXT_texture_",   "EXT_lights_",  "MSFT_texture_",
-                                                  "KHR_xmp",        "KHR_node_",    "FOREDRAW_"};
+                                                  "KHR_xmp",        "KHR_node_"};
   static constexpr std::string_view names[] = {
       "KHR_mesh_quantization",      mesh_gpu_instancing,       "KHR_animation_pointer",   "MSFT_lod",
       "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "FB_ngon_encoding",
       "GODOT_single_root",          "AGI_articulations"};
   return std::any_of(std::begin(families), std::end(families),
                      [&](std::string_view family) { return name.substr(0, family.size()) == family; }) ||
-         std::find(std::begin(names), std::end(names), name) != std::end(names);
+         std::find(std::begin(names), std::end(names), name) != std::end(names) ||
+         std::ranges::any_of(products, [&](const auto& row) { return row->card().extension == name; });
 }
 
-bool knows_all_extensions(const Json& json) { return std::ranges::all_of(extensions_in(json), is_known_extension); }
+bool Document::knows_all_extensions() const {
+  return std::ranges::all_of(extensions_in(json), [this](const std::string& name) { return knows_extension(name); });
+}
 
 }  // namespace foredraw::gltf

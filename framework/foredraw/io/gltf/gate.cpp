@@ -209,8 +209,10 @@ bool check_structure(Gate& gate) {
 }
 
 std::optional<Document> open_document(Shared<std::byte> file, const std::string& name,
-                                      const std::filesystem::path& folder, Diagnostics& diagnostics) {
+                                      const std::filesystem::path& folder, const ProductRows& products,
+                                      Diagnostics& diagnostics) {
   Document document;
+  document.products = products;
   document.name = name;
   document.folder = folder;
   document.file = std::move(file);

@@ -1,6 +1,6 @@
 // Checks of animations, and of the numbers that are no vertex data.
 #include <foredraw/io/gltf/private/gate.h>
-#include <foredraw/io/gltf/private/merged_instances.h>
+#include <foredraw/io/gltf/private/products.h>
 
 #include <fmt/format.h>
 
@@ -129,7 +129,8 @@ void check_animations(Gate& gate) {
 }
 
 void check_finite(Gate& gate) {
-  std::set<std::size_t> vertex_data = merged_vertex_data(gate.json());
+  // Vertices may hold what is not finite; what products name, their rows look at.
+  std::set<std::size_t> vertex_data = used_by_products(gate.json(), gate.document().products);
   for (const Json& mesh : gate.all("meshes")) {
     for (const Json& primitive : mesh["primitives"]) {
       for (const auto& [semantic, number] : primitive["attributes"].items())

@@ -68,7 +68,7 @@ void check_extensions(Gate& gate) {
   for (const std::string& name : required) {
     if (name == draco) {
       refuse_draco(gate, "extensionsRequired");
-    } else if (!is_known_extension(name)) {
+    } else if (!gate.document().knows_extension(name)) {
       gate.error("extensionsRequired", "unsupported-extension",
                  fmt::format("the file can not be understood without '{}', which is not known here", name),
                  "export the file without that extension");

@@ -3,7 +3,7 @@
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/platform/files.h>
-#include <foredraw/scene/scene.h>
+#include <foredraw/scene/product_row.h>
 
 #include <filesystem>
 #include <optional>
@@ -11,13 +11,16 @@
 
 namespace foredraw {
 
-/// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right.
-std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics);
+/// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right. What no
+/// row of `products` knows is a foreign extension, which stays as it is.
+std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
+                               const ProductRows& products = {});
 
 /// Reads bytes of either kind; `name` is what diagnostics call them, and files beside are looked for in `folder`
 /// (empty: there are none).
 std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& name,
-                               const std::filesystem::path& folder, Diagnostics& diagnostics);
+                               const std::filesystem::path& folder, Diagnostics& diagnostics,
+                               const ProductRows& products = {});
 
 /// What becomes of data that came in compressed (EXT_meshopt_compression, KHR_meshopt_compression).
 enum class Compression {
@@ -29,9 +32,11 @@ enum class Compression {
 /// where compressed data came with a plain copy for readers that can not decompress, that in .fallback.bin beside
 /// (out.fallback.bin of out.gltf, out.glb.fallback.bin of out.glb). What no stage touched comes out as it was in the
 /// file that the scene was read from; a scene that was not read from a file is written anew. A note says so where all
-/// of it is longer than what was read, and by what it grew. Nothing is written to disk here.
+/// of it is longer than what was read, and by what it grew. Products are written by their rows, by default those that the
+/// scene was read with. Nothing is written to disk here.
 std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const std::filesystem::path& target,
                                                    Diagnostics& diagnostics,
-                                                   Compression compression = Compression::keep);
+                                                   Compression compression = Compression::keep,
+                                                   const ProductRows& products = {});
 
 }  // namespace foredraw

@@ -32,8 +32,9 @@ bool may_aim_at_nodes(const Json& target) {
 }
 
 /// Whether something may speak of any node: by its number, or by moving it.
-bool may_mean_any_node(const Json& json) {
-  const auto is_unknown = [](const std::string& name) { return !is_known_extension(name); };
+bool may_mean_any_node(const Document& document) {
+  const Json& json = document.json;
+  const auto is_unknown = [&](const std::string& name) { return !document.knows_extension(name); };
   if (any_extension(json, is_unknown)) return true;
   if (const auto scenes = json.find("scenes"); scenes != json.end()) {
     if (std::ranges::any_of(*scenes, [&](const Json& scene) { return any_extension(scene, is_unknown); })) return true;
@@ -62,7 +63,7 @@ void mark(NodeId root, const std::vector<Node>& nodes, std::vector<char>& marks)
 void find_kept_meshes(Scene& scene, const Document& document) {
   const Json& json = document.json;
   std::vector<Node>& nodes = scene.nodes;
-  std::vector<char> kept(nodes.size(), may_mean_any_node(json));
+  std::vector<char> kept(nodes.size(), may_mean_any_node(document));
   std::vector<char> is_root(nodes.size(), 0);
   std::vector<char> has_parent(nodes.size(), 0);
   for (NodeId i = 0; i < nodes.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace foredraw::gltf {
 
@@ -95,7 +96,7 @@ fs::path fallback_beside(const fs::path& target, std::size_t i) {
 std::optional<std::vector<OutputFile>> packed(Written written, const fs::path& target, Diagnostics& diagnostics) {
   if (is_glb(target)) {
     set_buffers(written, target, {});
-    const std::string text = written.json.dump();
+    const std::string text = std::exchange(written.json, {}).dump();
     std::size_t length = text.size() + written.laid_out.bytes.size() + 64;
     for (const Chunk& chunk : written.further_chunks) length += chunk.bytes.size() + 16;
     if (length > std::numeric_limits<std::uint32_t>::max()) {

@@ -1,6 +1,5 @@
 #include <foredraw/io/gltf/private/accessor_store.h>
-#include <foredraw/io/gltf/private/draw_orders.h>
-#include <foredraw/io/gltf/private/merged_instances.h>
+#include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/write.h>
 
 #include <algorithm>
@@ -51,41 +50,49 @@ bool names_a_buffer(const Json& value) {
 }
 
 /// All buffers become one. An extension that we do not know must not be left pointing at another.
-bool may_join_buffers(const Json& value) {
+bool may_join_buffers(const Json& value, const Document& document) {
   if (!value.is_structured()) return true;
   for (const auto& [key, part] : value.items()) {
     if (value.is_object() && key == "extensions" && part.is_object()) {
       for (const auto& [name, held] : part.items()) {
-        if (!is_known_extension(name) && names_a_buffer(held)) return false;
+        if (!document.knows_extension(name) && names_a_buffer(held)) return false;
       }
     }
-    if (!may_join_buffers(part)) return false;
+    if (!may_join_buffers(part, document)) return false;
   }
   return true;
+}
+
+/// An object that grows copies all that its members hold, and of a document this is everything.
+Json copy_with_room(const Json& from) {
+  Json::object_t members;
+  members.reserve(from.size() + 16);
+  for (const auto& [key, value] : from.items()) members.emplace_back(key, value);
+  return members;
 }
 
 }  // namespace
 
 std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
-                               bool may_stay, Compression compression, Diagnostics& diagnostics) {
+                               bool may_stay, Compression compression, const ProductRows& rows,
+                               Diagnostics& diagnostics) {
   const Document& document = source.document;
   const bool compress = compression == Compression::keep;
   Written written;
-  written.json = document.json;
+  written.json = copy_with_room(document.json);
   written.further_chunks = document.further_chunks;
   const auto text = document.file.view();
   const std::size_t last = text.empty() ? 0 : text.size() - 1;
   written.compact = !text.empty() && !document.binary && std::ranges::count(text.first(last), std::byte{'\n'}) == 0;
   AccessorStore store(document, written.json);
   if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
-  if (!patch_meshes(scene, source, written.json, store, diagnostics)) return std::nullopt;
-  patch_order_tables(scene, source, written.json, store, diagnostics);
-  patch_merged_instances(scene, source, written.json, store);
+  if (!patch_meshes(scene, source, rows, written.json, store, diagnostics)) return std::nullopt;
+  patch_products(scene, source, rows, written.json, store, diagnostics);
   relocate_images(written.json, document, target, diagnostics);
   written.changed =
       !may_stay || document.left_out || store.changed() || written.json != document.json || (!compress && is_compressed(document));
   if (!written.changed) return written;
-  if (document.buffers.size() > 1 && !may_join_buffers(document.json)) {
+  if (document.buffers.size() > 1 && !may_join_buffers(document.json, document)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
                       "the file has several buffers, and an extension that is not known here refers to them by number",
                       "pack the file into one .glb first");

@@ -1,7 +1,6 @@
 // The draws of a scene put back into its document: only what differs from what was read is touched.
 #include <foredraw/io/gltf/private/accessor_store.h>
-#include <foredraw/io/gltf/private/draw_orders.h>
-#include <foredraw/io/gltf/private/merged_instances.h>
+#include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/rows.h>
 #include <foredraw/io/gltf/private/write.h>
 
@@ -19,7 +18,6 @@ struct Request {
   std::size_t primitive = 0;
   std::optional<std::size_t> target;    ///< a morph target
   std::string semantic;                 ///< empty: the indices
-  std::size_t order = 0;                ///< of the indices; those behind the first are an extension's
   std::optional<std::size_t> accessor;  ///< that it named so far
   std::optional<Content> content;       ///< none: as it was
 };
@@ -37,20 +35,6 @@ bool is_each_vertex_in_turn(std::span<const std::uint32_t> indices, std::size_t 
   return true;
 }
 
-/// As narrow as the accessor was, or as wide as the numbers need: the greatest number of a type is kept free.
-Content index_content(std::span<const std::uint32_t> indices, Component was) {
-  const std::uint32_t most = greatest(std::as_bytes(indices), 4);
-  Component component = was;
-  if (component == Component::uint8 && most >= 0xff) component = Component::uint16;
-  if (component == Component::uint16 && most >= 0xffff) component = Component::uint32;
-  const std::size_t width = foredraw::bytes_of(component);
-  return {Content::Kind::indices,
-          {component, 1, false, static_cast<std::uint16_t>(width)},
-          indices.size(),
-          Shared<std::byte>(narrowed(indices, width)),
-          false};
-}
-
 int list_mode(Topology topology) { return topology == Topology::points ? 0 : topology == Topology::lines ? 1 : 4; }
 
 std::size_t corners_of(Topology topology) {
@@ -65,15 +49,11 @@ bool is_quantized(const std::string& semantic, const Format& format) {
   return semantic.compare(0, 9, "TEXCOORD_") == 0 && !(is_unsigned && format.normalized);
 }
 
-void list_extension(Json& json, const char* list, const std::string& name) {
-  Json& names = json[list];
-  if (std::find(names.begin(), names.end(), Json(name)) == names.end()) names.push_back(name);
-}
-
 class MeshPatch {
  public:
-  MeshPatch(const Scene& scene, const Source& source, Json& json, AccessorStore& store, Diagnostics& diagnostics)
-      : scene_(scene), source_(source), json_(json), store_(store), diagnostics_(diagnostics) {}
+  MeshPatch(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,
+            Diagnostics& diagnostics)
+      : scene_(scene), source_(source), rows_(rows), json_(json), store_(store), diagnostics_(diagnostics) {}
 
   bool run() {
     if (scene_.meshes.size() < source_.as_read.meshes.size()) return fail(scene_.name, "meshes were taken away");
@@ -134,9 +114,8 @@ class MeshPatch {
         was == nullptr ? Json{{"attributes", Json::object()}}
                        : source_.document.json["meshes"][now.origin->mesh]["primitives"][now.origin->primitive]);
     Json& json = primitives_[m].back();
-    if (!vertices(now, was, json) || !extensions(now, json)) return false;
+    if (!vertices(now, was, json)) return false;
     corners(now, was, json);
-    further_orders(now, was, json);
     const std::optional<MaterialId> old_material = was == nullptr ? std::nullopt : was->material;
     if (now.material != old_material && now.material) json["material"] = *now.material;
     if (now.material != old_material && !now.material) json.erase("material");
@@ -162,7 +141,7 @@ class MeshPatch {
           if ((*old_list)[i].semantic == stream.semantic) before = &(*old_list)[i];
         }
         const bool same = before != nullptr && before->format == stream.format && before->bytes == stream.bytes;
-        Request request{mesh_, primitive_, target, stream.semantic, 0, number_at(names, stream.semantic), std::nullopt};
+        Request request{mesh_, primitive_, target, stream.semantic, number_at(names, stream.semantic), std::nullopt};
         if (!same && is_quantized(stream.semantic, stream.format)) {
           for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
             list_extension(json_, list, "KHR_mesh_quantization");
@@ -211,7 +190,7 @@ class MeshPatch {
     // glTF has no empty primitive: one that covers nothing stands for it.
     if (indices.empty()) indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(corners_of(now.topology), 0));
 
-    Request request{mesh_, primitive_, std::nullopt, {}, 0, number_at(json, "indices"), std::nullopt};
+    Request request{mesh_, primitive_, std::nullopt, {}, number_at(json, "indices"), std::nullopt};
     const bool same_vertices = same && was->levels[0].vertices->count == count;
     // Corners left over, which no draw holds, may name vertices that are no longer there.
     const int old_mode = json.value("mode", 4);
@@ -231,52 +210,10 @@ class MeshPatch {
     requests_.push_back(std::move(request));
   }
 
-  /// Orders 1 and on.
-  void further_orders(const Draw& now, const Draw* was, Json& json) {
-    const std::vector<IndexStream>& orders = now.levels[0].orders;
-    const Json* before = extension_of(json, draw_orders);
-    const Json old = before == nullptr ? Json::array() : before->at("orders");
-    if (orders.size() == 1) {
-      take_extension(json, draw_orders);
-      return;
-    }
-    Json numbers = Json::array();
-    for (std::size_t order = 1; order < orders.size(); ++order) {
-      Shared<std::uint32_t> indices = orders[order].indices;
-      if (indices.empty()) indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(corners_of(now.topology), 0));
-      Request request{mesh_, primitive_, std::nullopt, {}, order, std::nullopt, std::nullopt};
-      if (order <= old.size()) request.accessor = old[order - 1].get<std::size_t>();
-      const bool same = request.accessor && was != nullptr && indices == was->levels[0].orders[order].indices;
-      if (!same) request.content = index_content(indices.view(), Component::uint16);
-      numbers.push_back(request.accessor.value_or(0));
-      requests_.push_back(std::move(request));
-    }
-    json["extensions"][draw_orders]["orders"] = std::move(numbers);
-  }
-
-  bool extensions(const Draw& now, Json& json) {
-    for (const Extension& extension : now.extensions) {
-      Json value = Json::parse(extension.json, nullptr, false);
-      if (!value.is_object()) {
-        return fail(now.name, fmt::format("the value of extension {} is no JSON object", extension.name));
-      }
-      for (const ExtensionStream& held : extension.streams) {
-        const VertexStream& stream = held.stream;
-        if (stream.count() == 0) continue;
-        value[stream.semantic] =
-            store_.append({Content::Kind::other, stream.format, stream.count(), stream.bytes, false});
-      }
-      json["extensions"][extension.name] = std::move(value);
-      list_extension(json_, "extensionsUsed", extension.name);
-    }
-    return true;
-  }
-
   /// An accessor that everybody wants to hold the same takes it on in place; where wishes differ, new ones are added.
   void resolve() {
-    std::set<std::size_t> elsewhere = used_elsewhere(source_.document.json);
-    elsewhere.merge(used_by_tables(source_.document.json));
-    elsewhere.merge(used_by_merged(source_.document.json));
+    std::set<std::size_t> elsewhere = used_elsewhere(source_.document);
+    elsewhere.merge(used_by_products(source_.document.json, rows_));
     std::map<std::size_t, std::vector<const Request*>> wishes;
     for (const Request& request : requests_) {
       if (request.accessor) wishes[*request.accessor].push_back(&request);
@@ -299,9 +236,7 @@ class MeshPatch {
         continue;
       const std::size_t number = store_.append(content, request.accessor);
       Json& json = primitives_[request.mesh][request.primitive];
-      if (request.order > 0) {
-        json["extensions"][draw_orders]["orders"][request.order - 1] = number;
-      } else if (request.semantic.empty()) {
+      if (request.semantic.empty()) {
         json["indices"] = number;
       } else {
         (request.target ? json["targets"][*request.target] : json["attributes"])[request.semantic] = number;
@@ -311,6 +246,7 @@ class MeshPatch {
 
   const Scene& scene_;
   const Source& source_;
+  const ProductRows& rows_;
   Json& json_;
   AccessorStore& store_;
   Diagnostics& diagnostics_;
@@ -322,9 +258,22 @@ class MeshPatch {
 
 }  // namespace
 
-bool patch_meshes(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
+Content index_content(std::span<const std::uint32_t> indices, Component was) {
+  const std::uint32_t most = greatest(std::as_bytes(indices), 4);
+  Component component = was;
+  if (component == Component::uint8 && most >= 0xff) component = Component::uint16;
+  if (component == Component::uint16 && most >= 0xffff) component = Component::uint32;
+  const std::size_t width = foredraw::bytes_of(component);
+  return {Content::Kind::indices,
+          {component, 1, false, static_cast<std::uint16_t>(width)},
+          indices.size(),
+          Shared<std::byte>(narrowed(indices, width)),
+          false};
+}
+
+bool patch_meshes(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,
                   Diagnostics& diagnostics) {
-  return MeshPatch(scene, source, json, store, diagnostics).run();
+  return MeshPatch(scene, source, rows, json, store, diagnostics).run();
 }
 
 }  // namespace foredraw::gltf

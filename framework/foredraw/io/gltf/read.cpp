@@ -1,9 +1,8 @@
 #include <foredraw/io/gltf/gltf.h>
 
-#include <foredraw/io/gltf/private/draw_orders.h>
 #include <foredraw/io/gltf/private/gate.h>
 #include <foredraw/io/gltf/private/kept_meshes.h>
-#include <foredraw/io/gltf/private/merged_instances.h>
+#include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/source.h>
 
 namespace foredraw {
@@ -11,30 +10,31 @@ namespace foredraw {
 namespace {
 
 std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const std::filesystem::path& folder,
-                          Diagnostics& diagnostics) {
-  auto document = gltf::open_document(std::move(file), name, folder, diagnostics);
+                          Diagnostics& diagnostics, const ProductRows& products) {
+  auto document = gltf::open_document(std::move(file), name, folder, products, diagnostics);
   if (!document) return std::nullopt;
   auto scene = gltf::scene_of(*document, diagnostics);
   if (!scene) return std::nullopt;
   gltf::find_kept_meshes(*scene, *document);
-  gltf::read_draw_orders(*document, *scene, diagnostics);
-  gltf::read_merged_instances(*document, *scene, diagnostics);
+  gltf::read_products(*document, *scene, diagnostics);
   scene->source = std::make_shared<const gltf::Source>(std::move(*document), *scene);
   return scene;
 }
 
 }  // namespace
 
-std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics) {
+std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
+                               const ProductRows& products) {
   auto bytes = read_file(path, diagnostics);
   if (!bytes) return std::nullopt;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  return read(Shared<std::byte>(std::move(*bytes)), path.string(), folder, diagnostics);
+  return read(Shared<std::byte>(std::move(*bytes)), path.string(), folder, diagnostics, products);
 }
 
 std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& name,
-                               const std::filesystem::path& folder, Diagnostics& diagnostics) {
-  return read(Shared<std::byte>(std::move(bytes)), name, folder, diagnostics);
+                               const std::filesystem::path& folder, Diagnostics& diagnostics,
+                               const ProductRows& products) {
+  return read(Shared<std::byte>(std::move(bytes)), name, folder, diagnostics, products);
 }
 
 }  // namespace foredraw

@@ -13,7 +13,7 @@ class Relayout {
   Relayout(const Document& document, Json& json, const Changes& changes, bool compress)
       : document_(document), json_(json), changes_(changes), compress_(compress), users_(document.views.size()) {
     // With an extension that we do not know, which may point anywhere, everything that was there stays where it was.
-    keep_ = !knows_all_extensions(document.json);
+    keep_ = !document.knows_all_extensions();
   }
 
   LaidOut run() {

@@ -1,4 +1,5 @@
-// A sound document to a scene. tinygltf reads the structure; the bytes come from the layouts that the gate checked.
+// A sound document to a scene. tinygltf reads the structure, nodes apart; the bytes come from the layouts that the gate
+// checked.
 #include <foredraw/image/found_traits.h>
 #include <foredraw/io/gltf/private/base_colour.h>
 #include <foredraw/io/gltf/private/instances.h>
@@ -182,23 +183,32 @@ void add_meshes(Scene& scene, const tinygltf::Model& model, Streams& streams) {
   }
 }
 
-Node node_of(const tinygltf::Node& from) {
+/// The numbers of an array, or none.
+template <class T>
+std::vector<T> numbers_in(const Json& holder, const char* key) {
+  const auto found = holder.find(key);
+  return found == holder.end() ? std::vector<T>() : found->get<std::vector<T>>();
+}
+
+Node node_of(const Json& from) {
   Node node;
-  node.name = from.name;
-  node.mesh = optional_id<MeshId>(from.mesh);
-  node.skin = optional_id<SkinId>(from.skin);
-  node.weights = floats(from.weights);
-  for (int child : from.children) node.children.push_back(static_cast<NodeId>(child));
-  const auto part = [](const std::vector<double>& values, int i) {
-    return static_cast<float>(values[static_cast<std::size_t>(i)]);
+  const auto id = [&](const char* key) {
+    const auto found = from.find(key);
+    return found == from.end() ? std::nullopt : std::optional(found->get<std::uint32_t>());
   };
-  for (int i = 0; i < 3; ++i) {
-    if (!from.translation.empty()) node.transform.translation[i] = part(from.translation, i);
-    if (!from.scale.empty()) node.transform.scale[i] = part(from.scale, i);
+  if (const auto name = from.find("name"); name != from.end() && name->is_string()) node.name = *name;
+  node.mesh = id("mesh");
+  node.skin = id("skin");
+  node.weights = numbers_in<float>(from, "weights");
+  node.children = numbers_in<NodeId>(from, "children");
+  if (const auto m = numbers_in<float>(from, "matrix"); !m.empty()) {  // and nothing beside it
+    node.matrix = glm::make_mat4(m.data());
+    return node;
   }
-  if (const auto& q = from.rotation; !q.empty())
-    node.transform.rotation = glm::quat(part(q, 3), part(q, 0), part(q, 1), part(q, 2));
-  if (!from.matrix.empty()) node.matrix = glm::make_mat4(floats(from.matrix).data());
+  Transform& to = node.transform;
+  if (const auto t = numbers_in<float>(from, "translation"); !t.empty()) to.translation = glm::make_vec3(t.data());
+  if (const auto s = numbers_in<float>(from, "scale"); !s.empty()) to.scale = glm::make_vec3(s.data());
+  if (const auto q = numbers_in<float>(from, "rotation"); !q.empty()) to.rotation = glm::quat(q[3], q[0], q[1], q[2]);
   return node;
 }
 
@@ -291,7 +301,10 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
   scene.name = document.name;
   Streams streams(document);
   add_meshes(scene, model, streams);
-  for (const auto& node : model.nodes) scene.nodes.push_back(node_of(node));
+  if (const auto nodes = document.json.find("nodes"); nodes != document.json.end()) {
+    scene.nodes.reserve(nodes->size());
+    for (const Json& node : *nodes) scene.nodes.push_back(node_of(node));
+  }
   find_shown_nodes(scene, document);
   add_instances(scene, document);
   for (const auto& skin : model.skins) scene.skins.push_back(skin_of(skin, streams));

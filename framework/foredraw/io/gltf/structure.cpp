@@ -13,31 +13,33 @@ Json only(const Json& from, std::initializer_list<const char*> keys) {
   return result;
 }
 
+auto keeping(auto... keys) {
+  return [=](const Json& from) { return only(from, {keys...}); };
+}
+
 /// Names are free text and may be of any type in a careless file.
 Json named(const Json& from, Json result) {
   if (const auto name = from.find("name"); name != from.end() && name->is_string()) result["name"] = *name;
   return result;
 }
 
+/// Of many items no tree is made, only their text.
 template <class F>
-void each(const Json& json, const char* kind, F&& make, Json& into) {
+void each(const Json& json, const char* kind, F&& make, std::string& into) {
   const auto found = json.find(kind);
   if (found == json.end()) return;
-  Json& list = into[kind] = Json::array();
-  for (const Json& item : *found) list.push_back(named(item, make(item)));
+  into += std::string(",\"") + kind + "\":[";
+  for (const Json& item : *found) into += named(item, make(item)).dump() + ',';
+  if (!found->empty()) into.pop_back();
+  into += ']';
 }
 
 }  // namespace
 
 std::string checked_structure(const Json& json) {
-  Json result{{"asset", {{"version", "2.0"}}}};
+  std::string result = R"({"asset":{"version":"2.0"})";
   const Json nothing{{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}};  // for what nobody refers to
-  each(
-      json, "bufferViews",
-      [](const Json& v) {
-        return only(v, {"buffer", "byteLength"});
-      },
-      result);
+  each(json, "bufferViews", keeping("buffer", "byteLength"), result);
   each(
       json, "accessors",
       [&](const Json& a) {
@@ -55,24 +57,8 @@ std::string checked_structure(const Json& json) {
         return copy;
       },
       result);
-  each(
-      json, "nodes",
-      [](const Json& n) {
-        return only(n, {"children", "mesh", "skin", "weights", "matrix", "translation", "rotation", "scale"});
-      },
-      result);
-  each(
-      json, "skins",
-      [](const Json& s) {
-        return only(s, {"joints", "inverseBindMatrices"});
-      },
-      result);
-  each(
-      json, "materials",
-      [](const Json& m) {
-        return only(m, {"alphaMode", "alphaCutoff", "doubleSided"});
-      },
-      result);
+  each(json, "skins", keeping("joints", "inverseBindMatrices"), result);
+  each(json, "materials", keeping("alphaMode", "alphaCutoff", "doubleSided"), result);
   each(
       json, "animations",
       [](const Json& animation) {
@@ -88,7 +74,7 @@ std::string checked_structure(const Json& json) {
         return copy;
       },
       result);
-  return result.dump();
+  return result + '}';
 }
 
 }  // namespace foredraw::gltf

@@ -33,7 +33,7 @@ bool same_surroundings(const Scene& a, const Scene& b) {
 class DrawChange {
  public:
   DrawChange(const Draw& now, const Draw& was) : now_(now.levels[0]), was_(was.levels[0]) {
-    alike_ = now.levels.size() == 1 && now_.orders.size() == 1 && now.extensions.empty() &&
+    alike_ = now.levels.size() == 1 && now_.orders.size() == 1 &&
              now.topology == was.topology && now.material == was.material;
   }
 

@@ -135,24 +135,24 @@ bool spares_its_inputs(const Scene& scene, std::span<const OutputFile> files, Di
   return true;
 }
 
-std::optional<Scene> sprites_for_gltf(const Scene& scene, const fs::path& target, Diagnostics& diagnostics) {
-  Scene result = scene;
-  if (dynamic_cast<const SpriteSource*>(scene.source.get()) == nullptr) return result;
-  for (Image& image : result.images) {
+std::shared_ptr<const Scene> sprites_for_gltf(const Scene& scene, const fs::path& target, Diagnostics& diagnostics) {
+  if (dynamic_cast<const SpriteSource*>(scene.source.get()) == nullptr) return {std::shared_ptr<void>(), &scene};
+  const auto result = std::make_shared<Scene>(scene);
+  for (Image& image : result->images) {
     if (image.facts && image.facts->is_float) {
       diagnostics.error({.file = target.string(), .inside = image.name}, "cannot-express",
                         "is an image of floats, and glTF holds PNG and JPEG",
                         "write a .json or .h, or make a PNG of the image first");
-      return std::nullopt;
+      return nullptr;
     }
     auto made = images::png_or_jpeg(image);
     if (const std::string* why = std::get_if<std::string>(&made)) {
       diagnostics.error({.file = scene.name}, "image-data", fmt::format("the image '{}' {}", image.name, *why));
-      return std::nullopt;
+      return nullptr;
     }
     image = std::move(std::get<Image>(made));
   }
-  result.source = unlit(result);
+  result->source = unlit(*result);
   return result;
 }
 

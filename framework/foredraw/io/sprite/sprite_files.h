@@ -42,9 +42,9 @@ std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const st
 /// Whether no file of these is one that the scene's sprites were read from; else an error.
 bool spares_its_inputs(const Scene& scene, std::span<const OutputFile> files, Diagnostics& diagnostics);
 
-/// Sprites as glTF can hold them: images that are neither PNG nor JPEG become PNG. nullopt, with an error, where one
-/// has floats, which glTF has no image for.
-std::optional<Scene> sprites_for_gltf(const Scene& scene, const std::filesystem::path& target,
-                                      Diagnostics& diagnostics);
+/// The scene itself, to be outlived by it; or, of sprites, one that glTF can hold: images that are neither PNG nor JPEG
+/// become PNG. None, with an error, where one has floats, which glTF has no image for.
+std::shared_ptr<const Scene> sprites_for_gltf(const Scene& scene, const std::filesystem::path& target,
+                                              Diagnostics& diagnostics);
 
 }  // namespace foredraw

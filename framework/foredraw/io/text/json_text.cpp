@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <utility>
 #include <vector>
 
 namespace foredraw {
@@ -40,48 +40,71 @@ std::string reason(const std::string& what) {
   return bracket == std::string::npos ? what : what.substr(bracket + 2);
 }
 
-/// Reads along for what a tree of values no longer shows or has no room for. The parser's own callback would ask all of
-/// an array at the end of each of its objects.
-class Reading final : public Json::json_sax_t {
+/// Makes the tree of values, and sees what such a tree does not show or has no room for. The library's own callback
+/// would ask all of an array at the end of each of its objects.
+class Reading {
  public:
   explicit Reading(std::size_t most_keys) : most_keys_(most_keys) {}
 
+  Json tree;
   std::string twice;                 ///< the first key that stands twice in one object
   bool is_crowded = false;           ///< some object has too many keys
   std::optional<std::size_t> stuck;  ///< the byte at which it is no JSON
   std::string why;
 
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_array() override { return true; }
-  bool start_object(std::size_t) override {
-    keys_.emplace_back();
-    return true;
+  bool null() { return put(nullptr); }
+  bool boolean(bool value) { return put(value); }
+  bool number_integer(Json::number_integer_t value) { return put(value); }
+  bool number_unsigned(Json::number_unsigned_t value) { return put(value); }
+  bool number_float(Json::number_float_t value, const std::string&) { return put(value); }
+  bool string(std::string& value) { return put(std::move(value)); }
+  bool binary(Json::binary_t&) { return false; }  // there is none in a text
+  bool start_array(std::size_t) { return begin(Json::array()); }
+  bool end_array() { return end(); }
+  bool start_object(std::size_t) {
+    Json::object_t members;
+    members.reserve(open_.empty() ? 32 : 4);  // where it grows it copies all that its members hold
+    return begin(std::move(members));
   }
-  bool end_object() override {
-    keys_.pop_back();
-    return true;
-  }
-  bool key(string_t& key) override {
-    if (!keys_.back().insert(key).second && twice.empty()) twice = key;
-    is_crowded = keys_.back().size() > most_keys_;
+  bool end_object() { return end(); }
+  bool key(std::string& key) {
+    Json& object = *open_.back();
+    const std::size_t keys = object.size();
+    member_ = &object[key];
+    if (object.size() == keys && twice.empty()) twice = key;
+    is_crowded = object.size() > most_keys_;
     return !is_crowded;
   }
-  bool parse_error(std::size_t byte, const std::string&, const Json::exception& mistake) override {
+  bool parse_error(std::size_t byte, const std::string&, const Json::exception& mistake) {
     stuck = byte == 0 ? 0 : byte - 1;
     why = reason(mistake.what());
     return false;
   }
 
  private:
+  template <class T>
+  bool put(T&& value) {
+    add(Json(std::forward<T>(value)));
+    return true;
+  }
+  bool begin(Json empty) {
+    open_.push_back(add(std::move(empty)));
+    return true;
+  }
+  bool end() {
+    open_.pop_back();
+    return true;
+  }
+  Json* add(Json value) {
+    if (open_.empty()) return &(tree = std::move(value));
+    if (open_.back()->is_object()) return &(*member_ = std::move(value));
+    open_.back()->push_back(std::move(value));
+    return &open_.back()->back();
+  }
+
   std::size_t most_keys_;
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+  std::vector<Json*> open_;  ///< the objects and arrays around what comes next
+  Json* member_ = nullptr;   ///< that the key before named
 };
 
 }  // namespace
@@ -102,7 +125,7 @@ std::variant<Json, JsonFault> parse_json_text(std::string_view text, const JsonL
                      fmt::format("the key '{}' stands twice in one object", reading.twice),
                      "keep one of them; readers differ in which they take"};
   }
-  return Json::parse(text.begin(), text.end());
+  return std::move(reading.tree);
 }
 
 Where place_in(const std::string& file, std::string_view text, std::size_t byte) {

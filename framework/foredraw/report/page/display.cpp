@@ -3,6 +3,7 @@
 #include <foredraw/report/page/private/page_buffer.h>
 #include <foredraw/report/page/shown_triangles.h>
 
+#include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/bounding_sphere.h>
 #include <foredraw/viewing/drawn_subject.h>
 #include <foredraw/viewing/pose_set.h>
@@ -179,7 +180,7 @@ class SubjectDisplay {
   }
 
   const OrderTable* table_of(const Scene& scene) const {
-    for (const OrderTable& table : scene.order_tables) {
+    for (const OrderTable& table : order_tables(scene)) {
       for (const ShownPart& part : parts_) {
         if (std::ranges::find(table.draws, part.part.draw) != table.draws.end()) return &table;
       }

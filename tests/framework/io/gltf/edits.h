@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "support/gltf_builder.h"
+#include "support/products.h"
 
 namespace foredraw::testing {
 
@@ -18,7 +19,7 @@ using Indices = std::vector<std::uint32_t>;
 
 inline Scene read(const Bytes& file) {
   Diagnostics diagnostics;
-  auto scene = read_gltf(file, "test", {}, diagnostics);
+  auto scene = read_gltf(file, "test", {}, diagnostics, built_in_products());
   if (!scene) throw std::runtime_error(to_text(diagnostics));
   return *scene;
 }
@@ -27,7 +28,7 @@ inline Scene read(const GltfBuilder& builder) { return read(builder.glb()); }
 
 inline Bytes write(const Scene& scene) {
   Diagnostics diagnostics;
-  const auto files = encode_gltf(scene, "out.glb", diagnostics);
+  const auto files = encode_gltf(scene, "out.glb", diagnostics, Compression::keep, built_in_products());
   const bool quiet = std::ranges::all_of(diagnostics.all(), [](const auto& d) { return d.code == "output-grew"; });
   if (!files || !quiet) throw std::runtime_error(to_text(diagnostics));
   return files->front().bytes;

@@ -1,5 +1,6 @@
 #include <foredraw/report/page/heat_maps.h>
 
+#include "support/edit_product.h"
 #include "support/meshes.h"
 
 #include <foredraw/io/image/images.h>
@@ -101,7 +102,7 @@ TEST(HeatMaps, shows_the_order_that_the_table_gives) {
   Scene scene = stack(true);
   std::vector<IndexStream>& orders = scene.draws[0].levels[0].orders;
   orders.push_back(with_triangle_order(orders[0], std::vector<std::uint32_t>{4, 5, 2, 3, 0, 1}));
-  scene.order_tables = {{{0}, {}, 1, 1, {1}}};
+  testing::edit<DrawOrders>(scene)->tables = {{{0}, {}, 1, 1, {1}}};
   const auto maps = drawn(stack(true), &scene, "4");
   ASSERT_EQ(maps.size(), 1u);
   EXPECT_TRUE(colours_in(maps.front(), 12, 524).contains({53, 183, 121}));

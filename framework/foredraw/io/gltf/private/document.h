@@ -3,7 +3,7 @@
 // Private to io: the one kind of header that may name the JSON library.
 
 #include <foredraw/io/gltf/private/meshopt.h>
-#include <foredraw/scene/vertex_streams.h>
+#include <foredraw/scene/product_row.h>
 
 #include <nlohmann/json.hpp>
 
@@ -90,6 +90,12 @@ struct Document {
   std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed
   std::vector<BufferView> views;
   std::vector<Accessor> accessors;
+  ProductRows products;  ///< whose extensions are known
+
+  /// Whether we know of the extension which members refer to what, so that nothing it points at is lost or moved unseen.
+  bool knows_extension(std::string_view name) const;
+  /// Whether we know all of them. Else what was there stays where it was.
+  bool knows_all_extensions() const;
 
   Document() = default;
   Document(Document&&) = default;
@@ -117,7 +123,12 @@ const Json* extension_of(const Json& holder, std::string_view name);
 /// The extension's value taken out of an object; null where it has none.
 Json take_extension(Json& holder, std::string_view name);
 
-/// Takes the name out of the lists of extensions that are used and required.
+/// Of a file and its primitives: whether one has the extension, and the extension taken out of all.
+bool has_extension(const Json& json, std::string_view name);
+void take_extension_everywhere(Json& json, std::string_view name);
+
+/// Puts the name into a list of extensions, where it is not there; takes it out of those that are used and required.
+void list_extension(Json& json, const char* list, const std::string& name);
 void unlist_extension(Json& json, std::string_view name);
 
 /// The bytes of the file and of the buffers beside it.
@@ -125,11 +136,5 @@ std::uint64_t bytes_read(const Document& document);
 
 /// Every name in extensionsUsed, and every key of an object called "extensions" anywhere; sorted, each once.
 std::vector<std::string> extensions_in(const Json& json);
-
-/// Whether we know of the extension which members refer to what, so that nothing it points at is lost or moved unseen.
-bool is_known_extension(std::string_view name);
-
-/// Whether we know all of the document's. Else what was there stays where it was.
-bool knows_all_extensions(const Json& json);
 
 }  // namespace foredraw::gltf

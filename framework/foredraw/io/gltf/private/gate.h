@@ -12,7 +12,8 @@ namespace foredraw::gltf {
 
 /// The document, or nullopt with an error for each mistake (the first twenty).
 std::optional<Document> open_document(Shared<std::byte> file, const std::string& name,
-                                      const std::filesystem::path& folder, Diagnostics& diagnostics);
+                                      const std::filesystem::path& folder, const ProductRows& products,
+                                      Diagnostics& diagnostics);
 
 /// What the checks share: the document as far as it was found sound, and where mistakes go.
 class Gate {

@@ -22,21 +22,26 @@ struct Written {
 /// The source's document with the scene's changes in it, for a target. With `may_stay`, the file itself will do where
 /// nothing changed. nullopt, with an error, where a change can not be said.
 std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
-                               bool may_stay, Compression compression, Diagnostics& diagnostics);
+                               bool may_stay, Compression compression, const ProductRows& rows,
+                               Diagnostics& diagnostics);
 
 /// Puts the changed draws into `json` and `store`. False, with an error, where one can not be said.
-bool patch_meshes(const Scene& scene, const Source& source, Json& json, AccessorStore& store, Diagnostics& diagnostics);
+bool patch_meshes(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,
+                  Diagnostics& diagnostics);
+
+/// Indices as narrow as `was`, or as wide as the numbers need: the greatest number of a type is kept free.
+Content index_content(std::span<const std::uint32_t> indices, Component was);
 
 /// Nodes, skins, animations, materials and images: those that were added, and what may change of the old ones.
 bool patch_structure(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
                      Diagnostics& diagnostics);
 
-/// Accessors that primitives name as attributes, targets, indices or further orders.
+/// Accessors that primitives name as attributes, targets or indices.
 std::set<std::size_t> used_by_primitives(const Json& json);
 
-/// Accessors that somebody else may refer to, order tables apart. An extension that we do not know may mean any number
+/// Accessors that somebody else may refer to, products apart. An extension that we do not know may mean any number
 /// that it holds.
-std::set<std::size_t> used_elsewhere(const Json& json);
+std::set<std::size_t> used_elsewhere(const Document& document);
 
 /// Images by uri still mean the same files when the document lies in another folder.
 void relocate_images(Json& json, const Document& document, const std::filesystem::path& target,

@@ -1,0 +1,138 @@
+#include <foredraw/draw_orders/draw_orders_product.h>
+
+#include <foredraw/draw_orders/order_memory.h>
+#include <foredraw/viewing/pose_set.h>
+
+#include "schemas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace foredraw {
+
+namespace {
+
+/// Takes tables out, and with each the orders of its draws, which are of no use without it.
+std::vector<std::string> forget_tables(Scene& scene, const std::function<std::string(const OrderTable&)>& why_not) {
+  std::vector<std::string> told;
+  DrawOrders left;
+  for (const OrderTable& table : order_tables(scene)) {
+    const std::string why = why_not(table);
+    if (why.empty()) {
+      left.tables.push_back(table);
+      continue;
+    }
+    told.push_back("the orders and their table are left out: " + why);
+    for (const DrawId id : table.draws) {
+      if (id < scene.draws.size()) scene.draws[id].levels[0].orders.resize(1);
+    }
+  }
+  if (told.empty()) return told;
+  if (left.tables.empty()) {
+    scene.products.erase(DrawOrders::product);
+  } else {
+    scene.products.set(std::move(left));
+  }
+  return told;
+}
+
+class DrawOrdersRow final : public ProductRow {
+ public:
+  ProductCard card() const override {
+    return {.name = std::string(DrawOrders::product),
+            .title = "orders and their tables",
+            .extension = "FOREDRAW_draw_orders",
+            .remedy = "make them again, once nothing changes the file any more",
+            .accessors_of_file = {"tables/*/order", "tables/*/clips/*/times"},
+            .accessors_of_draw = {"orders/*"},
+            .schemas = schemas(),
+            .side_files = {{".json"}}};
+  }
+
+  std::string read(ExtensionReader& from, Scene& scene) const override { return read_draw_orders(from, scene); }
+  void write(const Scene& scene, ExtensionWriter& to) const override { write_draw_orders(scene, to); }
+
+  bool is_written_alike(const Scene& now, const Scene& was) const override {
+    const auto orders_of = [](const Draw& draw) { return draw.levels[0].orders.size() > 1 ? std::span(draw.levels[0].orders) : std::span<const IndexStream>(); };
+    return std::ranges::equal(now.draws, was.draws, [&](const Draw& a, const Draw& b) {
+      return std::ranges::equal(orders_of(a), orders_of(b), {}, &IndexStream::indices, &IndexStream::indices);
+    });
+  }
+
+  std::string difference(const Scene& scene) const override {
+    const std::vector<std::string> clips = clip_names(scene);
+    for (const OrderTable& table : order_tables(scene)) {
+      if (const std::string why = why_not(scene, table); !why.empty()) return why;
+      for (const OrderTable::Clip& clip : table.clips) {
+        if (std::ranges::find(clips, clip.name) == clips.end()) return "clip '" + clip.name + "' is no animation of the scene";
+      }
+    }
+    return {};
+  }
+
+  /// Vertices that were renumbered are so in all orders. Triangles that were ordered anew are so in one.
+  std::vector<std::string> follow(const Scene& before, Scene& after) const override {
+    const bool same_tables = before.products.same(DrawOrders::product, after.products);
+    return forget_tables(after, [&](const OrderTable& table) {
+      if (const std::string why = why_not(after, table); !why.empty()) return why;
+      for (const DrawId id : table.draws) {
+        if (!same_tables || id >= before.draws.size()) continue;
+        const IndexStream& now = after.draws[id].levels[0].orders[0];
+        const IndexStream& was = before.draws[id].levels[0].orders[0];
+        if (!now.triangle_origin.is(was.triangle_origin)) return after.draws[id].name + " was ordered anew";
+      }
+      return std::string();
+    });
+  }
+
+  void leave_out(Scene& scene) const override {
+    forget_tables(scene, [](const OrderTable&) { return "nobody wants them"; });
+    scene.products.erase(DrawOrders::product);
+    for (Draw& draw : scene.draws) draw.levels[0].orders.resize(1);
+  }
+
+  SideFile side_file(const Scene& scene, std::string_view, const std::string&) const override {
+    return {.content = draw_orders_value(scene), .indent = -1};
+  }
+
+  ProductText told(const Scene& scene) const override {
+    ProductText text{.heading = "orders (chosen by direction, and by clip and keyframe)", .value = ExtensionValue::List()};
+    for (const OrderTable& table : order_tables(scene)) {
+      const OrderMemory memory = memory_of(scene, table);
+      std::vector<std::string> names;
+      for (const DrawId id : table.draws) names.push_back(scene.draws[id].name);
+      std::string line = fmt::format("{}: {} x {} directions", fmt::join(names, ", "), table.theta_steps, table.phi_steps);
+      if (!table.clips.empty()) line += fmt::format(", {} keyframes of {} clips", table.keyframes(), table.clips.size());
+      text.lines.push_back(line + "; " + memory_text(memory, table.keyframes()));
+      text.value.push(ExtensionValue::Members{
+          {"draws", ExtensionValue::List(names.begin(), names.end())},
+          {"orders", memory.orders},
+          {"theta-steps", table.theta_steps},
+          {"phi-steps", table.phi_steps},
+          {"clips", listed(table.clips, [](const OrderTable::Clip& clip) {
+             return ExtensionValue::Members{{"name", clip.name}, {"keyframes", clip.times.size()}};
+           })},
+          {"bytes", memory.bytes},
+          {"bytes-for-each-keyframe", memory.bytes_for_each_keyframe}});
+    }
+    return text;
+  }
+
+ private:
+  static std::string why_not(const Scene& scene, const OrderTable& table) {
+    const std::size_t most = table.order.empty() ? 0 : *std::ranges::max_element(table.order);
+    for (const DrawId id : table.draws) {
+      if (id >= scene.draws.size()) return "a draw of theirs is gone";
+      if (scene.draws[id].levels[0].orders.size() <= most) return scene.draws[id].name + " has fewer orders";
+    }
+    return {};
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const ProductRow> draw_orders_product() { return std::make_shared<const DrawOrdersRow>(); }
+
+}  // namespace foredraw

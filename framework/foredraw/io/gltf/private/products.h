@@ -1,0 +1,24 @@
+#pragma once
+// Extensions of products, between the JSON of a document and their rows. Private to io.
+
+#include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/io/gltf/private/source.h>
+#include <foredraw/scene/product_row.h>
+
+#include <set>
+
+namespace foredraw::gltf {
+
+/// Puts a document's products into its scene. Where one does not hold, a warning says why, and its extension is taken out of
+/// the document: what no longer fits must not be written again.
+void read_products(Document& document, Scene& scene, Diagnostics& diagnostics);
+
+/// Puts the scene's products into `json`, once its meshes are there. What the file says of the same products stays.
+void patch_products(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,
+                    Diagnostics& diagnostics);
+
+/// Accessors that the extension of a row names; of JSON in which anything may be wrong, too.
+std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row);
+std::set<std::size_t> used_by_products(const Json& json, const ProductRows& rows);
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,49 @@
+// Where the extension of a product stands in a document, and which accessors it names.
+#include <foredraw/io/gltf/private/member.h>
+#include <foredraw/io/gltf/private/products.h>
+
+namespace foredraw::gltf {
+
+namespace {
+
+/// Adds the numbers at a path of members, "*" for each element or member, whatever else is wrong.
+void collect(const Json& json, std::string_view path, std::set<std::size_t>& numbers) {
+  if (path.empty()) {
+    if (json.is_number_unsigned()) numbers.insert(json.get<std::size_t>());
+    return;
+  }
+  const std::size_t end = std::min(path.find('/'), path.size());
+  const std::string_view rest = path.substr(std::min(end + 1, path.size()));
+  if (path.substr(0, end) != "*") {
+    const Json* next = member(json, std::string(path.substr(0, end)).c_str());
+    if (next != nullptr) collect(*next, rest, numbers);
+  } else if (json.is_structured()) {
+    for (const Json& next : json) collect(next, rest, numbers);
+  }
+}
+
+}  // namespace
+
+std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row) {
+  const ProductCard card = row.card();
+  std::set<std::size_t> numbers;
+  const auto add = [&](const Json& holder, const std::vector<std::string>& paths) {
+    const Json* extension = extension_of(holder, card.extension);
+    if (extension == nullptr) return;
+    for (const std::string& path : paths) collect(*extension, path, numbers);
+  };
+  add(json, card.accessors_of_file);
+  if (card.accessors_of_draw.empty() || !json.contains("meshes")) return numbers;
+  for (const Json& mesh : json["meshes"]) {
+    for (const Json& primitive : mesh["primitives"]) add(primitive, card.accessors_of_draw);
+  }
+  return numbers;
+}
+
+std::set<std::size_t> used_by_products(const Json& json, const ProductRows& rows) {
+  std::set<std::size_t> numbers;
+  for (const auto& row : rows) numbers.merge(used_by_product(json, *row));
+  return numbers;
+}
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,83 @@
+// Products read: their extensions are optional, so what is wrong in one costs it alone.
+#include <foredraw/io/gltf/private/products.h>
+#include <foredraw/io/text/private/extension_json.h>
+
+#include <map>
+
+namespace foredraw::gltf {
+
+namespace {
+
+class Reader final : public ExtensionReader {
+ public:
+  Reader(const Document& document, const std::string& extension) : document_(document) {
+    if (const Json* json = extension_of(document.json, extension)) file_ = value_of(*json);
+    if (!document.json.contains("meshes")) return;
+    DrawId draw = 0;
+    for (const Json& mesh : document.json["meshes"]) {
+      for (const Json& primitive : mesh["primitives"]) {
+        const Json* json = extension_of(primitive, extension);
+        if (json != nullptr) draws_.emplace(draw, OnDraw{value_of(*json), primitive.value("mode", 4) == 4});
+        ++draw;
+      }
+    }
+  }
+
+  bool is_empty() const { return !file_ && draws_.empty(); }
+
+  const ExtensionValue* of_file() const override { return file_ ? &*file_ : nullptr; }
+
+  const ExtensionValue* of_draw(DrawId draw) const override {
+    const auto found = draws_.find(draw);
+    return found == draws_.end() ? nullptr : &found->second.value;
+  }
+
+  bool is_list(DrawId draw) const override {
+    const auto found = draws_.find(draw);
+    return found != draws_.end() && found->second.is_list;
+  }
+
+  std::optional<AccessorData> accessor(std::size_t number) override {
+    if (number >= document_.accessors.size() || document_.accessors[number].count == 0) return std::nullopt;
+    const Accessor& accessor = document_.accessors[number];
+    const auto [made, is_new] = bytes_.try_emplace(number);
+    if (is_new) made->second = Shared<std::byte>(elements(document_, accessor));
+    return AccessorData{accessor.format, accessor.count, made->second};
+  }
+
+ private:
+  const Document& document_;
+  std::optional<ExtensionValue> file_;
+  struct OnDraw {
+    ExtensionValue value;
+    bool is_list = false;
+  };
+  std::map<DrawId, OnDraw> draws_;
+  std::map<std::size_t, Shared<std::byte>> bytes_;  ///< each accessor's once, however often it is named
+};
+
+}  // namespace
+
+void read_products(Document& document, Scene& scene, Diagnostics& diagnostics) {
+  for (const auto& row : document.products) {
+    const ProductCard card = row->card();
+    Reader reader(document, card.extension);
+    if (reader.is_empty()) continue;
+    Scene with = scene;
+    std::string wrong = row->read(reader, with);
+    if (wrong.empty()) wrong = row->difference(with);
+    if (wrong.empty()) {
+      scene = std::move(with);
+      continue;
+    }
+    diagnostics.warning({.file = document.name, .inside = card.extension}, card.name + "-left-out",
+                        "the " + card.title + " are left out: " + wrong, card.remedy);
+    document.let_go.merge(used_by_product(document.json, *row));
+    take_extension_everywhere(document.json, card.extension);
+    unlist_extension(document.json, card.extension);
+    document.left_out = true;
+  }
+  mark_held_draws(scene, document.products);
+}
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,44 @@
+#include <foredraw/scene/moves.h>
+
+#include <numeric>
+
+namespace foredraw {
+
+std::optional<std::vector<std::uint32_t>> vertex_moves(const Level& before, const Level& after) {
+  std::vector<std::uint32_t> moves(before.vertices->count, no_vertex);
+  const auto was = before.vertex_destination.view();  // both begin with the numbers in the file
+  const auto is = after.vertex_destination.view();
+  if (after.vertex_destination.is(before.vertex_destination)) {
+    if (before.vertices->count != after.vertices->count) return std::nullopt;
+    std::iota(moves.begin(), moves.end(), 0u);
+    return moves;
+  }
+  if (is.empty() || (!was.empty() && was.size() != is.size()) || (was.empty() && is.size() != moves.size())) return std::nullopt;
+  for (std::size_t file = 0; file < is.size(); ++file) {
+    const std::uint32_t old = was.empty() ? static_cast<std::uint32_t>(file) : was[file];
+    if (old == no_vertex) continue;
+    if (old >= moves.size() || (is[file] != no_vertex && is[file] >= after.vertices->count)) return std::nullopt;
+    moves[old] = is[file];
+  }
+  return moves;
+}
+
+std::optional<std::vector<std::uint32_t>> triangle_moves(const IndexStream& before, const IndexStream& after) {
+  const std::size_t count = before.triangle_count();
+  const auto was = before.triangle_origin.view(), is = after.triangle_origin.view();
+  const bool are_known = (was.empty() || was.size() == count) && (is.empty() || is.size() == count);
+  if (after.triangle_count() != count || !are_known) return std::nullopt;
+  std::vector<std::uint32_t> number_after(count);  // [number in the file]
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!is.empty() && is[i] >= count) return std::nullopt;
+    number_after[is.empty() ? i : is[i]] = i;
+  }
+  std::vector<std::uint32_t> moves(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!was.empty() && was[i] >= count) return std::nullopt;
+    moves[i] = number_after[was.empty() ? i : was[i]];
+  }
+  return moves;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,17 @@
+#pragma once
+// Where vertices and triangles went between two states of a draw: for products that name them by number.
+
+#include <foredraw/scene/draw.h>
+
+#include <optional>
+
+namespace foredraw {
+
+/// [number before] = number after; no_vertex where it is gone. Nothing where the vertices after do not come from those
+/// before, as where a stage made others.
+std::optional<std::vector<std::uint32_t>> vertex_moves(const Level& before, const Level& after);
+
+/// The same of triangles. None is ever gone.
+std::optional<std::vector<std::uint32_t>> triangle_moves(const IndexStream& before, const IndexStream& after);
+
+}  // namespace foredraw

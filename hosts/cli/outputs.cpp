@@ -1,0 +1,87 @@
+#include "outputs.h"
+
+#include <foredraw/io/scene_file.h>
+#include <foredraw/io/side_files.h>
+#include <foredraw/io/sprite/sprite_files.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foredraw::cli {
+
+namespace {
+
+constexpr const char* remap = "remap";
+constexpr const char* sprites = "sprites";
+
+std::vector<std::string> kinds_of(const ProductRows& rows) {
+  std::vector<std::string> kinds{remap, sprites};
+  for (const auto& row : rows) kinds.push_back(row->card().name);
+  return kinds;
+}
+
+}  // namespace
+
+Output output_of(const std::string& word, const ProductRows& rows) {
+  const std::size_t colon = word.find(':');
+  const std::string kind = word.substr(0, colon);
+  if (colon == std::string::npos || !std::ranges::count(kinds_of(rows), kind)) return {{}, word};
+  Output output{kind, word.substr(colon + 1)};
+  for (const auto& row : rows) {
+    if (row->card().name == kind) output.row = row;
+  }
+  return output;
+}
+
+namespace {
+
+bool has_kind_for(const Output& kind, const std::filesystem::path& path) {
+  if (kind.row) return side_file_kind(*kind.row, path).has_value();
+  return kind.kind == sprites ? is_sprite_output(path) : path.extension() == ".json";
+}
+
+/// A path without a kind that is no scene's: of the one kind that has such files.
+Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostics) {
+  std::vector<Output> fitting;
+  for (const std::string& kind : kinds_of(rows)) {
+    Output one = output_of(kind + ':' + output.path, rows);
+    if (has_kind_for(one, one.path)) fitting.push_back(std::move(one));
+  }
+  if (fitting.size() == 1) return fitting.front();
+  if (fitting.size() > 1) {
+    std::vector<std::string> words;
+    for (const Output& one : fitting) words.push_back(fmt::format("-o {}:{}", one.kind, one.path));
+    diagnostics.error({.file = output.path}, "unknown-kind", "several kinds of output are written as files like this",
+                      fmt::format("say which: {}", fmt::join(words, ", ")));
+  }
+  return output;
+}
+
+}  // namespace
+
+std::string kinds_text(const ProductRows& rows) { return fmt::format("{}", fmt::join(kinds_of(rows), ", ")); }
+
+std::vector<Output> outputs_of(const std::vector<std::string>& words, const std::string& input, const ProductRows& rows,
+                               Diagnostics& diagnostics) {
+  std::vector<Output> outputs;
+  for (const std::string& word : words) {
+    Output output = output_of(word, rows);
+    const bool is_of_sprites = input != "-" && is_sprite_input(input);
+    const bool is_scenes = output.path == "-" || is_scene_file(output.path) || (is_of_sprites && is_sprite_output(output.path));
+    if (output.kind.empty() && !is_scenes && !std::filesystem::is_directory(input)) output = with_kind(std::move(output), rows, diagnostics);
+    if (!output.kind.empty() && !has_kind_for(output, output.path)) {
+      diagnostics.error({.file = output.path}, "unknown-kind", fmt::format("'{}' is not written as a file like this", output.kind),
+                        "foredraw optimize --help says which files there are");
+    }
+    outputs.push_back(std::move(output));
+  }
+  return outputs;
+}
+
+std::vector<std::filesystem::path> paths_written_for(const Output& output) {
+  if (output.row) return paths_of_side_file(*output.row, output.path);
+  return output.kind.empty() ? foredraw::paths_written_for(output.path) : std::vector<std::filesystem::path>{output.path};
+}
+
+}  // namespace foredraw::cli

@@ -1,0 +1,105 @@
+#include "merged_draws_product.h"
+
+#include "merged_proof.h"
+#include "schemas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace foredraw {
+
+namespace {
+
+/// Index entries of the slots of each size.
+std::map<std::uint32_t, std::uint64_t> slots_by_frequency(const MergedInstances& merged) {
+  std::map<std::uint32_t, std::uint64_t> slots;
+  for (const MergedDraw& draw : merged.draws) slots[draw.frequency] += draw.slot_count;
+  return slots;
+}
+
+std::string material_text(const Scene& scene, const MergedInstances& merged) {
+  if (!merged.materials.empty()) return "materials of their own";
+  if (!merged.material) return "no material";
+  const std::string& name = scene.materials[*merged.material].name;
+  return name.empty() ? fmt::format("material {}", *merged.material) : name;
+}
+
+class MergedDrawsRow final : public ProductRow {
+ public:
+  ProductCard card() const override {
+    return {.name = std::string(MergedDraws::product),
+            .title = "merged draws",
+            .extension = "FOREDRAW_merge_instances",
+            .remedy = "merge them again; the nodes show the same",
+            .accessors_of_file = {"sets/*/attributes/*", "sets/*/indices", "sets/*/slots", "sets/*/transforms",
+                                  "sets/*/places", "sets/*/materials"},
+            .schemas = schemas(),
+            .side_files = {{".json", ".bin"}, {".glsl"}, {".hlsl"}}};
+  }
+
+  std::string read(ExtensionReader& from, Scene& scene) const override {
+    auto read = merging::read_merged_draws(from, scene);
+    if (auto* wrong = std::get_if<std::string>(&read)) return std::move(*wrong);
+    scene.products.set(std::get<MergedDraws>(std::move(read)));
+    return {};
+  }
+
+  void write(const Scene& scene, ExtensionWriter& to) const override { merging::write_merged_draws(scene, to); }
+
+  std::string difference(const Scene& scene) const override {
+    merging::MergedProof proof(scene);
+    const auto sets = merged_sets(scene);
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      const std::string found = proof.difference(sets[s]);
+      if (!found.empty()) return fmt::format("sets[{}] {}", s, found);
+    }
+    return {};
+  }
+
+  /// A stage that changed a draw's triangles would have to merge anew.
+  std::vector<DrawId> held(const Scene& scene) const override {
+    std::vector<DrawId> draws;
+    for (const MergedInstances& set : merged_sets(scene)) {
+      for (const MergedMesh& mesh : set.meshes) draws.push_back(mesh.draw);
+    }
+    std::ranges::sort(draws);
+    draws.erase(std::unique(draws.begin(), draws.end()), draws.end());
+    return draws;
+  }
+
+  SideFile side_file(const Scene& scene, std::string_view extension, const std::string& beside) const override {
+    return merging::merged_side_file(scene, extension, beside);
+  }
+
+  ProductText told(const Scene& scene) const override {
+    ProductText text{.heading = "merged (beside the nodes that show the same)", .value = ExtensionValue::List()};
+    for (const MergedInstances& merged : merged_sets(scene)) {
+      std::vector<std::string> words;
+      ExtensionValue::List slots;
+      for (const auto& [frequency, count] : slots_by_frequency(merged)) {
+        words.push_back(fmt::format("{} slots of {} index entries", count, frequency));
+        slots.push_back(ExtensionValue::Members{{"frequency", frequency}, {"slots", count}});
+      }
+      const std::string material = material_text(scene, merged);
+      text.lines.push_back(fmt::format("{}: {} instances of {} draws in {} groups, drawn by {} calls; {}", material,
+                                       merged.places.size(), merged.meshes.size(), merged.groups.size(),
+                                       merged.draws.size(), fmt::join(words, ", ")));
+      text.value.push(ExtensionValue::Members{
+          {"material", material},
+          {"draws", listed(merged.meshes, [&](const MergedMesh& mesh) { return ExtensionValue(scene.draws[mesh.draw].name); })},
+          {"instances", merged.places.size()},
+          {"groups", merged.groups.size()},
+          {"calls", merged.draws.size()},
+          {"slots", std::move(slots)}});
+    }
+    return text;
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const ProductRow> merged_draws_product() { return std::make_shared<const MergedDrawsRow>(); }
+
+}  // namespace foredraw

@@ -1,0 +1,46 @@
+#include <foredraw/draw_orders/draw_orders_product.h>
+
+#include <foredraw/scene/reorder.h>
+
+#include "support/edit_product.h"
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+namespace foredraw {
+namespace {
+
+TEST(DrawOrdersProduct, TellsWhatTheOrdersTakeBesideOneForEachKeyframe) {
+  Scene scene = testing::scene_of({testing::draw_of(testing::grid(2, 1), "body"), testing::draw_of(testing::grid(1, 1), "rock")});
+  scene.draws[0].levels[0].orders.push_back(scene.draws[0].levels[0].orders[0]);
+  testing::edit<DrawOrders>(scene)->tables = {{{0}, {{"Walk", {0, 1, 2}}, {"Run", {0}}}, 2, 3, std::vector<std::uint8_t>(24, 1)}};
+  const ProductText told = draw_orders_product()->told(scene);
+  ASSERT_EQ(told.lines.size(), 1u);
+  EXPECT_EQ(told.lines[0],
+            "body: 2 x 3 directions, 4 keyframes of 2 clips; 2 orders of 4 triangles: 48 bytes; one for each of 4 "
+            "keyframes would take 96 bytes");
+  ASSERT_EQ(told.value.list()->size(), 1u);
+  const ExtensionValue& one = told.value.list()->front();
+  EXPECT_EQ(one.member("orders")->whole(), 2u);
+  EXPECT_EQ(one.member("bytes-for-each-keyframe")->whole(), 96u);
+  EXPECT_EQ(*one.member("draws")->list()->front().text(), "body");
+}
+
+TEST(DrawOrdersProduct, LeavesOutATableWhoseDrawWasOrderedAnewAndKeepsOneWhoseVerticesMoved) {
+  Scene scene = testing::scene_of({testing::draw_of(testing::grid(2, 1), "body"), testing::draw_of(testing::grid(2, 1), "rock")});
+  for (Draw& draw : scene.draws) draw.levels[0].orders.push_back(draw.levels[0].orders[0]);
+  testing::edit<DrawOrders>(scene)->tables = {{{0}, {}, 1, 1, {1}}, {{1}, {}, 1, 1, {1}}};
+  const Scene before = scene;
+  IndexStream& first = scene.draws[0].levels[0].orders[0];
+  first = with_triangle_order(first, std::vector<std::uint32_t>{3, 2, 1, 0});
+  const auto told = draw_orders_product()->follow(before, scene);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0], "the orders and their table are left out: body was ordered anew");
+  ASSERT_EQ(order_tables(scene).size(), 1u);
+  EXPECT_EQ(order_tables(scene)[0].draws, std::vector<DrawId>{1});
+  EXPECT_EQ(scene.draws[0].levels[0].orders.size(), 1u);
+  EXPECT_EQ(scene.draws[1].levels[0].orders.size(), 2u);
+}
+
+}  // namespace
+}  // namespace foredraw

@@ -1,0 +1,33 @@
+#include <foredraw/gpu/memory.h>
+#include <foredraw/gpu/stopwatch.h>
+
+#include "support/on_device.h"
+
+#include <gtest/gtest.h>
+
+namespace foredraw::gpu {
+namespace {
+
+using GpuStopwatch = testing::OnDevice;
+
+TEST_F(GpuStopwatch, more_work_takes_longer) {
+  Device device(choice());
+  if (device.timestamp_mask() == 0) GTEST_SKIP() << "this device has no clock";
+  const VisibleBuffer buffer(device, 1 << 24, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  const auto filled = [&](int times) {
+    return nanoseconds(device, [&](VkCommandBuffer commands) {
+      for (int i = 0; i < times; ++i) {
+        vkCmdFillBuffer(commands, buffer.get(), 0, VK_WHOLE_SIZE, 1);
+        let_see(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                VK_ACCESS_TRANSFER_WRITE_BIT);
+      }
+    });
+  };
+  filled(1);  // wakes the memory up
+  const double once = filled(1);
+  EXPECT_GT(once, 0);
+  EXPECT_GT(filled(30), once);
+}
+
+}  // namespace
+}  // namespace foredraw::gpu

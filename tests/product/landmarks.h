@@ -1,0 +1,22 @@
+#pragma once
+// A product as a plugin outside of the framework brings it: of some draws a few vertices and triangles, by number.
+
+#include <foredraw/technique/plugin.h>
+
+namespace foredraw::testing {
+
+struct Landmarks {
+  static constexpr std::string_view product = "landmarks";
+  struct OfDraw {
+    DrawId draw = 0;
+    std::vector<std::uint32_t> vertices, triangles;
+    friend bool operator==(const OfDraw&, const OfDraw&) = default;
+  };
+  std::vector<OfDraw> draws;
+  friend bool operator==(const Landmarks&, const Landmarks&) = default;
+};
+
+/// Makes them of the first and last vertex and triangle of each draw. `wrong`: names a vertex that there is not.
+Plugin landmarks_plugin();
+
+}  // namespace foredraw::testing

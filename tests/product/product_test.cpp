@@ -1,0 +1,167 @@
+// A product from its making through stages, files, inspection and the command line; no file outside of this folder names it.
+
+#include "landmarks.h"
+#include "support/meshes.h"
+#include "support/program.h"
+
+#include <foredraw/io/gltf/gltf.h>
+#include <foredraw/io/side_files.h>
+#include <foredraw/pipeline/parse.h>
+#include <foredraw/pipeline/runner.h>
+#include <foredraw/report/inspection.h>
+#include <foredraw/technique/built_in_plugins.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace foredraw {
+namespace {
+
+using testing::Landmarks;
+
+Registry registry() {
+  Registry made;
+  add_built_in_plugins(made);
+  made.add(testing::landmarks_plugin());
+  return made;
+}
+
+/// A grid whose vertices are there twice, its triangles in random order.
+Scene doubled() {
+  testing::TestMesh mesh = testing::shuffled(testing::joined(testing::grid(4, 4), testing::grid(4, 4)), 3);
+  return testing::scene_of({testing::draw_of(mesh, "field")});
+}
+
+Result run(const std::string& stages, Scene scene) {
+  static const Registry all = registry();
+  Diagnostics diagnostics;
+  const auto parsed = parse_stages(stages, "test", diagnostics);
+  Pipeline pipeline;
+  pipeline.stages = *parsed;
+  const auto planned = plan(pipeline, all, scene, diagnostics);
+  EXPECT_TRUE(planned) << to_text(diagnostics);
+  const Executor executor(2);
+  Analyses analyses;
+  return optimize(*planned, std::move(scene), {executor, analyses});
+}
+
+/// What the numbers mean: positions of vertices, and of triangles' corners.
+std::vector<glm::vec3> meant(const Scene& scene) {
+  std::vector<glm::vec3> places;
+  for (const Landmarks::OfDraw& of : scene.products.find<Landmarks>()->draws) {
+    const Level& level = scene.draws[of.draw].levels[0];
+    const auto positions = decode_vec3(*level.vertices->find("POSITION"));
+    for (const std::uint32_t v : of.vertices) places.push_back(positions[v]);
+    for (const std::uint32_t t : of.triangles) {
+      for (std::size_t c = 0; c < 3; ++c) places.push_back(positions[level.orders[0].indices.view()[3 * std::size_t{t} + c]]);
+    }
+  }
+  return places;
+}
+
+bool notes(const Result& result, const std::string& code) {
+  return std::ranges::any_of(result.report.stages, [&](const StageRecord& stage) {
+    return std::ranges::any_of(stage.notes, [&](const auto& note) { return note.code == code; });
+  });
+}
+
+TEST(Product, FollowsReorderedTrianglesAndRenumberedAndWeldedVertices) {
+  const Result made = run("landmarks", doubled());
+  ASSERT_FALSE(made.failed);
+  const auto wanted = meant(made.scene);
+  for (const std::string stages : {"tipsify", "vertex-fetch", "weld", "weld, tipsify, occlusion-order, vertex-fetch"}) {
+    const Result moved = run("landmarks, " + stages, doubled());
+    EXPECT_FALSE(moved.failed);
+    EXPECT_FALSE(moved.scene.products.same(Landmarks::product, made.scene.products)) << stages;
+    EXPECT_EQ(meant(moved.scene), wanted) << stages;
+  }
+}
+
+TEST(Product, GoesStaleWhereADrawIsMadeAnewAndTheReportSaysSo) {
+  Scene scene = run("landmarks", doubled()).scene;
+  const Scene before = scene;
+  scene.draws[0] = testing::draw_of(testing::grid(1, 1), "field");
+  const auto told = registry().products()[1]->follow(before, scene);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("was made anew"), std::string::npos);
+  EXPECT_FALSE(scene.products.has(Landmarks::product));
+}
+
+TEST(Product, ThatIsWrongFailsTheStageThatMadeIt) {
+  const Result result = run("landmarks(wrong=true)", doubled());
+  EXPECT_TRUE(result.failed);
+  EXPECT_FALSE(result.scene.products.has(Landmarks::product));
+  EXPECT_NE(result.report.diagnostics.at(0).message.find("its landmarks differ from the scene: field has no vertex 50"), std::string::npos)
+      << result.report.diagnostics.at(0).message;
+}
+
+TEST(Product, ComesBackFromAFileAndIsAForeignExtensionToWhoHasNoRow) {
+  const ProductRows rows = registry().products();
+  const Scene scene = run("landmarks", doubled()).scene;
+  Diagnostics diagnostics;
+  const auto files = encode_gltf(scene, "out.glb", diagnostics, Compression::keep, rows);
+  ASSERT_TRUE(files) << to_text(diagnostics);
+  const auto again = read_gltf(files->front().bytes, "again", {}, diagnostics, rows);
+  ASSERT_TRUE(again) << to_text(diagnostics);
+  EXPECT_TRUE(again->products.same(Landmarks::product, scene.products));
+  const auto unchanged = encode_gltf(*again, "out.glb", diagnostics);
+  EXPECT_EQ(unchanged->front().bytes, files->front().bytes);
+
+  const auto foreign = read_gltf(files->front().bytes, "foreign", {}, diagnostics);
+  ASSERT_TRUE(foreign);
+  EXPECT_TRUE(foreign->products.empty());
+  EXPECT_EQ(encode_gltf(*foreign, "out.glb", diagnostics)->front().bytes, files->front().bytes) << "it stays as it came";
+}
+
+TEST(Product, ThatDoesNotHoldIsLeftOutWhenReadAndWhenWritten) {
+  const ProductRows rows = registry().products();
+  Scene scene = run("landmarks", doubled()).scene;
+  Landmarks landmarks = *scene.products.find<Landmarks>();
+  landmarks.draws[0].vertices[0] = 1000;
+  scene.products.set(landmarks);
+  Diagnostics diagnostics;
+  const auto files = encode_gltf(scene, "out.glb", diagnostics, Compression::keep, rows);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].code, "landmarks-left-out");
+  const auto again = read_gltf(files->front().bytes, "again", {}, diagnostics, rows);
+  EXPECT_FALSE(again->products.has(Landmarks::product));
+}
+
+TEST(Product, IsInspectedAndWrittenBesideByItsRow) {
+  const Scene scene = run("landmarks", doubled()).scene;
+  const ProductRows rows = registry().products();
+  Analyses analyses;
+  EXPECT_NE(inspection_text(scene, rows, analyses).find("landmarks (known places):\n  field: 2 vertices\n"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(inspection_json(scene, rows, analyses))["products"]["landmarks"][0]["draw"], "field");
+  const auto row = *std::ranges::find_if(rows, [](const auto& one) { return one->card().name == "landmarks"; });
+  Diagnostics diagnostics;
+  const auto files = encode_side_file(scene, *row, "folder/x.json", diagnostics);
+  ASSERT_EQ(files->size(), 2u);
+  EXPECT_EQ(files->at(1).path, "folder/x.json.bin");
+  EXPECT_EQ(files->at(1).bytes.size(), 4u);
+}
+
+class ProductProgram : public testing::InFolder {};
+
+TEST_F(ProductProgram, WritesKindsAndSaysWhichWhereSeveralFit) {
+  const std::string model = testing::project_file("benchmarks/corpus/static/spot.glb").string();
+  const auto made = testing::run_program(folder_, "optimize '" + model + "' -o out.glb -o marks.csv -o landmarks:m.json -o remap:r.json -p landmarks");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(testing::content(folder_ / "marks.csv"), "draw,vertices\n0,2\n");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "m.json.bin"));
+  EXPECT_NE(testing::content(folder_ / "r.json").find("new-to-old"), std::string::npos);
+  const auto which = testing::run_program(folder_, "optimize '" + model + "' -o x.json -p landmarks");
+  EXPECT_EQ(which.code, 1);
+  EXPECT_NE(which.err.find("-o landmarks:x.json"), std::string::npos) << which.err;
+  EXPECT_NE(which.err.find("-o remap:x.json"), std::string::npos) << which.err;
+  const auto inspected = testing::run_program(folder_, "inspect out.glb");
+  EXPECT_NE(inspected.out.find("landmarks (known places)"), std::string::npos);
+  const auto schema = testing::run_program(folder_, "schema landmarks");
+  EXPECT_TRUE(nlohmann::json::accept(schema.out)) << schema.out;
+  const auto without = testing::run_program(folder_, "optimize out.glb -o bare.glb -p vertex-fetch --products none");
+  ASSERT_EQ(without.code, 0) << without.err;
+  EXPECT_EQ(testing::content(folder_ / "bare.glb").find("EXAMPLE_landmarks"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace foredraw
