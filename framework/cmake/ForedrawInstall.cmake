@@ -50,7 +50,16 @@ function(foredraw_install_package)
   install(FILES "${generated}/foredrawConfig.cmake" "${generated}/foredrawConfigVersion.cmake"
           "${PROJECT_SOURCE_DIR}/framework/cmake/foredrawComponents.cmake"
           "${PROJECT_SOURCE_DIR}/framework/cmake/Findxxhash.cmake"
+          "${PROJECT_SOURCE_DIR}/framework/cmake/ForedrawLibrary.cmake"
+          "${PROJECT_SOURCE_DIR}/framework/cmake/ForedrawPlugin.cmake"
+          "${PROJECT_SOURCE_DIR}/framework/cmake/ForedrawOutside.cmake"
           DESTINATION "${foredraw_package_folder}" COMPONENT development)
+  foreach(test conformance/conformance_test.cpp conformance/odd_scenes.cpp conformance/odd_scenes.h conformance/all_plugins.h
+               support/meshes.cpp support/meshes.h support/sprite_scenes.cpp support/sprite_scenes.h)
+    get_filename_component(folder "${test}" DIRECTORY)
+    install(FILES "${PROJECT_SOURCE_DIR}/tests/${test}" DESTINATION "${foredraw_package_folder}/tests/${folder}"
+            COMPONENT development)
+  endforeach()
   foredraw_install_headers("${PROJECT_SOURCE_DIR}/framework/foredraw" "")
   foreach(component runtime development)
     install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/LICENSES.md"

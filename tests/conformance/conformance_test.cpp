@@ -1,15 +1,14 @@
 // What every plugin has to do, tested once over the registry. The runner checks each answer (permutation, partition,
 // certificate) and reports a failure where it is none, so a run that did not fail is a run with right answers.
 
+#include "all_plugins.h"
 #include "odd_scenes.h"
+#include "support/sprite_scenes.h"
 
 #include <foredraw/analysis/vertex_rows.h>
-#include <foredraw/io/image/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/scene/levels.h>
-#include <foredraw/technique/built_in_plugins.h>
-#include <peers.h>
 
 #include <gtest/gtest.h>
 
@@ -23,8 +22,7 @@ namespace {
 const Registry& registry() {
   static const Registry all = [] {
     Registry registry;
-    add_built_in_plugins(registry);
-    add_peers(registry);
+    add_all_plugins(registry);
     return registry;
   }();
   return all;
@@ -62,7 +60,7 @@ Outcome run(const Pipeline& pipeline, int threads) {
   auto plan = foredraw::plan(pipeline, registry(), scene, diagnostics);
   if (!plan) throw std::runtime_error(to_text(diagnostics));
   const Executor executor(threads);
-  Analyses analyses(image_decoder({}));
+  Analyses analyses(testing::stored_texels());
   Result result = foredraw::optimize(*plan, scene, {executor, analyses});
   return {std::move(result), std::move(*plan)};
 }

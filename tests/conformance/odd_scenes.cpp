@@ -1,6 +1,5 @@
 #include "odd_scenes.h"
 
-#include "support/image_builder.h"
 #include "support/meshes.h"
 #include "support/sprite_scenes.h"
 
@@ -104,11 +103,7 @@ void add_sprite(Scene& scene) {
       values.insert(values.end(), {65535, static_cast<std::uint16_t>(shows ? 5000 * x + 1 : 0)});
     }
   }
-  Image image;
-  image.media_type = "image/png";
-  image.bytes = Shared<std::byte>(png_of(facts, values));
-  image.facts = facts;
-  Scene sprite = sprite_scene(std::move(image));
+  Scene sprite = sprite_scene(texel_image(facts, values));
   sprite.nodes[0].mesh = static_cast<MeshId>(scene.meshes.size());
   sprite.meshes[0].draws = {static_cast<DrawId>(scene.draws.size())};
   scene.nodes.push_back(std::move(sprite.nodes[0]));

@@ -23,17 +23,13 @@ std::size_t most_levels(const Scene& scene) {
 Draw at_level(const Draw& draw, std::size_t level) {
   Draw result = draw;
   result.levels = {draw.level(level)};
-  if (level > 0 && draw.levels.size() > 1) result.extensions.clear();
   return result;
 }
 
 Scene at_level(const Scene& scene, std::size_t level) {
   Scene result = scene;
   for (Draw& draw : result.draws) draw = at_level(draw, level);
-  if (level > 0) {
-    result.order_tables.clear();
-    result.merged.clear();
-  }
+  if (level > 0) result.products = {};
   return result;
 }
 

@@ -16,11 +16,10 @@ std::string name_of(const Draw& draw, std::size_t level);
 /// The most levels that a draw of the scene has; 0 where it has no draws.
 std::size_t most_levels(const Scene& scene);
 
-/// The draw with that level, or its coarsest one, alone. Extensions number the triangles and vertices of full detail, so
-/// others have none.
+/// The draw with that level, or its coarsest one, alone.
 Draw at_level(const Draw& draw, std::size_t level);
 
-/// The scene with every draw at that level. Order tables and merged draws are of full detail, so others have none.
+/// The scene with every draw at that level. Products are of full detail, so others have none.
 Scene at_level(const Scene& scene, std::size_t level);
 
 /// Puts back what became of a draw that was handed out as at_level() gives it. What is not a level is taken from full

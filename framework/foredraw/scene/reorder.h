@@ -24,7 +24,7 @@ std::optional<IndexOrder> order_between(std::span<const std::uint32_t> from, std
 /// their new sequence, and are lost where one is torn.
 IndexStream with_triangle_order(const IndexStream& stream, std::span<const std::uint32_t> order);
 
-/// The draw with orders[0] of full detail put in the new order, rows of triangle extensions moved along.
+/// The draw with orders[0] of full detail put in the new order.
 Draw with_triangle_order(const Draw& draw, std::span<const std::uint32_t> order);
 
 /// The streams with vertex v at destination[v]; several may share one (their bytes must then be equal), and no_vertex
@@ -33,7 +33,7 @@ VertexStreams with_vertices_moved(const VertexStreams& streams, std::span<const 
                                   std::uint32_t count);
 
 /// The draw drawing from `moved`, which came from its own vertices by `destination`: indices renumbered in every order
-/// of the level, vertex rows of extensions moved along. Level `level` alone.
+/// of the level `level` alone.
 Draw with_vertices_moved(const Draw& draw, std::size_t level, std::shared_ptr<const VertexStreams> moved,
                          std::span<const std::uint32_t> destination);
 
