@@ -68,6 +68,10 @@ class CommandLine {
                             "Write the draws' several orders, and the tables that choose among them, as JSON, to this "
                             "file");
     optimize_app
+        .add_option("--levels", arguments_.levels,
+                    "How levels of detail that a stage made go out: keep, as FOREDRAW_levels; msft-lod, as nodes with MSFT_lod")
+        ->check(CLI::IsMember({"keep", "msft-lod"}));
+    optimize_app
         .add_option("--compression", arguments_.compression,
                     "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));

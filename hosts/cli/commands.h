@@ -30,6 +30,7 @@ struct Arguments {
   std::string remap;
   std::string draw_orders;
   std::string compression = "keep";
+  std::string levels = "keep";
   std::string heat_maps;               ///< folder of pictures
   std::string heat_map_view = "worst";
   std::string kind;

@@ -95,11 +95,12 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
   // The scene, the report, the remap tables and the orders: all of them, or none and an explanation.
   const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
     const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
+    const LevelsAs levels = arguments.levels == "msft-lod" ? LevelsAs::lod_nodes : LevelsAs::extension;
     Report& report = result.report;
     std::vector<std::vector<OutputFile>> scenes;
     std::vector<std::byte> standard;
     for (const std::string& output : outputs) {
-      auto files = encode_scene(result.scene, output, diagnostics, compression);
+      auto files = encode_scene(result.scene, output, diagnostics, compression, levels);
       if (!files) return false;
       if (report.output.path.empty()) report.output = {output, files->front().bytes.size()};
       if (output == "-") {

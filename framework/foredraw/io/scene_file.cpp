@@ -91,7 +91,8 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 }
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
-                                                    Diagnostics& diagnostics, Compression compression) {
+                                                    Diagnostics& diagnostics, Compression compression,
+                                                    LevelsAs levels) {
   const bool has_sprites = std::ranges::any_of(scene.draws, [](const Draw& draw) { return draw.frame.has_value(); });
   if (is_merged_output(path) && !has_sprites) return encode_merged(scene, path, diagnostics);
   if (is_sprite_output(path)) {
@@ -115,7 +116,7 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   auto for_gltf = sprites_for_gltf(scene, path, diagnostics);
   if (!for_gltf) return std::nullopt;
   if (mesh_source) for_gltf->source = mesh_source->gltf;
-  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression);
+  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression, levels);
   if (files && !spares_its_inputs(scene, *files, diagnostics)) return std::nullopt;
   if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);
   if (!files || !is_standard) return files;

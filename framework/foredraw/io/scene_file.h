@@ -35,7 +35,8 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 /// here.
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics,
-                                                    Compression compression = Compression::keep);
+                                                    Compression compression = Compression::keep,
+                                                    LevelsAs levels = LevelsAs::extension);
 
 /// Every path that encode_scene may write to for one, that itself first.
 std::vector<std::filesystem::path> paths_written_for(const std::filesystem::path& path);

@@ -134,7 +134,7 @@ TEST_F(RunnerLevels, OneLevelMayBeKeptWhereAnotherIsWorkedOn) {
   EXPECT_EQ(result.report.stages[1].changed, 3u);
   ASSERT_EQ(result.report.stages[1].skipped.size(), 1u);
   EXPECT_EQ(result.report.stages[1].skipped[0].reason, "not clustered");
-  EXPECT_EQ(result.report.stages[1].skipped[0].places, std::vector<std::string>{"Ball, level 1"});
+  EXPECT_EQ(result.report.stages[1].skipped[0].places, std::vector<std::string>{"Ball (level 1)"});
 }
 
 TEST_F(RunnerLevels, TheLevelIsAWordOfEvaluators) {

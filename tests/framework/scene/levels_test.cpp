@@ -64,7 +64,7 @@ TEST(Levels, ADrawWithoutOthersMayComeBackWithSome) {
 
 TEST(Levels, NamesTellTheLevelBeyondFullDetail) {
   EXPECT_EQ(name_of(three_levels(), 0), "Rock");
-  EXPECT_EQ(name_of(three_levels(), 2), "Rock, level 2");
+  EXPECT_EQ(name_of(three_levels(), 2), "Rock (level 2)");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <foredraw/io/gltf/private/accessor_store.h>
 #include <foredraw/io/gltf/private/draw_orders.h>
+#include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/gltf/private/merged_instances.h>
 #include <foredraw/io/gltf/private/write.h>
 
@@ -66,9 +67,11 @@ bool may_join_buffers(const Json& value) {
 
 }  // namespace
 
-std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
-                               bool may_stay, Compression compression, Diagnostics& diagnostics) {
+std::optional<Written> patched(const Scene& of_levels, const Source& source, const std::filesystem::path& target,
+                               bool may_stay, Compression compression, LevelsAs levels, Diagnostics& diagnostics) {
   const Document& document = source.document;
+  const LevelScene told(of_levels, source, levels, diagnostics);
+  const Scene& scene = told.flat();
   const bool compress = compression == Compression::keep;
   Written written;
   written.json = document.json;
@@ -78,12 +81,14 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   written.compact = !text.empty() && !document.binary && std::ranges::count(text.first(last), std::byte{'\n'}) == 0;
   AccessorStore store(document, written.json);
   if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
+  told.put_lods(written.json);
   if (!patch_meshes(scene, source, written.json, store, diagnostics)) return std::nullopt;
   patch_order_tables(scene, source, written.json, store, diagnostics);
   patch_merged_instances(scene, source, written.json, store);
   relocate_images(written.json, document, target, diagnostics);
   written.changed =
-      !may_stay || document.left_out || store.changed() || written.json != document.json || (!compress && is_compressed(document));
+      !may_stay || document.left_out || store.changed() || written.json != document.json ||
+      !told.same_errors() || (!compress && is_compressed(document));
   if (!written.changed) return written;
   if (document.buffers.size() > 1 && !may_join_buffers(document.json)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
@@ -94,6 +99,7 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   drop_draco(written.json, store, document, diagnostics);
   written.laid_out = store.lay_out(compress);
   unlist_what_is_not_used(written.json);
+  told.enclose(written.json);
   return written;
 }
 
