@@ -65,6 +65,10 @@ class CommandLine {
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
     html(optimize_app);
     optimize_app
+        .add_option("--levels", arguments_.levels,
+                    "How levels of detail that a stage made go out: keep, as FOREDRAW_levels; msft-lod, as nodes with MSFT_lod")
+        ->check(CLI::IsMember({"keep", "msft-lod"}));
+    optimize_app
         .add_option("--compression", arguments_.compression,
                     "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));

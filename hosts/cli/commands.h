@@ -29,6 +29,7 @@ struct Arguments {
   std::string baseline;                ///< a stored report that they are held against
   std::string compression = "keep";
   std::string products = "keep";
+  std::string levels = "keep";
   std::string heat_maps;               ///< folder of pictures
   std::string heat_map_view = "worst";
   std::string kind;

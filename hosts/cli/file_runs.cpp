@@ -96,6 +96,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
   // The scene, the report and whatever else: all of it, or none and an explanation.
   const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
     const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
+    const LevelsAs levels = arguments.levels == "msft-lod" ? LevelsAs::lod_nodes : LevelsAs::extension;
     Report& report = result.report;
     std::vector<std::vector<OutputFile>> scenes;
     std::vector<std::byte> standard;
@@ -107,7 +108,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     for (const Output& output : outputs) {
       auto files = output.row             ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
                    : !output.is_scene()   ? std::vector{text_file(output.path, remap_json(result.scene))}
-                                          : encode_scene(scene, output.path, diagnostics, compression, rows);
+                                          : encode_scene(scene, output.path, diagnostics, compression, levels, rows);
       if (!files) return false;
       if (report.output.path.empty() && output.is_scene()) report.output = {output.path, files->front().bytes.size()};
       if (output.path == "-") {

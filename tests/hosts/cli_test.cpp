@@ -175,6 +175,7 @@ TEST_F(Cli, KeepsCompressionUnlessAskedOtherwise) {
   EXPECT_NE(plain.err.find("hint: data written uncompressed: "), std::string::npos) << plain.err;
   EXPECT_EQ(content(folder_ / "plain.glb").find("meshopt"), std::string::npos);
   EXPECT_EQ(run("optimize " + rover + " -o other.glb --compression zip").code, 1);
+  EXPECT_EQ(run("optimize " + rover + " -o other.glb --levels zip").code, 1);
 
   // Plain copies are a file of their own, for which standard output has no room.
   const std::string spot = "'" + testing::project_file("tests/compressed/spot_fallback.gltf").string() + "'";

@@ -91,7 +91,7 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics, Compression compression,
-                                                    const ProductRows& products) {
+                                                    LevelsAs levels, const ProductRows& products) {
   if (is_sprite_output(path)) {
     auto file = encode_sprites({&scene, 1}, path, diagnostics);
     return file ? std::optional(std::vector<OutputFile>{std::move(*file)}) : std::nullopt;
@@ -117,7 +117,7 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
     as_gltf.source = mesh_source->gltf;
     for_gltf = std::make_shared<const Scene>(std::move(as_gltf));
   }
-  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression, products);
+  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression, levels, products);
   if (files && !spares_its_inputs(scene, *files, diagnostics)) return std::nullopt;
   if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);
   if (!files || !is_standard) return files;

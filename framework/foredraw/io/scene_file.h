@@ -36,6 +36,7 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics,
                                                     Compression compression = Compression::keep,
+                                                    LevelsAs levels = LevelsAs::extension,
                                                     const ProductRows& products = {});
 
 /// Every path that encode_scene may write to for one, that itself first.

@@ -99,7 +99,7 @@ class StageRunner {
     std::vector<OrderTable> tables(before.begin(), before.end());
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string& name = subjects[parts[i].subject].name;
-      accept(outcomes[i], parts[i].level == 0 ? name : fmt::format("{}, level {}", name, parts[i].level));
+      accept(outcomes[i], parts[i].level == 0 ? name : fmt::format("{} (level {})", name, parts[i].level));
       if (outcomes[i].answer) put_subject(std::move(*outcomes[i].answer), parts[i].level, tables);
       for (DrawId id : parts[i].draws) update_traits(scene_.draws[id], parts[i].level, outcomes[i]);
     }

@@ -11,7 +11,7 @@ Traits traits_of(const Draw& draw, std::size_t level) {
 }
 
 std::string name_of(const Draw& draw, std::size_t level) {
-  return level == 0 ? draw.name : draw.name + ", level " + std::to_string(level);
+  return level == 0 ? draw.name : draw.name + " (level " + std::to_string(level) + ")";
 }
 
 std::size_t most_levels(const Scene& scene) {

@@ -10,7 +10,7 @@ namespace foredraw {
 /// What holds for a level of the draw: found in the asset, or made by stages. The coarsest one, where there are fewer.
 Traits traits_of(const Draw& draw, std::size_t level = 0);
 
-/// For messages: the draw's name, and the level behind it where that is not full detail: "Rock, level 2".
+/// For messages: the draw's name, and the level behind it where that is not full detail: "Rock (level 2)".
 std::string name_of(const Draw& draw, std::size_t level);
 
 /// The most levels that a draw of the scene has; 0 where it has no draws.

@@ -5,8 +5,10 @@
 #include "support/meshes.h"
 #include "support/test_plugins.h"
 
+#include <foredraw/measuring/level_processor.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/scene/levels.h>
+#include <foredraw/scene/order_table.h>
 #include <foredraw/technique/built_in_plugins.h>
 
 #include <gtest/gtest.h>
@@ -21,11 +23,38 @@ Draw levels_of(const std::vector<testing::TestMesh>& meshes, const std::string& 
   return draw;
 }
 
+/// A level of every second triangle, said to lie nowhere away from full detail.
+class Halved final : public LevelMaker {
+ public:
+  SubjectLevels levels(const SubjectView& view, Run&) const override {
+    SubjectLevels levels;
+    for (const DrawId id : view.draws) {
+      const Level& full = view.scene.draws[id].full();
+      std::vector<std::uint32_t> indices;
+      for (std::size_t i = 0; i + 3 <= full.stream().indices.size(); i += 6) {
+        for (std::size_t c = 0; c < 3; ++c) indices.push_back(full.stream().indices.view()[i + c]);
+      }
+      levels.push_back({{full.vertices, Shared<std::uint32_t>(std::move(indices)), 0, {}}});
+    }
+    return levels;
+  }
+};
+
+Plugin halved() {
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {.name = "halved", .summary = "For tests", .reference = "own", .acts_on = {traits::triangles},
+                 .metrics = level_metrics()};
+  plugin.create = [](const Settings&) -> Technique { return level_processor(std::make_unique<const Halved>()); };
+  return plugin;
+}
+
 class RunnerLevels : public ::testing::Test {
  protected:
   RunnerLevels() {
     testing::add_test_plugins(registry_);
     add_built_in_plugins(registry_);
+    registry_.add(halved());
   }
 
   Result run(const std::string& stages, const Scene& scene, const std::string& measure = "", int threads = 2) {
@@ -75,7 +104,7 @@ TEST_F(RunnerLevels, SubjectsAreOrderedAtEachLevelAndHaveSeveralOrdersAtFullDeta
   ASSERT_FALSE(result.failed);
   EXPECT_EQ(result.scene.draws[0].levels[0].orders.size(), 2u);
   EXPECT_EQ(result.scene.draws[0].levels[1].orders.size(), 1u);
-  EXPECT_EQ(result.scene.order_tables.size(), 2u);
+  EXPECT_EQ(order_tables(result.scene).size(), 2u);
 }
 
 TEST_F(RunnerLevels, OcclusionOrderMakesEachLevelDrawLess) {
@@ -134,7 +163,23 @@ TEST_F(RunnerLevels, OneLevelMayBeKeptWhereAnotherIsWorkedOn) {
   EXPECT_EQ(result.report.stages[1].changed, 3u);
   ASSERT_EQ(result.report.stages[1].skipped.size(), 1u);
   EXPECT_EQ(result.report.stages[1].skipped[0].reason, "not clustered");
-  EXPECT_EQ(result.report.stages[1].skipped[0].places, std::vector<std::string>{"Ball, level 1"});
+  EXPECT_EQ(result.report.stages[1].skipped[0].places, std::vector<std::string>{"Ball (level 1)"});
+}
+
+TEST_F(RunnerLevels, LevelsThatAStageMakesAreMeasuredAndWorkedOnByLaterOnes) {
+  const Result result = run("halved, tipsify", at_level(levels_, 0), "vertex-cache");
+  ASSERT_FALSE(result.failed) << "a claim that does not hold is a note";
+  ASSERT_EQ(result.scene.draws[0].levels.size(), 2u);
+  EXPECT_TRUE(traits_of(result.scene.draws[0], 1).has(traits::cache_ordered));
+  const std::vector<NoteRecord>& notes = result.report.stages[0].notes;
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_EQ(notes[0].code, "error-claim");
+  EXPECT_EQ(notes[0].place, "Ball (level 1)");
+  const LevelRecord& level = result.report.draws[0].levels.at(0);
+  EXPECT_GT(level.error, 0);
+  EXPECT_EQ(static_cast<float>(level.after.metrics.find("halved", "error.largest")->value()), level.error);
+  EXPECT_GT(level.after.metrics.find("halved", "error.rms")->error, 0);
+  EXPECT_NE(level.after.metrics.find("vertex-cache", "acmr"), nullptr);
 }
 
 TEST_F(RunnerLevels, TheLevelIsAWordOfEvaluators) {

@@ -1,4 +1,5 @@
 #include <foredraw/scene/levels.h>
+#include <foredraw/scene/order_table.h>
 
 #include "support/meshes.h"
 
@@ -11,7 +12,6 @@ Draw three_levels() {
   Draw draw = testing::draw_of(testing::grid(4, 1), "Rock");
   draw.levels.push_back(testing::draw_of(testing::grid(2, 1)).full());
   draw.levels.push_back(testing::draw_of(testing::grid(1, 1)).full());
-  draw.extensions.emplace_back();
   return draw;
 }
 
@@ -29,16 +29,12 @@ TEST(Levels, ADrawWithFewerIsItsCoarsest) {
   EXPECT_EQ(&draw.level(9), &draw.levels[2]);
 }
 
-TEST(Levels, ExtensionsAndTablesAreOfFullDetail) {
+TEST(Levels, ProductsAreOfFullDetail) {
   Scene scene = testing::scene_of({three_levels()});
-  scene.order_tables.emplace_back();
-  scene.merged.emplace_back();
+  scene.products.set(DrawOrders{});
   EXPECT_EQ(most_levels(scene), 3u);
-  EXPECT_EQ(at_level(scene, 0).order_tables.size(), 1u);
-  EXPECT_EQ(at_level(scene, 0).draws[0].extensions.size(), 1u);
-  EXPECT_TRUE(at_level(scene, 1).order_tables.empty());
-  EXPECT_TRUE(at_level(scene, 1).merged.empty());
-  EXPECT_TRUE(at_level(scene, 1).draws[0].extensions.empty());
+  EXPECT_TRUE(at_level(scene, 0).products.has(DrawOrders::product));
+  EXPECT_TRUE(at_level(scene, 1).products.empty());
 }
 
 TEST(Levels, WhatWasHandedOutComesBackToItsLevel) {
@@ -49,7 +45,6 @@ TEST(Levels, WhatWasHandedOutComesBackToItsLevel) {
   put_level(draw, 1, changed);
   EXPECT_EQ(draw.levels[1].error, 7);
   EXPECT_EQ(draw.name, "Rock");
-  EXPECT_EQ(draw.extensions.size(), 1u);
   put_level(draw, 0, changed);
   EXPECT_EQ(draw.levels.size(), 3u);
   EXPECT_EQ(draw.full().error, 7);
@@ -64,7 +59,7 @@ TEST(Levels, ADrawWithoutOthersMayComeBackWithSome) {
 
 TEST(Levels, NamesTellTheLevelBeyondFullDetail) {
   EXPECT_EQ(name_of(three_levels(), 0), "Rock");
-  EXPECT_EQ(name_of(three_levels(), 2), "Rock, level 2");
+  EXPECT_EQ(name_of(three_levels(), 2), "Rock (level 2)");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <foredraw/io/gltf/private/gate.h>
+#include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/text/private/json_text.h>
 
 #include <fmt/format.h>
@@ -208,9 +209,12 @@ bool check_structure(Gate& gate) {
   return gate.sound();
 }
 
-std::optional<Document> open_document(Shared<std::byte> file, const std::string& name,
-                                      const std::filesystem::path& folder, const ProductRows& products,
-                                      Diagnostics& diagnostics) {
+namespace {
+
+enum class Levels { read, left_out };
+
+std::optional<Document> checked(Shared<std::byte> file, const std::string& name, const std::filesystem::path& folder,
+                                const ProductRows& products, Levels levels, bool& has_any, Diagnostics& diagnostics) {
   Document document;
   document.products = products;
   document.name = name;
@@ -220,7 +224,14 @@ std::optional<Document> open_document(Shared<std::byte> file, const std::string&
 
   const auto container = open_container(gate);
   const bool readable = container && parse_json(gate, container->json) && check_structure(gate);
-  if (readable) {
+  has_any = readable && has_levels(document.json);
+  if (has_any && levels == Levels::read) {
+    if (const auto why = expose_levels(document.json, document.ladders)) gate.error(levels_extension, "bad-levels", *why);
+  } else if (has_any) {
+    take_levels(document.json);
+    document.left_out = true;
+  }
+  if (readable && gate.sound()) {
     check_extensions(gate);
     check_buffers(gate, container->bin);
     check_views(gate);
@@ -238,6 +249,29 @@ std::optional<Document> open_document(Shared<std::byte> file, const std::string&
   gate.finish();
   if (!gate.sound()) return std::nullopt;
   for (const auto& accessor : gate.accessors) document.accessors.push_back(*accessor);
+  return document;
+}
+
+}  // namespace
+
+std::optional<Document> open_document(Shared<std::byte> file, const std::string& name,
+                                      const std::filesystem::path& folder, const ProductRows& products,
+                                      Diagnostics& diagnostics) {
+  bool has_any = false;
+  Diagnostics found;
+  auto document = checked(file, name, folder, products, Levels::read, has_any, found);
+  if (document || !has_any) {
+    for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
+    return document;
+  }
+  // They are optional: what is wrong in them costs them alone.
+  document = checked(std::move(file), name, folder, products, Levels::left_out, has_any, diagnostics);
+  const auto first = std::ranges::find(found.all(), Severity::error, &Diagnostic::severity);
+  if (document && first != found.all().end()) {
+    diagnostics.warning({.file = name, .inside = levels_extension}, "levels-left-out",
+                        fmt::format("the levels of detail are left out: {} {}", first->where.inside, first->message),
+                        "make them again, once nothing changes the file any more");
+  }
   return document;
 }
 

@@ -28,6 +28,12 @@ enum class Compression {
   none,  ///< nothing goes out compressed
 };
 
+/// How levels of detail that did not come as MSFT_lod go out.
+enum class LevelsAs {
+  extension,  ///< FOREDRAW_levels on the primitive
+  lod_nodes,  ///< MSFT_lod on the nodes, where it can tell of them
+};
+
 /// The files that a scene is written as: one for a target ending in .glb, else the .gltf and its .bin beside it; and,
 /// where compressed data came with a plain copy for readers that can not decompress, that in .fallback.bin beside
 /// (out.fallback.bin of out.gltf, out.glb.fallback.bin of out.glb). What no stage touched comes out as it was in the
@@ -37,6 +43,7 @@ enum class Compression {
 std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const std::filesystem::path& target,
                                                    Diagnostics& diagnostics,
                                                    Compression compression = Compression::keep,
+                                                   LevelsAs levels = LevelsAs::extension,
                                                    const ProductRows& products = {});
 
 }  // namespace foredraw

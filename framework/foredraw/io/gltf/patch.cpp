@@ -1,4 +1,5 @@
 #include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/write.h>
 
@@ -73,10 +74,12 @@ Json copy_with_room(const Json& from) {
 
 }  // namespace
 
-std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
-                               bool may_stay, Compression compression, const ProductRows& rows,
+std::optional<Written> patched(const Scene& of_levels, const Source& source, const std::filesystem::path& target,
+                               bool may_stay, Compression compression, LevelsAs levels, const ProductRows& rows,
                                Diagnostics& diagnostics) {
   const Document& document = source.document;
+  const LevelScene told(of_levels, source, levels, diagnostics);
+  const Scene& scene = told.flat();
   const bool compress = compression == Compression::keep;
   Written written;
   written.json = copy_with_room(document.json);
@@ -86,11 +89,13 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   written.compact = !text.empty() && !document.binary && std::ranges::count(text.first(last), std::byte{'\n'}) == 0;
   AccessorStore store(document, written.json);
   if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
+  told.put_lods(written.json);
   if (!patch_meshes(scene, source, rows, written.json, store, diagnostics)) return std::nullopt;
   patch_products(scene, source, rows, written.json, store, diagnostics);
   relocate_images(written.json, document, target, diagnostics);
   written.changed =
-      !may_stay || document.left_out || store.changed() || written.json != document.json || (!compress && is_compressed(document));
+      !may_stay || document.left_out || store.changed() || written.json != document.json ||
+      !told.same_errors() || (!compress && is_compressed(document));
   if (!written.changed) return written;
   if (document.buffers.size() > 1 && !may_join_buffers(document.json, document)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
@@ -101,6 +106,7 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
   drop_draco(written.json, store, document, diagnostics);
   written.laid_out = store.lay_out(compress);
   unlist_what_is_not_used(written.json);
+  told.enclose(written.json);
   return written;
 }
 

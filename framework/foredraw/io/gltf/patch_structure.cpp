@@ -235,7 +235,7 @@ class StructurePatch {
         // Who does not know it would show one where there are many, also in a file that could do without it so far.
         for (const char* list : {"extensionsUsed", "extensionsRequired"}) listed(json_[list], mesh_gpu_instancing);
       }
-      if (has_parent[i]) continue;
+      if (has_parent[i] || !scene_.nodes[i].is_shown) continue;  // a coarser node is in no scene
       if (!json_.contains("scene")) json_["scene"] = 0;
       json_["scenes"][json_["scene"].get<std::size_t>()]["nodes"].push_back(i);
     }

@@ -10,16 +10,13 @@ namespace {
 
 class Reader final : public ExtensionReader {
  public:
-  Reader(const Document& document, const std::string& extension) : document_(document) {
+  Reader(const Document& document, const Scene& scene, const std::string& extension) : document_(document) {
     if (const Json* json = extension_of(document.json, extension)) file_ = value_of(*json);
-    if (!document.json.contains("meshes")) return;
-    DrawId draw = 0;
-    for (const Json& mesh : document.json["meshes"]) {
-      for (const Json& primitive : mesh["primitives"]) {
-        const Json* json = extension_of(primitive, extension);
-        if (json != nullptr) draws_.emplace(draw, OnDraw{value_of(*json), primitive.value("mode", 4) == 4});
-        ++draw;
-      }
+    for (DrawId draw = 0; draw < scene.draws.size(); ++draw) {
+      const auto& [mesh, number] = *scene.draws[draw].origin;
+      const Json& primitive = document.json["meshes"][mesh]["primitives"][number];
+      const Json* json = extension_of(primitive, extension);
+      if (json != nullptr) draws_.emplace(draw, OnDraw{value_of(*json), primitive.value("mode", 4) == 4});
     }
   }
 
@@ -63,7 +60,7 @@ class Reader final : public ExtensionReader {
 void read_products(Document& document, Scene& scene, Diagnostics& diagnostics) {
   for (const auto& row : document.products) {
     const ProductCard card = row->card();
-    Reader reader(document, card.extension);
+    Reader reader(document, scene, card.extension);
     if (reader.is_empty()) continue;
     Scene with = scene;
     std::string wrong = row->read(reader, with);

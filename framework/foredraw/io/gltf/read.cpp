@@ -2,6 +2,7 @@
 
 #include <foredraw/io/gltf/private/gate.h>
 #include <foredraw/io/gltf/private/kept_meshes.h>
+#include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/source.h>
 
@@ -15,9 +16,12 @@ std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const
   if (!document) return std::nullopt;
   auto scene = gltf::scene_of(*document, diagnostics);
   if (!scene) return std::nullopt;
+  std::vector<gltf::Ladder> ladders = gltf::lod_ladders(*scene, *document, diagnostics);
+  ladders.insert(ladders.end(), document->ladders.begin(), document->ladders.end());
+  gltf::fold_levels(*scene, ladders);
   gltf::find_kept_meshes(*scene, *document);
   gltf::read_products(*document, *scene, diagnostics);
-  scene->source = std::make_shared<const gltf::Source>(std::move(*document), *scene);
+  scene->source = std::make_shared<const gltf::Source>(std::move(*document), gltf::unfolded(*scene));
   return scene;
 }
 

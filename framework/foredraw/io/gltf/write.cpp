@@ -49,15 +49,6 @@ std::shared_ptr<const gltf::Source> empty_source(const Scene& scene) {
   return std::make_shared<const gltf::Source>(std::move(document), Scene{});
 }
 
-void warn_of_what_stays_out(const Scene& scene, Diagnostics& diagnostics) {
-  for (const Draw& draw : scene.draws) {
-    const Where where{.file = scene.name, .inside = draw.name};
-    if (draw.levels.size() > 1) {
-      diagnostics.warning(where, "levels-left-out", "glTF holds one level of detail; the full one is written");
-    }
-  }
-}
-
 /// "data written uncompressed: 1200 -> 4600 bytes" for each cause. What no cause explains is text and padding.
 std::string causes(std::uint64_t grown, const std::vector<gltf::Sizes>& sizes) {
   std::vector<std::string> words;
@@ -83,16 +74,16 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, con
 }  // namespace
 
 std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const fs::path& target, Diagnostics& diagnostics,
-                                                   Compression compression, const ProductRows& products) {
+                                                   Compression compression, LevelsAs levels,
+                                                   const ProductRows& products) {
   const auto kept = std::dynamic_pointer_cast<const gltf::Source>(scene.source);
   const auto source = kept ? kept : empty_source(scene);
   const ProductRows& rows = products.empty() ? source->document.products : products;
-  warn_of_what_stays_out(scene, diagnostics);
   const bool may_stay = kept && gltf::is_glb(target) == kept->document.binary;
-  auto written = gltf::patched(scene, *source, target, may_stay, compression, rows, diagnostics);
+  auto written = gltf::patched(scene, *source, target, may_stay, compression, levels, rows, diagnostics);
   if (written && !written->changed) {
     if (auto files = as_it_was(source->document, target)) return files;
-    written = gltf::patched(scene, *source, target, false, compression, rows, diagnostics);
+    written = gltf::patched(scene, *source, target, false, compression, levels, rows, diagnostics);
   }
   if (!written) return std::nullopt;
   const std::vector<gltf::Sizes> sizes = written->laid_out.sizes;

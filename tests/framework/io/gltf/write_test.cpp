@@ -254,16 +254,6 @@ TEST(GltfWrite, what_can_not_be_said_is_an_error) {
   EXPECT_TRUE(refused(changed, "images[0]"));
 }
 
-TEST(GltfWrite, further_levels_are_left_out_with_a_warning) {
-  Scene scene = read(ribbon(2));
-  scene.draws[0].levels.push_back(scene.draws[0].levels[0]);
-  Diagnostics diagnostics;
-  EXPECT_TRUE(encode_gltf(scene, "out.glb", diagnostics));
-  ASSERT_EQ(diagnostics.all().size(), 1u);
-  EXPECT_EQ(diagnostics.all()[0].code, "levels-left-out");
-  EXPECT_EQ(diagnostics.all()[0].where.inside, scene.draws[0].name);
-}
-
 TEST(GltfWrite, made_scene_is_written_whole) {
   const Scene scene = scene_of({draw_of(torus(8, 6), "ring"), draw_of(soup(5, 1), "soup")});
   const Scene again = read(write(scene));

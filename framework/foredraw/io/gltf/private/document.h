@@ -76,6 +76,13 @@ struct Accessor {
   std::size_t bytes() const { return count * format.bytes; }
 };
 
+/// A primitive and those that draw it coarser.
+struct Ladder {
+  DrawOrigin full;
+  std::vector<DrawOrigin> coarser;
+  std::vector<float> errors;  ///< of each, or empty
+};
+
 /// Movable only: the spans lead into `file` and `kept`.
 struct Document {
   std::string name;
@@ -85,6 +92,7 @@ struct Document {
   Json json;
   bool left_out = false;  ///< `json` lacks what the reader took out of it, so that the file can not stay as it came
   std::set<std::size_t> let_go;  ///< accessors that this named, where the writer may drop them; perhaps some that are not there
+  std::vector<Ladder> ladders;   ///< primitives of `json` that are levels, behind those of their mesh
   std::vector<Chunk> further_chunks;  ///< of a GLB, after JSON and BIN
   std::vector<Buffer> buffers;
   std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed

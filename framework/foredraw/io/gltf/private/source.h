@@ -14,7 +14,7 @@ class Source final : public SceneSource {
   std::uint64_t bytes() const override { return bytes_read(document); }
 
   Document document;
-  Scene as_read;  ///< handles to what the stages were given; its own source is empty
+  Scene as_read;  ///< handles to what the stages were given, each level a draw of its own; its own source is empty
 };
 
 /// The scene that a document holds, its source left out.

@@ -1,0 +1,132 @@
+// FOREDRAW_levels: a primitive's coarser levels, each with the members of a primitive that say what is drawn.
+#include <foredraw/io/gltf/private/levels.h>
+
+#include <foredraw/io/gltf/private/gate.h>
+#include <foredraw/io/gltf/private/member.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foredraw::gltf {
+
+namespace {
+
+constexpr std::size_t most_levels = 255;
+
+template <class AnyJson, class F>
+void each_primitive(AnyJson& json, F visit) {
+  const auto meshes = json.find("meshes");
+  if (meshes == json.end() || !meshes->is_array()) return;
+  for (std::size_t m = 0; m < meshes->size(); ++m) {
+    auto& mesh = (*meshes)[m];
+    if (!mesh.is_object() || !mesh.contains("primitives") || !mesh["primitives"].is_array()) continue;
+    for (std::size_t p = 0; p < mesh["primitives"].size(); ++p) {
+      if (mesh["primitives"][p].is_object()) visit(mesh["primitives"][p], m, p);
+    }
+  }
+}
+
+/// Points, lines or triangles, as lists or not; nothing where it is no such number.
+std::optional<int> kind_of(const Json& primitive) {
+  const Json* mode = member(primitive, "mode");
+  if (mode == nullptr) return 2;
+  if (!mode->is_number_unsigned() || mode->get<std::uint64_t>() > 6) return std::nullopt;
+  const auto number = mode->get<int>();
+  return number == 0 ? 0 : number < 4 ? 1 : 2;
+}
+
+std::optional<std::string> mistake_in_level(const Json& level, const Json& primitive) {
+  if (!level.is_object()) return "is no object";
+  const Json* attributes = member(level, "attributes");
+  if (attributes == nullptr || member(*attributes, "POSITION") == nullptr) return "has no positions";
+  if (kind_of(level) != kind_of(primitive)) return "draws another kind of primitive than full detail does";
+  const Json* error = member(level, "error");
+  const bool is_distance = error == nullptr || (error->is_number() && error->get<double>() >= 0 &&
+                                                error->get<double>() <= std::numeric_limits<float>::max());
+  return is_distance ? std::nullopt : std::optional<std::string>("has an error that is no distance");
+}
+
+Json json_of(const Json& primitive, float error) {
+  Json level = Json::object();
+  for (const char* key : {"attributes", "indices", "mode", "targets"}) {
+    if (const auto found = primitive.find(key); found != primitive.end()) level[key] = *found;
+  }
+  // Digits that read back as this number, and no more.
+  if (std::isfinite(error)) level["error"] = Json::parse(fmt::format("{}", error));
+  return level;
+}
+
+}  // namespace
+
+bool has_levels(const Json& json) {
+  bool found = false;
+  if (!json.is_object()) return false;
+  each_primitive(json, [&](const Json& primitive, std::size_t, std::size_t) {
+    found = found || extension_of(primitive, levels_extension) != nullptr;
+  });
+  return found;
+}
+
+void take_levels(Json& json) {
+  each_primitive(json, [](Json& primitive, std::size_t, std::size_t) { take_extension(primitive, levels_extension); });
+}
+
+std::optional<std::string> expose_levels(Json& json, std::vector<Ladder>& ladders) {
+  std::optional<std::string> mistake;
+  std::vector<Json> behind(json.at("meshes").size());
+  each_primitive(json, [&](Json& primitive, std::size_t m, std::size_t p) {
+    const Json value = take_extension(primitive, levels_extension);
+    if (value.is_null() || mistake) return;
+    const std::string place = at(in(at("meshes", m), "primitives"), p);
+    const Json* list = member(value, "levels");
+    if (list == nullptr || !list->is_array() || list->empty() || list->size() > most_levels) {
+      mistake = fmt::format("{} must have 1 to {} levels", place, most_levels);
+      return;
+    }
+    Ladder ladder{{static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(p)}, {}, {}};
+    for (const Json& level : *list) {
+      if (const auto why = mistake_in_level(level, primitive)) {
+        mistake = fmt::format("{}: a level {}", place, *why);
+        return;
+      }
+      const std::size_t number = json["meshes"][m]["primitives"].size() + behind[m].size();
+      ladder.coarser.push_back({static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(number)});
+      ladder.errors.push_back(level.contains("error") ? level["error"].get<float>() : 0.0f);
+      behind[m].push_back(json_of(level, INFINITY));
+    }
+    ladders.push_back(std::move(ladder));
+  });
+  for (std::size_t m = 0; m < behind.size(); ++m) {
+    for (Json& level : behind[m]) json["meshes"][m]["primitives"].push_back(std::move(level));
+  }
+  return mistake;
+}
+
+void enclose_levels(const Scene& scene, Json& json) {
+  bool any = false;
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+    const std::vector<DrawId>& draws = scene.meshes[m].draws;
+    if (draws.empty()) continue;  // its primitives are levels of another mesh
+    Json& primitives = json["meshes"][m]["primitives"];
+    std::size_t behind = draws.size();
+    for (std::size_t p = 0; p < draws.size(); ++p) {
+      const Draw& draw = scene.draws[draws[p]];
+      Json levels = Json::array();
+      for (std::size_t i = 1; i < draw.levels.size(); ++i) {
+        if (is_in_coarser_mesh(draw, draw.levels[i])) continue;
+        levels.push_back(json_of(primitives[behind++], draw.levels[i].error));
+      }
+      if (levels.empty()) continue;
+      primitives[p]["extensions"][levels_extension] = {{"levels", std::move(levels)}};
+      any = true;
+    }
+    while (primitives.size() > draws.size()) primitives.erase(primitives.size() - 1);
+  }
+  if (!any) return unlist_extension(json, levels_extension);
+  Json& names = json["extensionsUsed"];
+  if (std::ranges::find(names, Json(levels_extension)) == names.end()) names.push_back(levels_extension);
+}
+
+}  // namespace foredraw::gltf

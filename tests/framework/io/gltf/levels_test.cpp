@@ -1,0 +1,312 @@
+// FOREDRAW_levels and MSFT_lod: levels from a file to the scene and back, and what is no level.
+
+#include "framework/io/gltf/edits.h"
+#include "support/compressed_gltf.h"
+#include "support/meshes.h"
+
+#include <foredraw/pipeline/parse.h>
+#include <foredraw/pipeline/runner.h>
+#include <foredraw/scene/levels.h>
+#include <foredraw/technique/built_in_plugins.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace foredraw {
+namespace {
+
+using namespace testing;
+
+constexpr const char* name = "FOREDRAW_levels";
+
+/// Every `step`th square of a ribbon of eight, as indices.
+std::vector<std::uint16_t> squares(std::uint16_t step) {
+  std::vector<std::uint16_t> indices;
+  for (std::uint16_t square = 0; square < 8; square = static_cast<std::uint16_t>(square + step)) {
+    const auto v = static_cast<std::uint16_t>(2 * square);
+    for (const int corner : {0, 1, 2, 2, 1, 3}) indices.push_back(static_cast<std::uint16_t>(v + corner));
+  }
+  return indices;
+}
+
+/// A node of full detail and two coarser ones, which share its vertices.
+GltfBuilder with_lods() {
+  GltfBuilder builder = ribbon(8);
+  for (const std::uint16_t step : {std::uint16_t{2}, std::uint16_t{4}}) {
+    GltfJson primitive = builder.json["meshes"][0]["primitives"][0];
+    primitive["indices"] = builder.add_values(squares(step), "SCALAR");
+    builder.add_mesh(primitive);
+  }
+  builder.json["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 2};
+  builder.json["nodes"][0]["extras"]["MSFT_screencoverage"] = {0.5, 0.2, 0.01};
+  builder.json["extensionsUsed"] = {"MSFT_lod"};
+  builder.json["scenes"] = {{{"nodes", {0}}}};
+  builder.json["scene"] = 0;
+  return builder;
+}
+
+/// The same as a primitive with FOREDRAW_levels, as the writer says it.
+Scene with_made_levels() {
+  Scene scene = read(ribbon(8));
+  Draw& draw = scene.draws[0];
+  for (const std::uint16_t step : {std::uint16_t{2}, std::uint16_t{4}}) {
+    Level level = draw.full();
+    const std::vector<std::uint16_t> narrow = squares(step);
+    level.stream().indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(narrow.begin(), narrow.end()));
+    level.error = 0.1f * step;
+    draw.levels.push_back(std::move(level));
+  }
+  return scene;
+}
+
+Result run(const std::string& stages, const Scene& scene) {
+  Registry registry;
+  add_built_in_plugins(registry);
+  Diagnostics diagnostics;
+  const auto plan = foredraw::plan(*parse_line(stages, diagnostics), registry, scene, diagnostics);
+  if (!plan) throw std::runtime_error(to_text(diagnostics));
+  const Executor executor(2);
+  Analyses analyses;
+  return optimize(*plan, scene, {executor, analyses});
+}
+
+std::string note_of(const GltfBuilder& builder) {
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics);
+  if (!scene) return "not read: " + to_text(diagnostics);
+  for (const Draw& draw : scene->draws) EXPECT_EQ(draw.levels.size(), 1u);
+  EXPECT_EQ(encode_gltf(*scene, "out.glb", diagnostics)->front().bytes, builder.glb()) << "stays as it came";
+  for (const Diagnostic& one : diagnostics.all()) {
+    if (one.code == "lod-left-as-it-came") return one.message;
+  }
+  return "no note";
+}
+
+TEST(GltfLevels, CoarserNodesAreLevelsOfOneDraw) {
+  const GltfBuilder builder = with_lods();
+  const Scene scene = read(builder);
+  ASSERT_EQ(scene.draws.size(), 1u);
+  ASSERT_EQ(scene.draws[0].levels.size(), 3u);
+  EXPECT_EQ(scene.draws[0].levels[1].stream().triangle_count(), 8u);
+  EXPECT_EQ(scene.draws[0].levels[2].vertices, scene.draws[0].full().vertices);
+  EXPECT_EQ(scene.draws[0].levels[2].origin, (DrawOrigin{2, 0}));
+  EXPECT_EQ(scene.meshes.size(), 3u);
+  EXPECT_EQ(write(scene), builder.glb()) << "what nobody changed comes out as it was";
+}
+
+TEST(GltfLevels, CameByMsftLodGoOutSo) {
+  const Bytes before = with_lods().glb();
+  const Result result = run("tipsify, vertex-fetch", read(before));
+  ASSERT_FALSE(result.failed);
+  const Bytes after = write(result.scene);
+  const GltfJson json = json_of(after);
+  EXPECT_EQ(json["nodes"], json_of(before)["nodes"]);
+  EXPECT_EQ(json["meshes"].size(), 3u);
+  EXPECT_LE(after.size(), before.size());
+  for (const GltfJson& mesh : json["meshes"]) {
+    EXPECT_EQ(mesh["primitives"][0]["attributes"], json["meshes"][0]["primitives"][0]["attributes"]) << "one vertex order";
+  }
+  const Scene again = read(after);
+  ASSERT_EQ(again.draws.size(), 1u);
+  for (std::size_t level = 0; level < 3; ++level) {
+    EXPECT_EQ(again.draws[0].levels[level].stream().indices, result.scene.draws[0].levels[level].stream().indices);
+  }
+}
+
+TEST(GltfLevels, WhatIsNoLevelStaysAndSaysWhy) {
+  const auto why = [](const std::function<void(GltfJson&)>& change) {
+    GltfBuilder builder = with_lods();
+    change(builder.json);
+    return note_of(builder);
+  };
+  const auto has = [](const std::string& note, const std::string& words) {
+    EXPECT_NE(note.find(words), std::string::npos) << note;
+  };
+  has(why([](GltfJson& j) { j["materials"] = {GltfJson::object()}; j["meshes"][1]["primitives"][0]["material"] = 0; }),
+      "node 1 has other materials");
+  has(why([](GltfJson& j) { j["meshes"][2]["primitives"].push_back(j["meshes"][2]["primitives"][0]); }),
+      "node 2 has another number of primitives");
+  has(why([](GltfJson& j) {
+        j["materials"] = {{{"extensions", {{"MSFT_lod", {{"ids", {0}}}}}}}};
+        for (GltfJson& mesh : j["meshes"]) mesh["primitives"][0]["material"] = 0;
+      }),
+      "has a material with levels");
+  has(why([](GltfJson& j) { j["nodes"][1]["translation"] = {1, 0, 0}; }), "node 1 stands elsewhere");
+  has(why([](GltfJson& j) { j["scenes"][0]["nodes"].push_back(2); }), "node 2 is in the scene");
+  has(why([](GltfJson& j) { j.erase("scenes"), j.erase("scene"); }), "node 1 is in the scene");
+  has(why([](GltfJson& j) {
+        j["nodes"].push_back({{"children", {1}}});
+      }),
+      "node 1 is below another node");
+  has(why([](GltfJson& j) {
+        j["nodes"].push_back(GltfJson::object());
+        j["nodes"][0]["children"] = {3};
+      }),
+      "the node has children");
+  has(why([](GltfJson& j) {
+        j["nodes"].push_back({{"mesh", 0}});
+        j["scenes"][0]["nodes"].push_back(3);
+      }),
+      "another node draws its mesh without these levels");
+  has(why([](GltfJson& j) {
+        j["nodes"].push_back({{"mesh", 2}});
+        j["scenes"][0]["nodes"].push_back(3);
+      }),
+      "a coarser mesh is drawn by itself");
+  has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 1}; }), "names a node twice");
+  has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 0}; }), "names a node twice");
+  has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 9}; }), "does not exist");
+  has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"] = 3; }), "it names none");
+  has(why([](GltfJson& j) { j["nodes"][1]["extensions"]["MSFT_lod"]["ids"] = {2}; }), "node 1 has extensions of its own");
+}
+
+TEST(GltfLevels, TwoPlacesOfOneMeshWithTheSameLevelsShareThem) {
+  GltfBuilder builder = with_lods();
+  GltfJson& nodes = builder.json["nodes"];
+  for (std::size_t n = 0; n < 3; ++n) {
+    GltfJson copy = nodes[n];
+    copy["translation"] = {5, 0, 0};
+    if (n == 0) copy["extensions"]["MSFT_lod"]["ids"] = {4, 5};
+    nodes.push_back(copy);
+  }
+  builder.json["scenes"][0]["nodes"] = {0, 3};
+  const Scene scene = read(builder);
+  ASSERT_EQ(scene.draws.size(), 1u);
+  EXPECT_EQ(scene.draws[0].levels.size(), 3u);
+  EXPECT_TRUE(scene.draws[0].traits.has(traits::instanced));
+}
+
+TEST(GltfLevels, AnAnimatedNodeKeepsItsCoarserOnes) {
+  GltfBuilder builder = with_lods();
+  const std::size_t times = builder.add_values(std::vector<float>{0, 1}, "SCALAR");
+  builder.json["accessors"][times]["min"] = {0};
+  builder.json["accessors"][times]["max"] = {1};
+  const std::size_t places = builder.add_values(std::vector<float>{0, 0, 0, 1, 0, 0}, "VEC3");
+  builder.add("animations", {{"samplers", {{{"input", times}, {"output", places}}}},
+                             {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
+  EXPECT_NE(note_of(builder).find("an animation moves the node"), std::string::npos);
+}
+
+TEST(GltfLevels, MadeOnesGoOutOnThePrimitiveAndShareItsAccessors) {
+  const Scene scene = with_made_levels();
+  const Bytes file = write(scene);
+  const GltfJson json = json_of(file);
+  ASSERT_EQ(json["meshes"][0]["primitives"].size(), 1u) << "a reader without the extension sees full detail";
+  const GltfJson& primitive = json["meshes"][0]["primitives"][0];
+  const GltfJson& levels = primitive["extensions"][name]["levels"];
+  ASSERT_EQ(levels.size(), 2u);
+  EXPECT_EQ(levels[0]["attributes"], primitive["attributes"]);
+  EXPECT_NE(levels[0]["indices"], primitive["indices"]);
+  EXPECT_EQ(levels[0]["error"].dump(), "0.2");
+  EXPECT_EQ(json["extensionsUsed"], GltfJson::array({name}));
+  EXPECT_FALSE(json.contains("extensionsRequired"));
+
+  const Scene again = read(file);
+  ASSERT_EQ(again.draws.size(), 1u);
+  EXPECT_EQ(again.draws[0].name, scene.draws[0].name);
+  ASSERT_EQ(again.draws[0].levels.size(), 3u);
+  for (std::size_t level = 0; level < 3; ++level) {
+    EXPECT_EQ(again.draws[0].levels[level].stream().indices, scene.draws[0].levels[level].stream().indices);
+    EXPECT_EQ(again.draws[0].levels[level].vertices, again.draws[0].full().vertices);
+    EXPECT_EQ(again.draws[0].levels[level].error, scene.draws[0].levels[level].error);
+  }
+  EXPECT_FALSE(again.draws[0].traits.has(traits::extended)) << "stages know what to do with these";
+  EXPECT_EQ(write(again), file) << "what nobody changed comes out as it was";
+}
+
+TEST(GltfLevels, StagesMoveThemAndTheyComeBack) {
+  const Result result = run("weld, tipsify, vertex-fetch", read(write(with_made_levels())));
+  ASSERT_FALSE(result.failed);
+  const Scene again = read(write(result.scene));
+  ASSERT_EQ(again.draws[0].levels.size(), 3u);
+  for (std::size_t level = 0; level < 3; ++level) {
+    EXPECT_EQ(again.draws[0].levels[level].stream().indices, result.scene.draws[0].levels[level].stream().indices);
+    EXPECT_EQ(again.draws[0].levels[level].vertices->stamp(), result.scene.draws[0].levels[level].vertices->stamp());
+  }
+}
+
+TEST(GltfLevels, OfVerticesOfTheirOwn) {
+  Scene scene = scene_of({draw_of(grid(4, 4), "Cloth")});
+  scene.draws[0].levels.push_back(draw_of(grid(2, 2)).full());
+  const Scene again = read(write(scene));
+  ASSERT_EQ(again.draws[0].levels.size(), 2u);
+  EXPECT_EQ(again.draws[0].levels[1].vertices->stamp(), scene.draws[0].levels[1].vertices->stamp());
+  EXPECT_EQ(write(again), write(scene));
+}
+
+TEST(GltfLevels, AnotherErrorIsAChange) {
+  Scene scene = read(write(with_made_levels()));
+  scene.draws[0].levels[2].error = 7;
+  EXPECT_EQ(read(write(scene)).draws[0].levels[2].error, 7);
+}
+
+TEST(GltfLevels, TakenAwayTheyLeaveNothing) {
+  Scene scene = read(write(with_made_levels()));
+  scene.draws[0].levels.resize(1);
+  const GltfJson json = written(scene);
+  EXPECT_FALSE(json.contains("extensionsUsed"));
+  EXPECT_EQ(json["meshes"], json_of(ribbon(8).glb())["meshes"]);
+}
+
+TEST(GltfLevels, DamagedOnesCostNothingElse) {
+  const Bytes file = write(with_made_levels());
+  const auto warned = [&](const std::function<void(GltfJson&)>& change) {
+    GltfBuilder builder = builder_of(file);
+    builder.json.erase("buffers");
+    change(builder.json["meshes"][0]["primitives"][0]["extensions"][name]);
+    Diagnostics diagnostics;
+    const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics);
+    if (!scene || scene->draws.size() != 1 || scene->draws[0].levels.size() != 1) return false;
+    EXPECT_FALSE(written(*scene)["meshes"][0]["primitives"][0].contains("extensions"));
+    return std::ranges::any_of(diagnostics.all(), [](const auto& d) { return d.code == "levels-left-out"; });
+  };
+  EXPECT_TRUE(warned([](GltfJson& e) { e = 3; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"] = GltfJson::array(); }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][0] = 3; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][0].erase("attributes"); }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][0]["attributes"]["POSITION"] = 99; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][0]["indices"] = 0; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][0]["indices"] = -1; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][1]["mode"] = 1; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][1]["mode"] = "four"; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][1]["error"] = -1; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][1]["targets"] = {GltfJson::object()}; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e["levels"] = GltfJson(300, e["levels"][0]); }));
+}
+
+TEST(GltfLevels, GoOutAsNodesWhereAskedFor) {
+  Diagnostics diagnostics;
+  Scene scene = with_made_levels();
+  for (Node& node : scene.nodes) node.is_shown = true;
+  const auto files = encode_gltf(scene, "out.glb", diagnostics, Compression::keep, LevelsAs::lod_nodes);
+  ASSERT_TRUE(files);
+  const GltfJson json = json_of(files->front().bytes);
+  EXPECT_EQ(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], GltfJson::parse("[1, 2]"));
+  EXPECT_EQ(json["meshes"].size(), 3u);
+  EXPECT_EQ(json["meshes"][1]["primitives"][0]["attributes"], json["meshes"][0]["primitives"][0]["attributes"]);
+  EXPECT_EQ(json["extensionsUsed"], GltfJson::array({"MSFT_lod"}));
+  EXPECT_FALSE(json["meshes"][0]["primitives"][0].contains("extensions"));
+}
+
+TEST(GltfLevels, OfASkinnedCharacterFollowOneSkin) {
+  Scene scene = read(puppet());
+  Draw& draw = scene.draws[0];
+  for (const std::size_t triangles : {4u, 2u}) {
+    Level level = draw.full();
+    const auto all = draw.full().stream().indices.view();
+    level.stream().indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(all.begin(), all.begin() + 3 * triangles));
+    draw.levels.push_back(std::move(level));
+  }
+  const Scene again = read(write(scene));
+  ASSERT_EQ(again.draws.size(), 1u);
+  ASSERT_EQ(again.draws[0].levels.size(), 3u);
+  EXPECT_EQ(again.draws[0].levels[2].vertices, again.draws[0].full().vertices);
+  EXPECT_TRUE(again.draws[0].traits.has(traits::skinned));
+  const Result result = run("tipsify, linear-clusters, occlusion-order, vertex-fetch", again);
+  EXPECT_FALSE(result.failed);
+  EXPECT_EQ(read(write(result.scene)).draws[0].levels.size(), 3u);
+}
+
+}  // namespace
+}  // namespace foredraw
