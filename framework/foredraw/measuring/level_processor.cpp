@@ -33,7 +33,7 @@ class LevelProcessor final : public Processor {
   LevelProcessor(std::unique_ptr<const LevelMaker> maker, LevelProcessorOptions options)
       : maker_(std::move(maker)), options_(options) {}
 
-  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) override {
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<Subject> subjects = subjects_of(scene);
     const std::vector<std::vector<DrawId>> chosen = chosen_of(scene, subjects, draws, run);
     std::vector<SubjectLevels> made(subjects.size());
