@@ -5,6 +5,7 @@
 #include "plugins/processors/gpu_instances/gpu_instances.h"
 #include "plugins/processors/merge_instances/merge_instances.h"
 #include "support/edit_product.h"
+#include "support/products.h"
 #include "support/meshes.h"
 
 #include <foredraw/io/gltf/gltf.h>
@@ -22,8 +23,9 @@ namespace {
 
 Scene through_file(const Scene& scene) {
   Diagnostics diagnostics;
-  const auto files = encode_gltf(scene, "made.glb", diagnostics);
-  auto read = files ? read_gltf(files->front().bytes, "made.glb", {}, diagnostics) : std::nullopt;
+  const ProductRows rows = testing::built_in_products();
+  const auto files = encode_gltf(scene, "made.glb", diagnostics, Compression::keep, LevelsAs::extension, rows);
+  auto read = files ? read_gltf(files->front().bytes, "made.glb", {}, diagnostics, rows) : std::nullopt;
   if (!read) throw std::runtime_error(to_text(diagnostics));
   return *read;
 }
@@ -130,7 +132,7 @@ TEST(KitInstances, what_merging_left_is_instanced) {
   const Scene plain = space(0);
   for (const bool even : {true, false}) {
     const Scene merged = merged_half(plain, even);
-    ASSERT_FALSE(merged.merged.empty());
+    ASSERT_FALSE(merged_sets(merged).empty());
     Scene made = merged;
     gpu_instances(made, free_draws(made));
     const Scene after = through_file(made);

@@ -6,6 +6,7 @@
 #include "support/overdraw.h"
 
 #include <foredraw/scene/reorder.h>
+#include <foredraw/scene/order_table.h>
 
 #include <gtest/gtest.h>
 

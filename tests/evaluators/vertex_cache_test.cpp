@@ -4,6 +4,7 @@
 #include "support/meshes.h"
 
 #include <foredraw/technique/plugin.h>
+#include <foredraw/scene/order_table.h>
 
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>

@@ -1,7 +1,7 @@
 // Writes small files for the fuzz targets to begin with: make_seeds FOLDER makes FOLDER/gltf_fuzz/puppet.glb and
 // others.
 
-#include "framework/io/gltf/merged_scenes.h"
+#include "support/merged_scenes.h"
 #include "support/gltf_builder.h"
 #include "support/image_builder.h"
 

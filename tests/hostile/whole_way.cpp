@@ -17,6 +17,11 @@ Registry built_in_plugins() {
   return registry;
 }
 
+ProductRows products() {
+  static const ProductRows rows = built_in_plugins().products();
+  return rows;
+}
+
 void expect_clear_lines(const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics.all()) {
     EXPECT_EQ(d.where.file, "file");
@@ -38,9 +43,9 @@ void expect_optimised_and_written(const Scene& scene) {
   Analyses analyses;
   const Result result = optimize(*plan, scene, {executor, analyses});
   EXPECT_FALSE(result.failed) << to_text(result.report);
-  const auto files = encode_gltf(result.scene, "out.glb", diagnostics);
+  const auto files = encode_gltf(result.scene, "out.glb", diagnostics, Compression::keep, LevelsAs::extension, products());
   ASSERT_TRUE(files) << to_text(diagnostics);
-  const auto again = read_gltf(files->front().bytes, "out.glb", {}, diagnostics);
+  const auto again = read_gltf(files->front().bytes, "out.glb", {}, diagnostics, products());
   ASSERT_TRUE(again) << to_text(diagnostics);
   ASSERT_EQ(again->draws.size(), scene.draws.size());
   for (std::size_t i = 0; i < scene.draws.size(); ++i) {
@@ -53,7 +58,7 @@ void expect_optimised_and_written(const Scene& scene) {
 
 std::vector<std::string> go_the_whole_way(std::span<const std::byte> bytes, const std::filesystem::path& folder) {
   Diagnostics diagnostics;
-  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "file", folder, diagnostics);
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "file", folder, diagnostics, products());
   EXPECT_EQ(scene.has_value(), !diagnostics.has_errors()) << to_text(diagnostics);
   expect_clear_lines(diagnostics);
   if (scene) expect_optimised_and_written(*scene);

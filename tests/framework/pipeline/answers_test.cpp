@@ -1,4 +1,5 @@
 #include <foredraw/pipeline/answers.h>
+#include <foredraw/scene/order_table.h>
 
 #include "support/meshes.h"
 

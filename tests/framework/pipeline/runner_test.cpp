@@ -7,6 +7,7 @@
 #include <foredraw/measuring/overdraw_evaluator.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/scene/levels.h>
+#include <foredraw/scene/order_table.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

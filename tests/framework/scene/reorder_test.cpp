@@ -120,7 +120,7 @@ RC_GTEST_PROP(TriangleOrder, clusters_are_kept_exactly_where_each_stays_in_one_p
   RC_CLASSIFY(whole, "whole");
 }
 
-// Draws, and the extensions on them.
+// Draws.
 
 VertexStream uint32_stream(std::string name, const Numbers& values) {
   const auto bytes = std::as_bytes(std::span(values));
@@ -131,54 +131,6 @@ Numbers values_of(const VertexStream& stream) {
   Numbers values(stream.bytes.size() / 4);
   std::memcpy(values.data(), stream.bytes.view().data(), stream.bytes.size());
   return values;
-}
-
-using Rows = ExtensionStream::Rows;
-using Values = ExtensionStream::Values;
-
-/// Streams of every kind of rows and values, each {10, 20, ...} or, where the values name something, {0, 1, ...}.
-Extension every_kind(std::uint32_t vertices, std::uint32_t triangles) {
-  Extension extension{.name = "EVERY_kind"};
-  for (const Rows rows : {Rows::none, Rows::vertices, Rows::triangles}) {
-    for (const Values values : {Values::plain, Values::vertices, Values::triangles}) {
-      const std::uint32_t named = values == Values::vertices ? vertices : triangles;
-      const std::uint32_t count = rows == Rows::vertices ? vertices : rows == Rows::triangles ? triangles : named;
-      Numbers content(count);
-      for (std::uint32_t i = 0; i < count; ++i) content[i] = values == Values::plain ? 10 * (i + 1) : i % named;
-      extension.streams.push_back({uint32_stream("S", content), rows, values});
-    }
-  }
-  return extension;
-}
-
-const VertexStream& stream_with(const Draw& draw, Rows rows, Values values) {
-  for (const ExtensionStream& stream : draw.extensions.at(0).streams) {
-    if (stream.rows == rows && stream.values == values) return stream.stream;
-  }
-  throw std::logic_error("every kind is there");
-}
-
-Draw two_triangles_of_four_vertices() {
-  Draw draw = testing::draw_of({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {0, 1, 2, 2, 1, 3}});
-  draw.extensions = {every_kind(4, 2)};
-  return draw;
-}
-
-TEST(TriangleOrderOfDraw, MovesRowsAndRenumbersValuesOfTriangles) {
-  Draw draw = testing::draw_of(testing::soup(3, 1));
-  draw.extensions = {every_kind(9, 3)};
-  const Draw moved = with_triangle_order(draw, Numbers{2, 0, 1});  // old 0 is now 1, old 1 now 2, old 2 now 0
-  const auto now = [&](Rows rows, Values values) { return values_of(stream_with(moved, rows, values)); };
-  const auto old = [&](Rows rows, Values values) { return values_of(stream_with(draw, rows, values)); };
-  EXPECT_EQ(now(Rows::triangles, Values::plain), (Numbers{30, 10, 20}));
-  EXPECT_EQ(now(Rows::triangles, Values::vertices), (Numbers{2, 0, 1}));
-  EXPECT_EQ(now(Rows::triangles, Values::triangles), (Numbers{0, 1, 2})) << "each row names its own triangle still";
-  EXPECT_EQ(now(Rows::none, Values::triangles), (Numbers{1, 2, 0}));
-  EXPECT_EQ(now(Rows::vertices, Values::triangles), (Numbers{1, 2, 0, 1, 2, 0, 1, 2, 0}));
-  for (const Values values : {Values::plain, Values::vertices}) {
-    EXPECT_EQ(now(Rows::none, values), old(Rows::none, values));
-    EXPECT_EQ(now(Rows::vertices, values), old(Rows::vertices, values));
-  }
 }
 
 TEST(TriangleOrderOfDraw, TornClustersTakeTheTraitAlong) {
@@ -246,43 +198,6 @@ TEST(VerticesMovedInDraw, DestinationsComposeOverTwoMoves) {
   EXPECT_EQ(numbers(draw.levels[0].vertex_destination), (Numbers{2, no_vertex, 2, 0, 1}));
   EXPECT_EQ(numbers(draw.levels[0].orders[0].indices), (Numbers{2, 0, 1, 2, 1, 0}));
   EXPECT_EQ(first_coordinates(draw.levels[0].vertices->base[0]), (std::vector<float>{4, 5, 1}));
-}
-
-TEST(VerticesMovedInDraw, MovesRowsAndRenumbersValuesOfVertices) {
-  const Draw draw = two_triangles_of_four_vertices();
-  const Numbers destination = {3, 0, 1, 2};
-  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[0].vertices, destination, 4));
-  const Draw result = with_vertices_moved(draw, 0, moved, destination);
-  const auto now = [&](Rows rows, Values values) { return values_of(stream_with(result, rows, values)); };
-  const auto old = [&](Rows rows, Values values) { return values_of(stream_with(draw, rows, values)); };
-  EXPECT_EQ(now(Rows::vertices, Values::plain), (Numbers{20, 30, 40, 10}));
-  EXPECT_EQ(now(Rows::vertices, Values::triangles), (Numbers{1, 0, 1, 0}));
-  EXPECT_EQ(now(Rows::vertices, Values::vertices), (Numbers{0, 1, 2, 3})) << "each row names its own vertex still";
-  EXPECT_EQ(now(Rows::none, Values::vertices), (Numbers{3, 0, 1, 2}));
-  EXPECT_EQ(now(Rows::triangles, Values::vertices), (Numbers{3, 0}));
-  for (const Values values : {Values::plain, Values::triangles}) {
-    EXPECT_EQ(now(Rows::none, values), old(Rows::none, values));
-    EXPECT_EQ(now(Rows::triangles, values), old(Rows::triangles, values));
-  }
-}
-
-TEST(VerticesMovedInDraw, RowsOfMergedAndLeftOutVerticesGo) {
-  const Draw draw = two_triangles_of_four_vertices();
-  const Numbers destination = {0, 1, 1, no_vertex};
-  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[0].vertices, destination, 2));
-  const Draw result = with_vertices_moved(draw, 0, moved, destination);
-  EXPECT_EQ(values_of(stream_with(result, Rows::vertices, Values::plain)), (Numbers{10, 20}));
-  EXPECT_EQ(values_of(stream_with(result, Rows::none, Values::vertices)), (Numbers{0, 1, 1, no_vertex}));
-}
-
-TEST(VerticesMovedInDraw, ExtensionsBelongToTheFullLevel) {
-  Draw draw = two_triangles_of_four_vertices();
-  draw.levels.push_back(draw.levels[0]);
-  const Numbers destination = {3, 0, 1, 2};
-  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[1].vertices, destination, 4));
-  const Draw result = with_vertices_moved(draw, 1, moved, destination);
-  EXPECT_EQ(values_of(stream_with(result, Rows::vertices, Values::plain)), (Numbers{10, 20, 30, 40}));
-  EXPECT_EQ(numbers(result.levels[1].orders[0].indices), (Numbers{3, 0, 1, 1, 0, 2}));
 }
 
 TEST(Reorder, OrderBetweenIsFoundWhateverCornersTurn) {

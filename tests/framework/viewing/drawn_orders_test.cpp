@@ -2,6 +2,7 @@
 
 #include <foredraw/viewing/distinct_poses.h>
 #include <foredraw/scene/reorder.h>
+#include <foredraw/scene/order_table.h>
 
 #include "support/edit_product.h"
 #include "support/meshes.h"

@@ -1,4 +1,5 @@
 #include <foredraw/viewing/order_nodes.h>
+#include <foredraw/scene/order_table.h>
 
 #include <gtest/gtest.h>
 

@@ -112,7 +112,7 @@ float first_drawn(Scene scene, OverdrawService& service, std::string& note) {
   const Technique technique = merge_instances_plugin().create({{"overdraw-order", true}});
   std::get<std::unique_ptr<Processor>>(technique)->process(scene, all_draws(scene), fixture.run);
   for (const auto& one : fixture.findings.notes) note += one.message;
-  const MergedInstances& merged = merged_sets(scene).at(0);
+  const MergedInstances& merged = merged_sets(scene)[0];
   return merged.transforms.view()[merged.slots.view()[0].instance][11];
 }
 

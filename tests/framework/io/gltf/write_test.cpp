@@ -171,29 +171,6 @@ TEST(GltfWrite, sequence_of_keys_is_kept) {
   EXPECT_EQ(written(scene).dump(), json_of(builder.glb()).dump());
 }
 
-TEST(GltfWrite, extensions_of_stages_are_written_with_their_streams) {
-  Scene scene = read(ribbon(2));
-  const std::vector<std::uint32_t> values{3, 1, 2, 0};
-  const auto bytes = std::as_bytes(std::span(values));
-  ExtensionStream held{{"triangles", {Component::uint32, 1, false, 4}, Shared<std::byte>({bytes.begin(), bytes.end()})},
-                       ExtensionStream::Rows::triangles,
-                       ExtensionStream::Values::plain};
-  scene.draws[0].extensions.push_back({"FOREDRAW_example", R"({"kind":"demo"})", {held}});
-  const Bytes file = write(scene);
-  const GltfJson json = json_of(file);
-  EXPECT_EQ(json["extensionsUsed"], GltfJson::array({"FOREDRAW_example"}));
-  EXPECT_FALSE(json.contains("extensionsRequired"));
-  const GltfJson& value = json["meshes"][0]["primitives"][0]["extensions"]["FOREDRAW_example"];
-  EXPECT_EQ(value["kind"], "demo");
-  EXPECT_EQ(value["triangles"], 3);
-  EXPECT_EQ(json["accessors"][3]["count"], 4);
-  EXPECT_TRUE(read(file).draws[0].traits.has(traits::extended));
-  scene.draws[0].extensions[0].json = "{";
-  Diagnostics diagnostics;
-  EXPECT_FALSE(encode_gltf(scene, "out.glb", diagnostics));
-  EXPECT_EQ(diagnostics.all().at(0).code, "cannot-express");
-}
-
 TEST(GltfWrite, draws_may_be_added_and_taken_away) {
   Scene scene = read(sharing());
   Draw added = draw_of(grid(3, 3), "added");

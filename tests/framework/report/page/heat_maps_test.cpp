@@ -5,6 +5,7 @@
 
 #include <foredraw/io/image/images.h>
 #include <foredraw/scene/reorder.h>
+#include <foredraw/scene/order_table.h>
 
 #include <gtest/gtest.h>
 
