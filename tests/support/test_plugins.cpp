@@ -1,5 +1,7 @@
 #include "support/test_plugins.h"
 
+#include <foredraw/draw_orders/draw_orders_product.h>
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -146,7 +148,11 @@ struct Faulty final : DrawOrderer {
 Plugin reverse_draw() {
   return plugin_of<ReverseDraw>(Kind::orderer, {.name = "reverse-draw", .acts_on = {traits::triangles}, .provides = {traits::cache_ordered}});
 }
-Plugin two_orders() { return plugin_of<TwoOrders>(Kind::orderer, {.name = "two-orders", .acts_on = {traits::triangles}}); }
+Plugin two_orders() {
+  Plugin plugin = plugin_of<TwoOrders>(Kind::orderer, {.name = "two-orders", .acts_on = {traits::triangles}});
+  plugin.products = {draw_orders_product()};
+  return plugin;
+}
 Plugin reverse_vertices() { return plugin_of<ReverseVertices>(Kind::orderer, {.name = "reverse-vertices"}); }
 Plugin pairs() {
   return plugin_of<Pairs>(Kind::clusterer, {.name = "pairs", .acts_on = {traits::triangles}, .provides = {traits::clustered}});

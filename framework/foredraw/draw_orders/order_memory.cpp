@@ -20,20 +20,16 @@ std::string size_text(std::uint64_t bytes) {
 
 }  // namespace
 
-void add_memory(OrderMemory& memory, const Level& level, std::size_t orders, std::size_t keyframes) {
-  const std::size_t width = level.vertices->count <= 0xffff ? 2 : 4;
-  const std::uint64_t one = level.orders[0].indices.size() * width;
-  memory.orders = std::max(memory.orders, orders);
-  memory.triangles += level.orders[0].triangle_count();
-  memory.bytes += orders * one;
-  memory.bytes_for_each_keyframe += keyframes * one;
-}
-
 OrderMemory memory_of(const Scene& scene, const OrderTable& table) {
   OrderMemory memory;
   for (const DrawId id : table.draws) {
-    const Level& level = scene.draws[id].levels[0];
-    add_memory(memory, level, level.orders.size(), table.keyframes());
+    const Level& level = scene.draws[id].full();
+    const std::size_t width = level.vertices->count <= 0xffff ? 2 : 4;
+    const std::uint64_t one = level.stream().indices.size() * width;
+    memory.orders = std::max(memory.orders, level.orders.size());
+    memory.triangles += level.stream().triangle_count();
+    memory.bytes += level.orders.size() * one;
+    memory.bytes_for_each_keyframe += table.keyframes() * one;
   }
   return memory;
 }

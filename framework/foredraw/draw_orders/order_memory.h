@@ -14,9 +14,6 @@ struct OrderMemory {
 };
 OrderMemory memory_of(const Scene& scene, const OrderTable& table);
 
-/// The same of a draw with `orders` orders, summed up draw by draw.
-void add_memory(OrderMemory& memory, const Level& level, std::size_t orders, std::size_t keyframes);
-
 /// "3 orders of 12000 triangles: 432 KB; one for each of 45 keyframes would take 6.5 MB".
 std::string memory_text(const OrderMemory& memory, std::size_t keyframes);
 

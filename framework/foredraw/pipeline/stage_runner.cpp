@@ -46,6 +46,7 @@ class StageRunner {
   std::vector<Measured> run() {
     const std::optional<Scene> before = scene_.products.empty() ? std::nullopt : std::optional(scene_);
     std::visit([this](const auto& technique) { run(*technique); }, *stage_.technique);
+    tell_products(before ? before->products : Products());
     if (before) follow(*before);
     mark_held_draws(scene_, plan_.products);
     return std::move(measured_);
@@ -319,8 +320,27 @@ class StageRunner {
     }
   }
 
-  /// Products that were there before go along with what became of the draws, or are left out.
+  /// What the stage made.
+  void tell_products(const Products& before) {
+    for (const auto& row : plan_.products) {
+      const std::string name = row->card().name;
+      if (!scene_.products.has(name) || scene_.products.same(name, before)) continue;
+      for (std::string& line : row->told(scene_).lines) record_.notes.push_back({"", name, std::move(line)});
+    }
+  }
+
+  /// Products that were there before go along with what became of the draws, or are left out. So are those of which nobody
+  /// here knows what a stage makes of them.
   void follow(const Scene& before) {
+    if (stage_.plugin->kind == Kind::evaluator) return;
+    std::vector<std::string> unknown;
+    scene_.products.each([&](const std::string& name) {
+      if (std::ranges::none_of(plan_.products, [&](const auto& row) { return row->card().name == name; })) unknown.push_back(name);
+    });
+    for (const std::string& name : unknown) {
+      scene_.products.erase(name);
+      record_.notes.push_back({"", "product-left-out", fmt::format("'{}' is left out: no plugin here knows what becomes of it", name)});
+    }
     for (const auto& row : plan_.products) {
       const ProductCard card = row->card();
       if (!before.products.has(card.name) || !scene_.products.has(card.name)) continue;

@@ -38,7 +38,7 @@ class ExtensionReader {
   virtual const ExtensionValue* of_draw(DrawId draw) const = 0;
   /// Whether the draw's primitive has its corners as a list, and not as a strip or fan.
   virtual bool is_list(DrawId draw) const = 0;
-  /// Of the file and those beside it: what is made of a product should take no more than some times that.
+  /// That all accessors hold together: what is made of a product should take no more than some times that.
   virtual std::uint64_t bytes() const = 0;
   /// Nothing where there is no such accessor, or it is empty. Asked twice it is the same handle.
   virtual std::optional<AccessorData> accessor(std::size_t number) = 0;

@@ -4,7 +4,6 @@
 #include <foredraw/base/random.h>
 #include <foredraw/draw_orders/draw_orders_product.h>
 #include <foredraw/measuring/captured_subject.h>
-#include <foredraw/measuring/order_notes.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -57,7 +56,6 @@ class AnimatedKMeans final : public SubjectOrderer {
     result.table = order_table(view.scene, run.poses, run.views, answer.serving, options_);
     result.table.draws = view.draws;
     result.orders = std::move(answer.orders);
-    note_order_memory(view, result, run);
     return result;
   }
 

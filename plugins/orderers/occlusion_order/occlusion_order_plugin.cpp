@@ -3,7 +3,6 @@
 #include <foredraw/viewing/order_nodes.h>
 #include <foredraw/draw_orders/draw_orders_product.h>
 #include <foredraw/measuring/captured_subject.h>
-#include <foredraw/measuring/order_notes.h>
 #include <foredraw/technique/plugin.h>
 
 namespace foredraw {
@@ -54,7 +53,6 @@ class OcclusionOrder final : public SubjectOrderer {
       for (const auto& order : found.orders)
         result.orders.back().push_back(in_sequence(subject.draws[d].atoms, order[d]));
     }
-    note_order_memory(view, result, run);
     return result;
   }
 

@@ -14,7 +14,8 @@ namespace {
 
 class Reader {
  public:
-  Reader(ExtensionReader& from, const Scene& scene) : from_(from), scene_(scene) {}
+  Reader(ExtensionReader& from, const Scene& scene)
+      : from_(from), scene_(scene), most_bytes_((std::uint64_t{16} << 20) + from.bytes()) {}
 
   std::variant<MergedDraws, std::string> read() {
     const ExtensionValue* extension = from_.of_file();
@@ -37,6 +38,8 @@ class Reader {
   }
 
  private:
+  using NamedAccessors = std::vector<std::pair<std::string, std::uint32_t>>;
+
   void wrong(const std::string& why) {
     if (mistake_.empty()) mistake_ = place_ + " " + why;
   }
@@ -57,7 +60,10 @@ class Reader {
     const std::uint32_t i = number(value, name);
     if (!mistake_.empty()) return std::nullopt;
     auto data = from_.accessor(i);
-    if (!data) wrong(fmt::format("has no accessor {} for '{}'", i, name));
+    if (!data) return wrong(fmt::format("has no accessor {} for '{}'", i, name)), std::nullopt;
+    // Bytes may be named again and again; what is looked at may not go on for ever.
+    bytes_ += data->bytes.size();
+    if (bytes_ > most_bytes_) return wrong("names more than the file holds"), std::nullopt;
     return data;
   }
 
@@ -79,17 +85,17 @@ class Reader {
   /// Sets of equal attributes share them.
   std::shared_ptr<const VertexStreams> vertices(const ExtensionValue* attributes) {
     if (attributes == nullptr || attributes->members() == nullptr) return wrong("must have 'attributes'"), nullptr;
+    NamedAccessors named;
+    for (const auto& [semantic, value] : *attributes->members()) named.emplace_back(semantic, number(&value, semantic));
+    for (const auto& [names, made] : vertices_) {
+      if (names == named) return made;
+    }
     VertexStreams streams;
-    std::vector<std::pair<std::string, std::uint32_t>> named;
     for (const auto& [semantic, value] : *attributes->members()) {
       const auto from = accessor(&value, semantic);
       if (!from) return nullptr;
-      named.emplace_back(semantic, *value.whole());
       streams.count = static_cast<std::uint32_t>(std::min<std::size_t>(from->count, 0xffffffff));
       streams.base.push_back({semantic, from->format, from->bytes});
-    }
-    for (const auto& [names, made] : vertices_) {
-      if (names == named) return made;
     }
     return vertices_.emplace_back(std::move(named), std::make_shared<const VertexStreams>(std::move(streams))).second;
   }
@@ -181,7 +187,7 @@ class Reader {
 
   ExtensionReader& from_;
   const Scene& scene_;
-  using NamedAccessors = std::vector<std::pair<std::string, std::uint32_t>>;
+  std::uint64_t bytes_ = 0, most_bytes_;  ///< small ones may be named twice
   std::vector<std::pair<NamedAccessors, std::shared_ptr<const VertexStreams>>> vertices_;
   std::vector<MergedPlace> places_;
   std::string place_, mistake_;

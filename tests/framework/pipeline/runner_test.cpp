@@ -244,11 +244,11 @@ TEST_F(Runner, OrdersWithoutTheirTableAreForgottenToo) {
   }
 }
 
-TEST_F(Runner, TellsTheMemoryOfOrders) {
+TEST_F(Runner, TellsWhatAStageMade) {
   const Result result = run("two-orders", two_);
   ASSERT_EQ(result.report.stages[0].notes.size(), 2u);
-  EXPECT_EQ(result.report.stages[0].notes[0].code, "memory");
-  EXPECT_EQ(result.report.stages[0].notes[0].message, "2 orders of 4 triangles: 48 bytes");
+  EXPECT_EQ(result.report.stages[0].notes[0].code, "draw-orders");
+  EXPECT_EQ(result.report.stages[0].notes[0].message, "A: 2 x 1 directions; 2 orders of 4 triangles: 48 bytes");
 }
 
 TEST_F(Runner, KeepsWhatADrawHadWhereNothingIsToBeGained) {

@@ -69,7 +69,7 @@ TEST(MergedFiles, TheDescriptionSaysWhereEverythingLies) {
   std::set<std::size_t> begins;
   for (std::size_t s = 0; s < 2; ++s) {
     const GltfJson& set = json["sets"][s];
-    const MergedInstances& merged = merged_of(scene)[s];
+    const MergedInstances& merged = merged_sets(scene)[s];
     expect_holds(set["indices"], merged.indices, buffer);
     expect_holds(set["slots"], merged.slots, buffer);
     expect_holds(set["transforms"], merged.transforms, buffer);
@@ -190,7 +190,7 @@ TEST(MergedFiles, ShadersOfEverySetAndFrequencyCompile) {
     EXPECT_NE(text.find("set 1: 12\n"), std::string::npos);
     for (std::uint32_t set = 0; set < 2; ++set) {
       std::set<std::string> defined{"", "#define MERGED_FREQUENCY 600u\n"};
-      for (const MergedDraw& draw : merged_of(scene)[set].draws) {
+      for (const MergedDraw& draw : merged_sets(scene)[set].draws) {
         defined.insert("#define MERGED_FREQUENCY " + std::to_string(draw.frequency) + "\n");
       }
       for (const std::string& frequency : defined) {

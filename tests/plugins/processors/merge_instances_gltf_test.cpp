@@ -39,7 +39,7 @@ void expect_parts(const Scene& scene, const GltfJson& before, const GltfJson& js
       const auto first = primitive["firstVertex"].get<std::size_t>();
       for (const auto& [semantic, number] : json["meshes"][m]["primitives"][p]["attributes"].items()) {
         const auto own = number.get<std::size_t>(), whole = set["attributes"][semantic].get<std::size_t>();
-        const std::size_t tight = merged_of(scene)[0].vertices->find(semantic)->format.bytes;
+        const std::size_t tight = merged_sets(scene)[0].vertices->find(semantic)->format.bytes;
         EXPECT_EQ(json["accessors"][own]["bufferView"], json["accessors"][whole]["bufferView"]) << semantic;
         EXPECT_EQ(bytes_of_accessor(json, own), bytes_of_accessor(json, whole) + first * stride_of(json, whole, tight))
             << semantic;
@@ -304,11 +304,11 @@ TEST(GltfMergedInstances, further_ones_are_put_beside_those_there_were) {
 /// Whoever sorted them for low overdraw draws the same.
 TEST(GltfMergedInstances, slots_of_a_draw_may_come_in_any_sequence) {
   Scene scene = merged_yard(read(yard()));
-  std::vector<MergedSlot> slots(merged_of(scene)[0].slots.view().begin(), merged_of(scene)[0].slots.view().end());
-  for (const MergedDraw& draw : merged_of(scene)[0].draws) {
+  std::vector<MergedInstances> sets = merged_of(scene);
+  std::vector<MergedSlot> slots(sets[0].slots.view().begin(), sets[0].slots.view().end());
+  for (const MergedDraw& draw : sets[0].draws) {
     std::reverse(slots.begin() + draw.first_slot, slots.begin() + draw.first_slot + draw.slot_count);
   }
-  std::vector<MergedInstances> sets = merged_of(scene);
   sets[0].slots = Shared(std::move(slots));
   scene.products.set(MergedDraws{sets});
   EXPECT_EQ(merged_of(read(builder_of(write(scene)))), merged_of(scene));

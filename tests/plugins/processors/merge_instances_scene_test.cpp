@@ -35,6 +35,7 @@ Said merge(Scene& scene, const Settings& settings = {}) {
   const Technique technique = merge_instances_plugin().create(settings);
   Said said;
   said.changed = std::get<std::unique_ptr<Processor>>(technique)->process(scene, all_draws(scene), fixture.run);
+  mark_held_draws(scene, merge_instances_plugin().products);  // as the runner does
   for (const auto& note : fixture.findings.notes) said.notes.push_back(note.message);
   for (const Measured& figure : fixture.findings.measured) said.figures[figure.metric] = figure.numerator;
   return said;

@@ -34,7 +34,11 @@ class Reader final : public ExtensionReader {
     return found != draws_.end() && found->second.is_list;
   }
 
-  std::uint64_t bytes() const override { return bytes_read(document_); }
+  std::uint64_t bytes() const override {
+    std::uint64_t sum = 0;
+    for (const Accessor& accessor : document_.accessors) sum += accessor.bytes();
+    return sum;
+  }
 
   std::optional<AccessorData> accessor(std::size_t number) override {
     if (number >= document_.accessors.size() || document_.accessors[number].count == 0) return std::nullopt;
