@@ -31,8 +31,8 @@ std::vector<Corners> finite_triangles(const Surface& surface) {
   return triangles;
 }
 
-/// Of a point to a triangle, squared; after Ericson, Real-Time Collision Detection, section 5.1.5. Where the triangle is a
-/// line or a point, the fractions of its edges decide.
+/// Of a point to a triangle, squared; after Ericson, Real-Time Collision Detection, section 5.1.5. Where the triangle
+/// is a line or a point, the fractions of its edges decide.
 double squared_distance(const Point& p, const Corners& t) {
   const auto squared = [](const Point& v) { return glm::dot(v, v); };
   const auto to_edge = [&](const Point& from, const Point& to) {
@@ -103,9 +103,8 @@ struct ClosestPoints::Tree {
     const Point size = middles.high - middles.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const auto begin = triangles.begin() + first;
-    std::nth_element(begin, begin + count / 2, begin + count, [axis](const Corners& a, const Corners& b) {
-      return middle(a)[axis] < middle(b)[axis];
-    });
+    std::nth_element(begin, begin + count / 2, begin + count,
+                     [axis](const Corners& a, const Corners& b) { return middle(a)[axis] < middle(b)[axis]; });
     const auto child = static_cast<std::uint32_t>(nodes.size());
     nodes[at].count = 0;
     nodes[at].child = child;
@@ -129,7 +128,8 @@ struct ClosestPoints::Tree {
         nearest = std::min(nearest, foredraw::squared_distance(p, triangles[i]));
       }
       if (node.count > 0) continue;
-      const bool second_first = nodes[node.child + 1].box.squared_distance(p) < nodes[node.child].box.squared_distance(p);
+      const bool second_first =
+          nodes[node.child + 1].box.squared_distance(p) < nodes[node.child].box.squared_distance(p);
       open[size++] = node.child + (second_first ? 0 : 1);
       open[size++] = node.child + (second_first ? 1 : 0);
     }
@@ -198,8 +198,8 @@ OneWay one_way(const std::vector<Corners>& from, const ClosestPoints& to, std::s
 
 }  // namespace
 
-std::optional<SurfaceDistance> surface_distance(const Surface& a, const Surface& b, const SurfaceDistanceOptions& options,
-                                                const Executor& executor) {
+std::optional<SurfaceDistance> surface_distance(const Surface& a, const Surface& b,
+                                                const SurfaceDistanceOptions& options, const Executor& executor) {
   const std::vector<Corners> of_a = finite_triangles(a);
   const std::vector<Corners> of_b = finite_triangles(b);
   if (of_a.empty() && of_b.empty()) return SurfaceDistance{};

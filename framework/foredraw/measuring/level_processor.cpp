@@ -22,7 +22,8 @@ void check(const MadeLevel& level, const Draw& draw) {
   require(level.vertices->layout_stamp() == draw.full().vertices->layout_stamp(), of + "has other attributes");
   const bool of_triangles = draw.topology == Topology::triangles && level.indices.size() % 3 == 0;
   require(of_triangles, of + "is not made of triangles");
-  const bool in_range = std::ranges::all_of(level.indices.view(), [&](std::uint32_t v) { return v < level.vertices->count; });
+  const bool in_range =
+      std::ranges::all_of(level.indices.view(), [&](std::uint32_t v) { return v < level.vertices->count; });
   require(in_range, of + "names a vertex that does not exist");
   const auto is_distance = [](double d) { return std::isfinite(d) && d >= 0; };
   require(is_distance(level.largest) && is_distance(level.rms.value_or(0)), of + "claims an error that is no distance");
@@ -40,9 +41,15 @@ class LevelProcessor final : public Processor {
     std::vector<Findings> findings(subjects.size());
     run.executor.for_each(subjects.size(), [&](std::size_t i) {
       if (chosen[i].empty() || run.cancelled()) return;
-      Run own{.analyses = run.analyses, .executor = run.executor, .findings = findings[i], .views = run.views,
-              .poses = run.poses, .overdraw = run.overdraw, .seed = run.seed + i,
-              .place = {.subject = static_cast<std::uint32_t>(i)}, .cancel = run.cancel};
+      Run own{.analyses = run.analyses,
+              .executor = run.executor,
+              .findings = findings[i],
+              .views = run.views,
+              .poses = run.poses,
+              .overdraw = run.overdraw,
+              .seed = run.seed + i,
+              .place = {.subject = static_cast<std::uint32_t>(i)},
+              .cancel = run.cancel};
       made[i] = maker_->levels({scene, subjects[i], chosen[i]}, own);
       if (own.keeps()) made[i].clear();
       check_steps(made[i], chosen[i], scene);
@@ -82,7 +89,8 @@ class LevelProcessor final : public Processor {
   static void check_steps(const SubjectLevels& made, const std::vector<DrawId>& draws, const Scene& scene) {
     require(made.empty() || made.size() == draws.size(), "it answers for another number of draws than it was given");
     for (std::size_t d = 0; d < made.size(); ++d) {
-      require(made[d].size() == made[0].size(), "it answers with more levels for one draw of a subject than for another");
+      require(made[d].size() == made[0].size(),
+              "it answers with more levels for one draw of a subject than for another");
       for (const MadeLevel& level : made[d]) check(level, scene.draws[draws[d]]);
     }
   }
@@ -95,9 +103,9 @@ class LevelProcessor final : public Processor {
       MadeLevel& level = levels[i];
       const Place place{.draw = id, .level = i + 1};
       const auto of_level = positions_of(run.analyses, *level.vertices);
-      const auto found = surface_distance({of_full->values, full.stream().indices.view()},
-                                          {of_level->values, level.indices.view()},
-                                          {static_cast<std::size_t>(options_.samples), run.seed + i}, run.executor);
+      const auto found =
+          surface_distance({of_full->values, full.stream().indices.view()}, {of_level->values, level.indices.view()},
+                           {static_cast<std::size_t>(options_.samples), run.seed + i}, run.executor);
       require(found.has_value(), "one of its levels of " + scene.draws[id].name + " has no triangle that is finite");
       run.count_at(place, "error.largest", found->largest);
       run.measure_at(place, "error.rms", found->rms, 1, found->rms_error);
@@ -106,12 +114,14 @@ class LevelProcessor final : public Processor {
       const bool is_farther = found->largest > level.largest * (1 + slack) + slack * extent(of_full->values);
       const bool is_rougher = level.rms && found->rms - errors * found->rms_error > *level.rms * (1 + slack);
       if (is_farther) {
-        run.note_at(place, "error-claim", fmt::format("it is said to lie {:.4g} from full detail at most, and lies {:.4g} away",
-                                                      level.largest, found->largest));
+        run.note_at(place, "error-claim",
+                    fmt::format("it is said to lie {:.4g} from full detail at most, and lies {:.4g} away",
+                                level.largest, found->largest));
       }
       if (is_rougher) {
-        run.note_at(place, "error-claim", fmt::format("its rms distance is said to be {:.4g}, and is {:.4g} ± {:.2g}",
-                                                      *level.rms, found->rms, found->rms_error));
+        run.note_at(place, "error-claim",
+                    fmt::format("its rms distance is said to be {:.4g}, and is {:.4g} ± {:.2g}", *level.rms, found->rms,
+                                found->rms_error));
       }
       level.largest = std::max(level.largest, found->largest);
     }

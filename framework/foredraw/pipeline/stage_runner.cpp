@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -109,6 +110,7 @@ class StageRunner {
     } else {
       scene_.products.set(DrawOrders{std::move(tables)});
     }
+    made_.insert(std::string(DrawOrders::product));
   }
 
   void run(const VertexOrderer& technique) {
@@ -311,12 +313,13 @@ class StageRunner {
   }
 
   /// What a stage made shows what the scene shows.
-  void prove_products(const Scene& changed) const {
+  void prove_products(const Scene& changed) {
     for (const auto& row : plan_.products) {
       const std::string name = row->card().name;
       if (!changed.products.has(name) || changed.products.same(name, scene_.products)) continue;
       const std::string difference = row->difference(changed);
       if (!difference.empty()) throw std::runtime_error(fmt::format("its {} differ from the scene: {}", row->card().title, difference));
+      made_.insert(name);
     }
   }
 
@@ -343,7 +346,7 @@ class StageRunner {
     }
     for (const auto& row : plan_.products) {
       const ProductCard card = row->card();
-      if (!before.products.has(card.name) || !scene_.products.has(card.name)) continue;
+      if (!before.products.has(card.name) || !scene_.products.has(card.name) || made_.contains(card.name)) continue;
       for (std::string& why : row->follow(before, scene_)) {
         record_.notes.push_back({"", card.name + "-left-out", std::move(why)});
       }
@@ -412,6 +415,7 @@ class StageRunner {
   const Surroundings& surroundings_;
   StageRecord& record_;
   Diagnostics& diagnostics_;
+  std::set<std::string> made_;  ///< products that the stage made of what the draws are now
   std::vector<DrawLevel> levels_;  ///< that the stage works on
   std::vector<DrawId> draws_;      ///< of which it is so at full detail
   std::vector<Scene> at_level_;    ///< [level]; empty where no draw has several

@@ -34,7 +34,8 @@ double by_hand(const TestMesh& mesh, glm::dvec3 point) {
     const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.indices[i + c]]); };
     for (int u = 0; u <= steps; ++u) {
       for (int v = 0; u + v <= steps; ++v) {
-        const glm::dvec3 at = corner(0) + (corner(1) - corner(0)) * (u / double{steps}) + (corner(2) - corner(0)) * (v / double{steps});
+        const glm::dvec3 at =
+            corner(0) + (corner(1) - corner(0)) * (u / double{steps}) + (corner(2) - corner(0)) * (v / double{steps});
         nearest = std::min(nearest, glm::length(at - point));
       }
     }

@@ -44,7 +44,8 @@ Stage any_stage() {
   Stage stage;
   stage.use = *any_text();
   stage.settings = *rc::gen::container<Settings>(any_text(), any_value());
-  for (const char* reserved : {"use", "only", "required", "enabled", "blended", "level"}) stage.settings.erase(reserved);
+  for (const char* reserved : {"use", "only", "required", "enabled", "blended", "level"})
+    stage.settings.erase(reserved);
   stage.only = *any_text();
   stage.required = *rc::gen::arbitrary<bool>();
   stage.enabled = *rc::gen::arbitrary<bool>();

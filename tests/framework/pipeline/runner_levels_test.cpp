@@ -43,7 +43,10 @@ class Halved final : public LevelMaker {
 Plugin halved() {
   Plugin plugin;
   plugin.kind = Kind::processor;
-  plugin.card = {.name = "halved", .summary = "For tests", .reference = "own", .acts_on = {traits::triangles},
+  plugin.card = {.name = "halved",
+                 .summary = "For tests",
+                 .reference = "own",
+                 .acts_on = {traits::triangles},
                  .metrics = level_metrics()};
   plugin.create = [](const Settings&) -> Technique { return level_processor(std::make_unique<const Halved>()); };
   return plugin;

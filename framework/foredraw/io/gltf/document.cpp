@@ -201,7 +201,7 @@ bool Document::knows_extension(std::string_view name) const {
   static constexpr std::string_view names[] = {
       "KHR_mesh_quantization",      mesh_gpu_instancing,       "KHR_animation_pointer",   "MSFT_lod",
       "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "FB_ngon_encoding",
-      "GODOT_single_root",         "FOREDRAW_levels",          "AGI_articulations"};
+      "GODOT_single_root",          "FOREDRAW_levels",         "AGI_articulations"};
   return std::any_of(std::begin(families), std::end(families),
                      [&](std::string_view family) { return name.substr(0, family.size()) == family; }) ||
          std::find(std::begin(names), std::end(names), name) != std::end(names) ||

@@ -226,7 +226,8 @@ std::optional<Document> checked(Shared<std::byte> file, const std::string& name,
   const bool readable = container && parse_json(gate, container->json) && check_structure(gate);
   has_any = readable && has_levels(document.json);
   if (has_any && levels == Levels::read) {
-    if (const auto why = expose_levels(document.json, document.ladders)) gate.error(levels_extension, "bad-levels", *why);
+    if (const auto why = expose_levels(document.json, document.ladders))
+      gate.error(levels_extension, "bad-levels", *why);
   } else if (has_any) {
     take_levels(document.json);
     document.left_out = true;

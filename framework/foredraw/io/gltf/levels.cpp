@@ -53,7 +53,8 @@ Scene unfolded(const Scene& scene) {
         level.name = name_of(draw, i);
         if (level.full().origin) level.origin = level.full().origin;
         const auto number = static_cast<DrawId>(flat.draws.size());
-        std::vector<DrawId>& draws = flat.meshes[is_in_coarser_mesh(draw, draw.levels[i]) ? level.origin->mesh : m].draws;
+        std::vector<DrawId>& draws =
+            flat.meshes[is_in_coarser_mesh(draw, draw.levels[i]) ? level.origin->mesh : m].draws;
         if (&draws != &flat.meshes[m].draws) {
           draws.resize(std::max<std::size_t>(draws.size(), level.origin->primitive + 1), ~DrawId{0});
           draws[level.origin->primitive] = number;
@@ -76,9 +77,8 @@ LevelScene::LevelScene(const Scene& scene, const Source& source, LevelsAs levels
 }
 
 bool LevelScene::same_errors() const {
-  return !flat_ || std::ranges::equal(flat().draws, source_.as_read.draws, [](const Draw& a, const Draw& b) {
-    return a.full().error == b.full().error;
-  });
+  return !flat_ || std::ranges::equal(flat().draws, source_.as_read.draws,
+                                      [](const Draw& a, const Draw& b) { return a.full().error == b.full().error; });
 }
 
 void LevelScene::put_lods(Json& json) const {

@@ -70,7 +70,8 @@ class LodNodes {
     const Json* ids = member(lod, "ids");
     if (ids == nullptr || !ids->is_array() || ids->empty()) return "it names none";
     for (const Json& id : *ids) {
-      if (!id.is_number_unsigned() || id.get<std::uint64_t>() >= scene_.nodes.size()) return "it names a node that does not exist";
+      if (!id.is_number_unsigned() || id.get<std::uint64_t>() >= scene_.nodes.size())
+        return "it names a node that does not exist";
       coarser.push_back(id.get<NodeId>());
     }
     std::set<NodeId> all(coarser.begin(), coarser.end());
@@ -156,7 +157,7 @@ class LodNodes {
     for (const NodeId n : of_several) refuse(n, "another node names the same coarser ones");
     for (bool changed = true; changed;) {
       changed = false;
-      std::map<MeshId, std::set<std::vector<MeshId>>> levels;       // of each mesh that is drawn as full detail
+      std::map<MeshId, std::set<std::vector<MeshId>>> levels;          // of each mesh that is drawn as full detail
       std::map<MeshId, std::set<std::pair<MeshId, std::size_t>>> use;  // of each coarser mesh
       for (NodeId n = 0; n < scene_.nodes.size(); ++n) {
         const Node& node = scene_.nodes[n];
@@ -174,7 +175,8 @@ class LodNodes {
         const std::vector<MeshId> coarser = meshes_of(n);
         const bool is_shared = std::ranges::any_of(coarser, [&](MeshId mesh) { return use[mesh].size() > 1; });
         if (!differs && !is_shared) continue;
-        why = differs ? "another node draws its mesh without these levels" : "a coarser mesh is drawn by itself, or for another one";
+        why = differs ? "another node draws its mesh without these levels"
+                      : "a coarser mesh is drawn by itself, or for another one";
         changed = true;
       }
     }
@@ -196,10 +198,10 @@ class LodNodes {
   const Scene& scene_;
   const Json& json_;
   const Document& document_;
-  std::set<NodeId> held_;    ///< below another node, or in a scene
+  std::set<NodeId> held_;  ///< below another node, or in a scene
   std::set<NodeId> joints_;
   std::set<NodeId> moved_;
-  std::set<NodeId> bent_;    ///< whose morph weights an animation moves
+  std::set<NodeId> bent_;  ///< whose morph weights an animation moves
   std::set<MeshId> with_levels_;
   std::map<NodeId, Why> why_of_node_;
   std::map<NodeId, std::vector<NodeId>> coarser_;
@@ -208,6 +210,9 @@ class LodNodes {
 }  // namespace
 
 std::vector<Ladder> lod_ladders(const Scene& scene, const Document& document, Diagnostics& diagnostics) {
+  const auto nodes = document.json.find("nodes");
+  const auto has_lod = [](const Json& node) { return extension_of(node, lod_extension) != nullptr; };
+  if (nodes == document.json.end() || std::ranges::none_of(*nodes, has_lod)) return {};
   return LodNodes(scene, document).find(diagnostics);
 }
 

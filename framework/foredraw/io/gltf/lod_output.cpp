@@ -57,11 +57,12 @@ class LodOutput {
       const Node& node = scene_.nodes[n];
       if (node.mesh != m) continue;
       const bool is_old = document_.json.contains("nodes") && n < document_.json["nodes"].size();
-      const char* why = moved_.contains(n)         ? "is animated"
-                        : !node.children.empty()   ? "has children"
-                        : !node.instances.empty()  ? "is drawn many times by instancing"
-                        : is_old && extension_of(document_.json["nodes"][n], lod_extension) != nullptr ? "has coarser nodes"
-                                                                                                      : nullptr;
+      const char* why = moved_.contains(n)        ? "is animated"
+                        : !node.children.empty()  ? "has children"
+                        : !node.instances.empty() ? "is drawn many times by instancing"
+                        : is_old && extension_of(document_.json["nodes"][n], lod_extension) != nullptr
+                            ? "has coarser nodes"
+                            : nullptr;
       if (why != nullptr) return fmt::format("node {} {}", n, why);
     }
     return {};

@@ -93,9 +93,8 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   if (!patch_meshes(scene, source, rows, written.json, store, diagnostics)) return std::nullopt;
   patch_products(scene, source, rows, written.json, store, diagnostics);
   relocate_images(written.json, document, target, diagnostics);
-  written.changed =
-      !may_stay || document.left_out || store.changed() || written.json != document.json ||
-      !told.same_errors() || (!compress && is_compressed(document));
+  written.changed = !may_stay || document.left_out || store.changed() || written.json != document.json ||
+                    !told.same_errors() || (!compress && is_compressed(document));
   if (!written.changed) return written;
   if (document.buffers.size() > 1 && !may_join_buffers(document.json, document)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",

@@ -62,7 +62,9 @@ class LevelsFigures : public ::testing::TestWithParam<Ladder> {
     return optimize(*plan, scene, {executor, analyses});
   }
 
-  static double figure(const Result& result, const char* name) { return result.report.after.metrics.find(name)->value(); }
+  static double figure(const Result& result, const char* name) {
+    return result.report.after.metrics.find(name)->value();
+  }
 
   Registry registry_;
 };
@@ -107,11 +109,12 @@ TEST_P(LevelsFigures, EachLevelIsAsGoodAsAlone) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, LevelsFigures,
-                         ::testing::Values(Ladder{"benchmarks/corpus/static/spot.glb", LevelsAs::lod_nodes},
-                                           Ladder{"benchmarks/corpus/static/spot.glb", LevelsAs::extension},
-                                           Ladder{"benchmarks/corpus/animated/cesium_man_notex.glb", LevelsAs::lod_nodes},
-                                           Ladder{"benchmarks/corpus/animated/cesium_man_notex.glb", LevelsAs::extension}));
+INSTANTIATE_TEST_SUITE_P(
+    Files, LevelsFigures,
+    ::testing::Values(Ladder{"benchmarks/corpus/static/spot.glb", LevelsAs::lod_nodes},
+                      Ladder{"benchmarks/corpus/static/spot.glb", LevelsAs::extension},
+                      Ladder{"benchmarks/corpus/animated/cesium_man_notex.glb", LevelsAs::lod_nodes},
+                      Ladder{"benchmarks/corpus/animated/cesium_man_notex.glb", LevelsAs::extension}));
 
 }  // namespace
 }  // namespace foredraw

@@ -105,7 +105,8 @@ TEST(GltfLevels, CameByMsftLodGoOutSo) {
   EXPECT_EQ(json["meshes"].size(), 3u);
   EXPECT_LE(after.size(), before.size());
   for (const GltfJson& mesh : json["meshes"]) {
-    EXPECT_EQ(mesh["primitives"][0]["attributes"], json["meshes"][0]["primitives"][0]["attributes"]) << "one vertex order";
+    EXPECT_EQ(mesh["primitives"][0]["attributes"], json["meshes"][0]["primitives"][0]["attributes"])
+        << "one vertex order";
   }
   const Scene again = read(after);
   ASSERT_EQ(again.draws.size(), 1u);
@@ -123,7 +124,10 @@ TEST(GltfLevels, WhatIsNoLevelStaysAndSaysWhy) {
   const auto has = [](const std::string& note, const std::string& words) {
     EXPECT_NE(note.find(words), std::string::npos) << note;
   };
-  has(why([](GltfJson& j) { j["materials"] = {GltfJson::object()}; j["meshes"][1]["primitives"][0]["material"] = 0; }),
+  has(why([](GltfJson& j) {
+        j["materials"] = {GltfJson::object()};
+        j["meshes"][1]["primitives"][0]["material"] = 0;
+      }),
       "node 1 has other materials");
   has(why([](GltfJson& j) { j["meshes"][2]["primitives"].push_back(j["meshes"][2]["primitives"][0]); }),
       "node 2 has another number of primitives");
@@ -135,10 +139,7 @@ TEST(GltfLevels, WhatIsNoLevelStaysAndSaysWhy) {
   has(why([](GltfJson& j) { j["nodes"][1]["translation"] = {1, 0, 0}; }), "node 1 stands elsewhere");
   has(why([](GltfJson& j) { j["scenes"][0]["nodes"].push_back(2); }), "node 2 is in the scene");
   has(why([](GltfJson& j) { j.erase("scenes"), j.erase("scene"); }), "node 1 is in the scene");
-  has(why([](GltfJson& j) {
-        j["nodes"].push_back({{"children", {1}}});
-      }),
-      "node 1 is below another node");
+  has(why([](GltfJson& j) { j["nodes"].push_back({{"children", {1}}}); }), "node 1 is below another node");
   has(why([](GltfJson& j) {
         j["nodes"].push_back(GltfJson::object());
         j["nodes"][0]["children"] = {3};
@@ -158,7 +159,8 @@ TEST(GltfLevels, WhatIsNoLevelStaysAndSaysWhy) {
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 0}; }), "names a node twice");
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 9}; }), "does not exist");
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"] = 3; }), "it names none");
-  has(why([](GltfJson& j) { j["nodes"][1]["extensions"]["MSFT_lod"]["ids"] = {2}; }), "node 1 has extensions of its own");
+  has(why([](GltfJson& j) { j["nodes"][1]["extensions"]["MSFT_lod"]["ids"] = {2}; }),
+      "node 1 has extensions of its own");
 }
 
 TEST(GltfLevels, TwoPlacesOfOneMeshWithTheSameLevelsShareThem) {
@@ -295,7 +297,8 @@ TEST(GltfLevels, OfASkinnedCharacterFollowOneSkin) {
   for (const std::size_t triangles : {4u, 2u}) {
     Level level = draw.full();
     const auto all = draw.full().stream().indices.view();
-    level.stream().indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(all.begin(), all.begin() + 3 * triangles));
+    level.stream().indices =
+        Shared<std::uint32_t>(std::vector<std::uint32_t>(all.begin(), all.begin() + 3 * triangles));
     draw.levels.push_back(std::move(level));
   }
   const Scene again = read(write(scene));

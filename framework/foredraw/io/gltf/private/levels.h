@@ -38,8 +38,8 @@ Scene unfolded(const Scene& scene);
 
 using LodIds = std::map<NodeId, std::vector<NodeId>>;
 
-/// The scene with its levels in meshes of coarser nodes, where MSFT_lod can tell of them; `lods` are each node's. A note
-/// tells of meshes whose levels stay with their primitives.
+/// The scene with its levels in meshes of coarser nodes, where MSFT_lod can tell of them; `lods` are each node's. A
+/// note tells of meshes whose levels stay with their primitives.
 Scene with_lod_nodes(const Scene& scene, const Document& document, LodIds& lods, Diagnostics& diagnostics);
 
 /// A scene on its way into a document.
