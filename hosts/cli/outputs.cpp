@@ -41,12 +41,13 @@ bool has_kind_for(const Output& kind, const std::filesystem::path& path) {
   return kind.kind == sprites ? is_sprite_output(path) : path.extension() == ".json";
 }
 
-/// A path without a kind that is no scene's: of the one kind that has such files.
+/// A path without a kind that is no file of the scene itself: of the one kind that has such files. Sprites' are the scene's
+/// own.
 Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostics) {
   std::vector<Output> fitting;
   for (const std::string& kind : kinds_of(rows)) {
     Output one = typed_output(kind + ':' + output.path, rows);
-    if (has_kind_for(one, one.path)) fitting.push_back(std::move(one));
+    if (kind != sprites && has_kind_for(one, one.path)) fitting.push_back(std::move(one));
   }
   if (fitting.size() == 1) return fitting.front();
   if (fitting.size() > 1) {

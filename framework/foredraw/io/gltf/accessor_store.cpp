@@ -84,11 +84,19 @@ void AccessorStore::redefine(std::size_t accessor, const Content& content) {
   contents_.insert_or_assign(accessor, content);
 }
 
-std::size_t AccessorStore::append(const Content& content, std::optional<std::size_t> like) {
+AccessorStore::Key AccessorStore::key_of(const Content& content) {
   const Format& format = content.format;
-  const Key key{content.bytes.stamp(), content.kind,      format.component,
-                format.components,     format.normalized, content.wants_range};
-  const auto [known, is_new] = appended_.try_emplace(key, 0);
+  return {content.bytes.stamp(), content.kind,      format.component,
+          format.components,     format.normalized, content.wants_range};
+}
+
+std::optional<std::size_t> AccessorStore::appended(const Content& content) const {
+  const auto known = appended_.find(key_of(content));
+  return known == appended_.end() ? std::nullopt : std::optional(known->second);
+}
+
+std::size_t AccessorStore::append(const Content& content, std::optional<std::size_t> like) {
+  const auto [known, is_new] = appended_.try_emplace(key_of(content), 0);
   if (!is_new) return known->second;
   if (!json_.contains("accessors")) json_["accessors"] = Json::array();
   const std::size_t number = json_["accessors"].size();

@@ -116,18 +116,6 @@ Json take_extension(Json& holder, std::string_view name) {
   return value;
 }
 
-namespace {
-
-template <class AnyJson, class Visit>
-void each_primitive(AnyJson& json, Visit visit) {
-  if (!json.contains("meshes")) return;
-  for (auto& mesh : json.at("meshes")) {
-    for (auto& primitive : mesh.at("primitives")) visit(primitive);
-  }
-}
-
-}  // namespace
-
 bool has_extension(const Json& json, std::string_view name) {
   bool found = extension_of(json, name) != nullptr;
   each_primitive(json, [&](const Json& primitive) { found = found || extension_of(primitive, name) != nullptr; });

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_levels = 255;
 
 template <class AnyJson, class F>
-void each_primitive(AnyJson& json, F visit) {
+void each_unchecked_primitive(AnyJson& json, F visit) {
   const auto meshes = json.find("meshes");
   if (meshes == json.end() || !meshes->is_array()) return;
   for (std::size_t m = 0; m < meshes->size(); ++m) {
@@ -63,20 +63,20 @@ Json json_of(const Json& primitive, float error) {
 bool has_levels(const Json& json) {
   bool found = false;
   if (!json.is_object()) return false;
-  each_primitive(json, [&](const Json& primitive, std::size_t, std::size_t) {
+  each_unchecked_primitive(json, [&](const Json& primitive, std::size_t, std::size_t) {
     found = found || extension_of(primitive, levels_extension) != nullptr;
   });
   return found;
 }
 
 void take_levels(Json& json) {
-  each_primitive(json, [](Json& primitive, std::size_t, std::size_t) { take_extension(primitive, levels_extension); });
+  each_unchecked_primitive(json, [](Json& primitive, std::size_t, std::size_t) { take_extension(primitive, levels_extension); });
 }
 
 std::optional<std::string> expose_levels(Json& json, std::vector<Ladder>& ladders) {
   std::optional<std::string> mistake;
   std::vector<Json> behind(json.at("meshes").size());
-  each_primitive(json, [&](Json& primitive, std::size_t m, std::size_t p) {
+  each_unchecked_primitive(json, [&](Json& primitive, std::size_t m, std::size_t p) {
     const Json value = take_extension(primitive, levels_extension);
     if (value.is_null() || mistake) return;
     const std::string place = at(in(at("meshes", m), "primitives"), p);

@@ -20,6 +20,7 @@ struct Request {
   std::string semantic;                 ///< empty: the indices
   std::optional<std::size_t> accessor;  ///< that it named so far
   std::optional<Content> content;       ///< none: as it was
+  bool is_named_elsewhere = false;      ///< by a product, which asks for the same content
 };
 
 std::optional<std::size_t> number_at(const Json& holder, const std::string& key) {
@@ -116,6 +117,7 @@ class MeshPatch {
     Json& json = primitives_[m].back();
     if (!vertices(now, was, json)) return false;
     corners(now, was, json);
+    further_orders(now, was, json);
     const std::optional<MaterialId> old_material = was == nullptr ? std::nullopt : was->material;
     if (now.material != old_material && now.material) json["material"] = *now.material;
     if (now.material != old_material && !now.material) json.erase("material");
@@ -210,6 +212,19 @@ class MeshPatch {
     requests_.push_back(std::move(request));
   }
 
+  /// Orders that a draw did not have stand behind its other accessors; a product names them.
+  void further_orders(const Draw& now, const Draw* was, Json& json) {
+    const std::vector<IndexStream>& orders = now.full().orders;
+    if (orders.size() == 1 || scene_.products.empty()) return;
+    json["extensions"];
+    if (was != nullptr && was->full().orders.size() > 1) return;
+    for (std::size_t order = 1; order < orders.size(); ++order) {
+      Request request{mesh_, primitive_, std::nullopt, {}, std::nullopt, std::nullopt, true};
+      request.content = index_content(never_empty(orders[order].indices.view()), Component::uint16);
+      requests_.push_back(std::move(request));
+    }
+  }
+
   /// An accessor that everybody wants to hold the same takes it on in place; where wishes differ, new ones are added.
   void resolve() {
     std::set<std::size_t> elsewhere = used_elsewhere(source_.document);
@@ -235,6 +250,7 @@ class MeshPatch {
       if (request.accessor && taken.contains(*request.accessor) && same_content(*taken[*request.accessor], content))
         continue;
       const std::size_t number = store_.append(content, request.accessor);
+      if (request.is_named_elsewhere) continue;
       Json& json = primitives_[request.mesh][request.primitive];
       if (request.semantic.empty()) {
         json["indices"] = number;
@@ -269,6 +285,11 @@ Content index_content(std::span<const std::uint32_t> indices, Component was) {
           indices.size(),
           Shared<std::byte>(narrowed(indices, width)),
           false};
+}
+
+std::span<const std::uint32_t> never_empty(std::span<const std::uint32_t> triangles) {
+  static constexpr std::uint32_t nothing[3] = {};
+  return triangles.empty() ? std::span(nothing) : triangles;
 }
 
 bool patch_meshes(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,

@@ -33,10 +33,8 @@ std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row) {
     for (const std::string& path : paths) collect(*extension, path, numbers);
   };
   add(json, card.accessors_of_file);
-  if (card.accessors_of_draw.empty() || !json.contains("meshes")) return numbers;
-  for (const Json& mesh : json["meshes"]) {
-    for (const Json& primitive : mesh["primitives"]) add(primitive, card.accessors_of_draw);
-  }
+  if (card.accessors_of_draw.empty()) return numbers;
+  each_primitive(json, [&](const Json& primitive) { add(primitive, card.accessors_of_draw); });
   return numbers;
 }
 

@@ -62,6 +62,8 @@ class AccessorStore {
   /// The number of a new accessor, or of one that was appended before with the same content. `like`: the accessor whose
   /// type it keeps, and whose min and max where these are the same.
   std::size_t append(const Content& content, std::optional<std::size_t> like = std::nullopt);
+  /// The number that append() gave this content; nothing where it was not appended.
+  std::optional<std::size_t> appended(const Content& content) const;
   /// Nobody refers to it any more: it keeps its number, but no bytes.
   void release(std::size_t accessor);
   /// The accessor's bytes become a part of those of another one, which was appended, from its row `first` on. False, and
@@ -85,6 +87,7 @@ class AccessorStore {
   Json& json_;
   std::map<std::size_t, Content> contents_;
   using Key = std::tuple<Stamp, Content::Kind, Component, int, bool, bool>;
+  static Key key_of(const Content& content);
   std::map<Key, std::size_t> appended_;
   std::map<std::size_t, Part> parts_;
   std::set<std::size_t> wholes_;  ///< that others are parts of; never a part itself

@@ -131,6 +131,15 @@ const Json* extension_of(const Json& holder, std::string_view name);
 /// The extension's value taken out of an object; null where it has none.
 Json take_extension(Json& holder, std::string_view name);
 
+/// Calls visit(primitive) for each primitive of a document that was checked.
+template <class AnyJson, class Visit>
+void each_primitive(AnyJson& json, Visit visit) {
+  if (!json.contains("meshes")) return;
+  for (auto& mesh : json.at("meshes")) {
+    for (auto& primitive : mesh.at("primitives")) visit(primitive);
+  }
+}
+
 /// Of a file and its primitives: whether one has the extension, and the extension taken out of all.
 bool has_extension(const Json& json, std::string_view name);
 void take_extension_everywhere(Json& json, std::string_view name);

@@ -29,6 +29,9 @@ std::optional<Written> patched(const Scene& scene, const Source& source, const s
 bool patch_meshes(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,
                   Diagnostics& diagnostics);
 
+/// glTF has no empty primitive: one that covers nothing stands for it, three times vertex 0.
+std::span<const std::uint32_t> never_empty(std::span<const std::uint32_t> triangles);
+
 /// Indices as narrow as `was`, or as wide as the numbers need: the greatest number of a type is kept free.
 Content index_content(std::span<const std::uint32_t> indices, Component was);
 
