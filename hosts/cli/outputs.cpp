@@ -41,8 +41,8 @@ bool has_kind_for(const Output& kind, const std::filesystem::path& path) {
   return kind.kind == sprites ? is_sprite_output(path) : path.extension() == ".json";
 }
 
-/// A path without a kind that is no file of the scene itself: of the one kind that has such files. Sprites' are the scene's
-/// own.
+/// A path without a kind that is no file of the scene itself: of the one kind that has such files. Sprites' are the
+/// scene's own.
 Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostics) {
   std::vector<Output> fitting;
   for (const std::string& kind : kinds_of(rows)) {
@@ -69,10 +69,13 @@ std::vector<Output> outputs_of(const std::vector<std::string>& words, const std:
   for (const std::string& word : words) {
     Output output = typed_output(word, rows);
     const bool is_of_sprites = input != "-" && is_sprite_input(input);
-    const bool is_scenes = output.path == "-" || is_scene_file(output.path) || (is_of_sprites && is_sprite_output(output.path));
-    if (output.kind.empty() && !is_scenes && !std::filesystem::is_directory(input)) output = with_kind(std::move(output), rows, diagnostics);
+    const bool is_scenes =
+        output.path == "-" || is_scene_file(output.path) || (is_of_sprites && is_sprite_output(output.path));
+    if (output.kind.empty() && !is_scenes && !std::filesystem::is_directory(input))
+      output = with_kind(std::move(output), rows, diagnostics);
     if (!output.kind.empty() && !has_kind_for(output, output.path)) {
-      diagnostics.error({.file = output.path}, "unknown-kind", fmt::format("'{}' is not written as a file like this", output.kind),
+      diagnostics.error({.file = output.path}, "unknown-kind",
+                        fmt::format("'{}' is not written as a file like this", output.kind),
                         "foredraw optimize --help says which files there are");
     }
     outputs.push_back(std::move(output));
@@ -82,7 +85,8 @@ std::vector<Output> outputs_of(const std::vector<std::string>& words, const std:
 
 std::vector<std::filesystem::path> paths_written_for(const Output& output) {
   if (output.row) return paths_of_side_file(*output.row, output.path);
-  return output.kind.empty() ? foredraw::paths_written_for(output.path) : std::vector<std::filesystem::path>{output.path};
+  return output.kind.empty() ? foredraw::paths_written_for(output.path)
+                             : std::vector<std::filesystem::path>{output.path};
 }
 
 }  // namespace foredraw::cli

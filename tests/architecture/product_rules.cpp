@@ -11,19 +11,21 @@ namespace {
 constexpr std::array<std::string_view, 4> handed_rows = {"framework/foredraw/io/", "framework/foredraw/report/",
                                                          "framework/foredraw/pipeline/", "hosts/"};
 
-constexpr std::array<std::string_view, 10> names = {"merge-instances", "merge_instances", "merged-draws", "merged_draws",
-                                                    "MergedDraws",     "MergedInstances", "draw-orders",  "draw_orders",
-                                                    "DrawOrders",      "EXAMPLE_landmarks"};
+constexpr std::array<std::string_view, 10> names = {
+    "merge-instances", "merge_instances", "merged-draws", "merged_draws", "MergedDraws",
+    "MergedInstances", "draw-orders",     "draw_orders",  "DrawOrders",   "EXAMPLE_landmarks"};
 
 bool may_name(const std::string& path, std::string_view name) {
-  return path.starts_with("hosts/embed/") || (path == "framework/foredraw/pipeline/stage_runner.cpp" && name == "DrawOrders");
+  return path.starts_with("hosts/embed/") ||
+         (path == "framework/foredraw/pipeline/stage_runner.cpp" && name == "DrawOrders");
 }
 
 }  // namespace
 
 Breaches product_breaches(const std::string& path, const std::string& text) {
   Breaches breaches;
-  if (std::ranges::none_of(handed_rows, [&](std::string_view folder) { return path.starts_with(folder); })) return breaches;
+  if (std::ranges::none_of(handed_rows, [&](std::string_view folder) { return path.starts_with(folder); }))
+    return breaches;
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {

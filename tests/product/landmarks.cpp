@@ -38,7 +38,8 @@ class LandmarksRow final : public ProductRow {
       };
       const ExtensionValue* draw = one.member("draw");
       Landmarks::OfDraw of;
-      if (draw == nullptr || !draw->whole() || !numbers("vertices", of.vertices) || !numbers("triangles", of.triangles)) {
+      if (draw == nullptr || !draw->whole() || !numbers("vertices", of.vertices) ||
+          !numbers("triangles", of.triangles)) {
         return "a draw of it is no draw";
       }
       of.draw = *draw->whole();
@@ -49,12 +50,13 @@ class LandmarksRow final : public ProductRow {
   }
 
   void write(const Scene& scene, ExtensionWriter& to) const override {
-    to.put_on_file(Members{{"draws", listed(scene.products.find<Landmarks>()->draws, [&](const Landmarks::OfDraw& of) {
-      const auto numbers = [&](const std::vector<std::uint32_t>& values) {
-        return to.accessor(accessor_data(std::span(values), Component::uint32, 1));
-      };
-      return Members{{"draw", of.draw}, {"vertices", numbers(of.vertices)}, {"triangles", numbers(of.triangles)}};
-    })}});
+    to.put_on_file(Members{
+        {"draws", listed(scene.products.find<Landmarks>()->draws, [&](const Landmarks::OfDraw& of) {
+           const auto numbers = [&](const std::vector<std::uint32_t>& values) {
+             return to.accessor(accessor_data(std::span(values), Component::uint32, 1));
+           };
+           return Members{{"draw", of.draw}, {"vertices", numbers(of.vertices)}, {"triangles", numbers(of.triangles)}};
+         })}});
   }
 
   std::string difference(const Scene& scene) const override {
@@ -65,7 +67,8 @@ class LandmarksRow final : public ProductRow {
         if (v >= level.vertices->count) return scene.draws[of.draw].name + " has no vertex " + std::to_string(v);
       }
       for (const std::uint32_t t : of.triangles) {
-        if (t >= level.orders[0].triangle_count()) return scene.draws[of.draw].name + " has no triangle " + std::to_string(t);
+        if (t >= level.orders[0].triangle_count())
+          return scene.draws[of.draw].name + " has no triangle " + std::to_string(t);
       }
     }
     return {};
@@ -75,8 +78,11 @@ class LandmarksRow final : public ProductRow {
     Landmarks landmarks = *after.products.find<Landmarks>();
     for (Landmarks::OfDraw& of : landmarks.draws) {
       const bool is_there = of.draw < before.draws.size() && of.draw < after.draws.size();
-      const auto vertices = is_there ? vertex_moves(before.draws[of.draw].levels[0], after.draws[of.draw].levels[0]) : std::nullopt;
-      const auto triangles = is_there ? triangle_moves(before.draws[of.draw].levels[0].orders[0], after.draws[of.draw].levels[0].orders[0]) : std::nullopt;
+      const auto vertices =
+          is_there ? vertex_moves(before.draws[of.draw].levels[0], after.draws[of.draw].levels[0]) : std::nullopt;
+      const auto triangles =
+          is_there ? triangle_moves(before.draws[of.draw].levels[0].orders[0], after.draws[of.draw].levels[0].orders[0])
+                   : std::nullopt;
       if (!vertices || !triangles) {
         leave_out(after);
         return {"the landmarks are left out: draw " + std::to_string(of.draw) + " was made anew"};
@@ -121,7 +127,8 @@ class MakeLandmarks final : public Processor {
     for (const DrawId id : draws) {
       const Level& level = scene.draws[id].levels[0];
       const auto last = static_cast<std::uint32_t>(level.orders[0].triangle_count() - 1);
-      landmarks.draws.push_back({id, {level.vertices->count / 3, level.vertices->count - (options_.wrong ? 0 : 1)}, {0, last}});
+      landmarks.draws.push_back(
+          {id, {level.vertices->count / 3, level.vertices->count - (options_.wrong ? 0 : 1)}, {0, last}});
     }
     scene.products.set(std::move(landmarks));
     return draws;
@@ -136,7 +143,8 @@ class MakeLandmarks final : public Processor {
 Plugin landmarks_plugin() {
   Plugin plugin;
   plugin.kind = Kind::processor;
-  plugin.card = {.name = "landmarks", .summary = "Remembers places", .reference = "own", .acts_on = {traits::triangles}};
+  plugin.card = {
+      .name = "landmarks", .summary = "Remembers places", .reference = "own", .acts_on = {traits::triangles}};
   plugin.card.lossless = true;
   plugin.products = {std::make_shared<const LandmarksRow>()};
   OptionTable<LandmarksOptions> table;

@@ -1,4 +1,5 @@
-// A product from its making through stages, files, inspection and the command line; no file outside of this folder names it.
+// A product from its making through stages, files, inspection and the command line; no file outside of this folder
+// names it.
 
 #include "landmarks.h"
 #include "support/meshes.h"
@@ -53,7 +54,8 @@ std::vector<glm::vec3> meant(const Scene& scene) {
     const auto positions = decode_vec3(*level.vertices->find("POSITION"));
     for (const std::uint32_t v : of.vertices) places.push_back(positions[v]);
     for (const std::uint32_t t : of.triangles) {
-      for (std::size_t c = 0; c < 3; ++c) places.push_back(positions[level.orders[0].indices.view()[3 * std::size_t{t} + c]]);
+      for (std::size_t c = 0; c < 3; ++c)
+        places.push_back(positions[level.orders[0].indices.view()[3 * std::size_t{t} + c]]);
     }
   }
   return places;
@@ -93,7 +95,8 @@ TEST(Product, ThatIsWrongFailsTheStageThatMadeIt) {
   const Result result = run("landmarks(wrong=true)", doubled());
   EXPECT_TRUE(result.failed);
   EXPECT_FALSE(result.scene.products.has(Landmarks::product));
-  EXPECT_NE(result.report.diagnostics.at(0).message.find("its landmarks differ from the scene: field has no vertex 50"), std::string::npos)
+  EXPECT_NE(result.report.diagnostics.at(0).message.find("its landmarks differ from the scene: field has no vertex 50"),
+            std::string::npos)
       << result.report.diagnostics.at(0).message;
 }
 
@@ -112,7 +115,8 @@ TEST(Product, ComesBackFromAFileAndIsAForeignExtensionToWhoHasNoRow) {
   const auto foreign = read_gltf(files->front().bytes, "foreign", {}, diagnostics);
   ASSERT_TRUE(foreign);
   EXPECT_TRUE(foreign->products.empty());
-  EXPECT_EQ(encode_gltf(*foreign, "out.glb", diagnostics)->front().bytes, files->front().bytes) << "it stays as it came";
+  EXPECT_EQ(encode_gltf(*foreign, "out.glb", diagnostics)->front().bytes, files->front().bytes)
+      << "it stays as it came";
 }
 
 TEST(Product, ThatDoesNotHoldIsLeftOutWhenReadAndWhenWritten) {
@@ -133,7 +137,8 @@ TEST(Product, IsInspectedAndWrittenBesideByItsRow) {
   const Scene scene = run("landmarks", doubled()).scene;
   const ProductRows rows = registry().products();
   Analyses analyses;
-  EXPECT_NE(inspection_text(scene, rows, analyses).find("landmarks (known places):\n  field: 2 vertices\n"), std::string::npos);
+  EXPECT_NE(inspection_text(scene, rows, analyses).find("landmarks (known places):\n  field: 2 vertices\n"),
+            std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(inspection_json(scene, rows, analyses))["products"]["landmarks"][0]["draw"], "field");
   const auto row = *std::ranges::find_if(rows, [](const auto& one) { return one->card().name == "landmarks"; });
   Diagnostics diagnostics;
@@ -147,7 +152,9 @@ class ProductProgram : public testing::InFolder {};
 
 TEST_F(ProductProgram, WritesKindsAndSaysWhichWhereSeveralFit) {
   const std::string model = testing::project_file("benchmarks/corpus/static/spot.glb").string();
-  const auto made = testing::run_program(folder_, "optimize '" + model + "' -o out.glb -o marks.csv -o landmarks:m.json -o remap:r.json -p 'landmarks, tipsify'");
+  const auto made = testing::run_program(
+      folder_,
+      "optimize '" + model + "' -o out.glb -o marks.csv -o landmarks:m.json -o remap:r.json -p 'landmarks, tipsify'");
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_EQ(testing::content(folder_ / "marks.csv"), "draw,vertices\n0,2\n");
   EXPECT_TRUE(std::filesystem::exists(folder_ / "m.json.bin"));

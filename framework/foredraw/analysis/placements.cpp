@@ -20,7 +20,8 @@ struct Placement {
 Placement placement(DrawId draw, std::optional<SkinId> skin, const glm::mat4& world) {
   Placement made{draw, skin.value_or(~SkinId{0}), {}};
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 3; ++row) made.rows[static_cast<std::size_t>(3 * ((column + 1) % 4) + row)] = world[column][row];
+    for (int row = 0; row < 3; ++row)
+      made.rows[static_cast<std::size_t>(3 * ((column + 1) % 4) + row)] = world[column][row];
   }
   return made;
 }
@@ -79,11 +80,14 @@ std::string placement_difference(const Scene& before, const Scene& after) {
   if (same_meshes && std::ranges::equal(before.nodes, after.nodes, is_placed_alike)) return {};
   const std::vector<Placement> was = placements_of(before);
   std::vector<Placement> is = placements_of(after);
-  const auto name_of = [&](DrawId id) { return id < before.draws.size() ? before.draws[id].name : after.draws[id].name; };
+  const auto name_of = [&](DrawId id) {
+    return id < before.draws.size() ? before.draws[id].name : after.draws[id].name;
+  };
   for (std::size_t first = 0; first < std::min(was.size(), is.size());) {
     std::size_t end = first;
     while (end < was.size() && was[end].key() == was[first].key()) ++end;
-    if (end > is.size() || !same_at_a_point(std::span(was).subspan(first, end - first), std::span(is).subspan(first, end - first))) {
+    if (end > is.size() ||
+        !same_at_a_point(std::span(was).subspan(first, end - first), std::span(is).subspan(first, end - first))) {
       return "it shows " + name_of(was[first].draw) + " elsewhere than before";
     }
     first = end;

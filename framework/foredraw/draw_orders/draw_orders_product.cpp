@@ -55,7 +55,9 @@ class DrawOrdersRow final : public ProductRow {
   void write(const Scene& scene, ExtensionWriter& to) const override { write_draw_orders(scene, to); }
 
   bool is_written_alike(const Scene& now, const Scene& was) const override {
-    const auto orders_of = [](const Draw& draw) { return draw.levels[0].orders.size() > 1 ? std::span(draw.levels[0].orders) : std::span<const IndexStream>(); };
+    const auto orders_of = [](const Draw& draw) {
+      return draw.levels[0].orders.size() > 1 ? std::span(draw.levels[0].orders) : std::span<const IndexStream>();
+    };
     return std::ranges::equal(now.draws, was.draws, [&](const Draw& a, const Draw& b) {
       return std::ranges::equal(orders_of(a), orders_of(b), {}, &IndexStream::indices, &IndexStream::indices);
     });
@@ -66,7 +68,8 @@ class DrawOrdersRow final : public ProductRow {
     for (const OrderTable& table : order_tables(scene)) {
       if (const std::string why = why_not(scene, table); !why.empty()) return why;
       for (const OrderTable::Clip& clip : table.clips) {
-        if (std::ranges::find(clips, clip.name) == clips.end()) return "clip '" + clip.name + "' is no animation of the scene";
+        if (std::ranges::find(clips, clip.name) == clips.end())
+          return "clip '" + clip.name + "' is no animation of the scene";
       }
     }
     return {};
@@ -98,22 +101,26 @@ class DrawOrdersRow final : public ProductRow {
   }
 
   ProductText told(const Scene& scene) const override {
-    ProductText text{.heading = "orders (chosen by direction, and by clip and keyframe)", .value = ExtensionValue::List()};
+    ProductText text{.heading = "orders (chosen by direction, and by clip and keyframe)",
+                     .value = ExtensionValue::List()};
     for (const OrderTable& table : order_tables(scene)) {
       const OrderMemory memory = memory_of(scene, table);
       std::vector<std::string> names;
       for (const DrawId id : table.draws) names.push_back(scene.draws[id].name);
-      std::string line = fmt::format("{}: {} x {} directions", fmt::join(names, ", "), table.theta_steps, table.phi_steps);
-      if (!table.clips.empty()) line += fmt::format(", {} keyframes of {} clips", table.keyframes(), table.clips.size());
+      std::string line =
+          fmt::format("{}: {} x {} directions", fmt::join(names, ", "), table.theta_steps, table.phi_steps);
+      if (!table.clips.empty())
+        line += fmt::format(", {} keyframes of {} clips", table.keyframes(), table.clips.size());
       text.lines.push_back(line + "; " + memory_text(memory, table.keyframes()));
       text.value.push(ExtensionValue::Members{
           {"draws", ExtensionValue::List(names.begin(), names.end())},
           {"orders", memory.orders},
           {"theta-steps", table.theta_steps},
           {"phi-steps", table.phi_steps},
-          {"clips", listed(table.clips, [](const OrderTable::Clip& clip) {
-             return ExtensionValue::Members{{"name", clip.name}, {"keyframes", clip.times.size()}};
-           })},
+          {"clips", listed(table.clips,
+                           [](const OrderTable::Clip& clip) {
+                             return ExtensionValue::Members{{"name", clip.name}, {"keyframes", clip.times.size()}};
+                           })},
           {"bytes", memory.bytes},
           {"bytes-for-each-keyframe", memory.bytes_for_each_keyframe}});
     }

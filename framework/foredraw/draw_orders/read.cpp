@@ -73,16 +73,18 @@ class Reader {
     const IndexStream first = streams[0];
     for (const ExtensionValue& one : *list) {
       const auto data = scalars(&one);
-      const bool are_indices = data && (data->format.component == Component::uint8 ||
-                                        data->format.component == Component::uint16 ||
-                                        data->format.component == Component::uint32);
+      const bool are_indices =
+          data && (data->format.component == Component::uint8 || data->format.component == Component::uint16 ||
+                   data->format.component == Component::uint32);
       if (!are_indices) return wrong(draw.name, "names an order that is no accessor of indices");
       if (data->count != first.indices.size()) {
-        return wrong(draw.name, fmt::format("has an order of {} indices, but draws {}", data->count, first.indices.size()));
+        return wrong(draw.name,
+                     fmt::format("has an order of {} indices, but draws {}", data->count, first.indices.size()));
       }
       // Bytes may be named again and again; what is made of them may not fill the memory.
       indices_ += data->count;
-      if (indices_ > most_indices_) return wrong(draw.name, "has orders that claim far more indices than the file holds");
+      if (indices_ > most_indices_)
+        return wrong(draw.name, "has orders that claim far more indices than the file holds");
       const auto same = std::pair(first.indices.stamp(), *one.whole());
       auto known = known_.find(same);
       if (known == known_.end()) {
@@ -116,7 +118,8 @@ class Reader {
       fewest = std::min(fewest, scene_.draws[draw].levels[0].orders.size());
       table.draws.push_back(draw);
     }
-    if (const ExtensionValue* clips = value.member("clips"); clips != nullptr && !all_clips(*clips, table, place)) return false;
+    if (const ExtensionValue* clips = value.member("clips"); clips != nullptr && !all_clips(*clips, table, place))
+      return false;
 
     const auto steps = [&](const char* name) {
       const ExtensionValue* member = value.member(name);

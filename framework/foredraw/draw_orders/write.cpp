@@ -55,7 +55,9 @@ Members value_of(const Scene& scene, DrawId id) {
           {"primitive", places.front().second},
           {"orders", listed(streams, [&](const IndexStream& stream) {
              const auto order = order_between(streams[0].indices.view(), stream.indices.view());
-             if (!order) throw Refusal("other-triangles", "the orders of " + draw.name + " draw different triangles", "order it again");
+             if (!order)
+               throw Refusal("other-triangles", "the orders of " + draw.name + " draw different triangles",
+                             "order it again");
              return ExtensionValue(List(order->begin(), order->end()));
            })}};
 }
@@ -67,24 +69,32 @@ void write_draw_orders(const Scene& scene, ExtensionWriter& to) {
     const auto& orders = scene.draws[id].levels[0].orders;
     if (orders.size() == 1) continue;
     List numbers;
-    for (std::size_t order = 1; order < orders.size(); ++order) numbers.push_back(to.indices(orders[order].indices.view()));
+    for (std::size_t order = 1; order < orders.size(); ++order)
+      numbers.push_back(to.indices(orders[order].indices.view()));
     to.put_on_draw(id, Members{{"orders", std::move(numbers)}});
   }
   const auto tables = order_tables(scene);
   if (tables.empty()) return;
-  to.put_on_file(Members{{"tables", listed(tables, [&](const OrderTable& table) { return value_of(scene, table, to); })}});
+  to.put_on_file(
+      Members{{"tables", listed(tables, [&](const OrderTable& table) { return value_of(scene, table, to); })}});
 }
 
 ExtensionValue draw_orders_value(const Scene& scene) {
-  return Members{{"draw-orders", 1}, {"file", scene.name}, {"tables", listed(order_tables(scene), [&](const OrderTable& table) {
-    return Members{{"clips", listed(table.clips, [](const OrderTable::Clip& clip) {
-                      return Members{{"name", clip.name}, {"times", List(clip.times.begin(), clip.times.end())}};
-                    })},
-                   {"theta-steps", table.theta_steps},
-                   {"phi-steps", table.phi_steps},
-                   {"order", List(table.order.begin(), table.order.end())},
-                   {"draws", listed(table.draws, [&](DrawId id) { return value_of(scene, id); })}};
-  })}};
+  return Members{
+      {"draw-orders", 1},
+      {"file", scene.name},
+      {"tables", listed(order_tables(scene), [&](const OrderTable& table) {
+         return Members{
+             {"clips",
+              listed(table.clips,
+                     [](const OrderTable::Clip& clip) {
+                       return Members{{"name", clip.name}, {"times", List(clip.times.begin(), clip.times.end())}};
+                     })},
+             {"theta-steps", table.theta_steps},
+             {"phi-steps", table.phi_steps},
+             {"order", List(table.order.begin(), table.order.end())},
+             {"draws", listed(table.draws, [&](DrawId id) { return value_of(scene, id); })}};
+       })}};
 }
 
 }  // namespace foredraw

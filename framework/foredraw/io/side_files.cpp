@@ -16,7 +16,9 @@ struct BytesOf {
     const auto bytes = std::as_bytes(std::span(text));
     return {bytes.begin(), bytes.end()};
   }
-  std::vector<std::byte> operator()(const ExtensionValue& value) const { return (*this)(json_text(value, indent) + '\n'); }
+  std::vector<std::byte> operator()(const ExtensionValue& value) const {
+    return (*this)(json_text(value, indent) + '\n');
+  }
 };
 
 }  // namespace
@@ -39,7 +41,8 @@ std::optional<std::vector<OutputFile>> encode_side_file(const Scene& scene, cons
                                                         const std::filesystem::path& path, Diagnostics& diagnostics) {
   const ProductCard card = row.card();
   if (!scene.products.has(card.name)) {
-    diagnostics.error({.file = path.string()}, "nothing-made", "is to hold " + card.title + ", and " + scene.name + " has none",
+    diagnostics.error({.file = path.string()}, "nothing-made",
+                      "is to hold " + card.title + ", and " + scene.name + " has none",
                       "add a stage that makes them; its notes say why it leaves draws alone");
     return std::nullopt;
   }

@@ -13,7 +13,8 @@ std::optional<std::vector<std::uint32_t>> vertex_moves(const Level& before, cons
     std::iota(moves.begin(), moves.end(), 0u);
     return moves;
   }
-  if (is.empty() || (!was.empty() && was.size() != is.size()) || (was.empty() && is.size() != moves.size())) return std::nullopt;
+  if (is.empty() || (!was.empty() && was.size() != is.size()) || (was.empty() && is.size() != moves.size()))
+    return std::nullopt;
   for (std::size_t file = 0; file < is.size(); ++file) {
     const std::uint32_t old = was.empty() ? static_cast<std::uint32_t>(file) : was[file];
     if (old == no_vertex) continue;

@@ -88,7 +88,8 @@ class MergedDrawsRow final : public ProductRow {
                                        merged.draws.size(), fmt::join(words, ", ")));
       text.value.push(ExtensionValue::Members{
           {"material", material},
-          {"draws", listed(merged.meshes, [&](const MergedMesh& mesh) { return ExtensionValue(scene.draws[mesh.draw].name); })},
+          {"draws",
+           listed(merged.meshes, [&](const MergedMesh& mesh) { return ExtensionValue(scene.draws[mesh.draw].name); })},
           {"instances", merged.places.size()},
           {"groups", merged.groups.size()},
           {"calls", merged.draws.size()},

@@ -49,7 +49,9 @@ class Reader {
     return held == nullptr ? nullptr : held->list();
   }
 
-  std::uint32_t number(const ExtensionValue& holder, std::string_view name) { return number(holder.member(name), name); }
+  std::uint32_t number(const ExtensionValue& holder, std::string_view name) {
+    return number(holder.member(name), name);
+  }
   std::uint32_t number(const ExtensionValue* value, std::string_view name) {
     const auto whole = value == nullptr ? std::nullopt : value->whole();
     if (!whole) wrong(fmt::format("must have '{}', a whole number", name));
@@ -148,9 +150,10 @@ class Reader {
 
   void corner(const ExtensionValue& group, std::string_view name, glm::vec3& to) {
     const ExtensionValue::List* values = list(group, name);
-    const bool are_three = values != nullptr && values->size() == 3 && std::ranges::all_of(*values, [](const ExtensionValue& value) {
-      return value.number() && std::abs(*value.number()) <= std::numeric_limits<float>::max();
-    });
+    const bool are_three =
+        values != nullptr && values->size() == 3 && std::ranges::all_of(*values, [](const ExtensionValue& value) {
+          return value.number() && std::abs(*value.number()) <= std::numeric_limits<float>::max();
+        });
     if (!are_three) return wrong(fmt::format("has a group without '{}', three numbers that fit 32-bit floats", name));
     for (int axis = 0; axis < 3; ++axis) {
       to[axis] = static_cast<float>(*(*values)[static_cast<std::size_t>(axis)].number());
@@ -178,9 +181,12 @@ class Reader {
   void check_places(const MergedInstances& set) {
     for (const MergedPlace& place : set.places.view()) {
       const Node* node = place.node < scene_.nodes.size() ? &scene_.nodes[place.node] : nullptr;
-      const bool is_there = node != nullptr && node->mesh && place.primitive < scene_.meshes[*node->mesh].draws.size() &&
+      const bool is_there = node != nullptr && node->mesh &&
+                            place.primitive < scene_.meshes[*node->mesh].draws.size() &&
                             place.instance < std::max<std::size_t>(1, node->instances.size());
-      if (!is_there) return wrong(fmt::format("stands for primitive {} of node {}, which does not exist", place.primitive, place.node));
+      if (!is_there)
+        return wrong(
+            fmt::format("stands for primitive {} of node {}, which does not exist", place.primitive, place.node));
       places_.push_back(place);
     }
   }

@@ -143,7 +143,8 @@ ExtensionValue value_of(const MergedInstances& set, const Scene& scene, Buffers&
 SideFile description(const Scene& scene, const std::string& beside) {
   Buffers buffers;
   ExtensionValue value = Members{{"foredraw", "merge-instances"}, {"version", 1}, {"buffer", beside}};
-  value.put("sets", listed(merged_sets(scene), [&](const MergedInstances& set) { return value_of(set, scene, buffers); }));
+  value.put("sets",
+            listed(merged_sets(scene), [&](const MergedInstances& set) { return value_of(set, scene, buffers); }));
   return {.content = std::move(value), .beside = buffers.take()};
 }
 

@@ -15,7 +15,8 @@ Scene placed() {
     Node node;
     node.mesh = 0;
     node.transform.translation = {i / 2, 0, 0};
-    node.transform.rotation = glm::quat(1, 0, static_cast<float>(i), 0) / glm::length(glm::quat(1, 0, static_cast<float>(i), 0));
+    node.transform.rotation =
+        glm::quat(1, 0, static_cast<float>(i), 0) / glm::length(glm::quat(1, 0, static_cast<float>(i), 0));
     scene.nodes.push_back(node);
   }
   return scene;

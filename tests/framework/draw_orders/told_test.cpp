@@ -11,9 +11,11 @@ namespace foredraw {
 namespace {
 
 TEST(DrawOrdersProduct, TellsWhatTheOrdersTakeBesideOneForEachKeyframe) {
-  Scene scene = testing::scene_of({testing::draw_of(testing::grid(2, 1), "body"), testing::draw_of(testing::grid(1, 1), "rock")});
+  Scene scene =
+      testing::scene_of({testing::draw_of(testing::grid(2, 1), "body"), testing::draw_of(testing::grid(1, 1), "rock")});
   scene.draws[0].levels[0].orders.push_back(scene.draws[0].levels[0].orders[0]);
-  testing::edit<DrawOrders>(scene)->tables = {{{0}, {{"Walk", {0, 1, 2}}, {"Run", {0}}}, 2, 3, std::vector<std::uint8_t>(24, 1)}};
+  testing::edit<DrawOrders>(scene)->tables = {
+      {{0}, {{"Walk", {0, 1, 2}}, {"Run", {0}}}, 2, 3, std::vector<std::uint8_t>(24, 1)}};
   const ProductText told = draw_orders_product()->told(scene);
   ASSERT_EQ(told.lines.size(), 1u);
   EXPECT_EQ(told.lines[0],
@@ -27,7 +29,8 @@ TEST(DrawOrdersProduct, TellsWhatTheOrdersTakeBesideOneForEachKeyframe) {
 }
 
 TEST(DrawOrdersProduct, LeavesOutATableWhoseDrawWasOrderedAnewAndKeepsOneWhoseVerticesMoved) {
-  Scene scene = testing::scene_of({testing::draw_of(testing::grid(2, 1), "body"), testing::draw_of(testing::grid(2, 1), "rock")});
+  Scene scene =
+      testing::scene_of({testing::draw_of(testing::grid(2, 1), "body"), testing::draw_of(testing::grid(2, 1), "rock")});
   for (Draw& draw : scene.draws) draw.levels[0].orders.push_back(draw.levels[0].orders[0]);
   testing::edit<DrawOrders>(scene)->tables = {{{0}, {}, 1, 1, {1}}, {{1}, {}, 1, 1, {1}}};
   const Scene before = scene;

@@ -12,7 +12,8 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 
 Draw moved(const Draw& draw, const Numbers& destination, std::uint32_t count) {
-  const auto streams = std::make_shared<const VertexStreams>(with_vertices_moved(*draw.full().vertices, destination, count));
+  const auto streams =
+      std::make_shared<const VertexStreams>(with_vertices_moved(*draw.full().vertices, destination, count));
   return with_vertices_moved(draw, 0, streams, destination);
 }
 
@@ -35,7 +36,8 @@ TEST(Moves, OfVerticesThatAreGoneSaySo) {
 
 TEST(Moves, AreNotKnownWhereADrawWasMadeAnew) {
   EXPECT_EQ(vertex_moves(four_vertices().full(), testing::draw_of(testing::grid(1, 2)).full()), std::nullopt);
-  EXPECT_EQ(triangle_moves(four_vertices().full().stream(), testing::draw_of(testing::grid(2, 2)).full().stream()), std::nullopt);
+  EXPECT_EQ(triangle_moves(four_vertices().full().stream(), testing::draw_of(testing::grid(2, 2)).full().stream()),
+            std::nullopt);
 }
 
 TEST(Moves, OfTrianglesComposeTheirOrders) {

@@ -1,8 +1,8 @@
 // Products written.
 #include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/rows.h>
-#include <foredraw/io/text/private/extension_json.h>
 #include <foredraw/io/gltf/private/write.h>
+#include <foredraw/io/text/private/extension_json.h>
 
 #include <algorithm>
 #include <map>
@@ -17,8 +17,15 @@ class Writer final : public ExtensionWriter {
   /// `is_same`: the product is as it was read, and something else that it writes is not.
   Writer(const Scene& scene, const std::string& extension, bool is_same, const Document& document, Json& json,
          AccessorStore& store, std::set<std::size_t>& free)
-      : extension_(extension), is_same_(is_same), document_(document), may_move_(document.knows_all_extensions()),
-        json_(json), store_(store), free_(free), origins_(scene.draws.size()), is_put_(scene.draws.size(), false) {
+      : extension_(extension),
+        is_same_(is_same),
+        document_(document),
+        may_move_(document.knows_all_extensions()),
+        json_(json),
+        store_(store),
+        free_(free),
+        origins_(scene.draws.size()),
+        is_put_(scene.draws.size(), false) {
     for (std::uint32_t m = 0; m < scene.meshes.size(); ++m) {
       for (std::uint32_t p = 0; p < scene.meshes[m].draws.size(); ++p) origins_[scene.meshes[m].draws[p]] = {m, p};
     }
@@ -64,7 +71,9 @@ class Writer final : public ExtensionWriter {
   }
 
  private:
-  Json& primitive(DrawId draw) { return json_["meshes"][origins_[draw]->mesh]["primitives"][origins_[draw]->primitive]; }
+  Json& primitive(DrawId draw) {
+    return json_["meshes"][origins_[draw]->mesh]["primitives"][origins_[draw]->primitive];
+  }
 
   /// An accessor with this content: one that holds it, for indices one that is free, or a new one.
   AccessorRef put(const Content& content) {
@@ -157,11 +166,13 @@ void patch_products(const Scene& scene, const Source& source, const ProductRows&
   for (const std::size_t accessor : free) store.release(accessor);
   each_primitive(json, [](Json& primitive) {
     const auto extensions = primitive.find("extensions");
-    if (extensions != primitive.end() && extensions->is_null()) primitive.erase(extensions);  // nobody told of its orders
+    if (extensions != primitive.end() && extensions->is_null())
+      primitive.erase(extensions);  // nobody told of its orders
   });
   scene.products.each([&](const std::string& name) {
     if (std::ranges::any_of(rows, [&](const auto& row) { return row->card().name == name; })) return;
-    diagnostics.warning({.file = scene.name}, "product-left-out", "no row tells how '" + name + "' is written; it is left out",
+    diagnostics.warning({.file = scene.name}, "product-left-out",
+                        "no row tells how '" + name + "' is written; it is left out",
                         "hand the writer the rows of the registry that made it");
   });
 }
