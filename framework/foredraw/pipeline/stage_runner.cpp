@@ -4,6 +4,7 @@
 #include <foredraw/base/random.h>
 #include <foredraw/pipeline/answers.h>
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/pipeline/stage_products.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/scene/order_table.h>
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <new>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -37,7 +37,7 @@ class StageRunner {
   StageRunner(const PlannedStage& stage, std::size_t number, Scene& scene, const Plan& plan,
               const Surroundings& surroundings, StageRecord& record, Diagnostics& diagnostics)
       : stage_(stage), number_(number), scene_(scene), plan_(plan), surroundings_(surroundings), record_(record),
-        diagnostics_(diagnostics) {
+        diagnostics_(diagnostics), products_(plan.products, record) {
     if (surroundings.progress) progress_ = [this](double part) { surroundings_.progress(stage_.label, part); };
     const std::size_t most = most_levels(scene);
     for (DrawId id = 0; id < scene.draws.size(); ++id) choose_levels(id);
@@ -45,11 +45,10 @@ class StageRunner {
   }
 
   std::vector<Measured> run() {
-    const std::optional<Scene> before = scene_.products.empty() ? std::nullopt : std::optional(scene_);
+    const bool may_change = stage_.plugin->kind != Kind::evaluator;
+    const Scene before = may_change && !scene_.products.empty() ? scene_ : Scene();
     std::visit([this](const auto& technique) { run(*technique); }, *stage_.technique);
-    tell_products(before ? before->products : Products());
-    if (before) follow(*before);
-    mark_held_draws(scene_, plan_.products);
+    if (may_change) products_.settle(before, scene_);
     return std::move(measured_);
   }
 
@@ -110,7 +109,7 @@ class StageRunner {
     } else {
       scene_.products.set(DrawOrders{std::move(tables)});
     }
-    made_.insert(std::string(DrawOrders::product));
+    products_.made(DrawOrders::product);
   }
 
   void run(const VertexOrderer& technique) {
@@ -153,7 +152,7 @@ class StageRunner {
         if (const std::string other = placement_difference(scene_, changed); !other.empty()) throw std::runtime_error(other);
       }
       must_be_left(changed);
-      prove_products(changed);
+      products_.prove(scene_, changed);
       outcome.answer = std::move(changed);
     });
     accept(outcomes[0], "", outcomes[0].answer ? *outcomes[0].answer : scene_);
@@ -302,54 +301,11 @@ class StageRunner {
     });
   }
 
-  // --- what is not the technique's to change ------------------------------------------------------------------------
-
   /// Draws that a processor was not given have the same handles afterwards.
   void must_be_left(const Scene& changed) const {
     for (DrawId id = 0; id < std::min(scene_.draws.size(), changed.draws.size()); ++id) {
       if (std::ranges::binary_search(draws_, id) || has_same_handles(scene_.draws[id], changed.draws[id])) continue;
       throw std::runtime_error(fmt::format("it changed {}, which it was not given", scene_.draws[id].name));
-    }
-  }
-
-  /// What a stage made shows what the scene shows.
-  void prove_products(const Scene& changed) {
-    for (const auto& row : plan_.products) {
-      const std::string name = row->card().name;
-      if (!changed.products.has(name) || changed.products.same(name, scene_.products)) continue;
-      const std::string difference = row->difference(changed);
-      if (!difference.empty()) throw std::runtime_error(fmt::format("its {} differ from the scene: {}", row->card().title, difference));
-      made_.insert(name);
-    }
-  }
-
-  /// What the stage made.
-  void tell_products(const Products& before) {
-    for (const auto& row : plan_.products) {
-      const std::string name = row->card().name;
-      if (!scene_.products.has(name) || scene_.products.same(name, before)) continue;
-      for (std::string& line : row->told(scene_).lines) record_.notes.push_back({"", name, std::move(line)});
-    }
-  }
-
-  /// Products that were there before go along with what became of the draws, or are left out. So are those of which nobody
-  /// here knows what a stage makes of them.
-  void follow(const Scene& before) {
-    if (stage_.plugin->kind == Kind::evaluator) return;
-    std::vector<std::string> unknown;
-    scene_.products.each([&](const std::string& name) {
-      if (std::ranges::none_of(plan_.products, [&](const auto& row) { return row->card().name == name; })) unknown.push_back(name);
-    });
-    for (const std::string& name : unknown) {
-      scene_.products.erase(name);
-      record_.notes.push_back({"", "product-left-out", fmt::format("'{}' is left out: no plugin here knows what becomes of it", name)});
-    }
-    for (const auto& row : plan_.products) {
-      const ProductCard card = row->card();
-      if (!before.products.has(card.name) || !scene_.products.has(card.name) || made_.contains(card.name)) continue;
-      for (std::string& why : row->follow(before, scene_)) {
-        record_.notes.push_back({"", card.name + "-left-out", std::move(why)});
-      }
     }
   }
 
@@ -415,7 +371,7 @@ class StageRunner {
   const Surroundings& surroundings_;
   StageRecord& record_;
   Diagnostics& diagnostics_;
-  std::set<std::string> made_;  ///< products that the stage made of what the draws are now
+  StageProducts products_;
   std::vector<DrawLevel> levels_;  ///< that the stage works on
   std::vector<DrawId> draws_;      ///< of which it is so at full detail
   std::vector<Scene> at_level_;    ///< [level]; empty where no draw has several
