@@ -89,6 +89,13 @@ std::string page_of(const Scene& before, const Result& result, const FileJob& jo
   return page({&comparison, 1}, {&shown, 1}, program_name());
 }
 
+Scene without_products(Scene scene, const ProductRows& rows) {
+  for (const auto& row : rows) {
+    if (scene.products.has(row->card().name)) row->leave_out(scene);
+  }
+  return scene;
+}
+
 }  // namespace
 
 FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<Output>& outputs) {
@@ -101,10 +108,9 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     std::vector<std::vector<OutputFile>> scenes;
     std::vector<std::byte> standard;
     const ProductRows rows = job.registry.products();
-    Scene scene = result.scene;
-    for (const auto& row : rows) {
-      if (arguments.products == "none" && scene.products.has(row->card().name)) row->leave_out(scene);
-    }
+    const bool is_bare = arguments.products == "none" && !result.scene.products.empty();
+    const std::optional<Scene> bare = is_bare ? std::optional(without_products(result.scene, rows)) : std::nullopt;
+    const Scene& scene = bare ? *bare : result.scene;
     for (const Output& output : outputs) {
       auto files = output.row             ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
                    : !output.is_scene()   ? std::vector{text_file(output.path, remap_json(result.scene))}

@@ -121,8 +121,8 @@ class ProductRow {
   /// Takes the product, and what of draws belongs to it, out of the scene.
   virtual void leave_out(Scene& scene) const { scene.products.erase(card().name); }
 
-  /// Of a scene that has it. Throws Refusal where it can not be said. `name`: the file's, without folders; `beside`: that
-  /// of the file beside it.
+  /// Of a scene that has it. Throws Refusal where it can not be said. `beside`: what the file beside it is called,
+  /// without folders.
   virtual SideFile side_file(const Scene&, std::string_view extension, const std::string& beside) const;
   virtual ProductText told(const Scene& scene) const = 0;
 };
