@@ -3,7 +3,7 @@
 #include "bench_meshes.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
-#include <foredraw/viewing/drawn_subject.h>
+#include <foredraw/viewing/subject_geometry.h>
 #include <foredraw/overdraw/fragment_layers.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/analysis/vertex_cache.h>
@@ -44,7 +44,7 @@ Figures dot_rule_per_keyframe(Lab& lab, const Scene& patches, int keyframes) {
   CacheCount cache;
   for (const Subject& subject : subjects_of(patches)) {
     for (const Pose& pose : poses.poses) {
-      DrawnSubject drawn = drawn_subject(patches, subject, Faces::front, posed_nodes(patches, pose), analyses);
+      SubjectGeometry drawn = subject_geometry(patches, subject, Faces::front, posed_nodes(patches, pose), analyses);
       std::vector<std::vector<std::uint32_t>> sorted(drawn.parts.size());
       const auto begin = std::chrono::steady_clock::now();
       for (std::size_t part = 0; part < drawn.parts.size(); ++part) {
@@ -80,7 +80,7 @@ Figures least_of_sequence(Lab& lab, const Scene& scene, int keyframes) {
   std::uint64_t shaded = 0, visible = 0;
   for (const Subject& subject : subjects_of(scene)) {
     for (const Pose& pose : poses.poses) {
-      const DrawnSubject drawn = drawn_subject(scene, subject, Faces::front, posed_nodes(scene, pose), analyses);
+      const SubjectGeometry drawn = subject_geometry(scene, subject, Faces::front, posed_nodes(scene, pose), analyses);
       std::vector<std::uint32_t> part_of;
       for (std::uint32_t part = 0; part < drawn.parts.size(); ++part) {
         part_of.resize(part_of.size() + drawn.parts[part].indices.size() / 3, part);

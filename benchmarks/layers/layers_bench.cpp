@@ -6,7 +6,7 @@
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
 #include <foredraw/overdraw/cluster_layers.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 #include <plugins/clusterers/linear_clusters/linear_clusters.h>
 
 #include <fmt/format.h>

@@ -10,7 +10,7 @@
 #include <evaluators/overdraw_raster/overdraw_raster.h>
 #include <foredraw/overdraw/cluster_layers.h>
 #include <foredraw/analysis/vertex_cache.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 #include <foredraw/platform/memory.h>
 #include <plugins/orderers/lookahead/lookahead.h>
 #include <plugins/orderers/occlusion_order/k_orders.h>
@@ -100,7 +100,7 @@ Indices occlusion_ordered(const TestMesh& mesh, const Indices& base, double acmr
                           const Executor& executor) {
   const Views views = make_views({.views = setting.views, .count = setting.count, .rotation = 1, .size = 128});
   const RasterPart part{mesh.positions, base};
-  SeenSubject subject;
+  SubjectLayers subject;
   const Clusters atoms = cut_atoms(base, mesh.positions.size(), 16, atom_size(setting.quality, base.size() / 3));
   static_cast<Layers&>(subject.layers) =
       cluster_layers(fragment_layers({&part, 1}, views, executor).value(), atoms, executor);

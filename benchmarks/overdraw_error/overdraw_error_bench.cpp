@@ -79,7 +79,7 @@ Measurement measured(const Plugin& plugin, const Settings& settings, const Scene
   Measurement result;
   result.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   for (const Measured& figure : findings.measured) {
-    if (figure.metric != "ratio" || figure.place != Place{}) continue;
+    if (figure.metric != "ratio" || figure.about != About{}) continue;
     result.ratio = figure.numerator / *figure.denominator;
     result.claimed = figure.error;
   }

@@ -5,7 +5,7 @@
 #include "bench_meshes.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>

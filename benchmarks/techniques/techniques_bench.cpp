@@ -6,7 +6,7 @@
 #include "ratio_table.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 #include <foredraw/analysis/vertex_cache.h>
 #include <foredraw/base/parallel.h>
 #include <plugins/clusterers/linear_clusters/linear_clusters.h>

@@ -2,7 +2,7 @@
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
 #include <evaluators/vertex_cache/vertex_cache.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 namespace foredraw::bench {
 

@@ -42,7 +42,7 @@ class OverdrawVulkan final : public OverdrawService {
     const PosedNodes at_rest = posed_nodes(scene);
     for (std::size_t s = 0; s < subjects.size(); ++s) {
       if (run.cancelled()) return;
-      const DrawnSubject drawn = drawn_subject(scene, subjects[s], faces(), at_rest, run.analyses);
+      const SubjectGeometry drawn = subject_geometry(scene, subjects[s], faces(), at_rest, run.analyses);
       const std::span<const RasterPart> parts = drawn.parts;
       if (const auto of_parts = vertex_shader_invocations(device(), parts)) {
         for (std::size_t i = 0; i < of_parts->size(); ++i) {

@@ -32,7 +32,7 @@ struct UploadedMasks {
   UploadedParts::Holes append(const Mask& mask) {
     UploadedParts::Holes holes{places.size() * sizeof(glm::vec3), {.cutoff = static_cast<float>(mask.cutoff)}};
     for (std::size_t v = 0; v < mask.alphas.size(); ++v) {
-      places.emplace_back(glm::vec2(mask.image ? mask.places[v] : glm::dvec2(0)), mask.alphas[v]);
+      places.emplace_back(glm::vec2(mask.image ? mask.uv[v] : glm::dvec2(0)), mask.alphas[v]);
     }
     if (!mask.image) return holes;
     const auto [found, is_new] = first_texels.emplace(mask.image.get(), texels.size());

@@ -1,6 +1,6 @@
 #include "sprite_fill.h"
 
-#include <foredraw/image/texture_places.h>
+#include <foredraw/image/texture_uv.h>
 #include <foredraw/technique/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
@@ -37,7 +37,7 @@ class SpriteFillEvaluator final : public DrawEvaluator {
       throw std::runtime_error(fmt::format("it has no {}, with which its material's texture is laid on", semantic));
     }
     const auto kept = levels_of(draw.scene.images[*texture.image], run);
-    const auto triangles = placed_triangles(texture_places(*texcoords, texture), draw.indices());
+    const auto triangles = placed_triangles(texture_uv(*texcoords, texture), draw.indices());
     const Sampling sampling{texture.wrap, texture.is_nearest};
 
     std::vector<SpriteFill> fills(looks_.size());

@@ -218,7 +218,7 @@ TEST(OverdrawRasterPlugin, details_tell_who_causes_the_overdraw) {
   const Findings findings = evaluate(scene, settings);
   ASSERT_EQ(findings.notes.size(), 2u);
   EXPECT_EQ(findings.notes[1].message, "nothing that these shade is hidden, from any view: 1 draw (outer)");
-  EXPECT_EQ(findings.notes[0].place.draw, 0u);
+  EXPECT_EQ(findings.notes[0].about.draw, 0u);
   EXPECT_TRUE(findings.notes[0].message.starts_with(
       "shades 100.0 % of what is hidden in the end; half of it is shaded by 1 of 2 clusters: 1 ("))
       << findings.notes[0].message;

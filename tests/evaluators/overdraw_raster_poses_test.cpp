@@ -45,7 +45,7 @@ Findings evaluate(const Scene& scene, const Settings& settings, int threads = 2)
 
 const Measured& find(const Findings& findings, const std::string& metric, std::optional<DrawId> draw = {}) {
   for (const Measured& measured : findings.measured) {
-    if (measured.metric == metric && measured.place.draw == draw) return measured;
+    if (measured.metric == metric && measured.about.draw == draw) return measured;
   }
   throw std::out_of_range(metric);
 }

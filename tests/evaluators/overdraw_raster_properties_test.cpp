@@ -5,7 +5,7 @@
 #include "support/painter.h"
 
 #include <foredraw/overdraw/fragment_layers.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

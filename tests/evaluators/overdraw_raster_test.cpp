@@ -5,7 +5,7 @@
 #include "support/overdraw.h"
 #include "support/painter.h"
 
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 #include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>

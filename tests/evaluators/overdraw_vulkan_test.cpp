@@ -99,7 +99,7 @@ TEST_F(OverdrawVulkan, holes_show_what_lies_behind) {
     EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
     EXPECT_EQ(counts[1][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
     auto opaque_on_the_left = std::make_shared<Mask>(*parts[0].mask);
-    opaque_on_the_left->places = {{1, 1}, {0, 1}, {1, 0}, {0, 0}};
+    opaque_on_the_left->uv = {{1, 1}, {0, 1}, {1, 0}, {0, 0}};
     parts[1].mask = opaque_on_the_left;  // what the one lets through the other holds
     counts = draw(parts, front, method);
     EXPECT_EQ(counts[0][0], (OverdrawCount{whole / 2, whole / 2, 0, 0}));
@@ -116,7 +116,7 @@ TEST_F(OverdrawVulkan, holes_are_where_the_exact_one_has_them) {
     for (const bool is_nearest : {false, true}) {
       auto mask = std::make_shared<Mask>(Mask{image, {{wrap, Wrap::mirrored}, is_nearest}, {}, {}, 0.4});
       for (const glm::vec3& position : mesh.positions) {
-        mask->places.emplace_back(1.3 * position.x - 0.2, 1.7 * position.y + 0.4);
+        mask->uv.emplace_back(1.3 * position.x - 0.2, 1.7 * position.y + 0.4);
         mask->alphas.push_back(0.9 + 0.1 * position.z);
       }
       RasterPart part = part_of(mesh, false);

@@ -5,7 +5,7 @@
 
 #include <foredraw/viewing/mask.h>
 #include <foredraw/overdraw/overdraw_count.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 #include <foredraw/base/random.h>
 #include <foredraw/technique/plugin.h>
 
@@ -51,7 +51,7 @@ inline std::shared_ptr<const Mask> half_a_hole() {
   auto mask = std::make_shared<Mask>();
   mask->image = std::make_shared<const AlphaImage>(AlphaImage{2, 1, {0, 65535}});
   mask->sampling.is_nearest = true;
-  mask->places = {{0, 1}, {1, 1}, {0, 0}, {1, 0}};
+  mask->uv = {{0, 1}, {1, 1}, {0, 0}, {1, 0}};
   mask->alphas.assign(4, 1);
   return mask;
 }
@@ -81,7 +81,7 @@ inline Findings evaluate(const Plugin& plugin, const Scene& scene, const Setting
 /// The figure of a draw, or of the scene; null where there is none.
 inline const Measured* find(const Findings& findings, const std::string& metric, std::optional<DrawId> draw) {
   for (const Measured& measured : findings.measured) {
-    if (measured.metric == metric && measured.place.draw == draw) return &measured;
+    if (measured.metric == metric && measured.about.draw == draw) return &measured;
   }
   return nullptr;
 }

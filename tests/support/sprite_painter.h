@@ -2,7 +2,7 @@
 // Sprites painted the plain way, pixel by pixel: a second opinion on what fills and what shows.
 
 #include <foredraw/image/alpha_image.h>
-#include <foredraw/image/texture_places.h>
+#include <foredraw/image/texture_uv.h>
 #include <foredraw/scene/scene.h>
 
 #include <array>
@@ -118,7 +118,7 @@ inline SpritePicture painted(const Scene& scene, const Draw& draw, std::span<con
   const Texture& texture = *material->base_colour;
   const VertexStream* texcoords = draw.levels[0].vertices->find("TEXCOORD_" + std::to_string(texture.texcoord));
   if (texcoords == nullptr) throw std::runtime_error(draw.name + " has no texture coordinates");
-  return painted(texture_places(*texcoords, texture), draw.levels[0].orders[0].indices.view(), levels, texture.wrap,
+  return painted(texture_uv(*texcoords, texture), draw.levels[0].orders[0].indices.view(), levels, texture.wrap,
                  stand);
 }
 

@@ -151,14 +151,14 @@ std::uint32_t wrapped(std::int64_t texel, std::uint32_t count, Wrap wrap) {
   return static_cast<std::uint32_t>(std::min(there_and_back, 2 * edge - 1 - there_and_back));
 }
 
-double alpha_at(const AlphaImage& image, const Sampling& sampling, const glm::dvec2& place) {
+double alpha_at(const AlphaImage& image, const Sampling& sampling, const glm::dvec2& uv) {
   const auto texel = [&](std::int64_t x, std::int64_t y) {
     return std::int64_t{image.at(wrapped(x, image.width, sampling.wrap[0]), wrapped(y, image.height, sampling.wrap[1]))};
   };
   constexpr std::int64_t steps = steps_per_texel;
   constexpr double most = 65535;
-  std::int64_t x = in_steps(place.x, image.width);
-  std::int64_t y = in_steps(place.y, image.height);
+  std::int64_t x = in_steps(uv.x, image.width);
+  std::int64_t y = in_steps(uv.y, image.height);
   if (sampling.is_nearest) return static_cast<double>(texel(x >> 8, y >> 8)) / most;
   x -= steps / 2;
   y -= steps / 2;

@@ -55,6 +55,6 @@ struct Sampling {
 
 /// The alpha at a place, 0 to 1; (0, 0) is the image's upper left corner, (1, 1) the lower right one. Of the nearest
 /// texel, or of four blended by the place between their centres, which is rounded to 1/256 texel.
-double alpha_at(const AlphaImage& image, const Sampling& sampling, const glm::dvec2& place);
+double alpha_at(const AlphaImage& image, const Sampling& sampling, const glm::dvec2& uv);
 
 }  // namespace foredraw

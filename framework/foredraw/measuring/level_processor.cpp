@@ -48,7 +48,7 @@ class LevelProcessor final : public Processor {
               .poses = run.poses,
               .overdraw = run.overdraw,
               .seed = run.seed + i,
-              .place = {.subject = static_cast<std::uint32_t>(i)},
+              .about = {.subject = static_cast<std::uint32_t>(i)},
               .cancel = run.cancel};
       made[i] = maker_->levels({scene, subjects[i], chosen[i]}, own);
       if (own.keeps()) made[i].clear();
@@ -101,25 +101,25 @@ class LevelProcessor final : public Processor {
     const auto of_full = positions_of(run.analyses, *full.vertices);
     for (std::size_t i = 0; i < levels.size(); ++i) {
       MadeLevel& level = levels[i];
-      const Place place{.draw = id, .level = i + 1};
+      const About about{.draw = id, .level = i + 1};
       const auto of_level = positions_of(run.analyses, *level.vertices);
       const auto found =
           surface_distance({of_full->values, full.stream().indices.view()}, {of_level->values, level.indices.view()},
                            {static_cast<std::size_t>(options_.samples), run.seed + i}, run.executor);
       require(found.has_value(), "one of its levels of " + scene.draws[id].name + " has no triangle that is finite");
-      run.count_at(place, "error.largest", found->largest);
-      run.measure_at(place, "error.rms", found->rms, 1, found->rms_error);
+      run.count_at(about, "error.largest", found->largest);
+      run.measure_at(about, "error.rms", found->rms, 1, found->rms_error);
       // Positions are floats, so a distance is known to some parts in ten millions.
       constexpr double slack = 1e-6, errors = 3;
       const bool is_farther = found->largest > level.largest * (1 + slack) + slack * extent(of_full->values);
       const bool is_rougher = level.rms && found->rms - errors * found->rms_error > *level.rms * (1 + slack);
       if (is_farther) {
-        run.note_at(place, "error-claim",
+        run.note_at(about, "error-claim",
                     fmt::format("it is said to lie {:.4g} from full detail at most, and lies {:.4g} away",
                                 level.largest, found->largest));
       }
       if (is_rougher) {
-        run.note_at(place, "error-claim",
+        run.note_at(about, "error-claim",
                     fmt::format("its rms distance is said to be {:.4g}, and is {:.4g} ± {:.2g}", *level.rms, found->rms,
                                 found->rms_error));
       }

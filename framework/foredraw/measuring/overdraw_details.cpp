@@ -22,7 +22,7 @@ using Hidden = std::vector<std::vector<double>>;
 double sum_of(std::span<const double> counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
 /// Shares out what a subject's triangles hide to the draws that they are of.
-void add_hidden(Hidden& hidden, const Subject& subject, const DrawnSubject& drawn,
+void add_hidden(Hidden& hidden, const Subject& subject, const SubjectGeometry& drawn,
                 std::span<const std::uint64_t> of_triangles, double weight) {
   for (std::size_t part = 0; part < drawn.parts.size(); ++part) {
     const std::size_t triangles = drawn.parts[part].indices.size() / 3;
@@ -65,7 +65,7 @@ std::string listed_draws(const std::vector<std::string>& names) {
                      shown < names.size() ? ", ..." : "");
 }
 
-void tell_overdraw_details(const PosedSubjects& subjects, const OverdrawService& service, const Views& views,
+void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawService& service, const Views& views,
                            Run& run) {
   if (!service.can_capture()) {
     return run.note("no-details",
@@ -80,7 +80,7 @@ void tell_overdraw_details(const PosedSubjects& subjects, const OverdrawService&
     for (std::size_t i = 0; i < subjects.subjects.size(); ++i) {
       if (!subjects.is_new(i, pose)) continue;
       const Subject& subject = subjects.subjects[i];
-      DrawnSubject drawn = drawn_subject(scene, subject, service.faces(), nodes, run.analyses);
+      SubjectGeometry drawn = subject_geometry(scene, subject, service.faces(), nodes, run.analyses);
       if (!subjects.moves(i) && overdraw_bound(drawn.parts, least_overdraw)) convex.push_back(subject.name);
       const Pose& moment = subjects.poses.poses[pose];
       for (const ViewsOfOrders& some : views_by_orders(scene, subject, moment, views.views)) {

@@ -32,7 +32,7 @@ class OverdrawEvaluation {
       : service_(service), options_(options), samples_{views} {}
 
   void evaluate(const Scene& scene, Run& run) {
-    PosedSubjects subjects{scene, subjects_of(scene), make_poses(scene, options_), {}};
+    SubjectsInPoses subjects{scene, subjects_of(scene), make_poses(scene, options_), {}};
     subjects.distinct = distinct_poses(scene, subjects.subjects, subjects.poses, run.executor);
     const OverdrawTallies tallies =
         options_.error ? counted_to(*options_.error, subjects, run) : counted(subjects, run);
@@ -51,7 +51,7 @@ class OverdrawEvaluation {
   };
 
   /// Poses in parallel, few enough at a time that little is held, and merged in their sequence.
-  OverdrawTallies counted(const PosedSubjects& subjects, Run& run) const {
+  OverdrawTallies counted(const SubjectsInPoses& subjects, Run& run) const {
     constexpr std::size_t at_a_time = 8;
     OverdrawTallies tallies(subjects, samples_.views.views.size());
     const std::size_t poses = subjects.poses.poses.size();
@@ -78,13 +78,13 @@ class OverdrawEvaluation {
 
   /// Each subject that looks new in the pose.
   template <class Done>
-  std::vector<Counted> counted_in(const PosedSubjects& subjects, std::size_t pose, Run& run, Done one_is_done) const {
+  std::vector<Counted> counted_in(const SubjectsInPoses& subjects, std::size_t pose, Run& run, Done one_is_done) const {
     const PosedNodes nodes = posed_nodes(subjects.scene, subjects.poses.poses[pose]);
     std::vector<Counted> counted(subjects.subjects.size());
     run.executor.for_each(counted.size(), [&](std::size_t i) {
       if (run.cancelled()) throw std::runtime_error("cancelled");
       if (subjects.is_new(i, pose)) {
-        DrawnSubject drawn = drawn_subject(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
+        SubjectGeometry drawn = subject_geometry(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
         counted[i].counts = drawn_in_orders(drawn, subjects, i, pose, run);
         for (const RasterPart& part : drawn.parts) counted[i].non_finite += count_non_finite_triangles(part);
       }
@@ -94,7 +94,7 @@ class OverdrawEvaluation {
   }
 
   /// From each view in the orders that the subject's tables give there.
-  OverdrawCounts drawn_in_orders(DrawnSubject& drawn, const PosedSubjects& subjects, std::size_t i, std::size_t pose,
+  OverdrawCounts drawn_in_orders(SubjectGeometry& drawn, const SubjectsInPoses& subjects, std::size_t i, std::size_t pose,
                                  Run& run) const {
     const Views& views = samples_.views;
     const auto by_orders =
@@ -112,7 +112,7 @@ class OverdrawEvaluation {
   }
 
   /// Looks from ever more sides until the error is as wanted.
-  OverdrawTallies counted_to(double wanted, const PosedSubjects& subjects, Run& run) {
+  OverdrawTallies counted_to(double wanted, const SubjectsInPoses& subjects, Run& run) {
     constexpr std::size_t first = 12;
     constexpr std::size_t most = 4096;
     std::size_t most_triangles = 0;
@@ -149,7 +149,7 @@ class OverdrawEvaluation {
     return overdraw_ratio(summed_by_sample(views, samples_.views_in_sample), samples_.views.views);
   }
 
-  void measure(const PosedSubjects& subjects, const OverdrawTallies& tallies, const Run& run) const {
+  void measure(const SubjectsInPoses& subjects, const OverdrawTallies& tallies, const Run& run) const {
     for (DrawId draw = 0; draw < tallies.draws.size(); ++draw) {
       std::vector<OverdrawTally> in_subjects;
       for (const auto& [subject, tally] : tallies.draws[draw]) in_subjects.push_back(tally);
@@ -173,7 +173,7 @@ class OverdrawEvaluation {
   }
 
   /// A place is its part in each of some subjects.
-  void measure_at(Place place, std::span<const OverdrawTally> tallies, const Run& run) const {
+  void measure_at(About about, std::span<const OverdrawTally> tallies, const Run& run) const {
     double hidden = 0;
     double ties = 0;
     double discarded = 0;
@@ -189,22 +189,22 @@ class OverdrawEvaluation {
     const Estimate ratio = ratio_of(sums_by_view(tallies, samples_.views.views.size()));
     if (ratio.numerator + ties + discarded == 0) return;  // never seen
     const Estimate mean = overdraw_view_mean(pictures, samples_.views.views);
-    run.measure_at(place, "ratio", ratio.numerator, ratio.denominator, ratio.error);
-    run.measure_at(place, "view-mean", mean.numerator, mean.denominator, mean.error);
+    run.measure_at(about, "ratio", ratio.numerator, ratio.denominator, ratio.error);
+    run.measure_at(about, "view-mean", mean.numerator, mean.denominator, mean.error);
     if (worst.visible > 0) {
-      run.measure_at(place, "worst-view", static_cast<double>(worst.shaded), static_cast<double>(worst.visible));
+      run.measure_at(about, "worst-view", static_cast<double>(worst.shaded), static_cast<double>(worst.visible));
     }
-    run.count_at(place, "hidden", hidden);
-    run.count_at(place, "ties", ties);
-    if (place == Place() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
+    run.count_at(about, "hidden", hidden);
+    run.count_at(about, "ties", ties);
+    if (about == About() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
       run.note("close", fmt::format("surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
                                     "ties per pixel, more than its error; who rounds depths otherwise finds another one",
                                     ties / ratio.denominator));
     }
-    if (discarded > 0) run.count_at(place, "discarded", discarded);
+    if (discarded > 0) run.count_at(about, "discarded", discarded);
   }
 
-  void tell_of_poses(const PosedSubjects& subjects, const OverdrawTallies& tallies, const Run& run) const {
+  void tell_of_poses(const SubjectsInPoses& subjects, const OverdrawTallies& tallies, const Run& run) const {
     if (const auto why = why_at_rest(subjects.scene, options_)) run.note("at-rest", "drawn at rest: " + *why);
     const std::vector<Pose>& poses = subjects.poses.poses;
     if (poses.size() == 1) return;

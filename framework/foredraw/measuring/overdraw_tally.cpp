@@ -23,13 +23,13 @@ void OverdrawTally::add(std::span<const OverdrawCount> pictures, double weight) 
   }
 }
 
-OverdrawTallies::OverdrawTallies(const PosedSubjects& looked, std::size_t views)
+OverdrawTallies::OverdrawTallies(const SubjectsInPoses& looked, std::size_t views)
     : draws(looked.scene.draws.size()), subjects(looked.subjects.size()), non_finite(looked.subjects.size()) {
   const std::size_t count = looked.poses.poses.size();
   poses.assign(count, std::vector<ViewTally>(count <= most_told_poses ? views : 1));
 }
 
-void OverdrawTallies::add(const PosedSubjects& looked, std::size_t subject, std::size_t pose,
+void OverdrawTallies::add(const SubjectsInPoses& looked, std::size_t subject, std::size_t pose,
                           const OverdrawCounts& counts, std::span<const View> views) {
   const double weight = looked.distinct[subject].weights[pose];
   std::map<DrawId, std::vector<OverdrawCount>> of_draws;

@@ -2,7 +2,7 @@
 // Sums over the pictures of an evaluation: by draw, by subject, by pose.
 
 #include <foredraw/overdraw/overdraw_figures.h>
-#include <foredraw/measuring/posed_subjects.h>
+#include <foredraw/measuring/subjects_in_poses.h>
 
 #include <map>
 
@@ -31,10 +31,10 @@ struct OverdrawTallies {
   /// Views weigh in already.
   std::vector<std::vector<ViewTally>> poses;
 
-  OverdrawTallies(const PosedSubjects& subjects, std::size_t views);
+  OverdrawTallies(const SubjectsInPoses& subjects, std::size_t views);
 
   /// What a subject counts in a pose that is new to it: [part][view].
-  void add(const PosedSubjects& subjects, std::size_t subject, std::size_t pose, const OverdrawCounts& counts,
+  void add(const SubjectsInPoses& subjects, std::size_t subject, std::size_t pose, const OverdrawCounts& counts,
            std::span<const View> views);
 };
 

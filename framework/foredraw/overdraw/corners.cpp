@@ -43,7 +43,7 @@ void project(const PreparedPart& part, const Camera& camera, Corners& corners) {
     const auto depth = rounded(hn::Mul(hn::Sub(hn::Set(d, 1), near), hn::Set(d, depth_steps)), 2 * depth_steps - 1);
     const auto place = hn::Or(hn::PromoteTo(words, hn::BitCast(halves, x)),
                               hn::ShiftLeft<32>(hn::PromoteTo(words, hn::BitCast(halves, y))));
-    hn::StoreU(place, words, &corners.places[first]);
+    hn::StoreU(place, words, &corners.points[first]);
     hn::StoreU(hn::BitCast(halves, depth), halves, &corners.depths[first]);
   }
 }
@@ -57,7 +57,7 @@ namespace foredraw {
 HWY_EXPORT(project);
 
 void project(const PreparedPart& part, const Camera& camera, Corners& corners) {
-  corners.places.resize(part.vertex_count());
+  corners.points.resize(part.vertex_count());
   corners.depths.resize(part.vertex_count());
   HWY_DYNAMIC_DISPATCH(project)(part, camera, corners);
 }

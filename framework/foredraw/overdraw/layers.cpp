@@ -11,12 +11,12 @@ namespace {
 
 /// How many fragments of the lists pass. Without a branch on what is compared: orders have no pattern.
 template <class Owner, class Length>
-std::uint64_t count_passing(const Owner* list, std::uint32_t lists, Length length, const std::uint32_t* turns) {
+std::uint64_t count_passing(const Owner* list, std::uint32_t lists, Length length, const std::uint32_t* inverse) {
   std::uint64_t passing = lists;  // nothing is nearer than the first of each
   for (std::uint32_t i = 0; i < lists; ++i, list += length) {
-    std::uint32_t earliest = turns[list[0]];
+    std::uint32_t earliest = inverse[list[0]];
     for (std::uint32_t layer = 1; layer < length; ++layer) {
-      const std::uint32_t turn = turns[list[layer]];
+      const std::uint32_t turn = inverse[list[layer]];
       passing += turn <= earliest ? 1 : 0;
       earliest = std::min(earliest, turn);
     }
@@ -26,19 +26,19 @@ std::uint64_t count_passing(const Owner* list, std::uint32_t lists, Length lengt
 
 /// Lengths that are common are known to the compiler, so that their loops have no end to guess.
 template <class Owner, std::uint32_t length = 2>
-std::uint64_t count_passing(const Owner* list, const LayerBatch& batch, const std::uint32_t* turns) {
+std::uint64_t count_passing(const Owner* list, const LayerBatch& batch, const std::uint32_t* inverse) {
   constexpr std::uint32_t longest = 8;
   if (batch.length == length) {
-    return count_passing(list, batch.lists, std::integral_constant<std::uint32_t, length>(), turns);
+    return count_passing(list, batch.lists, std::integral_constant<std::uint32_t, length>(), inverse);
   }
-  if constexpr (length < longest) return count_passing<Owner, length + 1>(list, batch, turns);
-  return count_passing(list, batch.lists, batch.length, turns);
+  if constexpr (length < longest) return count_passing<Owner, length + 1>(list, batch, inverse);
+  return count_passing(list, batch.lists, batch.length, inverse);
 }
 
 /// Of equally near owners the first one drawn alone passes, and only where nothing nearer was drawn; the others that
 /// come before all that is nearer are ties. Without a branch here too.
 template <class Owner>
-OverdrawCount count_with_ties(std::span<const Owner> list, std::span<const std::uint32_t> turns) {
+OverdrawCount count_with_ties(std::span<const Owner> list, std::span<const std::uint32_t> inverse) {
   OverdrawCount count;
   std::uint32_t earliest = ~std::uint32_t{0};
   std::uint32_t nearer = earliest;  // earliest without those as near as the owner
@@ -47,7 +47,7 @@ OverdrawCount count_with_ties(std::span<const Owner> list, std::span<const std::
     const bool is_tied = owner >= tie_bit<Owner>;
     nearer = is_tied ? nearer : earliest;
     has_passed = is_tied ? has_passed : 0;
-    const std::uint32_t turn = turns[owner & static_cast<Owner>(~tie_bit<Owner>)];
+    const std::uint32_t turn = inverse[owner & static_cast<Owner>(~tie_bit<Owner>)];
     const std::uint32_t is_unhindered = turn <= nearer ? 1 : 0;
     count.shaded += is_unhindered & ~has_passed;
     count.ties += is_unhindered & has_passed;
@@ -57,15 +57,15 @@ OverdrawCount count_with_ties(std::span<const Owner> list, std::span<const std::
   return count;
 }
 
-OverdrawCount count_in_turns(const ViewLayers& view, std::span<const std::uint32_t> turns) {
+OverdrawCount count_in_turns(const ViewLayers& view, std::span<const std::uint32_t> inverse) {
   OverdrawCount sum = view.always;
   for_each_batch(view, [&]<class Owner>(const LayerBatch& batch, const Owner* list) {
     if (!batch.has_ties) {
-      sum.shaded += batch.weight * count_passing(list, batch, turns.data());
+      sum.shaded += batch.weight * count_passing(list, batch, inverse.data());
       return;
     }
     for (std::uint32_t i = 0; i < batch.lists; ++i, list += batch.length) {
-      const OverdrawCount count = count_with_ties(std::span(list, batch.length), turns);
+      const OverdrawCount count = count_with_ties(std::span(list, batch.length), inverse);
       sum.shaded += batch.weight * count.shaded;
       sum.ties += batch.weight * count.ties;
     }
@@ -75,23 +75,23 @@ OverdrawCount count_in_turns(const ViewLayers& view, std::span<const std::uint32
 
 }  // namespace
 
-std::vector<std::uint32_t> turns_of(std::span<const std::uint32_t> order, std::size_t owners) {
+std::vector<std::uint32_t> inverse_of(std::span<const std::uint32_t> order, std::size_t owners) {
   constexpr std::uint32_t none = ~std::uint32_t{0};
   if (order.size() != owners) {
     throw std::invalid_argument("count_overdraw: the order has " + std::to_string(order.size()) +
                                 " entries, the layers were made of " + std::to_string(owners) +
                                 "; judge orders of these alone");
   }
-  std::vector<std::uint32_t> turns(owners, none);
-  for (std::uint32_t place = 0; place < order.size(); ++place) {
-    if (order[place] >= owners || turns[order[place]] != none) {
+  std::vector<std::uint32_t> inverse(owners, none);
+  for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
+    if (order[rank] >= owners || inverse[order[rank]] != none) {
       throw std::invalid_argument(
-          "count_overdraw: order[" + std::to_string(place) + "] = " + std::to_string(order[place]) +
+          "count_overdraw: order[" + std::to_string(rank) + "] = " + std::to_string(order[rank]) +
           " is out of range or comes twice; an order names " + "each of 0 to " + std::to_string(owners) + " - 1 once");
     }
-    turns[order[place]] = place;
+    inverse[order[rank]] = rank;
   }
-  return turns;
+  return inverse;
 }
 
 std::size_t bytes_of(const ViewLayers& view) {
@@ -106,9 +106,9 @@ std::size_t Layers::bytes() const {
 }
 
 std::vector<OverdrawCount> count_overdraw_by_view(const Layers& layers, std::span<const std::uint32_t> order) {
-  const std::vector<std::uint32_t> turns = turns_of(order, layers.owners);
+  const std::vector<std::uint32_t> inverse = inverse_of(order, layers.owners);
   std::vector<OverdrawCount> counts;
-  for (const ViewLayers& view : layers.views) counts.push_back(count_in_turns(view, turns));
+  for (const ViewLayers& view : layers.views) counts.push_back(count_in_turns(view, inverse));
   return counts;
 }
 

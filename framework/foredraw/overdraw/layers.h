@@ -55,15 +55,15 @@ void for_each_batch(const ViewLayers& view, Visit visit) {
   std::visit(visit_all, view.owners);
 }
 
-/// What drawing the owners in this order counts, of all views: order[place] = owner. The same as drawing them counts,
+/// What drawing the owners in this order counts, of all views: order[rank] = owner. The same as drawing them counts,
 /// at any order. std::invalid_argument where the order is no permutation. O(owners + what the layers hold).
 OverdrawCount count_overdraw(const Layers& layers, std::span<const std::uint32_t> order);
 
 /// The same, [view].
 std::vector<OverdrawCount> count_overdraw_by_view(const Layers& layers, std::span<const std::uint32_t> order);
 
-/// order[place] = owner turned round: [owner] = place. std::invalid_argument where it is no permutation of so many.
-std::vector<std::uint32_t> turns_of(std::span<const std::uint32_t> order, std::size_t owners);
+/// The inverse of an order, order[rank] = owner: [owner] = rank. std::invalid_argument where it is no permutation of so many.
+std::vector<std::uint32_t> inverse_of(std::span<const std::uint32_t> order, std::size_t owners);
 
 /// No order shades less or more. Every pixel reaches its least and its most, but seldom all of them in one order.
 struct ShadedBounds {

@@ -31,7 +31,7 @@ using Places = IntVector;  // x, y, x, y...
 static_assert(PreparedPart::padding % most_lanes == 0);
 
 HWY_INLINE Places places_of(const std::uint32_t* vertices, const Corners& corners) {
-  return hn::BitCast(Ints(), gathered(hn::RebindToUnsigned<Longs>(), vertices, corners.places.data()));
+  return hn::BitCast(Ints(), gathered(hn::RebindToUnsigned<Longs>(), vertices, corners.points.data()));
 }
 
 /// The odd ones are negative where a triangle is unseen.

@@ -32,7 +32,7 @@ void for_each_passing(std::span<const Owner> list, std::span<const std::uint32_t
 }  // namespace
 
 OverdrawDetails overdraw_details(const FragmentLayers& layers, std::span<const std::uint32_t> order) {
-  const std::vector<std::uint32_t> turns = turns_of(order, layers.owners);
+  const std::vector<std::uint32_t> turns = inverse_of(order, layers.owners);
   OverdrawDetails details{std::vector<std::uint64_t>(layers.owners), std::vector<std::uint64_t>(2)};
   for (const ViewLayers& view : layers.views) {
     details.pixels_by_times[1] += view.always.shaded;

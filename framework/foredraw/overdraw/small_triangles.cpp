@@ -180,8 +180,8 @@ HWY_INLINE void fetch(const Corners& corners, const std::vector<std::uint32_t>& 
   const auto vertex = hn::BitCast(d, hn::GatherIndex(Words(), vertices.data(), triangles));
   alignas(64) std::uint32_t at[most_lanes];
   store_words(vertex, at);
-  const auto lower = hn::BitCast(d, gathered(longs, at, corners.places.data()));
-  const auto upper = hn::BitCast(d, gathered(longs, at + hn::Lanes(longs), corners.places.data()));
+  const auto lower = hn::BitCast(d, gathered(longs, at, corners.points.data()));
+  const auto upper = hn::BitCast(d, gathered(longs, at + hn::Lanes(longs), corners.points.data()));
   x = hn::ConcatEven(d, upper, lower);
   y = hn::ConcatOdd(d, upper, lower);
   depth = hn::BitCast(d, hn::GatherIndex(Words(), corners.depths.data(), vertex));

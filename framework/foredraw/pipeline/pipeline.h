@@ -3,7 +3,7 @@
 // whether it can run; plan() does.
 
 #include <foredraw/viewing/pose_set.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/technique/options.h>
 

@@ -129,7 +129,7 @@ class Planner {
       refuse_where_required(planned, *planned.left_out);
       return;
     }
-    if (planned.places() == "scene" && !planned.stage.only.empty() && planned.plugin->kind == Kind::evaluator) {
+    if (planned.loops_over() == "scene" && !planned.stage.only.empty() && planned.plugin->kind == Kind::evaluator) {
       error(planned.stage.where, "bad-option", fmt::format("'{}' measures the scene as a whole; it takes no 'only'", card.name));
     }
     if (planned.stage.level > 0 && planned.plugin->kind != Kind::evaluator) {
@@ -143,7 +143,7 @@ class Planner {
       }
     }
     if (planned.plugin->kind != Kind::evaluator) follow(planned);
-    if (planned.draws.empty() && !planned.skips.empty() && planned.places() != "images") {
+    if (planned.draws.empty() && !planned.skips.empty()) {
       refuse_where_required(planned, planned.skips.front().reason);
     }
   }
@@ -236,7 +236,7 @@ class Planner {
 
 }  // namespace
 
-std::string_view PlannedStage::places() const {
+std::string_view PlannedStage::loops_over() const {
   return std::visit([](const auto& shape) { return shape->works_on; }, *technique);
 }
 

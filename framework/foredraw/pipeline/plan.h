@@ -29,7 +29,7 @@ struct PlannedStage {
   std::optional<std::string> left_out;   ///< the whole stage does nothing, and why
 
   /// What it loops over: "draws", "subjects", "vertex streams", "scene".
-  std::string_view places() const;
+  std::string_view loops_over() const;
 };
 
 /// May run any number of times, and at once. It refers to the registry's plugins: the registry outlives it.

@@ -32,11 +32,7 @@ std::string stage_text(const PlannedStage& stage, const Scene& scene) {
   const Card& card = stage.plugin->card;
   std::string text = "  " + print_stage(stage.stage) + ": ";
   if (stage.left_out) return text + "skipped, " + *stage.left_out + '\n';
-  if (stage.places() == "images") {
-    text += fmt::format("{} images", scene.images.size());
-  } else {
-    text += fmt::format("{} of {} draws", stage.draws.size(), scene.draws.size());
-  }
+  text += fmt::format("{} of {} draws", stage.draws.size(), scene.draws.size());
   if (!card.pays_if.empty()) text += "; where it pays: " + card.pays_if;
   text += '\n';
   for (const Reason& reason : reasons(stage, scene)) {
@@ -48,7 +44,7 @@ std::string stage_text(const PlannedStage& stage, const Scene& scene) {
 }
 
 Json stage_json(const PlannedStage& stage, const Scene& scene) {
-  Json json{{"use", stage.label}, {"text", print_stage(stage.stage)}, {"places", stage.places()}};
+  Json json{{"use", stage.label}, {"text", print_stage(stage.stage)}, {"places", stage.loops_over()}};
   json["draws"] = Json::array();
   for (DrawId id : stage.draws) json["draws"].push_back(scene.draws[id].name);
   json["skipped"] = Json::array();

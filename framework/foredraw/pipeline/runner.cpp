@@ -48,7 +48,7 @@ class PlanRunner {
     report.optimized = with_stages;
     describe_input();
     count_steps();
-    if (with_stages) measure(&DrawRecord::before, &ImageRecord::before, report.before, "measuring the input: ");
+    if (with_stages) measure(&DrawRecord::before, report.before, "measuring the input: ");
     report.seconds += clock.seconds();
   }
 
@@ -63,7 +63,7 @@ class PlanRunner {
     Report& report = result_.report;
     for (std::size_t i = first; i < end; ++i) {
       report.stages.push_back(run_one(plan_->stages[i], i + 1, "", [&](const Measured& measured) {
-        book(measured, plan_->stages[i], &DrawRecord::after, &ImageRecord::after, report.after);
+        book(measured, plan_->stages[i], &DrawRecord::after, report.after);
       }));
     }
     report.seconds += clock.seconds();
@@ -78,7 +78,7 @@ class PlanRunner {
     report.seed = plan_->pipeline.seed;
     describe_output();
     report.measures.clear();
-    measure(&DrawRecord::after, &ImageRecord::after, report.after,
+    measure(&DrawRecord::after, report.after,
             report.optimized ? "measuring the output: " : "measuring: ");
     report.diagnostics = diagnostics_.all();
     result_.failed = diagnostics_.has_errors();
@@ -89,7 +89,6 @@ class PlanRunner {
 
  private:
   using DrawState = StateRecord LevelRecord::*;
-  using ImageState = Metrics ImageRecord::*;
 
   void count_steps() {
     steps_ = result_.report.optimized ? plan_->stages.size() + 2 * plan_->measures.size() : plan_->measures.size();
@@ -112,7 +111,6 @@ class PlanRunner {
       }
     });
     for (const DrawRecord& record : report.draws) add_counts(report.before, record.before);
-    for (const Image& image : scene.images) report.images.push_back({image.name, {}, {}});
   }
 
   void describe_output() {
@@ -131,8 +129,6 @@ class PlanRunner {
         if (level == 0) add_counts(report.after, state);
       }
     }
-    report.images.resize(result_.scene.images.size());
-    for (std::size_t i = 0; i < report.images.size(); ++i) report.images[i].name = result_.scene.images[i].name;
   }
 
   static StateRecord state_of(const Draw& draw, const Level& level) {
@@ -147,12 +143,12 @@ class PlanRunner {
     total.vertices += state.vertices;
   }
 
-  void measure(DrawState draw_state, ImageState image_state, StateRecord& total, std::string_view what) {
+  void measure(DrawState draw_state, StateRecord& total, std::string_view what) {
     for (std::size_t i = 0; i < plan_->measures.size(); ++i) {
       const PlannedStage& stage = plan_->measures[i];
       StageRecord record =
           run_one(stage, plan_->stages.size() + i + 1, what, [&](const Measured& measured) {
-            book(measured, stage, draw_state, image_state, total);
+            book(measured, stage, draw_state, total);
           });
       result_.report.measures.push_back(std::move(record));
       result_.report.evaluator_options[stage.label] = whole_settings(stage);
@@ -172,7 +168,7 @@ class PlanRunner {
     record.use = stage.label;
     record.text = print_stage(stage.stage);
     record.kind = stage.plugin->kind;
-    record.places = stage.places();
+    record.loops_over = stage.loops_over();
     const std::optional<MemoryWatch> memory = watch_memory();
     const Clock clock;
     if (stage.left_out) {
@@ -184,7 +180,7 @@ class PlanRunner {
                                 diagnostics_);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
       std::stable_partition(measured.begin(), measured.end(),
-                            [](const Measured& figure) { return figure.place != Place{}; });
+                            [](const Measured& figure) { return figure.about != About{}; });
       for (const Measured& figure : measured) book(figure);
     }
     record.seconds = clock.seconds();
@@ -199,22 +195,17 @@ class PlanRunner {
     return MemoryWatch();
   }
 
-  void book(const Measured& measured, const PlannedStage& stage, DrawState draw_state, ImageState image_state,
-            StateRecord& total) {
+  void book(const Measured& measured, const PlannedStage& stage, DrawState draw_state, StateRecord& total) {
     Report& report = result_.report;
     const Figure figure = figure_of(measured, stage.plugin->card);
-    // A stage may have added draws or images.
+    // A stage may have added draws.
     report.draws.resize(std::max(report.draws.size(), result_.scene.draws.size()));
-    report.images.resize(std::max(report.images.size(), result_.scene.images.size()));
-    if (measured.place.draw && *measured.place.draw < report.draws.size()) {
-      (report.draws[*measured.place.draw].level(measured.place.level).*draw_state).metrics.add(stage.label, measured.metric, figure);
+    if (measured.about.draw && *measured.about.draw < report.draws.size()) {
+      (report.draws[*measured.about.draw].level(measured.about.level).*draw_state).metrics.add(stage.label, measured.metric, figure);
     }
-    if (measured.place.image && *measured.place.image < report.images.size()) {
-      (report.images[*measured.place.image].*image_state).add(stage.label, measured.metric, figure);
-    }
-    if (measured.place == Place{}) {
+    if (measured.about == About{}) {
       total.metrics.set(stage.label, measured.metric, figure);
-    } else if (measured.place.level == 0) {
+    } else if (measured.about.level == 0) {
       total.metrics.add(stage.label, measured.metric, figure);
     }
   }

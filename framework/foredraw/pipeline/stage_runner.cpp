@@ -89,7 +89,7 @@ class StageRunner {
     const std::vector<Subject> subjects = subjects_of(scene_);
     const std::vector<SubjectLevel> parts = levels_of(subjects);
     auto outcomes = over<OrderedSubject>(
-        parts.size(), [&](std::size_t i) { return Place{.subject = parts[i].subject, .level = parts[i].level}; },
+        parts.size(), [&](std::size_t i) { return About{.subject = parts[i].subject, .level = parts[i].level}; },
         [&](std::size_t i, Run& run, Outcome<OrderedSubject>& outcome) {
           const SubjectView view{scene_at(parts[i].level), subjects[parts[i].subject], parts[i].draws};
           if (view.draws.empty()) return run.keep("none of its draws may be ordered anew");
@@ -120,7 +120,7 @@ class StageRunner {
     }
     using Users = std::vector<std::pair<VertexGroup::User, Draw>>;
     auto outcomes = over<Users>(
-        groups.size(), [&](std::size_t i) { return place_of(groups[i].users.front()); },
+        groups.size(), [&](std::size_t i) { return about_of(groups[i].users.front()); },
         [&](std::size_t i, Run& run, Outcome<Users>& outcome) {
           const VertexUse use{*groups[i].vertices, index_streams_of(scene_, groups[i])};
           const VertexOrder order = technique.order(use, run);
@@ -141,7 +141,7 @@ class StageRunner {
 
   void run(const Processor& technique) {
     std::vector<DrawId> worked_on;
-    auto outcomes = over<Scene>(1, [](std::size_t) { return Place{}; },
+    auto outcomes = over<Scene>(1, [](std::size_t) { return About{}; },
                                 [&](std::size_t, Run& run, Outcome<Scene>& outcome) {
       Scene changed = scene_;
       worked_on = technique.process(changed, draws_, run);
@@ -166,7 +166,7 @@ class StageRunner {
   }
 
   void run(const Evaluator& technique) {
-    auto outcomes = over<Measurement>(1, [](std::size_t) { return Place{}; },
+    auto outcomes = over<Measurement>(1, [](std::size_t) { return About{}; },
                                       [&](std::size_t, Run& run, Outcome<Measurement>& outcome) {
       technique.evaluate(scene_, run);
       outcome.answer.emplace();
@@ -184,8 +184,8 @@ class StageRunner {
 
   // --- the loop that they share -------------------------------------------------------------------------------------
 
-  template <class Answer, class PlaceOf, class Task>
-  std::vector<Outcome<Answer>> over(std::size_t count, PlaceOf place_of, Task task) {
+  template <class Answer, class AboutOf, class Task>
+  std::vector<Outcome<Answer>> over(std::size_t count, AboutOf about_of, Task task) {
     record_.candidates = count;
     std::vector<Outcome<Answer>> outcomes(count);
     surroundings_.executor.for_each(count, [&](std::size_t i) {
@@ -196,8 +196,8 @@ class StageRunner {
               .views = plan_.views,
               .poses = plan_.poses,
               .overdraw = stage_.plugin->card.uses_overdraw ? plan_.overdraw.get() : nullptr,
-              .seed = seed_of(place_of(i)),
-              .place = place_of(i),
+              .seed = seed_of(about_of(i)),
+              .about = about_of(i),
               .cancel = surroundings_.cancel,
               .progress = count == 1 ? progress_ : nullptr};
       try {
@@ -215,16 +215,16 @@ class StageRunner {
   }
 
   /// Not of the number among those that are worked on, so that a draw's seed does not hang on what else is skipped.
-  std::uint64_t seed_of(const Place& place) const {
-    const std::uint64_t id = place.draw.value_or(place.image.value_or(place.subject.value_or(0)));
-    return derive_seed(static_cast<std::uint64_t>(plan_.pipeline.seed), number_, id + (std::uint64_t{place.level} << 32));
+  std::uint64_t seed_of(const About& about) const {
+    const std::uint64_t id = about.draw.value_or(about.subject.value_or(0));
+    return derive_seed(static_cast<std::uint64_t>(plan_.pipeline.seed), number_, id + (std::uint64_t{about.level} << 32));
   }
 
   template <class Answer, class Task>
   std::vector<Outcome<Answer>> over_draws(Task task) {
-    if (levels_.size() > draws_.size()) record_.places = "levels of draws";
+    if (levels_.size() > draws_.size()) record_.loops_over = "levels of draws";
     return over<Answer>(
-        levels_.size(), [&](std::size_t i) { return place_of(levels_[i]); },
+        levels_.size(), [&](std::size_t i) { return about_of(levels_[i]); },
         [&](std::size_t i, Run& run, Outcome<Answer>& outcome) {
           task(DrawView{scene_at(levels_[i].level), levels_[i].draw}, run, outcome);
         });
@@ -240,12 +240,12 @@ class StageRunner {
   template <class Answer>
   void accept(Outcome<Answer>& outcome, const std::string& place, const Scene& changed) {
     for (Measured& measured : outcome.findings.measured) measured_.push_back(std::move(measured));
-    const auto name_at = [&](const Place& at) {
+    const auto name_at = [&](const About& at) {
       const Scene& scene = *at.draw < scene_.draws.size() ? scene_ : changed;
       return *at.draw < scene.draws.size() ? foredraw::name_of(scene.draws[*at.draw], at.level) : "";
     };
     for (Note& note : outcome.findings.notes) {
-      const std::string where = note.place.draw ? name_at(note.place) : note.place == Place{} ? "" : place;
+      const std::string where = note.about.draw ? name_at(note.about) : note.about == About{} ? "" : place;
       record_.notes.push_back({where, std::move(note.code), std::move(note.message)});
     }
     if (outcome.answer) {
@@ -270,7 +270,7 @@ class StageRunner {
 
   void add_skip(const std::string& code, const std::string& reason, const std::string& place) {
     for (SkipRecord& skip : record_.skipped) {
-      if (skip.code == code && skip.reason == reason) return skip.places.push_back(place);
+      if (skip.code == code && skip.reason == reason) return skip.about.push_back(place);
     }
     record_.skipped.push_back({code, reason, {place}});
   }
@@ -326,7 +326,7 @@ class StageRunner {
 
   const Scene& scene_at(std::size_t level) const { return at_level_.empty() ? scene_ : at_level_[level]; }
   std::string name_of(const DrawLevel& at) const { return foredraw::name_of(scene_.draws[at.draw], at.level); }
-  static Place place_of(const DrawLevel& at) { return {.draw = at.draw, .level = at.level}; }
+  static About about_of(const DrawLevel& at) { return {.draw = at.draw, .level = at.level}; }
 
   struct SubjectLevel {
     std::uint32_t subject = 0;

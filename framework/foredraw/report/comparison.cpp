@@ -20,7 +20,7 @@ void add(std::vector<StageRecord>& sums, const std::vector<StageRecord>& stages)
     sum.use = stages[i].use;
     sum.text = stages[i].text;
     sum.kind = stages[i].kind;
-    sum.places = stages[i].places;
+    sum.loops_over = stages[i].loops_over;
     sum.seconds += stages[i].seconds;
     sum.changed += stages[i].changed;
     sum.candidates += stages[i].candidates;

@@ -52,21 +52,15 @@ struct DrawRecord : LevelRecord {  ///< of full detail
   }
 };
 
-struct ImageRecord {
-  std::string name;
-  Metrics before;
-  Metrics after;
-};
-
-/// Why a stage left something alone: one reason for all the places that share it.
+/// Why a stage left something alone: one reason for all that share it.
 struct SkipRecord {
   std::string code;
   std::string reason;
-  std::vector<std::string> places;  ///< names of draws or subjects; none: the whole stage
+  std::vector<std::string> about;   ///< names of draws or subjects; none: the whole stage
 };
 
 struct NoteRecord {
-  std::string place;  ///< the draw's or image's name; empty: the scene
+  std::string about;  ///< the draw's or subject's name; empty: the scene
   std::string code;
   std::string message;
 };
@@ -78,9 +72,9 @@ struct StageRecord {
   double seconds = 0;          ///< the median, where it ran several times
   std::vector<double> rounds;  ///< seconds of each time, where it ran several times
   std::optional<std::uint64_t> memory;  ///< bytes that the process held more while it ran, at most, than before
-  std::size_t changed = 0;     ///< places that it worked on with success
-  std::size_t candidates = 0;  ///< places there were
-  std::string places;          ///< what these are: "draws", "vertex streams"
+  std::size_t changed = 0;     ///< of what it loops over: it worked on these with success
+  std::size_t candidates = 0;  ///< so many there were
+  std::string loops_over;      ///< what it loops over: "draws", "vertex streams"
   std::vector<SkipRecord> skipped;
   std::vector<NoteRecord> notes;
 };
@@ -98,7 +92,6 @@ struct Report {
   std::vector<StageRecord> measures;
   std::map<std::string, std::map<std::string, OptionValue>> evaluator_options;  ///< whole, defaults included
   std::vector<DrawRecord> draws;
-  std::vector<ImageRecord> images;
   StateRecord before;  ///< totals
   StateRecord after;
   std::vector<Diagnostic> diagnostics;

@@ -105,29 +105,17 @@ void write(JsonWriter& out, const DrawRecord& draw, bool optimized) {
   out.end('}');
 }
 
-void write(JsonWriter& out, const ImageRecord& image, bool optimized) {
-  out.begin('{');
-  out.key("name").value(image.name);
-  write(out.key("metrics"), image.after);
-  if (optimized) {
-    out.key("before").begin('{');
-    write(out.key("metrics"), image.before);
-    out.end('}');
-  }
-  out.end('}');
-}
-
 Json to_json(const StageRecord& stage) {
   Json skipped = Json::array();
   for (const SkipRecord& skip : stage.skipped) {
-    skipped.push_back({{"code", skip.code}, {"reason", skip.reason}, {"places", skip.places}});
+    skipped.push_back({{"code", skip.code}, {"reason", skip.reason}, {"places", skip.about}});
   }
   Json notes = Json::array();
   for (const NoteRecord& note : stage.notes) {
-    notes.push_back({{"place", note.place}, {"code", note.code}, {"message", note.message}});
+    notes.push_back({{"place", note.about}, {"code", note.code}, {"message", note.message}});
   }
   Json json{{"use", stage.use},         {"text", stage.text},       {"kind", to_text(stage.kind)},
-            {"seconds", stage.seconds}, {"places", stage.places},   {"changed", stage.changed},
+            {"seconds", stage.seconds}, {"places", stage.loops_over},   {"changed", stage.changed},
             {"candidates", stage.candidates}, {"skipped", skipped}, {"notes", notes}};
   if (!stage.rounds.empty()) json["rounds"] = stage.rounds;
   if (stage.memory) json["memory"] = *stage.memory;
@@ -178,9 +166,6 @@ void write_json(const Report& report, const std::function<void(std::string_view)
   out.key("evaluators").tree(evaluators);
   out.key("draws").begin('[');
   for (const DrawRecord& draw : report.draws) write(out, draw, report.optimized);
-  out.end(']');
-  out.key("images").begin('[');
-  for (const ImageRecord& image : report.images) write(out, image, report.optimized);
   out.end(']');
   out.key("stages").tree(to_json(report.stages));
   out.key("measures").tree(to_json(report.measures));

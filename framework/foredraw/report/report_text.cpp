@@ -114,7 +114,7 @@ std::string places_text(const std::vector<std::string>& places) {
 }
 
 std::string skip_text(const StageRecord& stage, const SkipRecord& skip) {
-  const std::string places = places_text(skip.places);
+  const std::string places = places_text(skip.about);
   return fmt::format("  {} left {} alone: {}\n", stage.use, places.empty() ? "all" : places, skip.reason);
 }
 
@@ -135,7 +135,7 @@ std::string skips_text(const StageRecord& stage) {
 std::string stage_text(const StageRecord& stage) {
   std::string text = skips_text(stage);
   for (const NoteRecord& note : stage.notes) {
-    text += fmt::format("  {}{}{}: {}\n", stage.use, note.place.empty() ? "" : " on ", printable(note.place), printable(note.message));
+    text += fmt::format("  {}{}{}: {}\n", stage.use, note.about.empty() ? "" : " on ", printable(note.about), printable(note.message));
   }
   return text;
 }
@@ -144,8 +144,8 @@ std::string stages_text(const Report& report) {
   if (report.stages.empty()) return "";
   Table table({"stage", "changed", "time"});
   for (const StageRecord& stage : report.stages) {
-    const std::string changed = stage.places == "scene" ? (stage.changed > 0 ? "the scene" : "nothing")
-                                                        : fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.places);
+    const std::string changed = stage.loops_over == "scene" ? (stage.changed > 0 ? "the scene" : "nothing")
+                                                        : fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over);
     table.add({stage.text, changed, time_text(stage.seconds)});
   }
   std::string text = '\n' + table.text();

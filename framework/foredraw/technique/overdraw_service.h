@@ -2,7 +2,7 @@
 // Measured overdraw for techniques that want it, whoever answers: a plugin says uses_overdraw on its card and asks
 // run.overdraw; the pipeline's [services] says which evaluator that is.
 
-#include <foredraw/viewing/drawn_subject.h>
+#include <foredraw/viewing/subject_geometry.h>
 #include <foredraw/overdraw/fragment_layers.h>
 #include <foredraw/overdraw/overdraw_count.h>
 #include <foredraw/scene/views.h>
@@ -39,7 +39,7 @@ class OverdrawService {
   /// out.
   OverdrawCounts count(const Scene& scene, const Subject& subject, const Views& views, Run& run) const {
     const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene) : PosedNodes();
-    return draw(drawn_subject(scene, subject, faces_, nodes, run.analyses).parts, views, run);
+    return draw(subject_geometry(scene, subject, faces_, nodes, run.analyses).parts, views, run);
   }
 
  private:

@@ -4,7 +4,6 @@
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/draw.h>
-#include <foredraw/scene/image.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/views.h>
 
@@ -19,30 +18,29 @@ namespace foredraw {
 
 class OverdrawService;
 
-/// What a figure or a note is about: a draw, an image, a subject (by its number among subjects_of(scene)), or, with none of
-/// them, the scene. A figure of the scene stands in place of the sum over its parts.
-struct Place {
+/// What a figure or a note is about: a draw, a subject (by its number among subjects_of(scene)), or, with neither, the
+/// scene. A figure of the scene stands in place of the sum over its parts.
+struct About {
   std::optional<DrawId> draw;
-  std::optional<ImageId> image;
   std::optional<std::uint32_t> subject;
   std::size_t level = 0;  ///< of a draw or subject; figures of coarser levels are in no sum
-  friend bool operator==(const Place&, const Place&) = default;
+  friend bool operator==(const About&, const About&) = default;
 };
 
-/// A measured figure: numerator / denominator, and over several places sum / sum. A count has no denominator: over several
-/// places it is the sum.
+/// A measured figure: numerator / denominator, and over several of these sum / sum. A count has no denominator: over
+/// several it is the sum.
 struct Measured {
   std::string metric;  ///< as on the card: "acmr", or under a group: "models.fifo-32.acmr"
   double numerator = 0;
   std::optional<double> denominator;
   double error = 0;  ///< of the figure: one standard deviation; 0: exact
-  Place place;
+  About about;
 };
 
 struct Note {
   std::string code;
   std::string message;
-  Place place;
+  About about;
 };
 
 /// What one call of a technique found out. Each call has its own, so nothing needs a lock and the order never depends on
@@ -60,23 +58,23 @@ struct Run {
   const Views& views;                          ///< what orders are optimised for: the pipeline's [views]
   const Poses& poses = rest_pose;              ///< and in which poses: the pipeline's [poses]
   const OverdrawService* overdraw = nullptr;   ///< who answers for measured overdraw, where the card asks for it
-  std::uint64_t seed = 0;                      ///< from the pipeline's seed, the stage and the place
-  Place place;                                 ///< what figures and notes are about unless they say otherwise
+  std::uint64_t seed = 0;                      ///< from the pipeline's seed, the stage and what it is about
+  About about;                                 ///< what figures and notes are about unless they say otherwise
   const std::atomic<bool>* cancel = nullptr;
   std::function<void(double)> progress = {};   ///< may be empty; the part done, 0 to 1; from any thread
 
   void measure(std::string metric, double numerator, double denominator, double error = 0) const {
-    measure_at(place, std::move(metric), numerator, denominator, error);
+    measure_at(about, std::move(metric), numerator, denominator, error);
   }
-  void measure_at(Place where, std::string metric, double numerator, double denominator, double error = 0) const {
+  void measure_at(About where, std::string metric, double numerator, double denominator, double error = 0) const {
     findings.measured.push_back({std::move(metric), numerator, denominator, error, where});
   }
-  void count(std::string metric, double number) const { count_at(place, std::move(metric), number); }
-  void count_at(Place where, std::string metric, double number) const {
+  void count(std::string metric, double number) const { count_at(about, std::move(metric), number); }
+  void count_at(About where, std::string metric, double number) const {
     findings.measured.push_back({std::move(metric), number, std::nullopt, 0, where});
   }
-  void note(std::string code, std::string message) const { note_at(place, std::move(code), std::move(message)); }
-  void note_at(Place where, std::string code, std::string message) const {
+  void note(std::string code, std::string message) const { note_at(about, std::move(code), std::move(message)); }
+  void note_at(About where, std::string code, std::string message) const {
     findings.notes.push_back({std::move(code), std::move(message), where});
   }
   /// Says that nothing can be gained here, and why, with the figure: what there is stays, whatever the technique answers,

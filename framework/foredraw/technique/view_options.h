@@ -1,5 +1,5 @@
 #pragma once
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 #include <foredraw/technique/options.h>
 
 #include <concepts>

@@ -1,6 +1,6 @@
 #include <foredraw/viewing/draw_mask.h>
 
-#include <foredraw/image/texture_places.h>
+#include <foredraw/image/texture_uv.h>
 
 #include <algorithm>
 
@@ -37,7 +37,7 @@ std::variant<std::shared_ptr<const Mask>, std::string> mask_of(Analyses& analyse
     if (std::string* why = std::get_if<std::string>(&decoded)) return std::move(*why);
     mask->image = std::move(std::get<std::shared_ptr<const AlphaImage>>(decoded));
     mask->sampling = {texture->wrap, texture->is_nearest};
-    mask->places = texture_places(*texcoords, *texture);
+    mask->uv = texture_uv(*texcoords, *texture);
   }
   const auto is_full = [](std::uint16_t alpha) { return alpha == 65535; };
   const bool has_holes = (mask->image && !std::ranges::all_of(mask->image->alpha, is_full)) ||

@@ -67,7 +67,7 @@ Views chosen(const Views& views, std::span<const std::size_t> numbers) {
   return some;
 }
 
-void set_orders(DrawnSubject& drawn, const Scene& scene, const Subject& subject,
+void set_orders(SubjectGeometry& drawn, const Scene& scene, const Subject& subject,
                 std::span<const std::uint32_t> orders) {
   for (std::size_t part = 0; part < drawn.parts.size(); ++part) {
     if (drawn.parts[part].indices.empty()) continue;  // not drawn

@@ -35,15 +35,15 @@ bool MaskedTriangle::is_there(std::int32_t x, std::int32_t y) const {
   const double sum = shares[0] + shares[1] + shares[2];
   // From the first corner on, so that where all are alike the point is too.
   const std::uint32_t first = vertices_[0];
-  glm::dvec2 place = mask_.image ? mask_.places[first] : glm::dvec2(0);
+  glm::dvec2 uv = mask_.image ? mask_.uv[first] : glm::dvec2(0);
   double alpha = mask_.alphas[first];
   for (std::size_t i = 1; i < 3; ++i) {
     const double share = shares[i] / sum;
-    if (mask_.image) place += share * (mask_.places[vertices_[i]] - mask_.places[first]);
+    if (mask_.image) uv += share * (mask_.uv[vertices_[i]] - mask_.uv[first]);
     alpha += share * (mask_.alphas[vertices_[i]] - mask_.alphas[first]);
   }
   // Of the texels themselves, no smaller version of them.
-  const double texture = mask_.image ? alpha_at(*mask_.image, mask_.sampling, place) : 1;
+  const double texture = mask_.image ? alpha_at(*mask_.image, mask_.sampling, uv) : 1;
   return alpha * texture >= mask_.cutoff;
 }
 

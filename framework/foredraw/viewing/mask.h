@@ -17,7 +17,7 @@ namespace foredraw {
 struct Mask {
   std::shared_ptr<const AlphaImage> image;  ///< none: 1 everywhere
   Sampling sampling;
-  std::vector<glm::dvec2> places;  ///< [vertex] in the image, (0, 0) upper left, (1, 1) lower right
+  std::vector<glm::dvec2> uv;  ///< [vertex] in the image, (0, 0) upper left, (1, 1) lower right
   std::vector<double> alphas;      ///< [vertex]
   double cutoff = 0.5;
 };

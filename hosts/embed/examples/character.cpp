@@ -61,7 +61,7 @@ struct character {
   std::vector<std::string> clips = clip_names(scene);
   foredraw::OrderLookup lookup = {table, clips};
   foredraw::Analyses analyses = {};
-  foredraw::DrawnSubject drawn = {};
+  foredraw::SubjectGeometry drawn = {};
 };
 
 character* character_load(const char* path) {
@@ -88,7 +88,7 @@ int character_pose(character* hero, uint32_t clip, float time) {
       if (known == hero->clips.end()) throw std::runtime_error("the scene has no clip that its table names");
       pose = {static_cast<foredraw::AnimationId>(known - hero->clips.begin()), time};
     }
-    hero->drawn = drawn_subject(hero->scene, hero->subject, foredraw::Faces::material, posed_nodes(hero->scene, pose),
+    hero->drawn = subject_geometry(hero->scene, hero->subject, foredraw::Faces::material, posed_nodes(hero->scene, pose),
                                 hero->analyses);
     return 1;
   });

@@ -10,27 +10,27 @@ namespace foredraw {
 
 namespace {
 
-using Order = std::vector<std::vector<std::uint32_t>>;  // [draw][place] = patch
+using Order = std::vector<std::vector<std::uint32_t>>;  // [draw][rank] = patch
 
-/// Nodes by the buffers that serve them.
+/// Looks by the buffers that serve them.
 struct Clustering {
   std::vector<Order> orders;
-  std::vector<std::uint8_t> serving;  // [node]
-  std::vector<OverdrawCount> counts;  // [node]
-  std::vector<double> alone;          // [buffer] its cost if it served all nodes
+  std::vector<std::uint8_t> serving;  // [look]
+  std::vector<OverdrawCount> counts;  // [look]
+  std::vector<double> alone;          // [buffer] its cost if it served all looks
   double cost = std::numeric_limits<double>::infinity();
 };
 
 class KMeans {
  public:
-  KMeans(const SeenSubject& subject, const PatchPlaces& places, const AnimatedKMeansOptions& options,
+  KMeans(const SubjectLayers& subject, const PatchDistances& distances, const AnimatedKMeansOptions& options,
          const Executor& executor)
       : subject_(subject),
-        places_(places),
+        patch_distances_(distances),
         options_(options),
         executor_(executor),
-        nodes_(subject.layers.views.size()),
-        k_(std::min(static_cast<std::size_t>(options.k), nodes_)) {}
+        looks_(subject.layers.views.size()),
+        k_(std::min(static_cast<std::size_t>(options.k), looks_)) {}
 
   Clustering run() const {
     Clustering best;
@@ -51,36 +51,36 @@ class KMeans {
   }
 
  private:
-  /// Bootstrapping: k random nodes, each with the patches front to back.
+  /// Bootstrapping: k random looks, each with the patches front to back.
   std::vector<Order> bootstrapped(int start) const {
     Random random(derive_seed(options_.seed, static_cast<std::uint64_t>(start), 0));
-    std::vector<std::size_t> nodes(nodes_);
-    std::iota(nodes.begin(), nodes.end(), std::size_t{0});
+    std::vector<std::size_t> looks(looks_);
+    std::iota(looks.begin(), looks.end(), std::size_t{0});
     std::vector<Order> orders;
     for (std::size_t j = 0; j < k_; ++j) {
-      std::swap(nodes[j], nodes[j + random.below(nodes_ - j)]);
+      std::swap(looks[j], looks[j + random.below(looks_ - j)]);
       std::vector<IntegratedDistance> distances;
       for (std::size_t patch = 0; patch < subject_.owners.size(); ++patch) {
-        distances.push_back({places_.distance(nodes[j], patch), 1});
+        distances.push_back({patch_distances_.distance(looks[j], patch), 1});
       }
       orders.push_back(sorted(distances));
     }
     return orders;
   }
 
-  /// Step 1, node assignment: to the buffer that draws the node with least overdraw.
+  /// Step 1, look assignment: to the buffer that draws the look with least overdraw.
   Clustering assigned(std::vector<Order> orders) const {
     std::vector<std::vector<OverdrawCount>> counts(orders.size());
     executor_.for_each(orders.size(), [&](std::size_t j) { counts[j] = counts_of(subject_, orders[j]); });
     Clustering result;
     for (const auto& of_buffer : counts) result.alone.push_back(cost_of(of_buffer));
-    for (std::size_t node = 0; node < nodes_; ++node) {
+    for (std::size_t look = 0; look < looks_; ++look) {
       std::size_t best = 0;
       for (std::size_t j = 1; j < counts.size(); ++j) {
-        if (counts[j][node].shaded < counts[best][node].shaded) best = j;
+        if (counts[j][look].shaded < counts[best][look].shaded) best = j;
       }
       result.serving.push_back(static_cast<std::uint8_t>(best));
-      result.counts.push_back(counts[best][node]);
+      result.counts.push_back(counts[best][look]);
     }
     result.cost = cost_of(result.counts);
     result.orders = std::move(orders);
@@ -93,33 +93,33 @@ class KMeans {
     return options_.metric == OverdrawMetric::ratio ? tally.shaded : tally.ratios;
   }
 
-  /// Step 2, index buffer computation: patches by the distance integrated over the nodes that see them.
+  /// Step 2, index buffer computation: patches by the distance integrated over the looks that see them.
   std::vector<Order> computed(std::span<const std::uint8_t> serving) const {
     std::vector<Order> orders(k_);
     executor_.for_each(k_, [&](std::size_t j) {
       std::vector<IntegratedDistance> distances(subject_.owners.size());
-      for (std::size_t node = 0; node < nodes_; ++node) {
-        if (serving[node] == j) places_.integrate(node, subject_.weights[node], distances);
+      for (std::size_t look = 0; look < looks_; ++look) {
+        if (serving[look] == j) patch_distances_.integrate(look, subject_.weights[look], distances);
       }
       orders[j] = sorted(distances);
     });
     return orders;
   }
 
-  /// Buffers that serve nothing get the nodes that are served worst.
+  /// Buffers that serve nothing get the looks that are served worst.
   std::vector<std::uint8_t> with_none_empty(const Clustering& clustering) const {
     std::vector<std::uint8_t> serving = clustering.serving;
     std::vector<std::size_t> served(k_, 0);
     for (const std::uint8_t j : serving) ++served[j];
     std::vector<OverdrawCount> counts = clustering.counts;
-    const auto overdrawn = [&](std::size_t node) {
-      return subject_.weights[node] * static_cast<double>(counts[node].shaded - counts[node].visible);
+    const auto overdrawn = [&](std::size_t look) {
+      return subject_.weights[look] * static_cast<double>(counts[look].shaded - counts[look].visible);
     };
     for (std::size_t j = 0; j < k_; ++j) {
       if (served[j] > 0) continue;
-      std::size_t worst = nodes_;
-      for (std::size_t node = 0; node < nodes_; ++node) {
-        if (served[serving[node]] > 1 && (worst == nodes_ || overdrawn(node) > overdrawn(worst))) worst = node;
+      std::size_t worst = looks_;
+      for (std::size_t look = 0; look < looks_; ++look) {
+        if (served[serving[look]] > 1 && (worst == looks_ || overdrawn(look) > overdrawn(worst))) worst = look;
       }
       --served[serving[worst]];
       ++served[j];
@@ -129,20 +129,20 @@ class KMeans {
     return serving;
   }
 
-  /// Each draw's patches front to back, those last that no node sees. A draw that is seen twice has one distance.
+  /// Each draw's patches front to back, those last that no look sees. A draw that is seen twice has one distance.
   Order sorted(std::span<const IntegratedDistance> of_owners) const {
     std::vector<std::vector<IntegratedDistance>> sums;
     for (const AtomicDraw& draw : subject_.draws) sums.emplace_back(draw.atoms.count());
     for (std::size_t i = 0; i < of_owners.size(); ++i) {
       IntegratedDistance& sum = sums[subject_.owners[i].draw][subject_.owners[i].piece];
       sum.distance += of_owners[i].distance;
-      sum.nodes += of_owners[i].nodes;
+      sum.looks += of_owners[i].looks;
     }
     Order order;
     for (const auto& patches : sums) {
       std::vector<double> means;
-      for (const auto& [distance, nodes] : patches) {
-        means.push_back(nodes > 0 ? distance / nodes : std::numeric_limits<double>::infinity());
+      for (const auto& [distance, looks] : patches) {
+        means.push_back(looks > 0 ? distance / looks : std::numeric_limits<double>::infinity());
       }
       std::vector<std::uint32_t>& sequence = order.emplace_back(patches.size());
       std::iota(sequence.begin(), sequence.end(), 0u);
@@ -151,15 +151,15 @@ class KMeans {
     return order;
   }
 
-  const SeenSubject& subject_;
-  const PatchPlaces& places_;
+  const SubjectLayers& subject_;
+  const PatchDistances& patch_distances_;
   const AnimatedKMeansOptions& options_;
   const Executor& executor_;
-  std::size_t nodes_;
+  std::size_t looks_;
   std::size_t k_;
 };
 
-/// The buffers that serve nodes, the one first that would do best alone.
+/// The buffers that serve looks, the one first that would do best alone.
 IndexBuffers of_use(Clustering clustering) {
   std::vector<bool> is_used(clustering.orders.size(), false);
   for (const std::uint8_t j : clustering.serving) is_used[j] = true;
@@ -181,10 +181,10 @@ IndexBuffers of_use(Clustering clustering) {
 
 }  // namespace
 
-IndexBuffers animated_kmeans(const SeenSubject& subject, const PatchPlaces& places,
+IndexBuffers animated_kmeans(const SubjectLayers& subject, const PatchDistances& distances,
                              const AnimatedKMeansOptions& options, const Executor& executor) {
   if (subject.layers.views.empty()) return {{as_it_came(subject)}, {}, {}};
-  return of_use(KMeans(subject, places, options, executor).run());
+  return of_use(KMeans(subject, distances, options, executor).run());
 }
 
 }  // namespace foredraw

@@ -1,37 +1,37 @@
 #pragma once
 // A few orders for all poses and views, by k-means. Source: Han, Sander: Triangle Reordering for Reduced Overdraw in
 // Animated Scenes, I3D 2016, section 3.2. Names are the paper's: an order is an index buffer, what is sorted are
-// patches, and nodes (a keyframe seen from a viewpoint) are clustered.
+// patches, and looks (a keyframe seen from a viewpoint) are clustered.
 
-#include "patch_places.h"
+#include "patch_distances.h"
 
 #include <cstdint>
 
 namespace foredraw {
 
-/// By what one clustering is better than another: fragments shaded in all nodes over pixels covered in all, so that near
-/// looks weigh more than thin ones, or the mean of the nodes' own ratios.
+/// By what one clustering is better than another: fragments shaded in all looks over pixels covered in all, so that near
+/// looks weigh more than thin ones, or the mean of the looks' own ratios.
 enum class OverdrawMetric { ratio, view_mean };
 
 struct AnimatedKMeansOptions {
-  int k = 5;               ///< 1 to 255; fewer where there are fewer nodes
-  int restarts = 0;        ///< so often it begins anew, from other nodes; the best of all is kept
+  int k = 5;               ///< 1 to 255; fewer where there are fewer looks
+  int restarts = 0;        ///< so often it begins anew, from other looks; the best of all is kept
   int rounds = 30;         ///< at most, each time
-  std::uint64_t seed = 0;  ///< of the nodes that it begins with
+  std::uint64_t seed = 0;  ///< of the looks that it begins with
   OverdrawMetric metric = OverdrawMetric::ratio;  ///< of rounds and starts, of which the best is kept
 };
 
 struct IndexBuffers {
-  /// [buffer][draw][place] = patch of the draw. The first is the one that serves best where there may be only one.
+  /// [buffer][draw][rank] = patch of the draw. The first is the one that serves best where there may be only one.
   std::vector<std::vector<std::vector<std::uint32_t>>> orders;
-  std::vector<std::uint8_t> serving;  ///< [node] which buffer
-  std::vector<OverdrawCount> counts;  ///< [node] drawn in it
+  std::vector<std::uint8_t> serving;  ///< [look] which buffer
+  std::vector<OverdrawCount> counts;  ///< [look] drawn in it
 };
 
-/// Index buffers for the subject, whose draws' atoms are the patches, and which of them serves each node. Buffers that
-/// would serve no node are left out; without nodes there is one, with the patches as they came. `places`: of the
-/// subject. O(rounds * k * what the layers hold + rounds * nodes * patches).
-IndexBuffers animated_kmeans(const SeenSubject& subject, const PatchPlaces& places,
+/// Index buffers for the subject, whose draws' atoms are the patches, and which of them serves each look. Buffers that
+/// would serve no look are left out; without looks there is one, with the patches as they came. `distances`: of the
+/// subject. O(rounds * k * what the layers hold + rounds * looks * patches).
+IndexBuffers animated_kmeans(const SubjectLayers& subject, const PatchDistances& distances,
                              const AnimatedKMeansOptions& options, const Executor& executor);
 
 struct Plugin;

@@ -1,9 +1,9 @@
 #include "animated_kmeans.h"
 
-#include <foredraw/viewing/order_nodes.h>
+#include <foredraw/viewing/order_grid.h>
 #include <foredraw/base/random.h>
 #include <foredraw/draw_orders/draw_orders_product.h>
-#include <foredraw/measuring/captured_subject.h>
+#include <foredraw/measuring/subject_capture.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -74,13 +74,13 @@ class AnimatedKMeans final : public SubjectOrderer {
   void add_buffers(Answer& answer, const std::vector<std::size_t>& numbers, const SubjectView& view, Run& run) const {
     Poses poses{{}};
     for (const std::size_t number : numbers) poses.poses.push_back(run.poses.poses[number]);
-    PatchPlaces places(run.views.views);
-    const CapturedSubject captured = captured_subject(
+    PatchDistances distances(run.views.views);
+    const SubjectCapture captured = capture_subject(
         view, poses, [](const Draw& draw) { return *draw.full().stream().clusters; }, run,
-        [&](const SeenSubject& seen, const DrawnSubject& drawn) { places.add_pose(seen, drawn.parts, run.executor); });
+        [&](const SubjectLayers& seen, const SubjectGeometry& drawn) { distances.add_pose(seen, drawn.parts, run.executor); });
     AnimatedKMeansOptions options = options_;
     options.seed = derive_seed(run.seed, static_cast<std::uint64_t>(options_.start), 0);
-    const IndexBuffers found = animated_kmeans(captured.seen, places, options, run.executor);
+    const IndexBuffers found = animated_kmeans(captured.seen, distances, options, run.executor);
     answer.before += tally_of(captured.seen, counts_of(captured.seen, as_it_came(captured.seen)));
     answer.after += tally_of(captured.seen, found.counts);
 
@@ -129,9 +129,9 @@ Plugin animated_kmeans_plugin() {
       "By what the best of all rounds and starts is told: ratio, all fragments over all pixels; view-mean, the mean of the "
       "views' own ratios",
       {{"ratio", OverdrawMetric::ratio}, {"view-mean", OverdrawMetric::view_mean}});
-  table.row<int>(&Options::restarts, "restarts", "How often it begins anew, from other nodes; the best of all is kept",
+  table.row<int>(&Options::restarts, "restarts", "How often it begins anew, from other looks; the best of all is kept",
                  {0, 1000, "times"});
-  table.row<std::int64_t>(&Options::start, "seed", "Of the nodes that it begins with, besides the pipeline's seed");
+  table.row<std::int64_t>(&Options::start, "seed", "Of the looks that it begins with, besides the pipeline's seed");
   table.row<int>(&Options::theta_steps, "theta-steps",
                  "Steps of the table that says which order to draw, from straight above to straight below", {1, 1024});
   table.row<int>(&Options::phi_steps, "phi-steps", "The same, around the subject", {1, 1024});

@@ -12,16 +12,16 @@ namespace foredraw {
 
 namespace {
 
-using Sequences = std::vector<std::vector<std::uint32_t>>;  // [draw][place] = atom
+using Sequences = std::vector<std::vector<std::uint32_t>>;  // [draw][rank] = atom
 
-/// Of a pixel of each node: every picture counts alike but for its weight, however much of it is covered.
-std::vector<std::int64_t> weights_of_pixels(const SeenSubject& subject) {
-  constexpr double picture = 0x1p32;  // of the heaviest node: sums over all of them stay far below 2^63
+/// Of a pixel of each look: every picture counts alike but for its weight, however much of it is covered.
+std::vector<std::int64_t> weights_of_pixels(const SubjectLayers& subject) {
+  constexpr double picture = 0x1p32;  // of the heaviest look: sums over all of them stay far below 2^63
   const double heaviest = subject.weights.empty() ? 1 : *std::ranges::max_element(subject.weights);
   std::vector<std::int64_t> weights;
-  for (std::size_t node = 0; node < subject.weights.size(); ++node) {
-    const auto visible = static_cast<double>(subject.layers.views[node].always.visible);
-    const double weight = visible > 0 ? picture / visible * (subject.weights[node] / heaviest) : 0;
+  for (std::size_t look = 0; look < subject.weights.size(); ++look) {
+    const auto visible = static_cast<double>(subject.layers.views[look].always.visible);
+    const double weight = visible > 0 ? picture / visible * (subject.weights[look] / heaviest) : 0;
     weights.push_back(static_cast<std::int64_t>(std::floor(weight)));
   }
   return weights;
@@ -39,7 +39,7 @@ std::size_t most_nodes(OcclusionQuality quality) {
 
 class Alternation {
  public:
-  Alternation(const SeenSubject& subject, const KOrdersOptions& options, const Executor& executor)
+  Alternation(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor)
       : subject_(subject),
         options_(options),
         executor_(executor),
@@ -59,7 +59,7 @@ class Alternation {
   }
 
  private:
-  std::size_t nodes() const { return subject_.layers.views.size(); }
+  std::size_t looks() const { return subject_.layers.views.size(); }
 
   std::vector<std::uint8_t> best_of_all_starts() {
     std::vector<std::uint8_t> best;
@@ -74,7 +74,7 @@ class Alternation {
     return best;
   }
 
-  /// Until the cost falls no further; returns the last. While nodes move, orders are made of fewer of them and without
+  /// Until the cost falls no further; returns the last. While looks move, orders are made of fewer of them and without
   /// a budget: it is enough to tell who serves what.
   std::uint64_t alternate() {
     std::uint64_t least = ~std::uint64_t{0};
@@ -100,7 +100,7 @@ class Alternation {
     }
   }
 
-  /// Orders for the nodes that each serves, made of so many of these.
+  /// Orders for the looks that each serves, made of so many of these.
   std::vector<Sequences> made(std::size_t most, double budget) const {
     std::vector<std::uint32_t> pieces;
     for (const AtomicDraw& draw : subject_.draws) pieces.push_back(static_cast<std::uint32_t>(draw.atoms.count()));
@@ -129,19 +129,19 @@ class Alternation {
     return std::max<std::uint64_t>(sum, 1);
   }
 
-  static double visible_in(std::span<const WeightedLayers> nodes) {
+  static double visible_in(std::span<const WeightedLayers> looks) {
     double sum = 0;
-    for (const auto& [layers, weight] : nodes) {
+    for (const auto& [layers, weight] : looks) {
       sum += static_cast<double>(weight) * static_cast<double>(layers->always.visible);
     }
     return sum;
   }
 
-  /// Nodes are much like their neighbours: of many, some spread evenly over them say as much.
+  /// Looks are much like their neighbours: of many, some spread evenly over them say as much.
   std::vector<WeightedLayers> some_served_by(std::size_t order, std::size_t most) const {
     std::vector<WeightedLayers> served;
-    for (std::size_t node = 0; node < nodes(); ++node) {
-      if (serving_[node] == order) served.push_back({&subject_.layers.views[node], weights_[node]});
+    for (std::size_t look = 0; look < looks(); ++look) {
+      if (serving_[look] == order) served.push_back({&subject_.layers.views[look], weights_[look]});
     }
     if (served.size() <= most) return served;
     constexpr std::uint32_t golden = 2654435769u;  // 2^32 / golden ratio: multiples of it are spread evenly
@@ -151,42 +151,42 @@ class Alternation {
     return served;
   }
 
-  /// Gives every node to the order that draws least there.
+  /// Gives every look to the order that draws least there.
   void serve(const std::vector<Sequences>& orders) {
     std::vector<std::vector<OverdrawCount>> counts(orders.size());
     executor_.for_each(orders.size(), [&](std::size_t j) { counts[j] = counts_of(subject_, orders[j]); });
     costs_.clear();
     for (const auto& of_order : counts) costs_.push_back(cost_of(of_order));
-    counts_.resize(nodes());
-    for (std::size_t node = 0; node < nodes(); ++node) {
+    counts_.resize(looks());
+    for (std::size_t look = 0; look < looks(); ++look) {
       std::size_t best = 0;
       for (std::size_t j = 1; j < counts.size(); ++j) {
-        if (counts[j][node].shaded < counts[best][node].shaded) best = j;
+        if (counts[j][look].shaded < counts[best][look].shaded) best = j;
       }
-      serving_[node] = static_cast<std::uint8_t>(best);
-      counts_[node] = counts[best][node];
+      serving_[look] = static_cast<std::uint8_t>(best);
+      counts_[look] = counts[best][look];
     }
   }
 
-  std::uint64_t cost_of_node(std::size_t node, const OverdrawCount& count) const {
-    return static_cast<std::uint64_t>(weights_[node]) * (count.shaded - count.visible);
+  std::uint64_t cost_of_look(std::size_t look, const OverdrawCount& count) const {
+    return static_cast<std::uint64_t>(weights_[look]) * (count.shaded - count.visible);
   }
 
   std::uint64_t cost_of(std::span<const OverdrawCount> counts) const {
     std::uint64_t cost = 0;
-    for (std::size_t node = 0; node < counts.size(); ++node) cost += cost_of_node(node, counts[node]);
+    for (std::size_t look = 0; look < counts.size(); ++look) cost += cost_of_look(look, counts[look]);
     return cost;
   }
 
-  /// An order that serves nothing gets the node that is served worst.
+  /// An order that serves nothing gets the look that is served worst.
   void give_work_to_idle_orders() {
     std::vector<std::size_t> served(k_, 0);
     for (const std::uint8_t order : serving_) ++served[order];
     for (std::size_t j = 0; j < k_; ++j) {
-      if (served[j] > 0 || nodes() == 0) continue;
+      if (served[j] > 0 || looks() == 0) continue;
       std::size_t worst = 0;
-      for (std::size_t node = 1; node < nodes(); ++node) {
-        if (cost_of_node(node, counts_[node]) > cost_of_node(worst, counts_[worst])) worst = node;
+      for (std::size_t look = 1; look < looks(); ++look) {
+        if (cost_of_look(look, counts_[look]) > cost_of_look(worst, counts_[worst])) worst = look;
       }
       if (served[serving_[worst]] < 2) continue;
       --served[serving_[worst]];
@@ -204,19 +204,19 @@ class Alternation {
     }
   }
 
-  const SeenSubject& subject_;
+  const SubjectLayers& subject_;
   const KOrdersOptions& options_;
   const Executor& executor_;
   std::size_t k_;
-  std::vector<std::int64_t> weights_;  // [node] of a pixel
+  std::vector<std::int64_t> weights_;  // [look] of a pixel
   std::vector<std::uint8_t> serving_;
-  std::vector<OverdrawCount> counts_;  // [node] in the order that serves it
-  std::vector<std::uint64_t> costs_;   // [order] if it served all nodes
+  std::vector<OverdrawCount> counts_;  // [look] in the order that serves it
+  std::vector<std::uint64_t> costs_;   // [order] if it served all looks
 };
 
 }  // namespace
 
-KOrders k_orders(const SeenSubject& subject, const KOrdersOptions& options, const Executor& executor) {
+KOrders k_orders(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor) {
   return Alternation(subject, options, executor).run();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Several orders for the draws of a subject, and which of them serves where: nodes (a pose seen from a direction) are
-// given to the order that draws them with least overdraw, and each order is made anew for the nodes that it serves, in
+// Several orders for the draws of a subject, and which of them serves where: looks (a pose seen from a direction) are
+// given to the order that draws them with least overdraw, and each order is made anew for the looks that it serves, in
 // turn. The alternation is that of Han, Sander: Triangle Reordering for Reduced Overdraw in Animated Scenes, I3D 2016,
 // section 3; the orders are occlusion_order's.
 
@@ -11,22 +11,22 @@
 namespace foredraw {
 
 struct KOrders {
-  /// [order][draw][place] = atom. The first is the one that serves best where there may be only one.
+  /// [order][draw][rank] = atom. The first is the one that serves best where there may be only one.
   std::vector<std::vector<std::vector<std::uint32_t>>> orders;
-  std::vector<std::uint8_t> serving;  ///< [node] which order
-  std::vector<OverdrawCount> counts;  ///< [node] drawn in it
+  std::vector<std::uint8_t> serving;  ///< [look] which order
+  std::vector<OverdrawCount> counts;  ///< [look] drawn in it
 };
 
 struct KOrdersOptions : OcclusionOrderOptions {
   /// What a vertex weighs beside a fragment: who shades a hundredth more of all vertices has to save so many hundredths
   /// of all visible fragments, or it is not done. 0: whatever the budget allows is spent.
   double vertex_weight = 0.1;
-  int k = 1;               ///< 1 to 255; those beyond the nodes serve nothing
-  std::uint64_t seed = 0;  ///< of the directions by which nodes are parted to begin with
+  int k = 1;               ///< 1 to 255; those beyond the looks serve nothing
+  std::uint64_t seed = 0;  ///< of the directions by which looks are parted to begin with
   int restarts = 0;        ///< so often it begins anew, parted by other directions; the best of all goes on
   int rounds = 30;         ///< of each start, at most
 };
 
-KOrders k_orders(const SeenSubject& subject, const KOrdersOptions& options, const Executor& executor);
+KOrders k_orders(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor);
 
 }  // namespace foredraw

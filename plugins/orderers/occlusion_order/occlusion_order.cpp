@@ -61,33 +61,33 @@ std::vector<Joint> joints_of(PieceOrder& order, std::span<const std::uint32_t> s
 struct Pieces {
   Clusters ranges;                   // of triangles
   std::vector<std::uint32_t> saved;  // [piece] misses that it is spared behind the one before it
-  std::vector<double> places;        // [piece] in the order
+  std::vector<double> ranks;        // [piece] in the order
 
   /// Makes joints, each piece in one at most, until they save `wanted` misses or there are `most`. [old] = new piece.
   std::vector<std::uint32_t> join(std::span<const Joint> joints, double wanted, std::size_t most) {
-    std::vector<bool> is_taken(places.size(), false), is_joined(places.size(), false);
+    std::vector<bool> is_taken(ranks.size(), false), is_joined(ranks.size(), false);
     double saving = 0;
     for (const auto& [price, second, at_first] : joints) {
       if (saving >= wanted || most == 0) break;
       if (is_taken[second - 1] || is_taken[second]) continue;
       is_taken[second - 1] = is_taken[second] = is_joined[second] = true;
-      if (!at_first) places[second - 1] = places[second];
+      if (!at_first) ranks[second - 1] = ranks[second];
       saving += saved[second];
       --most;
     }
     std::vector<std::uint32_t> joined;
     std::uint32_t count = 0;
-    for (std::uint32_t piece = 0; piece < places.size(); ++piece) {
+    for (std::uint32_t piece = 0; piece < ranks.size(); ++piece) {
       if (!is_joined[piece]) {
         ranges.offsets[count] = ranges.offsets[piece];
-        places[count] = places[piece];
+        ranks[count] = ranks[piece];
         saved[count++] = saved[piece];
       }
       joined.push_back(count - 1);
     }
     ranges.offsets[count] = ranges.offsets.back();
     ranges.offsets.resize(count + 1);
-    places.resize(count);
+    ranks.resize(count);
     saved.resize(count);
     return joined;
   }
@@ -137,7 +137,7 @@ std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions oc
   Pieces pieces{draw.atoms, misses_of_cuts(draw.indices, draw.vertex_count, options.cache_size, draw.atoms),
                 std::vector<double>(order.begin(), order.end())};
   for (;;) {
-    PieceOrder search(occlusions, std::move(pieces.places));
+    PieceOrder search(occlusions, std::move(pieces.ranks));
     search.improve(effort.sweeps);
     order = search.order();
     const std::uint64_t shaded = shaded_vertices(draw, pieces.ranges, order, options.cache_size);
@@ -148,7 +148,7 @@ std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions oc
       wanted = std::numeric_limits<double>::infinity();
     }
     if (joints.empty()) break;
-    pieces.places = search.places();
+    pieces.ranks = search.ranks();
     occlusions = with_joined_pieces(occlusions, pieces.join(joints, wanted, joints.size() / effort.joined + 1));
   }
   return atoms_of(draw.atoms, pieces.ranges, order);

@@ -6,7 +6,7 @@
 #include "atoms.h"
 #include "occlusions.h"
 
-#include <foredraw/overdraw/seen_subject.h>
+#include <foredraw/overdraw/subject_layers.h>
 
 #include <cstdint>
 #include <span>
@@ -32,7 +32,7 @@ std::uint64_t shaded_vertices(const AtomicDraw& draw, const Clusters& ranges, st
 /// The size of atoms that suits the quality and a draw of so many triangles: of a small one they may be finer.
 AtomSize atom_size(OcclusionQuality quality, std::size_t triangles);
 
-/// The sequence of the draw's atoms ([place] = atom) that draws least of what does not stay, as far as a local search
+/// The sequence of the draw's atoms ([rank] = atom) that draws least of what does not stay, as far as a local search
 /// finds it. Atoms move one at a time to where they cost least; then those that came in one behind the other are joined
 /// where that costs least for each vertex that need not be shaded again, and the larger pieces move, until the budget
 /// is kept. `occlusions`: of the draw's atoms. O(what the occlusions hold * log atoms * log pieces in a row).

@@ -1,8 +1,8 @@
 #include "k_orders.h"
 
-#include <foredraw/viewing/order_nodes.h>
+#include <foredraw/viewing/order_grid.h>
 #include <foredraw/draw_orders/draw_orders_product.h>
-#include <foredraw/measuring/captured_subject.h>
+#include <foredraw/measuring/subject_capture.h>
 #include <foredraw/technique/plugin.h>
 
 namespace foredraw {
@@ -37,9 +37,9 @@ class OcclusionOrder final : public SubjectOrderer {
     Options options = options_;
     options.seed = run.seed + static_cast<std::uint64_t>(options_.start);
     options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].full().stream(), options_);
-    const CapturedSubject captured = captured_subject(
+    const SubjectCapture captured = capture_subject(
         view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run);
-    const SeenSubject& subject = captured.seen;
+    const SubjectLayers& subject = captured.seen;
     const ViewTally before = tally_of(subject, counts_of(subject, as_it_came(subject)));
     if (!has_overdraw(before, run)) return {};
     const KOrders found = k_orders(subject, options, run.executor);
@@ -68,7 +68,7 @@ Plugin occlusion_order_plugin() {
   plugin.card = {
       .name = "occlusion-order",
       .summary = "Draws first what hides most, as measured from all sides and in all poses, in one or several orders",
-      .reference = "own; orders by node as in Han, Sander 2016, section 3",
+      .reference = "own; orders by look as in Han, Sander 2016, section 3",
       .acts_on = {traits::triangles},
       .provides = {traits::overdraw_ordered},
       .breaks = {traits::fetch_ordered},

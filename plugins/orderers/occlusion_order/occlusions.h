@@ -1,7 +1,7 @@
 #pragma once
 // Who hides whom: fragment layers as a search for orders asks them.
 
-#include <foredraw/overdraw/seen_subject.h>
+#include <foredraw/overdraw/subject_layers.h>
 
 #include <cstdint>
 #include <span>

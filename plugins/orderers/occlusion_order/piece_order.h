@@ -12,9 +12,9 @@ namespace foredraw {
 class PieceOrder {
  public:
   /// Each piece at its place: [piece], in any numbers that differ. The occlusions are only referred to.
-  PieceOrder(const Occlusions& occlusions, std::vector<double> places);
+  PieceOrder(const Occlusions& occlusions, std::vector<double> ranks);
 
-  const std::vector<double>& places() const { return places_; }
+  const std::vector<double>& ranks() const { return ranks_; }
 
   /// Moves every piece to where it costs least, everything else left where it is, again and again until nothing falls
   /// or it was done so many times.
@@ -36,7 +36,7 @@ class PieceOrder {
   std::int64_t improve_piece(std::uint32_t piece);
 
   const Occlusions& occlusions_;
-  std::vector<double> places_;
+  std::vector<double> ranks_;
   std::vector<bool> may_move_;  // [piece] whether anything it has to do with was moved since it was looked at
   // As a piece moves backwards past one of `steps_`, what it costs changes by change_[that].
   std::vector<std::uint32_t> steps_;

@@ -162,7 +162,7 @@ class ParticleTrim final : public Processor {
   }
 
   static void tell(const SpriteDraw& draw, Run& run) {
-    const Place place{.draw = draw.id};
+    const About about{.draw = draw.id};
     double area = 0, frame_area = 0, lost = 0;
     std::uint64_t texels = 0;
     std::map<TrimmedSprite::Outcome, std::size_t> outcomes;
@@ -173,14 +173,14 @@ class ParticleTrim final : public Processor {
       texels += sprite.texels;
       ++outcomes[sprite.outcome];
     }
-    run.measure_at(place, "area", area, frame_area);
-    run.measure_at(place, "alpha-lost", lost, 1);
-    run.count_at(place, "texels", static_cast<double>(texels));
+    run.measure_at(about, "area", area, frame_area);
+    run.measure_at(about, "alpha-lost", lost, 1);
+    run.count_at(about, "texels", static_cast<double>(texels));
     for (const auto& [outcome, count] : outcomes) {
       if (outcome == TrimmedSprite::Outcome::trimmed) continue;
       const std::string of = draw.sprites.size() == 1 ? "" : fmt::format("{} of {} quads: ", count, draw.sprites.size());
       const auto [code, text] = told(outcome);
-      run.note_at(place, code, of + text);
+      run.note_at(about, code, of + text);
     }
   }
 

@@ -3,7 +3,7 @@
 #include "fewest_inner_edges.h"
 
 #include <foredraw/image/sprite_pieces.h>
-#include <foredraw/image/texture_places.h>
+#include <foredraw/image/texture_uv.h>
 
 #include <glm/common.hpp>
 
@@ -134,7 +134,7 @@ std::variant<std::vector<SpriteQuad>, std::string> sprite_quads(const Draw& draw
   }
   if (!is_made_of_quads(draw, texture.texcoord)) return "it is not made of upright quads: they may be trimmed already";
   const VertexStreams& vertices = *level.vertices;
-  const auto places = texture_places(*vertices.find(texcoord_name(texture)), texture);
+  const auto places = texture_uv(*vertices.find(texcoord_name(texture)), texture);
   std::vector<SpriteQuad> quads;
   for (const SpritePiece& piece : sprite_pieces(draw, texture.texcoord)) {
     quads.push_back(quad_of(piece, places, image));
@@ -158,7 +158,7 @@ Draw with_polygons(const Draw& draw, const std::vector<SpriteQuad>& quads, const
                    const Texture& texture, const AlphaImage& image, const ParticleTrimOptions& options) {
   const VertexStreams& old = *draw.full().vertices;
   const std::string texcoord = texcoord_name(texture);
-  const auto places = texture_places(*old.find(texcoord), texture);
+  const auto places = texture_uv(*old.find(texcoord), texture);
   const glm::dvec2 size(image.width, image.height);
   // A quad that stays may reach out of what the format holds.
   const bool stays = std::ranges::any_of(sprites, [](const TrimmedSprite& sprite) { return sprite.corners.empty(); });

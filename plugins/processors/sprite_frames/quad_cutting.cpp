@@ -1,7 +1,7 @@
 #include "quad_cutting.h"
 
 #include <foredraw/image/sprite_pieces.h>
-#include <foredraw/image/texture_places.h>
+#include <foredraw/image/texture_uv.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ class ShownQuad {
  public:
   ShownQuad(const Draw& draw, const Texture& texture, const ImageFacts& facts)
       : vertices_(*draw.full().vertices), size_(facts.width, facts.height) {
-    for (const glm::dvec2& place : texture_places(*vertices_.find(semantic_of(texture)), texture)) {
+    for (const glm::dvec2& place : texture_uv(*vertices_.find(semantic_of(texture)), texture)) {
       texels_.push_back(place * size_);
     }
     const std::vector<SpritePiece> pieces = sprite_pieces(draw, texture.texcoord);

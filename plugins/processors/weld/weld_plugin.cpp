@@ -28,7 +28,7 @@ class WeldVertices final : public Processor {
     bool any = false;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       for (const VertexGroup::User& user : groups[i].users) welded.push_back(user.draw);
-      const Place first_user{.draw = groups[i].users.front().draw};
+      const About first_user{.draw = groups[i].users.front().draw};
       run.count_at(first_user, "merged", welds[i].merged);
       run.count_at(first_user, "unused", welds[i].unused);
       if (welds[i].count == groups[i].vertices->count) continue;

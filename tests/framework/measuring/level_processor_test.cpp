@@ -80,7 +80,7 @@ TEST_F(LevelProcessorTest, PutsLevelsBehindFullDetailAndMeasuresThem) {
   ASSERT_EQ(fixture_.findings.measured.size(), 8u);
   EXPECT_EQ(fixture_.findings.measured[0].metric, "error.largest");
   EXPECT_EQ(fixture_.findings.measured[0].numerator, 1);
-  EXPECT_EQ(fixture_.findings.measured[2].place, (Place{.draw = 0, .level = 2}));
+  EXPECT_EQ(fixture_.findings.measured[2].about, (About{.draw = 0, .level = 2}));
   EXPECT_GT(fixture_.findings.measured[1].numerator, 0);
 }
 

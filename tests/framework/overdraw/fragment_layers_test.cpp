@@ -3,7 +3,7 @@
 #include "support/overdraw.h"
 #include "support/painter.h"
 
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -49,7 +49,7 @@ std::map<std::int64_t, std::int64_t> drawn(const Sliver& sliver) {
   const std::array<std::array<std::int64_t, 2>, 3> places = {{{0, 127}, {sliver.width, 127}, {sliver.width, 130}}};
   for (std::uint32_t i = 0; i < 3; ++i) {
     part.corners[i] = {i};
-    corners.places.push_back(static_cast<std::uint64_t>(places[i][1] << 32 | places[i][0]));
+    corners.points.push_back(static_cast<std::uint64_t>(places[i][1] << 32 | places[i][0]));
     corners.depths.push_back(static_cast<std::uint32_t>(sliver.depths[i]));
   }
   part.numbers = {0};

@@ -2,7 +2,7 @@
 
 #include <foredraw/overdraw/heat_map.h>
 #include <foredraw/viewing/mask.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 #include "support/meshes.h"
 

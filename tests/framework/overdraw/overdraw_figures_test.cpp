@@ -2,7 +2,7 @@
 
 #include "support/painter.h"
 
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <gtest/gtest.h>
 

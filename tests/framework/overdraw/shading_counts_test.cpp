@@ -3,7 +3,7 @@
 #include "support/painter.h"
 
 #include <foredraw/overdraw/heat_map.h>
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <gtest/gtest.h>
 

@@ -99,7 +99,7 @@ TEST_F(RunnerLevels, AnOrderOfEachLevelIsThatOfTheLevelAlone) {
     EXPECT_EQ(traits_of(all.scene.draws[0], level), traits_of(alone.scene.draws[0])) << level;
   }
   EXPECT_EQ(all.report.stages[1].candidates, 4u);
-  EXPECT_EQ(all.report.stages[1].places, "levels of draws");
+  EXPECT_EQ(all.report.stages[1].loops_over, "levels of draws");
 }
 
 TEST_F(RunnerLevels, SubjectsAreOrderedAtEachLevelAndHaveSeveralOrdersAtFullDetailAlone) {
@@ -166,7 +166,7 @@ TEST_F(RunnerLevels, OneLevelMayBeKeptWhereAnotherIsWorkedOn) {
   EXPECT_EQ(result.report.stages[1].changed, 3u);
   ASSERT_EQ(result.report.stages[1].skipped.size(), 1u);
   EXPECT_EQ(result.report.stages[1].skipped[0].reason, "not clustered");
-  EXPECT_EQ(result.report.stages[1].skipped[0].places, std::vector<std::string>{"Ball (level 1)"});
+  EXPECT_EQ(result.report.stages[1].skipped[0].about, std::vector<std::string>{"Ball (level 1)"});
 }
 
 TEST_F(RunnerLevels, LevelsThatAStageMakesAreMeasuredAndWorkedOnByLaterOnes) {
@@ -177,7 +177,7 @@ TEST_F(RunnerLevels, LevelsThatAStageMakesAreMeasuredAndWorkedOnByLaterOnes) {
   const std::vector<NoteRecord>& notes = result.report.stages[0].notes;
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_EQ(notes[0].code, "error-claim");
-  EXPECT_EQ(notes[0].place, "Ball (level 1)");
+  EXPECT_EQ(notes[0].about, "Ball (level 1)");
   const LevelRecord& level = result.report.draws[0].levels.at(0);
   EXPECT_GT(level.error, 0);
   EXPECT_EQ(static_cast<float>(level.after.metrics.find("halved", "error.largest")->value()), level.error);

@@ -116,7 +116,7 @@ TEST_F(Runner, BooksWhatIsMeasuredOfDrawsThatAStageAdded) {
   EXPECT_EQ(draws[2].after.metrics.find("count-triangles", "triangles")->value(), 8);
   EXPECT_EQ(draws[2].after.triangles, 8u);
   ASSERT_EQ(result.report.stages[0].notes.size(), 1u);
-  EXPECT_EQ(result.report.stages[0].notes[0].place, "A again");
+  EXPECT_EQ(result.report.stages[0].notes[0].about, "A again");
 }
 
 TEST_F(Runner, TotalsAreSumsOfNumeratorsOverSumsOfDenominators) {
@@ -211,7 +211,7 @@ TEST_F(Runner, SaysWhichDrawHoldsVerticesBack) {
   const Result result = run("reverse-vertices", shared);
   ASSERT_EQ(result.report.stages[0].skipped.size(), 2u);
   EXPECT_EQ(result.report.stages[0].skipped[1].code, "shared-vertices");
-  EXPECT_EQ(result.report.stages[0].skipped[1].places, (std::vector<std::string>{"A"}));
+  EXPECT_EQ(result.report.stages[0].skipped[1].about, (std::vector<std::string>{"A"}));
   EXPECT_EQ(result.scene.draws[0].levels[0].vertices, shared.draws[0].levels[0].vertices);
 }
 

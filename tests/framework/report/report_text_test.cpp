@@ -25,7 +25,7 @@ Report optimized() {
   stage.seconds = 0.0125;
   stage.changed = 1;
   stage.candidates = 2;
-  stage.places = "draws";
+  stage.loops_over = "draws";
   report.stages = {stage};
   return report;
 }
@@ -116,7 +116,7 @@ TEST(ReportText, NotesNameTheirPlace) {
 
 TEST(ReportText, StagesOnTheWholeScene) {
   Report report = optimized();
-  report.stages[0].places = "scene";
+  report.stages[0].loops_over = "scene";
   EXPECT_THAT(to_text(report), HasSubstr("tipsify(cache-size=16)  the scene  12.5 ms"));
   report.stages[0].changed = 0;
   report.stages[0].seconds = 2.5;

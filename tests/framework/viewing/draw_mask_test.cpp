@@ -68,7 +68,7 @@ TEST(DrawMask, has_the_alpha_of_the_image_whatever_its_bits) {
     EXPECT_EQ(mask->image->width, 2u);
     EXPECT_EQ(mask->image->alpha, (std::vector<std::uint16_t>{0, 65535})) << bits;
     EXPECT_EQ(mask->alphas, (std::vector<double>{1, 1, 1}));
-    EXPECT_EQ(mask->places, (std::vector<glm::dvec2>{{0, 0}, {1, 0}, {0.25, 0.5}}));
+    EXPECT_EQ(mask->uv, (std::vector<glm::dvec2>{{0, 0}, {1, 0}, {0.25, 0.5}}));
     EXPECT_EQ(mask->cutoff, 0.5);
   }
 }
@@ -119,11 +119,11 @@ TEST(DrawMask, places_are_scaled_turned_and_moved) {
   const auto mask = known(scene, analyses);
   const std::vector<glm::dvec2> expected = {{10, 20}, {10, 18}, {12, 19.5}};
   for (std::size_t v = 0; v < 3; ++v) {
-    EXPECT_NEAR(mask->places[v].x, expected[v].x, 1e-14);
-    EXPECT_NEAR(mask->places[v].y, expected[v].y, 1e-14);
+    EXPECT_NEAR(mask->uv[v].x, expected[v].x, 1e-14);
+    EXPECT_NEAR(mask->uv[v].y, expected[v].y, 1e-14);
   }
   texture.rotation += 6.283185307179586 * 5;
-  EXPECT_NEAR(known(scene, analyses)->places[2].x, 12, 1e-13);
+  EXPECT_NEAR(known(scene, analyses)->uv[2].x, 12, 1e-13);
 }
 
 TEST(DrawMask, says_why_it_is_not_known_where_the_holes_are) {

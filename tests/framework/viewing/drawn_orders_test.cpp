@@ -60,7 +60,7 @@ TEST(DrawnOrders, parts_draw_the_orders_that_are_set) {
   const Scene scene = character();
   const Subject subject = subjects_of(scene)[0];
   Analyses analyses;
-  DrawnSubject drawn = drawn_subject(scene, subject, Faces::front, posed_nodes(scene), analyses);
+  SubjectGeometry drawn = subject_geometry(scene, subject, Faces::front, posed_nodes(scene), analyses);
   drawn.parts[2].indices = {};  // as one that is not drawn
   set_orders(drawn, scene, subject, Numbers{1, 0, 1});
   EXPECT_EQ(drawn.parts[0].indices.data(), scene.draws[0].levels[0].orders[1].indices.view().data());

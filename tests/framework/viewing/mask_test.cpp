@@ -43,7 +43,7 @@ TEST(MaskedTriangle, does_not_depend_on_which_corner_comes_first) {
   Mask mask;
   mask.image = std::make_shared<const AlphaImage>(
       AlphaImage{4, 2, {0, 65535 / 3, 65535 / 3 * 2, 65535, 65535, 65535, 65535, 65535}});
-  mask.places = {{0.1, 0.2}, {7.3, 0.9}, {2.1, 5.7}};
+  mask.uv = {{0.1, 0.2}, {7.3, 0.9}, {2.1, 5.7}};
   mask.alphas = {0.9, 0.8, 0.7};
   mask.cutoff = 0.55;
   const Camera camera({{0, 0, 1}, 1.3}, 16);

@@ -1,6 +1,6 @@
 #include <foredraw/viewing/view_list.h>
 
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <gtest/gtest.h>
 

@@ -22,8 +22,8 @@ const Views from_before = testing::views_of({{0, 0, 1}});
 struct Animated {
   Views views;
   std::vector<TestMesh> poses;
-  SeenSubject subject;
-  PatchPlaces places{views.views};
+  SubjectLayers subject;
+  PatchDistances distances{views.views};
 
   Animated(std::vector<TestMesh> meshes, const Views& from, const Clusters& patches, bool culls = true)
       : views(from), poses(std::move(meshes)) {
@@ -39,13 +39,13 @@ struct Animated {
         subject.directions.push_back(views.views[v].direction);
         subject.weights.push_back(views.views[v].weight);
       }
-      places.add_pose(subject, {&part, 1}, executor);
+      distances.add_pose(subject, {&part, 1}, executor);
     }
   }
   Animated(const Animated&) = delete;
 
   IndexBuffers ordered(int k, std::uint64_t seed = 0, int threads = 2, int restarts = 0) const {
-    return animated_kmeans(subject, places, {.k = k, .restarts = restarts, .seed = seed}, Executor(threads));
+    return animated_kmeans(subject, distances, {.k = k, .restarts = restarts, .seed = seed}, Executor(threads));
   }
   double excess(std::span<const OverdrawCount> counts) const {
     const ViewTally tally = tally_of(subject, counts);
@@ -85,48 +85,48 @@ Clusters runs_of(std::uint32_t size, std::uint32_t triangles) {
   return clusters;
 }
 
-// --- places
+// --- distances
 // -----------------------------------------------------------------------------------------------------------
 
-TEST(PatchPlaces, DistancesAreInRadiiFromTheCentre) {
+TEST(PatchDistances, DistancesAreInRadiiFromTheCentre) {
   // The sphere around both squares: in the middle between them, of radius sqrt(1 + 1 + 1/4).
   const Views views{{{{0, 0, 1}, 0}, {{0, 0, 1}, 3}, {{1, 0, 0}, 3}}, 64};
   const Animated still({squares({1, 2})}, views, {{0, 2, 4}});
-  EXPECT_NEAR(still.places.distance(0, 0), 1.0 / 3, 1e-12);
-  EXPECT_NEAR(still.places.distance(0, 1), -1.0 / 3, 1e-12);
-  EXPECT_NEAR(still.places.distance(1, 1), 3 - 1.0 / 3, 1e-12);
-  EXPECT_NEAR(still.places.distance(2, 1), std::sqrt(9 + 1.0 / 9), 1e-12);
+  EXPECT_NEAR(still.distances.distance(0, 0), 1.0 / 3, 1e-12);
+  EXPECT_NEAR(still.distances.distance(0, 1), -1.0 / 3, 1e-12);
+  EXPECT_NEAR(still.distances.distance(1, 1), 3 - 1.0 / 3, 1e-12);
+  EXPECT_NEAR(still.distances.distance(2, 1), std::sqrt(9 + 1.0 / 9), 1e-12);
 }
 
-TEST(PatchPlaces, PatchesFaceTheCameraThatSeesTheirFront) {
+TEST(PatchDistances, PatchesFaceTheCameraThatSeesTheirFront) {
   const Views views{{{{0, 0, 1}}, {{0, 0, -1}}, {{0.8, 0, 0.6}, 3}}, 64};
   const Animated culled({squares({1, -2})}, views, {{0, 2, 4}});
-  EXPECT_TRUE(culled.places.is_facing(0, 0));
-  EXPECT_FALSE(culled.places.is_facing(0, 1));
-  EXPECT_FALSE(culled.places.is_facing(1, 0));
-  EXPECT_TRUE(culled.places.is_facing(1, 1));
-  EXPECT_TRUE(culled.places.is_facing(2, 0));
-  EXPECT_FALSE(culled.places.is_facing(2, 1));
+  EXPECT_TRUE(culled.distances.is_facing(0, 0));
+  EXPECT_FALSE(culled.distances.is_facing(0, 1));
+  EXPECT_FALSE(culled.distances.is_facing(1, 0));
+  EXPECT_TRUE(culled.distances.is_facing(1, 1));
+  EXPECT_TRUE(culled.distances.is_facing(2, 0));
+  EXPECT_FALSE(culled.distances.is_facing(2, 1));
   const Animated both({squares({1, -2})}, views, {{0, 2, 4}}, false);
-  for (std::size_t node = 0; node < 3; ++node) EXPECT_TRUE(both.places.is_facing(node, 1));
+  for (std::size_t look = 0; look < 3; ++look) EXPECT_TRUE(both.distances.is_facing(look, 1));
   // As one patch they face all sides.
   const Animated one({squares({1, -2})}, views, {{0, 4}});
-  for (std::size_t node = 0; node < 3; ++node) EXPECT_TRUE(one.places.is_facing(node, 0));
+  for (std::size_t look = 0; look < 3; ++look) EXPECT_TRUE(one.distances.is_facing(look, 0));
 }
 
-TEST(PatchPlaces, WhatHasNoAreaOrIsNotFiniteFacesNobody) {
+TEST(PatchDistances, WhatHasNoAreaOrIsNotFiniteFacesNobody) {
   TestMesh mesh = squares({1, 2, 3});
   for (std::size_t v = 0; v < 4; ++v) mesh.positions[v] = {0, 0, 1};
   mesh.positions[8].x = std::nanf("");
   mesh.positions[10].y = INFINITY;
   const Animated odd({mesh}, from_before, {{0, 2, 4, 6}});
-  EXPECT_FALSE(odd.places.is_facing(0, 0));
-  EXPECT_TRUE(odd.places.is_facing(0, 1));
-  EXPECT_FALSE(odd.places.is_facing(0, 2));
+  EXPECT_FALSE(odd.distances.is_facing(0, 0));
+  EXPECT_TRUE(odd.distances.is_facing(0, 1));
+  EXPECT_FALSE(odd.distances.is_facing(0, 2));
   std::vector<IntegratedDistance> sums(3);
-  odd.places.integrate(0, 2, sums);
-  EXPECT_EQ(sums[0].nodes, 0);
-  EXPECT_EQ(sums[1].nodes, 2);
+  odd.distances.integrate(0, 2, sums);
+  EXPECT_EQ(sums[0].looks, 0);
+  EXPECT_EQ(sums[1].looks, 2);
   EXPECT_TRUE(std::isfinite(sums[1].distance));
 }
 
@@ -161,7 +161,7 @@ TEST(AnimatedKMeans, DistancesAreIntegratedAndWhatNoNodeSeesGoesLast) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Numbers order = three.ordered(1, seed).orders[0][0];
     was_computed |= order == Numbers{1, 2, 0};
-    EXPECT_TRUE(order == (Numbers{1, 2, 0}) || order == (Numbers{0, 1, 2})) << "sorted, or as its node has it";
+    EXPECT_TRUE(order == (Numbers{1, 2, 0}) || order == (Numbers{0, 1, 2})) << "sorted, or as its look has it";
   }
   EXPECT_TRUE(was_computed);
 }
@@ -190,7 +190,7 @@ TEST(AnimatedKMeans, NodesAreServedByTheOrderThatDrawsLeastThere) {
   ASSERT_GT(found.orders.size(), 1u);
   for (const auto& order : found.orders) {
     const std::vector<OverdrawCount> alone = counts_of(rings.subject, order);
-    for (std::size_t node = 0; node < alone.size(); ++node) EXPECT_LE(found.counts[node].shaded, alone[node].shaded);
+    for (std::size_t look = 0; look < alone.size(); ++look) EXPECT_LE(found.counts[look].shaded, alone[look].shaded);
     EXPECT_LE(rings.excess(counts_of(rings.subject, found.orders[0])), rings.excess(alone))
         << "the first is best alone";
   }
@@ -214,7 +214,7 @@ TEST(AnimatedKMeans, TheBestOfItsStartsIsTheBestByItsMetric) {
                        runs_of(8, static_cast<std::uint32_t>(poses[0].indices.size() / 3)));
   const auto tally_by = [&](OverdrawMetric metric) {  // one round: both choose among the same starts
     const AnimatedKMeansOptions options{.k = 2, .restarts = 15, .rounds = 1, .metric = metric};
-    return tally_of(rings.subject, animated_kmeans(rings.subject, rings.places, options, Executor(2)).counts);
+    return tally_of(rings.subject, animated_kmeans(rings.subject, rings.distances, options, Executor(2)).counts);
   };
   const ViewTally by_ratio = tally_by(OverdrawMetric::ratio), by_mean = tally_by(OverdrawMetric::view_mean);
   EXPECT_LE(by_ratio.shaded, by_mean.shaded);

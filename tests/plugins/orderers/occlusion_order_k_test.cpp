@@ -34,7 +34,7 @@ TEST(KOrders, ServeWhatOneCanNot) {
   const TestMesh mesh = opposites();
   const Executor executor(2);
   const RasterPart part{mesh.positions, mesh.indices, false};
-  SeenSubject subject;
+  SubjectLayers subject;
   const Views views = testing::views_of({{0, 0, 1}, {0, 0, -1}});
   static_cast<Layers&>(subject.layers) = fragment_layers({&part, 1}, views, executor).value();
   for (const View& view : views.views) subject.directions.push_back(view.direction), subject.weights.push_back(1);

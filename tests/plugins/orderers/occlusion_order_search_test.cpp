@@ -92,9 +92,9 @@ TEST(Occlusions, OfJoinedPiecesCostTheSame) {
 }
 
 std::vector<double> as_places(const std::vector<std::uint32_t>& order) {
-  std::vector<double> places(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) places[order[i]] = i;
-  return places;
+  std::vector<double> ranks(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) ranks[order[i]] = i;
+  return ranks;
 }
 
 TEST(PieceOrder, EndsWhereNoPieceMovedAloneCostsLess) {

@@ -49,7 +49,7 @@ inline TestMesh thicket(std::uint64_t seed) {
 /// A mesh as views see it.
 struct Seen {
   TestMesh mesh;
-  SeenSubject subject;
+  SubjectLayers subject;
 
   Seen(const TestMesh& shape, const Views& views, const Clusters& clusters = {}) : mesh(shape) {
     const Executor executor(2);

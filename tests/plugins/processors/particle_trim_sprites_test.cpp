@@ -25,7 +25,7 @@ struct Trimming {
 
   double figure(const std::string& metric) const {
     for (const Measured& measured : findings.measured) {
-      if (measured.metric == metric && measured.place.draw) return measured.numerator / measured.denominator.value_or(1);
+      if (measured.metric == metric && measured.about.draw) return measured.numerator / measured.denominator.value_or(1);
     }
     return -1;
   }

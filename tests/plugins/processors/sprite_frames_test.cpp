@@ -215,7 +215,7 @@ TEST(SpriteFrames, nodes_that_share_a_mesh_and_draws_that_share_one_stay_so) {
     EXPECT_EQ(scene.nodes[scene.nodes[n].children[1]].mesh, 2u);
   }
   ASSERT_EQ(cutting.findings.notes.size(), 1u);
-  EXPECT_EQ(cutting.findings.notes[0].place.draw, 1u);
+  EXPECT_EQ(cutting.findings.notes[0].about.draw, 1u);
 }
 
 /// Positions and places of corners, so that what shows a place is known to lie where it did.

@@ -1,7 +1,7 @@
 #include <foredraw/io/sprite/private/drawn_sprites.h>
 
 #include <foredraw/image/sprite_pieces.h>
-#include <foredraw/image/texture_places.h>
+#include <foredraw/image/texture_uv.h>
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ void add_corners(const Draw& draw, const Texture& texture, const ImageFacts& fac
   const VertexStreams& vertices = *draw.full().vertices;
   const VertexStream* texcoords = vertices.find("TEXCOORD_" + std::to_string(texture.texcoord));
   if (texcoords == nullptr || draw.topology != Topology::triangles) return;
-  const std::vector<glm::dvec2> places = texture_places(*texcoords, texture);
+  const std::vector<glm::dvec2> places = texture_uv(*texcoords, texture);
   const auto indices = draw.full().stream().indices.view();
   // Equal corners become one, whatever else their vertices hold.
   std::map<std::array<double, 2>, std::uint32_t> numbers;

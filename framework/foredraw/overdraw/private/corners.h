@@ -10,11 +10,11 @@ namespace foredraw {
 
 /// [vertex]. Apart, because most triangles turn out to be unseen by their places alone.
 struct Corners {
-  std::vector<std::uint64_t> places;  ///< x in the lower half, y in the upper
+  std::vector<std::uint64_t> points;  ///< x in the lower half, y in the upper
   std::vector<std::uint32_t> depths;
 
   Corner operator[](std::size_t vertex) const {
-    return {static_cast<std::int32_t>(places[vertex]), static_cast<std::int32_t>(places[vertex] >> 32), depths[vertex]};
+    return {static_cast<std::int32_t>(points[vertex]), static_cast<std::int32_t>(points[vertex] >> 32), depths[vertex]};
   }
 };
 

@@ -5,7 +5,7 @@
 
 #include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/bounding_sphere.h>
-#include <foredraw/viewing/drawn_subject.h>
+#include <foredraw/viewing/subject_geometry.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
 

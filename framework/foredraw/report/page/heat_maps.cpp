@@ -3,7 +3,7 @@
 #include <foredraw/viewing/drawn_orders.h>
 #include <foredraw/overdraw/heat_map.h>
 #include <foredraw/io/image/picture.h>
-#include <foredraw/measuring/posed_subjects.h>
+#include <foredraw/measuring/subjects_in_poses.h>
 
 #include <fmt/format.h>
 
@@ -90,12 +90,12 @@ double ratio_of(const OverdrawCount& count) {
 /// Draws subjects as they look in one of the poses, in the orders that their tables give there.
 class Photographer {
  public:
-  Photographer(const PosedSubjects& subjects, const Views& views, Faces faces, Analyses& analyses)
+  Photographer(const SubjectsInPoses& subjects, const Views& views, Faces faces, Analyses& analyses)
       : subjects_(subjects), views_(views), faces_(faces), analyses_(analyses) {}
 
   HeatMap map(const Scene& scene, std::size_t subject, std::size_t pose, std::size_t view) const {
     const View& from = views_.views[view];
-    DrawnSubject posed = drawn(scene, subject, pose);
+    SubjectGeometry posed = drawn(scene, subject, pose);
     const auto orders = views_by_orders(scene, subjects_.subjects[subject], subjects_.poses.poses[pose], {&from, 1});
     set_orders(posed, scene, subjects_.subjects[subject], orders.front().orders);
     return heat_map(posed.parts, from, views_.size);
@@ -112,7 +112,7 @@ class Photographer {
     for (std::size_t pose = 0; pose < subjects_.poses.poses.size(); ++pose) {
       if (!subjects_.is_new(subject, pose)) continue;
       const Subject& whole = subjects_.subjects[subject];
-      DrawnSubject posed = drawn(subjects_.scene, subject, pose);
+      SubjectGeometry posed = drawn(subjects_.scene, subject, pose);
       for (const ViewsOfOrders& some :
            views_by_orders(subjects_.scene, whole, subjects_.poses.poses[pose], views_.views)) {
         set_orders(posed, subjects_.scene, whole, some.orders);
@@ -127,12 +127,12 @@ class Photographer {
   }
 
  private:
-  DrawnSubject drawn(const Scene& scene, std::size_t subject, std::size_t pose) const {
-    return drawn_subject(scene, subjects_.subjects[subject], faces_, posed_nodes(scene, subjects_.poses.poses[pose]),
+  SubjectGeometry drawn(const Scene& scene, std::size_t subject, std::size_t pose) const {
+    return subject_geometry(scene, subjects_.subjects[subject], faces_, posed_nodes(scene, subjects_.poses.poses[pose]),
                          analyses_);
   }
 
-  const PosedSubjects& subjects_;
+  const SubjectsInPoses& subjects_;
   const Views& views_;
   Faces faces_;
   Analyses& analyses_;
@@ -171,7 +171,7 @@ std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const
                                   const Executor& executor, Analyses& analyses) {
   const Views views = make_views(options);
   const std::optional<std::size_t> number = number_in(which);
-  PosedSubjects subjects{before, subjects_of(before), make_poses(before, options), {}};
+  SubjectsInPoses subjects{before, subjects_of(before), make_poses(before, options), {}};
   subjects.distinct = distinct_poses(before, subjects.subjects, subjects.poses, executor);
   const Photographer photographer(subjects, views, options.faces, analyses);
 

@@ -19,7 +19,7 @@ std::string stage_row(const StageRecord& stage) {
                                            : element("td", fmt::format("{:.1f} MB", static_cast<double>(*stage.memory) / 1e6),
                                                      fmt::format("class=\"number\" data-value=\"{}\"", *stage.memory));
   return element("tr", element("td", escaped(stage.text)) +
-                           element("td", escaped(fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.places)),
+                           element("td", escaped(fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over)),
                                    fmt::format("class=\"number\" data-value=\"{}\"", stage.changed)) +
                            element("td", fmt::format("{:.2f} ms", 1000 * stage.seconds),
                                    fmt::format("class=\"number\" data-value=\"{}\"", stage.seconds)) +
@@ -30,15 +30,15 @@ std::string skips_html(const std::vector<StageRecord>& stages) {
   std::string items;
   for (const StageRecord& stage : stages) {
     for (const SkipRecord& skip : stage.skipped) {
-      const bool is_scene = skip.places.size() == 1 && skip.places[0].empty();
+      const bool is_scene = skip.about.size() == 1 && skip.about[0].empty();
       const std::string places = is_scene                 ? "the scene"
-                                 : skip.places.empty()    ? "everything"
-                                 : skip.places.size() > 5 ? fmt::format("{} {}", skip.places.size(), stage.places)
-                                                          : fmt::format("{}", fmt::join(skip.places, ", "));
+                                 : skip.about.empty()    ? "everything"
+                                 : skip.about.size() > 5 ? fmt::format("{} {}", skip.about.size(), stage.loops_over)
+                                                          : fmt::format("{}", fmt::join(skip.about, ", "));
       items += element("li", escaped(fmt::format("{} left {} alone: {}", stage.use, places, skip.reason))) + '\n';
     }
     for (const NoteRecord& note : stage.notes) {
-      items += element("li", escaped(stage.use + (note.place.empty() ? "" : " on " + note.place) + ": " + note.message)) + '\n';
+      items += element("li", escaped(stage.use + (note.about.empty() ? "" : " on " + note.about) + ": " + note.message)) + '\n';
     }
   }
   return items.empty() ? "" : element("ul", '\n' + items, "class=\"skipped\"") + '\n';

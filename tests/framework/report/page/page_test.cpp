@@ -28,7 +28,7 @@ Comparison comparison_of(const std::string& name) {
   branch.report.draws[0].after.metrics.set("vertex-cache", "acmr", {3, 2, 0, name});
   branch.report.diagnostics = {{Severity::warning, {.file = name}, "code", name, name}};
   StageRecord stage;
-  stage.use = stage.text = stage.places = name;
+  stage.use = stage.text = stage.loops_over = name;
   stage.skipped = {{"code", name, {name}}};
   stage.notes = {{name, "code", name}};
   branch.report.stages = {stage};

@@ -1,4 +1,4 @@
-#include <foredraw/viewing/order_nodes.h>
+#include <foredraw/viewing/order_grid.h>
 #include <foredraw/scene/order_table.h>
 
 #include <gtest/gtest.h>

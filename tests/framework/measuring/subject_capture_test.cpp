@@ -1,4 +1,4 @@
-#include <foredraw/measuring/captured_subject.h>
+#include <foredraw/measuring/subject_capture.h>
 
 #include "support/overdraw.h"
 
@@ -53,12 +53,12 @@ Clusters squares(const Draw&) { return {{0, 2, 4}}; }
 
 class CapturedSubjects : public ::testing::Test {
  protected:
-  CapturedSubject captured(const std::vector<DrawId>& draws, bool can_capture = true) {
+  SubjectCapture captured(const std::vector<DrawId>& draws, bool can_capture = true) {
     Captures service(can_capture);
     foredraw::Run run{fixture_.analyses, fixture_.executor, fixture_.findings, views_, character_.poses, &service};
     run.cancel = &cancel_;
-    return captured_subject({character_.scene, character_.subject, draws}, character_.poses, squares, run,
-                            [&](const SeenSubject& seen, const DrawnSubject& drawn) {
+    return capture_subject({character_.scene, character_.subject, draws}, character_.poses, squares, run,
+                            [&](const SubjectLayers& seen, const SubjectGeometry& drawn) {
                               nodes_at_looks_.push_back(seen.layers.views.size());
                               heights_.push_back(drawn.positions[0][0].z);
                             });
@@ -73,8 +73,8 @@ class CapturedSubjects : public ::testing::Test {
 };
 
 TEST_F(CapturedSubjects, poses_that_look_alike_share_their_nodes) {
-  const CapturedSubject both = captured({0, 1});
-  EXPECT_EQ(both.first_node, (std::vector<std::size_t>{0, 0, 3, 0}));
+  const SubjectCapture both = captured({0, 1});
+  EXPECT_EQ(both.first_look, (std::vector<std::size_t>{0, 0, 3, 0}));
   EXPECT_EQ(both.seen.weights, (std::vector<double>{3, 3, 3, 2, 2, 2}));
   EXPECT_EQ(both.seen.directions[4], (glm::dvec3{0, 0, -1}));
   EXPECT_EQ(nodes_at_looks_, (std::vector<std::size_t>{3, 6})) << "once for each, when its nodes are there";
@@ -84,7 +84,7 @@ TEST_F(CapturedSubjects, poses_that_look_alike_share_their_nodes) {
 }
 
 TEST_F(CapturedSubjects, layers_judge_orders_of_atoms) {
-  const CapturedSubject both = captured({0, 1});
+  const SubjectCapture both = captured({0, 1});
   ASSERT_EQ(both.seen.owners.size(), 4u);
   const auto counts = counts_of(both.seen, as_it_came(both.seen));
   ASSERT_GT(counts[0].visible, 0u);
@@ -96,7 +96,7 @@ TEST_F(CapturedSubjects, layers_judge_orders_of_atoms) {
 }
 
 TEST_F(CapturedSubjects, draws_that_are_not_ordered_are_one_atom) {
-  const CapturedSubject hat = captured({0});
+  const SubjectCapture hat = captured({0});
   EXPECT_EQ(hat.seen.draws[hat.number_of(0)].atoms.offsets, (Numbers{0, 2, 4}));
   EXPECT_EQ(hat.seen.draws[hat.number_of(1)].atoms.offsets, (Numbers{0, 4}));
   EXPECT_EQ(as_it_came(hat.seen), (std::vector<Numbers>{{0, 1}, {0}}));

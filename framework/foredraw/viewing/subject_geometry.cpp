@@ -1,4 +1,4 @@
-#include <foredraw/viewing/drawn_subject.h>
+#include <foredraw/viewing/subject_geometry.h>
 
 #include <foredraw/viewing/draw_mask.h>
 #include <foredraw/analysis/mesh_facts.h>
@@ -37,9 +37,9 @@ bool is_blended(const Scene& scene, const Draw& draw) {
   return material != nullptr && material->alpha_mode == AlphaMode::blend;
 }
 
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
+SubjectGeometry subject_geometry(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
                            Analyses& analyses) {
-  DrawnSubject drawn;
+  SubjectGeometry drawn;
   for (const SubjectPart& part : subject.parts) drawn.positions.push_back(posed_positions(scene, part, nodes));
   for (std::size_t i = 0; i < subject.parts.size(); ++i) {
     drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], nodes, faces, analyses));

@@ -6,7 +6,7 @@
 namespace foredraw {
 
 /// What an evaluator of a scene looks at: its subjects, in poses.
-struct PosedSubjects {
+struct SubjectsInPoses {
   const Scene& scene;
   std::vector<Subject> subjects;
   Poses poses;

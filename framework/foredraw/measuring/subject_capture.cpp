@@ -1,4 +1,4 @@
-#include <foredraw/measuring/captured_subject.h>
+#include <foredraw/measuring/subject_capture.h>
 
 #include <foredraw/overdraw/cluster_layers.h>
 #include <foredraw/overdraw/overdraw_bound.h>
@@ -13,7 +13,7 @@ namespace foredraw {
 namespace {
 
 /// The subject's draws, each once.
-void add_draws(CapturedSubject& captured, const SubjectView& view,
+void add_draws(SubjectCapture& captured, const SubjectView& view,
                const std::function<Clusters(const Draw&)>& atoms_of) {
   for (const SubjectPart& part : view.subject.parts) {
     if (std::ranges::find(captured.draws, part.draw) != captured.draws.end()) continue;
@@ -30,7 +30,7 @@ void add_draws(CapturedSubject& captured, const SubjectView& view,
 }
 
 /// The atoms of all parts that are drawn, one part's behind the other's. Tells who they are.
-Clusters atoms_of_parts(const CapturedSubject& captured, const SubjectView& view, const DrawnSubject& drawn,
+Clusters atoms_of_parts(const SubjectCapture& captured, const SubjectView& view, const SubjectGeometry& drawn,
                         std::vector<LayerOwner>& owners) {
   Clusters all{{0}};
   for (std::uint32_t part = 0; part < drawn.parts.size(); ++part) {
@@ -46,8 +46,8 @@ Clusters atoms_of_parts(const CapturedSubject& captured, const SubjectView& view
   return all;
 }
 
-void add_nodes(CapturedSubject& captured, const SubjectView& view, const DrawnSubject& drawn, double weight, Run& run) {
-  SeenSubject& seen = captured.seen;
+void add_looks(SubjectCapture& captured, const SubjectView& view, const SubjectGeometry& drawn, double weight, Run& run) {
+  SubjectLayers& seen = captured.seen;
   seen.owners.clear();
   const Clusters atoms = atoms_of_parts(captured, view, drawn, seen.owners);
   const auto layers_of_triangles = run.overdraw->capture(drawn.parts, run.views, run);
@@ -67,37 +67,37 @@ void add_nodes(CapturedSubject& captured, const SubjectView& view, const DrawnSu
 
 }  // namespace
 
-std::size_t CapturedSubject::number_of(DrawId draw) const {
+std::size_t SubjectCapture::number_of(DrawId draw) const {
   return static_cast<std::size_t>(std::ranges::find(draws, draw) - draws.begin());
 }
 
-std::vector<std::uint8_t> CapturedSubject::by_pose(std::span<const std::uint8_t> serving) const {
+std::vector<std::uint8_t> SubjectCapture::by_pose(std::span<const std::uint8_t> serving) const {
   std::vector<std::uint8_t> result;
-  for (const std::size_t first : first_node) {
+  for (const std::size_t first : first_look) {
     const auto of_pose = serving.subspan(first, views);
     result.insert(result.end(), of_pose.begin(), of_pose.end());
   }
   return result;
 }
 
-CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
+SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
                                  const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
-                                 const std::function<void(const SeenSubject&, const DrawnSubject&)>& look) {
-  CapturedSubject captured;
+                                 const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see) {
+  SubjectCapture captured;
   captured.views = run.views.views.size();
   add_draws(captured, view, atoms_of);
   const DistinctPoses distinct = distinct_poses(view.scene, {&view.subject, 1}, poses, run.executor).front();
   for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
     if (run.cancelled()) throw std::runtime_error("cancelled");
     if (distinct.first_alike[pose] != pose) {
-      captured.first_node.push_back(captured.first_node[distinct.first_alike[pose]]);
+      captured.first_look.push_back(captured.first_look[distinct.first_alike[pose]]);
       continue;
     }
-    captured.first_node.push_back(captured.seen.layers.views.size());
+    captured.first_look.push_back(captured.seen.layers.views.size());
     const PosedNodes nodes = view.subject.is_placed() ? posed_nodes(view.scene, poses.poses[pose]) : PosedNodes();
-    const DrawnSubject drawn = drawn_subject(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
-    add_nodes(captured, view, drawn, distinct.weights[pose], run);
-    if (look) look(captured.seen, drawn);
+    const SubjectGeometry drawn = subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
+    add_looks(captured, view, drawn, distinct.weights[pose], run);
+    if (see) see(captured.seen, drawn);
   }
   return captured;
 }
@@ -107,7 +107,7 @@ bool may_overdraw(const SubjectView& view, Run& run) {
   if (moves) return true;
   const PosedNodes nodes =
       view.subject.is_placed() ? posed_nodes(view.scene, run.poses.poses.front()) : PosedNodes();
-  const DrawnSubject drawn = drawn_subject(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
+  const SubjectGeometry drawn = subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
   const auto bound = overdraw_bound(drawn.parts, least_overdraw);
   if (!bound) return true;
   run.keep(fmt::format("it is convex, or nearly so: no order of it overdraws more than {:.4f}", *bound));

@@ -15,14 +15,14 @@ namespace foredraw {
 enum class Faces { material, front };
 
 /// A subject in a pose, ready to be drawn.
-struct DrawnSubject {
+struct SubjectGeometry {
   std::vector<std::vector<glm::vec3>> positions;  ///< what the parts look into
   std::vector<RasterPart> parts;  ///< as many as the subject's; those that are not drawn have no triangles
 };
 
 /// Triangle lists alone are drawn, no blended draws, and of masked ones those of which it is known where their holes
 /// are (mask_of()). `nodes`: posed_nodes() of the scene.
-DrawnSubject drawn_subject(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
+SubjectGeometry subject_geometry(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
                            Analyses& analyses);
 
 bool is_blended(const Scene& scene, const Draw& draw);

@@ -28,22 +28,22 @@ struct LayerOwner {
   std::uint32_t piece = 0;  ///< of the draw
 };
 
-/// A node is a pose seen from a direction.
-struct SeenSubject {
+/// A look is a pose seen from a direction.
+struct SubjectLayers {
   std::vector<AtomicDraw> draws;
   std::vector<LayerOwner> owners;      ///< of the layers: the atoms of each part, part by part as they are drawn
-  Layers layers;                       ///< [node] in place of views
-  std::vector<glm::dvec3> directions;  ///< [node] to the camera
-  std::vector<double> weights;         ///< [node]
+  Layers layers;                       ///< [look] in place of views
+  std::vector<glm::dvec3> directions;  ///< [look] to the camera
+  std::vector<double> weights;         ///< [look]
 };
 
-/// [draw][place] = atom: the order that there is.
-std::vector<std::vector<std::uint32_t>> as_it_came(const SeenSubject& subject);
+/// [draw][rank] = atom: the order that there is.
+std::vector<std::vector<std::uint32_t>> as_it_came(const SubjectLayers& subject);
 
-/// What the nodes count, drawn in one order: [draw][place] = atom.
-std::vector<OverdrawCount> counts_of(const SeenSubject& subject, std::span<const std::vector<std::uint32_t>> atoms);
+/// What the looks count, drawn in one order: [draw][rank] = atom.
+std::vector<OverdrawCount> counts_of(const SubjectLayers& subject, std::span<const std::vector<std::uint32_t>> atoms);
 
-/// The sum over all nodes, each as heavy as it is.
-ViewTally tally_of(const SeenSubject& subject, std::span<const OverdrawCount> counts);
+/// The sum over all looks, each as heavy as it is.
+ViewTally tally_of(const SubjectLayers& subject, std::span<const OverdrawCount> counts);
 
 }  // namespace foredraw

@@ -1,10 +1,10 @@
-#include <foredraw/overdraw/seen_subject.h>
+#include <foredraw/overdraw/subject_layers.h>
 
 #include <numeric>
 
 namespace foredraw {
 
-std::vector<std::vector<std::uint32_t>> as_it_came(const SeenSubject& subject) {
+std::vector<std::vector<std::uint32_t>> as_it_came(const SubjectLayers& subject) {
   std::vector<std::vector<std::uint32_t>> order;
   for (const AtomicDraw& draw : subject.draws) {
     order.emplace_back(draw.atoms.count());
@@ -13,7 +13,7 @@ std::vector<std::vector<std::uint32_t>> as_it_came(const SeenSubject& subject) {
   return order;
 }
 
-std::vector<OverdrawCount> counts_of(const SeenSubject& subject, std::span<const std::vector<std::uint32_t>> atoms) {
+std::vector<OverdrawCount> counts_of(const SubjectLayers& subject, std::span<const std::vector<std::uint32_t>> atoms) {
   std::vector<std::uint32_t> order;
   order.reserve(subject.owners.size());
   for (std::size_t first = 0; first < subject.owners.size();) {
@@ -24,9 +24,9 @@ std::vector<OverdrawCount> counts_of(const SeenSubject& subject, std::span<const
   return count_overdraw_by_view(subject.layers, order);
 }
 
-ViewTally tally_of(const SeenSubject& subject, std::span<const OverdrawCount> counts) {
+ViewTally tally_of(const SubjectLayers& subject, std::span<const OverdrawCount> counts) {
   ViewTally tally;
-  for (std::size_t node = 0; node < counts.size(); ++node) tally.add(counts[node], subject.weights[node]);
+  for (std::size_t look = 0; look < counts.size(); ++look) tally.add(counts[look], subject.weights[look]);
   return tally;
 }
 

@@ -2,7 +2,7 @@
 // A subject captured in poses and from all views, for orderers that judge orders of it without drawing again.
 
 #include <foredraw/viewing/distinct_poses.h>
-#include <foredraw/overdraw/seen_subject.h>
+#include <foredraw/overdraw/subject_layers.h>
 #include <foredraw/technique/orderer.h>
 #include <foredraw/technique/overdraw_service.h>
 
@@ -10,27 +10,27 @@
 
 namespace foredraw {
 
-/// Nodes are the poses that look different, each from all views in turn.
-struct CapturedSubject {
-  SeenSubject seen;                     ///< its indices lie in the scene
+/// Looks are the poses that look different, each from all views in turn.
+struct SubjectCapture {
+  SubjectLayers seen;                     ///< its indices lie in the scene
   std::vector<DrawId> draws;            ///< [draw of `seen`]
-  std::vector<std::size_t> first_node;  ///< [pose]; poses that look alike share their nodes
+  std::vector<std::size_t> first_look;  ///< [pose]; poses that look alike share their looks
   std::size_t views = 0;
 
   /// The draw's number in `seen`.
   std::size_t number_of(DrawId draw) const;
-  /// [node] -> [pose * number of views + view], as order_table() takes it.
+  /// [look] -> [pose * number of views + view], as order_table() takes it.
   std::vector<std::uint8_t> by_pose(std::span<const std::uint8_t> serving) const;
 };
 
 /// Captures the subject in the poses and from the run's views, by the run's overdraw service. `atoms_of`: what of the
 /// view's draws is moved as one, a partition of the draw's triangles; the subject's other draws are one atom each.
-/// `look`, where there is one, is called for every pose that looks different, in their sequence, with what is captured
+/// `see`, where there is one, is called for every pose that looks different, in their sequence, with what is captured
 /// up to it and the subject as it is drawn there. Positions are made for one pose at a time. std::runtime_error where
 /// the service can not capture and where the run is cancelled.
-CapturedSubject captured_subject(const SubjectView& view, const Poses& poses,
+SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
                                  const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
-                                 const std::function<void(const SeenSubject&, const DrawnSubject&)>& look = {});
+                                 const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see = {});
 
 /// Whether some order of a subject that stands still may overdraw more than `least_overdraw`, as overdraw_bound() knows
 /// without drawing it. Else tells the run that nothing can be gained. True of subjects that move: each pose has its own hull.

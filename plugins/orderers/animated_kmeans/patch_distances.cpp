@@ -1,4 +1,4 @@
-#include "patch_places.h"
+#include "patch_distances.h"
 
 #include <foredraw/viewing/bounding_sphere.h>
 
@@ -61,7 +61,7 @@ double distance_from(const View& view, const glm::dvec3& place) {
 
 }  // namespace
 
-void PatchPlaces::add_pose(const SeenSubject& subject, std::span<const RasterPart> parts, const Executor& executor) {
+void PatchDistances::add_pose(const SubjectLayers& subject, std::span<const RasterPart> parts, const Executor& executor) {
   std::vector<DrawnPositions> drawn;
   for (const RasterPart& part : parts) drawn.push_back({part.positions, part.indices});
   const BoundingSphere sphere = bounding_sphere(drawn);
@@ -79,17 +79,17 @@ void PatchPlaces::add_pose(const SeenSubject& subject, std::span<const RasterPar
   });
 }
 
-double PatchPlaces::distance(std::size_t node, std::size_t patch) const {
-  return distance_from(view_of(node), centroids_[node / views_.size()][patch]);
+double PatchDistances::distance(std::size_t look, std::size_t patch) const {
+  return distance_from(view_of(look), centroids_[look / views_.size()][patch]);
 }
 
-void PatchPlaces::integrate(std::size_t node, double weight, std::span<IntegratedDistance> patches) const {
-  const View& view = view_of(node);
-  const std::vector<glm::dvec3>& centroids = centroids_[node / views_.size()];
+void PatchDistances::integrate(std::size_t look, double weight, std::span<IntegratedDistance> patches) const {
+  const View& view = view_of(look);
+  const std::vector<glm::dvec3>& centroids = centroids_[look / views_.size()];
   for (std::size_t patch = 0; patch < patches.size(); ++patch) {
-    if (!facing_[node][patch]) continue;
+    if (!facing_[look][patch]) continue;
     patches[patch].distance += weight * distance_from(view, centroids[patch]);
-    patches[patch].nodes += weight;
+    patches[patch].looks += weight;
   }
 }
 

@@ -1,4 +1,4 @@
-#include <foredraw/viewing/view_sphere.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <foredraw/viewing/view_directions.h>
 #include <foredraw/viewing/view_list.h>

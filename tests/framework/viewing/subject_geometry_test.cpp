@@ -1,4 +1,4 @@
-#include <foredraw/viewing/drawn_subject.h>
+#include <foredraw/viewing/subject_geometry.h>
 
 #include "support/meshes.h"
 
@@ -13,9 +13,9 @@ using testing::TestMesh;
 
 const TestMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}};
 
-DrawnSubject drawn(const Scene& scene, Faces faces = Faces::material) {
+SubjectGeometry drawn(const Scene& scene, Faces faces = Faces::material) {
   Analyses analyses;
-  return drawn_subject(scene, subjects_of(scene)[0], faces, posed_nodes(scene), analyses);
+  return subject_geometry(scene, subjects_of(scene)[0], faces, posed_nodes(scene), analyses);
 }
 
 /// One mesh of two draws.
@@ -27,7 +27,7 @@ Scene two_draws() {
   return scene;
 }
 
-TEST(DrawnSubject, what_is_not_drawn_has_no_triangles) {
+TEST(SubjectGeometry, what_is_not_drawn_has_no_triangles) {
   Scene scene = two_draws();
   scene.materials.resize(1);
   scene.materials[0].alpha_mode = AlphaMode::blend;
@@ -38,7 +38,7 @@ TEST(DrawnSubject, what_is_not_drawn_has_no_triangles) {
   EXPECT_TRUE(drawn(scene).parts[1].indices.empty());
 }
 
-TEST(DrawnSubject, back_faces_are_drawn_where_the_material_says_so_unless_front_faces_are_asked_for) {
+TEST(SubjectGeometry, back_faces_are_drawn_where_the_material_says_so_unless_front_faces_are_asked_for) {
   Scene scene = two_draws();
   scene.materials.resize(1);
   scene.materials[0].double_sided = true;
@@ -48,7 +48,7 @@ TEST(DrawnSubject, back_faces_are_drawn_where_the_material_says_so_unless_front_
   EXPECT_TRUE(drawn(scene, Faces::front).parts[1].culls_back_faces);
 }
 
-TEST(DrawnSubject, triangles_with_a_position_that_is_not_finite_are_counted_once) {
+TEST(SubjectGeometry, triangles_with_a_position_that_is_not_finite_are_counted_once) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, nan, 0}, {nan, 1, 0}};
   const std::vector<std::uint32_t> indices = {0, 1, 2, 0, 2, 3, 0, 1, 0};

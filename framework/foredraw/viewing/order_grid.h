@@ -1,5 +1,5 @@
 #pragma once
-// From nodes (a pose seen from a direction) to the table that an engine looks up.
+// From looks (a pose seen from a direction) to the table that an engine looks up.
 
 #include <foredraw/scene/order_table.h>
 #include <foredraw/scene/poses.h>

@@ -1,4 +1,4 @@
-#include <foredraw/viewing/order_nodes.h>
+#include <foredraw/viewing/order_grid.h>
 
 #include <foredraw/viewing/order_lookup.h>
 #include <foredraw/viewing/pose_set.h>

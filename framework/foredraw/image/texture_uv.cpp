@@ -1,10 +1,10 @@
-#include <foredraw/image/texture_places.h>
+#include <foredraw/image/texture_uv.h>
 
 #include <foredraw/image/turn.h>
 
 namespace foredraw {
 
-std::vector<glm::dvec2> texture_places(const VertexStream& texcoords, const Texture& texture) {
+std::vector<glm::dvec2> texture_uv(const VertexStream& texcoords, const Texture& texture) {
   const Turn turn = turn_by(texture.rotation);
   std::vector<glm::dvec2> places;
   for (const glm::vec3& texcoord : decode_vec3(texcoords)) {
