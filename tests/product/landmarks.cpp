@@ -17,7 +17,7 @@ class LandmarksRow final : public ProductRow {
             .title = "landmarks",
             .extension = "EXAMPLE_landmarks",
             .remedy = "set them again",
-            .accessors_of_file = {"draws/*/vertices", "draws/*/triangles"},
+            .accessors_of_file = {"draws/*/vertices", "draws/*/triangles", "draws/*/parts"},
             .schemas = schemas(),
             .side_files = {{".csv"}, {".json", ".bin"}}};
   }
@@ -42,6 +42,7 @@ class LandmarksRow final : public ProductRow {
           !numbers("triangles", of.triangles)) {
         return "a draw of it is no draw";
       }
+      if (one.member("parts") != nullptr && !numbers("parts", of.parts)) return "its parts are no numbers";
       of.draw = *draw->whole();
       landmarks.draws.push_back(std::move(of));
     }
@@ -55,7 +56,9 @@ class LandmarksRow final : public ProductRow {
            const auto numbers = [&](const std::vector<std::uint32_t>& values) {
              return to.accessor(accessor_data(std::span(values), Component::uint32, 1));
            };
-           return Members{{"draw", of.draw}, {"vertices", numbers(of.vertices)}, {"triangles", numbers(of.triangles)}};
+           Members members{{"draw", of.draw}, {"vertices", numbers(of.vertices)}, {"triangles", numbers(of.triangles)}};
+           if (!of.parts.empty()) members.emplace_back("parts", numbers(of.parts));
+           return members;
          })}});
   }
 
@@ -74,6 +77,15 @@ class LandmarksRow final : public ProductRow {
     return {};
   }
 
+  std::vector<std::uint32_t> bounds(const Scene& scene, DrawLevel at) const override {
+    for (const Landmarks::OfDraw& of : scene.products.find<Landmarks>()->draws) {
+      if (of.draw != at.draw || of.parts.empty()) continue;
+      if (at.level == 0) return of.parts;
+      return {static_cast<std::uint32_t>(scene.draws[at.draw].levels[at.level].stream().triangle_count() / 2)};
+    }
+    return {};
+  }
+
   std::vector<std::string> follow(const Scene& before, Scene& after) const override {
     Landmarks landmarks = *after.products.find<Landmarks>();
     for (Landmarks::OfDraw& of : landmarks.draws) {
@@ -87,6 +99,12 @@ class LandmarksRow final : public ProductRow {
         leave_out(after);
         return {"the landmarks are left out: draw " + std::to_string(of.draw) + " was made anew"};
       }
+      auto parts = moved_bounds(of.parts, before.draws[of.draw].levels[0].orders[0], after.draws[of.draw].levels[0].orders[0]);
+      if (!parts) {
+        leave_out(after);
+        return {"the landmarks are left out: a triangle went from part to part"};
+      }
+      of.parts = std::move(*parts);
       for (std::uint32_t& v : of.vertices) v = (*vertices)[v];
       for (std::uint32_t& t : of.triangles) t = (*triangles)[t];
       std::erase(of.vertices, no_vertex);
@@ -116,6 +134,7 @@ class LandmarksRow final : public ProductRow {
 
 struct LandmarksOptions {
   bool wrong = false;
+  bool parts = false;
 };
 
 class MakeLandmarks final : public Processor {
@@ -129,6 +148,7 @@ class MakeLandmarks final : public Processor {
       const auto last = static_cast<std::uint32_t>(level.orders[0].triangle_count() - 1);
       landmarks.draws.push_back(
           {id, {level.vertices->count / 3, level.vertices->count - (options_.wrong ? 0 : 1)}, {0, last}});
+      if (options_.parts) landmarks.draws.back().parts = {(last + 1) / 3};
     }
     scene.products.set(std::move(landmarks));
     return draws;
@@ -149,6 +169,7 @@ Plugin landmarks_plugin() {
   plugin.products = {std::make_shared<const LandmarksRow>()};
   OptionTable<LandmarksOptions> table;
   table.row(&LandmarksOptions::wrong, "wrong", "Name a vertex that there is not");
+  table.row(&LandmarksOptions::parts, "parts", "Part the triangles");
   bind_options(plugin, table, [](const LandmarksOptions& options) { return std::make_unique<MakeLandmarks>(options); });
   return plugin;
 }

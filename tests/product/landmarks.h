@@ -10,13 +10,16 @@ struct Landmarks {
   struct OfDraw {
     DrawId draw = 0;
     std::vector<std::uint32_t> vertices, triangles;
+    std::vector<std::uint32_t> parts = {};  ///< where the second one begins, and so on; of level 1 there is one at half
     friend bool operator==(const OfDraw&, const OfDraw&) = default;
   };
   std::vector<OfDraw> draws;
   friend bool operator==(const Landmarks&, const Landmarks&) = default;
 };
 
-/// Makes them of a vertex in the midst and the last one, and of the first and last triangle, of each draw. `wrong`: names a vertex that there is not.
+/// Makes them of a vertex in the midst and the last one, and of the first and last triangle, of each draw.
+/// `wrong`: names a vertex that there is not. `parts`: each draw has two, one of a third of its triangles, and one of the
+/// rest.
 Plugin landmarks_plugin();
 
 }  // namespace foredraw::testing

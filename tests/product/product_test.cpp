@@ -10,10 +10,15 @@
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/report/inspection.h>
+#include <foredraw/scene/order_table.h>
+#include <foredraw/scene/reorder.h>
 #include <foredraw/technique/built_in_plugins.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <numeric>
+#include <set>
 
 namespace foredraw {
 namespace {
@@ -79,6 +84,97 @@ TEST(Product, FollowsReorderedTrianglesAndRenumberedAndWeldedVertices) {
     EXPECT_EQ(meant(moved.scene), wanted) << stages;
   }
   EXPECT_TRUE(has_changed);
+}
+
+/// The triangles that lie in [first, end), by their corners' positions, in no order.
+std::multiset<std::array<float, 9>> triangles_in(const Level& level, const IndexStream& stream, std::size_t first,
+                                                 std::size_t end) {
+  const auto positions = decode_vec3(*level.vertices->find("POSITION"));
+  std::multiset<std::array<float, 9>> triangles;
+  for (std::size_t t = first; t < end; ++t) {
+    std::array<float, 9> corners;
+    for (std::size_t c = 0; c < 9; ++c) {
+      corners[c] = positions[stream.indices.view()[3 * t + c / 3]][static_cast<int>(c % 3)];
+    }
+    triangles.insert(corners);
+  }
+  return triangles;
+}
+
+/// That each order of each level has the triangles of each half in that half still.
+void expect_parts_stay(const Draw& before, const Draw& after, const std::string& what) {
+  for (std::size_t i = 0; i < before.levels.size(); ++i) {
+    const Level& old = before.levels[i];
+    const std::size_t count = old.stream().triangle_count();
+    const std::size_t bound = count / (i == 0 ? 3 : 2);
+    for (const IndexStream& stream : after.levels[i].orders) {
+      ASSERT_EQ(stream.triangle_count(), count) << what;
+      EXPECT_EQ(triangles_in(after.levels[i], stream, 0, bound), triangles_in(old, old.stream(), 0, bound)) << what;
+    }
+  }
+}
+
+TEST(Product, WithRangesHasEveryOrderWithinThem) {
+  Scene scene = doubled();
+  Level coarser = scene.draws[0].full();  // the same triangles backwards
+  std::vector<std::uint32_t> backwards(coarser.stream().indices.view().rbegin(),
+                                       coarser.stream().indices.view().rend());
+  coarser.stream().indices = Shared<std::uint32_t>(std::move(backwards));
+  coarser.origin.reset();
+  scene.draws[0].levels.push_back(coarser);
+  std::size_t changed = 0;
+  const Registry plugins = registry();
+  for (const Plugin* plugin : plugins.all()) {
+    const bool orders = plugin->kind == Kind::orderer || plugin->kind == Kind::clusterer;
+    if (!orders) continue;
+    const std::string alone = plugin->card.needs.has(traits::clustered) ? "linear-clusters, " : "";
+    for (const std::string& stages : {alone + plugin->card.name, "tipsify, linear-clusters, " + plugin->card.name,
+                                      "linear-clusters, " + plugin->card.name + ", weld, tipsify"}) {
+      const Result result = run("landmarks(parts=true), " + stages, scene);
+      EXPECT_FALSE(result.failed) << stages;
+      expect_parts_stay(scene.draws[0], result.scene.draws[0], stages);
+      EXPECT_TRUE(result.scene.products.has(Landmarks::product)) << stages;
+      const IndexStream& stream = result.scene.draws[0].full().stream();
+      changed += !std::ranges::equal(stream.indices.view(), scene.draws[0].full().stream().indices.view());
+      if (stream.clusters) {
+        EXPECT_TRUE(std::ranges::binary_search(stream.clusters->offsets,
+                                               static_cast<std::uint32_t>(stream.triangle_count() / 3)))
+            << stages << ": no cluster crosses a bound";
+      }
+    }
+  }
+  EXPECT_GE(changed, 10u);
+}
+
+TEST(Product, WithRangesCutsTheClustersThatThereWere) {
+  const Result result = run("linear-clusters(lambda=3, growth=4), landmarks(parts=true), dot-rule", doubled());
+  ASSERT_FALSE(result.failed);
+  const IndexStream& stream = result.scene.draws[0].full().stream();
+  ASSERT_TRUE(stream.clusters);
+  EXPECT_TRUE(std::ranges::binary_search(stream.clusters->offsets,
+                                         static_cast<std::uint32_t>(stream.triangle_count() / 3)));
+}
+
+TEST(Product, WithRangesHasATableOfOrdersWithinThem) {
+  Scene scene = testing::scene_of({testing::draw_of(
+      testing::shuffled(testing::joined(testing::sphere(12, 16, 1), testing::sphere(12, 16, 0.7f)), 5), "shells")});
+  const Result result = run("landmarks(parts=true), occlusion-order(k=3)", scene);
+  ASSERT_FALSE(result.failed);
+  EXPECT_GT(result.scene.draws[0].full().orders.size(), 1u);
+  expect_parts_stay(scene.draws[0], result.scene.draws[0], "k=3");
+  const auto* tables = result.scene.products.find<DrawOrders>();
+  ASSERT_NE(tables, nullptr);
+  EXPECT_EQ(tables->tables.at(0).draws, (std::vector<DrawId>{0}));
+}
+
+TEST(Product, WhoseRangesAreCrossedIsLeftOut) {
+  Scene scene = run("landmarks(parts=true)", doubled()).scene;
+  const Scene before = scene;
+  std::vector<std::uint32_t> order(scene.draws[0].full().stream().triangle_count());
+  std::iota(order.rbegin(), order.rend(), 0u);
+  scene.draws[0] = with_triangle_order(scene.draws[0], order);
+  EXPECT_EQ(registry().products()[1]->follow(before, scene).size(), 1u);
+  EXPECT_FALSE(scene.products.has(Landmarks::product));
 }
 
 TEST(Product, GoesStaleWhereADrawIsMadeAnewAndTheReportSaysSo) {

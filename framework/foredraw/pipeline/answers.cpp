@@ -17,11 +17,6 @@ void require(bool good, fmt::format_string<Arguments...> message, Arguments&&...
   if (!good) throw std::runtime_error(fmt::format(message, std::forward<Arguments>(arguments)...));
 }
 
-void require_permutation(std::span<const std::uint32_t> order, std::size_t count, std::string_view what) {
-  require(is_permutation(order, count), "its order of {} entries is no permutation of {} {}", order.size(), count,
-          what);
-}
-
 /// An order that the table never names would only take memory; the first one stands alone and stays.
 void leave_out_unnamed(SubjectOrders& answer) {
   std::vector<bool> is_named(answer.orders.front().size(), false);
@@ -41,6 +36,40 @@ void leave_out_unnamed(SubjectOrders& answer) {
 }
 
 }  // namespace
+
+void check_order(std::span<const std::uint32_t> order, std::size_t count, std::string_view what) {
+  require(is_permutation(order, count), "its order of {} entries is no permutation of {} {}", order.size(), count,
+          what);
+}
+
+void check_clusters(const Clusters& clusters, std::size_t triangles) {
+  require(is_partition(clusters, triangles), "its clusters are no partition of {} triangles", triangles);
+}
+
+void check_orders(const SubjectView& subject, const SubjectOrders& answer) {
+  const OrderTable& table = answer.table;
+  require(answer.orders.size() == table.draws.size(), "it answers for {} draws, but its table names {}",
+          answer.orders.size(), table.draws.size());
+  require(!answer.orders.empty() && !answer.orders.front().empty(), "it answers with no order");
+  const std::size_t k = answer.orders.front().size();
+  const std::optional<std::string> mistake = mistake_in(table, k);
+  require(!mistake, "its table {}", mistake.value_or(""));
+  const std::vector<std::string> clips = clip_names(subject.scene);
+  for (const OrderTable::Clip& clip : table.clips) {
+    require(std::ranges::find(clips, clip.name) != clips.end(), "its table has clip '{}', which the scene has not",
+            clip.name);
+  }
+
+  for (std::size_t i = 0; i < table.draws.size(); ++i) {
+    const DrawId id = table.draws[i];
+    require(std::ranges::find(subject.draws, id) != subject.draws.end(), "it orders draw {}, which it was not given",
+            id);
+    require(answer.orders[i].size() == k, "it answers with {} orders for one draw and {} for another", k,
+            answer.orders[i].size());
+    const std::size_t triangles = subject.scene.draws[id].full().stream().triangle_count();
+    for (const IndexOrder& order : answer.orders[i]) check_order(order, triangles, "triangles");
+  }
+}
 
 bool has_same_handles(const Draw& a, const Draw& b) {
   const auto same_stream = [](const IndexStream& x, const IndexStream& y) { return x.indices.is(y.indices); };
@@ -63,7 +92,7 @@ void certify(const Draw& before, const Draw& after, Analyses& analyses) {
 }
 
 Draw ordered(const DrawView& draw, const IndexOrder& order, int cache_size, Analyses& analyses) {
-  require_permutation(order, draw.triangle_count(), "triangles");
+  check_order(order, draw.triangle_count(), "triangles");
   Draw result = with_triangle_order(draw.draw(), order);
   result.full().orders.resize(1);  // others went with the one that stood alone
   if (cache_size > 0) result.full().stream().cache_size = static_cast<std::uint16_t>(cache_size);
@@ -72,39 +101,18 @@ Draw ordered(const DrawView& draw, const IndexOrder& order, int cache_size, Anal
 }
 
 Draw clustered(const DrawView& draw, Clusters clusters) {
-  require(is_partition(clusters, draw.triangle_count()), "its clusters are no partition of {} triangles",
-          draw.triangle_count());
+  check_clusters(clusters, draw.triangle_count());
   Draw result = draw.draw();
   result.full().stream().clusters = std::move(clusters);
   return result;
 }
 
 OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyses& analyses) {
-  const OrderTable& table = answer.table;
-  require(answer.orders.size() == table.draws.size(), "it answers for {} draws, but its table names {}",
-          answer.orders.size(), table.draws.size());
-  require(!answer.orders.empty() && !answer.orders.front().empty(), "it answers with no order");
-  const std::size_t k = answer.orders.front().size();
-  const std::optional<std::string> mistake = mistake_in(table, k);
-  require(!mistake, "its table {}", mistake.value_or(""));
-  const std::vector<std::string> clips = clip_names(subject.scene);
-  for (const OrderTable::Clip& clip : table.clips) {
-    require(std::ranges::find(clips, clip.name) != clips.end(), "its table has clip '{}', which the scene has not",
-            clip.name);
-  }
-
-  for (std::size_t i = 0; i < table.draws.size(); ++i) {
-    const DrawId id = table.draws[i];
-    require(std::ranges::find(subject.draws, id) != subject.draws.end(), "it orders draw {}, which it was not given",
-            id);
-    require(answer.orders[i].size() == k, "it answers with {} orders for one draw and {} for another", k,
-            answer.orders[i].size());
-    const std::size_t triangles = subject.scene.draws[id].full().stream().triangle_count();
-    for (const IndexOrder& order : answer.orders[i]) require_permutation(order, triangles, "triangles");
-  }
+  check_orders(subject, answer);
   leave_out_unnamed(answer);
 
   OrderedSubject result;
+  const OrderTable& table = answer.table;
   for (std::size_t i = 0; i < table.draws.size(); ++i) {
     const Draw& before = subject.scene.draws[table.draws[i]];
     const IndexStream stream = before.full().stream();
@@ -122,7 +130,7 @@ OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyse
 
 std::vector<std::pair<VertexGroup::User, Draw>> renumbered(const Scene& scene, const VertexGroup& group,
                                                            const VertexOrder& order, Analyses& analyses) {
-  require_permutation(order, group.vertices->count, "vertices");
+  check_order(order, group.vertices->count, "vertices");
   std::vector<std::uint32_t> destination(order.size());
   for (std::uint32_t v = 0; v < order.size(); ++v) destination[order[v]] = v;
   std::vector<Draw> draws = with_vertices_moved(scene, group, destination, group.vertices->count);

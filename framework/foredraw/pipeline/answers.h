@@ -10,6 +10,11 @@
 
 namespace foredraw {
 
+/// That an answer is one: each of `count` things once; a partition of the triangles; orders of draws that were given.
+void check_order(std::span<const std::uint32_t> order, std::size_t count, std::string_view what);
+void check_clusters(const Clusters& clusters, std::size_t triangles);
+void check_orders(const SubjectView& subject, const SubjectOrders& answer);
+
 using ChangedDraws = std::vector<std::pair<DrawId, Draw>>;
 
 /// The draw in the order, made for a vertex cache of `cache_size` entries (0: for the one that it was made for).

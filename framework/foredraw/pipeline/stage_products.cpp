@@ -1,5 +1,7 @@
 #include <foredraw/pipeline/stage_products.h>
 
+#include <foredraw/pipeline/ranges.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -25,6 +27,7 @@ void StageProducts::settle(const Scene& before, Scene& scene) {
       record_.notes.push_back({"", name + "-left-out", std::move(why)});
     }
   }
+  cut_clusters(scene, rows_);
   mark_held_draws(scene, rows_);
 }
 

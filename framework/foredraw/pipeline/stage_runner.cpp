@@ -4,6 +4,7 @@
 #include <foredraw/base/random.h>
 #include <foredraw/pipeline/answers.h>
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/pipeline/ranges.h>
 #include <foredraw/pipeline/stage_products.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/scene/order_table.h>
@@ -19,7 +20,7 @@ namespace foredraw {
 
 namespace {
 
-/// What came of one place: an answer, a reason why there is nothing to gain, or, with neither, a failure.
+/// What came of one of them: an answer, a reason why there is nothing to gain, or, with neither, a failure.
 template <class Answer>
 struct Outcome {
   std::optional<Answer> answer;
@@ -42,6 +43,9 @@ class StageRunner {
     const std::size_t most = most_levels(scene);
     for (DrawId id = 0; id < scene.draws.size(); ++id) choose_levels(id);
     for (std::size_t level = 0; most > 1 && level < most; ++level) at_level_.push_back(at_level(scene, level));
+    for (std::size_t level = 0; !scene.products.empty() && level < most; ++level) {
+      ranged_.push_back(RangedScene::of(scene_at(level), scene, level, plan.products));
+    }
   }
 
   std::vector<Measured> run() {
@@ -58,7 +62,8 @@ class StageRunner {
   void run(const DrawOrderer& technique) {
     const int cache_size = technique.cache_size();
     auto outcomes = over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
-      const IndexOrder order = technique.order(draw, run);
+      const RangedScene* ranges = ranges_at(run.about.level);
+      const IndexOrder order = ranges ? order_of(technique, draw.id, *ranges, run) : technique.order(draw, run);
       if (!run.keeps()) outcome.answer = ordered(draw, order, cache_size, run.analyses);
     });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -72,7 +77,9 @@ class StageRunner {
 
   void run(const Clusterer& technique) {
     accept_draws(over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
-      outcome.answer = clustered(draw, technique.cluster(draw, run));
+      const RangedScene* ranges = ranges_at(run.about.level);
+      outcome.answer =
+          clustered(draw, ranges ? clusters_of(technique, draw.id, *ranges, run) : technique.cluster(draw, run));
     }));
   }
 
@@ -93,7 +100,8 @@ class StageRunner {
         [&](std::size_t i, Run& run, Outcome<OrderedSubject>& outcome) {
           const SubjectView view{scene_at(parts[i].level), subjects[parts[i].subject], parts[i].draws};
           if (view.draws.empty()) return run.keep("none of its draws may be ordered anew");
-          SubjectOrders orders = technique.order(view, run);
+          const RangedScene* ranges = ranges_at(run.about.level);
+          SubjectOrders orders = ranges ? orders_of(technique, view, *ranges, run) : technique.order(view, run);
           if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
         });
     const auto before = order_tables(scene_);
@@ -235,7 +243,7 @@ class StageRunner {
     accept(outcome, place, scene_);
   }
 
-  /// Books what came of a place. Notes call draws what they were called before the stage; those that it added are in
+  /// Books what came of one. Notes call draws what they were called before the stage; those that it added are in
   /// `changed`.
   template <class Answer>
   void accept(Outcome<Answer>& outcome, const std::string& place, const Scene& changed) {
@@ -325,6 +333,10 @@ class StageRunner {
   }
 
   const Scene& scene_at(std::size_t level) const { return at_level_.empty() ? scene_ : at_level_[level]; }
+  /// Null where no product of the scene counts on ranges there.
+  const RangedScene* ranges_at(std::size_t level) const {
+    return level < ranged_.size() && ranged_[level] ? &*ranged_[level] : nullptr;
+  }
   std::string name_of(const DrawLevel& at) const { return foredraw::name_of(scene_.draws[at.draw], at.level); }
   static About about_of(const DrawLevel& at) { return {.draw = at.draw, .level = at.level}; }
 
@@ -375,6 +387,7 @@ class StageRunner {
   std::vector<DrawLevel> levels_;  ///< that the stage works on
   std::vector<DrawId> draws_;      ///< of which it is so at full detail
   std::vector<Scene> at_level_;    ///< [level]; empty where no draw has several
+  std::vector<std::optional<RangedScene>> ranged_;  ///< [level]; empty where the scene has no products
   std::function<void(double)> progress_;
   std::vector<Measured> measured_;
 };

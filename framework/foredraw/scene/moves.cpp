@@ -1,5 +1,6 @@
 #include <foredraw/scene/moves.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace foredraw {
@@ -40,6 +41,28 @@ std::optional<std::vector<std::uint32_t>> triangle_moves(const IndexStream& befo
     moves[i] = number_after[was.empty() ? i : was[i]];
   }
   return moves;
+}
+
+std::optional<std::vector<std::uint32_t>> moved_bounds(std::span<const std::uint32_t> bounds, const IndexStream& before,
+                                                       const IndexStream& after) {
+  constexpr std::uint32_t unknown = ~std::uint32_t{0};
+  const auto was = before.triangle_origin.view(), is = after.triangle_origin.view();
+  if (is.empty() && after.triangle_count() != before.triangle_count()) return std::nullopt;
+  const std::size_t in_file = was.empty() ? before.triangle_count() : std::size_t{std::ranges::max(was)} + 1;
+  std::vector<std::uint32_t> range_of(in_file, unknown);  // [number in the file]
+  for (std::uint32_t i = 0; i < before.triangle_count(); ++i) {
+    range_of[was.empty() ? i : was[i]] =
+        static_cast<std::uint32_t>(std::ranges::upper_bound(bounds, i) - bounds.begin());
+  }
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t i = 0; i < after.triangle_count(); ++i) {
+    const std::uint32_t file = is.empty() ? i : is[i];
+    const std::uint32_t range = file < in_file ? range_of[file] : unknown;
+    if (range == unknown || range < moved.size()) return std::nullopt;
+    moved.resize(range, i);
+  }
+  moved.resize(bounds.size(), static_cast<std::uint32_t>(after.triangle_count()));
+  return moved;
 }
 
 }  // namespace foredraw

@@ -115,6 +115,10 @@ class ProductRow {
   virtual std::string difference(const Scene&) const { return {}; }
   /// Draws that it refers to by numbers of triangles and vertices and can not follow: stages leave them alone. Rising.
   virtual std::vector<DrawId> held(const Scene&) const { return {}; }
+  /// Of the draw's triangles in the order that stands alone: the first of each range, but the first range, that orders must
+  /// not cross. Orders and clusters are made within ranges, so that bounds stay where they are; other stages' changes the
+  /// product follows itself. Of a scene that has it.
+  virtual std::vector<std::uint32_t> bounds(const Scene&, DrawLevel) const { return {}; }
   /// Brings the product up to what a stage made of the draws. Answers with what had to be left out and why, as whole
   /// sentences. Unless a row knows better, the product is left out where it no longer shows the same.
   virtual std::vector<std::string> follow(const Scene& before, Scene& after) const;

@@ -49,5 +49,29 @@ TEST(Moves, OfTrianglesComposeTheirOrders) {
   EXPECT_EQ(triangle_moves(first, third), (Numbers{0, 1, 2}));
 }
 
+TEST(Moves, OfBoundsStayUnderOrdersWithinRangesAndMoveWhereTrianglesAreDropped) {
+  const IndexStream first = testing::draw_of(testing::soup(5, 1)).full().stream();
+  const Numbers bounds{2, 3};
+  EXPECT_EQ(moved_bounds(bounds, first, first), bounds);
+  const IndexStream within = with_triangle_order(first, Numbers{1, 0, 2, 4, 3});
+  EXPECT_EQ(moved_bounds(bounds, first, within), bounds);
+  EXPECT_EQ(moved_bounds(bounds, within, first), bounds);
+  EXPECT_EQ(moved_bounds(bounds, first, with_triangle_order(first, Numbers{2, 1, 0, 3, 4})), std::nullopt);
+  const auto kept = [](const IndexStream& of, const Numbers& triangles) {
+    IndexStream fewer = of;
+    Numbers indices, origin;
+    for (const std::uint32_t t : triangles) {
+      for (std::size_t c = 0; c < 3; ++c) indices.push_back(of.indices.view()[3 * std::size_t{t} + c]);
+      origin.push_back(of.triangle_origin.empty() ? t : of.triangle_origin.view()[t]);
+    }
+    fewer.indices = Shared<std::uint32_t>(std::move(indices));
+    fewer.triangle_origin = Shared<std::uint32_t>(std::move(origin));
+    return fewer;
+  };
+  EXPECT_EQ(moved_bounds(bounds, first, kept(first, {1, 3, 4})), (Numbers{1, 1}));
+  EXPECT_EQ(moved_bounds(bounds, within, kept(within, {0, 2})), (Numbers{1, 2}));
+  EXPECT_EQ(moved_bounds(bounds, kept(first, {0, 3}), first), std::nullopt) << "triangles that were not there";
+}
+
 }  // namespace
 }  // namespace foredraw
