@@ -59,7 +59,7 @@ Exit schema(const Arguments& arguments, const Registry& registry) {
   if (arguments.name.empty()) return print(pipeline_schema(registry));
   std::vector<std::string> names;
   for (const auto& row : registry.products()) {
-    const ProductCard card = row->card();
+    const ProductCard& card = row->card();
     names.push_back(card.name);
     if (card.name != arguments.name) continue;
     std::vector<std::string> texts;

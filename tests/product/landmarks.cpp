@@ -12,15 +12,14 @@ using Members = ExtensionValue::Members;
 
 class LandmarksRow final : public ProductRow {
  public:
-  ProductCard card() const override {
-    return {.name = std::string(Landmarks::product),
-            .title = "landmarks",
-            .extension = "EXAMPLE_landmarks",
-            .remedy = "set them again",
-            .accessors_of_file = {"draws/*/vertices", "draws/*/triangles", "draws/*/parts"},
-            .schemas = schemas(),
-            .side_files = {{".csv"}, {".json", ".bin"}}};
-  }
+  LandmarksRow()
+      : ProductRow({.name = std::string(Landmarks::product),
+                    .title = "landmarks",
+                    .extension = "EXAMPLE_landmarks",
+                    .remedy = "set them again",
+                    .accessors_of_file = {"draws/*/vertices", "draws/*/triangles", "draws/*/parts"},
+                    .schemas = schemas(),
+                    .side_files = {{".csv"}, {".json", ".bin"}}}) {}
 
   std::string read(ExtensionReader& from, Scene& scene) const override {
     const ExtensionValue* file = from.of_file();
@@ -99,7 +98,8 @@ class LandmarksRow final : public ProductRow {
         leave_out(after);
         return {"the landmarks are left out: draw " + std::to_string(of.draw) + " was made anew"};
       }
-      auto parts = moved_bounds(of.parts, before.draws[of.draw].levels[0].orders[0], after.draws[of.draw].levels[0].orders[0]);
+      auto parts =
+          moved_bounds(of.parts, before.draws[of.draw].levels[0].orders[0], after.draws[of.draw].levels[0].orders[0]);
       if (!parts) {
         leave_out(after);
         return {"the landmarks are left out: a triangle went from part to part"};

@@ -18,8 +18,8 @@ struct Landmarks {
 };
 
 /// Makes them of a vertex in the midst and the last one, and of the first and last triangle, of each draw.
-/// `wrong`: names a vertex that there is not. `parts`: each draw has two, one of a third of its triangles, and one of the
-/// rest.
+/// `wrong`: names a vertex that there is not. `parts`: each draw has two, one of a third of its triangles, and one of
+/// the rest.
 Plugin landmarks_plugin();
 
 }  // namespace foredraw::testing

@@ -40,16 +40,15 @@ std::vector<std::string> forget_tables(Scene& scene, const std::function<std::st
 
 class DrawOrdersRow final : public ProductRow {
  public:
-  ProductCard card() const override {
-    return {.name = std::string(DrawOrders::product),
-            .title = "orders and their tables",
-            .extension = "FOREDRAW_draw_orders",
-            .remedy = "make them again, once nothing changes the file any more",
-            .accessors_of_file = {"tables/*/order", "tables/*/clips/*/times"},
-            .accessors_of_draw = {"orders/*"},
-            .schemas = schemas(),
-            .side_files = {{".json"}}};
-  }
+  DrawOrdersRow()
+      : ProductRow({.name = std::string(DrawOrders::product),
+                    .title = "orders and their tables",
+                    .extension = "FOREDRAW_draw_orders",
+                    .remedy = "make them again, once nothing changes the file any more",
+                    .accessors_of_file = {"tables/*/order", "tables/*/clips/*/times"},
+                    .accessors_of_draw = {"orders/*"},
+                    .schemas = schemas(),
+                    .side_files = {{".json"}}}) {}
 
   std::string read(ExtensionReader& from, Scene& scene) const override { return read_draw_orders(from, scene); }
   void write(const Scene& scene, ExtensionWriter& to) const override { write_draw_orders(scene, to); }

@@ -24,8 +24,8 @@ struct BytesOf {
 }  // namespace
 
 std::optional<SideFileKind> side_file_kind(const ProductRow& row, const std::filesystem::path& path) {
-  for (SideFileKind& kind : row.card().side_files) {
-    if (kind.extension == lower_extension(path)) return std::move(kind);
+  for (const SideFileKind& kind : row.card().side_files) {
+    if (kind.extension == lower_extension(path)) return kind;
   }
   return std::nullopt;
 }
@@ -39,7 +39,7 @@ std::vector<std::filesystem::path> paths_of_side_file(const ProductRow& row, con
 
 std::optional<std::vector<OutputFile>> encode_side_file(const Scene& scene, const ProductRow& row,
                                                         const std::filesystem::path& path, Diagnostics& diagnostics) {
-  const ProductCard card = row.card();
+  const ProductCard& card = row.card();
   if (!scene.products.has(card.name)) {
     diagnostics.error({.file = path.string()}, "nothing-made",
                       "is to hold " + card.title + ", and " + scene.name + " has none",

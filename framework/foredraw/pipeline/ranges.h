@@ -1,6 +1,7 @@
 #pragma once
-// Ranges of triangles that orders must not cross, because a product counts on where they lie. Whoever orders or clusters
-// is handed each range as a draw of its own; what it answers is joined, so that no triangle ever leaves its range.
+// Ranges of triangles that orders must not cross, because a product counts on where they lie. Whoever orders or
+// clusters is handed each range as a draw of its own; what it answers is joined, so that no triangle ever leaves its
+// range.
 
 #include <foredraw/scene/product_row.h>
 #include <foredraw/technique/clusterer.h>
@@ -21,8 +22,8 @@ struct RangedScene {
 /// Cuts clusters that were there before the product, so that none lies across a bound.
 void cut_clusters(Scene& scene, const ProductRows& rows);
 
-/// What the technique answers for the draw, range by range. What it keeps stays as it is in that range; it keeps the draw
-/// where it keeps every range. std::runtime_error where an answer is none for its range.
+/// What the technique answers for the draw, range by range. What it keeps stays as it is in that range; it keeps the
+/// draw where it keeps every range. std::runtime_error where an answer is none for its range.
 IndexOrder order_of(const DrawOrderer& technique, DrawId draw, const RangedScene& in, Run& run);
 Clusters clusters_of(const Clusterer& technique, DrawId draw, const RangedScene& in, Run& run);
 

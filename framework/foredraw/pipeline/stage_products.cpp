@@ -9,7 +9,7 @@ namespace foredraw {
 
 void StageProducts::prove(const Scene& before, const Scene& changed) {
   for (const auto& row : rows_) {
-    const ProductCard card = row->card();
+    const ProductCard& card = row->card();
     if (!changed.products.has(card.name) || changed.products.same(card.name, before.products)) continue;
     const std::string difference = row->difference(changed);
     if (!difference.empty()) throw std::runtime_error("its " + card.title + " differ from the scene: " + difference);

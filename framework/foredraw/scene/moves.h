@@ -14,8 +14,8 @@ std::optional<std::vector<std::uint32_t>> vertex_moves(const Level& before, cons
 /// The same of triangles. None is ever gone.
 std::optional<std::vector<std::uint32_t>> triangle_moves(const IndexStream& before, const IndexStream& after);
 
-/// Where ranges of triangles begin now: `bounds` are the first triangles of all ranges but the first, rising. A range may
-/// have lost triangles, and be empty. Nothing where a triangle left its range, or is not known from before.
+/// Where ranges of triangles begin now: `bounds` are the first triangles of all ranges but the first, rising. A range
+/// may have lost triangles, and be empty. Nothing where a triangle left its range, or is not known from before.
 std::optional<std::vector<std::uint32_t>> moved_bounds(std::span<const std::uint32_t> bounds, const IndexStream& before,
                                                        const IndexStream& after);
 

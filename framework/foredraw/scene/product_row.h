@@ -1,6 +1,7 @@
 #pragma once
-// The contract of a product: how it is read and written, what it holds on to, what becomes of it, what is told of it. The
-// folder of whoever makes the product has its row; readers, writers, runners and hosts are handed rows and know no names.
+// The contract of a product: how it is read and written, what it holds on to, what becomes of it, what is told of it.
+// The folder of whoever makes the product has its row; readers, writers, runners and hosts are handed rows and know no
+// names.
 
 #include <foredraw/scene/extension_value.h>
 #include <foredraw/scene/scene.h>
@@ -61,25 +62,25 @@ class ExtensionWriter {
 
 /// A file that engines read beside the scene, or instead of it.
 struct SideFileKind {
-  std::string extension;   ///< ".json"
-  std::string beside = {}; ///< the end of a second file's name, behind the first's: ".bin"; empty: there is none
+  std::string extension;    ///< ".json"
+  std::string beside = {};  ///< the end of a second file's name, behind the first's: ".bin"; empty: there is none
 };
 
 struct SideFile {
   std::variant<std::vector<std::byte>, std::string, ExtensionValue> content;  ///< a value is written as JSON
-  int indent = 1;                       ///< of JSON; -1: all on one line
+  int indent = 1;                                                             ///< of JSON; -1: all on one line
   std::vector<std::byte> beside = {};
 };
 
 /// What `inspect` shows.
 struct ProductText {
-  std::string heading;             ///< "merged (beside the nodes that show the same)"
+  std::string heading;  ///< "merged (beside the nodes that show the same)"
   std::vector<std::string> lines;
-  ExtensionValue value;            ///< the same for programs
+  ExtensionValue value;  ///< the same for programs
 };
 
-/// What a row says of itself. Names of accessors are paths of members in the extension's object, "*" for each element or
-/// member: "sets/*/indices". Whoever reads or drops the extension finds them so, whatever else is wrong with it.
+/// What a row says of itself. Names of accessors are paths of members in the extension's object, "*" for each element
+/// or member: "sets/*/indices". Whoever reads or drops the extension finds them so, whatever else is wrong with it.
 struct ProductCard {
   std::string name;       ///< the product's: "merged-draws"
   std::string title;      ///< "merged draws"
@@ -100,8 +101,9 @@ struct Refusal : std::runtime_error {
 
 class ProductRow {
  public:
+  explicit ProductRow(ProductCard card) : card_(std::move(card)) {}
   virtual ~ProductRow() = default;
-  virtual ProductCard card() const = 0;
+  const ProductCard& card() const { return card_; }
 
   /// Puts the product, and what of draws belongs to it, into the scene. Answers with what is wrong, as the rest of a
   /// sentence, and leaves the scene anyhow; empty: all of it holds.
@@ -110,14 +112,14 @@ class ProductRow {
   /// Whether it need not be written again, given that the products are equal: what else it writes is alike too.
   virtual bool is_written_alike(const Scene&, const Scene&) const { return true; }
 
-  /// How the product differs from what the scene shows, as the rest of a sentence; empty: it shows the same. Asked when it
-  /// was read, and when a stage made it.
+  /// How the product differs from what the scene shows, as the rest of a sentence; empty: it shows the same. Asked when
+  /// it was read, and when a stage made it.
   virtual std::string difference(const Scene&) const { return {}; }
   /// Draws that it refers to by numbers of triangles and vertices and can not follow: stages leave them alone. Rising.
   virtual std::vector<DrawId> held(const Scene&) const { return {}; }
-  /// Of the draw's triangles in the order that stands alone: the first of each range, but the first range, that orders must
-  /// not cross. Orders and clusters are made within ranges, so that bounds stay where they are; other stages' changes the
-  /// product follows itself. Of a scene that has it.
+  /// Of the draw's triangles in the order that stands alone: the first of each range, but the first range, that orders
+  /// must not cross. Orders and clusters are made within ranges, so that bounds stay where they are; other stages'
+  /// changes the product follows itself. Of a scene that has it.
   virtual std::vector<std::uint32_t> bounds(const Scene&, DrawLevel) const { return {}; }
   /// Brings the product up to what a stage made of the draws. Answers with what had to be left out and why, as whole
   /// sentences. Unless a row knows better, the product is left out where it no longer shows the same.
@@ -129,6 +131,9 @@ class ProductRow {
   /// without folders.
   virtual SideFile side_file(const Scene&, std::string_view extension, const std::string& beside) const;
   virtual ProductText told(const Scene& scene) const = 0;
+
+ private:
+  ProductCard card_;
 };
 
 using ProductRows = std::vector<std::shared_ptr<const ProductRow>>;

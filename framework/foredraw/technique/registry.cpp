@@ -36,7 +36,7 @@ void Registry::add(Plugin plugin) {
     }
   }
   for (const auto& row : plugin.products) {
-    const ProductCard card = row->card();
+    const ProductCard& card = row->card();
     for (const auto& known : products()) {
       if ((known->card().name == card.name) != (known->card().extension == card.extension)) {
         throw std::invalid_argument(name + ": product '" + card.name + "' or its extension " + card.extension + " is there already");

@@ -26,8 +26,8 @@ struct MergeInstancesOptions {
   double padded_cost = 12;      ///< bytes; goal least_cost
   double slot_byte_cost = 2;    ///< bytes; goal least_cost
   double draw_cost = 4096;      ///< of a draw call, in calls of the vertex shader
-  double most_indices = 1 << 24;     ///< of a group
-  double most_instances = 1 << 16;   ///< of a group
+  std::int64_t most_indices = 1 << 24;    ///< of a group
+  std::int64_t most_instances = 1 << 16;  ///< of a group
   double most_size = 0;         ///< of a group's box, its longest side in the scene's units; 0: any
   double view_distance = 0;     ///< of cameras, in the scene's units; 0: a quarter of its diagonal
   bool cut_well = true;         ///< cut meshes where few vertices are shared

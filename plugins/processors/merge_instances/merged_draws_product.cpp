@@ -28,16 +28,15 @@ std::string material_text(const Scene& scene, const MergedInstances& merged) {
 
 class MergedDrawsRow final : public ProductRow {
  public:
-  ProductCard card() const override {
-    return {.name = std::string(MergedDraws::product),
-            .title = "merged draws",
-            .extension = "FOREDRAW_merge_instances",
-            .remedy = "merge them again; the nodes show the same",
-            .accessors_of_file = {"sets/*/attributes/*", "sets/*/indices", "sets/*/slots", "sets/*/transforms",
-                                  "sets/*/places", "sets/*/materials"},
-            .schemas = schemas(),
-            .side_files = {{".json", ".bin"}, {".glsl"}, {".hlsl"}}};
-  }
+  MergedDrawsRow()
+      : ProductRow({.name = std::string(MergedDraws::product),
+                    .title = "merged draws",
+                    .extension = "FOREDRAW_merge_instances",
+                    .remedy = "merge them again; the nodes show the same",
+                    .accessors_of_file = {"sets/*/attributes/*", "sets/*/indices", "sets/*/slots", "sets/*/transforms",
+                                          "sets/*/places", "sets/*/materials"},
+                    .schemas = schemas(),
+                    .side_files = {{".json", ".bin"}, {".glsl"}, {".hlsl"}}}) {}
 
   std::string read(ExtensionReader& from, Scene& scene) const override {
     auto read = merging::read_merged_draws(from, scene);

@@ -25,7 +25,7 @@ void collect(const Json& json, std::string_view path, std::set<std::size_t>& num
 }  // namespace
 
 std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row) {
-  const ProductCard card = row.card();
+  const ProductCard& card = row.card();
   std::set<std::size_t> numbers;
   const auto add = [&](const Json& holder, const std::vector<std::string>& paths) {
     const Json* extension = extension_of(holder, card.extension);

@@ -63,7 +63,7 @@ class Reader final : public ExtensionReader {
 
 void read_products(Document& document, Scene& scene, Diagnostics& diagnostics) {
   for (const auto& row : document.products) {
-    const ProductCard card = row->card();
+    const ProductCard& card = row->card();
     Reader reader(document, scene, card.extension);
     if (reader.is_empty()) continue;
     Scene with = scene;

@@ -146,7 +146,7 @@ void patch_products(const Scene& scene, const Source& source, const ProductRows&
   }
   std::set<std::size_t> free = freed(gone, staying, document);
   for (const auto& row : written) {
-    const ProductCard card = row->card();
+    const ProductCard& card = row->card();
     const bool is_same = scene.products.same(card.name, source.as_read.products);
     Writer writer(scene, card.extension, is_same, document, json, store, free);
     const std::string wrong = scene.products.has(card.name) ? row->difference(scene) : std::string();
