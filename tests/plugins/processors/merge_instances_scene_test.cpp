@@ -264,7 +264,7 @@ TEST(MergeInstancesOfScene, MeshesThatNoNodePlacesStay) {
 TEST(MergeInstancesOfScene, DrawsAreOfAsManyEntriesAsAskedFor) {
   Scene scene = scene_with(random_placements(48, 5, 60));
   const Scene before = scene;
-  merge(scene, {{"most-indices", 6000.0}, {"most-instances", 50.0}, {"frequencies", std::int64_t{4}}});
+  merge(scene, {{"most-indices", std::int64_t{6000}}, {"most-instances", std::int64_t{50}}, {"frequencies", std::int64_t{4}}});
   ASSERT_EQ(merged_sets(scene).size(), 1u);
   for (const MergedGroup& group : merged_sets(scene)[0].groups) EXPECT_LE(group.instance_count, 50u);
   EXPECT_GE(merged_sets(scene)[0].groups.size(), 6u);
