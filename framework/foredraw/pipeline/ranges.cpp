@@ -18,7 +18,7 @@ std::vector<std::uint32_t> bounds_of(const Scene& whole, DrawLevel at, std::size
   }
   std::erase_if(bounds, [&](std::uint32_t bound) { return bound == 0 || bound >= triangles; });
   std::ranges::sort(bounds);
-  bounds.erase(std::ranges::unique(bounds).begin(), bounds.end());
+  bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
   return bounds;
 }
 
