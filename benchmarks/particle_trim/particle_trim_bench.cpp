@@ -15,6 +15,7 @@
 #include "sprite_atlas.h"
 
 #include <foredraw/base/parallel.h>
+#include <plugins/processors/particle_trim/footprint.h>
 
 #include <fmt/format.h>
 
@@ -91,7 +92,7 @@ class Times {
 
 std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const ParticleTrimOptions& options, const Executor& executor) {
   const AlphaImage alpha = alpha_image(texture.texels);
-  const trim::ShownImage image(alpha, particle_sampling, footprint_of(options));
+  const trim::ShownImage image(alpha, particle_sampling, trim::footprint_of(options));
   std::vector<TrimmedSprite> sprites(texture.frames.size());
   executor.for_each(texture.frames.size(), [&](std::size_t i) {
     sprites[i] = particle_trim(image, std::span(&texture.frames[i], 1), options).front();
@@ -102,7 +103,7 @@ std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const Particl
 /// What shows in each frame; empty where nothing does.
 std::vector<std::vector<trim::Point>> hulls(const ParticleTexture& texture, const ParticleTrimOptions& options) {
   const AlphaImage alpha = alpha_image(texture.texels);
-  const trim::ShownImage image(alpha, particle_sampling, footprint_of(options));
+  const trim::ShownImage image(alpha, particle_sampling, trim::footprint_of(options));
   std::vector<std::vector<trim::Point>> made;
   for (const TrimFrame& frame : texture.frames) {
     std::vector<trim::Point> shown = image.shown_points(frame);

@@ -3,6 +3,8 @@
 #include "session.h"
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/scene_kinds.h>
+#include <foredraw/io/sprite/sprite_files.h>
 #include <foredraw/pipeline/presets.h>
 #include <foredraw/platform/memory.h>
 
@@ -52,11 +54,11 @@ class CommandLine {
     input(optimize_app);
     optimize_app
         .add_option("-o,--output", arguments_.outputs,
-                    "Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; sprites "
-                    "also as .json, .h, .svg, .png or .html. Something else of it by KIND:FILE; the kinds are " +
-                        kinds_text(registry.products()) +
-                        ". May be given several times; all are written or none. Of a folder: a folder, and files of "
-                        "sprites that hold those of all its files")
+                    fmt::format("Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; "
+                                "sprites also as {}. Something else of it by KIND:FILE; the kinds are {}. May be given "
+                                "several times; all are written or none. Of a folder: a folder, and files of sprites "
+                                "that hold those of all its files",
+                                sprite_output_extensions(), kinds_text(registry.products())))
         ->required()
         ->expected(1)
         ->take_all();
@@ -215,8 +217,10 @@ class CommandLine {
 
   void input(CLI::App& app) {
     app.add_option("input", arguments_.inputs,
-                   "A scene: .glb, .gltf, .obj, .ply, .off, .stl, or - for standard input; an image (.png, .jpg, .tga, "
-                   ".exr) or a frame list (.json) as sprites; or a folder of these")
+                   fmt::format("A scene: {}, or - for standard input; an image ({}) or a frame list ({}) as sprites; or a "
+                               "folder of these",
+                               extensions_that_hold(Holds::meshes), extensions_that_hold(Holds::image),
+                               extensions_that_hold(Holds::frame_list)))
         ->required()
         ->expected(1);
     memory_limit(app);

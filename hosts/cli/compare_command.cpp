@@ -5,6 +5,7 @@
 
 #include <foredraw/report/page/page.h>
 
+#include <foredraw/io/file_lender.h>
 #include <foredraw/io/image/images.h>
 #include "scene_folder.h"
 #include <foredraw/pipeline/sweep.h>
@@ -39,6 +40,7 @@ std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>
 /// Pipelines to be compared, and how.
 struct Contest {
   const std::vector<NamedPipeline>& pipelines;
+  const Lender& lender;
   int rounds = 1;
   const std::vector<std::pair<std::string, std::string>>& fronts;
 };
@@ -63,7 +65,7 @@ Planned planned(const Contest& contest, const Registry& registry, const Scene& s
     Branch& branch = comparison.branches.emplace_back(Branch{named.name, {}});
     Diagnostics diagnostics;
     auto plan = with_memory(comparison.input.path, "plan for it",
-                            [&] { return foredraw::plan(named.pipeline, registry, scene, diagnostics); });
+                            [&] { return foredraw::plan(named.pipeline, registry, scene, diagnostics, &contest.lender); });
     if (plan) {
       all.plans.push_back(std::move(*plan));
       all.branches.push_back(number);
@@ -95,7 +97,7 @@ ComparedFile compared(const std::string& input, const Contest& contest, const Re
   }
   tell(diagnostics);
   made.input = file->scene;
-  comparison.input.bytes = file->bytes;
+  comparison.input = {input, file->bytes, to_text(file->stamp)};
   const auto [plans, branches] = planned(contest, registry, file->scene, comparison);
   if (plans.size() < contest.pipelines.size()) worst = std::max(worst, users_mistake);
   made.scenes.resize(comparison.branches.size());
@@ -237,11 +239,12 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   if (!have_folders({arguments.report, arguments.csv, arguments.html}, diagnostics)) return refuse_file(diagnostics);
 
   const Executor executor(arguments.threads);
+  const FileLender lender(registry.products());
   std::vector<Comparison> comparisons;
   std::vector<Display> displays;
   Exit worst = done;
   for (const std::string& input : *inputs) {
-    ComparedFile file = compared(input, {*pipelines, arguments.repeat, *fronts}, registry, executor, worst);
+    ComparedFile file = compared(input, {*pipelines, lender, arguments.repeat, *fronts}, registry, executor, worst);
     if (!arguments.html.empty() && displays.size() < most_displays && !file.scenes.empty()) {
       displays.push_back(with_memory(input, "show it", [&] { return display(file.input, file.scenes, comparisons.size()); }));
     }

@@ -53,7 +53,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, job.registry.products()); });
   if (!file) return lost(exit_for_file(diagnostics));
   const auto plan = with_memory(input, "plan for it",
-                                [&] { return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics); });
+                                [&] { return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics, &job.lender); });
   if (!plan) return lost(users_mistake);
   const bool draws = !job.arguments.heat_maps.empty();
   if (draws && !are_views(job.arguments.heat_map_view, looks_of(*plan), diagnostics)) return lost(users_mistake);
@@ -64,7 +64,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
     return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
   });
   result.report.command = command;
-  result.report.input = {input, file->bytes};
+  result.report.input = {input, file->bytes, to_text(file->stamp)};
   for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
   result.report.diagnostics = diagnostics.all();
   if (!draws) analyses.clear();  // nobody asks them any more
@@ -102,19 +102,19 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
   const Arguments& arguments = job.arguments;
   // The scene, the report and whatever else: all of it, or none and an explanation.
   const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
-    const Compression compression = arguments.compression == "none" ? Compression::none : Compression::keep;
-    const LevelsAs levels = arguments.levels == "msft-lod" ? LevelsAs::lod_nodes : LevelsAs::extension;
     Report& report = result.report;
     std::vector<std::vector<OutputFile>> scenes;
     std::vector<std::byte> standard;
     const ProductRows rows = job.registry.products();
+    const GltfOutput as{arguments.compression == "none" ? Compression::none : Compression::keep,
+                        arguments.levels == "msft-lod" ? LevelsAs::lod_nodes : LevelsAs::extension, rows};
     const bool is_bare = arguments.products == "none" && !result.scene.products.empty();
     const std::optional<Scene> bare = is_bare ? std::optional(without_products(result.scene, rows)) : std::nullopt;
     const Scene& scene = bare ? *bare : result.scene;
     for (const Output& output : outputs) {
       auto files = output.row             ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
                    : !output.is_scene()   ? std::vector{text_file(output.path, remap_json(result.scene))}
-                                          : encode_scene(scene, output.path, diagnostics, compression, levels, rows);
+                                          : encode_scene(scene, output.path, diagnostics, as);
       if (!files) return false;
       if (report.output.path.empty() && output.is_scene()) report.output = {output.path, files->front().bytes.size()};
       if (output.path == "-") {

@@ -14,6 +14,7 @@ struct FileJob {
   const Pipeline& pipeline;
   const Registry& registry;
   const Executor& executor;
+  const Lender& lender;
   std::function<void(std::string_view, double)> progress = {};
   bool keeps_scenes = false;  ///< for who writes several in one file
 };

@@ -44,7 +44,7 @@ FolderOutputs outputs_in(const std::vector<std::string>& words, const ProductRow
       result.folder = output.path;
     } else {
       diagnostics.error({.file = output.path}, "bad-arguments", "is a second folder for the same scenes",
-                        "give -o one folder, and besides it files of sprites: .json, .h, .svg, .png or .html");
+                        "give -o one folder, and besides it files of sprites: " + sprite_output_extensions());
     }
   }
   return result;

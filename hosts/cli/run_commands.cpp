@@ -3,6 +3,8 @@
 #include "file_runs.h"
 #include "text_outputs.h"
 
+#include <foredraw/io/file_lender.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +41,8 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   const std::vector<Output> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
   if (outputs_clash(arguments, outputs, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor});
+  const FileLender lender(registry.products());
+  if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor, lender});
   std::vector<std::string> written = {arguments.report, arguments.html};
   for (const Output& output : outputs) {
     if (output.is_scene()) can_write_scene(output.path, input, diagnostics);
@@ -49,7 +52,7 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
 
   const FileRun run =
-      optimize_file({arguments, *pipeline, registry, executor, progress_line()}, input, outputs);
+      optimize_file({arguments, *pipeline, registry, executor, lender, progress_line()}, input, outputs);
   end_progress();
   tell(run.report.diagnostics);
   if (run.is_lost) return run.exit;
@@ -64,8 +67,9 @@ Exit plan(const Arguments& arguments, const Registry& registry) {
   const std::string& input = arguments.inputs[0];
   const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, registry.products()); });
   if (!file) return refuse_file(diagnostics);
-  const auto planned =
-      with_memory(input, "plan for it", [&] { return foredraw::plan(*pipeline, registry, file->scene, diagnostics); });
+  const FileLender lender(registry.products());
+  const auto planned = with_memory(
+      input, "plan for it", [&] { return foredraw::plan(*pipeline, registry, file->scene, diagnostics, &lender); });
   if (!planned) return refuse(diagnostics);
   tell(diagnostics);
   return print(arguments.json ? to_json(*planned, file->scene) : to_text(*planned, file->scene));
@@ -76,10 +80,11 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
   const auto pipelines = pipelines_for(arguments, {""}, diagnostics);
   if (!pipelines) return refuse(diagnostics);
   const Executor executor(arguments.threads);
+  const FileLender lender(registry.products());
   const std::string& input = arguments.inputs[0];
-  if (is_folder(input)) return measure_folder({arguments, pipelines->front().pipeline, registry, executor});
+  if (is_folder(input)) return measure_folder({arguments, pipelines->front().pipeline, registry, executor, lender});
 
-  const FileRun run = measure_file({arguments, pipelines->front().pipeline, registry, executor, progress_line()}, input);
+  const FileRun run = measure_file({arguments, pipelines->front().pipeline, registry, executor, lender, progress_line()}, input);
   end_progress();
   tell(run.report.diagnostics);
   if (run.is_lost) return run.exit;

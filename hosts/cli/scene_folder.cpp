@@ -1,6 +1,7 @@
 #include "scene_folder.h"
 
 #include <foredraw/io/scene_file.h>
+#include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/sprite/sprite_files.h>
 
 #include <algorithm>
@@ -63,12 +64,13 @@ std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const 
   }
   drop_images_of_lists(folder, scenes);
   if (scenes.empty()) {
+    const std::string meshes = "scenes are files called " + extensions_that_hold(Holds::meshes);
     diagnostics.error({.file = folder.string()}, "no-scenes", "holds no scene, nor do the folders below it",
-                      with_sprites ? "scenes are files called .glb, .gltf, .obj, .ply, .off or .stl; sprites are images "
-                                     "(.png, .jpg, .tga, .exr) and frame lists (.json)"
+                      with_sprites ? meshes + "; sprites are images (" + extensions_that_hold(Holds::image) +
+                                         ") and frame lists (" + extensions_that_hold(Holds::frame_list) + ')'
                       : has_images ? "its images count as sprites only where a stage or an evaluator is for sprites; "
                                      "the pipeline has none"
-                                   : "scenes are files called .glb, .gltf, .obj, .ply, .off or .stl");
+                                   : meshes);
     return std::nullopt;
   }
   std::ranges::sort(scenes);

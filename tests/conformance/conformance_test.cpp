@@ -49,6 +49,17 @@ Pipeline pipeline_for(const Plugin& plugin, const Settings& settings) {
   return pipeline;
 }
 
+/// Lends whatever is asked for.
+class Generous final : public Lender {
+ public:
+  std::optional<Loan<Scene>> scene(const std::string&, Diagnostics&) const override {
+    return Loan<Scene>{std::make_shared<const Scene>(testing::odd_scene()), 1, {}};
+  }
+  std::optional<Loan<Image>> image(const std::string&, Diagnostics&) const override {
+    return Loan<Image>{std::make_shared<const Image>(testing::odd_scene().images.front()), 1, {}};
+  }
+};
+
 struct Outcome {
   Result result;
   Plan plan;
@@ -57,7 +68,8 @@ struct Outcome {
 Outcome run(const Pipeline& pipeline, int threads) {
   Diagnostics diagnostics;
   const Scene scene = testing::odd_scene();
-  auto plan = foredraw::plan(pipeline, registry(), scene, diagnostics);
+  const Generous lender;
+  auto plan = foredraw::plan(pipeline, registry(), scene, diagnostics, &lender);
   if (!plan) throw std::runtime_error(to_text(diagnostics));
   const Executor executor(threads);
   Analyses analyses(testing::stored_texels());
@@ -109,13 +121,22 @@ std::optional<OptionValue> extreme(const OptionSpec& option, bool most) {
   return std::nullopt;
 }
 
+/// The options that name files, which a plugin may not do without.
+Settings named_files(const Plugin& plugin) {
+  Settings named;
+  for (const OptionSpec& option : plugin.options) {
+    if (option.type == OptionType::scene || option.type == OptionType::image) named[option.name] = std::string("lent");
+  }
+  return named;
+}
+
 /// The defaults; everything at its least; and each option at its most with the others at their least.
 std::vector<Settings> settings_of(const Plugin& plugin) {
-  Settings least;
+  Settings least = named_files(plugin);
   for (const OptionSpec& option : plugin.options) {
     if (const auto value = extreme(option, false)) least[option.name] = *value;
   }
-  std::vector<Settings> all{{}, least};
+  std::vector<Settings> all{named_files(plugin), least};
   for (const OptionSpec& option : plugin.options) {
     if (const auto value = extreme(option, true)) {
       all.push_back(least);
@@ -139,7 +160,7 @@ TEST_P(EveryPlugin, AnswersRightOnOddDrawsAtEveryOption) {
 }
 
 TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
-  const Pipeline pipeline = pipeline_for(plugin(), {});
+  const Pipeline pipeline = pipeline_for(plugin(), named_files(plugin()));
   const Result first = run(pipeline, 1).result;
   for (int threads : {1, 5}) {
     const Result again = run(pipeline, threads).result;
@@ -163,7 +184,7 @@ bool holds(const std::string& trait, const Draw& draw) {
 
 TEST_P(EveryPlugin, ProvidesWhatItsCardSays) {
   if (plugin().kind == Kind::evaluator) return;
-  const Outcome outcome = run(pipeline_for(plugin(), {}), 2);
+  const Outcome outcome = run(pipeline_for(plugin(), named_files(plugin())), 2);
   const PlannedStage& stage = outcome.plan.stages.back();
   for (const Draw& draw : outcome.result.scene.draws) {
     for (const std::string& trait : plugin().card.provides) {
@@ -206,7 +227,7 @@ TEST_P(EveryPlugin, SaysWhatItIs) {
 }
 
 TEST_P(EveryPlugin, MeasuresWhatItsCardLists) {
-  const Result result = run(pipeline_for(plugin(), {}), 2).result;
+  const Result result = run(pipeline_for(plugin(), named_files(plugin())), 2).result;
   for (const auto& [name, metrics] : result.report.after.metrics.all()) {
     for (const auto& [metric, figure] : metrics) EXPECT_FALSE(figure.unit.empty()) << metric << " is not on the card";
   }

@@ -43,7 +43,7 @@ void expect_optimised_and_written(const Scene& scene) {
   Analyses analyses;
   const Result result = optimize(*plan, scene, {executor, analyses});
   EXPECT_FALSE(result.failed) << to_text(result.report);
-  const auto files = encode_gltf(result.scene, "out.glb", diagnostics, Compression::keep, LevelsAs::extension, products());
+  const auto files = encode_gltf(result.scene, "out.glb", diagnostics, {.products = products()});
   ASSERT_TRUE(files) << to_text(diagnostics);
   const auto again = read_gltf(files->front().bytes, "out.glb", {}, diagnostics, products());
   ASSERT_TRUE(again) << to_text(diagnostics);

@@ -200,7 +200,7 @@ TEST(Product, ComesBackFromAFileAndIsAForeignExtensionToWhoHasNoRow) {
   const ProductRows rows = registry().products();
   const Scene scene = run("landmarks", doubled()).scene;
   Diagnostics diagnostics;
-  const auto files = encode_gltf(scene, "out.glb", diagnostics, Compression::keep, LevelsAs::extension, rows);
+  const auto files = encode_gltf(scene, "out.glb", diagnostics, {.products = rows});
   ASSERT_TRUE(files) << to_text(diagnostics);
   const auto again = read_gltf(files->front().bytes, "again", {}, diagnostics, rows);
   ASSERT_TRUE(again) << to_text(diagnostics);
@@ -222,7 +222,7 @@ TEST(Product, ThatDoesNotHoldIsLeftOutWhenReadAndWhenWritten) {
   landmarks.draws[0].vertices[0] = 1000;
   scene.products.set(landmarks);
   Diagnostics diagnostics;
-  const auto files = encode_gltf(scene, "out.glb", diagnostics, Compression::keep, LevelsAs::extension, rows);
+  const auto files = encode_gltf(scene, "out.glb", diagnostics, {.products = rows});
   ASSERT_EQ(diagnostics.all().size(), 1u);
   EXPECT_EQ(diagnostics.all()[0].code, "landmarks-left-out");
   const auto again = read_gltf(files->front().bytes, "again", {}, diagnostics, rows);

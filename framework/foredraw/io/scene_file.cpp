@@ -2,6 +2,7 @@
 
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/mesh/mesh_files.h>
+#include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/text/private/file_kind.h>
 #include <foredraw/io/gltf/private/stand_ins.h>
 #include <foredraw/io/gltf/private/write.h>
@@ -20,6 +21,17 @@ namespace fs = std::filesystem;
 fs::path folder_of(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   return folder.empty() ? fs::path(".") : folder;
+}
+
+Stamp stamp_of(const Stamp& file, const Scene& scene) {
+  std::vector<Stamp> stamps{file};
+  for (const Draw& draw : scene.draws) {
+    for (const Level& level : draw.levels) {
+      stamps.push_back(level.vertices->stamp());
+      for (const IndexStream& stream : level.orders) stamps.push_back(stream.indices.stamp());
+    }
+  }
+  return combine(stamps);
 }
 
 /// As the writer of glTF does for what was glTF: no output is larger than its input without a word.
@@ -43,7 +55,10 @@ void append(std::vector<OutputFile> files, std::vector<OutputFile>& all) {
 
 bool is_gltf_file(const fs::path& path) { return lower_extension(path) == ".glb" || lower_extension(path) == ".gltf"; }
 
-bool is_scene_file(const fs::path& path) { return is_gltf_file(path) || mesh_kind_of(path); }
+bool is_scene_file(const fs::path& path) {
+  const SceneKind* kind = scene_kind_of(path);
+  return kind != nullptr && kind->holds == Holds::meshes;
+}
 
 std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics, const ProductRows& products) {
   if (path.empty()) {
@@ -55,14 +70,13 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
   auto bytes = is_standard ? read_standard_input(diagnostics) : read_file(path, diagnostics);
   if (!bytes) return std::nullopt;
   const std::size_t length = bytes->size();
-  const auto mesh_kind = is_standard ? std::nullopt : mesh_kind_of(path);
-  auto scene = mesh_kind               ? read_mesh_file(*bytes, *mesh_kind, path, folder_of(path), diagnostics)
-               : is_standard           ? read_gltf(std::move(*bytes), "standard input", {}, diagnostics, products)
-               : is_frame_list(path)   ? read_sprite_list(*bytes, path, folder_of(path), diagnostics)
-               : is_sprite_input(path) ? read_sprite_image(std::move(*bytes), path, diagnostics)
-                                       : read_gltf(std::move(*bytes), path, folder_of(path), diagnostics, products);
+  const Stamp stamp = content_hash(*bytes);
+  SceneBytes file{std::move(*bytes), is_standard ? "standard input" : path, is_standard ? fs::path() : folder_of(path)};
+  const SceneKind* kind = is_standard ? nullptr : scene_kind_of(path);
+  auto scene = (kind == nullptr ? scene_kinds().front() : *kind).read(std::move(file), diagnostics, products);
   if (!scene) return std::nullopt;
-  return SceneFile{std::move(*scene), length};
+  const Stamp whole = stamp_of(stamp, *scene);
+  return SceneFile{std::move(*scene), length, whole};
 }
 
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {
@@ -80,7 +94,7 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
                       "give the output the extension .glb, or as input an image or a frame list");
   } else if (is_of_sprites) {
     diagnostics.error({.file = path}, "unknown-kind", "sprites are not written as this kind of file",
-                      "they are as .json, .h, .svg, .png, .html, .glb and .gltf");
+                      "they are as .glb, .gltf, " + sprite_output_extensions());
   } else {
     diagnostics.error({.file = path}, "unknown-kind",
                       "scenes are written as .glb or .gltf, or as the kind they came from",
@@ -90,8 +104,7 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 }
 
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
-                                                    Diagnostics& diagnostics, Compression compression,
-                                                    LevelsAs levels, const ProductRows& products) {
+                                                    Diagnostics& diagnostics, const GltfOutput& as) {
   if (is_sprite_output(path)) {
     auto file = encode_sprites({&scene, 1}, path, diagnostics);
     return file ? std::optional(std::vector<OutputFile>{std::move(*file)}) : std::nullopt;
@@ -117,7 +130,7 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
     as_gltf.source = mesh_source->gltf;
     for_gltf = std::make_shared<const Scene>(std::move(as_gltf));
   }
-  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, compression, levels, products);
+  auto files = encode_gltf(*for_gltf, is_standard ? "standard output.glb" : path, diagnostics, as);
   if (files && !spares_its_inputs(scene, *files, diagnostics)) return std::nullopt;
   if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);
   if (!files || !is_standard) return files;

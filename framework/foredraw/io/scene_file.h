@@ -16,10 +16,10 @@ namespace foredraw {
 struct SceneFile {
   Scene scene;
   std::uint64_t bytes = 0;  ///< of the file itself, without those beside it
+  Stamp stamp;              ///< of the file, and of all triangles and vertices, wherever they came from
 };
 
-/// Whether the extension is one that scenes of meshes are read from (images and frame lists are read too, see
-/// sprite_files.h); whether it is .glb or .gltf.
+/// Whether scenes of meshes are read from files of this extension (scene_kinds.h has others); whether it is glTF's.
 bool is_scene_file(const std::filesystem::path& path);
 bool is_gltf_file(const std::filesystem::path& path);
 
@@ -34,10 +34,7 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 /// The files that the scene is written as, the main one first; for "-" one GLB whose path is "-". Nothing is written
 /// here.
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
-                                                    Diagnostics& diagnostics,
-                                                    Compression compression = Compression::keep,
-                                                    LevelsAs levels = LevelsAs::extension,
-                                                    const ProductRows& products = {});
+                                                    Diagnostics& diagnostics, const GltfOutput& as = {});
 
 /// Every path that encode_scene may write to for one, that itself first.
 std::vector<std::filesystem::path> paths_written_for(const std::filesystem::path& path);

@@ -49,7 +49,8 @@ class LevelProcessor final : public Processor {
               .overdraw = run.overdraw,
               .seed = run.seed + i,
               .about = {.subject = static_cast<std::uint32_t>(i)},
-              .cancel = run.cancel};
+              .cancel = run.cancel,
+              .loans = run.loans};
       made[i] = maker_->levels({scene, subjects[i], chosen[i]}, own);
       if (own.keeps()) made[i].clear();
       check_steps(made[i], chosen[i], scene);

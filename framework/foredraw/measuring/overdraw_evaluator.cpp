@@ -302,7 +302,6 @@ std::vector<Metric> overdraw_metrics() {
 
 std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> service,
                                               const OverdrawOptions& options) {
-  if (const auto mistake = mistake_in(static_cast<const ViewSet&>(options))) throw std::invalid_argument(*mistake);
   if (const auto mistake = mistake_in(static_cast<const PoseSet&>(options))) throw std::invalid_argument(*mistake);
   return std::make_unique<OverdrawEvaluator>(std::move(service), options);
 }

@@ -58,8 +58,14 @@ class FileReader {
         root, words.specs(), {"pipeline", "stages", "measure", "compare", "views", "poses", "services"}, ""));
     pipeline.stages = read_list(root, "stages", "stages");
     pipeline.measure = read_list(root, "measure", "measure");
-    if (const toml::table* table = table_in(root, "views")) pipeline.views = read_set(*table, "views", view_words());
-    if (const toml::table* table = table_in(root, "poses")) pipeline.poses = read_set(*table, "poses", pose_words());
+    if (const toml::table* table = table_in(root, "views")) {
+      pipeline.views = read_set(*table, "views", view_words());
+      pipeline.views_where = at(table->source(), "views");
+    }
+    if (const toml::table* table = table_in(root, "poses")) {
+      pipeline.poses = read_set(*table, "poses", pose_words());
+      pipeline.poses_where = at(table->source(), "poses");
+    }
     if (const toml::table* table = table_in(root, "services")) pipeline.overdraw = read_services(*table);
     return pipeline;
   }

@@ -37,6 +37,9 @@ struct Pipeline {
   PoseSet poses;                  ///< and in which poses
   std::optional<Stage> overdraw;  ///< [services]: who answers for measured overdraw
   std::int64_t seed = 0;
+
+  Where views_where{.inside = "views"};  ///< in the text
+  Where poses_where{.inside = "poses"};
 };
 
 /// Equal in all that decides what runs; places in the text are not compared.

@@ -1,6 +1,7 @@
 #include <foredraw/pipeline/plan.h>
 
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/pipeline/named_files.h>
 #include <foredraw/scene/levels.h>
 
 #include <fmt/format.h>
@@ -14,31 +15,34 @@ namespace {
 
 class Planner {
  public:
-  Planner(const Registry& registry, const Scene& scene, Diagnostics& diagnostics)
-      : registry_(registry), scene_(scene), diagnostics_(diagnostics) {
+  Planner(const Registry& registry, const Scene& scene, const Lender* lender, Diagnostics& diagnostics)
+      : registry_(registry), scene_(scene), lender_(lender), diagnostics_(diagnostics) {
     for (const Draw& draw : scene.draws) traits_.push_back(traits_of(draw));
   }
 
-  Plan plan(const Pipeline& pipeline) {
+  Plan plan(const Pipeline& as_written) {
     Plan plan;
-    plan.pipeline = pipeline;
+    plan.pipeline = with_paths_from_here(as_written, registry_);
+    const Pipeline& pipeline = plan.pipeline;
     plan.products = registry_.products();
-    if (const auto mistake = mistake_in(pipeline.views)) {
-      error({.file = {}, .inside = "views"}, "bad-views", *mistake);
+    auto views = views_of(pipeline.views);
+    if (const auto* mistake = std::get_if<std::string>(&views)) {
+      error(pipeline.views_where, "bad-views", *mistake);
     } else {
-      plan.views = make_views(pipeline.views);
+      plan.views = std::get<Views>(std::move(views));
     }
     try {
       plan.poses = make_poses(scene_, pipeline.poses);
       if (const auto why = why_at_rest(scene_, pipeline.poses)) {
-        diagnostics_.warning({.file = {}, .inside = "poses"}, "at-rest", *why, "characters are looked at as they stand");
+        diagnostics_.warning(pipeline.poses_where, "at-rest", *why, "characters are looked at as they stand");
       }
     } catch (const std::invalid_argument& mistake) {
-      error({.file = {}, .inside = "poses"}, "bad-poses", mistake.what());
+      error(pipeline.poses_where, "bad-poses", mistake.what());
     }
     add_stages(pipeline.stages, false, plan.stages);
     add_stages(pipeline.measure, true, plan.measures);
     plan.overdraw = overdraw_service(pipeline, plan.stages);
+    plan.loans = std::move(loans_);
     return plan;
   }
 
@@ -96,7 +100,7 @@ class Planner {
         settings[name] = std::get<OptionValue>(std::move(result));
       }
     }
-    if (!good) return std::nullopt;
+    if (!good || !borrow(stage, options, settings, lender_, loans_, diagnostics_)) return std::nullopt;
     return settings;
   }
 
@@ -228,7 +232,9 @@ class Planner {
 
   const Registry& registry_;
   const Scene& scene_;
+  const Lender* lender_;
   Diagnostics& diagnostics_;
+  Loans loans_;
   std::vector<Traits> traits_;                                 // of each draw, as the stages so far leave them
   std::map<std::string, int> uses_;
   std::map<std::string, std::string, std::less<>> provider_;   // trait -> stage that made it
@@ -241,9 +247,9 @@ std::string_view PlannedStage::loops_over() const {
 }
 
 std::optional<Plan> plan(const Pipeline& pipeline, const Registry& registry, const Scene& scene,
-                         Diagnostics& diagnostics) {
+                         Diagnostics& diagnostics, const Lender* lender) {
   Diagnostics found;
-  Plan plan = Planner(registry, scene, found).plan(pipeline);
+  Plan plan = Planner(registry, scene, lender, found).plan(pipeline);
   for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
   if (found.has_errors()) return std::nullopt;
   return plan;

@@ -4,6 +4,7 @@
 
 #include <foredraw/pipeline/pipeline.h>
 #include <foredraw/report/report.h>
+#include <foredraw/scene/lender.h>
 #include <foredraw/technique/registry.h>
 
 #include <memory>
@@ -40,13 +41,15 @@ struct Plan {
   Views views;
   Poses poses;
   ProductRows products;  ///< what the registry's plugins make
+  Loans loans;           ///< what options of stages name
   std::shared_ptr<const OverdrawService> overdraw;  ///< null: no service is named or needed
 };
 
 /// Plans the pipeline for the scene. nullopt where something is wrong; all mistakes are in `diagnostics`, each with its
-/// place in the pipeline's text. Warnings are there as well.
+/// place in the pipeline's text. Warnings are there as well. `lender`: who reads the scenes and images that options name;
+/// without one, such an option is a mistake.
 std::optional<Plan> plan(const Pipeline& pipeline, const Registry& registry, const Scene& scene,
-                         Diagnostics& diagnostics);
+                         Diagnostics& diagnostics, const Lender* lender = nullptr);
 
 /// For people: a line for each stage, and one for each reason why draws are skipped.
 std::string to_text(const Plan& plan, const Scene& scene);

@@ -31,6 +31,16 @@ std::map<std::string, OptionValue> whole_settings(const PlannedStage& stage) {
   return whole;
 }
 
+std::vector<FileRecord> named_files(const Loans& loans) {
+  std::vector<FileRecord> files;
+  const auto add = [&](const auto& lent) {
+    for (const auto& [path, loan] : lent) files.push_back({path, loan.bytes, to_text(loan.stamp)});
+  };
+  add(loans.scenes);
+  add(loans.images);
+  return files;
+}
+
 class PlanRunner {
  public:
   /// `watches_memory`: of every stage; nothing else may run in the process meanwhile.
@@ -75,6 +85,7 @@ class PlanRunner {
     const Clock clock;
     Report& report = result_.report;
     report.pipeline = print_file(plan_->pipeline);
+    report.named = named_files(plan_->loans);
     report.seed = plan_->pipeline.seed;
     describe_output();
     report.measures.clear();

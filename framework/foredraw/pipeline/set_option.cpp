@@ -98,7 +98,10 @@ bool set_option(Pipeline& pipeline, std::string_view text, Diagnostics& diagnost
   const auto assignment = assignment_of(text, diagnostics);
   if (!assignment) return false;
   if (assignment->stage.empty()) return set_word(pipeline_words(), pipeline, *assignment, diagnostics);
-  if (assignment->stage == "views") return set_word(view_words(), pipeline.views, *assignment, diagnostics);
+  if (assignment->stage == "views") {
+    if (assignment->word == "views") pipeline.views_where = assignment->where;
+    return set_word(view_words(), pipeline.views, *assignment, diagnostics);
+  }
   if (assignment->stage == "poses") return set_word(pose_words(), pipeline.poses, *assignment, diagnostics);
   return set_of_stages(pipeline, *assignment, diagnostics);
 }

@@ -4,9 +4,8 @@
 #include <foredraw/base/random.h>
 #include <foredraw/pipeline/answers.h>
 #include <foredraw/pipeline/eligible.h>
-#include <foredraw/pipeline/ranges.h>
+#include <foredraw/pipeline/stage_levels.h>
 #include <foredraw/pipeline/stage_products.h>
-#include <foredraw/scene/levels.h>
 #include <foredraw/scene/order_table.h>
 
 #include <fmt/format.h>
@@ -38,14 +37,9 @@ class StageRunner {
   StageRunner(const PlannedStage& stage, std::size_t number, Scene& scene, const Plan& plan,
               const Surroundings& surroundings, StageRecord& record, Diagnostics& diagnostics)
       : stage_(stage), number_(number), scene_(scene), plan_(plan), surroundings_(surroundings), record_(record),
-        diagnostics_(diagnostics), products_(plan.products, record) {
+        diagnostics_(diagnostics), products_(plan.products, record), chosen_(stage, scene, plan.products) {
     if (surroundings.progress) progress_ = [this](double part) { surroundings_.progress(stage_.label, part); };
-    const std::size_t most = most_levels(scene);
-    for (DrawId id = 0; id < scene.draws.size(); ++id) choose_levels(id);
-    for (std::size_t level = 0; most > 1 && level < most; ++level) at_level_.push_back(at_level(scene, level));
-    for (std::size_t level = 0; !scene.products.empty() && level < most; ++level) {
-      ranged_.push_back(RangedScene::of(scene_at(level), scene, level, plan.products));
-    }
+    for (const LevelSkip& skip : chosen_.skips()) add_skip(skip.why.code, skip.why.reason, name_of(skip.at));
   }
 
   std::vector<Measured> run() {
@@ -62,12 +56,12 @@ class StageRunner {
   void run(const DrawOrderer& technique) {
     const int cache_size = technique.cache_size();
     auto outcomes = over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
-      const RangedScene* ranges = ranges_at(run.about.level);
+      const RangedScene* ranges = chosen_.ranges_at(run.about.level);
       const IndexOrder order = ranges ? order_of(technique, draw.id, *ranges, run) : technique.order(draw, run);
       if (!run.keeps()) outcome.answer = ordered(draw, order, cache_size, run.analyses);
     });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      const auto [id, level] = levels_[i];
+      const auto [id, level] = chosen_.levels()[i];
       // An order that could not be bettered for this cache is as good as made for it.
       IndexStream& stream = scene_.draws[id].levels[level].stream();
       if (outcomes[i].kept() && cache_size > 0) stream.cache_size = static_cast<std::uint16_t>(cache_size);
@@ -77,7 +71,7 @@ class StageRunner {
 
   void run(const Clusterer& technique) {
     accept_draws(over_draws<Draw>([&](const DrawView& draw, Run& run, Outcome<Draw>& outcome) {
-      const RangedScene* ranges = ranges_at(run.about.level);
+      const RangedScene* ranges = chosen_.ranges_at(run.about.level);
       outcome.answer =
           clustered(draw, ranges ? clusters_of(technique, draw.id, *ranges, run) : technique.cluster(draw, run));
     }));
@@ -94,13 +88,13 @@ class StageRunner {
 
   void run(const SubjectOrderer& technique) {
     const std::vector<Subject> subjects = subjects_of(scene_);
-    const std::vector<SubjectLevel> parts = levels_of(subjects);
+    const std::vector<SubjectLevel> parts = chosen_.of(subjects);
     auto outcomes = over<OrderedSubject>(
         parts.size(), [&](std::size_t i) { return About{.subject = parts[i].subject, .level = parts[i].level}; },
         [&](std::size_t i, Run& run, Outcome<OrderedSubject>& outcome) {
-          const SubjectView view{scene_at(parts[i].level), subjects[parts[i].subject], parts[i].draws};
+          const SubjectView view{chosen_.scene_at(parts[i].level), subjects[parts[i].subject], parts[i].draws};
           if (view.draws.empty()) return run.keep("none of its draws may be ordered anew");
-          const RangedScene* ranges = ranges_at(run.about.level);
+          const RangedScene* ranges = chosen_.ranges_at(run.about.level);
           SubjectOrders orders = ranges ? orders_of(technique, view, *ranges, run) : technique.order(view, run);
           if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
         });
@@ -122,7 +116,7 @@ class StageRunner {
 
   void run(const VertexOrderer& technique) {
     std::vector<VertexGroup> groups = vertex_groups(scene_);
-    for (const HeldDraw& held : keep_groups_of(groups, draws_)) {
+    for (const HeldDraw& held : keep_groups_of(groups, chosen_.draws())) {
       add_skip("shared-vertices", "it shares its vertices with " + scene_.draws[held.by].name + ", which stays as it is",
                scene_.draws[held.draw].name);
     }
@@ -152,11 +146,11 @@ class StageRunner {
     auto outcomes = over<Scene>(1, [](std::size_t) { return About{}; },
                                 [&](std::size_t, Run& run, Outcome<Scene>& outcome) {
       Scene changed = scene_;
-      worked_on = technique.process(changed, draws_, run);
+      worked_on = technique.process(changed, chosen_.draws(), run);
       if (run.keeps()) return;
       if (stage_.plugin->card.lossless) {
         if (changed.draws.size() != scene_.draws.size()) throw std::runtime_error("it promised the same draws");
-        for (DrawId id : draws_) certify(scene_.draws[id], changed.draws[id], run.analyses);
+        for (DrawId id : chosen_.draws()) certify(scene_.draws[id], changed.draws[id], run.analyses);
         if (const std::string other = placement_difference(scene_, changed); !other.empty()) throw std::runtime_error(other);
       }
       must_be_left(changed);
@@ -187,7 +181,7 @@ class StageRunner {
       technique.evaluate(draw, run);
       outcome.answer.emplace();
     });
-    for (std::size_t i = 0; i < outcomes.size(); ++i) accept(outcomes[i], name_of(levels_[i]));
+    for (std::size_t i = 0; i < outcomes.size(); ++i) accept(outcomes[i], name_of(chosen_.levels()[i]));
   }
 
   // --- the loop that they share -------------------------------------------------------------------------------------
@@ -207,7 +201,8 @@ class StageRunner {
               .seed = seed_of(about_of(i)),
               .about = about_of(i),
               .cancel = surroundings_.cancel,
-              .progress = count == 1 ? progress_ : nullptr};
+              .progress = count == 1 ? progress_ : nullptr,
+              .loans = plan_.loans};
       try {
         if (run.cancelled()) throw std::runtime_error("cancelled");
         task(i, run, outcome);
@@ -230,11 +225,11 @@ class StageRunner {
 
   template <class Answer, class Task>
   std::vector<Outcome<Answer>> over_draws(Task task) {
-    if (levels_.size() > draws_.size()) record_.loops_over = "levels of draws";
+    if (chosen_.levels().size() > chosen_.draws().size()) record_.loops_over = "levels of draws";
     return over<Answer>(
-        levels_.size(), [&](std::size_t i) { return about_of(levels_[i]); },
+        chosen_.levels().size(), [&](std::size_t i) { return about_of(chosen_.levels()[i]); },
         [&](std::size_t i, Run& run, Outcome<Answer>& outcome) {
-          task(DrawView{scene_at(levels_[i].level), levels_[i].draw}, run, outcome);
+          task(DrawView{chosen_.scene_at(chosen_.levels()[i].level), chosen_.levels()[i].draw}, run, outcome);
         });
   }
 
@@ -269,10 +264,10 @@ class StageRunner {
 
   void accept_draws(std::vector<Outcome<Draw>> outcomes) {
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      Draw& draw = scene_.draws[levels_[i].draw];
-      accept(outcomes[i], name_of(levels_[i]));
-      if (outcomes[i].answer) put_level(draw, levels_[i].level, std::move(*outcomes[i].answer));
-      update_traits(draw, levels_[i].level, outcomes[i]);
+      Draw& draw = scene_.draws[chosen_.levels()[i].draw];
+      accept(outcomes[i], name_of(chosen_.levels()[i]));
+      if (outcomes[i].answer) put_level(draw, chosen_.levels()[i].level, std::move(*outcomes[i].answer));
+      update_traits(draw, chosen_.levels()[i].level, outcomes[i]);
     }
   }
 
@@ -312,58 +307,13 @@ class StageRunner {
   /// Draws that a processor was not given have the same handles afterwards.
   void must_be_left(const Scene& changed) const {
     for (DrawId id = 0; id < std::min(scene_.draws.size(), changed.draws.size()); ++id) {
-      if (std::ranges::binary_search(draws_, id) || has_same_handles(scene_.draws[id], changed.draws[id])) continue;
+      if (std::ranges::binary_search(chosen_.draws(), id) || has_same_handles(scene_.draws[id], changed.draws[id])) continue;
       throw std::runtime_error(fmt::format("it changed {}, which it was not given", scene_.draws[id].name));
     }
   }
 
-  // --- levels -------------------------------------------------------------------------------------------------------
-
-  void choose_levels(DrawId id) {
-    std::string told;
-    for (std::size_t level = 0; level < scene_.draws[id].levels.size(); ++level) {
-      const auto skip = why_not(stage_, scene_, id, traits_of(scene_.draws[id], level));
-      if (!skip) {
-        levels_.push_back({id, level});
-        if (level == 0) draws_.push_back(id);
-      } else if (std::exchange(told, skip->reason) != skip->reason) {
-        add_skip(skip->code, skip->reason, name_of({id, level}));
-      }
-    }
-  }
-
-  const Scene& scene_at(std::size_t level) const { return at_level_.empty() ? scene_ : at_level_[level]; }
-  /// Null where no product of the scene counts on ranges there.
-  const RangedScene* ranges_at(std::size_t level) const {
-    return level < ranged_.size() && ranged_[level] ? &*ranged_[level] : nullptr;
-  }
   std::string name_of(const DrawLevel& at) const { return foredraw::name_of(scene_.draws[at.draw], at.level); }
   static About about_of(const DrawLevel& at) { return {.draw = at.draw, .level = at.level}; }
-
-  struct SubjectLevel {
-    std::uint32_t subject = 0;
-    std::size_t level = 0;
-    std::vector<DrawId> draws;  ///< that may be ordered anew
-  };
-
-  /// Every subject at full detail, and at each coarser level at which it has something to order. A draw that is in several
-  /// subjects belongs to the first.
-  std::vector<SubjectLevel> levels_of(const std::vector<Subject>& subjects) const {
-    std::vector<SubjectLevel> parts;
-    for (std::size_t level = 0; level < std::max<std::size_t>(at_level_.size(), 1); ++level) {
-      std::vector<bool> is_free(scene_.draws.size(), false);
-      for (const DrawLevel& chosen : levels_) is_free[chosen.draw] = is_free[chosen.draw] || chosen.level == level;
-      for (std::uint32_t i = 0; i < subjects.size(); ++i) {
-        SubjectLevel part{i, level, {}};
-        for (const SubjectPart& of_subject : subjects[i].parts) {
-          if (is_free[of_subject.draw]) part.draws.push_back(of_subject.draw);
-          is_free[of_subject.draw] = false;
-        }
-        if (level == 0 || !part.draws.empty()) parts.push_back(std::move(part));
-      }
-    }
-    return parts;
-  }
 
   /// Engines choose among several orders at full detail alone: of the others the one that stands alone is kept.
   void put_subject(OrderedSubject answer, std::size_t level, std::vector<OrderTable>& tables) {
@@ -384,10 +334,7 @@ class StageRunner {
   StageRecord& record_;
   Diagnostics& diagnostics_;
   StageProducts products_;
-  std::vector<DrawLevel> levels_;  ///< that the stage works on
-  std::vector<DrawId> draws_;      ///< of which it is so at full detail
-  std::vector<Scene> at_level_;    ///< [level]; empty where no draw has several
-  std::vector<std::optional<RangedScene>> ranged_;  ///< [level]; empty where the scene has no products
+  const StageLevels chosen_;
   std::function<void(double)> progress_;
   std::vector<Measured> measured_;
 };

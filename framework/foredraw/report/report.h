@@ -18,7 +18,8 @@ inline constexpr int report_version = 1;
 
 struct FileRecord {
   std::string path;
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = 0;  ///< of the file itself, without those beside it
+  std::string hash = {};    ///< of the content of what was read, those beside it included; empty: not known
 };
 
 /// What is drawn: counts and figures, before or after.
@@ -83,6 +84,7 @@ struct Report {
   std::string command;
   FileRecord input;
   FileRecord output;
+  std::vector<FileRecord> named;  ///< scenes and images that options of stages name
   std::string pipeline;  ///< TOML; parses back
   std::int64_t seed = 0;
   int threads = 1;

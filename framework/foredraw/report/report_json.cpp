@@ -139,7 +139,11 @@ Json to_json(const Diagnostic& diagnostic) {
           {"inside", diagnostic.where.inside}};
 }
 
-Json to_json(const FileRecord& file) { return {{"path", file.path}, {"bytes", file.bytes}}; }
+Json to_json(const FileRecord& file) {
+  Json json{{"path", file.path}, {"bytes", file.bytes}};
+  if (!file.hash.empty()) json["hash"] = file.hash;
+  return json;
+}
 
 }  // namespace
 
@@ -148,6 +152,7 @@ void write_json(const Report& report, const std::function<void(std::string_view)
   out.begin('{');
   Json head{{"report", report_version}, {"command", report.command}, {"input", to_json(report.input)}};
   if (!report.output.path.empty()) head["output"] = to_json(report.output);
+  for (const FileRecord& file : report.named) head["named"].push_back(to_json(file));
   head["pipeline"] = report.pipeline;
   head["seed"] = report.seed;
   head["threads"] = report.threads;

@@ -172,6 +172,7 @@ std::string facts_text(const Report& report) {
 std::string to_text(const Report& report) {
   std::string text = file_text(report.input);
   if (!report.output.path.empty()) text += " -> " + file_text(report.output);
+  for (const FileRecord& file : report.named) text += "\nbeside " + file_text(file);
   text += '\n' + fmt::format("{} draws, {}, {}\n", counted(report.draws.size()),
                              changed_count("triangles", report.optimized ? report.before.triangles : report.after.triangles,
                                            report.after.triangles),

@@ -1,5 +1,7 @@
 #include <foredraw/technique/options.h>
 
+#include <foredraw/viewing/view_list.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -75,6 +77,13 @@ std::string wants(const OptionSpec& spec, std::string_view what, const OptionVal
 
 }  // namespace
 
+bool names_file(const OptionSpec& spec, const OptionValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr || text->empty()) return false;
+  return spec.type == OptionType::scene || spec.type == OptionType::image ||
+         (spec.type == OptionType::views && is_view_list(*text));
+}
+
 std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionValue& value) {
   switch (spec.type) {
     case OptionType::boolean:
@@ -96,7 +105,12 @@ std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionV
     case OptionType::text:
       if (std::holds_alternative<std::string>(value)) return value;
       return wants(spec, "a text", value);
+    case OptionType::scene:
+    case OptionType::image:
+      if (const auto* path = std::get_if<std::string>(&value); path != nullptr && !path->empty()) return value;
+      return wants(spec, spec.type == OptionType::scene ? "the path of a scene" : "the path of an image", value);
     case OptionType::number_or_text:
+    case OptionType::views:
       if (std::holds_alternative<std::string>(value)) return value;
       if (std::holds_alternative<std::int64_t>(value)) return OptionValue(to_text(value));
       return wants(spec, "a whole number or a text", value);

@@ -26,7 +26,16 @@ using Settings = std::map<std::string, OptionValue>;
 /// Words of a pipeline's stage, which no option may be called.
 inline constexpr std::string_view reserved_words[] = {"use", "only", "required", "enabled", "blended", "level"};
 
-enum class OptionType { boolean, integer, number, text, choice, number_or_text };
+/// A file that an option names: by a path, which is empty where none is named. The host reads it; Run lends it.
+struct ScenePath {
+  std::string path;
+};
+struct ImagePath {
+  std::string path;
+};
+
+/// `views` is a view set's word, its number, or a file's path (see ViewSet).
+enum class OptionType { boolean, integer, number, text, choice, number_or_text, views, scene, image };
 
 struct OptionSpec {
   std::string name;  ///< "cache-size"
@@ -51,6 +60,9 @@ std::string range_text(const OptionSpec& spec);
 /// an explanation of why it does not fit: "'cache-size' is 2, but must be 3 to 65535 entries".
 std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionValue& value);
 
+/// Whether the value is the path of a file, which counts from the folder of the pipeline that names it.
+bool names_file(const OptionSpec& spec, const OptionValue& value);
+
 /// What a number may be, with its unit.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
@@ -61,7 +73,8 @@ struct Range {
 template <class Options>
 class OptionTable {
  public:
-  /// A bool, integer, floating-point or string member, or an optional one of these.
+  /// A bool, integer, floating-point or string member, or an optional one of these; or the path of a scene or an image,
+  /// which may always be left out.
   template <class T, class Owner>
   requires std::derived_from<Options, Owner> OptionTable& row(T Owner::*member, std::string name, std::string doc,
                                                               Range range = {}) {
@@ -74,10 +87,11 @@ class OptionTable {
     });
   }
 
-  /// A string member for which a bare number will do as well.
-  OptionTable& number_or_text(std::string Options::*member, std::string name, std::string doc) {
+  /// A string member for which a bare number will do as well. `type`: number_or_text or views.
+  OptionTable& number_or_text(std::string Options::*member, std::string name, std::string doc,
+                              OptionType type = OptionType::number_or_text) {
     OptionSpec spec = spec_of(std::move(name), std::move(doc), defaults_.*member);
-    spec.type = OptionType::number_or_text;
+    spec.type = type;
     return add(std::move(spec), [member](Options& options, const OptionValue& value) {
       options.*member = std::get<std::string>(value);
     });
@@ -123,6 +137,9 @@ class OptionTable {
   using Set = std::function<void(Options&, const OptionValue&)>;
 
   template <class T>
+  static constexpr bool is_path = std::is_same_v<T, ScenePath> || std::is_same_v<T, ImagePath>;
+
+  template <class T>
   struct Unwrapped {
     using type = T;
     static constexpr bool is_optional = false;
@@ -139,7 +156,10 @@ class OptionTable {
     OptionSpec spec;
     spec.name = std::move(name);
     spec.doc = std::move(doc);
-    if constexpr (std::is_same_v<Value, bool>) {
+    if constexpr (is_path<Value>) {
+      spec.type = std::is_same_v<Value, ScenePath> ? OptionType::scene : OptionType::image;
+      spec.optional = true;
+    } else if constexpr (std::is_same_v<Value, bool>) {
       spec.type = OptionType::boolean;
     } else if constexpr (std::is_integral_v<Value>) {
       spec.type = OptionType::integer;
@@ -149,7 +169,7 @@ class OptionTable {
     if constexpr (Unwrapped<T>::is_optional) {
       spec.optional = true;
       if (initial) spec.default_value = to_value(*initial);
-    } else {
+    } else if constexpr (!is_path<Value>) {
       spec.default_value = to_value(initial);
     }
     return spec;
@@ -174,7 +194,9 @@ class OptionTable {
     if constexpr (Unwrapped<T>::is_optional) {
       if (std::holds_alternative<std::monostate>(value)) return std::nullopt;
     }
-    if constexpr (std::is_same_v<Value, bool>) {
+    if constexpr (is_path<Value>) {
+      return {std::get<std::string>(value)};
+    } else if constexpr (std::is_same_v<Value, bool>) {
       return std::get<bool>(value);
     } else if constexpr (std::is_integral_v<Value>) {
       return static_cast<Value>(std::get<std::int64_t>(value));

@@ -4,8 +4,10 @@
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/draw.h>
+#include <foredraw/scene/lender.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/technique/options.h>
 
 #include <atomic>
 #include <cstdint>
@@ -62,6 +64,12 @@ struct Run {
   About about;                                 ///< what figures and notes are about unless they say otherwise
   const std::atomic<bool>* cancel = nullptr;
   std::function<void(double)> progress = {};   ///< may be empty; the part done, 0 to 1; from any thread
+  const Loans& loans = no_loans;               ///< what the stage's options name, as the host read it
+
+  /// What an option names. std::invalid_argument where it names nothing, or nothing that was lent: a plan that exists
+  /// has lent all that its options name.
+  const Scene& scene(const ScenePath& named) const;
+  const Image& image(const ImagePath& named) const;
 
   void measure(std::string metric, double numerator, double denominator, double error = 0) const {
     measure_at(about, std::move(metric), numerator, denominator, error);

@@ -13,7 +13,8 @@ void add_view_rows(OptionTable<Options>& table) {
   table.number_or_text(
       &ViewSet::views, "views",
       "Where to look from: icosphere, fibonacci, axes, random, cone, or a file with a view on each line; "
-      "a bare number means that icosphere");
+      "a bare number means that icosphere",
+      OptionType::views);
   table.template row<std::optional<int>>(
       &ViewSet::count, "count", "How many views; by default 162 of an icosphere, else 100", {1, 100000, "views"});
   table.template row<std::int64_t>(&ViewSet::seed, "seed", "Seed of random views", {.least = 0});

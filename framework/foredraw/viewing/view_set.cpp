@@ -39,8 +39,6 @@ int icosphere_count(const ViewSet& set) {
 
 bool is_icosphere(const ViewSet& set) { return set.views == "icosphere" || as_number(set.views); }
 
-bool is_file(const ViewSet& set) { return set.views.find_first_of("./") != std::string::npos; }
-
 /// Unit length; nothing where the text is no direction.
 std::optional<glm::dvec3> direction_in(const std::string& text) {
   std::istringstream words(text);
@@ -52,9 +50,8 @@ std::optional<glm::dvec3> direction_in(const std::string& text) {
   return normalised(v);
 }
 
-/// Without mistakes in it.
-std::vector<View> views_of(const ViewSet& set) {
-  if (is_file(set)) return std::get<std::vector<View>>(read_view_list(set.views, set.distance.value_or(0)));
+/// Of a set that is no file, and has no mistakes.
+std::vector<View> views_by_word(const ViewSet& set) {
   const auto count = static_cast<std::size_t>(set.count.value_or(default_count));
   Directions directions;
   if (is_icosphere(set)) {
@@ -90,13 +87,6 @@ std::optional<std::string> mistake_in_icosphere(const ViewSet& set) {
   return std::nullopt;
 }
 
-std::optional<std::string> mistake_in_file(const ViewSet& set) {
-  if (set.count) return "views is the file " + set.views + ", which says how many there are; leave count out";
-  const auto views = read_view_list(set.views, set.distance.value_or(0));
-  const auto* why = std::get_if<std::string>(&views);
-  return why != nullptr ? std::optional(*why) : std::nullopt;
-}
-
 std::optional<std::string> mistake_in_word(const ViewSet& set) {
   static const std::vector<std::string> words = {"icosphere", "fibonacci", "axes", "random", "cone"};
   if (std::find(words.begin(), words.end(), set.views) == words.end()) {
@@ -120,6 +110,13 @@ std::optional<std::string> mistake_in_word(const ViewSet& set) {
   return std::nullopt;
 }
 
+void turn_at_random(std::vector<View>& views, std::uint64_t seed) {
+  Directions directions;
+  for (const View& view : views) directions.push_back(view.direction);
+  directions = turned_at_random(directions, seed);
+  for (std::size_t i = 0; i < directions.size(); ++i) views[i].direction = directions[i];
+}
+
 }  // namespace
 
 std::optional<std::string> mistake_in(const ViewSet& set) {
@@ -129,19 +126,29 @@ std::optional<std::string> mistake_in(const ViewSet& set) {
   }
   if (set.size < 1) return "size is " + std::to_string(set.size) + ", but there must be 1 pixel at least";
   if (is_icosphere(set)) return mistake_in_icosphere(set);
-  if (is_file(set)) return mistake_in_file(set);
-  return mistake_in_word(set);
+  if (!is_view_list(set.views)) return mistake_in_word(set);
+  if (set.count) return "views is the file " + set.views + ", which says how many there are; leave count out";
+  return std::nullopt;
+}
+
+std::variant<Views, std::string> views_of(const ViewSet& set) {
+  if (auto mistake = mistake_in(set)) return std::move(*mistake);
+  Views made{{}, set.size};
+  if (!is_icosphere(set) && is_view_list(set.views)) {
+    auto listed = read_view_list(set.views, set.distance.value_or(0));
+    if (auto* why = std::get_if<std::string>(&listed)) return std::move(*why);
+    made.views = std::get<std::vector<View>>(std::move(listed));
+  } else {
+    made.views = views_by_word(set);
+  }
+  if (set.rotation) turn_at_random(made.views, static_cast<std::uint64_t>(*set.rotation));
+  return made;
 }
 
 Views make_views(const ViewSet& set) {
-  if (const auto mistake = mistake_in(set)) throw std::invalid_argument(*mistake);
-  Views views{views_of(set), set.size};
-  if (!set.rotation) return views;
-  Directions directions;
-  for (const View& view : views.views) directions.push_back(view.direction);
-  directions = turned_at_random(directions, static_cast<std::uint64_t>(*set.rotation));
-  for (std::size_t i = 0; i < directions.size(); ++i) views.views[i].direction = directions[i];
-  return views;
+  auto made = views_of(set);
+  if (const auto* why = std::get_if<std::string>(&made)) throw std::invalid_argument(*why);
+  return std::get<Views>(std::move(made));
 }
 
 }  // namespace foredraw

@@ -1,5 +1,6 @@
 #pragma once
-// Many meshes with many instances each, drawn as a few draws without a vertex stored twice.
+// Many meshes with many instances each, drawn as a few draws without a vertex stored twice. An engine that has no Scene
+// takes the parts, which are plain functions: frequency.h, spatial_groups.h, packing.h, slot_order.h.
 
 #include <foredraw/scene/merged_instances.h>
 

@@ -108,6 +108,10 @@ void add_cells(const AlphaImage& image, const Sampling& sampling, double thresho
 
 }  // namespace
 
+FootprintOptions footprint_of(const ParticleTrimOptions& options) {
+  return {options.threshold, options.footprint, options.mip_levels, options.padding};
+}
+
 ShownImage::ShownImage(const AlphaImage& image, const Sampling& sampling, const FootprintOptions& options)
     : image_(image), sampling_(sampling), options_(options),
       limit_(static_cast<std::uint16_t>(std::floor(std::clamp(options.threshold, 0.0, 1.0) * 65535))) {

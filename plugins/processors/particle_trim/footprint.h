@@ -2,6 +2,7 @@
 // Where an image shows: the places at which its sampler finds more than a threshold.
 
 #include "convex_hull.h"
+#include "particle_trim.h"
 
 #include <foredraw/image/alpha_image.h>
 
@@ -10,12 +11,6 @@
 
 namespace foredraw::trim {
 
-enum class Footprint : std::uint8_t {
-  texels,          ///< the texels themselves: right where nothing is blended
-  bilinear_loose,  ///< whatever blends with a texel that shows: half a texel more on each side
-  bilinear,        ///< where the blend exceeds the threshold
-};
-
 struct FootprintOptions {
   double threshold = 0;    ///< what is above it shows; 0 to 1
   Footprint footprint = Footprint::bilinear;
@@ -23,12 +18,8 @@ struct FootprintOptions {
   double padding = 0;      ///< texels more on each side
 };
 
-/// Upright, in steps of 1/256 texel.
-struct Box {
-  Point least, most;
-
-  double area() const { return static_cast<double>(most.x - least.x) * static_cast<double>(most.y - least.y); }
-};
+/// What the options say of how an image shows.
+FootprintOptions footprint_of(const ParticleTrimOptions& options);
 
 class ShownCells;
 

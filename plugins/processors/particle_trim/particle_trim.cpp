@@ -1,6 +1,7 @@
 #include "particle_trim.h"
 
 #include "enclosing_polygon.h"
+#include "footprint.h"
 #include "shown_cells.h"
 #include "stored_polygon.h"
 #include "texel_rows.h"
@@ -200,8 +201,9 @@ class Trimming {
 
 }  // namespace
 
-FootprintOptions footprint_of(const ParticleTrimOptions& options) {
-  return {options.threshold, options.footprint, options.mip_levels, options.padding};
+std::vector<TrimmedSprite> particle_trim(const AlphaImage& image, const Sampling& sampling,
+                                         std::span<const TrimFrame> frames, const ParticleTrimOptions& options) {
+  return particle_trim(ShownImage(image, sampling, footprint_of(options)), frames, options);
 }
 
 std::vector<TrimmedSprite> particle_trim(const ShownImage& image, std::span<const TrimFrame> frames,

@@ -1,8 +1,9 @@
 #pragma once
 // Sprites drawn as tight polygons in place of quads.
 
-#include "footprint.h"
-#include "uv_grid.h"
+#include "texel_grid.h"
+
+#include <foredraw/image/alpha_image.h>
 
 #include <glm/vec2.hpp>
 
@@ -10,6 +11,21 @@
 #include <vector>
 
 namespace foredraw {
+
+namespace trim {
+
+enum class Footprint : std::uint8_t {
+  texels,          ///< the texels themselves: right where nothing is blended
+  bilinear_loose,  ///< whatever blends with a texel that shows: half a texel more on each side
+  bilinear,        ///< where the blend exceeds the threshold
+};
+
+/// How texture coordinates are stored.
+enum class UvFormat : std::uint8_t { float32, float16, unorm16 };
+
+class ShownImage;  // footprint.h
+
+}  // namespace trim
 
 enum class TrimMethod : std::uint8_t { optimal, persson };
 
@@ -53,11 +69,12 @@ struct TrimmedSprite {
 /// is above the threshold lies in the frame's polygon as it is stored, and every such place outside of the frame lies
 /// outside of it: shown in whole numbers afterwards. O(texels) and the search. Source: Persson, "Graphics Gems for
 /// Games", SIGGRAPH 2012, "Particle trimming"; the smallest polygon after DePano 1987.
+std::vector<TrimmedSprite> particle_trim(const AlphaImage& image, const Sampling& sampling,
+                                         std::span<const TrimFrame> frames, const ParticleTrimOptions& options = {});
+
+/// The same for an image that is asked about several times: trim::ShownImage(image, sampling, trim::footprint_of(options)).
 std::vector<TrimmedSprite> particle_trim(const trim::ShownImage& image, std::span<const TrimFrame> frames,
                                          const ParticleTrimOptions& options = {});
-
-/// What the options say of how an image shows: for trim::ShownImage.
-trim::FootprintOptions footprint_of(const ParticleTrimOptions& options);
 
 struct Plugin;
 Plugin particle_trim_plugin();

@@ -1,3 +1,4 @@
+#include "footprint.h"
 #include "sprite_quads.h"
 
 #include <foredraw/technique/alpha_options.h>
@@ -123,7 +124,7 @@ class ParticleTrim final : public Processor {
       const Sampling sampling = sprite.sampling();
       const auto [number, is_new] = numbers.try_emplace(
           {sprite.image.get(), sampling.wrap[0], sampling.wrap[1], sampling.is_nearest}, images.size());
-      if (is_new) images.emplace_back(new ShownImage(*sprite.image, sampling, footprint_of(options_)));
+      if (is_new) images.emplace_back(new ShownImage(*sprite.image, sampling, trim::footprint_of(options_)));
       for (std::size_t q = 0; q < sprite.quads.size(); ++q) {
         quads.push_back({number->second, sprite.quads[q].frame, &sprite.sprites[q]});
       }

@@ -1,12 +1,9 @@
 #pragma once
-#include "convex_hull.h"
+#include "particle_trim.h"
 
 #include <glm/vec2.hpp>
 
 namespace foredraw::trim {
-
-/// How texture coordinates are stored.
-enum class UvFormat : std::uint8_t { float32, float16, unorm16 };
 
 /// The texture coordinates that a format can hold, as whole numbers of parts() of an image's side. Of floats those are
 /// taken that are multiples of what numbers near 1 are multiples of, so that everything can be computed exactly.

@@ -215,7 +215,7 @@ TEST(GltfMergedInstances, come_through_compressed_files) {
     const Scene scene = merged_yard(read(compressed(plain, choice)));
     Diagnostics diagnostics;
     for (const Compression compression : {Compression::keep, Compression::none}) {
-      const auto files = encode_gltf(scene, "out.glb", diagnostics, compression);
+      const auto files = encode_gltf(scene, "out.glb", diagnostics, {.compression = compression});
       ASSERT_TRUE(files) << to_text(diagnostics);
       const GltfJson json = json_of(files->front().bytes);
       const auto whole = json["extensions"][merge_instances]["sets"][0]["attributes"]["POSITION"].get<std::size_t>();

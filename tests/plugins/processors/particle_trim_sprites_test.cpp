@@ -1,4 +1,5 @@
 // Sprites trimmed, and painted beside their quads.
+#include <plugins/processors/particle_trim/footprint.h>
 #include <plugins/processors/particle_trim/particle_trim.h>
 
 #include "support/sprite_painter.h"
@@ -234,10 +235,8 @@ TEST(ParticleTrim, reaches_out_of_a_tile_only_where_nothing_shows) {
   AlphaImage image = blank(64, 32);
   for (std::uint32_t v = 2; v < 30; ++v) std::fill_n(image.alpha.begin() + 64 * v + 1 + v * 26 / 30, 4, 65535);
   const auto area = [](const AlphaImage& atlas, double threshold) {
-    Analyses analyses;
-    const trim::ShownImage shown(atlas, {{Wrap::clamped, Wrap::clamped}, false}, {threshold});
     const TrimFrame tile{{0, 0}, {32 * 256, 32 * 256}};
-    const auto made = particle_trim(shown, {&tile, 1}, {.vertices = 3, .threshold = threshold, .mip_levels = 0, .least_saving = 0});
+    const auto made = particle_trim(atlas, {{Wrap::clamped, Wrap::clamped}, false}, {&tile, 1}, {.vertices = 3, .threshold = threshold, .mip_levels = 0, .least_saving = 0});
     return std::pair(made[0].outcome, made[0].area);
   };
   const auto [free_outcome, free_area] = area(image, 0);
@@ -255,7 +254,7 @@ TEST(ParticleTrim, frames_may_share_one_shape) {
   AlphaImage image = blank(64, 32);
   for (std::uint32_t v = 10; v < 20; ++v) std::fill_n(image.alpha.begin() + 64 * v + 8, 6, 65535);
   for (std::uint32_t v = 14; v < 26; ++v) std::fill_n(image.alpha.begin() + 64 * v + 32 + 14, 6, 65535);
-  const trim::ShownImage shown(image, {{Wrap::clamped, Wrap::clamped}, false}, {});
+  const trim::ShownImage shown(image, {{Wrap::clamped, Wrap::clamped}, false}, trim::FootprintOptions{});
   const std::array<TrimFrame, 2> tiles{{{{0, 0}, {32 * 256, 32 * 256}}, {{32 * 256, 0}, {64 * 256, 32 * 256}}}};
   const auto both = particle_trim(shown, tiles, {.least_saving = 0});
   ASSERT_EQ(both.size(), 2u);

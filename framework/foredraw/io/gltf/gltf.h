@@ -34,16 +34,18 @@ enum class LevelsAs {
   lod_nodes,  ///< MSFT_lod on the nodes, where it can tell of them
 };
 
+struct GltfOutput {
+  Compression compression = Compression::keep;
+  LevelsAs levels = LevelsAs::extension;
+  ProductRows products = {};  ///< who writes them; none: those that the scene was read with
+};
+
 /// The files that a scene is written as: one for a target ending in .glb, else the .gltf and its .bin beside it; and,
 /// where compressed data came with a plain copy for readers that can not decompress, that in .fallback.bin beside
 /// (out.fallback.bin of out.gltf, out.glb.fallback.bin of out.glb). What no stage touched comes out as it was in the
 /// file that the scene was read from; a scene that was not read from a file is written anew. A note says so where all
-/// of it is longer than what was read, and by what it grew. Products are written by their rows, by default those that the
-/// scene was read with. Nothing is written to disk here.
+/// of it is longer than what was read, and by what it grew. Nothing is written to disk here.
 std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const std::filesystem::path& target,
-                                                   Diagnostics& diagnostics,
-                                                   Compression compression = Compression::keep,
-                                                   LevelsAs levels = LevelsAs::extension,
-                                                   const ProductRows& products = {});
+                                                   Diagnostics& diagnostics, const GltfOutput& as = {});
 
 }  // namespace foredraw

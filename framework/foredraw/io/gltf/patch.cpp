@@ -75,12 +75,11 @@ Json copy_with_room(const Json& from) {
 }  // namespace
 
 std::optional<Written> patched(const Scene& of_levels, const Source& source, const std::filesystem::path& target,
-                               bool may_stay, Compression compression, LevelsAs levels, const ProductRows& rows,
-                               Diagnostics& diagnostics) {
+                               bool may_stay, const GltfOutput& as, Diagnostics& diagnostics) {
   const Document& document = source.document;
-  const LevelScene told(of_levels, source, levels, diagnostics);
+  const LevelScene told(of_levels, source, as.levels, diagnostics);
   const Scene& scene = told.flat();
-  const bool compress = compression == Compression::keep;
+  const bool compress = as.compression == Compression::keep;
   Written written;
   written.json = copy_with_room(document.json);
   written.further_chunks = document.further_chunks;
@@ -90,8 +89,8 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   AccessorStore store(document, written.json);
   if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
   told.put_lods(written.json);
-  if (!patch_meshes(scene, source, rows, written.json, store, diagnostics)) return std::nullopt;
-  patch_products(scene, source, rows, written.json, store, diagnostics);
+  if (!patch_meshes(scene, source, as.products, written.json, store, diagnostics)) return std::nullopt;
+  patch_products(scene, source, as.products, written.json, store, diagnostics);
   relocate_images(written.json, document, target, diagnostics);
   written.changed = !may_stay || document.left_out || store.changed() || written.json != document.json ||
                     !told.same_errors() || (!compress && is_compressed(document));

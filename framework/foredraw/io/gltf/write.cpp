@@ -74,16 +74,15 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, con
 }  // namespace
 
 std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const fs::path& target, Diagnostics& diagnostics,
-                                                   Compression compression, LevelsAs levels,
-                                                   const ProductRows& products) {
+                                                   const GltfOutput& as) {
   const auto kept = std::dynamic_pointer_cast<const gltf::Source>(scene.source);
   const auto source = kept ? kept : empty_source(scene);
-  const ProductRows& rows = products.empty() ? source->document.products : products;
+  const GltfOutput how{as.compression, as.levels, as.products.empty() ? source->document.products : as.products};
   const bool may_stay = kept && gltf::is_glb(target) == kept->document.binary;
-  auto written = gltf::patched(scene, *source, target, may_stay, compression, levels, rows, diagnostics);
+  auto written = gltf::patched(scene, *source, target, may_stay, how, diagnostics);
   if (written && !written->changed) {
     if (auto files = as_it_was(source->document, target)) return files;
-    written = gltf::patched(scene, *source, target, false, compression, levels, rows, diagnostics);
+    written = gltf::patched(scene, *source, target, false, how, diagnostics);
   }
   if (!written) return std::nullopt;
   const std::vector<gltf::Sizes> sizes = written->laid_out.sizes;

@@ -58,6 +58,12 @@ std::string_view extension_of(MeshKind kind) {
   return {};
 }
 
+std::vector<std::string_view> mesh_extensions() {
+  std::vector<std::string_view> names;
+  for (const auto& [kind, name] : extensions) names.push_back(name);
+  return names;
+}
+
 std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind kind, const std::string& name,
                                     const std::filesystem::path& folder, Diagnostics& diagnostics) {
   auto source = std::make_shared<MeshSource>();

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace foredraw {
 
@@ -19,6 +20,7 @@ std::optional<MeshKind> mesh_kind_of(const std::filesystem::path& path);
 
 /// ".obj"
 std::string_view extension_of(MeshKind kind);
+std::vector<std::string_view> mesh_extensions();  ///< of all kinds
 
 /// Reads bytes; `name` is what diagnostics call them, and an OBJ's material libraries are looked for in `folder`
 /// (empty: there are none). nullopt, with an error that names file and line (or byte), where they can not be read whole

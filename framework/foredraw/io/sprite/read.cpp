@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 namespace foredraw {
@@ -165,8 +164,10 @@ bool frames_lie_in_images(const std::vector<FrameEntry>& entries, const Scene& s
 
 bool is_frame_list(const fs::path& path) { return lower_extension(path) == ".json"; }
 
+std::vector<std::string_view> sprite_image_extensions() { return {".png", ".jpg", ".jpeg", ".tga", ".exr"}; }
+
 bool is_sprite_input(const fs::path& path) {
-  constexpr std::array<std::string_view, 5> images = {".png", ".jpg", ".jpeg", ".tga", ".exr"};
+  const auto images = sprite_image_extensions();
   return is_frame_list(path) || std::ranges::find(images, lower_extension(path)) != images.end();
 }
 

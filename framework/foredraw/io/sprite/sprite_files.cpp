@@ -99,12 +99,18 @@ std::string winding_of(std::span<const Sheet> sheets) {
 
 bool is_sprite_output(const fs::path& path) { return writer_of(path) != nullptr; }
 
+std::string sprite_output_extensions() {
+  std::string text;
+  for (const Writer& writer : writers) text.append(text.empty() ? "" : ", ").append(writer.extension);
+  return text;
+}
+
 std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const fs::path& target,
                                          Diagnostics& diagnostics) {
   const Writer* writer = writer_of(target);
   if (writer == nullptr) {
     diagnostics.error({.file = target.string()}, "unknown-kind", "sprites are not written as this kind of file",
-                      "they are as .json, .h, .svg, .png and .html");
+                      "they are as " + sprite_output_extensions());
     return std::nullopt;
   }
   std::vector<Sheet> sheets;

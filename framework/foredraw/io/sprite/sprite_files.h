@@ -9,11 +9,15 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foredraw {
 
-/// Whether the extension is one that sprites are read from: .png, .jpg, .jpeg, .tga, .exr; .json for a frame list.
+/// Extensions of images that sprites are read from, in small letters.
+std::vector<std::string_view> sprite_image_extensions();
+
+/// Whether sprites are read from such a file: an image, or .json, a frame list.
 bool is_sprite_input(const std::filesystem::path& path);
 bool is_frame_list(const std::filesystem::path& path);
 
@@ -29,8 +33,9 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
 /// that speaks of frames and can not be read counts as one that names no image.
 std::optional<std::vector<std::filesystem::path>> images_of_list(const std::filesystem::path& list);
 
-/// Whether the extension is one that sprites alone are written as: .json, .h, .svg, .png, .html.
+/// Whether the extension is one that sprites alone are written as; and a text that lists those: ".json, .h, .svg".
 bool is_sprite_output(const std::filesystem::path& path);
+std::string sprite_output_extensions();
 
 /// The file that the sprites of one scene, or of several, are written as, by its extension: a frame list (.json), C99
 /// arrays (.h), the image with what is drawn of it on top (.svg), or pictures of all sprites (.png, .html). Sprites are

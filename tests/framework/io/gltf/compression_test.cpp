@@ -39,7 +39,7 @@ struct Written {
 
 Written encode(const Scene& scene, Compression compression = Compression::keep, const char* target = "out.glb") {
   Written written;
-  auto files = encode_gltf(scene, target, written.diagnostics, compression);
+  auto files = encode_gltf(scene, target, written.diagnostics, {.compression = compression});
   if (!files) throw std::runtime_error(to_text(written.diagnostics));
   written.files = std::move(*files);
   written.json = testing::json_of(written.files.front().bytes);

@@ -28,8 +28,7 @@ inline Scene read(const GltfBuilder& builder) { return read(builder.glb()); }
 
 inline Bytes write(const Scene& scene) {
   Diagnostics diagnostics;
-  const auto files = encode_gltf(scene, "out.glb", diagnostics, Compression::keep, LevelsAs::extension,
-                                 built_in_products());
+  const auto files = encode_gltf(scene, "out.glb", diagnostics, {.products = built_in_products()});
   const bool quiet = std::ranges::all_of(diagnostics.all(), [](const auto& d) { return d.code == "output-grew"; });
   if (!files || !quiet) throw std::runtime_error(to_text(diagnostics));
   return files->front().bytes;

@@ -76,7 +76,7 @@ TEST_P(LevelsFigures, EachLevelIsAsGoodAsAlone) {
     draw.levels.push_back(by_cells(draw.levels[0], 40));
     draw.levels.push_back(by_cells(draw.levels[0], 20));
   }
-  const auto file = encode_gltf(made, "in.glb", diagnostics, Compression::keep, GetParam().as);
+  const auto file = encode_gltf(made, "in.glb", diagnostics, {.levels = GetParam().as});
   ASSERT_TRUE(file) << to_text(diagnostics);
   const Bytes& before = file->front().bytes;
   const Scene scene = read(before);

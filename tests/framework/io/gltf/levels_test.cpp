@@ -281,7 +281,7 @@ TEST(GltfLevels, GoOutAsNodesWhereAskedFor) {
   Diagnostics diagnostics;
   Scene scene = with_made_levels();
   for (Node& node : scene.nodes) node.is_shown = true;
-  const auto files = encode_gltf(scene, "out.glb", diagnostics, Compression::keep, LevelsAs::lod_nodes);
+  const auto files = encode_gltf(scene, "out.glb", diagnostics, {.levels = LevelsAs::lod_nodes});
   ASSERT_TRUE(files);
   const GltfJson json = json_of(files->front().bytes);
   EXPECT_EQ(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], GltfJson::parse("[1, 2]"));

@@ -20,10 +20,9 @@ struct Written {
 };
 
 /// The source's document with the scene's changes in it, for a target. With `may_stay`, the file itself will do where
-/// nothing changed. nullopt, with an error, where a change can not be said.
+/// nothing changed. Products are written by the rows of `as`. nullopt, with an error, where a change can not be said.
 std::optional<Written> patched(const Scene& scene, const Source& source, const std::filesystem::path& target,
-                               bool may_stay, Compression compression, LevelsAs levels, const ProductRows& rows,
-                               Diagnostics& diagnostics);
+                               bool may_stay, const GltfOutput& as, Diagnostics& diagnostics);
 
 /// Puts the changed draws into `json` and `store`. False, with an error, where one can not be said.
 bool patch_meshes(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,

@@ -1,0 +1,25 @@
+#pragma once
+// Scenes and images for options that name them, read through the same gate as all others.
+
+#include <foredraw/scene/lender.h>
+#include <foredraw/scene/product_row.h>
+
+#include <mutex>
+
+namespace foredraw {
+
+/// Reads each file once, and keeps it: for one run of a program, in which files do not change.
+class FileLender final : public Lender {
+ public:
+  explicit FileLender(ProductRows products = {}) : products_(std::move(products)) {}
+
+  std::optional<Loan<Scene>> scene(const std::string& path, Diagnostics& diagnostics) const override;
+  std::optional<Loan<Image>> image(const std::string& path, Diagnostics& diagnostics) const override;
+
+ private:
+  ProductRows products_;
+  mutable std::mutex mutex_;
+  mutable Loans read_;
+};
+
+}  // namespace foredraw
