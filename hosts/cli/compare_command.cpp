@@ -98,7 +98,8 @@ ComparedFile compared(const std::string& input, const Contest& contest, const Re
   tell(diagnostics);
   made.input = file->scene;
   comparison.input = {input, file->bytes, to_text(file->stamp)};
-  const auto [plans, branches] = planned(contest, registry, file->scene, comparison);
+  const Planned all = planned(contest, registry, file->scene, comparison);
+  const std::vector<Plan>& plans = all.plans;
   if (plans.size() < contest.pipelines.size()) worst = std::max(worst, users_mistake);
   made.scenes.resize(comparison.branches.size());
   if (plans.empty()) return made;
@@ -110,8 +111,8 @@ ComparedFile compared(const std::string& input, const Contest& contest, const Re
   end_progress();
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (results[i].failed) worst = something_failed;
-    made.scenes[branches[i]] = std::move(results[i].scene);
-    Report& report = comparison.branches[branches[i]].report;
+    made.scenes[all.branches[i]] = std::move(results[i].scene);
+    Report& report = comparison.branches[all.branches[i]].report;
     report = std::move(results[i].report);
     report.command = "compare";
     report.input = comparison.input;

@@ -202,7 +202,7 @@ class Planner {
     if (user == stages.end()) return nullptr;
     // An exact one, so that orders do not hang on what else a build or a machine has; others where there is none.
     std::vector<const Plugin*> answering = registry_.all();
-    std::ranges::stable_partition(answering, &Plugin::exact);
+    std::stable_partition(answering.begin(), answering.end(), [](const Plugin* plugin) { return plugin->exact; });
     for (const Plugin* plugin : answering) {
       if (plugin->overdraw_service && !(plugin->unavailable && plugin->unavailable())) {
         return plugin->overdraw_service({});

@@ -37,9 +37,10 @@ Entry entry_of(std::string_view metric, const Figure& figure) {
 void write(JsonWriter& out, std::vector<Entry> entries, std::size_t part) {
   while (!entries.empty()) {
     const std::string_view name = entries.front().parts[part];
-    const auto others = std::ranges::stable_partition(entries, [&](const Entry& e) { return e.parts[part] == name; });
-    std::vector<Entry> group(entries.begin(), others.begin());
-    entries.erase(entries.begin(), others.begin());
+    const auto others = std::stable_partition(entries.begin(), entries.end(),
+                                              [&](const Entry& e) { return e.parts[part] == name; });
+    std::vector<Entry> group(entries.begin(), others);
+    entries.erase(entries.begin(), others);
     out.key(name).begin('{');
     if (group.front().count == part + 1) {
       write(out, *group.front().figure);

@@ -42,10 +42,10 @@ std::size_t draws_left(const Scene& scene) {
     const Node& node = scene.nodes[n];
     if (!node.mesh || !node.is_shown) continue;
     for (std::uint32_t primitive = 0; primitive < scene.meshes[*node.mesh].draws.size(); ++primitive) {
-      const auto shown = std::ranges::equal_range(merged, std::pair(n, primitive), {}, [](const MergedPlace& place) {
-        return std::pair(place.node, place.primitive);
-      });
-      draws += shown.size() < std::max<std::size_t>(1, node.instances.size());
+      const auto drawn = [](const MergedPlace& place) { return std::pair(place.node, place.primitive); };
+      const auto first = std::ranges::lower_bound(merged, std::pair(n, primitive), {}, drawn);
+      const auto end = std::ranges::upper_bound(merged, std::pair(n, primitive), {}, drawn);
+      draws += static_cast<std::size_t>(end - first) < std::max<std::size_t>(1, node.instances.size());
     }
   }
   return draws;
