@@ -15,16 +15,16 @@ namespace foredraw {
 namespace {
 
 using Point = glm::dvec3;
-using Corners = std::array<Point, 3>;
+using Triangle = std::array<Point, 3>;
 
 constexpr std::size_t most_in_leaf = 4;
 
 bool is_finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-std::vector<Corners> finite_triangles(const Surface& surface) {
-  std::vector<Corners> triangles;
+std::vector<Triangle> finite_triangles(const Surface& surface) {
+  std::vector<Triangle> triangles;
   for (std::size_t i = 0; i + 3 <= surface.indices.size(); i += 3) {
-    Corners corners;
+    Triangle corners;
     for (std::size_t c = 0; c < 3; ++c) corners[c] = Point(surface.positions[surface.indices[i + c]]);
     if (std::ranges::all_of(corners, is_finite)) triangles.push_back(corners);
   }
@@ -33,7 +33,7 @@ std::vector<Corners> finite_triangles(const Surface& surface) {
 
 /// Of a point to a triangle, squared; after Ericson, Real-Time Collision Detection, section 5.1.5. Where the triangle
 /// is a line or a point, the fractions of its edges decide.
-double squared_distance(const Point& p, const Corners& t) {
+double squared_distance(const Point& p, const Triangle& t) {
   const auto squared = [](const Point& v) { return glm::dot(v, v); };
   const auto to_edge = [&](const Point& from, const Point& to) {
     const Point edge = to - from;
@@ -80,10 +80,10 @@ struct ClosestPoints::Tree {
     std::uint32_t count = 0;  ///< 0: the two nodes at `child`
     std::uint32_t child = 0;
   };
-  std::vector<Corners> triangles;
+  std::vector<Triangle> triangles;
   std::vector<Node> nodes;
 
-  explicit Tree(std::vector<Corners> of) : triangles(std::move(of)) {
+  explicit Tree(std::vector<Triangle> of) : triangles(std::move(of)) {
     if (triangles.empty()) return;
     nodes.emplace_back();
     split(0, 0, static_cast<std::uint32_t>(triangles.size()));
@@ -104,7 +104,7 @@ struct ClosestPoints::Tree {
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const auto begin = triangles.begin() + first;
     std::nth_element(begin, begin + count / 2, begin + count,
-                     [axis](const Corners& a, const Corners& b) { return middle(a)[axis] < middle(b)[axis]; });
+                     [axis](const Triangle& a, const Triangle& b) { return middle(a)[axis] < middle(b)[axis]; });
     const auto child = static_cast<std::uint32_t>(nodes.size());
     nodes[at].count = 0;
     nodes[at].child = child;
@@ -113,7 +113,7 @@ struct ClosestPoints::Tree {
     split(child + 1, first + count / 2, count - count / 2);
   }
 
-  static Point middle(const Corners& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+  static Point middle(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
   double squared_distance(const Point& p) const {
     double nearest = std::numeric_limits<double>::infinity();
@@ -151,15 +151,15 @@ struct OneWay {
 };
 
 /// Evenly by area: each of as many equal parts of the area gives a point.
-std::vector<Point> points_on(const std::vector<Corners>& triangles, std::size_t count, Random random) {
+std::vector<Point> points_on(const std::vector<Triangle>& triangles, std::size_t count, Random random) {
   std::vector<double> sums;
   double sum = 0;
-  for (const Corners& t : triangles) sums.push_back(sum += glm::length(glm::cross(t[1] - t[0], t[2] - t[0])));
+  for (const Triangle& t : triangles) sums.push_back(sum += glm::length(glm::cross(t[1] - t[0], t[2] - t[0])));
   std::vector<Point> points;
   for (std::size_t i = 0; i < count; ++i) {
     const double at = sum * (static_cast<double>(i) + random.unit()) / static_cast<double>(count);
     const auto chosen = static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin());
-    const Corners& t = triangles[std::min(chosen, triangles.size() - 1)];
+    const Triangle& t = triangles[std::min(chosen, triangles.size() - 1)];
     const double root = std::sqrt(random.unit());
     const double along = random.unit();
     points.push_back((1 - root) * t[0] + root * (1 - along) * t[1] + root * along * t[2]);
@@ -177,7 +177,7 @@ std::vector<double> distances(const std::vector<Point>& points, const ClosestPoi
   return result;
 }
 
-OneWay one_way(const std::vector<Corners>& from, const ClosestPoints& to, std::size_t samples, std::uint64_t seed,
+OneWay one_way(const std::vector<Triangle>& from, const ClosestPoints& to, std::size_t samples, std::uint64_t seed,
                const Executor& executor) {
   OneWay result;
   const std::vector<double> sampled = distances(points_on(from, samples, Random(seed)), to, executor);
@@ -191,7 +191,7 @@ OneWay one_way(const std::vector<Corners>& from, const ClosestPoints& to, std::s
     if (count > 1) result.variance += deviation * deviation / (count * (count - 1));
   }
   std::vector<Point> corners;
-  for (const Corners& t : from) corners.insert(corners.end(), t.begin(), t.end());
+  for (const Triangle& t : from) corners.insert(corners.end(), t.begin(), t.end());
   for (const double d : distances(corners, to, executor)) result.largest = std::max(result.largest, d);
   return result;
 }
@@ -200,8 +200,8 @@ OneWay one_way(const std::vector<Corners>& from, const ClosestPoints& to, std::s
 
 std::optional<SurfaceDistance> surface_distance(const Surface& a, const Surface& b,
                                                 const SurfaceDistanceOptions& options, const Executor& executor) {
-  const std::vector<Corners> of_a = finite_triangles(a);
-  const std::vector<Corners> of_b = finite_triangles(b);
+  const std::vector<Triangle> of_a = finite_triangles(a);
+  const std::vector<Triangle> of_b = finite_triangles(b);
   if (of_a.empty() && of_b.empty()) return SurfaceDistance{};
   if (of_a.empty() || of_b.empty()) return std::nullopt;
   const std::size_t samples = std::max<std::size_t>(options.samples, 1);

@@ -2,8 +2,10 @@
 
 #include <foredraw/overdraw/cluster_layers.h>
 #include <foredraw/overdraw/overdraw_bound.h>
+#include <foredraw/viewing/shared_views.h>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -46,11 +48,43 @@ Clusters atoms_of_parts(const SubjectCapture& captured, const SubjectView& view,
   return all;
 }
 
-void add_looks(SubjectCapture& captured, const SubjectView& view, const SubjectGeometry& drawn, double weight, Run& run) {
+/// Of those that are in `share`: [view] its number there, or that of the nearest one.
+std::vector<std::size_t> nearest_in(std::span<const std::size_t> share, const Views& views) {
+  std::vector<std::size_t> nearest;
+  for (const View& view : views.views) {
+    const auto cosine = [&](std::size_t i) { return glm::dot(views.views[share[i]].direction, view.direction); };
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < share.size(); ++i) {
+      if (cosine(i) > cosine(best)) best = i;
+    }
+    nearest.push_back(best);
+  }
+  return nearest;
+}
+
+/// From where each of several poses is looked at.
+struct Looks {
+  std::vector<std::vector<std::size_t>> shares;  ///< [pose] numbers of views
+  int size = 0;                                  ///< of the pictures
+};
+
+/// Every pose from all views; or, where the poses share them, so that all pictures have twice the pixels of those of one
+/// pose. They are small then: a look from another side, or at another time, tells more than pixels do.
+Looks looks_at(const Views& views, std::size_t poses, bool share) {
+  constexpr int small = 96;
+  const std::size_t all = poses * views.views.size();
+  if (!share || poses == 1) return {shared_views(views.views, poses, all), views.size};
+  const int size = std::min(views.size, small);
+  const double pixels = static_cast<double>(views.views.size()) * views.size * views.size;
+  return {shared_views(views.views, poses, static_cast<std::size_t>(2 * pixels / (size * size))), size};
+}
+
+void add_looks(SubjectCapture& captured, const SubjectView& view, const SubjectGeometry& drawn, const Views& views,
+               double weight, Run& run) {
   SubjectLayers& seen = captured.seen;
   seen.owners.clear();
   const Clusters atoms = atoms_of_parts(captured, view, drawn, seen.owners);
-  const auto layers_of_triangles = run.overdraw->capture(drawn.parts, run.views, run);
+  const auto layers_of_triangles = run.overdraw->capture(drawn.parts, views, run);
   if (!layers_of_triangles) {
     throw std::runtime_error(
         "what hides what can not be captured: let overdraw-raster answer in [services], or let "
@@ -60,8 +94,8 @@ void add_looks(SubjectCapture& captured, const SubjectView& view, const SubjectG
   seen.layers.owners = layers.owners;
   for (std::size_t v = 0; v < layers.views.size(); ++v) {
     seen.layers.views.push_back(std::move(layers.views[v]));
-    seen.directions.push_back(run.views.views[v].direction);
-    seen.weights.push_back(run.views.views[v].weight * weight);
+    seen.directions.push_back(views.views[v].direction);
+    seen.weights.push_back(views.views[v].weight * weight);
   }
 }
 
@@ -73,9 +107,8 @@ std::size_t SubjectCapture::number_of(DrawId draw) const {
 
 std::vector<std::uint8_t> SubjectCapture::by_pose(std::span<const std::uint8_t> serving) const {
   std::vector<std::uint8_t> result;
-  for (const std::size_t first : first_look) {
-    const auto of_pose = serving.subspan(first, views);
-    result.insert(result.end(), of_pose.begin(), of_pose.end());
+  for (const auto& of_pose : look) {
+    for (const std::size_t shown : of_pose) result.push_back(serving[shown]);
   }
   return result;
 }
@@ -84,20 +117,31 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
                                  const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
                                  const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see) {
   SubjectCapture captured;
-  captured.views = run.views.views.size();
   add_draws(captured, view, atoms_of);
   const DistinctPoses distinct = distinct_poses(view.scene, {&view.subject, 1}, poses, run.executor).front();
+  const auto different = static_cast<std::size_t>(
+      std::ranges::count_if(distinct.weights, [](double weight) { return weight > 0; }));
+  const Looks looks = looks_at(run.views, different, poses.share_views);
+  std::size_t number = 0;  // among those that look different
   for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
     if (run.cancelled()) throw std::runtime_error("cancelled");
     if (distinct.first_alike[pose] != pose) {
-      captured.first_look.push_back(captured.first_look[distinct.first_alike[pose]]);
+      captured.look.push_back(captured.look[distinct.first_alike[pose]]);
       continue;
     }
-    captured.first_look.push_back(captured.seen.layers.views.size());
+    const std::vector<std::size_t>& share = looks.shares[number++];
+    Views views{{}, looks.size};
+    for (const std::size_t v : share) views.views.push_back(run.views.views[v]);
+    captured.look.push_back(nearest_in(share, run.views));
+    for (std::size_t& shown : captured.look.back()) shown += captured.seen.layers.views.size();
     const PosedNodes nodes = view.subject.is_placed() ? posed_nodes(view.scene, poses.poses[pose]) : PosedNodes();
     const SubjectGeometry drawn = subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
-    add_looks(captured, view, drawn, distinct.weights[pose], run);
+    add_looks(captured, view, drawn, views, distinct.weights[pose], run);
     if (see) see(captured.seen, drawn);
+  }
+  if (different > 1) {
+    run.note("poses", fmt::format("made for {} poses, which are looked at from {} sides in all", different,
+                                  captured.seen.layers.views.size()));
   }
   return captured;
 }

@@ -10,12 +10,14 @@
 
 namespace foredraw {
 
-/// Looks are the poses that look different, each from all views in turn.
+/// Looks are the poses that look different, each from all views in turn, or from its share of them where the poses share
+/// them.
 struct SubjectCapture {
   SubjectLayers seen;                     ///< its indices lie in the scene
   std::vector<DrawId> draws;            ///< [draw of `seen`]
-  std::vector<std::size_t> first_look;  ///< [pose]; poses that look alike share their looks
-  std::size_t views = 0;
+  /// [pose][view] the look that shows it, or the pose from the nearest side that was captured; poses that look alike
+  /// share their looks.
+  std::vector<std::vector<std::size_t>> look;
 
   /// The draw's number in `seen`.
   std::size_t number_of(DrawId draw) const;

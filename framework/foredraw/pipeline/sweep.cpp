@@ -44,19 +44,19 @@ std::vector<std::string> values_of_range(double first, double last, double step)
   return values;
 }
 
-struct Refusal {
+struct Complaint {
   std::string message;
   std::string hint;
 };
 
-std::variant<std::vector<std::string>, Refusal> values_in(const std::string& text) {
+std::variant<std::vector<std::string>, Complaint> values_in(const std::string& text) {
   const std::vector<std::string> range = parts_of(text, ':');
   if (range.size() == 1) {
     std::vector<std::string> values = parts_of(text, ',');
     for (const std::string& value : values) {
-      if (value.empty()) return Refusal{"a value is empty", "such as 1:1.5:0.05, or fast,high"};
+      if (value.empty()) return Complaint{"a value is empty", "such as 1:1.5:0.05, or fast,high"};
     }
-    if (values.size() > most) return Refusal{fmt::format("there are {} values, more than {}", values.size(), most), ""};
+    if (values.size() > most) return Complaint{fmt::format("there are {} values, more than {}", values.size(), most), ""};
     return values;
   }
   std::vector<double> numbers;
@@ -64,14 +64,14 @@ std::variant<std::vector<std::string>, Refusal> values_in(const std::string& tex
     if (const auto number = number_in(part)) numbers.push_back(*number);
   }
   if (numbers.size() != 3 || range.size() != 3) {
-    return Refusal{fmt::format("expected FIRST:LAST:STEP, three numbers, found '{}'", text), "such as 1:1.5:0.05"};
+    return Complaint{fmt::format("expected FIRST:LAST:STEP, three numbers, found '{}'", text), "such as 1:1.5:0.05"};
   }
   const auto [first, last, step] = std::tuple(numbers[0], numbers[1], numbers[2]);
   if (step == 0 || (last - first) / step < 0) {
-    return Refusal{fmt::format("no steps of {} lead from {} to {}", step, first, last), "such as 1:1.5:0.05"};
+    return Complaint{fmt::format("no steps of {} lead from {} to {}", step, first, last), "such as 1:1.5:0.05"};
   }
   if ((last - first) / step >= most) {
-    return Refusal{fmt::format("there are more than {} values", most), "take larger steps"};
+    return Complaint{fmt::format("there are more than {} values", most), "take larger steps"};
   }
   return values_of_range(first, last, step);
 }
@@ -153,7 +153,7 @@ std::optional<Sweep> parse_sweep(const std::string& text, Diagnostics& diagnosti
     return std::nullopt;
   }
   auto values = values_in(text.substr(equals + 1));
-  if (const auto* refusal = std::get_if<Refusal>(&values)) {
+  if (const auto* refusal = std::get_if<Complaint>(&values)) {
     diagnostics.error({"--sweep", 1, static_cast<int>(equals) + 2, {}}, "bad-value", refusal->message, refusal->hint);
     return std::nullopt;
   }

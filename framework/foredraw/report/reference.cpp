@@ -32,7 +32,7 @@ std::string allowed(const OptionSpec& option) {
   return fmt::format("{}{}{}", text_of(option.type), range.empty() ? "" : ", ", range);
 }
 
-std::string names_of(const Traits& traits) { return fmt::format("{}", fmt::join(traits, ", ")); }
+std::string names_text(const Traits& traits) { return fmt::format("{}", fmt::join(traits, ", ")); }
 
 Json option_json(const OptionSpec& option) {
   Json json{{"name", option.name},
@@ -57,10 +57,10 @@ std::string reference_page(const Plugin& plugin) {
     if (!text.empty()) page += fmt::format("- {}: {}\n", what, text);
   };
   page += '\n';
-  fact("acts on draws that are", names_of(card.acts_on));
-  fact("needs draws to be", names_of(card.needs));
-  fact("makes them", names_of(card.provides));
-  fact("undoes", names_of(card.breaks));
+  fact("acts on draws that are", names_text(card.acts_on));
+  fact("needs draws to be", names_text(card.needs));
+  fact("makes them", names_text(card.provides));
+  fact("undoes", names_text(card.breaks));
   fact("pays if", card.pays_if);
   if (card.uses_overdraw) page += "- asks for measured overdraw\n";
   if (plugin.overdraw_service) page += "- can answer for measured overdraw ([services])\n";

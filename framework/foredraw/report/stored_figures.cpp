@@ -1,16 +1,15 @@
 // Figures out of the JSON forms: what a later run is held against.
 #include <foredraw/report/bound.h>
 
+#include <foredraw/report/private/json_values.h>
+
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <functional>
 
 namespace foredraw {
 
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr int known_version = 1;  // of every form that is read here
 

@@ -19,6 +19,8 @@ struct Pose {
 
 struct Poses {
   std::vector<Pose> poses = {Pose{}};  ///< one at least
+  /// Who looks at each from many sides may look at each from some of them, so that all sides are seen twice in all.
+  bool share_views = false;
 
   friend bool operator==(const Poses&, const Poses&) = default;
 };

@@ -11,8 +11,8 @@ template <class Options>
 requires std::derived_from<Options, PoseSet>
 void add_pose_rows(OptionTable<Options>& table) {
   table.number_or_text(&PoseSet::poses, "poses",
-                       "In which poses: bind (as the file's nodes stand), all (every key of every clip), or at most so "
-                       "many, spread over the clips");
+                       "In which poses: auto (16 spread over the clips, sharing the views), bind (as the nodes of the "
+                       "file stand), all (every key of every clip), or at most so many, spread over the clips");
   table.template row<std::string>(&PoseSet::clips, "clips", "Names of the clips to take poses from, with * and ?");
   table.template row<std::optional<double>>(&PoseSet::rate, "rate",
                                             "In place of poses: so many a second, from each clip's first key on",

@@ -11,9 +11,9 @@ namespace foredraw {
 
 /// A pose set as a pipeline spells it.
 struct PoseSet {
-  /// bind: as the nodes stand. all: every clip at each of its keys. A number: so many poses at most, spread evenly over
-  /// the clips.
-  std::string poses = "bind";
+  /// auto: 16 poses at most, spread evenly over the clips, which share the views out among them (Poses::share_views).
+  /// bind: as the nodes stand. all: every clip at each of its keys. A number: so many poses at most, spread evenly.
+  std::string poses = "auto";
   std::string clips = "*";     ///< names of the clips to look at, with * and ?
   std::optional<double> rate;  ///< in place of `poses`: so many a second, from each clip's first key on
   std::string moments;         ///< in place of `poses`: seconds, "0 0.5 2"; a clip takes those that it lasts for

@@ -3,12 +3,12 @@
 #include <foredraw/viewing/view_directions.h>
 #include <foredraw/viewing/view_list.h>
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/base/whole_number.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -25,19 +25,13 @@ constexpr int default_icosphere = 162;
 constexpr int default_count = 100;
 constexpr int axis_count = 6;
 
-std::optional<int> as_number(const std::string& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
 /// The number of views that an icosphere set asks for, spelled as a bare number or by its count.
-int icosphere_count(const ViewSet& set) {
-  if (const auto number = as_number(set.views)) return *number;
+std::int64_t icosphere_count(const ViewSet& set) {
+  if (const auto number = whole_number(set.views)) return *number;
   return set.count.value_or(default_icosphere);
 }
 
-bool is_icosphere(const ViewSet& set) { return set.views == "icosphere" || as_number(set.views); }
+bool is_icosphere(const ViewSet& set) { return set.views == "icosphere" || whole_number(set.views); }
 
 /// Unit length; nothing where the text is no direction.
 std::optional<glm::dvec3> direction_in(const std::string& text) {
@@ -77,7 +71,7 @@ std::string words_text(const std::vector<std::string>& words) {
 }
 
 std::optional<std::string> mistake_in_icosphere(const ViewSet& set) {
-  const int count = icosphere_count(set);
+  const std::int64_t count = icosphere_count(set);
   if (set.count && *set.count != count) {
     return "views is " + set.views + ", but count is " + std::to_string(*set.count) + "; leave one of them out";
   }

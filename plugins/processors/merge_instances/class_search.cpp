@@ -8,9 +8,9 @@ namespace foredraw::merging {
 
 namespace {
 
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t most_classes = 4;
 constexpr std::uint64_t steps_of_a_look = 32;  ///< for each mesh, about
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A tree over the candidates: the leaves are candidates, and a node holds for each mesh the least cost below it.
 class RangeTree {
@@ -19,7 +19,7 @@ class RangeTree {
       : candidates_(std::move(candidates)), meshes_(sizes.size()) {
     leaves_ = 1;
     while (leaves_ < candidates_.size()) leaves_ *= 2;
-    costs_.assign(2 * leaves_ * meshes_, infinity);
+    costs_.assign(2 * leaves_ * meshes_, unbounded);
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       double* row = costs_.data() + (leaves_ + c) * meshes_;
       for (std::size_t m = 0; m < meshes_; ++m) row[m] = cost_of(sizes[m], candidates_[c], prices);
@@ -67,7 +67,7 @@ class Search {
   }
 
   void begin_with(const Ranges& leaves) {
-    const double cost = bound(leaves, infinity);
+    const double cost = bound(leaves, unbounded);
     if (cost < best_) take(leaves, cost);
   }
 
@@ -83,7 +83,7 @@ class Search {
     for (bool moved = true; moved;) {
       moved = false;
       for (std::uint32_t k = 0; k < classes_; ++k) {
-        std::ranges::fill(others, infinity);
+        std::ranges::fill(others, unbounded);
         for (std::uint32_t other = 0; other < classes_; ++other) {
           const double* row = tree_.row(leaves[other]);
           for (std::size_t m = 0; other != k && m < others.size(); ++m) others[m] = std::min(others[m], row[m]);
@@ -104,7 +104,7 @@ class Search {
 
   const Ranges& found() const { return found_; }
   double cost() const { return best_; }
-  bool came_to_its_end() const { return least_left_ == infinity; }
+  bool came_to_its_end() const { return least_left_ == unbounded; }
   double least() const { return std::min(best_, least_left_); }
 
  private:
@@ -161,7 +161,7 @@ class Search {
       return;
     }
     std::array<Ranges, 2> halves{ranges, ranges};
-    std::array<double, 2> bounds{infinity, infinity};
+    std::array<double, 2> bounds{unbounded, unbounded};
     for (std::uint32_t side = 0; side < 2; ++side) {
       halves[side][widest] = 2 * ranges[widest] + side;
       if (tree_.holds_any(halves[side][widest]) && in_sequence(halves[side])) bounds[side] = bound(halves[side], best_);
@@ -187,8 +187,8 @@ class Search {
   std::uint64_t most_steps_;
   mutable std::uint64_t steps_ = 0;
   Ranges found_{};
-  double best_ = infinity;
-  double least_left_ = infinity;
+  double best_ = unbounded;
+  double least_left_ = unbounded;
   std::function<double(const Ranges&)> look_;
 };
 

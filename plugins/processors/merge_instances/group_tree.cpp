@@ -9,10 +9,11 @@ namespace foredraw::merging {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 constexpr std::size_t bins = 16;
 constexpr int cut_by_halves = 48;           ///< levels below which cuts are by number: bounds the depth
 constexpr std::size_t subtree_size = 4096;  ///< instances, below which a subtree is one task
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The cheapest groups of a subtree.
 struct Cut {

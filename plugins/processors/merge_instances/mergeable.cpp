@@ -21,7 +21,7 @@ namespace foredraw::merging {
 namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float beyond_all = std::numeric_limits<float>::infinity();
 
 /// "3.25": two digits, the same everywhere.
 std::string two_digits(double value) {
@@ -90,9 +90,9 @@ Box box_in_world(const Box& box, const glm::mat4& world) {
     }
     // Outwards to floats: nothing sticks out.
     result.least[row] = static_cast<float>(middle - half);
-    if (double{result.least[row]} > middle - half) result.least[row] = std::nextafter(result.least[row], -infinity);
+    if (double{result.least[row]} > middle - half) result.least[row] = std::nextafter(result.least[row], -beyond_all);
     result.most[row] = static_cast<float>(middle + half);
-    if (double{result.most[row]} < middle + half) result.most[row] = std::nextafter(result.most[row], infinity);
+    if (double{result.most[row]} < middle + half) result.most[row] = std::nextafter(result.most[row], beyond_all);
   }
   return result;
 }

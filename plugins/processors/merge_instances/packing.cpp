@@ -14,7 +14,7 @@ namespace foredraw::merging {
 namespace {
 
 constexpr std::uint32_t nowhere = ~std::uint32_t{0};
-constexpr std::size_t chunk = 4096;  ///< placements that a task looks at
+constexpr std::size_t at_once = 4096;  ///< placements that a task looks at
 
 /// A mesh in the index buffer.
 struct PlacedSlots {
@@ -146,9 +146,9 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
   std::vector<std::array<std::uint8_t, 2>> is_placed(meshes.size());
   std::vector<std::uint8_t> is_mirrored(placed.size());
   std::vector<Placing> placings(placed.size());
-  executor.for_each((placed.size() + chunk - 1) / chunk, [&](std::size_t task) {
-    const std::size_t end = std::min(placed.size(), (task + 1) * chunk);
-    for (std::size_t p = task * chunk; p < end; ++p) placings[p] = placing_of(placed[p].world);
+  executor.for_each((placed.size() + at_once - 1) / at_once, [&](std::size_t task) {
+    const std::size_t end = std::min(placed.size(), (task + 1) * at_once);
+    for (std::size_t p = task * at_once; p < end; ++p) placings[p] = placing_of(placed[p].world);
   });
   for (const std::uint32_t p : groups) {
     const Placing placing = placings[p];

@@ -1,6 +1,7 @@
 #include "enclosing_polygon.h"
 
 #include "hop_table.h"
+#include "plane.h"
 #include "reduced_hull.h"
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 namespace foredraw::trim {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Enclosing whole(std::span<const Point> hull, const Pockets& pockets) {
   Enclosing polygon{{}, pockets.hull_area()};

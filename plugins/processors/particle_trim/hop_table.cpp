@@ -1,13 +1,12 @@
 #include "hop_table.h"
 
+#include "plane.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace foredraw::trim {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void cut_off_at(double most, std::vector<double>& row) {
   for (double& cost : row) {

@@ -1,16 +1,12 @@
 #include "pockets.h"
 
-#include <limits>
+#include "plane.h"
 
 namespace foredraw::trim {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 glm::dvec2 real(const Point& point) { return {static_cast<double>(point.x), static_cast<double>(point.y)}; }
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 double as_double(std::int64_t number) { return static_cast<double>(number); }
 

@@ -1,5 +1,7 @@
 #include "stored_polygon.h"
 
+#include "plane.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -10,8 +12,6 @@ namespace foredraw::trim {
 namespace {
 
 __extension__ typedef __int128 Wide;  // parts times steps times texels, squared: 110 bits
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Each edge moved outwards by a distance.
 std::vector<glm::dvec2> grown(std::span<const glm::dvec2> corners, double distance) {

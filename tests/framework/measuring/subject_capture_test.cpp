@@ -74,7 +74,7 @@ class CapturedSubjects : public ::testing::Test {
 
 TEST_F(CapturedSubjects, poses_that_look_alike_share_their_nodes) {
   const SubjectCapture both = captured({0, 1});
-  EXPECT_EQ(both.first_look, (std::vector<std::size_t>{0, 0, 3, 0}));
+  EXPECT_EQ(both.look, (std::vector<std::vector<std::size_t>>{{0, 1, 2}, {0, 1, 2}, {3, 4, 5}, {0, 1, 2}}));
   EXPECT_EQ(both.seen.weights, (std::vector<double>{3, 3, 3, 2, 2, 2}));
   EXPECT_EQ(both.seen.directions[4], (glm::dvec3{0, 0, -1}));
   EXPECT_EQ(nodes_at_looks_, (std::vector<std::size_t>{3, 6})) << "once for each, when its nodes are there";

@@ -10,7 +10,7 @@ namespace foredraw::sprites {
 
 namespace {
 
-constexpr std::string_view style = R"svg(<style>
+constexpr std::string_view overlay_style = R"svg(<style>
 text{font:600 1px system-ui,sans-serif;fill:#fff;paint-order:stroke;stroke:#16181d;stroke-width:.25px;stroke-linejoin:round}
 .frame,.polygon,.corners{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}
 .frame{stroke:#f2b84b;stroke-width:1;stroke-dasharray:4 3}
@@ -77,7 +77,7 @@ std::optional<std::string> overlay_text(std::span<const Sheet> sheets, const std
       shortest(-margin), shortest(width + 2 * margin), shortest(height + 2 * margin), (width + 2 * margin) * shown,
       (height + 2 * margin) * shown);
   text += fmt::format("<title>{}: {}</title>\n", escaped(target.stem().string()), escaped(totals_text(sheets)));
-  std::string look(style);
+  std::string look(overlay_style);
   const std::string board = shortest(std::max(2.0, std::max(width, height) / 48));
   look.replace(look.find("{board}"), 7, board);
   text += look;

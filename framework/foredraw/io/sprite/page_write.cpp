@@ -9,7 +9,7 @@ namespace foredraw::sprites {
 
 namespace {
 
-constexpr std::string_view style = R"svg(<style>
+constexpr std::string_view page_style = R"svg(<style>
 :root{color-scheme:light dark;--page:#f6f6f4;--card:#fff;--ink:#1d2026;--faint:#667;--rim:#dcdcd8;--light:#fff;--dark:#ececea;
 --frame:#b06a00;--polygon:#00806b;--corner:#00443a}
 @media(prefers-color-scheme:dark){:root{--page:#16181d;--card:#1e2127;--ink:#e7e8ea;--faint:#9aa0ab;--rim:#2f333b;
@@ -84,7 +84,7 @@ std::optional<std::string> page_text(std::span<const Sheet> sheets, const std::f
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n";
   text += "<meta name=\"viewport\" content=\"width=device-width\">\n";
   text += fmt::format("<title>{}</title>\n", title);
-  text += style;
+  text += page_style;
   text += fmt::format("<h1>{}</h1>\n<p>{}<span class=\"key\"><i></i>what is drawn<i class=\"f\"></i>frame</span></p>\n",
                       title, escaped(totals_text(sheets)));
   text += "<svg class=\"images\" aria-hidden=\"true\"><defs>\n" + images + "</defs></svg>\n<main>\n" + figures;

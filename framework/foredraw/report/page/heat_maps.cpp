@@ -4,12 +4,12 @@
 #include <foredraw/overdraw/heat_map.h>
 #include <foredraw/io/image/picture.h>
 #include <foredraw/measuring/subjects_in_poses.h>
+#include <foredraw/base/whole_number.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace foredraw {
 
@@ -149,18 +149,12 @@ std::string as_file_name(const std::string& name) {
   return safe.empty() ? "subject" : safe;
 }
 
-std::optional<std::size_t> number_in(const std::string& text) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
 }  // namespace
 
 bool are_views(const std::string& which, const OverdrawOptions& options, Diagnostics& diagnostics) {
-  const std::size_t count = make_views(options).views.size();
-  const std::optional<std::size_t> number = number_in(which);
-  if (which == "worst" || which == "all" || (number && *number < count)) return true;
+  const auto count = static_cast<std::int64_t>(make_views(options).views.size());
+  const auto number = whole_number(which);
+  if (which == "worst" || which == "all" || (number && *number >= 0 && *number < count)) return true;
   diagnostics.error({}, "bad-arguments", fmt::format("there is no view '{}' to draw", which),
                     fmt::format("worst, all, or a number from 0 to {}", count - 1));
   return false;
@@ -170,7 +164,7 @@ std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const
                                   const std::string& which, const std::filesystem::path& folder,
                                   const Executor& executor, Analyses& analyses) {
   const Views views = make_views(options);
-  const std::optional<std::size_t> number = number_in(which);
+  const auto number = whole_number(which);
   SubjectsInPoses subjects{before, subjects_of(before), make_poses(before, options), {}};
   subjects.distinct = distinct_poses(before, subjects.subjects, subjects.poses, executor);
   const Photographer photographer(subjects, views, options.faces, analyses);
@@ -183,7 +177,7 @@ std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const
     const auto looks = photographer.worst_poses(i, executor);
     const auto worst = std::ranges::max_element(looks, {}, &Photographer::Look::ratio) - looks.begin();
     for (std::size_t view = 0; view < looks.size(); ++view) {
-      const bool is_wanted = which == "all" || view == number.value_or(static_cast<std::size_t>(worst));
+      const bool is_wanted = which == "all" || static_cast<std::int64_t>(view) == number.value_or(worst);
       if (is_wanted && looks[view].ratio > 0) shots.push_back({i, looks[view].pose, view});
     }
   }
