@@ -3,11 +3,11 @@
 #include "bench_meshes.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
-#include <foredraw/viewing/subject_geometry.h>
-#include <foredraw/overdraw/fragment_layers.h>
-#include <foredraw/viewing/pose_set.h>
 #include <foredraw/analysis/vertex_cache.h>
 #include <foredraw/io/image/images.h>
+#include <foredraw/overdraw/fragment_layers.h>
+#include <foredraw/viewing/pose_set.h>
+#include <foredraw/viewing/subject_geometry.h>
 #include <plugins/orderers/dot_rule/dot_rule.h>
 
 #include <algorithm>

@@ -12,8 +12,8 @@
 
 #include "bench_meshes.h"
 
-#include <foredraw/viewing/pose_set.h>
 #include <foredraw/io/scene_file.h>
+#include <foredraw/viewing/pose_set.h>
 
 #include <fmt/format.h>
 

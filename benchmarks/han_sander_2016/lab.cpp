@@ -1,9 +1,9 @@
 #include "lab.h"
 
-#include <foredraw/viewing/view_set.h>
 #include <foredraw/io/image/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/technique/built_in_plugins.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <fmt/format.h>
 

@@ -25,8 +25,8 @@ struct FrameTimes {
   std::vector<FrameTime> of;  ///< [way]
 };
 
-/// All ways are recorded one behind the other in each round, so that a noisy moment hits all alike. `ways` is emptied, one
-/// by one. `frames`: how often frames are drawn, 0: not at all.
+/// All ways are recorded one behind the other in each round, so that a noisy moment hits all alike. `ways` is emptied,
+/// one by one. `frames`: how often frames are drawn, 0: not at all.
 FrameTimes frame_times(std::vector<TimedWay>& ways, int rounds, int frames);
 
 }  // namespace foredraw::bench

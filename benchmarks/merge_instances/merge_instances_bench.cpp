@@ -1,15 +1,16 @@
-// What a frame of many placed primitives takes, in the ways in which engines draw them: draw calls, bytes of buffers, the
-// time to record the commands; and what merging costs beforehand.
+// What a frame of many placed primitives takes, in the ways in which engines draw them: draw calls, bytes of buffers,
+// the time to record the commands; and what merging costs beforehand.
 //
 //     merge-instances-bench [--kit=city|space|both] [--instances=N,...] [--mirrored=PART] [--materials=kind|alike]
 //                           [--rounds=N] [--frames=N] [--threads=N] [--markdown] [--tsv=FILE]
 //
-// In all ways materials are looked up by the shader, so merged draws may be of several materials too, as long as they are of
-// one kind; --materials=alike parts them. Nothing is culled: every way draws all. Recording is timed alone, without handing
-// the commands in, and all ways in turns; the medians count. What a driver does later, when they are handed in, is left
-// out: on the processor that is most of the work, so its times say what the loader and the driver's list of commands take.
-// --frames draws each frame so often too; a picture of 1024 x 1024 with all of the scene in it. On the processor such times
-// are good for ratios alone. Without a Vulkan device there are no times of frames.
+// In all ways materials are looked up by the shader, so merged draws may be of several materials too, as long as they
+// are of one kind; --materials=alike parts them. Nothing is culled: every way draws all. Recording is timed alone,
+// without handing the commands in, and all ways in turns; the medians count. What a driver does later, when they are
+// handed in, is left out: on the processor that is most of the work, so its times say what the loader and the driver's
+// list of commands take.
+// --frames draws each frame so often too; a picture of 1024 x 1024 with all of the scene in it. On the processor such
+// times are good for ratios alone. Without a Vulkan device there are no times of frames.
 
 #include "frame_times.h"
 #include "gpu_instancing.h"
@@ -138,7 +139,8 @@ class Bench {
   }
 
   void write(std::ostream& out) const {
-    out << "kit\tplaced\tway\tcalls\tvertex bytes\tindex bytes\ttransform bytes\tslot bytes\tcommand bytes\trecording ms\t"
+    out << "kit\tplaced\tway\tcalls\tvertex bytes\tindex bytes\ttransform bytes\tslot bytes\tcommand bytes\trecording "
+           "ms\t"
            "frame ms\tsets\tgroups\tfrequencies\tpadding\tslot bytes of one\tmerging ms\tpacking ms\n";
     std::size_t scene = 0;
     for (const Row& row : rows_) {
@@ -149,8 +151,8 @@ class Bench {
                               m.slot_bytes, m.milliseconds, m.packing);
       }
       const FrameBytes& bytes = row.bytes;
-      out << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", row.kit, row.placed, to_text(row.way), row.calls,
-                         bytes.vertices, bytes.indices, bytes.transforms, bytes.slots, bytes.commands,
+      out << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", row.kit, row.placed, to_text(row.way),
+                         row.calls, bytes.vertices, bytes.indices, bytes.transforms, bytes.slots, bytes.commands,
                          text(row.time.recording), text(row.time.frame), merging);
     }
   }
@@ -170,8 +172,8 @@ class Bench {
     for (const Row& row : rows_) {
       const FrameBytes& bytes = row.bytes;
       cells.push_back({row.kit, std::to_string(row.placed), std::string(to_text(row.way)), std::to_string(row.calls),
-                       megabytes(bytes.vertices), megabytes(bytes.indices), megabytes(bytes.transforms), megabytes(bytes.slots),
-                       megabytes(bytes.commands), megabytes(bytes.all()),
+                       megabytes(bytes.vertices), megabytes(bytes.indices), megabytes(bytes.transforms),
+                       megabytes(bytes.slots), megabytes(bytes.commands), megabytes(bytes.all()),
                        row.time.why_not.empty() ? text(row.time.recording) : row.time.why_not, text(row.time.frame)});
     }
     return cells;

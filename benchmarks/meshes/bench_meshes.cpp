@@ -1,7 +1,7 @@
 #include "bench_meshes.h"
 
-#include <foredraw/viewing/posed_positions.h>
 #include <foredraw/io/scene_file.h>
+#include <foredraw/viewing/posed_positions.h>
 
 #include <fmt/format.h>
 

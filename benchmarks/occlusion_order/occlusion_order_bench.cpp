@@ -8,10 +8,10 @@
 #include "bench_meshes.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
-#include <foredraw/overdraw/cluster_layers.h>
 #include <foredraw/analysis/vertex_cache.h>
-#include <foredraw/viewing/view_set.h>
+#include <foredraw/overdraw/cluster_layers.h>
 #include <foredraw/platform/memory.h>
+#include <foredraw/viewing/view_set.h>
 #include <plugins/orderers/lookahead/lookahead.h>
 #include <plugins/orderers/occlusion_order/k_orders.h>
 #include <plugins/orderers/tipsify/tipsify.h>

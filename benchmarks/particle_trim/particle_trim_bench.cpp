@@ -1,14 +1,14 @@
-// How much smaller sprites become when they are drawn as polygons, and the time it takes: on the particle textures of the
-// corpus, whole where they show one sprite, tile by tile where they are atlases. By number of vertices: the smallest
-// polygon, and the one that Persson's search finds on a hull reduced to so many edges; beside them the upright rectangle
-// and, where CGAL is there, the smallest rectangle and parallelogram. All figures go to a file, which
+// How much smaller sprites become when they are drawn as polygons, and the time it takes: on the particle textures of
+// the corpus, whole where they show one sprite, tile by tile where they are atlases. By number of vertices: the
+// smallest polygon, and the one that Persson's search finds on a hull reduced to so many edges; beside them the upright
+// rectangle and, where CGAL is there, the smallest rectangle and parallelogram. All figures go to a file, which
 // particle_trim_page.py makes a page of.
 //
 //     particle-trim-bench --tsv=FILE [--rounds=N]
 //
-// Times are of all from the decoded texture on: its alpha, the hulls of what shows, and the polygons of all tiles, proven;
-// contestants run one behind the other in each round, and the medians count. On one thread but for the large atlas. What
-// the clock on the wall says stands beside what the processor worked, which other processes disturb less.
+// Times are of all from the decoded texture on: its alpha, the hulls of what shows, and the polygons of all tiles,
+// proven; contestants run one behind the other in each round, and the medians count. On one thread but for the large
+// atlas. What the clock on the wall says stands beside what the processor worked, which other processes disturb less.
 
 #include "enclosing_quadrilaterals.h"
 #include "particle_textures.h"
@@ -71,7 +71,8 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// How long the same work takes, again and again: by the clock on the wall, and what all threads of this program worked.
+/// How long the same work takes, again and again: by the clock on the wall, and what all threads of this program
+/// worked.
 class Times {
  public:
   template <class Work>
@@ -90,7 +91,8 @@ class Times {
   std::vector<double> passed_, worked_;
 };
 
-std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const ParticleTrimOptions& options, const Executor& executor) {
+std::vector<TrimmedSprite> trimmed(const ParticleTexture& texture, const ParticleTrimOptions& options,
+                                   const Executor& executor) {
   const AlphaImage alpha = alpha_image(texture.texels);
   const trim::ShownImage image(alpha, particle_sampling, trim::footprint_of(options));
   std::vector<TrimmedSprite> sprites(texture.frames.size());
@@ -144,7 +146,8 @@ struct Row {
 class Bench {
  public:
   Bench(std::size_t rounds, std::ostream& out) : rounds_(rounds), out_(out) {
-    out_ << "texture\tthreshold\tmip levels\tmethod\thull edges\tvertices\tthreads\tsprites\tarea\tleast area\tmost area\t"
+    out_ << "texture\tthreshold\tmip levels\tmethod\thull edges\tvertices\tthreads\tsprites\tarea\tleast area\tmost "
+            "area\t"
             "milliseconds\tworked\n";
   }
 
@@ -173,8 +176,8 @@ class Bench {
         if (shows[tile]) areas.push_back(sprites[i][tile].area / sprites[i][tile].frame_area);
       }
       const std::string edges = ways[i].hull_edges == 0 ? "" : std::to_string(ways[i].hull_edges);
-      write({texture.name, threshold, mips, name(ways[i].method), edges, std::to_string(ways[i].vertices), threads}, areas,
-            times[i].text());
+      write({texture.name, threshold, mips, name(ways[i].method), edges, std::to_string(ways[i].vertices), threads},
+            areas, times[i].text());
     }
   }
 
@@ -207,7 +210,8 @@ class Bench {
     };
     const auto [least, most] = std::ranges::minmax(corners);
     write(row("alpha", ""), {}, alpha_times.text());
-    write(row("hull", least == most ? std::to_string(least) : fmt::format("{} to {}", least, most)), areas, hull_times.text());
+    write(row("hull", least == most ? std::to_string(least) : fmt::format("{} to {}", least, most)), areas,
+          hull_times.text());
     write(row("upright rectangle", "4"), rectangles, "\t");
     if (!parallelograms.empty()) {
       write(row("turned rectangle", "4"), turned_rectangles, "\t");

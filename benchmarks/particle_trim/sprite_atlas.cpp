@@ -25,7 +25,8 @@ ParticleTexture sprite_atlas(std::span<const ParticleTexture> textures) {
   for (const ParticleTexture& texture : textures) {
     if (texture.frames.size() > 1) continue;
     if (texture.texels.facts != sprite_facts) {
-      throw std::invalid_argument(texture.name + ": has to be 512 x 512 texels of RGBA, 8 bits each, for the large atlas");
+      throw std::invalid_argument(texture.name +
+                                  ": has to be 512 x 512 texels of RGBA, 8 bits each, for the large atlas");
     }
     sprites.push_back(&texture.texels);
   }
@@ -41,7 +42,8 @@ ParticleTexture sprite_atlas(std::span<const ParticleTexture> textures) {
       }
     }
     constexpr std::int64_t steps = side * steps_per_texel;
-    const trim::Point corner{static_cast<std::int64_t>(left) * steps_per_texel, static_cast<std::int64_t>(up) * steps_per_texel};
+    const trim::Point corner{static_cast<std::int64_t>(left) * steps_per_texel,
+                             static_cast<std::int64_t>(up) * steps_per_texel};
     atlas.frames.push_back({corner, corner + trim::Point{steps, steps}});
   }
   return atlas;

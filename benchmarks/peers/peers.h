@@ -5,7 +5,8 @@
 
 namespace foredraw {
 
-/// meshopt-vertex-cache, meshopt-vertex-cache-fifo, meshopt-overdraw: meshoptimizer's orders, from Debian's libmeshoptimizer.
+/// meshopt-vertex-cache, meshopt-vertex-cache-fifo, meshopt-overdraw: meshoptimizer's orders, from Debian's
+/// libmeshoptimizer.
 void add_peers(Registry& registry);
 
 }  // namespace foredraw

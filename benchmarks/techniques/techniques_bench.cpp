@@ -1,14 +1,14 @@
-// Our plain functions against meshoptimizer's on the same meshes in one run, one thread each where nothing else is said.
-// The repetitions of all benchmarks are mixed, so that a noisy moment hits both sides alike, and the median of seven
-// counts.
+// Our plain functions against meshoptimizer's on the same meshes in one run, one thread each where nothing else is
+// said. The repetitions of all benchmarks are mixed, so that a noisy moment hits both sides alike, and the median of
+// seven counts.
 
 #include "bench_meshes.h"
 #include "ratio_table.h"
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
-#include <foredraw/viewing/view_set.h>
 #include <foredraw/analysis/vertex_cache.h>
 #include <foredraw/base/parallel.h>
+#include <foredraw/viewing/view_set.h>
 #include <plugins/clusterers/linear_clusters/linear_clusters.h>
 #include <plugins/orderers/dot_rule/dot_rule.h>
 #include <plugins/orderers/tipsify/tipsify.h>

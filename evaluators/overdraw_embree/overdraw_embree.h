@@ -1,10 +1,10 @@
 #pragma once
 // Overdraw counted along rays, with as many samples in a pixel as one likes.
 
-#include <foredraw/overdraw/overdraw_count.h>
-#include <foredraw/viewing/raster_part.h>
 #include <foredraw/base/parallel.h>
+#include <foredraw/overdraw/overdraw_count.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <cstdint>
 #include <span>
@@ -26,8 +26,8 @@ struct OverdrawEmbreeOptions {
 /// 2^-24 of the sphere's diameter. Triangles that repeat a corner or have no area in the picture are never hit, nor are
 /// those with a position that is not finite.
 ///
-/// Views are shared out over the threads; the counts are the same however they are. O(triangles log triangles) once, and for each
-/// view O(positions + samples * (log triangles + hits)). Throws std::runtime_error where Embree refuses.
+/// Views are shared out over the threads; the counts are the same however they are. O(triangles log triangles) once,
+/// and for each view O(positions + samples * (log triangles + hits)). Throws std::runtime_error where Embree refuses.
 OverdrawCounts overdraw_embree(std::span<const RasterPart> parts, const Views& views,
                                const OverdrawEmbreeOptions& options = {}, const Executor& executor = Executor(1));
 

@@ -1,10 +1,10 @@
 #pragma once
 // Overdraw counted by drawing: an exact rasteriser on the processor, whose figures are the same on every machine.
 
-#include <foredraw/overdraw/overdraw_count.h>
-#include <foredraw/viewing/raster_part.h>
 #include <foredraw/base/parallel.h>
+#include <foredraw/overdraw/overdraw_count.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <span>
 

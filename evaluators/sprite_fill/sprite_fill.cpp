@@ -2,8 +2,8 @@
 
 #include "pixel_rows.h"
 
-#include <foredraw/image/turn.h>
 #include <foredraw/base/random.h>
+#include <foredraw/image/turn.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "vertex_cache.h"
 
-#include <foredraw/viewing/order_lookup.h>
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/order_lookup.h>
 
 #include <fmt/format.h>
 

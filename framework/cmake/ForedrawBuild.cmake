@@ -94,6 +94,8 @@ endif()
 function(foredraw_add_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # tests may call things alike
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's
   target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support ${ARG_LINK})
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}." PROPERTIES TIMEOUT 600)
 endfunction()

@@ -53,12 +53,13 @@ class CommandLine {
         add("optimize", "Make a scene cheaper to draw", [this] { return optimize(arguments_, registry_); });
     input(optimize_app);
     optimize_app
-        .add_option("-o,--output", arguments_.outputs,
-                    fmt::format("Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; "
-                                "sprites also as {}. Something else of it by KIND:FILE; the kinds are {}. May be given "
-                                "several times; all are written or none. Of a folder: a folder, and files of sprites "
-                                "that hold those of all its files",
-                                sprite_output_extensions(), kinds_text(registry.products())))
+        .add_option(
+            "-o,--output", arguments_.outputs,
+            fmt::format("Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; "
+                        "sprites also as {}. Something else of it by KIND:FILE; the kinds are {}. May be given "
+                        "several times; all are written or none. Of a folder: a folder, and files of sprites "
+                        "that hold those of all its files",
+                        sprite_output_extensions(), kinds_text(registry.products())))
         ->required()
         ->expected(1)
         ->take_all();
@@ -67,17 +68,19 @@ class CommandLine {
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
     html(optimize_app);
     optimize_app
-        .add_option("--levels", arguments_.levels,
-                    "How levels of detail that a stage made go out: keep, as FOREDRAW_levels; msft-lod, as nodes with MSFT_lod")
+        .add_option(
+            "--levels", arguments_.levels,
+            "How levels of detail that a stage made go out: keep, as FOREDRAW_levels; msft-lod, as nodes with MSFT_lod")
         ->check(CLI::IsMember({"keep", "msft-lod"}));
     optimize_app
         .add_option("--compression", arguments_.compression,
                     "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
     optimize_app
-        .add_option("--products", arguments_.products,
-                    "keep: what stages made beside triangles and vertices is written with the scene, as optional extensions; "
-                    "none: it is left out (default: keep)")
+        .add_option(
+            "--products", arguments_.products,
+            "keep: what stages made beside triangles and vertices is written with the scene, as optional extensions; "
+            "none: it is left out (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
     heat_maps(optimize_app, "before and after");
     json(optimize_app, "Print the record of the run, as JSON, to standard output");
@@ -98,25 +101,29 @@ class CommandLine {
 
     auto& compare_app = add("compare", "Run several pipelines on the same scenes and compare them",
                             [this] { return compare(arguments_, registry_); });
-    compare_app.add_option("inputs", arguments_.inputs, "Scenes, images or frame lists, or folders of them")->required();
+    compare_app.add_option("inputs", arguments_.inputs, "Scenes, images or frame lists, or folders of them")
+        ->required();
     pipeline(compare_app, "; give it once for each pipeline");
     with(compare_app);
     compare_app
-        .add_option("--sweep", arguments_.sweeps,
-                    "Run the pipelines at every value of an option: stage.option=FIRST:LAST:STEP or =A,B,C; given several "
-                    "times, at every combination")
+        .add_option(
+            "--sweep", arguments_.sweeps,
+            "Run the pipelines at every value of an option: stage.option=FIRST:LAST:STEP or =A,B,C; given several "
+            "times, at every combination")
         ->allow_extra_args(false);
     compare_app
         .add_option("--repeat", arguments_.repeat,
                     "Run the stages so many times, the pipelines in turn; times are medians (default: 1)")
         ->check(CLI::Range(1, 1000));
-    compare_app.add_option("--fail-if", arguments_.fail_if,
-                           "End with exit code 3 where a figure is so, such as 'overdraw-raster.ratio > baseline * 1.01'; "
-                           "also beside input, or a number; may be given several times")
+    compare_app
+        .add_option("--fail-if", arguments_.fail_if,
+                    "End with exit code 3 where a figure is so, such as 'overdraw-raster.ratio > baseline * 1.01'; "
+                    "also beside input, or a number; may be given several times")
         ->allow_extra_args(false);
-    compare_app.add_option("--baseline", arguments_.baseline,
-                           "What --fail-if means by baseline: a report, or comparison, of an earlier run; without it the "
-                           "first pipeline");
+    compare_app.add_option(
+        "--baseline", arguments_.baseline,
+        "What --fail-if means by baseline: a report, or comparison, of an earlier run; without it the "
+        "first pipeline");
     compare_app
         .add_option("--front", arguments_.fronts,
                     "Say which pipelines no other one beats in both of two figures, such as "
@@ -144,7 +151,8 @@ class CommandLine {
 
     auto& schema_app = add("schema", "Print a JSON Schema of the pipeline format, for editors",
                            [this] { return schema(arguments_, registry_); });
-    schema_app.add_option("product", arguments_.name, "Print those of a product's glTF extension instead, by file name");
+    schema_app.add_option("product", arguments_.name,
+                          "Print those of a product's glTF extension instead, by file name");
   }
 
   int run(int argc, char** argv) {
@@ -216,11 +224,12 @@ class CommandLine {
   }
 
   void input(CLI::App& app) {
-    app.add_option("input", arguments_.inputs,
-                   fmt::format("A scene: {}, or - for standard input; an image ({}) or a frame list ({}) as sprites; or a "
-                               "folder of these",
-                               extensions_that_hold(Holds::meshes), extensions_that_hold(Holds::image),
-                               extensions_that_hold(Holds::frame_list)))
+    app.add_option(
+           "input", arguments_.inputs,
+           fmt::format("A scene: {}, or - for standard input; an image ({}) or a frame list ({}) as sprites; or a "
+                       "folder of these",
+                       extensions_that_hold(Holds::meshes), extensions_that_hold(Holds::image),
+                       extensions_that_hold(Holds::frame_list)))
         ->required()
         ->expected(1);
     memory_limit(app);

@@ -19,24 +19,24 @@ struct Arguments {
   std::vector<std::string> outputs;    ///< of an optimize that is being run: one at least; "kind:FILE" or a path
   std::vector<std::string> pipelines;  ///< none: @default
   std::vector<std::string> set;
-  std::string with;                    ///< evaluators to measure with instead of the pipeline's
-  std::vector<std::string> sweeps;     ///< options at many values
+  std::string with;                 ///< evaluators to measure with instead of the pipeline's
+  std::vector<std::string> sweeps;  ///< options at many values
   std::string report;
   std::string csv;
   std::string html;
-  std::vector<std::string> fail_if;    ///< bounds that figures have to keep
-  std::vector<std::string> fronts;     ///< two figures each
-  std::string baseline;                ///< a stored report that they are held against
+  std::vector<std::string> fail_if;  ///< bounds that figures have to keep
+  std::vector<std::string> fronts;   ///< two figures each
+  std::string baseline;              ///< a stored report that they are held against
   std::string compression = "keep";
   std::string products = "keep";
   std::string levels = "keep";
-  std::string heat_maps;               ///< folder of pictures
+  std::string heat_maps;  ///< folder of pictures
   std::string heat_map_view = "worst";
   std::string kind;
   std::string name;
   int threads = 0;
   int repeat = 1;
-  std::uint64_t memory_limit = 0;      ///< in bytes; 0: none
+  std::uint64_t memory_limit = 0;  ///< in bytes; 0: none
   bool json = false;
 };
 

@@ -7,10 +7,10 @@
 
 #include <foredraw/io/file_lender.h>
 #include <foredraw/io/image/images.h>
-#include "scene_folder.h"
 #include <foredraw/pipeline/sweep.h>
 #include <foredraw/report/bound.h>
 #include <foredraw/report/fronts.h>
+#include "scene_folder.h"
 
 #include <fmt/format.h>
 
@@ -64,8 +64,9 @@ Planned planned(const Contest& contest, const Registry& registry, const Scene& s
     const std::size_t number = comparison.branches.size();
     Branch& branch = comparison.branches.emplace_back(Branch{named.name, {}});
     Diagnostics diagnostics;
-    auto plan = with_memory(comparison.input.path, "plan for it",
-                            [&] { return foredraw::plan(named.pipeline, registry, scene, diagnostics, &contest.lender); });
+    auto plan = with_memory(comparison.input.path, "plan for it", [&] {
+      return foredraw::plan(named.pipeline, registry, scene, diagnostics, &contest.lender);
+    });
     if (plan) {
       all.plans.push_back(std::move(*plan));
       all.branches.push_back(number);
@@ -184,7 +185,8 @@ std::optional<Fronts> fronts_in(const Arguments& arguments, Diagnostics& diagnos
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(fronts));
 }
 
-/// Whether some evaluator or stage may have each of the figures that are named: who learns it after the work has lost it.
+/// Whether some evaluator or stage may have each of the figures that are named: who learns it after the work has lost
+/// it.
 bool have_sources(const Fronts& fronts, const Budget& budget, const std::vector<NamedPipeline>& pipelines,
                   Diagnostics& diagnostics) {
   std::set<std::string> sources;
@@ -247,7 +249,8 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   for (const std::string& input : *inputs) {
     ComparedFile file = compared(input, {*pipelines, lender, arguments.repeat, *fronts}, registry, executor, worst);
     if (!arguments.html.empty() && displays.size() < most_displays && !file.scenes.empty()) {
-      displays.push_back(with_memory(input, "show it", [&] { return display(file.input, file.scenes, comparisons.size()); }));
+      displays.push_back(
+          with_memory(input, "show it", [&] { return display(file.input, file.scenes, comparisons.size()); }));
     }
     comparisons.push_back(std::move(file.comparison));
   }

@@ -2,9 +2,9 @@
 
 #include <foredraw/report/page/page.h>
 
-#include <foredraw/report/page/heat_maps.h>
 #include <foredraw/io/image/images.h>
 #include <foredraw/io/side_files.h>
+#include <foredraw/report/page/heat_maps.h>
 #include <foredraw/report/remap.h>
 
 namespace foredraw::cli {
@@ -52,8 +52,9 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   };
   auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, job.registry.products()); });
   if (!file) return lost(exit_for_file(diagnostics));
-  const auto plan = with_memory(input, "plan for it",
-                                [&] { return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics, &job.lender); });
+  const auto plan = with_memory(input, "plan for it", [&] {
+    return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics, &job.lender);
+  });
   if (!plan) return lost(users_mistake);
   const bool draws = !job.arguments.heat_maps.empty();
   if (draws && !are_views(job.arguments.heat_map_view, looks_of(*plan), diagnostics)) return lost(users_mistake);
@@ -112,9 +113,9 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     const std::optional<Scene> bare = is_bare ? std::optional(without_products(result.scene, rows)) : std::nullopt;
     const Scene& scene = bare ? *bare : result.scene;
     for (const Output& output : outputs) {
-      auto files = output.row             ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
-                   : !output.is_scene()   ? std::vector{text_file(output.path, remap_json(result.scene))}
-                                          : encode_scene(scene, output.path, diagnostics, as);
+      auto files = output.row           ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
+                   : !output.is_scene() ? std::vector{text_file(output.path, remap_json(result.scene))}
+                                        : encode_scene(scene, output.path, diagnostics, as);
       if (!files) return false;
       if (report.output.path.empty() && output.is_scene()) report.output = {output.path, files->front().bytes.size()};
       if (output.path == "-") {
@@ -137,9 +138,9 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
   };
   return run_file(job, "optimize", input, foredraw::optimize,
                   [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
-    return with_memory(outputs.empty() ? input : outputs.front().path, "write it",
-                       [&] { return write(before, result, diagnostics); });
-  });
+                    return with_memory(outputs.empty() ? input : outputs.front().path, "write it",
+                                       [&] { return write(before, result, diagnostics); });
+                  });
 }
 
 FileRun measure_file(const FileJob& job, const std::string& input) {

@@ -22,7 +22,7 @@ struct FileJob {
 struct FileRun {
   Report report;  ///< with everything there is to tell among its diagnostics
   Exit exit = done;
-  bool is_lost = false;  ///< nothing was measured or written
+  bool is_lost = false;             ///< nothing was measured or written
   std::optional<Scene> scene = {};  ///< as it was written, where the job keeps scenes
 };
 

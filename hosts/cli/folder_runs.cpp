@@ -1,7 +1,7 @@
 #include "file_runs.h"
 
-#include "scene_folder.h"
 #include <foredraw/io/sprite/sprite_files.h>
+#include "scene_folder.h"
 
 #include <fmt/format.h>
 

@@ -21,8 +21,8 @@ struct Output {
 /// "kind:FILE" taken apart. What stands before the first colon and is no kind belongs to the path.
 Output typed_output(const std::string& word, const ProductRows& rows);
 
-/// Reads what was typed. A path without a kind is the scene's, or of the one kind that has such files; where several have,
-/// an error says which. `input`: where the scene comes from.
+/// Reads what was typed. A path without a kind is the scene's, or of the one kind that has such files; where several
+/// have, an error says which. `input`: where the scene comes from.
 std::vector<Output> outputs_of(const std::vector<std::string>& words, const std::string& input, const ProductRows& rows,
                                Diagnostics& diagnostics);
 

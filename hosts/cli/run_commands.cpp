@@ -84,7 +84,8 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
   const std::string& input = arguments.inputs[0];
   if (is_folder(input)) return measure_folder({arguments, pipelines->front().pipeline, registry, executor, lender});
 
-  const FileRun run = measure_file({arguments, pipelines->front().pipeline, registry, executor, lender, progress_line()}, input);
+  const FileRun run =
+      measure_file({arguments, pipelines->front().pipeline, registry, executor, lender, progress_line()}, input);
   end_progress();
   tell(run.report.diagnostics);
   if (run.is_lost) return run.exit;

@@ -39,7 +39,8 @@ Exit print(const std::string& text) {
 
 namespace {
 
-bool set_wherever_it_is(std::vector<NamedPipeline>& pipelines, const std::string& assignment, Diagnostics& diagnostics) {
+bool set_wherever_it_is(std::vector<NamedPipeline>& pipelines, const std::string& assignment,
+                        Diagnostics& diagnostics) {
   Diagnostics nowhere;
   bool found = false;
   for (NamedPipeline& named : pipelines) {

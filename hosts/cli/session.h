@@ -25,9 +25,9 @@ Exit exit_for_file(const Diagnostics& diagnostics);  ///< the code alone
 /// Prints a result to standard output.
 Exit print(const std::string& text);
 
-/// The pipelines of the texts, of a file with several all of them, with --with and --set put in. All measure alike: with what --with names, else as the
-/// first does, else as @default. An option is set wherever there is its stage; it is a mistake where there is none in
-/// any.
+/// The pipelines of the texts, of a file with several all of them, with --with and --set put in. All measure alike:
+/// with what --with names, else as the first does, else as @default. An option is set wherever there is its stage; it
+/// is a mistake where there is none in any.
 std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments,
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics);

@@ -66,7 +66,8 @@ Exit schema(const Arguments& arguments, const Registry& registry) {
     for (const auto& [file, text] : card.schemas) texts.push_back(fmt::format("\"{}\": {}", file, text));
     return print(fmt::format("{{{}}}\n", fmt::join(texts, ", ")));
   }
-  fmt::print(stderr, "foredraw: error: there is no product '{}'\n    hint: there are {}\n", arguments.name, fmt::join(names, ", "));
+  fmt::print(stderr, "foredraw: error: there is no product '{}'\n    hint: there are {}\n", arguments.name,
+             fmt::join(names, ", "));
   return users_mistake;
 }
 

@@ -11,13 +11,14 @@ namespace foredraw::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 19> kinds_of_assets = {
-    ".glb", ".gltf", ".bin", ".obj",  ".mtl", ".ply",  ".off", ".stl", ".toml", ".png",
-    ".jpg", ".jpeg", ".tga", ".webp", ".exr", ".ktx2", ".dds", ".hdr", ".bmp"};
+constexpr std::array<std::string_view, 19> kinds_of_assets = {".glb", ".gltf", ".bin", ".obj", ".mtl",  ".ply", ".off",
+                                                              ".stl", ".toml", ".png", ".jpg", ".jpeg", ".tga", ".webp",
+                                                              ".exr", ".ktx2", ".dds", ".hdr", ".bmp"};
 
 bool is_called_like_an_asset(const std::string& file) {
   std::string kind = std::filesystem::path(file).extension().string();
-  std::ranges::transform(kind, kind.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::ranges::transform(kind, kind.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return std::ranges::find(kinds_of_assets, kind) != kinds_of_assets.end();
 }
 
@@ -25,10 +26,9 @@ bool is_among(const std::vector<std::string>& files, const std::string& file) {
   return std::ranges::any_of(files, [&](const std::string& other) { return is_same_file(other, file); });
 }
 
-/// Whether no scene that is to be written takes a file of another, and no file of sprites one that is read: a picture of
-/// an image is not what the image is.
-void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& read,
-                  Diagnostics& diagnostics) {
+/// Whether no scene that is to be written takes a file of another, and no file of sprites one that is read: a picture
+/// of an image is not what the image is.
+void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& read, Diagnostics& diagnostics) {
   std::vector<std::string> taken;
   for (const Output& output : outputs) {
     const bool is_standard = output.path == "-";

@@ -10,7 +10,8 @@
 namespace foredraw::architecture {
 
 const std::vector<Room>& rooms() {
-  static const std::vector<Room> all = rooms_in(text_of(std::filesystem::path(FOREDRAW_SOURCE_DIR) / "framework/cmake/ForedrawBuild.cmake"));
+  static const std::vector<Room> all =
+      rooms_in(text_of(std::filesystem::path(FOREDRAW_SOURCE_DIR) / "framework/cmake/ForedrawBuild.cmake"));
   return all;
 }
 
@@ -60,8 +61,8 @@ bool is_one_of(const std::array<std::string_view, count>& names, std::string_vie
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Packages that a technique is made of. All its plain files but the header that bears its name may include them, and its
-/// CMakeLists.txt asks for them.
+/// Packages that a technique is made of. All its plain files but the header that bears its name may include them, and
+/// its CMakeLists.txt asks for them.
 constexpr std::array<std::string_view, 2> packages_of_techniques = {"embree3/", "CGAL/"};
 
 bool begins_with_one_of(std::span<const std::string_view> beginnings, std::string_view name) {

@@ -28,7 +28,8 @@ TEST(IncludeRules, rooms_include_what_they_link) {
 }
 
 TEST(IncludeRules, rooms_are_read_from_the_build) {
-  const std::vector<Room> made = rooms_in("macro(foredraw_room name)\nforedraw_room(base)\nforedraw_room(io_gltf base scene)\n");
+  const std::vector<Room> made =
+      rooms_in("macro(foredraw_room name)\nforedraw_room(base)\nforedraw_room(io_gltf base scene)\n");
   ASSERT_EQ(made.size(), 2u);
   EXPECT_EQ(made[1].name, "io_gltf");
   EXPECT_EQ(made[1].links, (std::vector<std::string>{"base", "scene"}));

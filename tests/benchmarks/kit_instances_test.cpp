@@ -5,8 +5,8 @@
 #include "plugins/processors/gpu_instances/gpu_instances.h"
 #include "plugins/processors/merge_instances/merge_instances.h"
 #include "support/edit_product.h"
-#include "support/products.h"
 #include "support/meshes.h"
+#include "support/products.h"
 
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/scene/merged_instances.h>
@@ -163,7 +163,8 @@ TEST(KitInstances, what_is_instanced_is_merged_where_that_saves_more) {
   gpu_instances(made, free_draws(made));
   const std::uint64_t by_instancing = scene_cost(made).draws;
   const MergedScene sets = merge_instances(made, free_draws(made), {}, Executor(2));
-  for (const MergedSet& set : sets.merged) testing::edit<MergedDraws>(made)->sets.push_back(merged_instances(made, set));
+  for (const MergedSet& set : sets.merged)
+    testing::edit<MergedDraws>(made)->sets.push_back(merged_instances(made, set));
   const Scene after = through_file(made);
   EXPECT_LE(scene_cost(after).draws, by_instancing);
   EXPECT_EQ(scene_cost(after).instances, 3000u);

@@ -1,6 +1,6 @@
-// Merged draws show the same as the nodes that they stand for: drawn both ways by Vulkan, the merged ones with the shader
-// text that is written for engines, all pixels are equal. A pixel is a hash of what it shows: which placed primitive, how it
-// looks, the triangle's first corner, and what is interpolated between all three.
+// Merged draws show the same as the nodes that they stand for: drawn both ways by Vulkan, the merged ones with the
+// shader text that is written for engines, all pixels are equal. A pixel is a hash of what it shows: which placed
+// primitive, how it looks, the triangle's first corner, and what is interpolated between all three.
 #include "frame/frame.h"
 #include "frame/frame_camera.h"
 #include "frame/shader_compiler.h"
@@ -43,7 +43,8 @@ Scene city(std::uint64_t instances, double mirrored) {
   return scene;
 }
 
-/// The plain is wide and empty; here models stand in one another, so that there is much to hide. `spread`: 1 as the kit's.
+/// The plain is wide and empty; here models stand in one another, so that there is much to hide. `spread`: 1 as the
+/// kit's.
 Scene space(std::uint64_t instances, double mirrored, float spread = 0.1f) {
   const Kit kit = space_kit();
   auto placements = space_layout(kit, {.instances = instances, .mirrored = mirrored});
@@ -137,11 +138,12 @@ class MergedFrames : public testing::OnDevice {
     return Frame(*device_, scene, content).pixels(view);
   }
 
-  /// Of surfaces at the same depth the first one drawn shows, so what is drawn one by one is drawn in the sequence in which
-  /// the other way draws it.
+  /// Of surfaces at the same depth the first one drawn shows, so what is drawn one by one is drawn in the sequence in
+  /// which the other way draws it.
   ///
-  /// Merged and duplicated triangles that are mirrored have two corners exchanged. Where such triangles are cut off at the
-  /// edges of the view (`is_cut_mirrored`), what is between their corners is rounded otherwise; a few pixels may differ then.
+  /// Merged and duplicated triangles that are mirrored have two corners exchanged. Where such triangles are cut off at
+  /// the edges of the view (`is_cut_mirrored`), what is between their corners is rounded otherwise; a few pixels may
+  /// differ then.
   void expect_same_as_each(const Scene& scene, const FrameContent& content, std::span<const glm::mat4> views,
                            bool is_cut_mirrored = false) {
     const Frame frame(*device_, scene, content);
@@ -150,12 +152,14 @@ class MergedFrames : public testing::OnDevice {
     const Frame expected(*device_, scene, each);
     for (const glm::mat4& view : views) {
       const std::vector<std::uint32_t> shown = frame.pixels(view);
-      EXPECT_LE(different(shown, expected.pixels(view)), is_cut_mirrored ? shown.size() / 10000 : 0) << to_text(content.way);
+      EXPECT_LE(different(shown, expected.pixels(view)), is_cut_mirrored ? shown.size() / 10000 : 0)
+          << to_text(content.way);
       EXPECT_GT(covered(shown), shown.size() / 6);
     }
   }
 
-  void expect_merged_shows_the_same(const Scene& scene, std::span<const glm::mat4> views, bool is_cut_mirrored = false) {
+  void expect_merged_shows_the_same(const Scene& scene, std::span<const glm::mat4> views,
+                                    bool is_cut_mirrored = false) {
     ASSERT_FALSE(merged_sets(scene).empty());
     const FrameContent content = frame_content(scene, DrawWay::merged);
     expect_same_as_each(scene, content, views, is_cut_mirrored);
@@ -233,26 +237,31 @@ TEST_F(MergedFrames, wrong_slots_places_materials_and_corners_show) {
               std::vector<MergedSlot> slots(set.slots.view().begin(), set.slots.view().end());
               const MergedDraw& draw = set.draws[i % set.draws.size()];
               const std::size_t at = draw.first_slot + i * (draw.slot_count - 1) / 16;
-              slots[at].index_offset = slots[draw.first_slot + draw.slot_count - 1 - i * draw.slot_count / 32].index_offset;
+              slots[at].index_offset =
+                  slots[draw.first_slot + draw.slot_count - 1 - i * draw.slot_count / 32].index_offset;
               set.slots = Shared(std::move(slots));
-            }), 4);
+            }),
+            4);
   EXPECT_GT(shows([](MergedInstances& set, std::size_t i) {
               std::vector<MergedPlace> places(set.places.view().begin(), set.places.view().end());
               places[i * (places.size() - 1) / 16].instance += 1;
               set.places = Shared(std::move(places));
-            }), 4);
+            }),
+            4);
   EXPECT_GT(shows([](MergedInstances& set, std::size_t i) {
               std::vector<std::uint32_t> materials(set.materials.view().begin(), set.materials.view().end());
               std::uint32_t& material = materials[i * (materials.size() - 1) / 16];
               material = material == 0 ? 1 : 0;
               set.materials = Shared(std::move(materials));
-            }), 4);
+            }),
+            4);
   EXPECT_GT(shows([](MergedInstances& set, std::size_t i) {
               std::vector<std::uint32_t> indices(set.indices.view().begin(), set.indices.view().end());
               const std::size_t triangle = i * (indices.size() / 3 - 1) / 16;
               std::swap(indices[3 * triangle + 1], indices[3 * triangle + 2]);
               set.indices = Shared(std::move(indices));
-            }), 4);
+            }),
+            4);
 }
 
 }  // namespace

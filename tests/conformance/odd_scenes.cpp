@@ -42,7 +42,8 @@ TestMesh nowhere_finite() { return {{{nan, nan, nan}, {infinity, 0, 0}, {nan, 0,
 TestMesh all_in_one_point() { return {std::vector<glm::vec3>(9, glm::vec3(2, 3, 4)), {0, 1, 2, 3, 4, 5, 6, 7, 8}}; }
 
 TestMesh huge_and_tiny() {
-  return {{{3e38f, 3e38f, 3e38f}, {-3e38f, 0, 0}, {0, -3e38f, 0}, {1e-40f, 0, 0}, {0, 1e-40f, 0}}, {0, 1, 2, 2, 3, 4, 0, 3, 4}};
+  return {{{3e38f, 3e38f, 3e38f}, {-3e38f, 0, 0}, {0, -3e38f, 0}, {1e-40f, 0, 0}, {0, 1e-40f, 0}},
+          {0, 1, 2, 2, 3, 4, 0, 3, 4}};
 }
 
 TestMesh with_duplicates() {
@@ -63,7 +64,8 @@ Draw quantized() {
   const auto bytes = std::as_bytes(std::span(values));
   VertexStreams streams;
   streams.count = 4;
-  streams.base.push_back({"POSITION", Format{Component::int16, 4, true, 8}, Shared<std::byte>({bytes.begin(), bytes.end()})});
+  streams.base.push_back(
+      {"POSITION", Format{Component::int16, 4, true, 8}, Shared<std::byte>({bytes.begin(), bytes.end()})});
   Draw draw = draw_of({{}, {0, 1, 2, 1, 2, 3}}, "quantized");
   draw.levels[0].vertices = std::make_shared<const VertexStreams>(std::move(streams));
   draw.traits.add(traits::quantized);

@@ -3,8 +3,8 @@
 
 namespace foredraw::testing {
 
-/// Draws that break what is written in haste: empty, one triangle, degenerate, non-manifold, not finite, quantised, morphed,
-/// with vertices that nothing uses, shared between draws, points; ordinary ones; and a sprite with its image.
+/// Draws that break what is written in haste: empty, one triangle, degenerate, non-manifold, not finite, quantised,
+/// morphed, with vertices that nothing uses, shared between draws, points; ordinary ones; and a sprite with its image.
 Scene odd_scene();
 
 }  // namespace foredraw::testing

@@ -5,8 +5,8 @@
 #include "support/edit_product.h"
 #include "support/overdraw.h"
 
-#include <foredraw/scene/reorder.h>
 #include <foredraw/scene/order_table.h>
+#include <foredraw/scene/reorder.h>
 
 #include <gtest/gtest.h>
 

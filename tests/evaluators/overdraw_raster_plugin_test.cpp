@@ -75,7 +75,8 @@ TEST(OverdrawRasterPlugin, materials_decide_about_back_faces_and_blending) {
   EXPECT_EQ(find(findings, "masked-left-out", {})->numerator, 1);
   ASSERT_EQ(findings.notes.size(), 2u);
   EXPECT_EQ(findings.notes[0].message, "left out as blended: 1 draw (Glass)");
-  EXPECT_EQ(findings.notes[1].message, "left out, for it is not known where their holes are: 1 draw (Leaves); its texture is of an unknown kind");
+  EXPECT_EQ(findings.notes[1].message,
+            "left out, for it is not known where their holes are: 1 draw (Leaves); its texture is of an unknown kind");
 
   Settings front = few_views;
   front["faces"] = std::string("front");

@@ -5,8 +5,8 @@
 #include "support/overdraw.h"
 #include "support/painter.h"
 
-#include <foredraw/viewing/view_set.h>
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <gtest/gtest.h>
 

@@ -199,7 +199,8 @@ TEST(SceneCost, what_is_merged_in_part_is_drawn_in_part) {
   std::erase_if(places, [](const MergedPlace& place) {
     return (place.node < 2 && place.primitive == 1) || (place.node == 4 && place.instance >= 5);
   });
-  const Scene scene = testing::with_merged(plain, {testing::merged_by_hand(plain, places, {.frequencies = {30}, .groups = 1})});
+  const Scene scene =
+      testing::with_merged(plain, {testing::merged_by_hand(plain, places, {.frequencies = {30}, .groups = 1})});
   const SceneCost cost = scene_cost(scene);
   EXPECT_EQ(cost.draws, 1u + 2 + 2);
   EXPECT_EQ(cost.draws_if_instanced, 1u + 2);

@@ -3,8 +3,8 @@
 #include "support/edit_product.h"
 #include "support/meshes.h"
 
-#include <foredraw/technique/plugin.h>
 #include <foredraw/scene/order_table.h>
+#include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>

@@ -1,9 +1,9 @@
 // Writes small files for the fuzz targets to begin with: make_seeds FOLDER makes FOLDER/gltf_fuzz/puppet.glb and
 // others.
 
-#include "support/merged_scenes.h"
 #include "support/gltf_builder.h"
 #include "support/image_builder.h"
+#include "support/merged_scenes.h"
 
 #include <cmath>
 #include <filesystem>

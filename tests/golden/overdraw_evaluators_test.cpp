@@ -38,15 +38,16 @@ TEST(OverdrawEvaluators, are_near_to_the_exact_one_on_real_models) {
       for (const std::string& evaluator : evaluators) {
         for (const std::string metric : {"ratio", "view-mean"}) {
           const Figure& expected = exact.at(metric);
-          // Surfaces in one plane, cut into different triangles, tie or pass by the last bit of their depths, which each
-          // evaluator rounds in its own way; the house and the knight have many.
+          // Surfaces in one plane, cut into different triangles, tie or pass by the last bit of their depths, which
+          // each evaluator rounds in its own way; the house and the knight have many.
           EXPECT_NEAR(value(figures.at(evaluator).at(metric)), value(expected), expected.error / 4)
               << evaluator << options << ' ' << metric << " of " << model;
         }
         const double pixels = *exact.at("ratio").denominator;
         EXPECT_NEAR(*figures.at(evaluator).at("ratio").denominator / pixels, 1, 1e-4) << evaluator << ' ' << model;
         if (!figures.at(evaluator).contains("discarded")) continue;  // nothing is, or it is not counted
-        EXPECT_NEAR(figures.at(evaluator).at("discarded").numerator / exact.at("discarded").numerator, 1, 0.01) << model;
+        EXPECT_NEAR(figures.at(evaluator).at("discarded").numerator / exact.at("discarded").numerator, 1, 0.01)
+            << model;
       }
     }
   }

@@ -1,5 +1,5 @@
-// The particle textures of the corpus, trimmed: the frame lists that come out are the ones that are written down here, at
-// any thread count and from either compiler, and no pixel that shows is lost.
+// The particle textures of the corpus, trimmed: the frame lists that come out are the ones that are written down here,
+// at any thread count and from either compiler, and no pixel that shows is lost.
 //
 // Where a change is meant, FOREDRAW_UPDATE_GOLDEN=1 writes the file anew; read the difference before it is committed.
 
@@ -53,7 +53,8 @@ constexpr std::array trimmings = {
 
 void write_rows(const Rows& rows) {
   std::ofstream file(golden_file());
-  file << "# texture\tfor each trimming: content hash of the frame list; sprite-fill: pixels that show, filled before and "
+  file << "# texture\tfor each trimming: content hash of the frame list; sprite-fill: pixels that show, filled before "
+          "and "
           "after\n# ";
   for (const Trimming& trimming : trimmings) file << '\t' << trimming.stage << "; " << trimming.measure;
   file << '\n';
@@ -90,8 +91,8 @@ TEST_P(Sprites, ShowWhatTheyDidAndAreTheSamePolygonsAsEver) {
     ASSERT_FALSE(result.failed);
     const StateRecord &before = result.report.before, &after = result.report.after;
     EXPECT_GT(count(before, "needed"), 0) << trimming.stage;
-    // Where a sprite shows up to its frame's edge, a polygon's edge along it ends elsewhere than the quad's, and where it
-    // is turned its ends are rounded elsewhere: single pixels there are another's.
+    // Where a sprite shows up to its frame's edge, a polygon's edge along it ends elsewhere than the quad's, and where
+    // it is turned its ends are rounded elsewhere: single pixels there are another's.
     EXPECT_NEAR(count(after, "needed"), count(before, "needed"), 1e-5 * count(before, "needed")) << trimming.stage;
     EXPECT_LE(count(after, "filled"), count(before, "filled")) << trimming.stage;
     figures.push_back(fmt::format("{} {:.0f} {:.0f} {:.0f}", to_text(list_stamp(result.scene, GetParam())),

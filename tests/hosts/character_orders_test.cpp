@@ -3,8 +3,8 @@
 #include <foredraw/draw_orders/draw_orders_product.h>
 #include <foredraw/draw_orders/order_memory.h>
 #include <foredraw/io/text/extension_text.h>
-#include <foredraw/scene/reorder.h>
 #include <foredraw/scene/order_table.h>
+#include <foredraw/scene/reorder.h>
 
 #include "support/edit_product.h"
 #include "support/meshes.h"

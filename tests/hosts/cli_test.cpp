@@ -188,7 +188,10 @@ TEST_F(Cli, KeepsCompressionUnlessAskedOtherwise) {
 
 TEST_F(Cli, WritesDrawOrdersOnRequest) {
   const std::string in = model("static/spot.glb");
-  ASSERT_EQ(run("optimize " + in + " -o out.glb -o draw-orders:orders.json -p 'occlusion-order(k=3)' --with vertex-cache").code, 0);
+  ASSERT_EQ(
+      run("optimize " + in + " -o out.glb -o draw-orders:orders.json -p 'occlusion-order(k=3)' --with vertex-cache")
+          .code,
+      0);
   const Json orders = Json::parse(content(folder_ / "orders.json"));
   EXPECT_EQ(orders["draw-orders"], 1);
   EXPECT_EQ(orders["tables"].size(), 1u);
@@ -198,7 +201,8 @@ TEST_F(Cli, WritesDrawOrdersOnRequest) {
 }
 
 TEST_F(Cli, WritesTheRemapTables) {
-  ASSERT_EQ(run("optimize " + model("static/head.glb") + " -o out.glb -o remap:remap.json --with vertex-cache").code, 0);
+  ASSERT_EQ(run("optimize " + model("static/head.glb") + " -o out.glb -o remap:remap.json --with vertex-cache").code,
+            0);
   const Json remap = Json::parse(content(folder_ / "remap.json"));
   const auto triangles = remap["draws"][0]["triangles"]["new-to-old"].get<std::vector<std::uint32_t>>();
   const Json& moved = remap["draws"][0]["vertices"];  // null: none did

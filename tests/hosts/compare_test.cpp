@@ -11,9 +11,9 @@ namespace {
 
 using testing::content;
 using testing::Ended;
-using testing::put;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using testing::put;
 using Json = nlohmann::json;
 
 class Compare : public testing::InFolder {
@@ -80,7 +80,8 @@ TEST_F(Compare, SetsAnOptionWhereverThereIsItsStage) {
 
 TEST_F(Compare, RowsOfAFileGoOnFromItsStages) {
   put(folder_ / "p.toml",
-      "pipeline = 1\nstages = ['weld', 'lookahead']\n[compare]\nsorted = ['linear-clusters', 'dot-rule']\nplain = []\n");
+      "pipeline = 1\nstages = ['weld', 'lookahead']\n[compare]\nsorted = ['linear-clusters', 'dot-rule']\nplain = "
+      "[]\n");
   const Json file = compared("-p p.toml -p weld");
   EXPECT_EQ(names(file), (std::vector<std::string>{"p.toml: sorted", "p.toml: plain", "weld"}));
   const Json& sorted = file["branches"][0]["report"]["stages"];
@@ -101,9 +102,9 @@ TEST_F(Compare, StagesBeforeTheForkRunOnce) {
 
 TEST_F(Compare, SweepsAnOption) {
   const Json file = compared("-p weld -p tipsify --sweep tipsify.cache-size=8:32:8 --front time,vertex-cache.acmr");
-  EXPECT_EQ(names(file), (std::vector<std::string>{"weld", "tipsify with tipsify.cache-size=8", "tipsify with tipsify.cache-size=16",
-                                                   "tipsify with tipsify.cache-size=24",
-                                                   "tipsify with tipsify.cache-size=32"}));
+  EXPECT_EQ(names(file),
+            (std::vector<std::string>{"weld", "tipsify with tipsify.cache-size=8", "tipsify with tipsify.cache-size=16",
+                                      "tipsify with tipsify.cache-size=24", "tipsify with tipsify.cache-size=32"}));
   for (const std::size_t other : {1u, 4u}) EXPECT_LT(acmr(file["branches"][2]), acmr(file["branches"][other]));
   const Json& front = file["fronts"][0];
   EXPECT_EQ(front["x"], "time");
@@ -181,7 +182,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"two_outputs_in_one_file", "--html r --csv ./r", 1, "r: error: is to hold two outputs"},
         Mistake{"page_in_a_pipelines_place", "-p empty.toml --html empty.toml", 1, "'compare' has no pipelines"},
         Mistake{"page_in_a_buffers_place", "--html in/bench.bin", 1, "in/bench.bin: error: is called like a scene"},
-        Mistake{"table_in_a_baselines_place", "--fail-if 'vertex-cache.acmr > baseline' --baseline old.json --csv old.json", 1,
+        Mistake{"table_in_a_baselines_place",
+                "--fail-if 'vertex-cache.acmr > baseline' --baseline old.json --csv old.json", 1,
                 "old.json: error: is read by this very run"},
         Mistake{"sweep_of_an_evaluator", "-p tipsify --sweep vertex-cache.cache-size=8,16", 1, "measured alike"},
         Mistake{"page_to_standard_output", "--html -", 1, "take the name of a file"},

@@ -97,15 +97,17 @@ TEST_F(Docs, WhoReadsTheViewsAndPosesOfAPipeline) {
     }
     return text;
   };
-  expect_section("pipelines.md", "readers",
-                 "`[views]` is read by " + readers("run.views") + ".\n`[poses]` is read by " + readers("run.poses") + ".\n");
+  expect_section(
+      "pipelines.md", "readers",
+      "`[views]` is read by " + readers("run.views") + ".\n`[poses]` is read by " + readers("run.poses") + ".\n");
 }
 
 TEST_F(Docs, EveryPluginStandsInTheTableOfLibraries) {
   const std::string page = page_of("embedding.md");
   for (const auto& [name, folder] : folders_of_plugins()) {
     const std::string target = folder.filename().string();
-    EXPECT_TRUE(std::regex_search(page, std::regex("\n\\| `(foredraw::\\w+`(, `\\w+`)*, `|foredraw::)?" + target + "`|\n\\| `foredraw::[^|]*`" + target + "`")))
+    EXPECT_TRUE(std::regex_search(page, std::regex("\n\\| `(foredraw::\\w+`(, `\\w+`)*, `|foredraw::)?" + target +
+                                                   "`|\n\\| `foredraw::[^|]*`" + target + "`")))
         << target << " is in no row of docs/embedding.md's first table";
   }
 }
@@ -120,7 +122,8 @@ TEST_F(Docs, TheKindsOfOutputsAreThoseOfTheProgram) {
   for (std::size_t at = 0; at != std::string::npos;) {
     const std::size_t end = list.find(", ", at);
     const std::string kind = list.substr(at, end - at);
-    EXPECT_NE(page.find("| `" + kind + ":FILE` |"), std::string::npos) << kind << " is in no row of docs/command-line.md";
+    EXPECT_NE(page.find("| `" + kind + ":FILE` |"), std::string::npos)
+        << kind << " is in no row of docs/command-line.md";
     at = end == std::string::npos ? end : end + 2;
   }
 }

@@ -49,7 +49,8 @@ class InMemory final : public Lender {
  public:
   std::optional<Loan<Scene>> scene(const std::string& path, Diagnostics& diagnostics) const override {
     ++asked;
-    if (path == "high") return Loan<Scene>{std::make_shared<const Scene>(testing::scene_of(testing::grid(1, 1))), 7, {}};
+    if (path == "high")
+      return Loan<Scene>{std::make_shared<const Scene>(testing::scene_of(testing::grid(1, 1))), 7, {}};
     diagnostics.error({.file = path}, "unknown", "is not in memory");
     return std::nullopt;
   }
@@ -62,8 +63,8 @@ TEST(Lending, AHostMayLendWhatItHasInMemory) {
   const InMemory host;
   const Scene scene = testing::scene_of(testing::grid(4, 4));
   Diagnostics diagnostics;
-  const auto planned = plan(measuring("likeness(reference=high), likeness(reference=high)"), registry(), scene,
-                            diagnostics, &host);
+  const auto planned =
+      plan(measuring("likeness(reference=high), likeness(reference=high)"), registry(), scene, diagnostics, &host);
   ASSERT_TRUE(planned) << to_text(diagnostics);
   EXPECT_EQ(host.asked, 1);
   const Executor executor(2);
@@ -87,11 +88,13 @@ TEST(Lending, APlanRefusesWhatCanNotBeLent) {
   };
   const InMemory host;
   const std::string unread = complaint("likeness(reference=low)", &host);
-  EXPECT_NE(unread.find("test:1:20: error: 'reference' of 'likeness': low can not be read"), std::string::npos) << unread;
+  EXPECT_NE(unread.find("test:1:20: error: 'reference' of 'likeness': low can not be read"), std::string::npos)
+      << unread;
   EXPECT_NE(unread.find("low: error: is not in memory"), std::string::npos) << unread;
   EXPECT_NE(complaint("likeness(reference=high)", nullptr).find("reads no files that options name"), std::string::npos);
   EXPECT_NE(complaint("likeness(reference=3)", &host).find("must be the path of a scene, not 3"), std::string::npos);
-  EXPECT_NE(complaint("likeness(picture=\"\")", &host).find("must be the path of an image, not \"\""), std::string::npos);
+  EXPECT_NE(complaint("likeness(picture=\"\")", &host).find("must be the path of an image, not \"\""),
+            std::string::npos);
 }
 
 TEST(Lending, ARunLendsNothingThatNoPlanBorrowed) {

@@ -5,8 +5,8 @@
 
 namespace foredraw::testing {
 
-/// Counts the triangles that the scene has more than the one called `reference`, and the texels of `picture`; each where
-/// it is named.
+/// Counts the triangles that the scene has more than the one called `reference`, and the texels of `picture`; each
+/// where it is named.
 Plugin likeness_plugin();
 
 }  // namespace foredraw::testing

@@ -151,8 +151,8 @@ TEST(Product, WithRangesCutsTheClustersThatThereWere) {
   ASSERT_FALSE(result.failed);
   const IndexStream& stream = result.scene.draws[0].full().stream();
   ASSERT_TRUE(stream.clusters);
-  EXPECT_TRUE(std::ranges::binary_search(stream.clusters->offsets,
-                                         static_cast<std::uint32_t>(stream.triangle_count() / 3)));
+  EXPECT_TRUE(
+      std::ranges::binary_search(stream.clusters->offsets, static_cast<std::uint32_t>(stream.triangle_count() / 3)));
 }
 
 TEST(Product, WithRangesHasATableOfOrdersWithinThem) {

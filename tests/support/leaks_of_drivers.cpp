@@ -1,6 +1,7 @@
-// Under the address sanitizer: drivers that the Vulkan loader opens leak, and are gone by the time that leaks are told, so
-// that no suppression can name them. Where a library has come and gone, leaks are not looked for; each test is a process
-// of its own, so that all others are watched as before. The program has it too, where it is built with the sanitizer.
+// Under the address sanitizer: drivers that the Vulkan loader opens leak, and are gone by the time that leaks are told,
+// so that no suppression can name them. Where a library has come and gone, leaks are not looked for; each test is a
+// process of its own, so that all others are watched as before. The program has it too, where it is built with the
+// sanitizer.
 
 #include <link.h>
 

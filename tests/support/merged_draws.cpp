@@ -114,10 +114,12 @@ MergedInstances merged_by_hand(const Scene& scene, const std::vector<MergedPlace
       transforms.push_back(rows_of(world));
       materials.push_back(scene.draws[id].material.value_or(0));
       const Slots& cut = slots_of[id][is_mirrored(world)];
-      for (std::uint32_t s = 0; s < cut.count; ++s) by_frequency[cut.frequency].push_back({cut.first + s * cut.frequency, i});
+      for (std::uint32_t s = 0; s < cut.count; ++s)
+        by_frequency[cut.frequency].push_back({cut.first + s * cut.frequency, i});
     }
     for (const auto& [frequency, own] : by_frequency) {
-      merged.draws.push_back({g, frequency, static_cast<std::uint32_t>(slots.size()), static_cast<std::uint32_t>(own.size())});
+      merged.draws.push_back(
+          {g, frequency, static_cast<std::uint32_t>(slots.size()), static_cast<std::uint32_t>(own.size())});
       slots.insert(slots.end(), own.begin(), own.end());
     }
   }

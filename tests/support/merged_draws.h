@@ -1,5 +1,6 @@
 #pragma once
-// Merged draws put together in the plainest way, for tests of who writes, reads or counts them: no slot is shared out with care.
+// Merged draws put together in the plainest way, for tests of who writes, reads or counts them: no slot is shared out
+// with care.
 
 #include <foredraw/scene/merged_instances.h>
 #include <foredraw/scene/scene.h>

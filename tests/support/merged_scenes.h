@@ -22,9 +22,9 @@ enum class Lay {
   one_after_the_other,  ///< a view for each attribute, in it the meshes'
 };
 
-/// Three meshes of 4, 6 and 8 vertices, 2, 4 and 6 triangles, each placed by three nodes; two materials. Positions are floats
-/// that no two vertices share, normals three bytes in rows of four, texture coordinates shorts, and _SIX takes six bytes of
-/// rows of eight.
+/// Three meshes of 4, 6 and 8 vertices, 2, 4 and 6 triangles, each placed by three nodes; two materials. Positions are
+/// floats that no two vertices share, normals three bytes in rows of four, texture coordinates shorts, and _SIX takes
+/// six bytes of rows of eight.
 inline GltfBuilder yard(Lay lay = Lay::apart) {
   struct Part {
     const char* semantic;
@@ -33,8 +33,9 @@ inline GltfBuilder yard(Lay lay = Lay::apart) {
     bool normalized;
     std::size_t bytes, row, offset;
   };
-  static constexpr std::array parts{Part{"POSITION", "VEC3", 5126, false, 12, 12, 0}, Part{"NORMAL", "VEC3", 5120, true, 3, 4, 12},
-                                    Part{"TEXCOORD_0", "VEC2", 5123, true, 4, 4, 16}, Part{"_SIX", "VEC3", 5123, false, 6, 8, 20}};
+  static constexpr std::array parts{
+      Part{"POSITION", "VEC3", 5126, false, 12, 12, 0}, Part{"NORMAL", "VEC3", 5120, true, 3, 4, 12},
+      Part{"TEXCOORD_0", "VEC2", 5123, true, 4, 4, 16}, Part{"_SIX", "VEC3", 5123, false, 6, 8, 20}};
   constexpr std::size_t vertex = 28;
   GltfBuilder builder;
   builder.json["extensionsUsed"] = {"KHR_mesh_quantization"};
@@ -64,9 +65,8 @@ inline GltfBuilder yard(Lay lay = Lay::apart) {
   std::size_t first = 0;
   for (std::size_t m = 0; m < 3; ++m) {
     const std::size_t count = 4 + 2 * m;
-    const std::size_t all = lay == Lay::interleaved
-                                ? builder.add_view(std::span(rows).subspan(first * vertex, count * vertex), vertex)
-                                : 0;
+    const std::size_t all =
+        lay == Lay::interleaved ? builder.add_view(std::span(rows).subspan(first * vertex, count * vertex), vertex) : 0;
     GltfJson primitive{{"attributes", GltfJson::object()}, {"material", m % 2}};
     for (std::size_t a = 0; a < 4; ++a) {
       const Part& part = parts[a];

@@ -3,11 +3,11 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/viewing/mask.h>
-#include <foredraw/overdraw/overdraw_count.h>
-#include <foredraw/viewing/view_set.h>
 #include <foredraw/base/random.h>
+#include <foredraw/overdraw/overdraw_count.h>
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/mask.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <memory>
 #include <optional>

@@ -118,8 +118,7 @@ inline SpritePicture painted(const Scene& scene, const Draw& draw, std::span<con
   const Texture& texture = *material->base_colour;
   const VertexStream* texcoords = draw.levels[0].vertices->find("TEXCOORD_" + std::to_string(texture.texcoord));
   if (texcoords == nullptr) throw std::runtime_error(draw.name + " has no texture coordinates");
-  return painted(texture_uv(*texcoords, texture), draw.levels[0].orders[0].indices.view(), levels, texture.wrap,
-                 stand);
+  return painted(texture_uv(*texcoords, texture), draw.levels[0].orders[0].indices.view(), levels, texture.wrap, stand);
 }
 
 /// The pixels that show (with more alpha than the threshold) in one picture, and in the other show otherwise, more

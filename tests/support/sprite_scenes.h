@@ -1,8 +1,8 @@
 #pragma once
 // Scenes of images alone, made on the spot.
 
-#include <foredraw/image/alpha_image.h>
 #include <foredraw/analysis/analyses.h>
+#include <foredraw/image/alpha_image.h>
 #include <foredraw/scene/scene.h>
 
 #include <string>

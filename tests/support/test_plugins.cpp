@@ -110,7 +110,8 @@ struct CountDraws final : Evaluator {
 struct CountTriangles final : DrawEvaluator {
   void evaluate(const DrawView& draw, Run& run) const override {
     run.count("triangles", static_cast<double>(draw.triangle_count()));
-    run.measure("corners-per-vertex", static_cast<double>(draw.indices().size()), static_cast<double>(draw.vertex_count()));
+    run.measure("corners-per-vertex", static_cast<double>(draw.indices().size()),
+                static_cast<double>(draw.vertex_count()));
   }
 };
 
@@ -146,7 +147,8 @@ struct Faulty final : DrawOrderer {
 }  // namespace
 
 Plugin reverse_draw() {
-  return plugin_of<ReverseDraw>(Kind::orderer, {.name = "reverse-draw", .acts_on = {traits::triangles}, .provides = {traits::cache_ordered}});
+  return plugin_of<ReverseDraw>(
+      Kind::orderer, {.name = "reverse-draw", .acts_on = {traits::triangles}, .provides = {traits::cache_ordered}});
 }
 Plugin two_orders() {
   Plugin plugin = plugin_of<TwoOrders>(Kind::orderer, {.name = "two-orders", .acts_on = {traits::triangles}});
@@ -155,26 +157,31 @@ Plugin two_orders() {
 }
 Plugin reverse_vertices() { return plugin_of<ReverseVertices>(Kind::orderer, {.name = "reverse-vertices"}); }
 Plugin pairs() {
-  return plugin_of<Pairs>(Kind::clusterer, {.name = "pairs", .acts_on = {traits::triangles}, .provides = {traits::clustered}});
+  return plugin_of<Pairs>(Kind::clusterer,
+                          {.name = "pairs", .acts_on = {traits::triangles}, .provides = {traits::clustered}});
 }
 Plugin add_draw() { return plugin_of<AddDraw>(Kind::processor, {.name = "add-draw", .acts_on = {traits::triangles}}); }
 Plugin double_triangles() {
-  return plugin_of<DoubleTriangles>(Kind::processor, {.name = "double-triangles", .acts_on = {traits::triangles}, .breaks = {traits::clustered}});
+  return plugin_of<DoubleTriangles>(
+      Kind::processor, {.name = "double-triangles", .acts_on = {traits::triangles}, .breaks = {traits::clustered}});
 }
 Plugin count_draws() {
   return plugin_of<CountDraws>(Kind::evaluator, {.name = "count-draws", .metrics = {{"draws", "draws", "How many"}}});
 }
 Plugin count_triangles() {
-  return plugin_of<CountTriangles>(Kind::evaluator, {.name = "count-triangles",
-                                                     .acts_on = {traits::triangles},
-                                                     .metrics = {{"triangles", "triangles", "How many"},
-                                                                 {"corners-per-vertex", "corners per vertex", "Sharing"}}});
+  return plugin_of<CountTriangles>(
+      Kind::evaluator,
+      {.name = "count-triangles",
+       .acts_on = {traits::triangles},
+       .metrics = {{"triangles", "triangles", "How many"}, {"corners-per-vertex", "corners per vertex", "Sharing"}}});
 }
 Plugin ask_overdraw() {
-  return plugin_of<AskOverdraw>(Kind::orderer, {.name = "ask-overdraw", .acts_on = {traits::triangles}, .uses_overdraw = true});
+  return plugin_of<AskOverdraw>(Kind::orderer,
+                                {.name = "ask-overdraw", .acts_on = {traits::triangles}, .uses_overdraw = true});
 }
 Plugin answer_overdraw() {
-  Plugin plugin = plugin_of<CountDraws>(Kind::evaluator, {.name = "answer-overdraw", .metrics = {{"draws", "draws", "How many"}}});
+  Plugin plugin =
+      plugin_of<CountDraws>(Kind::evaluator, {.name = "answer-overdraw", .metrics = {{"draws", "draws", "How many"}}});
   plugin.overdraw_service = [](const Settings&) { return std::make_unique<FixedOverdraw>(); };
   return plugin;
 }

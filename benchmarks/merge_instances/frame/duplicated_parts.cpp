@@ -38,7 +38,9 @@ Vector cross(const float* a, const float* b) {
 float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Vector position_in_world(const MergedTransform& m, const Vector& p) {
-  const auto row = [&](std::size_t r) { return m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3]; };
+  const auto row = [&](std::size_t r) {
+    return m[4 * r] * p[0] + m[4 * r + 1] * p[1] + m[4 * r + 2] * p[2] + m[4 * r + 3];
+  };
   return {row(0), row(1), row(2)};
 }
 
@@ -50,7 +52,8 @@ Vector normal_in_world(const MergedTransform& m, const Vector& n) {
 }
 
 /// One instance's vertices, appended to the bytes of one stream.
-void add_vertices(const VertexStream& stream, const UsedMesh& mesh, const MergedTransform& world, std::vector<std::byte>& to) {
+void add_vertices(const VertexStream& stream, const UsedMesh& mesh, const MergedTransform& world,
+                  std::vector<std::byte>& to) {
   const std::size_t size = stream.format.bytes;
   const bool is_position = stream.semantic == "POSITION", is_normal = stream.semantic == "NORMAL";
   for (const std::uint32_t vertex : mesh.vertices) {

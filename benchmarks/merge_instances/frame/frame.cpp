@@ -28,7 +28,8 @@ gpu::DeviceBuffer uploaded(gpu::Device& device, const std::vector<T>& content, V
 }
 
 void push(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first) {
-  vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT, offsetof(FrameConstants, first), sizeof(first), &first);
+  vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT, offsetof(FrameConstants, first), sizeof(first),
+                     &first);
 }
 
 /// Binds only what is not bound yet.
@@ -106,7 +107,8 @@ void Frame::add_calls(const Scene& scene, const FramePart& from, Part& part) {
     return;
   }
   if (!from.indirect.empty() && !device_.device().draws_many_indirectly()) {
-    throw std::runtime_error(device_.device().name() + " does not draw many commands of a buffer, with instances, at once");
+    throw std::runtime_error(device_.device().name() +
+                             " does not draw many commands of a buffer, with instances, at once");
   }
   for (const bool is_mirrored : {false, true}) {
     part.pipelines.push_back(frame_pipeline(device_, scene, from, 0, is_mirrored));
@@ -142,8 +144,8 @@ void Frame::record(VkCommandBuffer commands, const Part& part) const {
   BoundPipeline bound(commands);
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.layout(), 0, 1, &part.set, 0, nullptr);
   if (!part.vertex_buffers.empty()) {
-    vkCmdBindVertexBuffers(commands, 0, static_cast<std::uint32_t>(part.vertex_buffers.size()), part.vertex_buffers.data(),
-                           part.vertex_offsets.data());
+    vkCmdBindVertexBuffers(commands, 0, static_cast<std::uint32_t>(part.vertex_buffers.size()),
+                           part.vertex_buffers.data(), part.vertex_offsets.data());
     vkCmdBindIndexBuffer(commands, part.indices.get(), 0, part.index_type);
   }
   // The parts before left their own.

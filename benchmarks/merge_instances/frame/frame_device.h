@@ -10,8 +10,8 @@
 
 namespace foredraw::bench {
 
-/// Draws square pictures of `size` pixels, of a hash for each pixel, with a depth buffer and without back faces. Used by one
-/// thread at a time.
+/// Draws square pictures of `size` pixels, of a hash for each pixel, with a depth buffer and without back faces. Used
+/// by one thread at a time.
 class FrameDevice {
  public:
   /// Throws std::runtime_error where there is no device that will do, or no shader compiler.

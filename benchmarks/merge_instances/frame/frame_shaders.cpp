@@ -1,7 +1,7 @@
 #include "frame_shaders.h"
 
-#include <plugins/processors/merge_instances/merged_shader.h>
 #include <foredraw/scene/merged_instances.h>
+#include <plugins/processors/merge_instances/merged_shader.h>
 
 namespace foredraw::bench {
 
@@ -52,7 +52,8 @@ vec3 normal_to_world(uint instance, vec3 normal) {
 
 bool has(const FramePart& part, const char* semantic) { return part.vertices->find(semantic) != nullptr; }
 
-std::string input(const FramePart& part, const char* semantic, std::uint32_t location, const char* type, const char* name) {
+std::string input(const FramePart& part, const char* semantic, std::uint32_t location, const char* type,
+                  const char* name) {
   if (!has(part, semantic)) return std::string("const ") + type + " " + name + " = " + type + "(0.0);\n";
   return "layout(location = " + std::to_string(location) + ") in " + type + " " + name + ";\n";
 }
@@ -62,11 +63,13 @@ std::string merged_text(const Scene& scene, const FramePart& part, std::uint32_t
     return std::string(has(part, semantic) ? call : none);
   };
   const std::string material = part.material ? std::to_string(*part.material) + "u" : "merged_material(at.instance)";
-  return "#define MERGED_SET " + std::to_string(part.merged_set) + "\n#define MERGED_FREQUENCY " + std::to_string(frequency) +
-         "u\n" + merged_shader_text(merged_sets(scene), ShaderLanguage::glsl) + shared_text +
+  return "#define MERGED_SET " + std::to_string(part.merged_set) + "\n#define MERGED_FREQUENCY " +
+         std::to_string(frequency) + "u\n" + merged_shader_text(merged_sets(scene), ShaderLanguage::glsl) +
+         shared_text +
          "void main() {\n"
          "  MergedVertex at = merged_vertex(uint(gl_VertexIndex), first);\n"
-         "  vec3 normal = " + fetched("NORMAL", "merged_normal_to_world(at.instance, merged_normal(at.vertex))", "vec3(0.0)") +
+         "  vec3 normal = " +
+         fetched("NORMAL", "merged_normal_to_world(at.instance, merged_normal(at.vertex))", "vec3(0.0)") +
          ";\n  vec2 texture_place = " + fetched("TEXCOORD_0", "merged_texcoord_0(at.vertex)", "vec2(0.0)") +
          ";\n  show(places[at.instance], looks[" + material +
          "], merged_to_world(at.instance, merged_position(at.vertex)), normal, texture_place);\n}\n";
@@ -84,10 +87,11 @@ std::string indexed_text(const FramePart& part) {
             "  show(places[instance], looks[materials[instance]], position, normal, texture_place);\n}\n";
   } else {
     text += own_transforms_text;
-    text += "void main() {\n"
-            "  uint instance = first + uint(gl_InstanceIndex);\n"
-            "  show(places[instance], looks[materials[instance]], to_world(instance, position),\n"
-            "       normal_to_world(instance, normal), texture_place);\n}\n";
+    text +=
+        "void main() {\n"
+        "  uint instance = first + uint(gl_InstanceIndex);\n"
+        "  show(places[instance], looks[materials[instance]], to_world(instance, position),\n"
+        "       normal_to_world(instance, normal), texture_place);\n}\n";
   }
   return text;
 }
@@ -95,7 +99,8 @@ std::string indexed_text(const FramePart& part) {
 }  // namespace
 
 std::string vertex_shader_text(const Scene& scene, const FramePart& part, std::uint32_t frequency) {
-  return "#version 450\n" + (part.fetch == VertexFetch::merged ? merged_text(scene, part, frequency) : indexed_text(part));
+  return "#version 450\n" +
+         (part.fetch == VertexFetch::merged ? merged_text(scene, part, frequency) : indexed_text(part));
 }
 
 std::string fragment_shader_text() {

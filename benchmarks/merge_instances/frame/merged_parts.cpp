@@ -36,7 +36,8 @@ void add_merged_parts(const Scene& scene, FrameContent& content) {
     part.materials = copy_of(merged.materials);
     part.merged = merged.draws;
     part.merged_set = set;
-    if (part.materials.empty()) part.material = merged.material.value_or(static_cast<MaterialId>(scene.materials.size()));
+    if (part.materials.empty())
+      part.material = merged.material.value_or(static_cast<MaterialId>(scene.materials.size()));
     for (const MergedPlace& place : merged.places.view()) part.places.push_back(hash_of(place));
     for (const MergedDraw& draw : merged.draws) {
       const auto slots = merged.slots.view().subspan(draw.first_slot, draw.slot_count);

@@ -24,7 +24,8 @@ struct PlacedDraw {
 /// Of all nodes, sorted by place, not by group. What has no indices or draws no triangles is left out.
 std::vector<PlacedDraw> placed_draws(const Scene& scene);
 
-/// The same in another sequence. Throws std::runtime_error where a place is not among `placed`, which are sorted by place.
+/// The same in another sequence. Throws std::runtime_error where a place is not among `placed`, which are sorted by
+/// place.
 std::vector<PlacedDraw> in_sequence(std::span<const PlacedDraw> placed, std::span<const MergedPlace> sequence);
 
 /// 12 bytes hashed to 4: for pictures that tell one placed primitive from all others.

@@ -75,7 +75,8 @@ bool is_indirect(DrawWay way) { return way == DrawWay::indirect || way == DrawWa
 auto key_of(const PlacedDraw& placed, DrawWay way) {
   const bool by_node = way == DrawWay::gpu_instancing;
   const std::uint32_t group = way == DrawWay::group_instanced ? placed.group : 0;
-  return std::tuple(group, placed.is_mirrored, by_node ? placed.place.node : placed.draw, by_node ? placed.place.primitive : 0);
+  return std::tuple(group, placed.is_mirrored, by_node ? placed.place.node : placed.draw,
+                    by_node ? placed.place.primitive : 0);
 }
 
 FramePart plain_part(const Scene& scene, std::span<const PlacedDraw> placed, DrawWay way) {
@@ -123,9 +124,8 @@ void add_plain_parts(const Scene& scene, std::vector<PlacedDraw> placed, DrawWay
   if (is_ordered) {
     std::ranges::stable_sort(placed, {}, [&](const PlacedDraw& one) { return layout[one.draw]; });
   } else {
-    std::ranges::sort(placed, {}, [&](const PlacedDraw& one) {
-      return std::tuple(layout[one.draw], key_of(one, way), one.place);
-    });
+    std::ranges::sort(placed, {},
+                      [&](const PlacedDraw& one) { return std::tuple(layout[one.draw], key_of(one, way), one.place); });
   }
   for (auto first = placed.begin(); first != placed.end();) {
     const auto end = std::find_if(first, placed.end(),

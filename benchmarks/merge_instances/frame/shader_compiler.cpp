@@ -47,7 +47,8 @@ bool has_shader_compiler() { return std::system("glslangValidator --version > /d
 
 std::vector<std::uint32_t> compiled_shader(const std::string& text, const std::string& stage) {
   const ScratchFolder folder;
-  const fs::path source = folder.file("shader.glsl"), code = folder.file("shader.spv"), messages = folder.file("messages.txt");
+  const fs::path source = folder.file("shader.glsl"), code = folder.file("shader.spv"),
+                 messages = folder.file("messages.txt");
   std::ofstream(source) << text;
   const std::string command = "glslangValidator -V -S " + stage + " -o \"" + code.string() + "\" \"" + source.string() +
                               "\" > \"" + messages.string() + "\" 2>&1";

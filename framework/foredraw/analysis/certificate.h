@@ -6,9 +6,10 @@
 
 namespace foredraw {
 
-/// What one order of a level draws, whatever the sequence of triangles and the numbering of vertices: for each triangle the
-/// content of its three vertices (every base stream and morph target, with name and format) in its own corner order,
-/// summed over the triangles. Two draws with equal certificates draw the same triangles with the same vertex data.
+/// What one order of a level draws, whatever the sequence of triangles and the numbering of vertices: for each triangle
+/// the content of its three vertices (every base stream and morph target, with name and format) in its own corner
+/// order, summed over the triangles. Two draws with equal certificates draw the same triangles with the same vertex
+/// data.
 struct Certificate {
   std::uint64_t triangles = 0;
   Stamp sum;

@@ -20,8 +20,7 @@ struct Stamp {
 Stamp content_hash(std::span<const std::byte> bytes, std::uint64_t seed = 0);
 
 template <class T>
-  requires std::is_trivially_copyable_v<T>
-Stamp content_hash(std::span<const T> values, std::uint64_t seed = 0) {
+requires std::is_trivially_copyable_v<T> Stamp content_hash(std::span<const T> values, std::uint64_t seed = 0) {
   return content_hash(std::as_bytes(values), seed);
 }
 

@@ -25,8 +25,8 @@ int threads_for(int wanted) {
 
 #ifdef __SANITIZE_THREAD__
 
-// ThreadSanitizer sees nothing of TBB's library and calls every hand-over in it a race. Under it, plain threads keep the
-// same promise, so that what it reports is ours.
+// ThreadSanitizer sees nothing of TBB's library and calls every hand-over in it a race. Under it, plain threads keep
+// the same promise, so that what it reports is ours.
 ParallelLoop loop_over(int threads) {
   return [threads](std::size_t count, const std::function<void(std::size_t)>& task) {
     std::atomic<std::size_t> next = 0;

@@ -8,7 +8,9 @@ namespace {
 
 /// How many bytes the character takes that the text begins with; 0 where it begins with none (Unicode 15, table 3-7).
 std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0}; };
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0};
+  };
   const auto follows = [&](std::size_t i, std::uint8_t least = 0x80, std::uint8_t most = 0xbf) {
     return byte(i) >= least && byte(i) <= most;
   };

@@ -7,8 +7,8 @@
 
 namespace foredraw {
 
-/// For plugins whose orderers answer with several orders. The orders themselves stand in the draws' levels; the product is
-/// the tables.
+/// For plugins whose orderers answer with several orders. The orders themselves stand in the draws' levels; the product
+/// is the tables.
 std::shared_ptr<const ProductRow> draw_orders_product();
 
 /// Puts orders and tables into the scene, or answers with what is wrong.

@@ -153,7 +153,8 @@ std::uint32_t wrapped(std::int64_t texel, std::uint32_t count, Wrap wrap) {
 
 double alpha_at(const AlphaImage& image, const Sampling& sampling, const glm::dvec2& uv) {
   const auto texel = [&](std::int64_t x, std::int64_t y) {
-    return std::int64_t{image.at(wrapped(x, image.width, sampling.wrap[0]), wrapped(y, image.height, sampling.wrap[1]))};
+    return std::int64_t{
+        image.at(wrapped(x, image.width, sampling.wrap[0]), wrapped(y, image.height, sampling.wrap[1]))};
   };
   constexpr std::int64_t steps = steps_per_texel;
   constexpr double most = 65535;

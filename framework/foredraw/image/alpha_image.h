@@ -37,11 +37,11 @@ struct AlphaImage {
 AlphaImage alpha_image(const Texels& texels, AlphaChannel channel = AlphaChannel::alpha);
 
 /// Decoded once and kept, by its bytes or by where they lie; or why it can not be decoded.
-std::variant<std::shared_ptr<const AlphaImage>, std::string> alpha_image_of(
-    Analyses& analyses, const Image& image, AlphaChannel channel = AlphaChannel::alpha);
+std::variant<std::shared_ptr<const AlphaImage>, std::string> alpha_image_of(Analyses& analyses, const Image& image,
+                                                                            AlphaChannel channel = AlphaChannel::alpha);
 
-/// The next mip level: of half the size, rounded down but not to 0, each texel the mean of those that it covers, in part
-/// where the size is odd; rounded up.
+/// The next mip level: of half the size, rounded down but not to 0, each texel the mean of those that it covers, in
+/// part where the size is odd; rounded up.
 AlphaImage next_level(const AlphaImage& image);
 
 /// The texel that stands at a place inside the image or beyond its edges.

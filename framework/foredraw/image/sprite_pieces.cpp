@@ -35,9 +35,8 @@ std::vector<std::uint32_t> first_at(const std::vector<Place>& places) {
   std::vector<std::uint32_t> order(places.size()), first(places.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto bits = [&](std::uint32_t v) { return places[v]; };
-  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) {
-    return std::ranges::lexicographical_compare(bits(a), bits(b));
-  });
+  std::ranges::stable_sort(
+      order, [&](std::uint32_t a, std::uint32_t b) { return std::ranges::lexicographical_compare(bits(a), bits(b)); });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_new = i == 0 || places[order[i]] != places[order[i - 1]];
     first[order[i]] = is_new ? order[i] : first[order[i - 1]];
@@ -121,11 +120,13 @@ bool is_even(const std::vector<Place>& places, const SpritePiece& piece) {
   }
   if (!(most > 0)) return false;
   const glm::dvec2 p = uv(corner[1]) - uv(corner[0]), q = uv(corner[2]) - uv(corner[0]);
-  const glm::dvec3 along_p = position(corner[1]) - position(corner[0]), along_q = position(corner[2]) - position(corner[0]);
+  const glm::dvec3 along_p = position(corner[1]) - position(corner[0]),
+                   along_q = position(corner[2]) - position(corner[0]);
   const double size = glm::length(along_p) + glm::length(along_q);
   return std::ranges::all_of(piece.outline, [&](std::uint32_t vertex) {
     const glm::dvec2 from = uv(vertex) - uv(corner[0]);
-    const glm::dvec3 expected = position(corner[0]) + along_p * (turn(from, q) / turn(p, q)) + along_q * (turn(p, from) / turn(p, q));
+    const glm::dvec3 expected =
+        position(corner[0]) + along_p * (turn(from, q) / turn(p, q)) + along_q * (turn(p, from) / turn(p, q));
     return glm::distance(expected, position(vertex)) <= 1e-4 * size;
   });
 }

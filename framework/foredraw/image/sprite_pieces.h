@@ -22,8 +22,8 @@ std::vector<SpritePiece> sprite_pieces(const Draw& draw, std::uint32_t texcoord 
 /// or mirrored: what is drawn where a sprite is not trimmed.
 bool is_made_of_quads(const Draw& draw, std::uint32_t texcoord = 0);
 
-/// Whether every piece has one outline, of at most 16 vertices, and shows the image evenly: as quads do, and the polygons
-/// that take their place.
+/// Whether every piece has one outline, of at most 16 vertices, and shows the image evenly: as quads do, and the
+/// polygons that take their place.
 bool is_made_of_sprites(const Draw& draw, std::uint32_t texcoord = 0);
 
 }  // namespace foredraw

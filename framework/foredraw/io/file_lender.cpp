@@ -11,7 +11,8 @@ namespace {
 std::optional<Loan<Scene>> read_lent_scene(const std::string& path, const ProductRows& products,
                                            Diagnostics& diagnostics) {
   if (path == "-") {
-    diagnostics.error({}, "no-such-file", "an option names a file, and - is standard input", "give the path of a scene");
+    diagnostics.error({}, "no-such-file", "an option names a file, and - is standard input",
+                      "give the path of a scene");
     return std::nullopt;
   }
   auto file = read_scene(path, diagnostics, products);
@@ -31,7 +32,8 @@ std::optional<Loan<Image>> read_lent_image(const std::string& path, Diagnostics&
 }
 
 template <class Content, class Read>
-std::optional<Loan<Content>> kept(std::map<std::string, Loan<Content>>& read_before, const std::string& path, Read read) {
+std::optional<Loan<Content>> kept(std::map<std::string, Loan<Content>>& read_before, const std::string& path,
+                                  Read read) {
   if (const auto known = read_before.find(path); known != read_before.end()) return known->second;
   auto loan = read();
   if (loan) read_before.emplace(path, *loan);

@@ -1,13 +1,13 @@
 #include <foredraw/io/scene_file.h>
 
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/io/mesh/mesh_files.h>
-#include <foredraw/io/scene_kinds.h>
-#include <foredraw/io/text/private/file_kind.h>
 #include <foredraw/io/gltf/private/stand_ins.h>
 #include <foredraw/io/gltf/private/write.h>
+#include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/mesh/private/source.h>
+#include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/io/text/private/file_kind.h>
 
 #include <algorithm>
 #include <iterator>
@@ -116,7 +116,8 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
     auto file = encode_mesh_file(scene, *mesh_kind, path, diagnostics);
     if (!file) return std::nullopt;
     scene.products.each([&](const std::string& name) {
-      diagnostics.warning({.file = path}, "product-left-out", "files of this kind can not hold '" + name + "'; it is left out",
+      diagnostics.warning({.file = path}, "product-left-out",
+                          "files of this kind can not hold '" + name + "'; it is left out",
                           "write the scene as .glb too, or -o " + name + ":FILE");
     });
     std::vector<OutputFile> files{std::move(*file)};

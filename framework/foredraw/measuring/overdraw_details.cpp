@@ -1,8 +1,8 @@
 #include <foredraw/measuring/overdraw_details.h>
 
-#include <foredraw/viewing/drawn_orders.h>
 #include <foredraw/overdraw/overdraw_bound.h>
 #include <foredraw/overdraw/shading_counts.h>
+#include <foredraw/viewing/drawn_orders.h>
 
 #include <fmt/format.h>
 
@@ -120,8 +120,9 @@ void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawServic
     run.note_at({draw, {}, {}}, "causes-overdraw", message);
   }
   if (!convex.empty()) {
-    run.note_at({}, "convex", fmt::format("convex, or nearly so, so that no order overdraws more than {}: {}",
-                                          least_overdraw, listed_draws(convex)));
+    run.note_at({}, "convex",
+                fmt::format("convex, or nearly so, so that no order overdraws more than {}: {}", least_overdraw,
+                            listed_draws(convex)));
   }
   if (!free_of_it.empty()) {
     run.note_at({}, "no-overdraw",

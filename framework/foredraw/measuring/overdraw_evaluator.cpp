@@ -1,10 +1,10 @@
 #include <foredraw/measuring/overdraw_evaluator.h>
 
-#include <foredraw/viewing/draw_mask.h>
-#include <foredraw/viewing/drawn_orders.h>
 #include <foredraw/measuring/overdraw_details.h>
 #include <foredraw/measuring/overdraw_samples.h>
 #include <foredraw/measuring/overdraw_tally.h>
+#include <foredraw/viewing/draw_mask.h>
+#include <foredraw/viewing/drawn_orders.h>
 
 #include <fmt/format.h>
 
@@ -84,7 +84,8 @@ class OverdrawEvaluation {
     run.executor.for_each(counted.size(), [&](std::size_t i) {
       if (run.cancelled()) throw std::runtime_error("cancelled");
       if (subjects.is_new(i, pose)) {
-        SubjectGeometry drawn = subject_geometry(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
+        SubjectGeometry drawn =
+            subject_geometry(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
         counted[i].counts = drawn_in_orders(drawn, subjects, i, pose, run);
         for (const RasterPart& part : drawn.parts) counted[i].non_finite += count_non_finite_triangles(part);
       }
@@ -94,8 +95,8 @@ class OverdrawEvaluation {
   }
 
   /// From each view in the orders that the subject's tables give there.
-  OverdrawCounts drawn_in_orders(SubjectGeometry& drawn, const SubjectsInPoses& subjects, std::size_t i, std::size_t pose,
-                                 Run& run) const {
+  OverdrawCounts drawn_in_orders(SubjectGeometry& drawn, const SubjectsInPoses& subjects, std::size_t i,
+                                 std::size_t pose, Run& run) const {
     const Views& views = samples_.views;
     const auto by_orders =
         views_by_orders(subjects.scene, subjects.subjects[i], subjects.poses.poses[pose], views.views);
@@ -197,9 +198,10 @@ class OverdrawEvaluation {
     run.count_at(about, "hidden", hidden);
     run.count_at(about, "ties", ties);
     if (about == About() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
-      run.note("close", fmt::format("surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
-                                    "ties per pixel, more than its error; who rounds depths otherwise finds another one",
-                                    ties / ratio.denominator));
+      run.note("close",
+               fmt::format("surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
+                           "ties per pixel, more than its error; who rounds depths otherwise finds another one",
+                           ties / ratio.denominator));
     }
     if (discarded > 0) run.count_at(about, "discarded", discarded);
   }

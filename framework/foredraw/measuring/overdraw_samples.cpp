@@ -1,7 +1,7 @@
 #include <foredraw/measuring/overdraw_samples.h>
 
-#include <foredraw/viewing/view_directions.h>
 #include <foredraw/base/random.h>
+#include <foredraw/viewing/view_directions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 // Sums over the pictures of an evaluation: by draw, by subject, by pose.
 
-#include <foredraw/overdraw/overdraw_figures.h>
 #include <foredraw/measuring/subjects_in_poses.h>
+#include <foredraw/overdraw/overdraw_figures.h>
 
 #include <map>
 

@@ -68,8 +68,8 @@ struct Looks {
   int size = 0;                                  ///< of the pictures
 };
 
-/// Every pose from all views; or, where the poses share them, so that all pictures have twice the pixels of those of one
-/// pose. They are small then: a look from another side, or at another time, tells more than pixels do.
+/// Every pose from all views; or, where the poses share them, so that all pictures have twice the pixels of those of
+/// one pose. They are small then: a look from another side, or at another time, tells more than pixels do.
 Looks looks_at(const Views& views, std::size_t poses, bool share) {
   constexpr int small = 96;
   const std::size_t all = poses * views.views.size();
@@ -114,13 +114,13 @@ std::vector<std::uint8_t> SubjectCapture::by_pose(std::span<const std::uint8_t> 
 }
 
 SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
-                                 const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
-                                 const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see) {
+                               const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
+                               const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see) {
   SubjectCapture captured;
   add_draws(captured, view, atoms_of);
   const DistinctPoses distinct = distinct_poses(view.scene, {&view.subject, 1}, poses, run.executor).front();
-  const auto different = static_cast<std::size_t>(
-      std::ranges::count_if(distinct.weights, [](double weight) { return weight > 0; }));
+  const auto different =
+      static_cast<std::size_t>(std::ranges::count_if(distinct.weights, [](double weight) { return weight > 0; }));
   const Looks looks = looks_at(run.views, different, poses.share_views);
   std::size_t number = 0;  // among those that look different
   for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
@@ -135,7 +135,8 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
     captured.look.push_back(nearest_in(share, run.views));
     for (std::size_t& shown : captured.look.back()) shown += captured.seen.layers.views.size();
     const PosedNodes nodes = view.subject.is_placed() ? posed_nodes(view.scene, poses.poses[pose]) : PosedNodes();
-    const SubjectGeometry drawn = subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
+    const SubjectGeometry drawn =
+        subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
     add_looks(captured, view, drawn, views, distinct.weights[pose], run);
     if (see) see(captured.seen, drawn);
   }
@@ -149,8 +150,7 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
 bool may_overdraw(const SubjectView& view, Run& run) {
   const bool moves = view.subject.is_placed() && run.poses.poses.size() > 1;
   if (moves) return true;
-  const PosedNodes nodes =
-      view.subject.is_placed() ? posed_nodes(view.scene, run.poses.poses.front()) : PosedNodes();
+  const PosedNodes nodes = view.subject.is_placed() ? posed_nodes(view.scene, run.poses.poses.front()) : PosedNodes();
   const SubjectGeometry drawn = subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
   const auto bound = overdraw_bound(drawn.parts, least_overdraw);
   if (!bound) return true;

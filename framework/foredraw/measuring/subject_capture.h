@@ -1,20 +1,20 @@
 #pragma once
 // A subject captured in poses and from all views, for orderers that judge orders of it without drawing again.
 
-#include <foredraw/viewing/distinct_poses.h>
 #include <foredraw/overdraw/subject_layers.h>
 #include <foredraw/technique/orderer.h>
 #include <foredraw/technique/overdraw_service.h>
+#include <foredraw/viewing/distinct_poses.h>
 
 #include <functional>
 
 namespace foredraw {
 
-/// Looks are the poses that look different, each from all views in turn, or from its share of them where the poses share
-/// them.
+/// Looks are the poses that look different, each from all views in turn, or from its share of them where the poses
+/// share them.
 struct SubjectCapture {
-  SubjectLayers seen;                     ///< its indices lie in the scene
-  std::vector<DrawId> draws;            ///< [draw of `seen`]
+  SubjectLayers seen;         ///< its indices lie in the scene
+  std::vector<DrawId> draws;  ///< [draw of `seen`]
   /// [pose][view] the look that shows it, or the pose from the nearest side that was captured; poses that look alike
   /// share their looks.
   std::vector<std::vector<std::size_t>> look;
@@ -31,11 +31,12 @@ struct SubjectCapture {
 /// up to it and the subject as it is drawn there. Positions are made for one pose at a time. std::runtime_error where
 /// the service can not capture and where the run is cancelled.
 SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
-                                 const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
-                                 const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see = {});
+                               const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
+                               const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see = {});
 
 /// Whether some order of a subject that stands still may overdraw more than `least_overdraw`, as overdraw_bound() knows
-/// without drawing it. Else tells the run that nothing can be gained. True of subjects that move: each pose has its own hull.
+/// without drawing it. Else tells the run that nothing can be gained. True of subjects that move: each pose has its own
+/// hull.
 bool may_overdraw(const SubjectView& view, Run& run);
 
 /// Whether anything is drawn that does not stay. Else tells the run that nothing can be gained.

@@ -2,10 +2,10 @@
 // Measure once, ask often: a subject is drawn once and what lies behind what is kept, so that the overdraw of any order
 // of its triangles can be counted without drawing again.
 
-#include <foredraw/overdraw/layers.h>
-#include <foredraw/viewing/raster_part.h>
 #include <foredraw/base/parallel.h>
+#include <foredraw/overdraw/layers.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <foredraw/overdraw/overdraw_count.h>
-#include <foredraw/viewing/raster_part.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <cstdint>
 #include <span>

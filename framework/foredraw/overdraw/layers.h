@@ -62,7 +62,8 @@ OverdrawCount count_overdraw(const Layers& layers, std::span<const std::uint32_t
 /// The same, [view].
 std::vector<OverdrawCount> count_overdraw_by_view(const Layers& layers, std::span<const std::uint32_t> order);
 
-/// The inverse of an order, order[rank] = owner: [owner] = rank. std::invalid_argument where it is no permutation of so many.
+/// The inverse of an order, order[rank] = owner: [owner] = rank. std::invalid_argument where it is no permutation of so
+/// many.
 std::vector<std::uint32_t> inverse_of(std::span<const std::uint32_t> order, std::size_t owners);
 
 /// No order shades less or more. Every pixel reaches its least and its most, but seldom all of them in one order.

@@ -1,6 +1,7 @@
 #pragma once
 // The DotRule: what faces outwards is drawn first, for it hides other parts and is hidden by few.
-// Sander, Nehab, Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007, "The DotRule".
+// Sander, Nehab, Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007, "The
+// DotRule".
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -36,9 +37,9 @@ struct SurfaceSum {
   glm::dvec3 centroid() const { return moment / (3 * area); }
 };
 
-/// The sequence of parts ([new] = old) by falling (centroid of the part - centroid of `whole`) . (unit normal of the part).
-/// Those that are equal to 1/1024 of the largest value, as on one flat face, keep their sequence; what has no area goes
-/// last.
+/// The sequence of parts ([new] = old) by falling (centroid of the part - centroid of `whole`) . (unit normal of the
+/// part). Those that are equal to 1/1024 of the largest value, as on one flat face, keep their sequence; what has no
+/// area goes last.
 inline std::vector<std::uint32_t> outward_sequence(std::span<const SurfaceSum> parts, const SurfaceSum& whole) {
   constexpr int steps = 1024;
   std::vector<double> outwards(parts.size(), 0);

@@ -119,17 +119,16 @@ std::optional<double> overdraw_bound(std::span<const RasterPart> parts, double m
   const double slack = tolerance * tree.diameter();
   const double least_on_hull = area / most;
   double beside_hull = 0;
-  const bool is_near = every_triangle(
-      parts, [&](const RasterPart& part, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const bool is_near =
+      every_triangle(parts, [&](const RasterPart& part, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         const glm::dvec3 across = glm::cross(b - a, c - a);
         const double size = glm::length(across);
         if (!(size > 0)) return true;
         const glm::dvec3 normal = across / size;
         const double limit = std::max({glm::dot(normal, a), glm::dot(normal, b), glm::dot(normal, c)}) + slack;
         const double other = -std::min({glm::dot(normal, a), glm::dot(normal, b), glm::dot(normal, c)}) + slack;
-        const bool is_outermost =
-            part.mask == nullptr &&
-            (!tree.reaches(normal, limit) || (!part.culls_back_faces && !tree.reaches(-normal, other)));
+        const bool is_outermost = part.mask == nullptr && (!tree.reaches(normal, limit) ||
+                                                           (!part.culls_back_faces && !tree.reaches(-normal, other)));
         if (!is_outermost) beside_hull += size;
         if (!part.culls_back_faces) beside_hull += size;  // its inner side
         return area - beside_hull >= least_on_hull;

@@ -1,12 +1,13 @@
 #pragma once
-// Whether a stage may work on a draw. The planner asks before anything runs, the runner again when the stage's turn comes.
+// Whether a stage may work on a draw. The planner asks before anything runs, the runner again when the stage's turn
+// comes.
 
 #include <foredraw/pipeline/plan.h>
 
 namespace foredraw {
 
-/// Why a stage leaves a draw alone that has the traits, as they are or as earlier stages will leave them; nothing where it
-/// works on it.
+/// Why a stage leaves a draw alone that has the traits, as they are or as earlier stages will leave them; nothing where
+/// it works on it.
 std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits);
 
 /// The traits in `wanted` that are not in `held`, as "clustered" or "uv0 and normals".

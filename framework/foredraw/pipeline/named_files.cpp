@@ -46,7 +46,8 @@ Pipeline with_paths_from_here(Pipeline pipeline, const Registry& registry) {
     }
   }
   if (pipeline.overdraw) {
-    if (const Plugin* plugin = registry.find(pipeline.overdraw->use)) resolve(*pipeline.overdraw, plugin->service_options);
+    if (const Plugin* plugin = registry.find(pipeline.overdraw->use))
+      resolve(*pipeline.overdraw, plugin->service_options);
   }
   if (is_view_list(pipeline.views.views)) pipeline.views.views = from_here(pipeline.views.views, pipeline.views_where);
   return pipeline;
@@ -62,8 +63,8 @@ bool borrow(const Stage& stage, const std::vector<OptionSpec>& rows, const Setti
     const auto& path = std::get<std::string>(setting->second);
     Diagnostics reading;
     const auto refuse = [&](std::string why, std::string hint) {
-      diagnostics.error(place_of(stage, row.name), "nothing-lent", fmt::format("'{}' of '{}': {}", row.name, stage.use, why),
-                        std::move(hint));
+      diagnostics.error(place_of(stage, row.name), "nothing-lent",
+                        fmt::format("'{}' of '{}': {}", row.name, stage.use, why), std::move(hint));
       good = false;
     };
     if (lender == nullptr) {

@@ -9,8 +9,8 @@
 
 namespace foredraw {
 
-/// The pipeline with the path of every file that an option names as it counts from the working directory. As written, it
-/// counts from the folder of the file that it is written in; on a command line that is the same.
+/// The pipeline with the path of every file that an option names as it counts from the working directory. As written,
+/// it counts from the folder of the file that it is written in; on a command line that is the same.
 Pipeline with_paths_from_here(Pipeline pipeline, const Registry& registry);
 
 /// Borrows what the stage's settings name, which fit these rows. False, with an error at the option, where something

@@ -1,6 +1,6 @@
 #pragma once
-// Text to pipelines and back. Two forms with one result: a TOML file, or the list of stages on one line. Reading is about
-// form alone; whether the names and options exist is for the planner.
+// Text to pipelines and back. Two forms with one result: a TOML file, or the list of stages on one line. Reading is
+// about form alone; whether the names and options exist is for the planner.
 
 #include <foredraw/pipeline/pipeline.h>
 
@@ -19,8 +19,8 @@ struct NamedPipeline {
 /// A TOML file's text; `name` is what diagnostics call it. nullopt where there was any mistake; all are reported.
 std::optional<Pipeline> parse_file(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 
-/// The same of a file that may hold several: each row of its [compare] table goes on from the file's stages with its own,
-/// and is called "NAME: ROW". In the sequence of the file; without such a table there is one, of the name itself.
+/// The same of a file that may hold several: each row of its [compare] table goes on from the file's stages with its
+/// own, and is called "NAME: ROW". In the sequence of the file; without such a table there is one, of the name itself.
 std::optional<std::vector<NamedPipeline>> parse_branches(std::string_view text, const std::string& name,
                                                          Diagnostics& diagnostics);
 
@@ -32,7 +32,8 @@ std::optional<Pipeline> only_one(std::optional<std::vector<NamedPipeline>> branc
 std::optional<Pipeline> parse_line(std::string_view text, Diagnostics& diagnostics);
 
 /// A list of stages on one line, as for `measure --with`; `name` is what diagnostics call it.
-std::optional<std::vector<Stage>> parse_stages(std::string_view text, const std::string& name, Diagnostics& diagnostics);
+std::optional<std::vector<Stage>> parse_stages(std::string_view text, const std::string& name,
+                                               Diagnostics& diagnostics);
 
 std::string print_file(const Pipeline& pipeline);
 
@@ -41,8 +42,8 @@ std::optional<std::string> print_line(const Pipeline& pipeline);
 std::string print_stage(const Stage& stage);
 
 /// "tipsify.cache-size=24": sets the option (or reserved word) of every stage of that name, among the measures and
-/// services too; "views.count=162" and "seed=7" set the pipeline's own. False, with a diagnostic, where there is no such
-/// stage (code "no-such-stage") or the text has another form.
+/// services too; "views.count=162" and "seed=7" set the pipeline's own. False, with a diagnostic, where there is no
+/// such stage (code "no-such-stage") or the text has another form.
 bool set_option(Pipeline& pipeline, std::string_view assignment, Diagnostics& diagnostics);
 
 /// What a --pipeline argument names: "@preset", a file, or a line of stages.

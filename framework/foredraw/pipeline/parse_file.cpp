@@ -54,8 +54,8 @@ class FileReader {
   Pipeline read_pipeline(const toml::table& root) {
     check_version(root);
     const auto words = pipeline_words();
-    Pipeline pipeline = words.read(fitted(
-        root, words.specs(), {"pipeline", "stages", "measure", "compare", "views", "poses", "services"}, ""));
+    Pipeline pipeline = words.read(
+        fitted(root, words.specs(), {"pipeline", "stages", "measure", "compare", "views", "poses", "services"}, ""));
     pipeline.stages = read_list(root, "stages", "stages");
     pipeline.measure = read_list(root, "measure", "measure");
     if (const toml::table* table = table_in(root, "views")) {

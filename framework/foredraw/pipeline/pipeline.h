@@ -2,10 +2,10 @@
 // A pipeline as it was written: what to run, in which sequence, with which options. A value that says nothing yet of
 // whether it can run; plan() does.
 
-#include <foredraw/viewing/pose_set.h>
-#include <foredraw/viewing/view_set.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/technique/options.h>
+#include <foredraw/viewing/pose_set.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <cstdint>
 #include <map>
@@ -18,14 +18,14 @@ namespace foredraw {
 /// One stage: a plugin's name, its options as written, and the reserved words.
 struct Stage {
   std::string use;
-  Settings settings;       ///< as written; checked against the plugin's table by the planner
-  std::string only;        ///< names of draws, with * and ?; empty: all
-  bool required = false;   ///< an error where it would be skipped
+  Settings settings;      ///< as written; checked against the plugin's table by the planner
+  std::string only;       ///< names of draws, with * and ?; empty: all
+  bool required = false;  ///< an error where it would be skipped
   bool enabled = true;
-  bool blended = false;    ///< also reorder blended draws
-  int level = 0;           ///< of detail, that an evaluator measures
+  bool blended = false;  ///< also reorder blended draws
+  int level = 0;         ///< of detail, that an evaluator measures
 
-  Where where;                              ///< of the stage in the text
+  Where where;                                ///< of the stage in the text
   std::map<std::string, Where> option_where;  ///< of each option's value
 };
 

@@ -134,10 +134,12 @@ class Planner {
       return;
     }
     if (planned.loops_over() == "scene" && !planned.stage.only.empty() && planned.plugin->kind == Kind::evaluator) {
-      error(planned.stage.where, "bad-option", fmt::format("'{}' measures the scene as a whole; it takes no 'only'", card.name));
+      error(planned.stage.where, "bad-option",
+            fmt::format("'{}' measures the scene as a whole; it takes no 'only'", card.name));
     }
     if (planned.stage.level > 0 && planned.plugin->kind != Kind::evaluator) {
-      error(planned.stage.where, "bad-option", fmt::format("'{}' works on every level; 'level' is for evaluators", card.name));
+      error(planned.stage.where, "bad-option",
+            fmt::format("'{}' works on every level; 'level' is for evaluators", card.name));
     }
     for (DrawId id = 0; id < scene_.draws.size(); ++id) {
       if (auto skip = why_not(planned, scene_, id, traits_[id])) {
@@ -152,12 +154,13 @@ class Planner {
     }
   }
 
-  /// A need that no earlier stage was to provide is a mistake in the pipeline; one that was not met for some draws alone is
-  /// a reason to skip those.
+  /// A need that no earlier stage was to provide is a mistake in the pipeline; one that was not met for some draws
+  /// alone is a reason to skip those.
   void check_needs(const PlannedStage& planned) {
     const Card& card = planned.plugin->card;
     const bool unmet = std::ranges::any_of(planned.skips, [](const Skip& skip) { return skip.code == "needs"; });
-    const bool made = std::ranges::all_of(card.needs, [&](const std::string& need) { return provider_.contains(need); });
+    const bool made =
+        std::ranges::all_of(card.needs, [&](const std::string& need) { return provider_.contains(need); });
     if (!unmet || made) return;
     std::vector<std::string> providers;
     for (const Plugin* plugin : registry_.all()) {
@@ -175,7 +178,8 @@ class Planner {
 
   void refuse_where_required(const PlannedStage& planned, const std::string& reason) {
     if (!planned.stage.required) return;
-    error(planned.stage.where, "required", fmt::format("'{}' is required but would be skipped: {}", planned.stage.use, reason),
+    error(planned.stage.where, "required",
+          fmt::format("'{}' is required but would be skipped: {}", planned.stage.use, reason),
           "leave out required = true, or give it what it acts on");
   }
 
@@ -235,9 +239,9 @@ class Planner {
   const Lender* lender_;
   Diagnostics& diagnostics_;
   Loans loans_;
-  std::vector<Traits> traits_;                                 // of each draw, as the stages so far leave them
+  std::vector<Traits> traits_;  // of each draw, as the stages so far leave them
   std::map<std::string, int> uses_;
-  std::map<std::string, std::string, std::less<>> provider_;   // trait -> stage that made it
+  std::map<std::string, std::string, std::less<>> provider_;  // trait -> stage that made it
 };
 
 }  // namespace

@@ -21,13 +21,13 @@ struct Skip {
 
 struct PlannedStage {
   const Plugin* plugin = nullptr;
-  std::string label;                     ///< the plugin's name, and "#2" for its second use; figures go by it
+  std::string label;  ///< the plugin's name, and "#2" for its second use; figures go by it
   Stage stage;
-  Settings settings;                     ///< fitted to the plugin's table
+  Settings settings;  ///< fitted to the plugin's table
   std::shared_ptr<const Technique> technique;
-  std::vector<DrawId> draws;             ///< that it may work on, as far as can be known before it runs
+  std::vector<DrawId> draws;  ///< that it may work on, as far as can be known before it runs
   std::vector<Skip> skips;
-  std::optional<std::string> left_out;   ///< the whole stage does nothing, and why
+  std::optional<std::string> left_out;  ///< the whole stage does nothing, and why
 
   /// What it loops over: "draws", "subjects", "vertex streams", "scene".
   std::string_view loops_over() const;
@@ -40,14 +40,14 @@ struct Plan {
   std::vector<PlannedStage> measures;
   Views views;
   Poses poses;
-  ProductRows products;  ///< what the registry's plugins make
-  Loans loans;           ///< what options of stages name
+  ProductRows products;                             ///< what the registry's plugins make
+  Loans loans;                                      ///< what options of stages name
   std::shared_ptr<const OverdrawService> overdraw;  ///< null: no service is named or needed
 };
 
 /// Plans the pipeline for the scene. nullopt where something is wrong; all mistakes are in `diagnostics`, each with its
-/// place in the pipeline's text. Warnings are there as well. `lender`: who reads the scenes and images that options name;
-/// without one, such an option is a mistake.
+/// place in the pipeline's text. Warnings are there as well. `lender`: who reads the scenes and images that options
+/// name; without one, such an option is a mistake.
 std::optional<Plan> plan(const Pipeline& pipeline, const Registry& registry, const Scene& scene,
                          Diagnostics& diagnostics, const Lender* lender = nullptr);
 

@@ -36,9 +36,11 @@ std::string stage_text(const PlannedStage& stage, const Scene& scene) {
   if (!card.pays_if.empty()) text += "; where it pays: " + card.pays_if;
   text += '\n';
   for (const Reason& reason : reasons(stage, scene)) {
-    std::vector<std::string> shown(reason.draws.begin(), reason.draws.begin() + std::min<std::ptrdiff_t>(4, std::ssize(reason.draws)));
-    text += fmt::format("      leaves {}{} alone: {}\n", fmt::join(shown, ", "),
-                        reason.draws.size() > 4 ? fmt::format(" and {} more", reason.draws.size() - 4) : "", reason.text);
+    std::vector<std::string> shown(reason.draws.begin(),
+                                   reason.draws.begin() + std::min<std::ptrdiff_t>(4, std::ssize(reason.draws)));
+    text +=
+        fmt::format("      leaves {}{} alone: {}\n", fmt::join(shown, ", "),
+                    reason.draws.size() > 4 ? fmt::format(" and {} more", reason.draws.size() - 4) : "", reason.text);
   }
   return text;
 }
@@ -69,7 +71,8 @@ std::string to_text(const Plan& plan, const Scene& scene) {
 }
 
 std::string to_json(const Plan& plan, const Scene& scene) {
-  Json json{{"plan", 1}, {"pipeline", print_file(plan.pipeline)}, {"stages", Json::array()}, {"measures", Json::array()}};
+  Json json{
+      {"plan", 1}, {"pipeline", print_file(plan.pipeline)}, {"stages", Json::array()}, {"measures", Json::array()}};
   for (const PlannedStage& stage : plan.stages) json["stages"].push_back(stage_json(stage, scene));
   for (const PlannedStage& stage : plan.measures) json["measures"].push_back(stage_json(stage, scene));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -89,8 +89,7 @@ class PlanRunner {
     report.seed = plan_->pipeline.seed;
     describe_output();
     report.measures.clear();
-    measure(&DrawRecord::after, report.after,
-            report.optimized ? "measuring the output: " : "measuring: ");
+    measure(&DrawRecord::after, report.after, report.optimized ? "measuring the output: " : "measuring: ");
     report.diagnostics = diagnostics_.all();
     result_.failed = diagnostics_.has_errors();
     report.seconds += clock.seconds();
@@ -157,10 +156,8 @@ class PlanRunner {
   void measure(DrawState draw_state, StateRecord& total, std::string_view what) {
     for (std::size_t i = 0; i < plan_->measures.size(); ++i) {
       const PlannedStage& stage = plan_->measures[i];
-      StageRecord record =
-          run_one(stage, plan_->stages.size() + i + 1, what, [&](const Measured& measured) {
-            book(measured, stage, draw_state, total);
-          });
+      StageRecord record = run_one(stage, plan_->stages.size() + i + 1, what,
+                                   [&](const Measured& measured) { book(measured, stage, draw_state, total); });
       result_.report.measures.push_back(std::move(record));
       result_.report.evaluator_options[stage.label] = whole_settings(stage);
     }
@@ -187,8 +184,8 @@ class PlanRunner {
     } else {
       std::optional<Scene> coarser;
       if (stage.stage.level > 0) coarser = at_level(result_.scene, static_cast<std::size_t>(stage.stage.level));
-      auto measured = run_stage(stage, number, coarser ? *coarser : result_.scene, *plan_, surroundings, record,
-                                diagnostics_);
+      auto measured =
+          run_stage(stage, number, coarser ? *coarser : result_.scene, *plan_, surroundings, record, diagnostics_);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
       std::stable_partition(measured.begin(), measured.end(),
                             [](const Measured& figure) { return figure.about != About{}; });
@@ -212,7 +209,8 @@ class PlanRunner {
     // A stage may have added draws.
     report.draws.resize(std::max(report.draws.size(), result_.scene.draws.size()));
     if (measured.about.draw && *measured.about.draw < report.draws.size()) {
-      (report.draws[*measured.about.draw].level(measured.about.level).*draw_state).metrics.add(stage.label, measured.metric, figure);
+      (report.draws[*measured.about.draw].level(measured.about.level).*draw_state)
+          .metrics.add(stage.label, measured.metric, figure);
     }
     if (measured.about == About{}) {
       total.metrics.set(stage.label, measured.metric, figure);

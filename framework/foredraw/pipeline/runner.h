@@ -1,6 +1,6 @@
 #pragma once
-// Runs a plan. Draws are worked on in parallel; a stage that fails on a draw leaves it as it was; the result is the same
-// at any thread count.
+// Runs a plan. Draws are worked on in parallel; a stage that fails on a draw leaves it as it was; the result is the
+// same at any thread count.
 
 #include <foredraw/pipeline/plan.h>
 

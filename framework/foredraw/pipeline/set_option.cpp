@@ -45,12 +45,14 @@ std::optional<Assignment> assignment_of(std::string_view text, Diagnostics& diag
   const Where where{"--set", 1, static_cast<int>(equals) + 2, {}};
   const auto value = scan_value(text.substr(equals + 1), {where}, diagnostics);
   if (!value) return std::nullopt;
-  return Assignment{std::string(text.substr(0, word == 0 ? 0 : dot)), std::string(text.substr(word, equals - word)), *value, where};
+  return Assignment{std::string(text.substr(0, word == 0 ? 0 : dot)), std::string(text.substr(word, equals - word)),
+                    *value, where};
 }
 
 /// A word of the pipeline's own tables.
 template <class Options>
-bool set_word(const OptionTable<Options>& table, Options& options, const Assignment& assignment, Diagnostics& diagnostics) {
+bool set_word(const OptionTable<Options>& table, Options& options, const Assignment& assignment,
+              Diagnostics& diagnostics) {
   std::vector<std::string> words;
   for (const OptionSpec& spec : table.specs()) {
     words.push_back(spec.name);
@@ -70,7 +72,8 @@ bool set_word(const OptionTable<Options>& table, Options& options, const Assignm
 
 bool set_of_stages(Pipeline& pipeline, const Assignment& assignment, Diagnostics& diagnostics) {
   if (assignment.word == "use") {
-    diagnostics.error({"--set", 1, 1, {}}, "syntax", "'use' can not be set: it would be another stage", "write the stages with --pipeline");
+    diagnostics.error({"--set", 1, 1, {}}, "syntax", "'use' can not be set: it would be another stage",
+                      "write the stages with --pipeline");
     return false;
   }
   const std::vector<Stage*> stages = stages_of(pipeline);
@@ -86,7 +89,8 @@ bool set_of_stages(Pipeline& pipeline, const Assignment& assignment, Diagnostics
     found = true;
   }
   if (!found) {
-    diagnostics.error({"--set", 1, 1, {}}, "no-such-stage", fmt::format("the pipeline has no stage '{}'", assignment.stage),
+    diagnostics.error({"--set", 1, 1, {}}, "no-such-stage",
+                      fmt::format("the pipeline has no stage '{}'", assignment.stage),
                       what_there_is(assignment.stage, stages));
   }
   return found;

@@ -39,8 +39,8 @@ class StageLevels {
     return level < ranged_.size() && ranged_[level] ? &*ranged_[level] : nullptr;
   }
 
-  /// Every subject at full detail, and at each coarser level at which it has something to order. A draw that is in several
-  /// subjects belongs to the first.
+  /// Every subject at full detail, and at each coarser level at which it has something to order. A draw that is in
+  /// several subjects belongs to the first.
   std::vector<SubjectLevel> of(const std::vector<Subject>& subjects) const;
 
  private:

@@ -36,8 +36,15 @@ class StageRunner {
  public:
   StageRunner(const PlannedStage& stage, std::size_t number, Scene& scene, const Plan& plan,
               const Surroundings& surroundings, StageRecord& record, Diagnostics& diagnostics)
-      : stage_(stage), number_(number), scene_(scene), plan_(plan), surroundings_(surroundings), record_(record),
-        diagnostics_(diagnostics), products_(plan.products, record), chosen_(stage, scene, plan.products) {
+      : stage_(stage),
+        number_(number),
+        scene_(scene),
+        plan_(plan),
+        surroundings_(surroundings),
+        record_(record),
+        diagnostics_(diagnostics),
+        products_(plan.products, record),
+        chosen_(stage, scene, plan.products) {
     if (surroundings.progress) progress_ = [this](double part) { surroundings_.progress(stage_.label, part); };
     for (const LevelSkip& skip : chosen_.skips()) add_skip(skip.why.code, skip.why.reason, name_of(skip.at));
   }
@@ -117,7 +124,8 @@ class StageRunner {
   void run(const VertexOrderer& technique) {
     std::vector<VertexGroup> groups = vertex_groups(scene_);
     for (const HeldDraw& held : keep_groups_of(groups, chosen_.draws())) {
-      add_skip("shared-vertices", "it shares its vertices with " + scene_.draws[held.by].name + ", which stays as it is",
+      add_skip("shared-vertices",
+               "it shares its vertices with " + scene_.draws[held.by].name + ", which stays as it is",
                scene_.draws[held.draw].name);
     }
     using Users = std::vector<std::pair<VertexGroup::User, Draw>>;
@@ -143,20 +151,22 @@ class StageRunner {
 
   void run(const Processor& technique) {
     std::vector<DrawId> worked_on;
-    auto outcomes = over<Scene>(1, [](std::size_t) { return About{}; },
-                                [&](std::size_t, Run& run, Outcome<Scene>& outcome) {
-      Scene changed = scene_;
-      worked_on = technique.process(changed, chosen_.draws(), run);
-      if (run.keeps()) return;
-      if (stage_.plugin->card.lossless) {
-        if (changed.draws.size() != scene_.draws.size()) throw std::runtime_error("it promised the same draws");
-        for (DrawId id : chosen_.draws()) certify(scene_.draws[id], changed.draws[id], run.analyses);
-        if (const std::string other = placement_difference(scene_, changed); !other.empty()) throw std::runtime_error(other);
-      }
-      must_be_left(changed);
-      products_.prove(scene_, changed);
-      outcome.answer = std::move(changed);
-    });
+    auto outcomes = over<Scene>(
+        1, [](std::size_t) { return About{}; },
+        [&](std::size_t, Run& run, Outcome<Scene>& outcome) {
+          Scene changed = scene_;
+          worked_on = technique.process(changed, chosen_.draws(), run);
+          if (run.keeps()) return;
+          if (stage_.plugin->card.lossless) {
+            if (changed.draws.size() != scene_.draws.size()) throw std::runtime_error("it promised the same draws");
+            for (DrawId id : chosen_.draws()) certify(scene_.draws[id], changed.draws[id], run.analyses);
+            if (const std::string other = placement_difference(scene_, changed); !other.empty())
+              throw std::runtime_error(other);
+          }
+          must_be_left(changed);
+          products_.prove(scene_, changed);
+          outcome.answer = std::move(changed);
+        });
     accept(outcomes[0], "", outcomes[0].answer ? *outcomes[0].answer : scene_);
     if (outcomes[0].answer) scene_ = std::move(*outcomes[0].answer);
     for (DrawId id : worked_on) {
@@ -168,11 +178,12 @@ class StageRunner {
   }
 
   void run(const Evaluator& technique) {
-    auto outcomes = over<Measurement>(1, [](std::size_t) { return About{}; },
-                                      [&](std::size_t, Run& run, Outcome<Measurement>& outcome) {
-      technique.evaluate(scene_, run);
-      outcome.answer.emplace();
-    });
+    auto outcomes = over<Measurement>(
+        1, [](std::size_t) { return About{}; },
+        [&](std::size_t, Run& run, Outcome<Measurement>& outcome) {
+          technique.evaluate(scene_, run);
+          outcome.answer.emplace();
+        });
     accept(outcomes[0], "");
   }
 
@@ -220,7 +231,8 @@ class StageRunner {
   /// Not of the number among those that are worked on, so that a draw's seed does not hang on what else is skipped.
   std::uint64_t seed_of(const About& about) const {
     const std::uint64_t id = about.draw.value_or(about.subject.value_or(0));
-    return derive_seed(static_cast<std::uint64_t>(plan_.pipeline.seed), number_, id + (std::uint64_t{about.level} << 32));
+    return derive_seed(static_cast<std::uint64_t>(plan_.pipeline.seed), number_,
+                       id + (std::uint64_t{about.level} << 32));
   }
 
   template <class Answer, class Task>
@@ -307,7 +319,8 @@ class StageRunner {
   /// Draws that a processor was not given have the same handles afterwards.
   void must_be_left(const Scene& changed) const {
     for (DrawId id = 0; id < std::min(scene_.draws.size(), changed.draws.size()); ++id) {
-      if (std::ranges::binary_search(chosen_.draws(), id) || has_same_handles(scene_.draws[id], changed.draws[id])) continue;
+      if (std::ranges::binary_search(chosen_.draws(), id) || has_same_handles(scene_.draws[id], changed.draws[id]))
+        continue;
       throw std::runtime_error(fmt::format("it changed {}, which it was not given", scene_.draws[id].name));
     }
   }

@@ -56,7 +56,8 @@ std::variant<std::vector<std::string>, Complaint> values_in(const std::string& t
     for (const std::string& value : values) {
       if (value.empty()) return Complaint{"a value is empty", "such as 1:1.5:0.05, or fast,high"};
     }
-    if (values.size() > most) return Complaint{fmt::format("there are {} values, more than {}", values.size(), most), ""};
+    if (values.size() > most)
+      return Complaint{fmt::format("there are {} values, more than {}", values.size(), most), ""};
     return values;
   }
   std::vector<double> numbers;
@@ -102,7 +103,9 @@ bool measures_with(const Pipeline& pipeline, const Sweep& sweep) {
 }
 
 Diagnostic only_measures(const Sweep& sweep) {
-  return {Severity::error, {"--sweep", 1, 1, {}}, "only-measures",
+  return {Severity::error,
+          {"--sweep", 1, 1, {}},
+          "only-measures",
           fmt::format("'{}' is of an evaluator, and all pipelines are measured alike", sweep.option),
           "--set changes what all of them are measured with"};
 }

@@ -33,8 +33,10 @@ OptionTable<Stage> stage_words() {
   table.row(&Stage::required, "required", "Whether it is an error where the stage would be skipped");
   table.row(&Stage::enabled, "enabled", "Whether the stage runs at all");
   table.row(&Stage::blended, "blended", "Whether alpha-blended draws are reordered too, where order may show");
-  table.row(&Stage::level, "level", "Which level of detail an evaluator measures; 0 is full detail, and of a draw that has "
-            "fewer it is the coarsest", {0, 255});
+  table.row(&Stage::level, "level",
+            "Which level of detail an evaluator measures; 0 is full detail, and of a draw that has "
+            "fewer it is the coarsest",
+            {0, 255});
   return table;
 }
 

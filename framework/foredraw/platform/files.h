@@ -28,7 +28,8 @@ struct OutputFile {
 
   std::filesystem::path path;
   std::vector<std::byte> bytes;
-  /// Puts what comes behind the bytes, piece by piece, while the file is written: what is long need not stand in memory.
+  /// Puts what comes behind the bytes, piece by piece, while the file is written: what is long need not stand in
+  /// memory.
   std::function<void(const Put&)> rest = nullptr;
 };
 

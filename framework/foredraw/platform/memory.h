@@ -19,8 +19,8 @@ class MemoryWatch {
   std::optional<std::uint64_t> at_first_;
 };
 
-/// From here on this process may hold that many bytes of data of its own (heap, stacks of threads and private mappings, but
-/// neither code nor mapped files); whoever allocates more is thrown std::bad_alloc. False where the system refuses.
+/// From here on this process may hold that many bytes of data of its own (heap, stacks of threads and private mappings,
+/// but neither code nor mapped files); whoever allocates more is thrown std::bad_alloc. False where the system refuses.
 bool limit_memory(std::uint64_t bytes);
 
 }  // namespace foredraw

@@ -130,9 +130,10 @@ void judge_file(const Bound& bound, const Comparison& comparison, const std::map
   } else if (bound.beside == Bound::Beside::baseline && stored != nullptr) {
     const StoredFigures* figures = stored_for(path, *stored);
     if (figures == nullptr) {
-      return diagnostics.error({.file = path}, "unknown-baseline",
-                               fmt::format("'{}' can not be judged: the stored baseline says nothing of this file", bound.text),
-                               "it has to hold the file under the same path, or under a name that no other file there has");
+      return diagnostics.error(
+          {.file = path}, "unknown-baseline",
+          fmt::format("'{}' can not be judged: the stored baseline says nothing of this file", bound.text),
+          "it has to hold the file under the same path, or under a name that no other file there has");
     }
     if (!figures->contains(bound.figure)) return unknown("the stored baseline of this file");
     beside = figures->at(bound.figure);

@@ -39,16 +39,16 @@ std::optional<double> value_of(const Branch& branch, const std::string& figure);
 /// The same of the input; it took no time.
 std::optional<double> input_value(const Comparison& comparison, const std::string& figure);
 
-/// All files as one, by branch: figures and times are summed over the files that could be read. A branch that one of them
-/// lost is lost. Nothing where the files are fewer than two.
+/// All files as one, by branch: figures and times are summed over the files that could be read. A branch that one of
+/// them lost is lost. Nothing where the files are fewer than two.
 std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons);
 
 /// The JSON form: for each file and branch the whole report, and a table of every total metric over the branches; the
 /// same of all files as one.
 std::string to_json(const std::vector<Comparison>& comparisons);
 
-/// A table for each file: a row a metric, a column a branch, the best of a row marked; below it the stages' times. Where
-/// the branches are many, a row a branch.
+/// A table for each file: a row a metric, a column a branch, the best of a row marked; below it the stages' times.
+/// Where the branches are many, a row a branch.
 std::string to_text(const std::vector<Comparison>& comparisons);
 
 /// Comma-separated values (RFC 4180), a line for every figure: of the totals, of each draw, and of each stage.

@@ -65,7 +65,8 @@ class Lines {
     add(named(branch), ",", "time,all stages", number(stages_seconds(report)), "s", "");
     for (const StageRecord& stage : report.stages) {
       add(named(branch), ",", "time," + field(stage.use), number(stage.seconds), "s", "");
-      if (stage.memory) add(named(branch), ",", "memory," + field(stage.use), std::to_string(*stage.memory), "bytes", "");
+      if (stage.memory)
+        add(named(branch), ",", "memory," + field(stage.use), std::to_string(*stage.memory), "bytes", "");
     }
   }
 

@@ -106,8 +106,7 @@ std::string stages_text(const Comparison& comparison, std::size_t branch) {
   for (const StageRecord& stage : own.report.stages) text += (text.empty() ? "" : ", ") + stage_text(stage);
   if (text.empty()) text = "no stages";
   const Branch& baseline = comparison.branches.front();
-  const std::string spread =
-      spread_text(own.report, branch == 0 || baseline.is_lost ? nullptr : &baseline.report);
+  const std::string spread = spread_text(own.report, branch == 0 || baseline.is_lost ? nullptr : &baseline.report);
   return text + (spread.empty() ? "" : "; " + spread);
 }
 

@@ -35,7 +35,7 @@ double best_of(const FigureRow& row);
 
 /// How a figure differs from the baseline's.
 struct Difference {
-  double change = 0;           ///< in parts of the baseline
+  double change = 0;              ///< in parts of the baseline
   bool is_within_errors = false;  ///< below two of the larger error, for errors of the same views go together
 };
 

@@ -56,9 +56,8 @@ std::vector<std::string> unknown_figures(const Comparison& comparison) {
   std::vector<std::string> unknown;
   for (const auto& [x, y] : comparison.fronts) {
     for (const std::string& figure : {x, y}) {
-      const bool is_known = std::ranges::any_of(comparison.branches, [&](const Branch& branch) {
-        return value_of(branch, figure).has_value();
-      });
+      const bool is_known = std::ranges::any_of(
+          comparison.branches, [&](const Branch& branch) { return value_of(branch, figure).has_value(); });
       if (!is_known) unknown.push_back(figure);
     }
   }

@@ -63,9 +63,10 @@ std::string levels_text(const Scene& scene) {
   for (const Draw& draw : scene.draws) {
     for (std::size_t i = 1; i < draw.levels.size(); ++i) {
       const bool shares = draw.levels[i].vertices == draw.full().vertices;
-      text += fmt::format("  {}: {} {}, {}; error {:.4g}\n", name_of(draw, i), elements(draw, i), text_of(draw.topology),
-                          shares ? "vertices of full detail" : fmt::format("{} vertices", draw.levels[i].vertices->count),
-                          draw.levels[i].error);
+      text +=
+          fmt::format("  {}: {} {}, {}; error {:.4g}\n", name_of(draw, i), elements(draw, i), text_of(draw.topology),
+                      shares ? "vertices of full detail" : fmt::format("{} vertices", draw.levels[i].vertices->count),
+                      draw.levels[i].error);
     }
   }
   return text;
@@ -88,10 +89,11 @@ std::string images_text(const Scene& scene) {
     const Image& image = scene.images[i];
     text += fmt::format("  {}: ", image.name.empty() ? fmt::format("image{}", i) : image.name);
     if (const auto& facts = image.facts) {
-      text += fmt::format("{} x {}, {} channels of {} bits{}\n", facts->width, facts->height, facts->channels, facts->bits,
-                          facts->is_float ? ", float" : "");
+      text += fmt::format("{} x {}, {} channels of {} bits{}\n", facts->width, facts->height, facts->channels,
+                          facts->bits, facts->is_float ? ", float" : "");
     } else {
-      text += image.uri.empty() ? "of a kind that is not known here, or damaged\n" : fmt::format("the file {}\n", image.uri);
+      text += image.uri.empty() ? "of a kind that is not known here, or damaged\n"
+                                : fmt::format("the file {}\n", image.uri);
     }
   }
   return text;
@@ -191,7 +193,8 @@ std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyse
     if (draw.levels.size() > 1) json["draws"].back()["levels"] = levels_json(draw);
   }
   json["products"] = Json::object();
-  for (const auto& [name, product] : products_of(scene, rows)) json["products"][name] = Json::parse(json_text(product.value));
+  for (const auto& [name, product] : products_of(scene, rows))
+    json["products"][name] = Json::parse(json_text(product.value));
   json["subjects"] = Json::array();
   for (const Subject& subject : subjects_of(scene)) {
     Json draws = Json::array();

@@ -26,8 +26,9 @@ std::string to_text(const Figure& figure);
 
 class Metrics {
  public:
-  /// Adds to what is there, or, of figures of which the worst one stands, puts the worse one there. Numerators and denominators add up; errors are averaged by their denominators (those of counts
-  /// add up), which is never too low, however the errors are correlated.
+  /// Adds to what is there, or, of figures of which the worst one stands, puts the worse one there. Numerators and
+  /// denominators add up; errors are averaged by their denominators (those of counts add up), which is never too low,
+  /// however the errors are correlated.
   void add(const std::string& plugin, const std::string& metric, const Figure& figure);
   void add(const Metrics& others);
   /// Puts the figure in the place of what is there.
@@ -43,8 +44,8 @@ class Metrics {
   std::map<std::string, std::map<std::string, Figure>> by_plugin_;
 };
 
-/// The figure for what a plugin measured. Unit and direction are those of the card's metric of that name, or of the name
-/// behind the last dot ("models.fifo-32.acmr" is an acmr).
+/// The figure for what a plugin measured. Unit and direction are those of the card's metric of that name, or of the
+/// name behind the last dot ("models.fifo-32.acmr" is an acmr).
 Figure figure_of(const Measured& measured, const Card& card);
 
 }  // namespace foredraw

@@ -52,7 +52,8 @@ Json list_of(const Traits& traits) { return std::vector<std::string>(traits.begi
 
 std::string reference_page(const Plugin& plugin) {
   const Card& card = plugin.card;
-  std::string page = fmt::format("# {}\n\n{}: {}.\n\nSource: {}.\n", card.name, to_text(plugin.kind), card.summary, card.reference);
+  std::string page =
+      fmt::format("# {}\n\n{}: {}.\n\nSource: {}.\n", card.name, to_text(plugin.kind), card.summary, card.reference);
   const auto fact = [&](std::string_view what, const std::string& text) {
     if (!text.empty()) page += fmt::format("- {}: {}\n", what, text);
   };
@@ -69,12 +70,14 @@ std::string reference_page(const Plugin& plugin) {
   } else {
     page += "\n| option | default | may be | meaning |\n|---|---|---|---|\n";
     for (const OptionSpec& option : plugin.options) {
-      page += fmt::format("| `{}` | {} | {} | {} |\n", option.name, to_text(option.default_value), allowed(option), option.doc);
+      page += fmt::format("| `{}` | {} | {} | {} |\n", option.name, to_text(option.default_value), allowed(option),
+                          option.doc);
     }
   }
   if (!card.metrics.empty()) {
     page += "\n| metric | unit | meaning |\n|---|---|---|\n";
-    for (const Metric& metric : card.metrics) page += fmt::format("| `{}` | {} | {} |\n", metric.name, metric.unit, metric.doc);
+    for (const Metric& metric : card.metrics)
+      page += fmt::format("| `{}` | {} | {} |\n", metric.name, metric.unit, metric.doc);
   }
   return page;
 }
@@ -94,7 +97,9 @@ std::string reference_json(const Plugin& plugin) {
   for (const OptionSpec& option : plugin.options) json["options"].push_back(option_json(option));
   json["metrics"] = Json::array();
   for (const Metric& metric : card.metrics) {
-    json["metrics"].push_back({{"name", metric.name}, {"unit", metric.unit}, {"doc", metric.doc},
+    json["metrics"].push_back({{"name", metric.name},
+                               {"unit", metric.unit},
+                               {"doc", metric.doc},
                                {"lower-is-better", metric.lower_is_better}});
   }
   return json.dump(2) + '\n';

@@ -1,9 +1,9 @@
 #pragma once
 // The one record of a run: what `--report` and `--json` hold, and what the tables on the terminal are made from.
 
+#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/report/metrics.h>
-#include <foredraw/analysis/mesh_facts.h>
 
 #include <functional>
 #include <optional>
@@ -36,8 +36,8 @@ struct StateRecord {
 };
 
 struct LevelRecord {
-  Traits traits;      ///< afterwards
-  float error = 0;    ///< afterwards; as Level::error
+  Traits traits;    ///< afterwards
+  float error = 0;  ///< afterwards; as Level::error
   StateRecord before;
   StateRecord after;
 };
@@ -57,7 +57,7 @@ struct DrawRecord : LevelRecord {  ///< of full detail
 struct SkipRecord {
   std::string code;
   std::string reason;
-  std::vector<std::string> about;   ///< names of draws or subjects; none: the whole stage
+  std::vector<std::string> about;  ///< names of draws or subjects; none: the whole stage
 };
 
 struct NoteRecord {
@@ -70,12 +70,12 @@ struct StageRecord {
   std::string use;
   std::string text;  ///< as in the one-line form
   Kind kind = Kind::orderer;
-  double seconds = 0;          ///< the median, where it ran several times
-  std::vector<double> rounds;  ///< seconds of each time, where it ran several times
+  double seconds = 0;                   ///< the median, where it ran several times
+  std::vector<double> rounds;           ///< seconds of each time, where it ran several times
   std::optional<std::uint64_t> memory;  ///< bytes that the process held more while it ran, at most, than before
-  std::size_t changed = 0;     ///< of what it loops over: it worked on these with success
-  std::size_t candidates = 0;  ///< so many there were
-  std::string loops_over;      ///< what it loops over: "draws", "vertex streams"
+  std::size_t changed = 0;              ///< of what it loops over: it worked on these with success
+  std::size_t candidates = 0;           ///< so many there were
+  std::string loops_over;               ///< what it loops over: "draws", "vertex streams"
   std::vector<SkipRecord> skipped;
   std::vector<NoteRecord> notes;
 };
@@ -85,10 +85,10 @@ struct Report {
   FileRecord input;
   FileRecord output;
   std::vector<FileRecord> named;  ///< scenes and images that options of stages name
-  std::string pipeline;  ///< TOML; parses back
+  std::string pipeline;           ///< TOML; parses back
   std::int64_t seed = 0;
   int threads = 1;
-  std::string machine;   ///< what it ran on, for people
+  std::string machine;     ///< what it ran on, for people
   bool optimized = false;  ///< there is a before and an after; else only an after
   std::vector<StageRecord> stages;
   std::vector<StageRecord> measures;

@@ -24,7 +24,8 @@ struct Entry {
   const Figure* figure;
 };
 
-/// "models.fifo-32.acmr" as models, fifo-32, acmr. What is measured apart may have dots in its name: "poses.Walk@0.5.ratio".
+/// "models.fifo-32.acmr" as models, fifo-32, acmr. What is measured apart may have dots in its name:
+/// "poses.Walk@0.5.ratio".
 Entry entry_of(std::string_view metric, const Figure& figure) {
   const std::size_t first = metric.find('.');
   if (first == std::string::npos) return {{metric}, 1, &figure};
@@ -37,8 +38,8 @@ Entry entry_of(std::string_view metric, const Figure& figure) {
 void write(JsonWriter& out, std::vector<Entry> entries, std::size_t part) {
   while (!entries.empty()) {
     const std::string_view name = entries.front().parts[part];
-    const auto others = std::stable_partition(entries.begin(), entries.end(),
-                                              [&](const Entry& e) { return e.parts[part] == name; });
+    const auto others =
+        std::stable_partition(entries.begin(), entries.end(), [&](const Entry& e) { return e.parts[part] == name; });
     std::vector<Entry> group(entries.begin(), others);
     entries.erase(entries.begin(), others);
     out.key(name).begin('{');
@@ -115,9 +116,15 @@ Json to_json(const StageRecord& stage) {
   for (const NoteRecord& note : stage.notes) {
     notes.push_back({{"place", note.about}, {"code", note.code}, {"message", note.message}});
   }
-  Json json{{"use", stage.use},         {"text", stage.text},       {"kind", to_text(stage.kind)},
-            {"seconds", stage.seconds}, {"places", stage.loops_over},   {"changed", stage.changed},
-            {"candidates", stage.candidates}, {"skipped", skipped}, {"notes", notes}};
+  Json json{{"use", stage.use},
+            {"text", stage.text},
+            {"kind", to_text(stage.kind)},
+            {"seconds", stage.seconds},
+            {"places", stage.loops_over},
+            {"changed", stage.changed},
+            {"candidates", stage.candidates},
+            {"skipped", skipped},
+            {"notes", notes}};
   if (!stage.rounds.empty()) json["rounds"] = stage.rounds;
   if (stage.memory) json["memory"] = *stage.memory;
   return json;

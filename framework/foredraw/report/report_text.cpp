@@ -54,7 +54,8 @@ std::string metrics_text(const Report& report) {
       if (metric.find('.') != std::string::npos) continue;
       const Figure* before = report.before.metrics.find(plugin, metric);
       if (report.optimized) {
-        table.add({shown, metric, before == nullptr ? "-" : to_text(*before), to_text(figure), change_text(before, figure), figure.unit});
+        table.add({shown, metric, before == nullptr ? "-" : to_text(*before), to_text(figure),
+                   change_text(before, figure), figure.unit});
       } else {
         table.add({shown, metric, to_text(figure), figure.unit});
       }
@@ -73,8 +74,8 @@ std::string levels_text(const Report& report) {
   }
   std::string text;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    text += fmt::format("{}level {}: {} triangles, {} vertices", i == 0 ? "\n" : "", i + 1, counted(levels[i].triangles),
-                        counted(levels[i].vertices));
+    text += fmt::format("{}level {}: {} triangles, {} vertices", i == 0 ? "\n" : "", i + 1,
+                        counted(levels[i].triangles), counted(levels[i].vertices));
     for (const auto& [plugin, by_metric] : levels[i].metrics.all()) {
       for (const auto& [metric, figure] : by_metric) {
         if (metric.find('.') == std::string::npos) text += fmt::format(", {} {} {}", plugin, metric, to_text(figure));
@@ -99,7 +100,8 @@ std::string losses_text(const Report& report) {
     }
   }
   if (losses.empty()) return "";
-  return fmt::format("\nnot as good as before: {}. foredraw compare with fewer stages shows which one traded it away.\n", losses);
+  return fmt::format(
+      "\nnot as good as before: {}. foredraw compare with fewer stages shows which one traded it away.\n", losses);
 }
 
 std::string places_text(const std::vector<std::string>& places) {
@@ -127,7 +129,8 @@ std::string skips_text(const StageRecord& stage) {
     if (++of_code[skip.code] <= shown) text += skip_text(stage, skip);
   }
   for (const auto& [code, count] : of_code) {
-    if (count > shown) text += fmt::format("  {} left {} more alone ({}); the record has them all\n", stage.use, count - shown, code);
+    if (count > shown)
+      text += fmt::format("  {} left {} more alone ({}); the record has them all\n", stage.use, count - shown, code);
   }
   return text;
 }
@@ -135,7 +138,8 @@ std::string skips_text(const StageRecord& stage) {
 std::string stage_text(const StageRecord& stage) {
   std::string text = skips_text(stage);
   for (const NoteRecord& note : stage.notes) {
-    text += fmt::format("  {}{}{}: {}\n", stage.use, note.about.empty() ? "" : " on ", printable(note.about), printable(note.message));
+    text += fmt::format("  {}{}{}: {}\n", stage.use, note.about.empty() ? "" : " on ", printable(note.about),
+                        printable(note.message));
   }
   return text;
 }
@@ -144,8 +148,9 @@ std::string stages_text(const Report& report) {
   if (report.stages.empty()) return "";
   Table table({"stage", "changed", "time"});
   for (const StageRecord& stage : report.stages) {
-    const std::string changed = stage.loops_over == "scene" ? (stage.changed > 0 ? "the scene" : "nothing")
-                                                        : fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over);
+    const std::string changed = stage.loops_over == "scene"
+                                    ? (stage.changed > 0 ? "the scene" : "nothing")
+                                    : fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over);
     table.add({stage.text, changed, time_text(stage.seconds)});
   }
   std::string text = '\n' + table.text();
@@ -162,7 +167,8 @@ std::string facts_text(const Report& report) {
   }
   std::string text;
   for (const auto& [name, count] : sums) {
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "\nodd in the input, kept: " : ", ", name, counted(count));
+    if (count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "\nodd in the input, kept: " : ", ", name, counted(count));
   }
   return text.empty() ? text : text + '\n';
 }
@@ -173,11 +179,12 @@ std::string to_text(const Report& report) {
   std::string text = file_text(report.input);
   if (!report.output.path.empty()) text += " -> " + file_text(report.output);
   for (const FileRecord& file : report.named) text += "\nbeside " + file_text(file);
-  text += '\n' + fmt::format("{} draws, {}, {}\n", counted(report.draws.size()),
-                             changed_count("triangles", report.optimized ? report.before.triangles : report.after.triangles,
-                                           report.after.triangles),
-                             changed_count("vertices", report.optimized ? report.before.vertices : report.after.vertices,
-                                           report.after.vertices));
+  text +=
+      '\n' + fmt::format("{} draws, {}, {}\n", counted(report.draws.size()),
+                         changed_count("triangles", report.optimized ? report.before.triangles : report.after.triangles,
+                                       report.after.triangles),
+                         changed_count("vertices", report.optimized ? report.before.vertices : report.after.vertices,
+                                       report.after.vertices));
   text += metrics_text(report);
   text += levels_text(report);
   if (report.optimized) text += losses_text(report);

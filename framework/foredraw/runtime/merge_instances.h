@@ -1,5 +1,5 @@
-/* What a vertex shader of a merged draw does, on the CPU: from the number of a vertex to its instance and its place in the
- * vertex buffer. C99, no allocation, no state; the plugin merge-instances writes the arrays.
+/* What a vertex shader of a merged draw does, on the CPU: from the number of a vertex to its instance and its place in
+ * the vertex buffer. C99, no allocation, no state; the plugin merge-instances writes the arrays.
  *
  *   for (number = 0; number < foredraw_merged_vertex_count(&draw); ++number) {
  *     const foredraw_merged_vertex at = foredraw_merged_vertex_at(&draw, number);
@@ -47,8 +47,8 @@ static inline foredraw_merged_vertex foredraw_merged_vertex_at(const foredraw_me
   return at;
 }
 
-/* Whether a triangle of the draw only fills its slot: all its corners are one vertex, so that it draws nothing. The same is
- * true of triangles of a mesh that are a point; those are drawn as little. */
+/* Whether a triangle of the draw only fills its slot: all its corners are one vertex, so that it draws nothing. The
+ * same is true of triangles of a mesh that are a point; those are drawn as little. */
 static inline int foredraw_merged_is_padding(const foredraw_merged_draw* draw, uint32_t triangle) {
   const uint32_t a = foredraw_merged_vertex_at(draw, 3 * triangle).vertex;
   const uint32_t b = foredraw_merged_vertex_at(draw, 3 * triangle + 1).vertex;
@@ -65,13 +65,14 @@ static inline void foredraw_merged_to_world(const float transform[12], const flo
   }
 }
 
-/* Whether a transform turns meshes inside out. The triangles of such an instance are stored with the second and the third
- * corner exchanged, so that they face as they should: exchanged again, they are the mesh's own. */
+/* Whether a transform turns meshes inside out. The triangles of such an instance are stored with the second and the
+ * third corner exchanged, so that they face as they should: exchanged again, they are the mesh's own. */
 static inline int foredraw_merged_is_mirrored(const float transform[12]) {
   const double x[3] = {transform[0], transform[4], transform[8]};
   const double y[3] = {transform[1], transform[5], transform[9]};
   const double z[3] = {transform[2], transform[6], transform[10]};
-  return x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) + x[2] * (y[0] * z[1] - y[1] * z[0]) < 0;
+  return x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) + x[2] * (y[0] * z[1] - y[1] * z[0]) <
+         0;
 }
 
 #endif

@@ -25,7 +25,7 @@ struct DrawLevel {
 struct IndexStream {
   Shared<std::uint32_t> indices;
   std::optional<Clusters> clusters;
-  std::uint16_t cache_size = 0;        ///< the order was made for a cache of so many entries; 0: unknown
+  std::uint16_t cache_size = 0;           ///< the order was made for a cache of so many entries; 0: unknown
   Shared<std::uint32_t> triangle_origin;  ///< [new] = the triangle's number in the file; empty: as in the file
 
   std::size_t triangle_count() const { return indices.size() / 3; }
@@ -42,10 +42,10 @@ struct DrawOrigin {
 struct Level {
   std::shared_ptr<const VertexStreams> vertices;
   std::vector<IndexStream> orders;
-  float error = 0;                            ///< largest distance from level 0, either way, in the draw's units
-  Shared<std::uint32_t> vertex_destination;   ///< [number in the file] = number now, or no_vertex; empty: as in the file
-  Traits made = {};                           ///< by stages; what was found in the asset stands with the draw
-  std::optional<DrawOrigin> origin = {};      ///< of a coarser level that is a primitive of its own in the file
+  float error = 0;                           ///< largest distance from level 0, either way, in the draw's units
+  Shared<std::uint32_t> vertex_destination;  ///< [number in the file] = number now, or no_vertex; empty: as in the file
+  Traits made = {};                          ///< by stages; what was found in the asset stands with the draw
+  std::optional<DrawOrigin> origin = {};     ///< of a coarser level that is a primitive of its own in the file
 
   const IndexStream& stream() const { return orders.front(); }
   IndexStream& stream() { return orders.front(); }
@@ -61,9 +61,9 @@ struct Draw {
   std::vector<Level> levels;  ///< from full detail to the coarsest; never empty
   Topology topology = Topology::triangles;
   std::optional<MaterialId> material;
-  Traits traits;              ///< found in the asset; traits_of() has those of a level that stages made too
+  Traits traits;  ///< found in the asset; traits_of() has those of a level that stages made too
   std::optional<DrawOrigin> origin;
-  std::optional<SpriteFrame> frame;   ///< of a draw that shows a part of an image
+  std::optional<SpriteFrame> frame;  ///< of a draw that shows a part of an image
 
   const Level& full() const { return levels.front(); }
   Level& full() { return levels.front(); }

@@ -27,8 +27,7 @@ class ExtensionValue {
   ExtensionValue() = default;
   ExtensionValue(bool value) : any_(value) {}
   template <std::integral T>
-  requires(!std::same_as<T, bool>)
-  ExtensionValue(T value) : any_(static_cast<std::int64_t>(value)) {}
+  requires(!std::same_as<T, bool>) ExtensionValue(T value) : any_(static_cast<std::int64_t>(value)) {}
   template <std::floating_point T>
   ExtensionValue(T value) : any_(static_cast<double>(value)) {}
   ExtensionValue(const char* text) : any_(std::string(text)) {}
@@ -44,8 +43,8 @@ class ExtensionValue {
   const List* list() const { return std::get_if<List>(&any_); }
   const Members* members() const { return std::get_if<Members>(&any_); }
   const std::string* text() const { return std::get_if<std::string>(&any_); }
-  std::optional<double> number() const;               ///< also of whole ones
-  std::optional<std::uint32_t> whole() const;         ///< from 0 to 2^32 - 1
+  std::optional<double> number() const;        ///< also of whole ones
+  std::optional<std::uint32_t> whole() const;  ///< from 0 to 2^32 - 1
 
   /// Puts a member behind the others; for a value that is none yet, or has members.
   void put(std::string name, ExtensionValue value);

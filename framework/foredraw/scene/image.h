@@ -13,8 +13,8 @@ using ImageId = std::uint32_t;
 struct ImageFacts {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  int channels = 0;       ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
-  int bits = 0;           ///< of a channel, as they are stored
+  int channels = 0;  ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
+  int bits = 0;      ///< of a channel, as they are stored
   bool is_float = false;
   friend bool operator==(const ImageFacts&, const ImageFacts&) = default;
 };
@@ -22,8 +22,8 @@ struct ImageFacts {
 /// An image as it came: encoded bytes, or a reference to a file beside the scene.
 struct Image {
   std::string name;
-  std::string media_type;     ///< "image/png"; empty: unknown
-  std::string uri;            ///< where the bytes stay outside of the scene's file; empty: `bytes` holds them
+  std::string media_type;  ///< "image/png"; empty: unknown
+  std::string uri;         ///< where the bytes stay outside of the scene's file; empty: `bytes` holds them
   Shared<std::byte> bytes;
   std::optional<ImageFacts> facts;  ///< none: of a kind that is not known here, damaged, or not in the file
 };

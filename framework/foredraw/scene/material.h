@@ -20,7 +20,7 @@ struct Material {
   bool double_sided = false;
   float alpha = 1;                     ///< the base colour's
   std::optional<Texture> base_colour;  ///< whose alpha is multiplied with it
-  std::optional<Stamp> look;  ///< of all that the file says but the name: equal ones look alike
+  std::optional<Stamp> look;           ///< of all that the file says but the name: equal ones look alike
   std::optional<Stamp> kind;  ///< of the same without its numbers: equal ones differ in factors and textures alone
 };
 

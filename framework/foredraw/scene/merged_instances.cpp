@@ -31,10 +31,11 @@ std::optional<std::string> mistake_in(const MergedDraw& draw, const MergedInstan
 }  // namespace
 
 bool operator==(const MergedInstances& a, const MergedInstances& b) {
-  const bool same_vertices = a.vertices == b.vertices || (a.vertices && b.vertices && a.vertices->stamp() == b.vertices->stamp());
-  return same_vertices && a.material == b.material && a.meshes == b.meshes && a.indices == b.indices && a.slots == b.slots &&
-         a.transforms == b.transforms && a.places == b.places && a.materials == b.materials && a.groups == b.groups &&
-         a.draws == b.draws;
+  const bool same_vertices =
+      a.vertices == b.vertices || (a.vertices && b.vertices && a.vertices->stamp() == b.vertices->stamp());
+  return same_vertices && a.material == b.material && a.meshes == b.meshes && a.indices == b.indices &&
+         a.slots == b.slots && a.transforms == b.transforms && a.places == b.places && a.materials == b.materials &&
+         a.groups == b.groups && a.draws == b.draws;
 }
 
 std::span<const MergedInstances> merged_sets(const Scene& scene) {
@@ -62,8 +63,8 @@ std::optional<std::string> mistake_in(const MergedInstances& merged) {
   const auto indices = merged.indices.view();
   if (const auto beyond = std::ranges::find_if(indices, [&](std::uint32_t i) { return i >= merged.vertices->count; });
       beyond != indices.end()) {
-    return "has index " + std::to_string(*beyond) + ", which is not below its " + std::to_string(merged.vertices->count) +
-           " vertices";
+    return "has index " + std::to_string(*beyond) + ", which is not below its " +
+           std::to_string(merged.vertices->count) + " vertices";
   }
   for (const MergedMesh& mesh : merged.meshes) {
     if (mesh.first_vertex >= merged.vertices->count) return "has a mesh that begins behind its vertices";
@@ -73,7 +74,8 @@ std::optional<std::string> mistake_in(const MergedInstances& merged) {
     return "has " + std::to_string(merged.places.size()) + " places for " + std::to_string(instances) + " transforms";
   }
   if (!merged.materials.empty() && merged.materials.size() != instances) {
-    return "has " + std::to_string(merged.materials.size()) + " materials for " + std::to_string(instances) + " transforms";
+    return "has " + std::to_string(merged.materials.size()) + " materials for " + std::to_string(instances) +
+           " transforms";
   }
   for (std::size_t g = 0; g < merged.groups.size(); ++g) {
     const MergedGroup& group = merged.groups[g];

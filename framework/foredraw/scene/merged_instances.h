@@ -40,7 +40,7 @@ struct MergedMesh {
 /// slot_count * frequency vertices are drawn, without an index buffer bound.
 struct MergedDraw {
   std::uint32_t group = 0;
-  std::uint32_t frequency = 0;   ///< index entries of a slot: a multiple of 3
+  std::uint32_t frequency = 0;  ///< index entries of a slot: a multiple of 3
   std::uint32_t first_slot = 0;
   std::uint32_t slot_count = 0;  ///< slot_count * frequency is below 2^32
   friend bool operator==(const MergedDraw&, const MergedDraw&) = default;
@@ -54,21 +54,21 @@ struct MergedGroup {
   friend bool operator==(const MergedGroup&, const MergedGroup&) = default;
 };
 
-/// Draws of one vertex layout, drawn with one shader. Vertex v of a draw belongs to slot first_slot + v / frequency, and
-/// is entry index_offset + v % frequency of the index buffer. What fills a slot up is a triangle whose corners are one.
-/// The triangles of instances that a transform turns inside out have their second and third corners exchanged.
+/// Draws of one vertex layout, drawn with one shader. Vertex v of a draw belongs to slot first_slot + v / frequency,
+/// and is entry index_offset + v % frequency of the index buffer. What fills a slot up is a triangle whose corners are
+/// one. The triangles of instances that a transform turns inside out have their second and third corners exchanged.
 /// runtime/merge_instances.h is the one definition. Source: Persson, "Graphics Gems for Games", SIGGRAPH 2012.
 struct MergedInstances {
-  std::optional<MaterialId> material;  ///< of all, or the first where instances have their own
+  std::optional<MaterialId> material;             ///< of all, or the first where instances have their own
   std::shared_ptr<const VertexStreams> vertices;  ///< all meshes', one behind the other
-  std::vector<MergedMesh> meshes;      ///< whose vertices these are
-  Shared<std::uint32_t> indices;       ///< into the vertices: a triangle list, slot after slot
-  Shared<MergedSlot> slots;            ///< draw after draw
-  Shared<MergedTransform> transforms;  ///< [instance] to the world
-  Shared<MergedPlace> places;          ///< [instance]
-  Shared<std::uint32_t> materials;     ///< [instance]; empty: all have `material`
+  std::vector<MergedMesh> meshes;                 ///< whose vertices these are
+  Shared<std::uint32_t> indices;                  ///< into the vertices: a triangle list, slot after slot
+  Shared<MergedSlot> slots;                       ///< draw after draw
+  Shared<MergedTransform> transforms;             ///< [instance] to the world
+  Shared<MergedPlace> places;                     ///< [instance]
+  Shared<std::uint32_t> materials;                ///< [instance]; empty: all have `material`
   std::vector<MergedGroup> groups;
-  std::vector<MergedDraw> draws;       ///< group after group
+  std::vector<MergedDraw> draws;  ///< group after group
 };
 bool operator==(const MergedInstances& a, const MergedInstances& b);
 
@@ -85,8 +85,8 @@ std::span<const MergedInstances> merged_sets(const Scene& scene);
 /// What merged draws show of the scene; sorted.
 std::vector<MergedPlace> merged_places(const Scene& scene);
 
-/// What is wrong, as the rest of a sentence that begins with the name of these: buffers of unequal lengths, what leads out
-/// of them, draws that are too long. Whether the places exist is the scene's to say.
+/// What is wrong, as the rest of a sentence that begins with the name of these: buffers of unequal lengths, what leads
+/// out of them, draws that are too long. Whether the places exist is the scene's to say.
 std::optional<std::string> mistake_in(const MergedInstances& merged);
 
 }  // namespace foredraw

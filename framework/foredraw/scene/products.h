@@ -8,9 +8,9 @@
 
 namespace foredraw {
 
-/// The products of a scene: plain immutable values, each of a type that has `static constexpr std::string_view product`,
-/// its name, and ==. What a product is in a file, and what becomes of it as stages change the scene, its row knows
-/// (product_row.h). A copy is a copy of handles.
+/// The products of a scene: plain immutable values, each of a type that has `static constexpr std::string_view
+/// product`, its name, and ==. What a product is in a file, and what becomes of it as stages change the scene, its row
+/// knows (product_row.h). A copy is a copy of handles.
 class Products {
  public:
   /// Nothing where the scene has none.

@@ -44,8 +44,8 @@ struct Node {
   /// EXT_mesh_gpu_instancing: the node's mesh is drawn once for each, placed by it within the node's space. Children
   /// are not. Empty: drawn once, as the node stands.
   Shared<Transform> instances;
-  /// Its mesh can not be drawn by anything else in its place: the file says more of it than stands here, as an extension
-  /// or a further scene that shows it, or no scene shows it. Found by the reader.
+  /// Its mesh can not be drawn by anything else in its place: the file says more of it than stands here, as an
+  /// extension or a further scene that shows it, or no scene shows it. Found by the reader.
   bool keeps_mesh = false;
 
   glm::mat4 local() const;
@@ -73,7 +73,8 @@ struct Animation {
   std::vector<AnimationChannel> channels;
 };
 
-/// The file that a scene came from, kept by the reader for the writer, so that what no stage touched comes out as it was.
+/// The file that a scene came from, kept by the reader for the writer, so that what no stage touched comes out as it
+/// was.
 class SceneSource {
  public:
   virtual ~SceneSource() = default;

@@ -27,8 +27,8 @@ struct Subject {
 };
 
 /// The default subjects of a scene: a character (every mesh that shares a skin or hangs below one of its joints) where
-/// there is a skin; a mesh as each node shows it whose morph weights an animation moves; else each mesh in its own space.
-/// Every draw that a mesh holds is in one subject at least.
+/// there is a skin; a mesh as each node shows it whose morph weights an animation moves; else each mesh in its own
+/// space. Every draw that a mesh holds is in one subject at least.
 std::vector<Subject> subjects_of(const Scene& scene);
 
 }  // namespace foredraw

@@ -19,14 +19,15 @@ struct HeldDraw {
   DrawId by = 0;
 };
 
-/// Takes the groups out that somebody uses who is not among `draws` (rising). Answers with the draws that are among them
-/// and are held back by that.
+/// Takes the groups out that somebody uses who is not among `draws` (rising). Answers with the draws that are among
+/// them and are held back by that.
 std::vector<HeldDraw> keep_groups_of(std::vector<VertexGroup>& groups, std::span<const DrawId> draws);
 
 /// Every index stream of a group, in draw, level and order.
 std::vector<std::span<const std::uint32_t>> index_streams_of(const Scene& scene, const VertexGroup& group);
 
-/// The draws of all users, in that order, with the group's vertices moved as the function of that name does for one draw.
+/// The draws of all users, in that order, with the group's vertices moved as the function of that name does for one
+/// draw.
 std::vector<Draw> with_vertices_moved(const Scene& scene, const VertexGroup& group,
                                       std::span<const std::uint32_t> destination, std::uint32_t count);
 

@@ -74,8 +74,8 @@ float load(const std::byte* from, bool normalized) {
 }  // namespace
 
 float decode_component(const VertexStream& stream, std::size_t element, std::size_t component) {
-  const std::byte* from = stream.bytes.view().data() + element * stream.format.bytes +
-                          component * bytes_of(stream.format.component);
+  const std::byte* from =
+      stream.bytes.view().data() + element * stream.format.bytes + component * bytes_of(stream.format.component);
   switch (stream.format.component) {
     case Component::int8: return load<std::int8_t>(from, stream.format.normalized);
     case Component::uint8: return load<std::uint8_t>(from, stream.format.normalized);

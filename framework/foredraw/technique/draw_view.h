@@ -1,6 +1,6 @@
 #pragma once
-// A draw as a technique sees it: at one level of detail, in the order that stands alone. The runner hands each level out
-// as the one that the draw has; run.about says which it is.
+// A draw as a technique sees it: at one level of detail, in the order that stands alone. The runner hands each level
+// out as the one that the draw has; run.about says which it is.
 
 #include <foredraw/scene/scene.h>
 

@@ -11,11 +11,11 @@ struct MadeLevel {
   std::shared_ptr<const VertexStreams> vertices;  ///< of full detail's layout; full detail's own, where indices will do
   Shared<std::uint32_t> indices;                  ///< three a triangle
   double largest = 0;
-  std::optional<double> rms;                      ///< where it says so: root of the mean square over both surfaces
+  std::optional<double> rms;  ///< where it says so: root of the mean square over both surfaces
 };
 
-/// [i][j]: level j + 1 of the view's draw i. In step: as many levels for each draw, so that a subject changes as one. None
-/// at all leaves the subject as it is.
+/// [i][j]: level j + 1 of the view's draw i. In step: as many levels for each draw, so that a subject changes as one.
+/// None at all leaves the subject as it is.
 using SubjectLevels = std::vector<std::vector<MadeLevel>>;
 
 /// Makes levels of the draws of one subject together, so that what they share stays together.

@@ -1,6 +1,6 @@
 #pragma once
-// Option tables. A row binds a member of an options struct to its name, and everything else follows from the rows: help,
-// reference pages, the JSON Schema, checks, "did you mean". The default is the member's own initialiser.
+// Option tables. A row binds a member of an options struct to its name, and everything else follows from the rows:
+// help, reference pages, the JSON Schema, checks, "did you mean". The default is the member's own initialiser.
 
 #include <concepts>
 #include <cstdint>
@@ -42,12 +42,12 @@ struct OptionSpec {
   OptionType type = OptionType::text;
   OptionValue default_value;
   std::string doc;
-  std::string unit;                  ///< "entries"; may be empty
+  std::string unit;  ///< "entries"; may be empty
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices;  ///< of a choice
 
-  bool optional = false;             ///< may be left unset; default_value may then be monostate
+  bool optional = false;  ///< may be left unset; default_value may then be monostate
 };
 
 /// The value in a pipeline's words: 16, 1.05, true, "random" (with quotes where `quoted`).
@@ -56,8 +56,8 @@ std::string to_text(const OptionValue& value, bool quoted = false);
 /// "3 to 1024 entries"; empty where any number will do.
 std::string range_text(const OptionSpec& spec);
 
-/// The value brought to the option's type (an integer where a number is wanted, a number's text where either will do), or
-/// an explanation of why it does not fit: "'cache-size' is 2, but must be 3 to 65535 entries".
+/// The value brought to the option's type (an integer where a number is wanted, a number's text where either will do),
+/// or an explanation of why it does not fit: "'cache-size' is 2, but must be 3 to 65535 entries".
 std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionValue& value);
 
 /// Whether the value is the path of a file, which counts from the folder of the pipeline that names it.
@@ -82,9 +82,8 @@ class OptionTable {
     spec.least = range.least;
     spec.most = range.most;
     spec.unit = std::move(range.unit);
-    return add(std::move(spec), [member](Options& options, const OptionValue& value) {
-      options.*member = from_value<T>(value);
-    });
+    return add(std::move(spec),
+               [member](Options& options, const OptionValue& value) { options.*member = from_value<T>(value); });
   }
 
   /// A string member for which a bare number will do as well. `type`: number_or_text or views.

@@ -1,7 +1,7 @@
 #pragma once
 // Orderers answer with an order; the framework checks it, applies it and certifies what came out. Three shapes of one
-// kind: of a draw's triangles, of the draws of a subject together, of the vertices that draws share. An orderer that finds
-// that nothing can be gained says so by run.keep(reason) and may answer with anything.
+// kind: of a draw's triangles, of the draws of a subject together, of the vertices that draws share. An orderer that
+// finds that nothing can be gained says so by run.keep(reason) and may answer with anything.
 
 #include <foredraw/scene/order_table.h>
 #include <foredraw/scene/reorder.h>

@@ -2,11 +2,11 @@
 // Measured overdraw for techniques that want it, whoever answers: a plugin says uses_overdraw on its card and asks
 // run.overdraw; the pipeline's [services] says which evaluator that is.
 
-#include <foredraw/viewing/subject_geometry.h>
 #include <foredraw/overdraw/fragment_layers.h>
 #include <foredraw/overdraw/overdraw_count.h>
 #include <foredraw/scene/views.h>
 #include <foredraw/technique/run.h>
+#include <foredraw/viewing/subject_geometry.h>
 
 namespace foredraw {
 

@@ -1,12 +1,12 @@
 #pragma once
 // A plugin: a card, an option table, and a maker of the technique.
 
+#include <foredraw/scene/product_row.h>
 #include <foredraw/technique/clusterer.h>
 #include <foredraw/technique/evaluator.h>
 #include <foredraw/technique/options.h>
 #include <foredraw/technique/orderer.h>
 #include <foredraw/technique/overdraw_service.h>
-#include <foredraw/scene/product_row.h>
 #include <foredraw/technique/processor.h>
 
 #include <functional>
@@ -34,14 +34,14 @@ struct Metric {
 
 /// What a plugin says of itself before it is made.
 struct Card {
-  std::string name;       ///< "dot-rule"
-  std::string summary;    ///< one sentence
-  std::string reference;  ///< paper and section; "own" where it is ours
-  Traits acts_on;         ///< a draw without these is skipped
-  Traits needs;           ///< a plan without these is refused
-  Traits provides;        ///< hold afterwards
-  Traits breaks;          ///< no longer hold afterwards
-  std::string pays_if;    ///< where it asks at run time whether anything can be gained: when that is; else empty
+  std::string name;            ///< "dot-rule"
+  std::string summary;         ///< one sentence
+  std::string reference;       ///< paper and section; "own" where it is ours
+  Traits acts_on;              ///< a draw without these is skipped
+  Traits needs;                ///< a plan without these is refused
+  Traits provides;             ///< hold afterwards
+  Traits breaks;               ///< no longer hold afterwards
+  std::string pays_if;         ///< where it asks at run time whether anything can be gained: when that is; else empty
   bool uses_overdraw = false;  ///< asks run.overdraw
   bool lossless = false;       ///< a processor that promises the same triangles with the same vertex data: certified
   std::vector<Metric> metrics;

@@ -1,6 +1,6 @@
 #pragma once
-#include <foredraw/viewing/pose_set.h>
 #include <foredraw/technique/options.h>
+#include <foredraw/viewing/pose_set.h>
 
 #include <concepts>
 

@@ -11,8 +11,8 @@ class Processor {
  public:
   static constexpr std::string_view works_on = "scene";
   virtual ~Processor() = default;
-  /// Changes the scene. `draws` are those that it may change, rising; it leaves the others alone. Answers with those that
-  /// are now as its card says, whether they had to change or not.
+  /// Changes the scene. `draws` are those that it may change, rising; it leaves the others alone. Answers with those
+  /// that are now as its card says, whether they had to change or not.
   virtual std::vector<DrawId> process(Scene&, const std::vector<DrawId>& draws, Run&) const = 0;
 };
 

@@ -10,9 +10,8 @@ namespace {
 
 bool is_name(std::string_view name) {
   return !name.empty() && name.front() >= 'a' && name.front() <= 'z' &&
-         std::all_of(name.begin(), name.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-         });
+         std::all_of(name.begin(), name.end(),
+                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
 }
 
 }  // namespace
@@ -39,7 +38,8 @@ void Registry::add(Plugin plugin) {
     const ProductCard& card = row->card();
     for (const auto& known : products()) {
       if ((known->card().name == card.name) != (known->card().extension == card.extension)) {
-        throw std::invalid_argument(name + ": product '" + card.name + "' or its extension " + card.extension + " is there already");
+        throw std::invalid_argument(name + ": product '" + card.name + "' or its extension " + card.extension +
+                                    " is there already");
       }
     }
   }

@@ -9,8 +9,8 @@ namespace foredraw {
 /// The plugins that a host has put together. A value; there is no other.
 class Registry {
  public:
-  /// Throws std::invalid_argument where the name is taken, is not in lower case with hyphens, or an option's default does
-  /// not fit its own row, or two products have one extension: mistakes of whoever wrote the plugin.
+  /// Throws std::invalid_argument where the name is taken, is not in lower case with hyphens, or an option's default
+  /// does not fit its own row, or two products have one extension: mistakes of whoever wrote the plugin.
   void add(Plugin plugin);
   const Plugin* find(std::string_view name) const;
   std::vector<const Plugin*> all() const;  ///< by name

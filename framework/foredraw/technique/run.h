@@ -45,8 +45,8 @@ struct Note {
   About about;
 };
 
-/// What one call of a technique found out. Each call has its own, so nothing needs a lock and the order never depends on
-/// the threads.
+/// What one call of a technique found out. Each call has its own, so nothing needs a lock and the order never depends
+/// on the threads.
 struct Findings {
   std::vector<Measured> measured;
   std::vector<Note> notes;
@@ -57,14 +57,14 @@ struct Run {
   Analyses& analyses;
   const Executor& executor;
   Findings& findings;
-  const Views& views;                          ///< what orders are optimised for: the pipeline's [views]
-  const Poses& poses = rest_pose;              ///< and in which poses: the pipeline's [poses]
-  const OverdrawService* overdraw = nullptr;   ///< who answers for measured overdraw, where the card asks for it
-  std::uint64_t seed = 0;                      ///< from the pipeline's seed, the stage and what it is about
-  About about;                                 ///< what figures and notes are about unless they say otherwise
+  const Views& views;                         ///< what orders are optimised for: the pipeline's [views]
+  const Poses& poses = rest_pose;             ///< and in which poses: the pipeline's [poses]
+  const OverdrawService* overdraw = nullptr;  ///< who answers for measured overdraw, where the card asks for it
+  std::uint64_t seed = 0;                     ///< from the pipeline's seed, the stage and what it is about
+  About about;                                ///< what figures and notes are about unless they say otherwise
   const std::atomic<bool>* cancel = nullptr;
-  std::function<void(double)> progress = {};   ///< may be empty; the part done, 0 to 1; from any thread
-  const Loans& loans = no_loans;               ///< what the stage's options name, as the host read it
+  std::function<void(double)> progress = {};  ///< may be empty; the part done, 0 to 1; from any thread
+  const Loans& loans = no_loans;              ///< what the stage's options name, as the host read it
 
   /// What an option names. std::invalid_argument where it names nothing, or nothing that was lent: a plan that exists
   /// has lent all that its options name.
@@ -85,8 +85,8 @@ struct Run {
   void note_at(About where, std::string code, std::string message) const {
     findings.notes.push_back({std::move(code), std::move(message), where});
   }
-  /// Says that nothing can be gained here, and why, with the figure: what there is stays, whatever the technique answers,
-  /// and counts as what the card provides.
+  /// Says that nothing can be gained here, and why, with the figure: what there is stays, whatever the technique
+  /// answers, and counts as what the card provides.
   void keep(std::string reason) const { findings.nothing_to_gain = std::move(reason); }
   bool keeps() const { return findings.nothing_to_gain.has_value(); }
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }

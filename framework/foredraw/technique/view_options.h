@@ -1,6 +1,6 @@
 #pragma once
-#include <foredraw/viewing/view_set.h>
 #include <foredraw/technique/options.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <concepts>
 

@@ -1,8 +1,8 @@
 #pragma once
 // From positions to corners in the picture, and from corners' depths to fragments'.
 
-#include <foredraw/viewing/coverage.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/coverage.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

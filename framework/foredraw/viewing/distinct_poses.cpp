@@ -1,8 +1,8 @@
 #include <foredraw/viewing/distinct_poses.h>
 
+#include <foredraw/base/content_hash.h>
 #include <foredraw/viewing/drawn_orders.h>
 #include <foredraw/viewing/posed_positions.h>
-#include <foredraw/base/content_hash.h>
 
 #include <map>
 

@@ -22,7 +22,8 @@ std::vector<double> alphas_of(const VertexStreams& vertices, double factor) {
 std::variant<std::shared_ptr<const Mask>, std::string> mask_of(Analyses& analyses, const Scene& scene,
                                                                const Draw& draw) {
   const Material* material = scene.material_of(draw);
-  if (material == nullptr || material->alpha_mode != AlphaMode::mask || draw.levels.empty()) return std::shared_ptr<const Mask>();
+  if (material == nullptr || material->alpha_mode != AlphaMode::mask || draw.levels.empty())
+    return std::shared_ptr<const Mask>();
   const VertexStreams& vertices = *draw.full().vertices;
   auto mask = std::make_shared<Mask>();
   mask->cutoff = material->alpha_cutoff;

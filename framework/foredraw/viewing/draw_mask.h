@@ -1,7 +1,7 @@
 #pragma once
 #include <foredraw/analysis/analyses.h>
-#include <foredraw/viewing/mask.h>
 #include <foredraw/scene/scene.h>
+#include <foredraw/viewing/mask.h>
 
 #include <memory>
 #include <string>

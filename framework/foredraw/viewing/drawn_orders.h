@@ -1,10 +1,10 @@
 #pragma once
 // Which of its orders a subject is drawn in, from each side and in each pose: as its tables say.
 
-#include <foredraw/viewing/subject_geometry.h>
 #include <foredraw/base/content_hash.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/subject_geometry.h>
 
 #include <cstdint>
 #include <span>
@@ -27,7 +27,8 @@ std::vector<ViewsOfOrders> views_by_orders(const Scene& scene, const Subject& su
 Views chosen(const Views& views, std::span<const std::size_t> numbers);
 
 /// Draws the parts in these orders.
-void set_orders(SubjectGeometry& drawn, const Scene& scene, const Subject& subject, std::span<const std::uint32_t> orders);
+void set_orders(SubjectGeometry& drawn, const Scene& scene, const Subject& subject,
+                std::span<const std::uint32_t> orders);
 
 /// Of what the subject's tables say in the pose, all sides together.
 Stamp orders_stamp(const Scene& scene, const Subject& subject, const Pose& pose);

@@ -18,7 +18,7 @@ struct Mask {
   std::shared_ptr<const AlphaImage> image;  ///< none: 1 everywhere
   Sampling sampling;
   std::vector<glm::dvec2> uv;  ///< [vertex] in the image, (0, 0) upper left, (1, 1) lower right
-  std::vector<double> alphas;      ///< [vertex]
+  std::vector<double> alphas;  ///< [vertex]
   double cutoff = 0.5;
 };
 

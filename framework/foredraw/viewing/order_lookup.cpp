@@ -60,8 +60,9 @@ std::vector<double> shares_of_orders(const OrderTable& table) {
 
 std::vector<ServedOrder> served_orders(const Scene& scene, DrawId draw) {
   const std::vector<IndexStream>& orders = scene.draws[draw].full().orders;
-  const auto table = std::ranges::find_if(
-      order_tables(scene), [&](const OrderTable& one) { return std::ranges::find(one.draws, draw) != one.draws.end(); });
+  const auto table = std::ranges::find_if(order_tables(scene), [&](const OrderTable& one) {
+    return std::ranges::find(one.draws, draw) != one.draws.end();
+  });
   if (table == order_tables(scene).end()) return {{&orders[0]}};
   std::vector<ServedOrder> served;
   const std::vector<double> shares = shares_of_orders(*table);

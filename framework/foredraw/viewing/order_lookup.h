@@ -2,8 +2,8 @@
 // What an engine looks up each frame, looked up here: runtime/order_table.h says where cells lie.
 
 #include <foredraw/runtime/order_table.h>
-#include <foredraw/scene/poses.h>
 #include <foredraw/scene/order_table.h>
+#include <foredraw/scene/poses.h>
 
 #include <glm/vec3.hpp>
 

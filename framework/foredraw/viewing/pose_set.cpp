@@ -1,9 +1,9 @@
 #include <foredraw/viewing/pose_set.h>
 
-#include <foredraw/viewing/animation.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/base/name_pattern.h>
 #include <foredraw/base/whole_number.h>
+#include <foredraw/viewing/animation.h>
 
 #include <algorithm>
 #include <array>

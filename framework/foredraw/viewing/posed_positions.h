@@ -1,6 +1,6 @@
 #pragma once
-#include <foredraw/viewing/animation.h>
 #include <foredraw/scene/subject.h>
+#include <foredraw/viewing/animation.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include <foredraw/viewing/raster_part.h>
 
-#include <foredraw/viewing/bounding_sphere.h>
 #include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/viewing/bounding_sphere.h>
 
 #include <utility>
 

@@ -47,8 +47,7 @@ class Pool {
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> shared_views(std::span<const View> views, std::size_t poses,
-                                                   std::size_t looks) {
+std::vector<std::vector<std::size_t>> shared_views(std::span<const View> views, std::size_t poses, std::size_t looks) {
   std::vector<std::vector<std::size_t>> shares(poses);
   Pool pool(views);
   const std::size_t all = std::min(looks, poses * views.size());

@@ -1,7 +1,7 @@
 #include <foredraw/viewing/subject_geometry.h>
 
-#include <foredraw/viewing/draw_mask.h>
 #include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/viewing/draw_mask.h>
 #include <foredraw/viewing/posed_positions.h>
 
 namespace foredraw {
@@ -38,7 +38,7 @@ bool is_blended(const Scene& scene, const Draw& draw) {
 }
 
 SubjectGeometry subject_geometry(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
-                           Analyses& analyses) {
+                                 Analyses& analyses) {
   SubjectGeometry drawn;
   for (const SubjectPart& part : subject.parts) drawn.positions.push_back(posed_positions(scene, part, nodes));
   for (std::size_t i = 0; i < subject.parts.size(); ++i) {

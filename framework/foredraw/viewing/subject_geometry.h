@@ -2,9 +2,9 @@
 // From a scene to the triangles that are drawn.
 
 #include <foredraw/analysis/analyses.h>
+#include <foredraw/scene/subject.h>
 #include <foredraw/viewing/animation.h>
 #include <foredraw/viewing/raster_part.h>
-#include <foredraw/scene/subject.h>
 
 #include <cstddef>
 #include <vector>
@@ -23,7 +23,7 @@ struct SubjectGeometry {
 /// Triangle lists alone are drawn, no blended draws, and of masked ones those of which it is known where their holes
 /// are (mask_of()). `nodes`: posed_nodes() of the scene.
 SubjectGeometry subject_geometry(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
-                           Analyses& analyses);
+                                 Analyses& analyses);
 
 bool is_blended(const Scene& scene, const Draw& draw);
 

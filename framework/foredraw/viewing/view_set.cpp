@@ -1,9 +1,9 @@
 #include <foredraw/viewing/view_set.h>
 
-#include <foredraw/viewing/view_directions.h>
-#include <foredraw/viewing/view_list.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/base/whole_number.h>
+#include <foredraw/viewing/view_directions.h>
+#include <foredraw/viewing/view_list.h>
 
 #include <glm/geometric.hpp>
 

@@ -29,8 +29,8 @@ struct ViewSet {
 /// What is wrong with the set as it is spelled, or nothing. No file is read.
 std::optional<std::string> mistake_in(const ViewSet& set);
 
-/// The views of a set; or why there are none ("an icosphere has 12, 42, 162, 642 or 2562 views, not 100"). A file is read
-/// once. Directions are the same bits on every machine.
+/// The views of a set; or why there are none ("an icosphere has 12, 42, 162, 642 or 2562 views, not 100"). A file is
+/// read once. Directions are the same bits on every machine.
 std::variant<Views, std::string> views_of(const ViewSet& set);
 
 /// The same for who knows that there is no mistake; else std::invalid_argument.

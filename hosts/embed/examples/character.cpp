@@ -1,11 +1,11 @@
 #include "character.h"
 
 #include <foredraw/draw_orders/draw_orders_product.h>
-#include <foredraw/viewing/drawn_orders.h>
+#include <foredraw/io/scene_file.h>
 #include <foredraw/scene/order_table.h>
+#include <foredraw/viewing/drawn_orders.h>
 #include <foredraw/viewing/order_lookup.h>
 #include <foredraw/viewing/pose_set.h>
-#include <foredraw/io/scene_file.h>
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
 
@@ -67,7 +67,8 @@ struct character {
 character* character_load(const char* path) {
   return said([&]() -> character* {
     foredraw::Diagnostics diagnostics;
-    std::optional<foredraw::SceneFile> file = foredraw::read_scene(path, diagnostics, {foredraw::draw_orders_product()});
+    std::optional<foredraw::SceneFile> file =
+        foredraw::read_scene(path, diagnostics, {foredraw::draw_orders_product()});
     std::fprintf(stderr, "%s", foredraw::to_text(diagnostics).c_str());
     if (!file) return nullptr;
     character* hero = new character{std::move(file->scene)};
@@ -88,8 +89,8 @@ int character_pose(character* hero, uint32_t clip, float time) {
       if (known == hero->clips.end()) throw std::runtime_error("the scene has no clip that its table names");
       pose = {static_cast<foredraw::AnimationId>(known - hero->clips.begin()), time};
     }
-    hero->drawn = subject_geometry(hero->scene, hero->subject, foredraw::Faces::material, posed_nodes(hero->scene, pose),
-                                hero->analyses);
+    hero->drawn = subject_geometry(hero->scene, hero->subject, foredraw::Faces::material,
+                                   posed_nodes(hero->scene, pose), hero->analyses);
     return 1;
   });
 }

@@ -9,8 +9,8 @@
 
 namespace foredraw {
 
-/// By what one clustering is better than another: fragments shaded in all looks over pixels covered in all, so that near
-/// looks weigh more than thin ones, or the mean of the looks' own ratios.
+/// By what one clustering is better than another: fragments shaded in all looks over pixels covered in all, so that
+/// near looks weigh more than thin ones, or the mean of the looks' own ratios.
 enum class OverdrawMetric { ratio, view_mean };
 
 struct AnimatedKMeansOptions {

@@ -1,10 +1,10 @@
 #include "animated_kmeans.h"
 
-#include <foredraw/viewing/order_grid.h>
 #include <foredraw/base/random.h>
 #include <foredraw/draw_orders/draw_orders_product.h>
 #include <foredraw/measuring/subject_capture.h>
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/order_grid.h>
 
 #include <fmt/format.h>
 
@@ -77,7 +77,9 @@ class AnimatedKMeans final : public SubjectOrderer {
     PatchDistances distances(run.views.views);
     const SubjectCapture captured = capture_subject(
         view, poses, [](const Draw& draw) { return *draw.full().stream().clusters; }, run,
-        [&](const SubjectLayers& seen, const SubjectGeometry& drawn) { distances.add_pose(seen, drawn.parts, run.executor); });
+        [&](const SubjectLayers& seen, const SubjectGeometry& drawn) {
+          distances.add_pose(seen, drawn.parts, run.executor);
+        });
     AnimatedKMeansOptions options = options_;
     options.seed = derive_seed(run.seed, static_cast<std::uint64_t>(options_.start), 0);
     const IndexBuffers found = animated_kmeans(captured.seen, distances, options, run.executor);
@@ -124,11 +126,11 @@ Plugin animated_kmeans_plugin() {
   table.choice<Clips>(&Options::clips, "clips",
                       "joint: one set of orders for all animations; single: a set of k for each, 255 in all at most",
                       {{"joint", Clips::joint}, {"single", Clips::single}});
-  table.choice<OverdrawMetric>(
-      &Options::metric, "metric",
-      "By what the best of all rounds and starts is told: ratio, all fragments over all pixels; view-mean, the mean of the "
-      "views' own ratios",
-      {{"ratio", OverdrawMetric::ratio}, {"view-mean", OverdrawMetric::view_mean}});
+  table.choice<OverdrawMetric>(&Options::metric, "metric",
+                               "By what the best of all rounds and starts is told: ratio, all fragments over all "
+                               "pixels; view-mean, the mean of the "
+                               "views' own ratios",
+                               {{"ratio", OverdrawMetric::ratio}, {"view-mean", OverdrawMetric::view_mean}});
   table.row<int>(&Options::restarts, "restarts", "How often it begins anew, from other looks; the best of all is kept",
                  {0, 1000, "times"});
   table.row<std::int64_t>(&Options::start, "seed", "Of the looks that it begins with, besides the pipeline's seed");

@@ -61,7 +61,8 @@ double distance_from(const View& view, const glm::dvec3& place) {
 
 }  // namespace
 
-void PatchDistances::add_pose(const SubjectLayers& subject, std::span<const RasterPart> parts, const Executor& executor) {
+void PatchDistances::add_pose(const SubjectLayers& subject, std::span<const RasterPart> parts,
+                              const Executor& executor) {
   std::vector<DrawnPositions> drawn;
   for (const RasterPart& part : parts) drawn.push_back({part.positions, part.indices});
   const BoundingSphere sphere = bounding_sphere(drawn);

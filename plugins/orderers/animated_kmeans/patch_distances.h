@@ -1,10 +1,10 @@
 #pragma once
 // Where the patches of a subject are in each pose, and from where they are seen: what sorting by distance asks.
 
-#include <foredraw/viewing/raster_part.h>
-#include <foredraw/overdraw/subject_layers.h>
 #include <foredraw/base/parallel.h>
+#include <foredraw/overdraw/subject_layers.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/viewing/raster_part.h>
 
 #include <cstddef>
 #include <span>

@@ -72,8 +72,9 @@ Plugin dot_rule_plugin() {
       .uses_overdraw = true,
   };
   OptionTable<DotRuleOptions> table;
-  table.row(&DotRuleOptions::check, "check",
-            "Measure the draw's overdraw from the pipeline's views, and keep the old order where sorting does not lower it");
+  table.row(
+      &DotRuleOptions::check, "check",
+      "Measure the draw's overdraw from the pipeline's views, and keep the old order where sorting does not lower it");
   bind_options(plugin, table, [](const DotRuleOptions& options) { return std::make_unique<DotRule>(options); });
   return plugin;
 }

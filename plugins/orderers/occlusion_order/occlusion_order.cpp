@@ -61,7 +61,7 @@ std::vector<Joint> joints_of(PieceOrder& order, std::span<const std::uint32_t> s
 struct Pieces {
   Clusters ranges;                   // of triangles
   std::vector<std::uint32_t> saved;  // [piece] misses that it is spared behind the one before it
-  std::vector<double> ranks;        // [piece] in the order
+  std::vector<double> ranks;         // [piece] in the order
 
   /// Makes joints, each piece in one at most, until they save `wanted` misses or there are `most`. [old] = new piece.
   std::vector<std::uint32_t> join(std::span<const Joint> joints, double wanted, std::size_t most) {

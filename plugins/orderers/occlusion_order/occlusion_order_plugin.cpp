@@ -1,9 +1,9 @@
 #include "k_orders.h"
 
-#include <foredraw/viewing/order_grid.h>
 #include <foredraw/draw_orders/draw_orders_product.h>
 #include <foredraw/measuring/subject_capture.h>
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/order_grid.h>
 
 namespace foredraw {
 

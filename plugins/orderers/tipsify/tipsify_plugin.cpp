@@ -1,8 +1,8 @@
 #include "tipsify.h"
 
-#include <foredraw/viewing/posed_positions.h>
 #include <foredraw/measuring/cache_orderer.h>
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/posed_positions.h>
 
 namespace foredraw {
 

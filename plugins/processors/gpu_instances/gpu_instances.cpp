@@ -23,7 +23,8 @@ std::string_view why_not(const Scene& scene, const Draw& draw) {
   if (draw.traits.has(traits::animated)) return "an animation changes the shape";
   if (draw.levels.size() != 1) return "there are several levels of detail";
   if (draw.full().orders.size() != 1) return "there are several orders, among which each node chooses by itself";
-  if (draw.traits.has(traits::morphed) || !draw.full().vertices->morph_targets.empty()) return "there are morph targets";
+  if (draw.traits.has(traits::morphed) || !draw.full().vertices->morph_targets.empty())
+    return "there are morph targets";
   return {};
 }
 
@@ -38,7 +39,9 @@ std::string_view why_not(const Scene& scene, const Mesh& mesh, const std::vector
 /// What of the nodes is found once for all meshes.
 struct NodeFacts {
   explicit NodeFacts(const Scene& scene)
-      : moved(moved_nodes(scene)), merged(scene.nodes.size(), 0), has_parent(scene.nodes.size(), 0),
+      : moved(moved_nodes(scene)),
+        merged(scene.nodes.size(), 0),
+        has_parent(scene.nodes.size(), 0),
         world(world_transforms(scene)) {
     for (const MergedPlace& place : merged_places(scene)) merged[place.node] = 1;
     for (const Node& node : scene.nodes) {

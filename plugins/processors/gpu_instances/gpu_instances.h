@@ -33,12 +33,12 @@ struct InstancedNodes {
   std::vector<LeftPlaced> left;       ///< of meshes that two nodes or more place: once for each mesh and reason
 };
 
-/// Of meshes all of whose draws are among `draws` (rising), the nodes that place them lose their mesh, and a new root node
-/// at the end, of the mesh's name, draws it at each of these places (Node::instances, in the sequence of the nodes).
-/// Nothing else of the nodes changes: names, children and numbers stay. Not taken are draws that are blended, skinned,
-/// morphed or animated, or have several orders or levels; and nodes that are skinned, moved by an animation or a joint
-/// (or are below such), keep their mesh (Node::keeps_mesh), are shown by merged draws, have instances or weights of their
-/// own, or stand in a way that translation, rotation and a scale that does not mirror can not say.
+/// Of meshes all of whose draws are among `draws` (rising), the nodes that place them lose their mesh, and a new root
+/// node at the end, of the mesh's name, draws it at each of these places (Node::instances, in the sequence of the
+/// nodes). Nothing else of the nodes changes: names, children and numbers stay. Not taken are draws that are blended,
+/// skinned, morphed or animated, or have several orders or levels; and nodes that are skinned, moved by an animation or
+/// a joint (or are below such), keep their mesh (Node::keeps_mesh), are shown by merged draws, have instances or
+/// weights of their own, or stand in a way that translation, rotation and a scale that does not mirror can not say.
 /// O(nodes + merged places).
 InstancedNodes gpu_instances(Scene& scene, std::span<const DrawId> draws, const GpuInstancesOptions& options = {});
 

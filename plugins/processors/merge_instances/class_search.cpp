@@ -214,8 +214,8 @@ std::uint64_t steps_for(std::uint32_t classes, bool all, std::uint64_t most_step
   return classes <= 2 && all ? std::numeric_limits<std::uint64_t>::max() : most_steps;
 }
 
-/// The candidates that are searched. A tree of all of them may be too large where meshes are; then the smaller half of those
-/// that there is room for stays whole, and of larger ones every so-many-th does.
+/// The candidates that are searched. A tree of all of them may be too large where meshes are; then the smaller half of
+/// those that there is room for stays whole, and of larger ones every so-many-th does.
 struct Candidates {
   std::vector<std::uint32_t> frequencies;
   bool all = true;
@@ -224,8 +224,7 @@ struct Candidates {
 constexpr std::size_t most_costs = 1'000'000;
 
 Candidates searched_candidates(std::span<const MeshSize> sizes, std::uint32_t multiple, std::uint32_t always) {
-  Candidates candidates{
-      frequency_candidates(sizes, multiple, multiple, std::numeric_limits<std::uint32_t>::max())};
+  Candidates candidates{frequency_candidates(sizes, multiple, multiple, std::numeric_limits<std::uint32_t>::max())};
   std::vector<std::uint32_t>& all = candidates.frequencies;
   const std::size_t room = std::max<std::size_t>(64, most_costs / sizes.size());
   if (all.size() <= room) return candidates;

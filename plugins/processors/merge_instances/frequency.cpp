@@ -30,13 +30,15 @@ void check(std::span<const MeshSize> meshes, const FrequencyOptions& options) {
 }
 
 /// Each mesh at the frequency where it costs least, of equals the largest: it needs the fewest slots.
-FrequencyChoice choice_at(std::span<const MeshSize> meshes, std::vector<std::uint32_t> frequencies, const Prices& prices) {
+FrequencyChoice choice_at(std::span<const MeshSize> meshes, std::vector<std::uint32_t> frequencies,
+                          const Prices& prices) {
   FrequencyChoice choice;
   choice.frequencies = std::move(frequencies);
   for (const MeshSize& mesh : meshes) {
     std::size_t cheapest = choice.frequencies.size() - 1;
     for (std::size_t k = cheapest; k-- > 0;) {
-      if (cost_of(mesh, choice.frequencies[k], prices) < cost_of(mesh, choice.frequencies[cheapest], prices)) cheapest = k;
+      if (cost_of(mesh, choice.frequencies[k], prices) < cost_of(mesh, choice.frequencies[cheapest], prices))
+        cheapest = k;
     }
     choice.mesh_class.push_back(static_cast<std::uint8_t>(cheapest));
     const std::uint64_t slots = slots_of(mesh.indices, choice.frequencies[cheapest]);
@@ -103,7 +105,8 @@ std::optional<FrequencyChoice> fewest_slots_of_one(std::span<const MeshSize> mes
   // Each candidate needs fewer slots than the one before it, so the largest that keeps the limit is the best.
   for (std::size_t c = candidates.size(); c-- > 0;) {
     double padded = 0;
-    for (std::size_t i = 0; i < sizes.size() && padded * (1 - most_padding) <= most_padding * entries * (1 + 1e-9); ++i) {
+    for (std::size_t i = 0; i < sizes.size() && padded * (1 - most_padding) <= most_padding * entries * (1 + 1e-9);
+         ++i) {
       padded += cost_of(sizes[i], candidates[c], {1, 0});
     }
     if (padded * (1 - most_padding) > most_padding * entries * (1 + 1e-9)) continue;
@@ -134,8 +137,8 @@ std::optional<FrequencyChoice> fewest_slots(std::span<const MeshSize> meshes, do
   if (!best || options.classes == 1) return best;
 
   // With a price of 1 for a slot, a padded entry's price is looked for at which the padding just keeps below the limit.
-  // What is cheapest under a price bounds everything: no choice has fewer slots than slots + price * padding there, less
-  // price * the most padding. The price that bounds best leaves few choices of frequencies to look at one by one.
+  // What is cheapest under a price bounds everything: no choice has fewer slots than slots + price * padding there,
+  // less price * the most padding. The price that bounds best leaves few choices of frequencies to look at one by one.
   FrequencyOptions free_classes = options;
   free_classes.class_cost = 0;
   const double share = std::min(most_padding, 0.999999);
@@ -161,19 +164,18 @@ std::optional<FrequencyChoice> fewest_slots(std::span<const MeshSize> meshes, do
     (fits(middle) ? dear : cheap) = middle;
   }
 
-  const auto below = [&] {
-    return static_cast<double>(best->slots) - 0.5 + price * static_cast<double>(most_padded);
-  };
+  const auto below = [&] { return static_cast<double>(best->slots) - 0.5 + price * static_cast<double>(most_padded); };
   bool proven = true;
   for (std::uint32_t classes = 2; classes <= options.classes; ++classes) {
-    const bool all = visit_choices(sizes, options.multiple, classes, {price, 1}, options.most_steps, below(),
-                                   [&](std::span<const std::uint32_t> frequencies) {
-      if (const auto found = limited_slots(sizes, frequencies, most_padded, best->slots)) {
-        best = choice_as(meshes, sizes, frequencies, found->size_class);
-        proven = proven && found->proven;
-      }
-      return below();
-    });
+    const bool all =
+        visit_choices(sizes, options.multiple, classes, {price, 1}, options.most_steps, below(),
+                      [&](std::span<const std::uint32_t> frequencies) {
+                        if (const auto found = limited_slots(sizes, frequencies, most_padded, best->slots)) {
+                          best = choice_as(meshes, sizes, frequencies, found->size_class);
+                          proven = proven && found->proven;
+                        }
+                        return below();
+                      });
     proven = proven && all && classes == 2;
   }
   best->cost = static_cast<double>(best->slots);

@@ -31,8 +31,8 @@ class LeastCost {
     before_.push_back({});
     for (const MeshSize& size : sizes) {
       const auto placed = static_cast<double>(size.placed);
-      before_.push_back({before_.back().placed + placed,
-                         before_.back().entries + placed * static_cast<double>(size.indices)});
+      before_.push_back(
+          {before_.back().placed + placed, before_.back().entries + placed * static_cast<double>(size.indices)});
     }
   }
 
@@ -128,7 +128,8 @@ std::uint32_t best_frequency(std::span<const MeshSize> sizes, std::uint32_t mult
   // Below, the slots alone cost more; above, the padding of what is smaller does, more so the larger the frequency.
   const double enough = prices.slot * entries / best * (1 - 1e-9);
   std::uint32_t least = smallest;
-  if (enough > smallest) least = std::min<std::uint32_t>(largest, static_cast<std::uint32_t>(enough) / multiple * multiple);
+  if (enough > smallest)
+    least = std::min<std::uint32_t>(largest, static_cast<std::uint32_t>(enough) / multiple * multiple);
   std::uint32_t most = largest;
   if (prices.padded > 0 && placed * largest - entries > 0) {
     // placed * f - entries is what all of them would pad in a slot each, and never more than what they pad, as larger

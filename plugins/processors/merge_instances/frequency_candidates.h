@@ -27,10 +27,10 @@ std::vector<MeshSize> distinct_sizes(std::span<const MeshSize> meshes);
 
 /// All multiples between two frequencies at which a minimum of the cost can lie, rising.
 ///
-/// As long as no mesh's number of slots changes, a larger frequency only pads more. So the cost is least at the smallest
-/// frequency of such a stretch, and there some mesh of n entries just needs k slots, and would need more if the frequency
-/// were one multiple smaller: it is ceil(n / k), rounded up to the multiple. The same holds for each class of several, by
-/// the meshes in it. The numbers of slots that matter are between n / most and n / least.
+/// As long as no mesh's number of slots changes, a larger frequency only pads more. So the cost is least at the
+/// smallest frequency of such a stretch, and there some mesh of n entries just needs k slots, and would need more if
+/// the frequency were one multiple smaller: it is ceil(n / k), rounded up to the multiple. The same holds for each
+/// class of several, by the meshes in it. The numbers of slots that matter are between n / most and n / least.
 std::vector<std::uint32_t> frequency_candidates(std::span<const MeshSize> sizes, std::uint32_t multiple,
                                                 std::uint32_t least, std::uint32_t most);
 

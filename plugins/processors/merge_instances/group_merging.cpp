@@ -76,7 +76,10 @@ class Cells {
 class Merging {
  public:
   Merging(std::span<const GroupSum> groups, const SeenBoxes& seen_boxes, const GroupOptions& options)
-      : seen_boxes_(seen_boxes), options_(options), sums_(groups.begin(), groups.end()), into_(groups.size(), gone),
+      : seen_boxes_(seen_boxes),
+        options_(options),
+        sums_(groups.begin(), groups.end()),
+        into_(groups.size(), gone),
         neighbours_(groups.size()) {
     for (const GroupSum& sum : sums_) seen_.push_back(seen_boxes_(sum.box));
     const Cells cells(groups);
@@ -145,8 +148,8 @@ class Merging {
   const SeenBoxes& seen_boxes_;
   const GroupOptions& options_;
   std::vector<GroupSum> sums_;
-  std::vector<double> seen_;          ///< of each group's box
-  std::vector<std::uint32_t> into_;   ///< the group that it became part of
+  std::vector<double> seen_;         ///< of each group's box
+  std::vector<std::uint32_t> into_;  ///< the group that it became part of
   std::vector<std::vector<std::uint32_t>> neighbours_;
   std::priority_queue<Pair> queue_;
 };

@@ -98,8 +98,8 @@ void share_vertices(const Scene& scene, std::vector<MergedSet>& sets) {
 
 }  // namespace
 
-merging::PackedInstances packed_instances(const Scene& scene, const MergedSet& set, const MergeInstancesOptions& options,
-                                          const Executor& executor) {
+merging::PackedInstances packed_instances(const Scene& scene, const MergedSet& set,
+                                          const MergeInstancesOptions& options, const Executor& executor) {
   std::vector<merging::PackedMesh> meshes;
   for (std::size_t m = 0; m < set.set.meshes.size(); ++m) {
     const Draw& draw = scene.draws[set.set.meshes[m].draw];
@@ -113,7 +113,8 @@ merging::PackedInstances packed_instances(const Scene& scene, const MergedSet& s
   }
   merging::PackOptions wanted;
   wanted.cut_well = options.cut_well;
-  return merging::pack_instances(meshes, placed, set.groups.instances, set.groups.first, set.frequencies, wanted, executor);
+  return merging::pack_instances(meshes, placed, set.groups.instances, set.groups.first, set.frequencies, wanted,
+                                 executor);
 }
 
 MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, const MergeInstancesOptions& options,
@@ -169,9 +170,8 @@ MergedInstances merged_instances(const Scene& scene, const MergedSet& set) {
   }
   merged.places = Shared(std::move(places));
   const auto look = [&](MaterialId id) { return scene.materials[id].look; };
-  const bool differ = std::ranges::any_of(materials, [&](MaterialId id) {
-    return id != materials[0] && (!look(id) || look(id) != look(materials[0]));
-  });
+  const bool differ = std::ranges::any_of(
+      materials, [&](MaterialId id) { return id != materials[0] && (!look(id) || look(id) != look(materials[0])); });
   if (differ) merged.materials = Shared(std::move(materials));
   for (std::size_t g = 0; g < set.groups.size(); ++g) {
     const std::uint32_t first = packed.first_instance[g];

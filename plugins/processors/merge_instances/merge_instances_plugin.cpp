@@ -23,8 +23,9 @@ void note_left_alone(const MergedScene& merged, const Run& run) {
   }
   for (const auto& [place, count] : placements) {
     const auto& [draw, why] = place;
-    run.note_at({draw}, "not-merged", count == 0 ? fmt::format("not merged: {}", why)
-                                                 : fmt::format("not merged in {} of its places: {}", count, why));
+    run.note_at({draw}, "not-merged",
+                count == 0 ? fmt::format("not merged: {}", why)
+                           : fmt::format("not merged in {} of its places: {}", count, why));
   }
   for (const merging::MergeableSet& set : merged.not_merged) {
     if (set.meshes.empty()) continue;
@@ -86,7 +87,8 @@ MergedInstances with_less_overdraw(const Scene& scene, MergedInstances merged, R
   const auto ratio = [](const OverdrawCount& count) {
     return count.visible == 0 ? 1 : static_cast<double>(count.shaded) / static_cast<double>(count.visible);
   };
-  run.note_at({}, "overdraw", fmt::format("slots sorted: the groups' overdraw is {:.4f}, and was {:.4f}", ratio(after), ratio(before)));
+  run.note_at({}, "overdraw",
+              fmt::format("slots sorted: the groups' overdraw is {:.4f}, and was {:.4f}", ratio(after), ratio(before)));
   return merged;
 }
 
@@ -98,7 +100,8 @@ class MergeInstances final : public Processor {
  public:
   explicit MergeInstances(const Options& options) : options_(options) {
     if (options.multiple % 3 == 0) return;
-    throw std::invalid_argument(fmt::format("multiple is {}; it must be a multiple of 3, so that no triangle is cut", options.multiple));
+    throw std::invalid_argument(
+        fmt::format("multiple is {}; it must be a multiple of 3, so that no triangle is cut", options.multiple));
   }
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
@@ -169,11 +172,13 @@ Plugin merge_instances_plugin() {
                {{"fewest-slots", FrequencyGoal::fewest_slots}, {"least-cost", FrequencyGoal::least_cost}});
   table.row(&MergeInstancesOptions::most_padding, "most-padding",
             "Padding, as a part of all index entries, that fewest-slots may come to", {0, 1, ""});
-  table.row(&MergeInstancesOptions::padded_cost, "padded-cost", "Of least-cost: a padded index entry", {0, 1e6, "bytes"});
+  table.row(&MergeInstancesOptions::padded_cost, "padded-cost", "Of least-cost: a padded index entry",
+            {0, 1e6, "bytes"});
   table.row(&MergeInstancesOptions::slot_byte_cost, "slot-byte-cost", "Of least-cost: a byte of slot records",
             {0, 1e6, "bytes"});
   table.row(&MergeInstancesOptions::draw_cost, "draw-cost", "What a draw call costs", {0, 1e9, "vertex shader calls"});
-  table.row(&MergeInstancesOptions::most_indices, "most-indices", "Index entries of a group", {3, 4294967295.0, "entries"});
+  table.row(&MergeInstancesOptions::most_indices, "most-indices", "Index entries of a group",
+            {3, 4294967295.0, "entries"});
   table.row(&MergeInstancesOptions::most_instances, "most-instances", "Instances of a group",
             {1, 4294967295.0, "instances"});
   table.row(&MergeInstancesOptions::most_size, "most-size",
@@ -195,15 +200,16 @@ Plugin merge_instances_plugin() {
       .pays_if = "several meshes of one material and one layout are placed often, and are not vertex-bound",
       .uses_overdraw = true,
       .lossless = true,
-      .metrics = {{"padding", "of index entries", "Padded index entries of all that are drawn"},
-                  {"draws", "draws", "Draw calls of the scene, merged ones and those left"},
-                  {"slots", "slots", "Slots of all merged draws"},
-                  {"slot-bytes", "bytes", "Slot records for each placed draw that is merged"},
-                  {"bytes", "bytes", "Merged indices, slot records and transforms"},
-                  {"groups", "groups", "Groups of instances that are culled together"},
-                  {"wasted", "of index entries",
-                   "Index entries that are drawn though their instance by itself would have been culled, expected over all "
-                   "places and ways to look that see some of the scene"}},
+      .metrics =
+          {{"padding", "of index entries", "Padded index entries of all that are drawn"},
+           {"draws", "draws", "Draw calls of the scene, merged ones and those left"},
+           {"slots", "slots", "Slots of all merged draws"},
+           {"slot-bytes", "bytes", "Slot records for each placed draw that is merged"},
+           {"bytes", "bytes", "Merged indices, slot records and transforms"},
+           {"groups", "groups", "Groups of instances that are culled together"},
+           {"wasted", "of index entries",
+            "Index entries that are drawn though their instance by itself would have been culled, expected over all "
+            "places and ways to look that see some of the scene"}},
   };
   plugin.products = {merged_draws_product()};
   bind_options(plugin, std::move(table),

@@ -2,10 +2,10 @@
 
 #include "packing.h"
 
-#include <foredraw/viewing/animation.h>
 #include <foredraw/analysis/moved_nodes.h>
-#include <foredraw/viewing/posed_positions.h>
 #include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/viewing/animation.h>
+#include <foredraw/viewing/posed_positions.h>
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -38,7 +38,8 @@ std::string why_not_merged(const Scene& scene, const Draw& draw, const Mergeable
   if (draw.topology != Topology::triangles) return "it draws no triangles";
   const bool is_skinned = draw.traits.has(traits::skinned);
   if (is_skinned && !options.skinned) return "it is skinned";
-  if (draw.traits.has(traits::morphed) || !draw.levels[0].vertices->morph_targets.empty()) return "it has morph targets";
+  if (draw.traits.has(traits::morphed) || !draw.levels[0].vertices->morph_targets.empty())
+    return "it has morph targets";
   if (draw.traits.has(traits::animated) && !is_skinned) return "an animation changes its shape";
   const Material* material = scene.material_of(draw);
   if (draw.traits.has(traits::blended) || (material != nullptr && material->alpha_mode == AlphaMode::blend)) {
@@ -142,8 +143,8 @@ class Sorting {
 
   /// The set's number.
   std::size_t set_of(const Draw& draw, std::vector<MergeableSet>& sets) {
-    const auto [it, is_new] =
-        places_.try_emplace({shared_material(scene_, draw, materials_), draw.levels[0].vertices->layout_stamp()}, sets.size());
+    const auto [it, is_new] = places_.try_emplace(
+        {shared_material(scene_, draw, materials_), draw.levels[0].vertices->layout_stamp()}, sets.size());
     if (is_new) sets.emplace_back().material = draw.material;
     return it->second;
   }
@@ -159,7 +160,8 @@ Box box_of_poses(const Scene& scene, const SubjectPart& part, std::span<const Po
   Box box;
   for (const PosedNodes& nodes : poses) {
     const std::vector<glm::vec3> positions = posed_positions(scene, part, nodes);
-    for (const std::uint32_t index : scene.draws[part.draw].levels[0].orders[0].indices.view()) box.add(positions[index]);
+    for (const std::uint32_t index : scene.draws[part.draw].levels[0].orders[0].indices.view())
+      box.add(positions[index]);
   }
   return box;
 }
@@ -169,7 +171,8 @@ std::string why_not_merged(const Node& node, bool is_moved, const glm::mat4& wor
   if (!node.is_shown) return "it is not shown: hidden, or not in the scene that the file shows";
   if (node.keeps_mesh) return "an extension or another scene may refer to its node";
   if (node.skin && !node.instances.empty()) return "it is skinned and has instances";
-  if (node.skin) return glm::determinant(glm::dmat3(world)) < 0 ? "its node turns inside out what its joints place" : "";
+  if (node.skin)
+    return glm::determinant(glm::dmat3(world)) < 0 ? "its node turns inside out what its joints place" : "";
   if (is_moved) return "an animation moves it, or it hangs on a joint";
   const Placing placing = placing_of(world);
   return placing == Placing::plain || placing == Placing::mirrored ? "" : std::string(to_text(placing));

@@ -56,12 +56,13 @@ enum class SharedMaterials : std::uint8_t {
 
 struct MergeableOptions {
   SharedMaterials materials = SharedMaterials::alike;
-  /// Skinned draws too, animated or not. Their joints place them, by whoever draws: transforms are the identity, and boxes
-  /// hold what the poses show.
+  /// Skinned draws too, animated or not. Their joints place them, by whoever draws: transforms are the identity, and
+  /// boxes hold what the poses show.
   bool skinned = false;
   Poses poses = rest_pose;
   /// What a draw call costs, in calls of the vertex shader. A merged draw calls it for each index entry, where an index
-  /// buffer calls it for each vertex that the cache lacks; a mesh whose extra calls cost more than its draw is left alone.
+  /// buffer calls it for each vertex that the cache lacks; a mesh whose extra calls cost more than its draw is left
+  /// alone.
   double draw_cost = 4096;
   std::uint64_t least_placements = 2;  ///< of a set
 };
@@ -71,9 +72,10 @@ struct MergeableScene {
   std::vector<LeftAlone> left_alone;
 };
 
-/// Of `draws` (rising), those that can be merged: triangle lists of opaque or masked materials, of one level and one order,
-/// that are not skinned (unless asked), morphed, moved by an animation (or below a node that is) or tied to an extension; placed by an
-/// affine transform that has an inverse, and shown. Sets where nothing is to be saved say so in `why_not`, with the figures.
+/// Of `draws` (rising), those that can be merged: triangle lists of opaque or masked materials, of one level and one
+/// order, that are not skinned (unless asked), morphed, moved by an animation (or below a node that is) or tied to an
+/// extension; placed by an affine transform that has an inverse, and shown. Sets where nothing is to be saved say so in
+/// `why_not`, with the figures.
 MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws, const MergeableOptions& options,
                                const Executor& executor);
 

@@ -126,6 +126,7 @@ ExtensionValue value_of(const VertexStreams& vertices, Buffers& buffers) {
 
 ExtensionValue value_of(const MergedInstances& set, const Scene& scene, Buffers& buffers) {
   Members members;
+  members.reserve(9);  // all of these
   if (set.material) {
     members.emplace_back("material", *set.material);
     members.emplace_back("materialName", scene.materials[*set.material].name);

@@ -61,7 +61,8 @@ std::vector<DrawnSlot> in_sequence(const MergedInstances& set) {
       slots.push_back({slot, draw.frequency});
     }
   }
-  std::ranges::stable_sort(slots, {}, [](const DrawnSlot& one) { return std::pair(one.slot.instance, one.slot.index_offset); });
+  std::ranges::stable_sort(slots, {},
+                           [](const DrawnSlot& one) { return std::pair(one.slot.instance, one.slot.index_offset); });
   return slots;
 }
 
@@ -114,7 +115,8 @@ std::string MergedProof::placings(const MergedInstances& set) const {
   for (std::size_t i = 0; i < set.places.size(); ++i) {
     const MergedPlace& place = set.places.view()[i];
     const Node& node = scene_.nodes[place.node];
-    const std::string where = numbered("instance", i) + " (" + numbered("primitive", place.primitive) + " of " + numbered("node", place.node) + ")";
+    const std::string where = numbered("instance", i) + " (" + numbered("primitive", place.primitive) + " of " +
+                              numbered("node", place.node) + ")";
     const DrawId id = draw_at(place);
     if (!first_vertex_.contains(id)) return where + " is of no primitive of the set";
     const auto own = node.instances.view();
@@ -132,7 +134,8 @@ std::string MergedProof::placings(const MergedInstances& set) const {
   return {};
 }
 
-std::optional<std::uint32_t> MergedProof::triangle_after(const Compared& slot, std::span<const std::uint32_t> drawn) const {
+std::optional<std::uint32_t> MergedProof::triangle_after(const Compared& slot,
+                                                         std::span<const std::uint32_t> drawn) const {
   const auto own = scene_.draws[slot.draw].levels[0].orders[0].indices.view();
   const std::uint32_t first = first_vertex_.at(slot.draw);
   std::size_t at = slot.triangle;
@@ -159,7 +162,9 @@ std::string MergedProof::triangles(const MergedInstances& set) {
     reached[i] = static_cast<std::uint32_t>(next_drawn(own, 0));
     mirrored[i] = foredraw_merged_is_mirrored(set.transforms.view()[i].data()) != 0;
   }
-  const auto differs = [](std::uint32_t instance) { return numbered("instance", instance) + " draws other triangles than its primitive"; };
+  const auto differs = [](std::uint32_t instance) {
+    return numbered("instance", instance) + " draws other triangles than its primitive";
+  };
   for (const auto& [slot, frequency] : in_sequence(set)) {
     const DrawId id = draw_at(set.places.view()[slot.instance]);
     const Compared one{slot.index_offset, frequency, id, reached[slot.instance], mirrored[slot.instance] != 0};

@@ -13,14 +13,15 @@
 
 namespace foredraw::merging {
 
-/// Holds sets of a scene's merged draws against its nodes, so that what was merged before somebody moved a node or changed a
-/// mesh is not drawn any more. Takes time in the order of what the scene and the sets hold, whatever they name how often.
+/// Holds sets of a scene's merged draws against its nodes, so that what was merged before somebody moved a node or
+/// changed a mesh is not drawn any more. Takes time in the order of what the scene and the sets hold, whatever they
+/// name how often.
 class MergedProof {
  public:
   explicit MergedProof(const Scene& scene);
 
-  /// How a set, in which nothing else is wrong and whose places exist, differs from the nodes, as the rest of a sentence;
-  /// empty: it does not. Triangles whose corners are one vertex draw nothing and are passed over.
+  /// How a set, in which nothing else is wrong and whose places exist, differs from the nodes, as the rest of a
+  /// sentence; empty: it does not. Triangles whose corners are one vertex draw nothing and are passed over.
   std::string difference(const MergedInstances& set);
 
   /// What a slot is compared with: its entries, a mesh from one of its triangles on, turned inside out or not.

@@ -25,8 +25,11 @@ std::string shader_name(const std::string& semantic, std::set<std::string>& take
   while (!name.empty() && name.back() == '_') name.pop_back();
   if (name.empty()) name = "attribute";
   // The names of the functions that are always there, without "merged_".
-  static const std::set<std::string> own = {"vertex", "to_world", "direction_to_world", "normal_to_world", "handedness",
-                                            "byte", "short", "word", "frequency", "slots", "indices", "transforms", "words", "materials", "material"};
+  static const std::set<std::string> own = {"vertex",          "to_world",   "direction_to_world",
+                                            "normal_to_world", "handedness", "byte",
+                                            "short",           "word",       "frequency",
+                                            "slots",           "indices",    "transforms",
+                                            "words",           "materials",  "material"};
   std::string free = own.contains(name) ? name + "_attribute" : name;
   for (int i = 2; !taken.insert(free).second; ++i) free = name + "_of_" + std::to_string(i);
   return free;
@@ -47,8 +50,9 @@ const Words& words_of(ShaderLanguage language) {
 
 std::string glsl_buffers(const MergedShaderOptions& options) {
   const auto buffer = [&](std::uint32_t place, const char* block, const char* content) {
-    return "layout(std430, set = " + std::to_string(options.set) + ", binding = " +
-           std::to_string(options.first_binding + place) + ") readonly buffer " + block + " { " + content + " };\n";
+    return "layout(std430, set = " + std::to_string(options.set) +
+           ", binding = " + std::to_string(options.first_binding + place) + ") readonly buffer " + block + " { " +
+           content + " };\n";
   };
   return buffer(0, "MergedSlots", "uvec2 merged_slots[];") + buffer(1, "MergedIndices", "uint merged_indices[];") +
          buffer(2, "MergedTransforms", "vec4 merged_transforms[];") + buffer(3, "MergedWords", "uint merged_words[];") +
@@ -57,8 +61,8 @@ std::string glsl_buffers(const MergedShaderOptions& options) {
 
 std::string hlsl_buffers(const MergedShaderOptions& options) {
   const auto buffer = [&](std::uint32_t place, const char* type, const char* name) {
-    return std::string(type) + " " + name + " : register(t" + std::to_string(options.first_binding + place) + ", space" +
-           std::to_string(options.set) + ");\n";
+    return std::string(type) + " " + name + " : register(t" + std::to_string(options.first_binding + place) +
+           ", space" + std::to_string(options.set) + ");\n";
   };
   return buffer(0, "StructuredBuffer<uint2>", "merged_slots") + buffer(1, "StructuredBuffer<uint>", "merged_indices") +
          buffer(2, "StructuredBuffer<float4>", "merged_transforms") + buffer(3, "ByteAddressBuffer", "merged_words") +
@@ -72,13 +76,15 @@ std::string fetch(const MergedShaderOptions& options) {
   text += "#ifndef MERGED_FREQUENCY\n#define MERGED_FREQUENCY " + number(options.frequency) + "\n#endif\n";
   text += std::string(glsl ? "" : "static ") + "const uint merged_frequency = MERGED_FREQUENCY;\n\n";
   text += "struct MergedVertex {\n  uint instance;\n  uint vertex;\n};\n\n";
-  text += "MergedVertex merged_vertex(uint number, uint first_slot) {\n"
-          "  uint slot = number / merged_frequency;\n";
+  text +=
+      "MergedVertex merged_vertex(uint number, uint first_slot) {\n"
+      "  uint slot = number / merged_frequency;\n";
   text += std::string("  ") + words.pair + " record = merged_slots[first_slot + slot];\n";
-  text += "  MergedVertex at;\n"
-          "  at.instance = record.y;\n"
-          "  at.vertex = merged_indices[record.x + (number - slot * merged_frequency)];\n"
-          "  return at;\n}\n\n";
+  text +=
+      "  MergedVertex at;\n"
+      "  at.instance = record.y;\n"
+      "  at.vertex = merged_indices[record.x + (number - slot * merged_frequency)];\n"
+      "  return at;\n}\n\n";
   return text;
 }
 
@@ -89,14 +95,18 @@ std::string transforms(const MergedShaderOptions& options) {
     std::string text;
     for (const char* row : {"x", "y", "z"}) {
       const int at = row[0] - 'x';
-      text += "  " + vec4 + " " + row + " = merged_transforms[3u * instance" + (at > 0 ? " + " + number(at) : "") + "];\n";
+      text +=
+          "  " + vec4 + " " + row + " = merged_transforms[3u * instance" + (at > 0 ? " + " + number(at) : "") + "];\n";
     }
     return text + with;
   };
   return vec3 + " merged_to_world(uint instance, " + vec3 + " position) {\n" +
-         rows(("  " + vec4 + " p = " + vec4 + "(position, 1.0);\n  return " + vec3 + "(dot(x, p), dot(y, p), dot(z, p));\n}\n\n").c_str()) +
+         rows(("  " + vec4 + " p = " + vec4 + "(position, 1.0);\n  return " + vec3 +
+               "(dot(x, p), dot(y, p), dot(z, p));\n}\n\n")
+                  .c_str()) +
          vec3 + " merged_direction_to_world(uint instance, " + vec3 + " direction) {\n" +
-         rows(("  return " + vec3 + "(dot(x.xyz, direction), dot(y.xyz, direction), dot(z.xyz, direction));\n}\n\n").c_str()) +
+         rows(("  return " + vec3 + "(dot(x.xyz, direction), dot(y.xyz, direction), dot(z.xyz, direction));\n}\n\n")
+                  .c_str()) +
          "float merged_handedness(uint instance) {\n" +
          rows("  return dot(x.xyz, cross(y.xyz, z.xyz)) < 0.0 ? -1.0 : 1.0;\n}\n\n") +
          "// By the cofactors: the inverse transposed, but for its length.\n" + vec3 +
@@ -117,8 +127,10 @@ std::string reads(const MergedVertexLayout& layout, ShaderLanguage language) {
   };
   std::string text = std::string("uint merged_word(uint address) { return ") +
                      (glsl ? "merged_words[address >> 2]" : "merged_words.Load(address & ~3u)") + "; }\n";
-  if (any(2)) text += "uint merged_short(uint address) { return merged_word(address) >> ((address & 2u) * 8u) & 0xffffu; }\n";
-  if (any(1)) text += "uint merged_byte(uint address) { return merged_word(address) >> ((address & 3u) * 8u) & 0xffu; }\n";
+  if (any(2))
+    text += "uint merged_short(uint address) { return merged_word(address) >> ((address & 2u) * 8u) & 0xffffu; }\n";
+  if (any(1))
+    text += "uint merged_byte(uint address) { return merged_word(address) >> ((address & 3u) * 8u) & 0xffu; }\n";
   return text + "\n";
 }
 
@@ -142,13 +154,15 @@ std::string component_text(const Format& format, const std::string& address, con
 std::string attribute_text(const MergedVertexLayout::Attribute& attribute, const Words& words) {
   const Format& format = attribute.format;
   if (format.components < 1 || format.components > 4) {
-    return "// " + attribute.name + " has " + std::to_string(format.components) + " components and is not read here.\n\n";
+    return "// " + attribute.name + " has " + std::to_string(format.components) +
+           " components and is not read here.\n\n";
   }
   const std::string types[] = {"float", words.vec2, words.vec3, words.vec4};
   const std::string type = types[format.components - 1];
   const std::size_t size = bytes_of(format.component);
-  std::string text = type + " merged_" + attribute.name + "(uint vertex) {\n  uint address = " + number(attribute.offset) +
-                     " + vertex * " + number(format.bytes) + ";\n  return ";
+  std::string text = type + " merged_" + attribute.name +
+                     "(uint vertex) {\n  uint address = " + number(attribute.offset) + " + vertex * " +
+                     number(format.bytes) + ";\n  return ";
   std::string components;
   for (std::size_t c = 0; c < format.components; ++c) {
     if (c > 0) components += ",\n      ";
@@ -170,7 +184,8 @@ MergedVertexLayout merged_vertex_layout(const VertexStreams& vertices) {
   std::set<std::string> taken;
   for (const VertexStream& stream : vertices.base) {
     if (layout.bytes + stream.bytes.size() > 0xffffffff) {
-      throw std::length_error("the merged vertices have 2^32 bytes or more, which no shader can address; merge fewer meshes");
+      throw std::length_error(
+          "the merged vertices have 2^32 bytes or more, which no shader can address; merge fewer meshes");
     }
     layout.attributes.push_back({stream.semantic, shader_name(stream.semantic, taken), stream.format,
                                  static_cast<std::uint32_t>(layout.bytes)});

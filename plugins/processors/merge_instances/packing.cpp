@@ -91,15 +91,16 @@ std::vector<PlacedSlots> cut_meshes(std::span<const PackedMesh> meshes,
 using ClassSlots = std::array<std::uint64_t, 4>;
 
 /// Draws of a group, each with as many slots as offsets reach.
-void add_draws(std::uint32_t group, const ClassSlots& own, const FrequencyChoice& frequencies, const PackOptions& options,
-               std::uint64_t& slots, std::vector<MergedDraw>& draws) {
+void add_draws(std::uint32_t group, const ClassSlots& own, const FrequencyChoice& frequencies,
+               const PackOptions& options, std::uint64_t& slots, std::vector<MergedDraw>& draws) {
   for (std::size_t k = 0; k < frequencies.frequencies.size(); ++k) {
     const std::uint32_t frequency = frequencies.frequencies[k];
     const std::uint64_t most = std::max<std::uint64_t>(1, options.most_entries / frequency);
     for (std::uint64_t done = 0; done < own[k]; done += most) {
       const std::uint64_t count = std::min(most, own[k] - done);
       if (slots + count > std::numeric_limits<std::uint32_t>::max()) {
-        throw std::length_error("the merged draws need more slots than 32 bits can number; merge fewer instances together");
+        throw std::length_error(
+            "the merged draws need more slots than 32 bits can number; merge fewer instances together");
       }
       draws.push_back({group, frequency, static_cast<std::uint32_t>(slots), static_cast<std::uint32_t>(count)});
       slots += count;
@@ -153,8 +154,8 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
   for (const std::uint32_t p : groups) {
     const Placing placing = placings[p];
     if (placing != Placing::plain && placing != Placing::mirrored) {
-      throw std::invalid_argument(std::string(meshes[placed[p].mesh].name) + ": can not be merged: " +
-                                  std::string(to_text(placing)));
+      throw std::invalid_argument(std::string(meshes[placed[p].mesh].name) +
+                                  ": can not be merged: " + std::string(to_text(placing)));
     }
     is_mirrored[p] = placing == Placing::mirrored;
     is_placed[placed[p].mesh][is_mirrored[p]] = 1;

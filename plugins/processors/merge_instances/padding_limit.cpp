@@ -22,14 +22,14 @@ struct Option {
   std::uint64_t slots = 0, padded = 0;
 };
 
-/// The classes of a size that a line from the least padded to the fewest slots bends at: what lies above it is not worth
-/// its room. Falling in slots, rising in padding.
+/// The classes of a size that a line from the least padded to the fewest slots bends at: what lies above it is not
+/// worth its room. Falling in slots, rising in padding.
 std::vector<Option> bends(const MeshSize& size, std::span<const std::uint32_t> frequencies) {
   std::vector<Option> options;
   for (std::size_t k = 0; k < frequencies.size(); ++k) {
     const std::uint64_t slots = slots_of(size.indices, frequencies[k]);
-    options.push_back({static_cast<std::uint8_t>(k), size.placed * slots,
-                       size.placed * (slots * frequencies[k] - size.indices)});
+    options.push_back(
+        {static_cast<std::uint8_t>(k), size.placed * slots, size.placed * (slots * frequencies[k] - size.indices)});
   }
   std::ranges::sort(options, [](const Option& a, const Option& b) {
     return a.padded != b.padded ? a.padded < b.padded : a.slots < b.slots;
@@ -51,8 +51,8 @@ std::vector<Option> bends(const MeshSize& size, std::span<const std::uint32_t> f
   return line;
 }
 
-/// Which steps to take: the most slots saved in the room there is. Depth first, the best for its room first; what a part
-/// of the next step would save at most says where to turn back.
+/// Which steps to take: the most slots saved in the room there is. Depth first, the best for its room first; what a
+/// part of the next step would save at most says where to turn back.
 class Knapsack {
  public:
   explicit Knapsack(std::span<const Step> steps) : steps_(steps), taken_(steps.size()) {}
@@ -70,7 +70,8 @@ class Knapsack {
     double most = 0;
     for (; i < steps_.size(); ++i) {
       if (steps_[i].padded > room) {
-        return most + static_cast<double>(steps_[i].saved) * static_cast<double>(room) / static_cast<double>(steps_[i].padded);
+        return most +
+               static_cast<double>(steps_[i].saved) * static_cast<double>(room) / static_cast<double>(steps_[i].padded);
       }
       most += static_cast<double>(steps_[i].saved);
       room -= steps_[i].padded;

@@ -27,8 +27,8 @@ struct Box {
 /// The part of all frustums that see anything of a scene which also touch a box in it: cameras stand anywhere and look
 /// anywhere, all equally likely.
 ///
-/// A convex body that is moved and turned at random meets another with a measure of V1 + V2 + (S1 M2 + S2 M1) / 4 pi, of
-/// volumes, surfaces and integrals of mean curvature (Blaschke's kinematic formula; Santalo, "Integral Geometry and
+/// A convex body that is moved and turned at random meets another with a measure of V1 + V2 + (S1 M2 + S2 M1) / 4 pi,
+/// of volumes, surfaces and integrals of mean curvature (Blaschke's kinematic formula; Santalo, "Integral Geometry and
 /// Geometric Probability", 1976, III.15.4). The frustum is a pyramid of 16:9 that opens 60 degrees upright.
 class SeenBoxes {
  public:
@@ -52,7 +52,8 @@ class SeenBoxes {
     const glm::dvec3 side = glm::dvec3(box.most) - glm::dvec3(box.least);
     const double volume = side.x * side.y * side.z;
     const double surface = 2 * (side.x * side.y + side.y * side.z + side.z * side.x);
-    // A box's curvature lies in its edges, four of each direction, that turn by a right angle: pi for each side's length.
+    // A box's curvature lies in its edges, four of each direction, that turn by a right angle: pi for each side's
+    // length.
     return volume_ + volume + surface_ * (side.x + side.y + side.z) / 4 + curvature_ * surface * one_in_four_pi;
   }
 

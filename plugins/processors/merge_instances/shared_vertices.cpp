@@ -33,7 +33,8 @@ SharedVertices shared_vertices(const Scene& scene, std::span<const DrawId> draws
       const std::span<const std::byte> own = source->base[s].bytes.view();
       bytes.insert(bytes.end(), own.begin(), own.end());
     }
-    vertices->base.push_back({sources[0]->base[s].semantic, sources[0]->base[s].format, Shared<std::byte>(std::move(bytes))});
+    vertices->base.push_back(
+        {sources[0]->base[s].semantic, sources[0]->base[s].format, Shared<std::byte>(std::move(bytes))});
   }
   result.vertices = std::move(vertices);
   return result;

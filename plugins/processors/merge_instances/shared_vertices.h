@@ -15,8 +15,8 @@ struct SharedVertices {
   std::vector<std::uint32_t> first;  ///< [draw] where its vertices begin
 };
 
-/// The streams of all draws (of their full levels, which have one layout) one behind the other; vertices that several draws
-/// look into are there once. Throws std::length_error where there are more than 32 bits can number.
+/// The streams of all draws (of their full levels, which have one layout) one behind the other; vertices that several
+/// draws look into are there once. Throws std::length_error where there are more than 32 bits can number.
 SharedVertices shared_vertices(const Scene& scene, std::span<const DrawId> draws);
 
 }  // namespace foredraw::merging

@@ -7,8 +7,8 @@ namespace foredraw::merging {
 
 namespace {
 
-constexpr std::uint64_t farthest = 24;          ///< triangles that a cut may move
-constexpr std::uint64_t most_looks = 4'000'000; ///< triangles looked at, about
+constexpr std::uint64_t farthest = 24;           ///< triangles that a cut may move
+constexpr std::uint64_t most_looks = 4'000'000;  ///< triangles looked at, about
 
 /// Counts different vertices.
 class Different {

@@ -15,11 +15,11 @@ struct SlotCuts {
   std::size_t slots() const { return first.empty() ? 0 : first.size() - 1; }
 };
 
-/// Cuts the triangles, in their sequence, into the fewest slots of at most `frequency` entries (a multiple of 3), so that
-/// the slots have the fewest vertices between them: cuts fall where few are shared. The padding that fills the last slot
-/// otherwise is what moves them, so nothing is padded more. Exact where each cut may move by all the padding; it moves by
-/// 24 triangles at most, and by fewer in meshes of a million. `vertices`: above every index.
-/// O(triangles * how far cuts may move).
+/// Cuts the triangles, in their sequence, into the fewest slots of at most `frequency` entries (a multiple of 3), so
+/// that the slots have the fewest vertices between them: cuts fall where few are shared. The padding that fills the
+/// last slot otherwise is what moves them, so nothing is padded more. Exact where each cut may move by all the padding;
+/// it moves by 24 triangles at most, and by fewer in meshes of a million. `vertices`: above every index. O(triangles *
+/// how far cuts may move).
 SlotCuts cut_slots(std::span<const std::uint32_t> indices, std::size_t vertices, std::uint32_t frequency);
 
 /// Every slot full but the last one.

@@ -10,12 +10,13 @@
 
 namespace foredraw::merging {
 
-/// A group's merged draws as draws of a scene of their own: a triangle list in the world for each, with all attributes, of the
-/// set's first material, whose holes those of other materials are taken to be.
+/// A group's merged draws as draws of a scene of their own: a triangle list in the world for each, with all attributes,
+/// of the set's first material, whose holes those of other materials are taken to be.
 Scene group_scene(const Scene& scene, const MergedInstances& merged, std::uint32_t group);
 
-/// The slots with those of each draw sorted by the DotRule within their group: what faces outwards from the group's middle
-/// is drawn first. Groups are shared out over the threads. Source: Sander, Nehab, Barczak, SIGGRAPH 2007, "The DotRule".
+/// The slots with those of each draw sorted by the DotRule within their group: what faces outwards from the group's
+/// middle is drawn first. Groups are shared out over the threads. Source: Sander, Nehab, Barczak, SIGGRAPH 2007, "The
+/// DotRule".
 std::vector<MergedSlot> outward_slots(const MergedInstances& merged, const Executor& executor);
 
 }  // namespace foredraw::merging

@@ -17,8 +17,8 @@ struct PlacedBox {
 };
 
 struct GroupOptions {
-  /// What a draw costs, in index entries that are drawn though nobody sees them: about what a GPU draws in the time of a
-  /// small draw call.
+  /// What a draw costs, in index entries that are drawn though nobody sees them: about what a GPU draws in the time of
+  /// a small draw call.
   double draw_cost = 4096;
   std::uint64_t most_indices = 1u << 24;    ///< of a group; one instance alone may have more
   std::uint32_t most_instances = 1u << 16;  ///< of a group
@@ -27,8 +27,8 @@ struct GroupOptions {
   bool merge_neighbours = true;             ///< improve what the tree found
 };
 
-/// What groups cost a frame, expected over all cameras: draws, and entries that are drawn because the group's bound is seen
-/// where the instance's own is not.
+/// What groups cost a frame, expected over all cameras: draws, and entries that are drawn because the group's bound is
+/// seen where the instance's own is not.
 struct GroupCost {
   std::uint64_t draws = 0;
   double wasted = 0;  ///< index entries
@@ -49,15 +49,16 @@ struct SpatialGroups {
   }
 };
 
-/// Groups of low cost. A tree is built downwards by the best of 16 cuts along each axis, and only as far as a cut can pay:
-/// groups that waste less than a draw costs are whole. Of all sets of its nodes that hold each instance once, the cheapest
-/// is taken, exactly; then neighbours from different branches are merged, the best pair first, as long as the cost falls.
-/// O(n log n). The same at any number of threads. Throws std::invalid_argument where a box is empty or not finite.
+/// Groups of low cost. A tree is built downwards by the best of 16 cuts along each axis, and only as far as a cut can
+/// pay: groups that waste less than a draw costs are whole. Of all sets of its nodes that hold each instance once, the
+/// cheapest is taken, exactly; then neighbours from different branches are merged, the best pair first, as long as the
+/// cost falls. O(n log n). The same at any number of threads. Throws std::invalid_argument where a box is empty or not
+/// finite.
 SpatialGroups spatial_groups(std::span<const PlacedBox> instances, const GroupOptions& options,
                              const Executor& executor);
 
-/// For comparison: the cost of the cheapest grid of equal cubes, from one cell along the longest side to 1024 in powers of
-/// two. Each instance is in its middle's cell, and cells beyond the budgets take as many draws as these allow.
+/// For comparison: the cost of the cheapest grid of equal cubes, from one cell along the longest side to 1024 in powers
+/// of two. Each instance is in its middle's cell, and cells beyond the budgets take as many draws as these allow.
 GroupCost best_grid(std::span<const PlacedBox> instances, const GroupOptions& options);
 
 }  // namespace foredraw::merging

@@ -1,4 +1,5 @@
-// The hull by CGAL with exact predicates, where the build asks for it: FOREDRAW_CGAL_HULL. CGAL's hulls are under the GPL.
+// The hull by CGAL with exact predicates, where the build asks for it: FOREDRAW_CGAL_HULL. CGAL's hulls are under the
+// GPL.
 #ifdef FOREDRAW_CGAL_HULL
 
 #include "convex_hull.h"

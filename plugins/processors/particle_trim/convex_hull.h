@@ -11,8 +11,8 @@ namespace foredraw::trim {
 std::vector<Point> convex_hull(std::vector<Point> points);
 
 /// The corners of the hull, the least (by x, then y) first, clockwise on a screen (cross() of following edges is above
-/// 0); none lies on the line between its neighbours. Fewer than three where the points have no area. Coordinates have to
-/// be below 2^30. O(n log n). Source: Andrew 1979, monotone chain.
+/// 0); none lies on the line between its neighbours. Fewer than three where the points have no area. Coordinates have
+/// to be below 2^30. O(n log n). Source: Andrew 1979, monotone chain.
 std::vector<Point> monotone_chain(std::vector<Point> points);
 
 }  // namespace foredraw::trim

@@ -169,7 +169,8 @@ std::optional<Enclosing> reduced_enclosing(std::span<const Point> hull, int n, i
   const Pockets pockets(hull, allowed);
   const auto corners = static_cast<std::size_t>(n);
   if (hull.size() <= corners) return whole(hull, pockets);
-  std::vector<std::size_t> edges = reduced_hull(Pockets(hull, {}), std::max(corners, static_cast<std::size_t>(most_edges)));
+  std::vector<std::size_t> edges =
+      reduced_hull(Pockets(hull, {}), std::max(corners, static_cast<std::size_t>(most_edges)));
   return Sets(pockets, std::move(edges), corners).best();
 }
 

@@ -34,7 +34,8 @@ std::vector<std::array<std::uint32_t, 3>> fewest_inner_edges(std::span<const glm
     parts.pop_back();
     if (last < first + 2) continue;
     const std::size_t k = apex[first * count + last];
-    triangles.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(last)});
+    triangles.push_back(
+        {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(last)});
     parts.emplace_back(k, last);
     parts.emplace_back(first, k);
   }

@@ -50,8 +50,8 @@ struct Range {
 
 /// Of each row of texels the rectangle from the first that shows to the last, each texel `reach` halves larger on all
 /// sides.
-void add_rows(const AlphaImage& level, const AlphaImage& image, const Sampling& sampling, std::uint16_t limit, int reach,
-              const Box& frame, std::vector<Point>& points) {
+void add_rows(const AlphaImage& level, const AlphaImage& image, const Sampling& sampling, std::uint16_t limit,
+              int reach, const Box& frame, std::vector<Point>& points) {
   const Axis x{image.width * texel, 2 * std::int64_t{level.width}};
   const Axis y{image.height * texel, 2 * std::int64_t{level.height}};
   const Range columns{x.first_behind(frame.least.x, reach), x.last_before(frame.most.x, reach)};
@@ -65,11 +65,11 @@ void add_rows(const AlphaImage& level, const AlphaImage& image, const Sampling& 
   }
 }
 
-/// Of each row of cells between texels' centres, what shows in those that may have a part in the outline. In the others it
-/// lies between what shows on the lines through the centres, above and below; only, what the frame cuts in two has no such
-/// line on one side, and is looked at whole.
-void add_cells(const AlphaImage& image, const Sampling& sampling, double threshold, std::uint16_t limit, const Box& frame,
-               std::vector<Point>& points) {
+/// Of each row of cells between texels' centres, what shows in those that may have a part in the outline. In the others
+/// it lies between what shows on the lines through the centres, above and below; only, what the frame cuts in two has
+/// no such line on one side, and is looked at whole.
+void add_cells(const AlphaImage& image, const Sampling& sampling, double threshold, std::uint16_t limit,
+               const Box& frame, std::vector<Point>& points) {
   constexpr std::int64_t half = texel / 2;
   const Range columns{floor_div(frame.least.x - half, texel), ceil_div(frame.most.x + half, texel) - 1};
   const Range rows{floor_div(frame.least.y - half, texel), ceil_div(frame.most.y + half, texel) - 1};
@@ -113,7 +113,9 @@ FootprintOptions footprint_of(const ParticleTrimOptions& options) {
 }
 
 ShownImage::ShownImage(const AlphaImage& image, const Sampling& sampling, const FootprintOptions& options)
-    : image_(image), sampling_(sampling), options_(options),
+    : image_(image),
+      sampling_(sampling),
+      options_(options),
       limit_(static_cast<std::uint16_t>(std::floor(std::clamp(options.threshold, 0.0, 1.0) * 65535))) {
   for (int i = 0; i < options.mip_levels; ++i) {
     const AlphaImage& last = level(smaller_.size());
@@ -135,7 +137,8 @@ std::vector<Point> ShownImage::shown_points(const Box& frame) const {
   if (options_.footprint == Footprint::bilinear && is_blended() && limit_ > 0) {
     add_cells(image_, sampling_, options_.threshold, limit_, frame, points);
   } else {
-    add_rows(image_, image_, sampling_, limit_, reach, frame, points);  // all of what blends with more than 0 is above 0
+    add_rows(image_, image_, sampling_, limit_, reach, frame,
+             points);  // all of what blends with more than 0 is above 0
   }
   for (const AlphaImage& level : smaller_) add_rows(level, image_, sampling_, limit_, reach, frame, points);
   return points;
@@ -176,7 +179,8 @@ std::vector<Point> padded_hull(const std::vector<Point>& shown, const Box& frame
   // A sampler rounds a place to the next step, and a rasteriser a corner to 1/256 pixel: of the smallest version of the
   // image that is sampled, a pixel is as large as so many texels.
   const std::int64_t rounding = 1 + (std::int64_t{1} << options.mip_levels);
-  const std::int64_t more = rounding + static_cast<std::int64_t>(std::ceil(options.padding * static_cast<double>(texel)));
+  const std::int64_t more =
+      rounding + static_cast<std::int64_t>(std::ceil(options.padding * static_cast<double>(texel)));
   std::vector<Point> padded;
   for (const Point& p : hull) add_corners({{p.x - more, p.y - more}, {p.x + more, p.y + more}}, padded);
   hull = convex_hull(std::move(padded));

@@ -12,10 +12,10 @@
 namespace foredraw::trim {
 
 struct FootprintOptions {
-  double threshold = 0;    ///< what is above it shows; 0 to 1
+  double threshold = 0;  ///< what is above it shows; 0 to 1
   Footprint footprint = Footprint::bilinear;
-  int mip_levels = 0;      ///< smaller versions of the image that may be sampled as well
-  double padding = 0;      ///< texels more on each side
+  int mip_levels = 0;  ///< smaller versions of the image that may be sampled as well
+  double padding = 0;  ///< texels more on each side
 };
 
 /// What the options say of how an image shows.
@@ -30,8 +30,8 @@ class ShownImage {
   ShownImage(const AlphaImage& image, const Sampling& sampling, const FootprintOptions& options);
   ~ShownImage();
 
-  /// Points in the frame round all that shows there: every place at which it shows lies in their convex hull. Those of each
-  /// row of texels; none where nothing shows.
+  /// Points in the frame round all that shows there: every place at which it shows lies in their convex hull. Those of
+  /// each row of texels; none where nothing shows.
   std::vector<Point> shown_points(const Box& frame) const;
 
   /// Which half texels of the image show; found on the first ask.
@@ -59,8 +59,8 @@ class ShownImage {
   mutable std::unique_ptr<const ShownCells> cells_;
 };
 
-/// The corners of the hull of what shows in a frame, with the padding and what samplers and rasterisers round off round it,
-/// as far as it lies in the frame.
+/// The corners of the hull of what shows in a frame, with the padding and what samplers and rasterisers round off round
+/// it, as far as it lies in the frame.
 std::vector<Point> padded_hull(const std::vector<Point>& shown, const Box& frame, const FootprintOptions& options);
 
 }  // namespace foredraw::trim

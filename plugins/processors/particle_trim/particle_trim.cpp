@@ -33,7 +33,8 @@ bool is_in_reach(const glm::dvec2& place, const Box& frame, const ShownImage& im
   const auto far = static_cast<double>(std::max(size.x, size.y));
   const auto is_between = [](double number, double least, double most) { return number >= least && number <= most; };
   if (!UvGrid(format).reaches_out()) {
-    const glm::dvec2 whole = static_cast<double>(steps_per_texel) * glm::dvec2(image.image().width, image.image().height);
+    const glm::dvec2 whole =
+        static_cast<double>(steps_per_texel) * glm::dvec2(image.image().width, image.image().height);
     return is_between(place.x, 0, whole.x) && is_between(place.y, 0, whole.y);
   }
   return is_between(place.x, static_cast<double>(frame.least.x) - far, static_cast<double>(frame.most.x) + far) &&
@@ -57,13 +58,14 @@ Span span_at(const std::vector<glm::dvec2>& corners, double y) {
   return span;
 }
 
-/// The largest value that may show in the frame outside of the polygon: of the texels that the polygon does not hold with
-/// all that they blend into, but no more than the threshold, as the rest is proven to lie inside.
+/// The largest value that may show in the frame outside of the polygon: of the texels that the polygon does not hold
+/// with all that they blend into, but no more than the threshold, as the rest is proven to lie inside.
 double lost(const ShownImage& image, const Box& frame, const StoredPolygon& polygon) {
   if (image.limit() == 0) return 0;
   const std::int64_t reach = image.is_blended() ? steps_per_texel / 2 : 0;
   const std::vector<glm::dvec2> corners = polygon.places();
-  const std::int64_t first = frame.least.x / steps_per_texel, end = (frame.most.x + steps_per_texel - 1) / steps_per_texel;
+  const std::int64_t first = frame.least.x / steps_per_texel,
+                     end = (frame.most.x + steps_per_texel - 1) / steps_per_texel;
   std::uint16_t most = 0;
   const std::int64_t last_row = (frame.most.y + steps_per_texel - 1) / steps_per_texel;
   for (std::int64_t row = frame.least.y / steps_per_texel; row < last_row && most <= image.limit(); ++row) {
@@ -74,8 +76,14 @@ double lost(const ShownImage& image, const Box& frame, const StoredPolygon& poly
     // Columns that are held whole; a texel too few does no harm. What ends at the frame's edge need not go beyond it.
     std::int64_t from = end, to = end;
     if (left < right) {
-      const auto held_from = left <= static_cast<double>(frame.least.x) ? first : static_cast<std::int64_t>(std::ceil((left + static_cast<double>(reach)) / steps_per_texel));
-      const auto held_end = right >= static_cast<double>(frame.most.x) ? end : static_cast<std::int64_t>(std::floor((right - static_cast<double>(reach)) / steps_per_texel));
+      const auto held_from =
+          left <= static_cast<double>(frame.least.x)
+              ? first
+              : static_cast<std::int64_t>(std::ceil((left + static_cast<double>(reach)) / steps_per_texel));
+      const auto held_end =
+          right >= static_cast<double>(frame.most.x)
+              ? end
+              : static_cast<std::int64_t>(std::floor((right - static_cast<double>(reach)) / steps_per_texel));
       from = std::clamp(held_from, first, end);
       to = std::clamp(held_end, from, end);
     }
@@ -105,7 +113,9 @@ class Trimming {
     if (hull_area >= frame_.area()) return unchanged(Outcome::full);
     if (hull_area > frame_.area() * (1 - options_.least_saving)) return unchanged(Outcome::no_saving);
 
-    const Allowed allowed = [this](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) { return is_allowed(a, b, c); };
+    const Allowed allowed = [this](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+      return is_allowed(a, b, c);
+    };
     const std::vector<glm::dvec2> rectangle = rectangle_round(hull);
     const double rectangle_area = (rectangle[2].x - rectangle[0].x) * (rectangle[2].y - rectangle[0].y);
     // A larger polygon would not be used.
@@ -161,7 +171,8 @@ class Trimming {
   }
 
   /// The polygon for every frame, rounded and proven; none where it can not be.
-  std::optional<std::vector<TrimmedSprite>> stored(const std::vector<glm::dvec2>& corners, TrimmedSprite::Outcome outcome) const {
+  std::optional<std::vector<TrimmedSprite>> stored(const std::vector<glm::dvec2>& corners,
+                                                   TrimmedSprite::Outcome outcome) const {
     std::vector<TrimmedSprite> made;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       const Box& frame = frames_[i];
@@ -172,7 +183,8 @@ class Trimming {
         made.push_back(left_alone(i, TrimmedSprite::Outcome::no_saving));
         continue;
       }
-      made.push_back({outcome, polygon->texture_coordinates(), area, frame_area, texels_of(frame), lost(image_, frame, *polygon)});
+      made.push_back(
+          {outcome, polygon->texture_coordinates(), area, frame_area, texels_of(frame), lost(image_, frame, *polygon)});
     }
     return made;
   }

@@ -48,7 +48,9 @@ Told told(TrimmedSprite::Outcome outcome) {
   using Outcome = TrimmedSprite::Outcome;
   switch (outcome) {
     case Outcome::rectangle:
-      return {"rectangle", "trimmed to an upright rectangle: a polygon of so few vertices is larger, or covers what shows beside it"};
+      return {
+          "rectangle",
+          "trimmed to an upright rectangle: a polygon of so few vertices is larger, or covers what shows beside it"};
     case Outcome::empty: return {"empty", "nothing of it shows, so it stays as it is; it need not be drawn at all"};
     case Outcome::full: return {"full", "all of it shows: there is nothing to trim"};
     case Outcome::no_saving: return {"no-saving", "trimming saves too little (least-saving), so it stays as it is"};
@@ -179,7 +181,8 @@ class ParticleTrim final : public Processor {
     run.count_at(about, "texels", static_cast<double>(texels));
     for (const auto& [outcome, count] : outcomes) {
       if (outcome == TrimmedSprite::Outcome::trimmed) continue;
-      const std::string of = draw.sprites.size() == 1 ? "" : fmt::format("{} of {} quads: ", count, draw.sprites.size());
+      const std::string of =
+          draw.sprites.size() == 1 ? "" : fmt::format("{} of {} quads: ", count, draw.sprites.size());
       const auto [code, text] = told(outcome);
       run.note_at(about, code, of + text);
     }
@@ -202,12 +205,14 @@ Plugin particle_trim_plugin() {
       .breaks = {traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered},
       .pays_if = "a sprite has empty corners",
       .metrics = {{"area", "of the frame", "What is drawn of each frame, of its area; 1: the whole quad"},
-                  {"alpha-lost", "alpha", "Largest value that may show outside of the polygon, 0 to 1; at most the threshold", true, true},
+                  {"alpha-lost", "alpha",
+                   "Largest value that may show outside of the polygon, 0 to 1; at most the threshold", true, true},
                   {"texels", "texels", "Texels that were checked: all that show are drawn", false}},
   };
   OptionTable<Options> table;
   table.row(&ParticleTrimOptions::vertices, "vertices", "Most vertices of a polygon", {3, 16, "vertices"})
-      .choice(&ParticleTrimOptions::method, "method", "The smallest of all polygons, or Persson's search on a reduced hull",
+      .choice(&ParticleTrimOptions::method, "method",
+              "The smallest of all polygons, or Persson's search on a reduced hull",
               {{"optimal", TrimMethod::optimal}, {"persson", TrimMethod::persson}})
       .row(&ParticleTrimOptions::threshold, "threshold", "What is above it shows", {0, 1, ""});
   add_alpha_channel(table, &ParticleTrimOptions::channel);

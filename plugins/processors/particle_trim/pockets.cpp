@@ -14,7 +14,8 @@ double as_double(std::int64_t number) { return static_cast<double>(number); }
 
 Pockets::Pockets(std::span<const Point> hull, Allowed allowed)
     : hull_(hull), allowed_(std::move(allowed)), sums_(2 * hull.size() + 1, 0) {
-  for (std::size_t i = 0; i < 2 * hull.size(); ++i) sums_[i + 1] = sums_[i] + trim::cross(at(i) - at(0), at(i + 1) - at(0));
+  for (std::size_t i = 0; i < 2 * hull.size(); ++i)
+    sums_[i + 1] = sums_[i] + trim::cross(at(i) - at(0), at(i + 1) - at(0));
 }
 
 /// Twice the area between the chord from edge i's end to the later edge's begin and the hull.
@@ -50,8 +51,8 @@ glm::dvec2 Pockets::corner(std::size_t i, std::size_t steps) const {
   return real(at(i + 1)) + real(u) * (as_double(trim::cross(chord, w)) / as_double(trim::cross(u, w)));
 }
 
-/// Whether the area grows when a line that lies on `edge` is turned on about the pivot: where it is longer behind the pivot
-/// than before it.
+/// Whether the area grows when a line that lies on `edge` is turned on about the pivot: where it is longer behind the
+/// pivot than before it.
 bool Pockets::is_growing(std::size_t edge, const Point& pivot, std::size_t i, std::size_t j) const {
   const Point line = direction(edge), u = direction(i), w = direction(j);
   // In lengths of `line` from the pivot to the lines of i and j.
@@ -65,22 +66,26 @@ std::optional<Pockets::Free> Pockets::free(std::size_t i, std::size_t steps) con
   const Point u = direction(i), w = direction(j);
   const std::int64_t turn = trim::cross(u, w);
   if (turn >= 0) return std::nullopt;
-  // Edges between, in whose direction a line meets both others beside the hull: those before `end` meet the first one, for
-  // they turn from it by less than half a circle, and from `first` on the second.
+  // Edges between, in whose direction a line meets both others beside the hull: those before `end` meet the first one,
+  // for they turn from it by less than half a circle, and from `first` on the second.
   const auto meets_first = [&](std::size_t edge) { return trim::cross(u, direction(edge)) > 0; };
   const auto meets_second = [&](std::size_t edge) { return trim::cross(direction(edge), w) > 0; };
   const auto first_where = [](std::size_t from, std::size_t to, auto&& holds) {
     while (from < to) {
       const std::size_t middle = (from + to) / 2;
-      if (holds(middle)) to = middle;
-      else from = middle + 1;
+      if (holds(middle))
+        to = middle;
+      else
+        from = middle + 1;
     }
     return from;
   };
   const std::size_t end = first_where(i + 1, j, [&](std::size_t edge) { return !meets_first(edge); });
   const std::size_t first = first_where(i + 1, end, meets_second);
-  const std::size_t pivot_at = first_where(first, end, [&](std::size_t edge) { return is_growing(edge, at(edge), i, j); });
-  if (pivot_at > first && is_growing(pivot_at - 1, at(pivot_at), i, j)) return std::nullopt;  // least on that edge itself
+  const std::size_t pivot_at =
+      first_where(first, end, [&](std::size_t edge) { return is_growing(edge, at(edge), i, j); });
+  if (pivot_at > first && is_growing(pivot_at - 1, at(pivot_at), i, j))
+    return std::nullopt;  // least on that edge itself
   const Point pivot = at(pivot_at);
 
   // The edge's ends lie on the lines and equally far from the pivot.
@@ -96,7 +101,8 @@ std::optional<Pockets::Free> Pockets::free(std::size_t i, std::size_t steps) con
 }
 
 bool Pockets::is_allowed(std::size_t i, std::size_t steps, const Free& free) const {
-  return !allowed_ || (allowed_(real(at(i + 1)), free.from, free.touching) && allowed_(free.touching, free.to, real(at(i + steps))));
+  return !allowed_ ||
+         (allowed_(real(at(i + 1)), free.from, free.touching) && allowed_(free.touching, free.to, real(at(i + steps))));
 }
 
 }  // namespace foredraw::trim

@@ -1,6 +1,6 @@
 #pragma once
-// What a polygon round a hull covers besides the hull. Between two of its edges that lie on edges of the hull it runs along
-// their lines to where these meet, or along one more edge that only touches the hull: the pocket between.
+// What a polygon round a hull covers besides the hull. Between two of its edges that lie on edges of the hull it runs
+// along their lines to where these meet, or along one more edge that only touches the hull: the pocket between.
 
 #include "convex_hull.h"
 
@@ -24,8 +24,8 @@ class Pockets {
   std::size_t edges() const { return hull_.size(); }
   double hull_area() const { return 0.5 * static_cast<double>(sums_[hull_.size()]); }
 
-  /// The area between the lines of edge i and the `steps`-th edge behind it; infinity where they turn by half a circle or
-  /// more. It grows with the steps. Its error is below 1e-15 of what the lines enclose.
+  /// The area between the lines of edge i and the `steps`-th edge behind it; infinity where they turn by half a circle
+  /// or more. It grows with the steps. Its error is below 1e-15 of what the lines enclose.
   double area(std::size_t i, std::size_t steps) const;
 
   /// Whether that may be covered.
@@ -43,9 +43,10 @@ class Pockets {
     double area = 0;  ///< of the pocket
     glm::dvec2 from, touching, to;
   };
-  /// The one that makes the pocket smallest; it touches the hull at its midpoint. None where an edge on the hull makes it
-  /// as small: always where the lines turn by half a circle or less. Where they turn by more, the area grows with the
-  /// steps. (DePano 1987, "Polygon approximation with optimized polygonal enclosures"; Aggarwal, Chang and Yap 1985.)
+  /// The one that makes the pocket smallest; it touches the hull at its midpoint. None where an edge on the hull makes
+  /// it as small: always where the lines turn by half a circle or less. Where they turn by more, the area grows with
+  /// the steps. (DePano 1987, "Polygon approximation with optimized polygonal enclosures"; Aggarwal, Chang and Yap
+  /// 1985.)
   std::optional<Free> free(std::size_t i, std::size_t steps) const;
 
   bool is_allowed(std::size_t i, std::size_t steps, const Free& free) const;

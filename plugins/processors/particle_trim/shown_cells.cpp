@@ -68,8 +68,10 @@ std::int64_t end_cell(double place) { return static_cast<std::int64_t>(std::ceil
 }  // namespace
 
 ShownCells::ShownCells(const ShownImage& image)
-    : width_(2 * std::int64_t{image.image().width}), height_(2 * std::int64_t{image.image().height}),
-      wrap_(image.sampling().wrap), words_((static_cast<std::size_t>(width_) + 63) / 64),
+    : width_(2 * std::int64_t{image.image().width}),
+      height_(2 * std::int64_t{image.image().height}),
+      wrap_(image.sampling().wrap),
+      words_((static_cast<std::size_t>(width_) + 63) / 64),
       bits_(words_ * static_cast<std::size_t>(height_), 0) {
   const int reach = image.is_blended() ? 1 : 0;
   for (std::size_t i = 0; i < image.levels(); ++i) mark_level(image.level(i), image.limit(), reach);
@@ -88,7 +90,9 @@ void ShownCells::mark_level(const AlphaImage& level, std::uint16_t limit, int re
     const std::int64_t scaled = half * cells;
     return scaled >= 0 ? scaled / (2 * texels) : -((-scaled + 2 * texels - 1) / (2 * texels));
   };
-  const auto up = [&](std::int64_t half, std::int64_t cells, std::int64_t texels) { return -down(-half, cells, texels); };
+  const auto up = [&](std::int64_t half, std::int64_t cells, std::int64_t texels) {
+    return -down(-half, cells, texels);
+  };
   for (std::int64_t y = 0; y < h; ++y) {
     const std::uint16_t* row = &level.alpha[static_cast<std::size_t>(y * w)];
     const std::int64_t upper = down(2 * y - reach, height_, h), lower = up(2 * y + 2 + reach, height_, h);

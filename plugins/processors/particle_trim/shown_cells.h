@@ -11,8 +11,8 @@ class ShownCells {
  public:
   explicit ShownCells(const ShownImage& image);
 
-  /// Whether something shows in the triangle outside of the frame, further inside than a sampler's step. In steps from the
-  /// image's upper left corner.
+  /// Whether something shows in the triangle outside of the frame, further inside than a sampler's step. In steps from
+  /// the image's upper left corner.
   bool shows_outside(const Box& frame, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) const;
 
  private:
@@ -24,7 +24,7 @@ class ShownCells {
 
   std::int64_t width_, height_;  ///< in half texels
   std::array<Wrap, 2> wrap_;
-  std::size_t words_;            ///< of a row
+  std::size_t words_;  ///< of a row
   std::vector<std::uint64_t> bits_;
   std::vector<bool> left_, right_;  ///< the first and the last cell of each row
 };

@@ -81,7 +81,8 @@ bool is_clockwise(const SpriteQuad& quad, TrimWinding winding) {
 class PolygonVertices {
  public:
   PolygonVertices(const SpriteQuad& quad, const std::vector<glm::dvec2>& places)
-      : quad_(quad), origin_(places[quad.axes[0]]),
+      : quad_(quad),
+        origin_(places[quad.axes[0]]),
         size_(places[quad.axes[1]].x - origin_.x, places[quad.axes[2]].y - origin_.y) {}
 
   void add(const VertexStream& stream, const glm::dvec2& place, std::vector<std::byte>& bytes) const {

@@ -14,9 +14,10 @@ namespace foredraw::trim {
 /// A convex polygon whose corners are texture coordinates that a format can hold.
 class StoredPolygon {
  public:
-  /// Round the corners (in steps from the image's upper left corner, in the direction of a hull), larger by no more than
-  /// what rounding asks for. None where they have no area.
-  static std::optional<StoredPolygon> round(std::span<const glm::dvec2> corners, const AlphaImage& image, UvFormat format);
+  /// Round the corners (in steps from the image's upper left corner, in the direction of a hull), larger by no more
+  /// than what rounding asks for. None where they have no area.
+  static std::optional<StoredPolygon> round(std::span<const glm::dvec2> corners, const AlphaImage& image,
+                                            UvFormat format);
 
   /// Whether the point, in steps, lies inside or on an edge; in whole numbers, so there is no error.
   bool holds(const Point& point) const;

@@ -13,8 +13,7 @@ namespace {
 /// Finds the first vertex of equal content. Open addressing, at most half full.
 class FirstOfEquals {
  public:
-  explicit FirstOfEquals(const VertexRows& rows)
-      : rows_(rows), slots_(std::bit_ceil(2 * rows.size() + 1), no_vertex) {}
+  explicit FirstOfEquals(const VertexRows& rows) : rows_(rows), slots_(std::bit_ceil(2 * rows.size() + 1), no_vertex) {}
 
   /// The first vertex with v's content that was asked for; v itself where there was none.
   std::uint32_t of(std::uint32_t v) {

@@ -16,8 +16,8 @@ class WeldVertices final : public Processor {
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<VertexGroup> groups = vertex_groups(scene);
     for (const HeldDraw& held : keep_groups_of(groups, draws)) {
-      run.note_at({held.draw}, "shared-vertices", "not welded: it shares its vertices with " +
-                                                      scene.draws[held.by].name + ", which stays as it is");
+      run.note_at({held.draw}, "shared-vertices",
+                  "not welded: it shares its vertices with " + scene.draws[held.by].name + ", which stays as it is");
     }
 
     std::vector<Weld> welds(groups.size());

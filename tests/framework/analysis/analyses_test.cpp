@@ -112,11 +112,14 @@ TEST(Analyses, OneMakesWhileTheOthersWait) {
     threads.emplace_back([&, asker] {
       for (std::size_t i = 0; i < contents; ++i) {
         const std::size_t content = (i + asker) % contents;
-        got[asker][content] = analyses.get<Sum>({0, content}, [&] {
-          ++made[content];
-          std::this_thread::sleep_for(std::chrono::milliseconds(2));
-          return Sum{static_cast<int>(100 + content)};
-        })->value;
+        got[asker][content] = analyses
+                                  .get<Sum>({0, content},
+                                            [&] {
+                                              ++made[content];
+                                              std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                                              return Sum{static_cast<int>(100 + content)};
+                                            })
+                                  ->value;
       }
     });
   }
@@ -139,9 +142,8 @@ TEST(Analyses, AThrowingMakeIsAskedAgain) {
 
 TEST(Analyses, OneAnalysisMayAskForAnother) {
   Analyses analyses;
-  const auto product = analyses.get<Product>(some_content, [&] {
-    return Product{2 * analyses.get<Sum>(some_content, [] { return Sum{21}; })->value};
-  });
+  const auto product = analyses.get<Product>(
+      some_content, [&] { return Product{2 * analyses.get<Sum>(some_content, [] { return Sum{21}; })->value}; });
   EXPECT_EQ(product->value, 42);
 }
 

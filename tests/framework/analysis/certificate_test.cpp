@@ -60,8 +60,7 @@ RC_GTEST_PROP(Certificate, any_numbering_of_vertices_keeps_it, (std::uint64_t se
   const Draw draw = random_mesh();
   const VertexStreams& vertices = *draw.levels[0].vertices;
   const Numbers destination = random_permutation(vertices.count, seed);
-  const auto moved =
-      std::make_shared<const VertexStreams>(with_vertices_moved(vertices, destination, vertices.count));
+  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(vertices, destination, vertices.count));
   RC_ASSERT(certificate(with_vertices_moved(draw, 0, moved, destination)) == certificate(draw));
 }
 
@@ -112,7 +111,8 @@ RC_GTEST_PROP(Certificate, one_bit_of_a_vertex_that_is_used_breaks_it, ()) {
 TEST(Certificate, MergedAndLeftOutVerticesKeepIt) {
   const Draw draw = testing::draw_of({{{1, 0, 0}, {9, 0, 0}, {1, 0, 0}, {4, 0, 0}, {5, 0, 0}}, {0, 3, 4, 2, 4, 3}});
   const Numbers destination = {0, no_vertex, 0, 1, 2};
-  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[0].vertices, destination, 3));
+  const auto moved =
+      std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[0].vertices, destination, 3));
   EXPECT_EQ(certificate(with_vertices_moved(draw, 0, moved, destination)), certificate(draw));
 }
 

@@ -21,10 +21,10 @@ TEST(Printable, ReplacesWhatATerminalObeys) {
 
 TEST(Printable, ReplacesWhatIsNoUtf8) {
   EXPECT_EQ(printable("a\xff\xfe"), std::string("a") + bad + bad);
-  EXPECT_EQ(printable("\xc0\xaf"), std::string(bad) + bad);              // longer than it need be
-  EXPECT_EQ(printable("\xed\xa0\x80"), std::string(bad) + bad + bad);    // half of a pair
+  EXPECT_EQ(printable("\xc0\xaf"), std::string(bad) + bad);                      // longer than it need be
+  EXPECT_EQ(printable("\xed\xa0\x80"), std::string(bad) + bad + bad);            // half of a pair
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), std::string(bad) + bad + bad + bad);  // beyond U+10FFFF
-  EXPECT_EQ(printable("\xe6\x97"), std::string(bad) + bad);              // cut off
+  EXPECT_EQ(printable("\xe6\x97"), std::string(bad) + bad);                      // cut off
 }
 
 }  // namespace

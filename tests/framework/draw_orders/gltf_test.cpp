@@ -323,7 +323,8 @@ TEST(GltfDrawOrders, few_bytes_may_not_claim_many_indices) {
 TEST(GltfDrawOrders, what_is_written_fits_the_schemas) {
   const GltfJson json = written(puppet_with_orders());
   const auto schema = [](const std::string& of) {
-    std::ifstream file(project_file("framework/foredraw/draw_orders/schemas/" + of + ".FOREDRAW_draw_orders.schema.json"));
+    std::ifstream file(
+        project_file("framework/foredraw/draw_orders/schemas/" + of + ".FOREDRAW_draw_orders.schema.json"));
     return GltfJson::parse(file);
   };
   const std::function<void(const GltfJson&, const GltfJson&)> expect_fits = [&](const GltfJson& value,

@@ -23,9 +23,9 @@ Draw draw_of(const std::vector<glm::vec3>& positions, const std::vector<glm::vec
 }
 
 TEST(SpritePieces, corners_that_are_stored_twice_hang_together) {
-  const Draw draw = draw_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
-                            {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}, {0, 0}, {1, 0}, {0, 1}},
-                            {0, 1, 2, 6, 7, 8, 3, 4, 5});
+  const Draw draw =
+      draw_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
+              {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}, {0, 0}, {1, 0}, {0, 1}}, {0, 1, 2, 6, 7, 8, 3, 4, 5});
   const std::vector<SpritePiece> pieces = sprite_pieces(draw);
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_EQ(pieces[0].triangles, (std::vector<std::uint32_t>{0, 2}));
@@ -45,8 +45,8 @@ TEST(SpritePieces, quads_may_be_turned_mirrored_and_leaning) {
   EXPECT_TRUE(is_made_of_quads(draw_of(leaning, {{0, 0}, {0, .5}, {.25, .5}, {.25, 0}}, {0, 1, 2, 0, 2, 3})));
   EXPECT_TRUE(is_made_of_quads(draw_of(leaning, {{1, 0}, {0, 0}, {0, 1}, {1, 1}}, {0, 1, 2, 0, 2, 3})));
   EXPECT_FALSE(is_made_of_quads(draw_of(leaning, {{1, 0}, {0, .1}, {0, 1}, {1, .9}}, {0, 1, 2, 0, 2, 3})));
-  EXPECT_FALSE(is_made_of_quads(draw_of({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-                                        {0, 1, 2, 0, 2, 3})));
+  EXPECT_FALSE(is_made_of_quads(
+      draw_of({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {0, 1, 2, 0, 2, 3})));
   EXPECT_FALSE(is_made_of_quads(draw_of(leaning, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}, {0, 1, 2, 0, 2, 3})));
   EXPECT_FALSE(is_made_of_quads(draw_of({}, {}, {})));
   EXPECT_FALSE(is_made_of_sprites(draw_of({}, {}, {})));

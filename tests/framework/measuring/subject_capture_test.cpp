@@ -58,10 +58,10 @@ class CapturedSubjects : public ::testing::Test {
     foredraw::Run run{fixture_.analyses, fixture_.executor, fixture_.findings, views_, character_.poses, &service};
     run.cancel = &cancel_;
     return capture_subject({character_.scene, character_.subject, draws}, character_.poses, squares, run,
-                            [&](const SubjectLayers& seen, const SubjectGeometry& drawn) {
-                              nodes_at_looks_.push_back(seen.layers.views.size());
-                              heights_.push_back(drawn.positions[0][0].z);
-                            });
+                           [&](const SubjectLayers& seen, const SubjectGeometry& drawn) {
+                             nodes_at_looks_.push_back(seen.layers.views.size());
+                             heights_.push_back(drawn.positions[0][0].z);
+                           });
   }
 
   Character character_;
@@ -120,7 +120,8 @@ std::optional<std::string> left_alone(const testing::TestMesh& mesh) {
 }
 
 TEST(MayOverdraw, IsNotSoOfWhatIsConvexOrNearlySo) {
-  EXPECT_EQ(left_alone(testing::sphere(32, 16)), "it is convex, or nearly so: no order of it overdraws more than 1.0000");
+  EXPECT_EQ(left_alone(testing::sphere(32, 16)),
+            "it is convex, or nearly so: no order of it overdraws more than 1.0000");
   const auto marble = testing::sphere(16, 8, 0.02f);  // inside of a ball
   EXPECT_EQ(left_alone(testing::joined(marble, testing::sphere(32, 16))),
             "it is convex, or nearly so: no order of it overdraws more than 1.0004");

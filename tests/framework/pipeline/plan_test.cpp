@@ -167,7 +167,8 @@ Planned with_poses(const PoseSet& poses) {
 }
 
 TEST(Plan, MakesThePosesOfTheScene) {
-  EXPECT_EQ(with_poses({}).plan->poses, rest_pose);
+  EXPECT_EQ(with_poses({.poses = "bind"}).plan->poses, rest_pose);
+  EXPECT_EQ(with_poses({}).plan->poses, (Poses{{{0, 0.5, 8}, {1, 0.5, 8}}, true}));
   EXPECT_EQ(with_poses({.poses = "all", .clips = "R*"}).plan->poses, (Poses{{{1, 0.5}}}));
   EXPECT_EQ(with_poses({.poses = "64"}).plan->poses, (Poses{{{0, 0.5, 32}, {1, 0.5, 32}}}));
 }

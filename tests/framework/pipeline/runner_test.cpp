@@ -134,7 +134,8 @@ TEST_F(Runner, TwoUsesOfAnEvaluatorAreKeptApart) {
 }
 
 TEST_F(Runner, ComparesPlansAsIfEachRanAlone) {
-  const std::vector<std::string> lines = {"pairs, reverse-draw", "pairs", "pairs, faulty(fault=\"throw\"), reverse-vertices"};
+  const std::vector<std::string> lines = {"pairs, reverse-draw", "pairs",
+                                          "pairs, faulty(fault=\"throw\"), reverse-vertices"};
   std::vector<Plan> plans;
   for (const std::string& line : lines) {
     Diagnostics diagnostics;

@@ -85,7 +85,8 @@ TEST(SetOption, ReachesThePipelinesOwnWords) {
   EXPECT_EQ(pipeline.poses.clips, "Walk*");
   EXPECT_EQ(pipeline.seed, 7);
   EXPECT_TRUE(diagnostics.empty());
-  for (const char* wrong : {"views.size=1", "views.colour=3", "poses.rate=0", "poses.rat=1", "about=x", "seed=x"}) EXPECT_FALSE(set_option(pipeline, wrong, diagnostics)) << wrong;
+  for (const char* wrong : {"views.size=1", "views.colour=3", "poses.rate=0", "poses.rat=1", "about=x", "seed=x"})
+    EXPECT_FALSE(set_option(pipeline, wrong, diagnostics)) << wrong;
 }
 
 TEST(SetOption, DoesNotTurnAStageIntoAnother) {

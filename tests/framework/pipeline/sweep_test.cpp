@@ -41,7 +41,8 @@ TEST(ParseSweep, SaysWhatItIsNot) {
   EXPECT_THAT(refused("=1:2:1"), HasSubstr("expected stage.option=values"));
   EXPECT_THAT(refused("a.b="), HasSubstr("a value is empty"));
   EXPECT_THAT(refused("a.b=1,,2"), HasSubstr("a value is empty"));
-  EXPECT_THAT(refused("a.b=1:2"), HasSubstr("--sweep:1:5: error: expected FIRST:LAST:STEP, three numbers, found '1:2'"));
+  EXPECT_THAT(refused("a.b=1:2"),
+              HasSubstr("--sweep:1:5: error: expected FIRST:LAST:STEP, three numbers, found '1:2'"));
   EXPECT_THAT(refused("a.b=1:x:1"), HasSubstr("three numbers"));
   EXPECT_THAT(refused("a.b=1:inf:1"), HasSubstr("three numbers"));
   EXPECT_THAT(refused("a.b=1:2:0"), HasSubstr("no steps of 0 lead from 1 to 2"));
@@ -75,8 +76,7 @@ TEST_F(Swept, EveryCombinationWhereThereIsTheStage) {
               ElementsAre("tipsify, dot-rule with tipsify.cache-size=16, dot-rule.x=1",
                           "tipsify, dot-rule with tipsify.cache-size=16, dot-rule.x=2",
                           "tipsify, dot-rule with tipsify.cache-size=24, dot-rule.x=1",
-                          "tipsify, dot-rule with tipsify.cache-size=24, dot-rule.x=2",
-                          "weld"));
+                          "tipsify, dot-rule with tipsify.cache-size=24, dot-rule.x=2", "weld"));
   EXPECT_EQ((*made_)[3].pipeline.stages[0].settings.at("cache-size"), OptionValue(std::int64_t{24}));
   EXPECT_EQ((*made_)[3].pipeline.stages[1].settings.at("x"), OptionValue(std::int64_t{2}));
 }
@@ -101,8 +101,9 @@ TEST_F(Swept, LeavesAloneWhatAllAreMeasuredWith) {
   measured[0].pipeline.measure = *parse_stages("overdraw-raster(count=10)", "--with", diagnostics_);
   const Sweep views = parse_sweep("overdraw-raster.count=10,400", diagnostics_).value();
   EXPECT_FALSE(swept(measured, {&views, 1}, diagnostics_));
-  EXPECT_THAT(to_text(diagnostics_), HasSubstr("--sweep:1:1: error: 'overdraw-raster.count' is of an evaluator, and all "
-                                               "pipelines are measured alike\n    hint: --set changes"));
+  EXPECT_THAT(to_text(diagnostics_),
+              HasSubstr("--sweep:1:1: error: 'overdraw-raster.count' is of an evaluator, and all "
+                        "pipelines are measured alike\n    hint: --set changes"));
 }
 
 TEST_F(Swept, AnOptionOnce) {

@@ -111,9 +111,9 @@ TEST_F(Files, WriteAndReadBack) {
 
 TEST_F(Files, TheRestIsMadeWhileItIsWritten) {
   const OutputFile file{folder_ / "a", bytes_of("first, "), [](const OutputFile::Put& put) {
-    put("second, ");
-    put("third");
-  }};
+                          put("second, ");
+                          put("third");
+                        }};
   ASSERT_TRUE(write({file}));
   EXPECT_EQ(get(folder_ / "a"), "first, second, third");
 }
@@ -121,9 +121,9 @@ TEST_F(Files, TheRestIsMadeWhileItIsWritten) {
 TEST_F(Files, WhoseRestThrowsStaysAsItWas) {
   put(folder_ / "a", "old");
   const OutputFile file{folder_ / "a", {}, [](const OutputFile::Put& put) {
-    put("new");
-    throw std::bad_alloc();
-  }};
+                          put("new");
+                          throw std::bad_alloc();
+                        }};
   EXPECT_THROW(write({file}), std::bad_alloc);
   EXPECT_EQ(get(folder_ / "a"), "old");
   EXPECT_EQ(files_in_folder(), 1u);

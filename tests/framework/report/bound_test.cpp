@@ -83,8 +83,9 @@ TEST(Judge, TellsOfEachBranchThatIsOut) {
 
 TEST(Judge, BesideTheInputAndTheFirstPipeline) {
   EXPECT_EQ(told("vertex-cache.acmr > input * 0.6"), "");
-  EXPECT_EQ(told("vertex-cache.acmr > input * 0.55"),
-            "out-of-bounds: vertex-cache.acmr is 1.2 after [2] new; the bound is 1.1: vertex-cache.acmr > input * 0.55\n");
+  EXPECT_EQ(
+      told("vertex-cache.acmr > input * 0.55"),
+      "out-of-bounds: vertex-cache.acmr is 1.2 after [2] new; the bound is 1.1: vertex-cache.acmr > input * 0.55\n");
   EXPECT_EQ(told("vertex-cache.acmr > baseline + 0.2"), "");
   EXPECT_EQ(
       told("vertex-cache.acmr > baseline * 1.1"),
@@ -99,8 +100,9 @@ TEST(Judge, BesideStoredFigures) {
   EXPECT_EQ(told("vertex-cache.acmr > baseline", &stored),
             "out-of-bounds: vertex-cache.acmr is 1.2 after [2] new; the bound is 1.1: vertex-cache.acmr > baseline\n");
   stored = {{"other.glb", {{"vertex-cache.acmr", 1}}}};
-  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("unknown-baseline: 'vertex-cache.acmr > baseline' can not be "
-                                                               "judged: the stored baseline says nothing of this file"),
+  EXPECT_NE(told("vertex-cache.acmr > baseline", &stored)
+                .find("unknown-baseline: 'vertex-cache.acmr > baseline' can not be "
+                      "judged: the stored baseline says nothing of this file"),
             std::string::npos);
 }
 

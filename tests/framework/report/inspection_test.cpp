@@ -9,7 +9,8 @@ namespace foredraw {
 namespace {
 
 TEST(Inspection, TellsOfLevels) {
-  Scene scene = testing::scene_of({testing::draw_of(testing::grid(2, 1), "body"), testing::draw_of(testing::grid(1, 1), "rock")});
+  Scene scene =
+      testing::scene_of({testing::draw_of(testing::grid(2, 1), "body"), testing::draw_of(testing::grid(1, 1), "rock")});
   Level same = scene.draws[0].full();
   same.stream().indices = Shared<std::uint32_t>(std::vector<std::uint32_t>{0, 2, 3});
   same.error = 0.25f;
@@ -23,7 +24,8 @@ TEST(Inspection, TellsOfLevels) {
       << text;
   const auto json = nlohmann::json::parse(inspection_json(scene, {}, analyses));
   ASSERT_EQ(json["draws"][0]["levels"].size(), 2u);
-  EXPECT_EQ(json["draws"][0]["levels"][0], (nlohmann::json{{"elements", 1}, {"vertices", 6}, {"shares-vertices", true}, {"error", 0.25}}));
+  EXPECT_EQ(json["draws"][0]["levels"][0],
+            (nlohmann::json{{"elements", 1}, {"vertices", 6}, {"shares-vertices", true}, {"error", 0.25}}));
   EXPECT_FALSE(json["draws"][1].contains("levels"));
 }
 

@@ -22,7 +22,8 @@ Draw two_triangles(DrawOrigin origin) {
 TEST(RemapJson, SaysWhereEachTriangleWasAndEachVertexIs) {
   Draw draw = with_triangle_order(two_triangles({3, 1}), Numbers{1, 0});
   const Numbers destination = {2, 0, 1, no_vertex};
-  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[0].vertices, destination, 3));
+  const auto moved =
+      std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[0].vertices, destination, 3));
   draw = with_vertices_moved(draw, 0, moved, destination);
   const json remap = json::parse(remap_json(testing::scene_of({draw})));
   EXPECT_EQ(remap["remap"], 1);

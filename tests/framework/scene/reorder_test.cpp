@@ -175,7 +175,8 @@ TEST(VerticesMovedInDraw, RenumbersEveryOrderOfItsLevelAlone) {
   draw.levels[0].orders.push_back(stream_of({2, 0, 1}));
   draw.levels.push_back(draw.levels[0]);
   const Numbers destination = {1, 2, 0};
-  const auto moved = std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[0].vertices, destination, 3));
+  const auto moved =
+      std::make_shared<const VertexStreams>(with_vertices_moved(*draw.levels[0].vertices, destination, 3));
   const Draw result = with_vertices_moved(draw, 0, moved, destination);
   EXPECT_EQ(numbers(result.levels[0].orders[0].indices), (Numbers{1, 2, 0}));
   EXPECT_EQ(numbers(result.levels[0].orders[1].indices), (Numbers{0, 1, 2}));

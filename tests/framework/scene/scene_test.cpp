@@ -1,7 +1,7 @@
 #include <foredraw/scene/scene.h>
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace foredraw {
 namespace {

@@ -66,8 +66,9 @@ TEST(Subjects, a_mesh_whose_shape_an_animation_changes_is_one_for_each_node_that
     return channel;
   };
   const AnimatedPath weights = AnimatedPath::weights;
-  scene.animations = {{"Wave", {moves(3, weights), moves(2, AnimatedPath::scale), moves(5, weights), moves(99, weights)}},
-                      {"Flow", {moves(1, weights), moves(3, weights), moves(0, weights)}}};
+  scene.animations = {
+      {"Wave", {moves(3, weights), moves(2, AnimatedPath::scale), moves(5, weights), moves(99, weights)}},
+      {"Flow", {moves(1, weights), moves(3, weights), moves(0, weights)}}};
   EXPECT_EQ(told(scene), (Lines{"Knight: 0@5", "b: 1@1", "b: 1@3", "c: 2@-"}));
 }
 

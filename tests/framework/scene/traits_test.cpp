@@ -53,10 +53,10 @@ TEST(Traits, EveryKnownOneHasAMeaningAndANameOfItsOwn) {
       return std::islower(c) || std::isdigit(c) || c == '-';
     })) << row.name;
   }
-  for (const Trait trait : {traits::triangles, traits::uv0, traits::normals, traits::skinned, traits::morphed,
-                            traits::animated, traits::blended, traits::masked, traits::double_sided, traits::instanced,
-                            traits::quantized, traits::extended, traits::welded, traits::clustered,
-                            traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered}) {
+  for (const Trait trait :
+       {traits::triangles, traits::uv0, traits::normals, traits::skinned, traits::morphed, traits::animated,
+        traits::blended, traits::masked, traits::double_sided, traits::instanced, traits::quantized, traits::extended,
+        traits::welded, traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered}) {
     EXPECT_TRUE(seen.has(trait)) << trait;
   }
 }

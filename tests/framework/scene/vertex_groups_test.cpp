@@ -19,7 +19,8 @@ Numbers indices(const Scene& scene, DrawId draw, std::size_t level = 0, std::siz
 /// Draws 0 and 2 share vertices; so does the second level of draw 0. Draw 1 has equal vertices of its own.
 Scene shared_scene() {
   const testing::TestMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 2}};
-  Scene scene = testing::scene_of({testing::draw_of(mesh, "A"), testing::draw_of(mesh, "B"), testing::draw_of(mesh, "C")});
+  Scene scene =
+      testing::scene_of({testing::draw_of(mesh, "A"), testing::draw_of(mesh, "B"), testing::draw_of(mesh, "C")});
   Level coarse = scene.draws[0].levels[0];
   coarse.orders = {stream_of({2, 1, 0}), stream_of({1, 2, 0})};
   scene.draws[0].levels.push_back(coarse);

@@ -100,8 +100,8 @@ TEST(VertexStreams, FindLooksInTheBase) {
 
 TEST(VertexStreams, AllAreTheBaseThenTheMorphTargets) {
   const VertexStreams streams = two_streams();
-  EXPECT_EQ(streams.all(), (std::vector<const VertexStream*>{&streams.base[0], &streams.base[1],
-                                                             &streams.morph_targets[0][0]}));
+  EXPECT_EQ(streams.all(),
+            (std::vector<const VertexStream*>{&streams.base[0], &streams.base[1], &streams.morph_targets[0][0]}));
   EXPECT_EQ(streams.bytes_per_vertex(), 3u);
 }
 

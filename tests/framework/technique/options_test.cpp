@@ -177,7 +177,8 @@ TEST(ViewRows, DefaultsAreTheViewSetsOwn) {
   EXPECT_EQ(table.read({}), ViewSet{});
   std::vector<std::string> names;
   for (const OptionSpec& spec : table.specs()) names.push_back(spec.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"views", "count", "seed", "axis", "angle", "rotation", "distance", "size"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"views", "count", "seed", "axis", "angle", "rotation", "distance", "size"}));
   const ViewSet set = table.read({{"views", text("cone")},
                                   {"count", whole(7)},
                                   {"seed", whole(3)},

@@ -1,8 +1,8 @@
 #include <foredraw/viewing/drawn_orders.h>
 
-#include <foredraw/viewing/distinct_poses.h>
-#include <foredraw/scene/reorder.h>
 #include <foredraw/scene/order_table.h>
+#include <foredraw/scene/reorder.h>
+#include <foredraw/viewing/distinct_poses.h>
 
 #include "support/edit_product.h"
 #include "support/meshes.h"

@@ -1,5 +1,5 @@
-#include <foredraw/viewing/order_grid.h>
 #include <foredraw/scene/order_table.h>
+#include <foredraw/viewing/order_grid.h>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/view_directions.h>
 
-#include "support/edit_product.h"
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
+#include "support/edit_product.h"
 
 #include <cmath>
 #include <limits>

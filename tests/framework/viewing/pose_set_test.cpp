@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -45,8 +46,18 @@ PoseSet poses(std::string words) { return {.poses = std::move(words)}; }
 Scene walk_and_jump() { return scene_with({clip("Walk", {{0, 0.5f, 1}, {0, 0.25f}}), clip("Jump", {{2, 3}})}); }
 
 TEST(PoseSet, bind_is_how_the_nodes_stand) {
-  EXPECT_EQ(told(walk_and_jump(), PoseSet()), "rest");
-  EXPECT_EQ(make_poses(walk_and_jump(), PoseSet()), rest_pose);
+  EXPECT_EQ(told(walk_and_jump(), poses("bind")), "rest");
+  EXPECT_EQ(make_poses(walk_and_jump(), poses("bind")), rest_pose);
+}
+
+TEST(PoseSet, by_default_sixteen_share_the_views_and_are_none_of_sixteen) {
+  const Poses automatic = make_poses(walk_and_jump(), PoseSet());
+  const Poses sixteen = make_poses(walk_and_jump(), poses("16"));
+  EXPECT_EQ(automatic.poses.size(), 16u);
+  EXPECT_TRUE(automatic.share_views);
+  EXPECT_FALSE(sixteen.share_views);
+  for (const Pose& pose : automatic.poses) EXPECT_EQ(std::ranges::count(sixteen.poses, pose), 0) << pose.time;
+  EXPECT_EQ(make_poses(Scene(), PoseSet()), rest_pose);
 }
 
 TEST(PoseSet, all_are_the_keys_of_all_channels_of_each_clip) {
@@ -118,7 +129,7 @@ TEST(PoseSet, says_why_an_animated_scene_is_at_rest) {
 TEST(PoseSet, mistakes_are_told) {
   const auto mistake = [](const PoseSet& set) { return mistake_in(set).value_or("none"); };
   EXPECT_EQ(mistake(poses("al")), "there is no pose set 'al'; did you mean 'all'?");
-  EXPECT_EQ(mistake(poses("keyframes")), "there is no pose set 'keyframes'; expected all, bind or a number");
+  EXPECT_EQ(mistake(poses("keyframes")), "there is no pose set 'keyframes'; expected auto, all, bind or a number");
   EXPECT_EQ(mistake(poses("0")), "poses is 0, but must be 1 to 100000");
   EXPECT_EQ(mistake(poses("100001")), "poses is 100001, but must be 1 to 100000");
   EXPECT_EQ(mistake(poses("-3")), "poses is -3, but must be 1 to 100000");

@@ -2,8 +2,8 @@
 
 #include <foredraw/viewing/view_set.h>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
 #include <foredraw/viewing/view_set.h>
 
-#include <foredraw/viewing/view_directions.h>
 #include <foredraw/base/content_hash.h>
+#include <foredraw/viewing/view_directions.h>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

@@ -6,8 +6,8 @@
 #include "support/overdraw.h"
 #include "support/painter.h"
 
-#include <foredraw/overdraw/cluster_layers.h>
 #include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/overdraw/cluster_layers.h>
 
 #include <meshoptimizer.h>
 

@@ -18,9 +18,7 @@ TEST(VertexFetch, NumbersByFirstUseOverAllStreams) {
   EXPECT_EQ(vertex_fetch(streams, 7), (std::vector<std::uint32_t>{4, 2, 0, 5, 1, 3, 6}));
 }
 
-TEST(VertexFetch, OfNoStreamKeepsTheOrder) {
-  EXPECT_EQ(vertex_fetch({}, 3), (std::vector<std::uint32_t>{0, 1, 2}));
-}
+TEST(VertexFetch, OfNoStreamKeepsTheOrder) { EXPECT_EQ(vertex_fetch({}, 3), (std::vector<std::uint32_t>{0, 1, 2})); }
 
 /// Why it is done: vertices in random order are fetched several times over, in order hardly more than once.
 TEST(VertexFetch, BringsOverfetchNearToOne) {

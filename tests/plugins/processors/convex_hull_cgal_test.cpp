@@ -50,7 +50,8 @@ constexpr std::int64_t largest = std::int64_t{1} << 22;
 
 TEST(ConvexHull, of_random_points_is_what_CGAL_finds) {
   Random random(21);
-  for (const std::int64_t size : {std::int64_t{1}, std::int64_t{2}, std::int64_t{5}, std::int64_t{30}, std::int64_t{1000}, largest}) {
+  for (const std::int64_t size :
+       {std::int64_t{1}, std::int64_t{2}, std::int64_t{5}, std::int64_t{30}, std::int64_t{1000}, largest}) {
     for (int round = 0; round < 300; ++round) {
       std::vector<Point> points(1 + random.below(round % 10 == 0 ? 2000 : 20));
       std::ranges::generate(points, [&] { return random_point(random, size); });
@@ -95,7 +96,8 @@ TEST(ConvexHull, of_a_disc_of_texels_is_what_CGAL_finds) {
     for (std::int64_t y = -radius; y <= radius; ++y) {
       for (std::int64_t x = -radius; x <= radius; ++x) {
         if (x * x + y * y > radius * radius) continue;
-        for (const Point& corner : {Point{0, 0}, Point{256, 0}, Point{0, 256}, Point{256, 256}}) points.push_back(Point{x * 256, y * 256} + corner);
+        for (const Point& corner : {Point{0, 0}, Point{256, 0}, Point{0, 256}, Point{256, 256}})
+          points.push_back(Point{x * 256, y * 256} + corner);
       }
     }
     expect_equal_hulls(points);

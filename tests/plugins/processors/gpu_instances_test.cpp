@@ -36,7 +36,8 @@ Scene rows(const std::vector<int>& counts) {
   Scene scene = testing::scene_of(std::move(draws));
   scene.nodes.clear();
   for (MeshId m = 0; m < counts.size(); ++m) {
-    for (int i = 0; i < counts[m]; ++i) scene.nodes.push_back(placed(m, at(static_cast<float>(i), static_cast<float>(m))));
+    for (int i = 0; i < counts[m]; ++i)
+      scene.nodes.push_back(placed(m, at(static_cast<float>(i), static_cast<float>(m))));
   }
   return scene;
 }
@@ -192,7 +193,8 @@ Transform random_transform(Random& random) {
   const auto unit = [&] { return static_cast<float>(random.unit()); };
   Transform transform;
   transform.translation = {100 * unit(), 10 * unit(), 100 * unit()};
-  transform.rotation = glm::angleAxis(6 * unit(), glm::normalize(glm::vec3(unit() + 0.1f, unit() - 0.5f, unit() - 0.5f)));
+  transform.rotation =
+      glm::angleAxis(6 * unit(), glm::normalize(glm::vec3(unit() + 0.1f, unit() - 0.5f, unit() - 0.5f)));
   transform.scale = glm::vec3(0.5f + unit());
   return transform;
 }

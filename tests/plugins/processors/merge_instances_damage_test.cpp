@@ -95,7 +95,8 @@ std::vector<Wrong> in_general() {
        [](auto& b, auto& set) { set["attributes"]["_SIX"] = b.add_values(std::vector<float>(9), "VEC3"); }},
       {"vertices_are_short",
        [](auto& b, auto& set) {
-         for (auto& [semantic, accessor] : set["attributes"].items()) b.json["accessors"][accessor.template get<std::size_t>()]["count"] = 5;
+         for (auto& [semantic, accessor] : set["attributes"].items())
+           b.json["accessors"][accessor.template get<std::size_t>()]["count"] = 5;
        }},
       {"far_more_is_named_than_is_there",
        [](auto& b, auto& set) {
@@ -104,7 +105,8 @@ std::vector<Wrong> in_general() {
        }},
       {"far_more_sets_than_is_there",
        [](auto& b, auto& set) {
-         const std::size_t zeros = b.add("accessors", {{"componentType", 5125}, {"type", "SCALAR"}, {"count", 1 << 20}});
+         const std::size_t zeros =
+             b.add("accessors", {{"componentType", 5125}, {"type", "SCALAR"}, {"count", 1 << 20}});
          set["indices"] = zeros;
          const GltfJson copy = set;
          for (int i = 0; i < 3000; ++i) b.json["extensions"][merge_instances]["sets"].push_back(copy);
@@ -112,7 +114,8 @@ std::vector<Wrong> in_general() {
       {"transform_is_not_finite",
        [](auto& b, auto& set) {
          // As vertex data it may be so.
-         const std::size_t odd = b.add_values(std::vector<float>(std::size_t{9} * 12, std::numeric_limits<float>::infinity()), "VEC4");
+         const std::size_t odd =
+             b.add_values(std::vector<float>(std::size_t{9} * 12, std::numeric_limits<float>::infinity()), "VEC4");
          set["attributes"] = {{"POSITION", odd}};
          set["transforms"] = odd;
        }},
@@ -120,21 +123,25 @@ std::vector<Wrong> in_general() {
   for (const char* key : {"attributes", "indices", "slots", "transforms", "places", "primitives", "groups"}) {
     all.push_back({std::string("no_") + key, [=](auto&, auto& set) { set.erase(key); }});
   }
-  for (const char* key : {"material", "attributes", "indices", "slots", "transforms", "places", "materials", "primitives", "groups"}) {
+  for (const char* key :
+       {"material", "attributes", "indices", "slots", "transforms", "places", "materials", "primitives", "groups"}) {
     all.push_back({std::string(key) + "_is_text", [=](auto&, auto& set) { set[key] = "1"; }});
     all.push_back({std::string(key) + "_is_null", [=](auto&, auto& set) { set[key] = nullptr; }});
   }
   for (const char* key : {"indices", "slots", "transforms", "places", "materials"}) {
     all.push_back({std::string(key) + "_is_negative", [=](auto&, auto& set) { set[key] = -1; }});
-    all.push_back({std::string(key) + "_is_beyond", [=](auto& b, auto& set) { set[key] = b.json["accessors"].size(); }});
+    all.push_back(
+        {std::string(key) + "_is_beyond", [=](auto& b, auto& set) { set[key] = b.json["accessors"].size(); }});
     all.push_back({std::string(key) + "_is_far", [=](auto&, auto& set) { set[key] = far_away; }});
-    all.push_back({std::string(key) + "_is_positions", [=](auto&, auto& set) { set[key] = set["attributes"]["POSITION"]; }});
+    all.push_back(
+        {std::string(key) + "_is_positions", [=](auto&, auto& set) { set[key] = set["attributes"]["POSITION"]; }});
     all.push_back({std::string(key) + "_is_short", [=](auto& b, auto& set) {
                      GltfJson& count = b.json["accessors"][number(set, key)]["count"];
                      count = count.template get<std::size_t>() - 1;
                    }});
     all.push_back({std::string(key) + "_is_long", [=](auto& b, auto& set) {
-                     if (std::string(key) == "indices" || std::string(key) == "slots") return set["material"] = -1, void();
+                     if (std::string(key) == "indices" || std::string(key) == "slots")
+                       return set["material"] = -1, void();
                      GltfJson accessor = b.json["accessors"][number(set, key)];
                      accessor["count"] = accessor["count"].template get<std::size_t>() + 3;
                      accessor.erase("bufferView");
@@ -155,9 +162,18 @@ std::vector<Wrong> in_parts() {
       {"group_is_a_number", [](auto&, auto& set) { set["groups"][0] = 1; }},
       {"group_leads_out", [](auto&, auto& set) { set["groups"][1]["instanceCount"] = 6; }},
       {"group_begins_behind_the_end", [](auto&, auto& set) { set["groups"][1]["firstInstance"] = 0xffffffffu; }},
-      {"corner_is_of_two", [](auto&, auto& set) { set["groups"][0]["min"] = {1, 2}; }},
-      {"corner_is_text", [](auto&, auto& set) { set["groups"][0]["max"] = {1, 2, "3"}; }},
-      {"corner_is_no_float", [](auto&, auto& set) { set["groups"][0]["max"] = {1, 2, 1e300}; }},
+      {"corner_is_of_two",
+       [](auto&, auto& set) {
+         set["groups"][0]["min"] = {1, 2};
+       }},
+      {"corner_is_text",
+       [](auto&, auto& set) {
+         set["groups"][0]["max"] = {1, 2, "3"};
+       }},
+      {"corner_is_no_float",
+       [](auto&, auto& set) {
+         set["groups"][0]["max"] = {1, 2, 1e300};
+       }},
       {"corners_are_turned", [](auto&, auto& set) { std::swap(set["groups"][0]["min"], set["groups"][0]["max"]); }},
       {"draws_are_an_object", [](auto&, auto& set) { set["groups"][0]["draws"] = GltfJson::object(); }},
       {"draw_is_text", [](auto&, auto& set) { set["groups"][0]["draws"][0] = "a"; }},
@@ -189,7 +205,8 @@ std::vector<Wrong> in_parts() {
          set.erase("materials");
        }},
       word("place_is_another", "places", "VEC3", 0, 8),
-      {"mesh_is_another", [](auto&, auto& set) { std::swap(set["primitives"][0]["mesh"], set["primitives"][1]["mesh"]); }},
+      {"mesh_is_another",
+       [](auto&, auto& set) { std::swap(set["primitives"][0]["mesh"], set["primitives"][1]["mesh"]); }},
       {"mesh_is_there_twice", [](auto&, auto& set) { set["primitives"].push_back(GltfJson(set["primitives"][0])); }},
       {"mesh_is_missing", [](auto&, auto& set) { set["primitives"].erase(1); }},
       {"vertices_are_of_another_mesh", [](auto&, auto& set) { set["primitives"][0]["firstVertex"] = 4; }},
@@ -197,7 +214,9 @@ std::vector<Wrong> in_parts() {
       {"attribute_is_another", [](auto&, auto& set) { set["attributes"]["_SIX"] = set["attributes"]["POSITION"]; }},
       {"node_was_moved", [](auto& b, auto&) { b.json["nodes"][4]["translation"][1] = 7; }},
       {"parent_was_turned",
-       [](auto& b, auto&) { b.add("nodes", {{"children", {4}}, {"rotation", {0, 1, 0, 0}}}); }},
+       [](auto& b, auto&) {
+         b.add("nodes", {{"children", {4}}, {"rotation", {0, 1, 0, 0}}});
+       }},
       {"node_shows_another_mesh", [](auto& b, auto&) { b.json["nodes"][4]["mesh"] = 0; }},
       {"primitive_has_another_material",
        [](auto& b, auto&) {
@@ -206,13 +225,15 @@ std::vector<Wrong> in_parts() {
        }},
       {"primitive_draws_less",
        [](auto& b, auto&) {
-         GltfJson& count = b.json["accessors"][b.json["meshes"][2]["primitives"][0]["indices"].template get<std::size_t>()]["count"];
+         GltfJson& count =
+             b.json["accessors"][b.json["meshes"][2]["primitives"][0]["indices"].template get<std::size_t>()]["count"];
          count = count.template get<std::size_t>() - 3;
        }},
       {"node_shows_nothing", [](auto& b, auto&) { b.json["nodes"][0].erase("mesh"); }},
   };
   for (const char* key : {"mesh", "primitive", "firstVertex"}) {
-    all.push_back({std::string("primitive_without_") + key, [=](auto&, auto& set) { set["primitives"][1].erase(key); }});
+    all.push_back(
+        {std::string("primitive_without_") + key, [=](auto&, auto& set) { set["primitives"][1].erase(key); }});
     all.push_back({std::string("primitive_whose_") + key + "_is_far",
                    [=](auto&, auto& set) { set["primitives"][1][key] = far_away; }});
   }
@@ -220,7 +241,8 @@ std::vector<Wrong> in_parts() {
     all.push_back({std::string("group_without_") + key, [=](auto&, auto& set) { set["groups"][1].erase(key); }});
   }
   for (const char* key : {"frequency", "firstSlot", "slotCount"}) {
-    all.push_back({std::string("draw_without_") + key, [=](auto&, auto& set) { set["groups"][1]["draws"][0].erase(key); }});
+    all.push_back(
+        {std::string("draw_without_") + key, [=](auto&, auto& set) { set["groups"][1]["draws"][0].erase(key); }});
     all.push_back({std::string("draw_whose_") + key + "_is_broken",
                    [=](auto&, auto& set) { set["groups"][1]["draws"][0][key] = 3.5; }});
   }

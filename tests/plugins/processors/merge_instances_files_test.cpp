@@ -4,10 +4,10 @@
 #include "support/merged_scenes.h"
 #include "support/meshes.h"
 
-#include <plugins/processors/merge_instances/merged_draws_product.h>
-#include <plugins/processors/merge_instances/merged_shader.h>
 #include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/scene_file.h>
+#include <plugins/processors/merge_instances/merged_draws_product.h>
+#include <plugins/processors/merge_instances/merged_shader.h>
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,8 @@ TEST(MergedFiles, TheDescriptionSaysWhereEverythingLies) {
     if (s == 1) expect_holds(set["materials"], merged.materials, buffer);
     EXPECT_EQ(set["material"], *merged.material);
     EXPECT_EQ(set["materialName"], scene.materials[*merged.material].name);
-    for (const char* key : {"indices", "slots", "transforms", "places"}) begins.insert(set[key]["offset"].get<std::size_t>());
+    for (const char* key : {"indices", "slots", "transforms", "places"})
+      begins.insert(set[key]["offset"].get<std::size_t>());
 
     const GltfJson& vertices = set["vertices"];
     EXPECT_EQ(vertices["offset"].get<std::size_t>() % 256, 0u);
@@ -196,7 +197,8 @@ TEST(MergedFiles, ShadersOfEverySetAndFrequencyCompile) {
       for (const std::string& frequency : defined) {
         const std::string definitions = "#define MERGED_SET " + std::to_string(set) + "\n" + frequency;
         const std::string body =
-            "  float sum = merged_handedness(at.instance) + merged_normal(at.vertex).x + merged_texcoord_0(at.vertex).y + "
+            "  float sum = merged_handedness(at.instance) + merged_normal(at.vertex).x + "
+            "merged_texcoord_0(at.vertex).y + "
             "merged_six(at.vertex).z" +
             std::string(set == 1 ? " + float(merged_material(at.instance))" : "") + ";\n";
         const std::string shader =
@@ -215,7 +217,8 @@ TEST(MergedFiles, ShadersOfEverySetAndFrequencyCompile) {
 }
 
 TEST(MergedFiles, InspectTellsOfThem) {
-  Scene scene = testing::scene_of({testing::draw_of(testing::grid(2, 1), "tree"), testing::draw_of(testing::grid(1, 1), "rock")});
+  Scene scene =
+      testing::scene_of({testing::draw_of(testing::grid(2, 1), "tree"), testing::draw_of(testing::grid(1, 1), "rock")});
   MergedInstances merged;
   merged.meshes = {{0, 0}, {1, 6}};
   merged.places = Shared<MergedPlace>({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
@@ -224,8 +227,9 @@ TEST(MergedFiles, InspectTellsOfThem) {
   scene.products.set(MergedDraws{{merged}});
   const ProductText told = merged_draws_product()->told(scene);
   ASSERT_EQ(told.lines.size(), 1u);
-  EXPECT_EQ(told.lines[0], "no material: 3 instances of 2 draws in 2 groups, drawn by 3 calls; 4 slots of 6 index entries, "
-                           "3 slots of 12 index entries");
+  EXPECT_EQ(told.lines[0],
+            "no material: 3 instances of 2 draws in 2 groups, drawn by 3 calls; 4 slots of 6 index entries, "
+            "3 slots of 12 index entries");
   EXPECT_EQ(told.value.list()->front().member("instances")->whole(), 3u);
 }
 

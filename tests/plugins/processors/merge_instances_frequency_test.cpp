@@ -14,7 +14,8 @@ namespace {
 
 std::vector<MeshSize> random_sizes(Random& random, std::size_t count, std::uint64_t most_triangles) {
   std::vector<MeshSize> meshes;
-  for (std::size_t i = 0; i < count; ++i) meshes.push_back({3 * (1 + random.below(most_triangles)), 1 + random.below(20)});
+  for (std::size_t i = 0; i < count; ++i)
+    meshes.push_back({3 * (1 + random.below(most_triangles)), 1 + random.below(20)});
   return meshes;
 }
 
@@ -144,13 +145,14 @@ TEST(MergeFrequency, FewestSlotsUnderALimitOfPadding) {
 
 /// The index entries of each primitive in benchmarks/corpus/scenes, and how many primitives have as many.
 TEST(MergeFrequency, TwoFrequenciesPadTheKitsLittleAndNeedFewRecords) {
-  const std::vector<MeshSize> city{{132, 1}, {432, 8}, {438, 1}, {510, 1}, {528, 1}, {1524, 1}, {2040, 1}, {2220, 1},
-      {2484, 1}, {3354, 1}, {5655, 1}};
-  const std::vector<MeshSize> space{{6, 6}, {12, 6}, {18, 3}, {24, 2}, {30, 9}, {36, 1}, {42, 4}, {48, 3}, {54, 1},
-      {60, 4}, {66, 5}, {78, 2}, {84, 2}, {90, 1}, {96, 1}, {102, 2}, {108, 1}, {132, 1}, {138, 1}, {144, 1},
-      {153, 1}, {156, 1}, {180, 1}, {186, 1}, {192, 1}, {216, 1}, {228, 2}, {234, 1}, {252, 1}, {264, 1}, {282, 1},
-      {288, 1}, {330, 1}, {348, 1}, {372, 1}, {378, 1}, {390, 1}, {396, 1}, {402, 1}, {432, 2}, {444, 1}, {504, 1},
-      {570, 1}, {609, 1}, {768, 1}, {888, 1}, {918, 1}};
+  const std::vector<MeshSize> city{{132, 1},  {432, 8},  {438, 1},  {510, 1},  {528, 1}, {1524, 1},
+                                   {2040, 1}, {2220, 1}, {2484, 1}, {3354, 1}, {5655, 1}};
+  const std::vector<MeshSize> space{{6, 6},   {12, 6},  {18, 3},  {24, 2},  {30, 9},  {36, 1},  {42, 4},  {48, 3},
+                                    {54, 1},  {60, 4},  {66, 5},  {78, 2},  {84, 2},  {90, 1},  {96, 1},  {102, 2},
+                                    {108, 1}, {132, 1}, {138, 1}, {144, 1}, {153, 1}, {156, 1}, {180, 1}, {186, 1},
+                                    {192, 1}, {216, 1}, {228, 2}, {234, 1}, {252, 1}, {264, 1}, {282, 1}, {288, 1},
+                                    {330, 1}, {348, 1}, {372, 1}, {378, 1}, {390, 1}, {396, 1}, {402, 1}, {432, 2},
+                                    {444, 1}, {504, 1}, {570, 1}, {609, 1}, {768, 1}, {888, 1}, {918, 1}};
   for (const auto& kit : {city, space}) {
     std::uint64_t placed = 0;
     for (const MeshSize& size : kit) placed += size.placed;
@@ -191,7 +193,8 @@ TEST(MergeFrequency, RefusesWhatMakesNoSense) {
   EXPECT_THROW(best_frequencies(meshes, {.multiple = 4}), std::invalid_argument);
   EXPECT_THROW(best_frequencies(meshes, {.classes = 5}), std::invalid_argument);
   EXPECT_THROW(best_frequencies(meshes, {.padded_cost = -1}), std::invalid_argument);
-  EXPECT_THROW(best_frequencies(meshes, {.padded_cost = std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
+  EXPECT_THROW(best_frequencies(meshes, {.padded_cost = std::numeric_limits<double>::quiet_NaN()}),
+               std::invalid_argument);
   EXPECT_THROW(fewest_slots(meshes, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
   EXPECT_THROW(best_frequencies(std::vector<MeshSize>{{std::uint64_t{1} << 32, 1}}), std::invalid_argument);
 }

@@ -15,7 +15,8 @@ using namespace testing;
 /// How often the bytes are in the file.
 std::size_t times_in(const Bytes& file, std::span<const std::byte> bytes) {
   std::size_t times = 0;
-  for (auto at = file.begin(); (at = std::search(at, file.end(), bytes.begin(), bytes.end())) != file.end(); ++at) ++times;
+  for (auto at = file.begin(); (at = std::search(at, file.end(), bytes.begin(), bytes.end())) != file.end(); ++at)
+    ++times;
   return times;
 }
 
@@ -195,8 +196,10 @@ TEST(GltfMergedInstances, merged_vertices_may_be_a_part_of_other_merged_ones) {
 TEST(GltfMergedInstances, sparse_accessors_become_plain_parts) {
   GltfBuilder builder = yard();
   const auto position = builder.json["meshes"][1]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>();
-  const std::size_t places = builder.add_view(std::as_bytes(std::span<const std::uint16_t>(std::array<std::uint16_t, 1>{2})));
-  const std::size_t moved = builder.add_view(std::as_bytes(std::span<const float>(std::array<float, 3>{0.25f, 0.5f, 0.75f})));
+  const std::size_t places =
+      builder.add_view(std::as_bytes(std::span<const std::uint16_t>(std::array<std::uint16_t, 1>{2})));
+  const std::size_t moved =
+      builder.add_view(std::as_bytes(std::span<const float>(std::array<float, 3>{0.25f, 0.5f, 0.75f})));
   builder.json["accessors"][position]["sparse"] = {{"count", 1},
                                                    {"indices", {{"bufferView", places}, {"componentType", 5123}}},
                                                    {"values", {{"bufferView", moved}}}};
@@ -237,7 +240,8 @@ TEST(GltfMergedInstances, with_an_unknown_extension_everything_stays_where_it_wa
   EXPECT_EQ(merged_of(read(file)), merged_of(scene));
   const GltfJson json = json_of(file);
   for (const char* kind : {"accessors", "bufferViews"}) {
-    for (std::size_t i = 0; i < builder.json[kind].size(); ++i) EXPECT_EQ(json[kind][i], builder.json[kind][i]) << kind << i;
+    for (std::size_t i = 0; i < builder.json[kind].size(); ++i)
+      EXPECT_EQ(json[kind][i], builder.json[kind][i]) << kind << i;
   }
   EXPECT_EQ(json["extensions"]["ACME_secrets"], builder.json["extensions"]["ACME_secrets"]);
   EXPECT_EQ(times_in(file, builder.buffer), 1u);

@@ -63,13 +63,15 @@ std::vector<Words> drawn_by_nodes(const Scene& scene, const std::vector<MergedPl
     const Node& node = scene.nodes[place.node];
     const Draw& draw = scene.draws[scene.meshes[*node.mesh].draws[place.primitive]];
     const auto instances = node.instances.view();
-    const glm::mat4 world = worlds[place.node] * (instances.empty() ? glm::mat4(1) : instances[place.instance].matrix());
+    const glm::mat4 world =
+        worlds[place.node] * (instances.empty() ? glm::mat4(1) : instances[place.instance].matrix());
     Words words;
     put(words, place);
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) put(words, world[column][row]);
     }
-    for (const std::uint32_t index : draw.levels[0].orders[0].indices.view()) put_position(words, *draw.levels[0].vertices, index);
+    for (const std::uint32_t index : draw.levels[0].orders[0].indices.view())
+      put_position(words, *draw.levels[0].vertices, index);
     all.push_back(std::move(words));
   }
   std::ranges::sort(all);
@@ -159,7 +161,8 @@ TEST(MergeInstancesOfScene, InstancesOfANodeArePlacedMirroredOnesTooAndSingularO
   EXPECT_EQ(merged_places(scene), places);
   EXPECT_EQ(drawn_merged(scene), drawn_by_nodes(before, places));
   EXPECT_TRUE(has_note(said, "not merged in 1 of its places: its transform is singular"));
-  EXPECT_EQ(said.figures.at("draws"), static_cast<double>(merged_sets(scene)[0].draws.size()) + 1) << "the node is drawn still";
+  EXPECT_EQ(said.figures.at("draws"), static_cast<double>(merged_sets(scene)[0].draws.size()) + 1)
+      << "the node is drawn still";
 }
 
 TEST(MergeInstancesOfScene, PrimitivesOfAMeshAreMergedEachForItself) {
@@ -182,7 +185,8 @@ TEST(MergeInstancesOfScene, NodesThatTheFileDoesNotShowStay) {
   const Said said = merge(scene);
   ASSERT_EQ(merged_sets(scene).size(), 1u);
   EXPECT_EQ(merged_sets(scene)[0].places.size(), 16u);
-  EXPECT_TRUE(has_note(said, "not merged in 1 of its places: it is not shown: hidden, or not in the scene that the file shows"));
+  EXPECT_TRUE(has_note(
+      said, "not merged in 1 of its places: it is not shown: hidden, or not in the scene that the file shows"));
   EXPECT_EQ(said.figures.at("draws"), static_cast<double>(merged_sets(scene)[0].draws.size()));
 }
 
@@ -264,7 +268,8 @@ TEST(MergeInstancesOfScene, MeshesThatNoNodePlacesStay) {
 TEST(MergeInstancesOfScene, DrawsAreOfAsManyEntriesAsAskedFor) {
   Scene scene = scene_with(random_placements(48, 5, 60));
   const Scene before = scene;
-  merge(scene, {{"most-indices", std::int64_t{6000}}, {"most-instances", std::int64_t{50}}, {"frequencies", std::int64_t{4}}});
+  merge(scene,
+        {{"most-indices", std::int64_t{6000}}, {"most-instances", std::int64_t{50}}, {"frequencies", std::int64_t{4}}});
   ASSERT_EQ(merged_sets(scene).size(), 1u);
   for (const MergedGroup& group : merged_sets(scene)[0].groups) EXPECT_LE(group.instance_count, 50u);
   EXPECT_GE(merged_sets(scene)[0].groups.size(), 6u);

@@ -11,20 +11,22 @@ namespace {
 
 VertexStream stream(std::string semantic, Component component, std::uint8_t components, bool normalized) {
   const auto bytes = static_cast<std::uint16_t>(bytes_of(component) * components);
-  return {std::move(semantic), {component, components, normalized, bytes},
+  return {std::move(semantic),
+          {component, components, normalized, bytes},
           Shared<std::byte>(std::vector<std::byte>(std::size_t{bytes} * 5))};
 }
 
 VertexStreams all_formats() {
   VertexStreams vertices;
   vertices.count = 5;
-  vertices.base = {stream("POSITION", Component::float32, 3, false), stream("NORMAL", Component::int8, 3, true),
-                   stream("TANGENT", Component::int16, 4, true),     stream("TEXCOORD_0", Component::uint16, 2, true),
-                   stream("TEXCOORD_1", Component::uint8, 2, true),  stream("COLOR_0", Component::uint8, 4, true),
-                   stream("_WEIGHT", Component::float32, 1, false),  stream("_ID", Component::uint32, 1, false),
-                   stream("_STEP", Component::uint16, 1, false),     stream("_LOW", Component::int8, 1, false),
-                   stream("_FRAME", Component::float32, 9, false),   stream("_WORLD__2--A", Component::int16, 3, false),
-                   stream("_to_world", Component::float32, 1, false), stream("_TO_WORLD", Component::float32, 1, false)};
+  vertices.base = {
+      stream("POSITION", Component::float32, 3, false),  stream("NORMAL", Component::int8, 3, true),
+      stream("TANGENT", Component::int16, 4, true),      stream("TEXCOORD_0", Component::uint16, 2, true),
+      stream("TEXCOORD_1", Component::uint8, 2, true),   stream("COLOR_0", Component::uint8, 4, true),
+      stream("_WEIGHT", Component::float32, 1, false),   stream("_ID", Component::uint32, 1, false),
+      stream("_STEP", Component::uint16, 1, false),      stream("_LOW", Component::int8, 1, false),
+      stream("_FRAME", Component::float32, 9, false),    stream("_WORLD__2--A", Component::int16, 3, false),
+      stream("_to_world", Component::float32, 1, false), stream("_TO_WORLD", Component::float32, 1, false)};
   return vertices;
 }
 
@@ -33,8 +35,8 @@ bool compiles(const std::string& text, const std::string& arguments, const std::
   const std::filesystem::path folder = ::testing::TempDir();
   const std::filesystem::path source = folder / (name + ".vert");
   std::ofstream(source) << text;
-  const std::string command = "glslangValidator " + arguments + " -o \"" + (folder / (name + ".spv")).string() + "\" \"" +
-                              source.string() + "\"";
+  const std::string command = "glslangValidator " + arguments + " -o \"" + (folder / (name + ".spv")).string() +
+                              "\" \"" + source.string() + "\"";
   return std::system(command.c_str()) == 0;
 }
 

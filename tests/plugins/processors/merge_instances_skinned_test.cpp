@@ -20,16 +20,18 @@ VertexStream stream(const char* semantic, Component component, const std::vector
 Draw skinned_draw(const char* name) {
   Draw draw = testing::draw_of(testing::grid(2, 1), name);
   auto vertices = std::make_shared<VertexStreams>(*draw.levels[0].vertices);
-  vertices->base.push_back(stream<std::uint8_t>("JOINTS_0", Component::uint8, std::vector(vertices->count, std::array<std::uint8_t, 4>{})));
-  vertices->base.push_back(stream<float>("WEIGHTS_0", Component::float32, std::vector(vertices->count, std::array<float, 4>{1, 0, 0, 0})));
+  vertices->base.push_back(
+      stream<std::uint8_t>("JOINTS_0", Component::uint8, std::vector(vertices->count, std::array<std::uint8_t, 4>{})));
+  vertices->base.push_back(
+      stream<float>("WEIGHTS_0", Component::float32, std::vector(vertices->count, std::array<float, 4>{1, 0, 0, 0})));
   draw.levels[0].vertices = std::move(vertices);
   draw.traits.add(traits::skinned);
   draw.traits.add(traits::animated);
   return draw;
 }
 
-/// Two meshes of a skin, whose joint stands at z = 5 and rises to 9 in a second. The meshes' nodes stand elsewhere, which
-/// does not count.
+/// Two meshes of a skin, whose joint stands at z = 5 and rises to 9 in a second. The meshes' nodes stand elsewhere,
+/// which does not count.
 Scene two_skinned() {
   Scene scene = testing::scene_of({skinned_draw("coat"), skinned_draw("hat")});
   for (Node& node : scene.nodes) {

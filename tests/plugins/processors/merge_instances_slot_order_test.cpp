@@ -60,7 +60,9 @@ TEST(MergeSlotOrder, EveryDrawKeepsItsSlots) {
   ASSERT_EQ(slots.size(), merged.slots.size());
   EXPECT_FALSE(std::ranges::equal(slots, merged.slots.view()));
   for (const MergedDraw& draw : merged.draws) {
-    const auto of = [&](std::span<const MergedSlot> all) { return sorted_by_place(all.subspan(draw.first_slot, draw.slot_count)); };
+    const auto of = [&](std::span<const MergedSlot> all) {
+      return sorted_by_place(all.subspan(draw.first_slot, draw.slot_count));
+    };
     EXPECT_EQ(of(slots), of(merged.slots.view()));
   }
 }
@@ -75,7 +77,8 @@ TEST(MergeSlotOrder, AGroupByItselfIsWhatItsDrawsFetch) {
     std::size_t number = 0;
     for (const MergedDraw& one : merged.draws) {
       if (one.group != g) continue;
-      const foredraw_merged_draw draw{one.frequency, one.first_slot, one.slot_count, slots, merged.indices.view().data()};
+      const foredraw_merged_draw draw{one.frequency, one.first_slot, one.slot_count, slots,
+                                      merged.indices.view().data()};
       const std::vector<glm::vec3> world = decode_vec3(*alone.draws.at(number++).levels[0].vertices->find("POSITION"));
       ASSERT_EQ(world.size(), foredraw_merged_vertex_count(&draw));
       for (std::uint32_t v = 0; v < world.size(); ++v) {

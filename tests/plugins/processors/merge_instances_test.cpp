@@ -26,8 +26,8 @@ MergedScene merge(const Scene& scene, const MergeInstancesOptions& options = {})
   return merge_instances(scene, all_draws(scene), options, Executor(2));
 }
 
-/// A triangle of an instance: the node, and its corners' positions bit by bit. Corners begin with the mesh's first, and run
-/// as the mesh's do.
+/// A triangle of an instance: the node, and its corners' positions bit by bit. Corners begin with the mesh's first, and
+/// run as the mesh's do.
 using Corner = std::array<std::uint32_t, 3>;
 using Drawn = std::tuple<NodeId, DrawId, std::array<Corner, 3>>;
 
@@ -41,7 +41,8 @@ std::vector<Drawn> unpacked(const MergedSet& set) {
   std::vector<Drawn> drawn;
   const auto* slots = reinterpret_cast<const foredraw_merged_slot*>(set.packed.slots.data());
   for (const MergedDraw& packed : set.packed.draws) {
-    const foredraw_merged_draw draw{packed.frequency, packed.first_slot, packed.slot_count, slots, set.packed.indices.data()};
+    const foredraw_merged_draw draw{packed.frequency, packed.first_slot, packed.slot_count, slots,
+                                    set.packed.indices.data()};
     for (std::uint32_t t = 0; t < foredraw_merged_vertex_count(&draw) / 3; ++t) {
       if (foredraw_merged_is_padding(&draw, t)) continue;
       std::array<foredraw_merged_vertex, 3> at;
@@ -71,7 +72,8 @@ std::vector<Drawn> original(const Scene& scene) {
       const Level& level = scene.draws[id].levels[0];
       const auto indices = level.orders[0].indices.view();
       for (std::size_t i = 0; i < indices.size(); i += 3) {
-        drawn.push_back({n, id,
+        drawn.push_back({n,
+                         id,
                          {bits_of(*level.vertices, indices[i]), bits_of(*level.vertices, indices[i + 1]),
                           bits_of(*level.vertices, indices[i + 2])}});
       }
@@ -94,13 +96,15 @@ TEST(MergeInstances, UnpackingGivesEveryInstancesTriangles) {
       EXPECT_GT(merged.merged[0].groups.size(), 1u);
       EXPECT_GT(merged.merged[0].packed.mirrored, 0u);
       EXPECT_EQ(unpacked(merged.merged[0]), original(scene));
-      EXPECT_LE(merged.merged[0].packed.padded_entries,
-                0.02 * static_cast<double>(merged.merged[0].packed.drawn_entries + merged.merged[0].packed.padded_entries));
+      EXPECT_LE(
+          merged.merged[0].packed.padded_entries,
+          0.02 * static_cast<double>(merged.merged[0].packed.drawn_entries + merged.merged[0].packed.padded_entries));
     }
   }
 }
 
-/// What faces the camera must face it still: the sign of the area of each drawn triangle in the world is the mesh's own.
+/// What faces the camera must face it still: the sign of the area of each drawn triangle in the world is the mesh's
+/// own.
 TEST(MergeInstances, TrianglesFaceAsTheyDid) {
   Placements placed{testing::grid(3, 2), {}};
   placed.at.push_back(glm::mat4(1));
@@ -144,8 +148,9 @@ TEST(MergeInstances, NothingIsLostOfWhatIsNotMerged) {
   std::vector<std::string> reasons;
   for (const merging::LeftAlone& left : merged.left_alone) reasons.push_back(left.why);
   std::ranges::sort(reasons);
-  EXPECT_EQ(reasons, (std::vector<std::string>{"an animation moves it, or it hangs on a joint", "its transform is not affine",
-                                               "its transform is not finite", "its transform is singular"}));
+  EXPECT_EQ(reasons,
+            (std::vector<std::string>{"an animation moves it, or it hangs on a joint", "its transform is not affine",
+                                      "its transform is not finite", "its transform is singular"}));
   EXPECT_EQ(merged.merged[0].packed.placed.size() + merged.left_alone.size(), scene.nodes.size());
 }
 
@@ -179,7 +184,8 @@ TEST(MergeInstances, VertexBoundMeshesAreLeftAloneWithTheFigure) {
   placements.push_back({testing::grid(60, 60), {glm::mat4(1), glm::mat4(2)}});
   const MergedScene merged = merge(scene_with(placements));
   ASSERT_FALSE(merged.left_alone.empty());
-  EXPECT_TRUE(merged.left_alone[0].why.starts_with("vertex-bound: merged it would shade 3 vertices a triangle in place of "))
+  EXPECT_TRUE(
+      merged.left_alone[0].why.starts_with("vertex-bound: merged it would shade 3 vertices a triangle in place of "))
       << merged.left_alone[0].why;
 }
 

@@ -4,8 +4,8 @@
 
 #include <foredraw/base/random.h>
 
-#include <glm/common.hpp>
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 
 #include <cmath>
 
@@ -29,7 +29,9 @@ AlphaImage random_image(Random& random, std::uint32_t most) {
     for (std::uint32_t v = 0; v < image.height; ++v) {
       for (std::uint32_t u = 0; u < image.width; ++u) {
         const double from = std::hypot(u + 0.5 - x, v + 0.5 - y) / radius;
-        if (from < 1) image.alpha[std::size_t{v} * image.width + u] = static_cast<std::uint16_t>(65535 * (1 - from) * random.unit());
+        if (from < 1)
+          image.alpha[std::size_t{v} * image.width + u] =
+              static_cast<std::uint16_t>(65535 * (1 - from) * random.unit());
       }
     }
   }
@@ -43,7 +45,8 @@ Sampling random_sampling(Random& random, bool is_nearest) {
 
 Box random_frame(Random& random, const AlphaImage& image) {
   const auto range = [&](std::uint32_t side) {
-    const std::int64_t a = static_cast<std::int64_t>(random.below(side)), b = a + 1 + static_cast<std::int64_t>(random.below(side - static_cast<std::uint64_t>(a)));
+    const std::int64_t a = static_cast<std::int64_t>(random.below(side)),
+                       b = a + 1 + static_cast<std::int64_t>(random.below(side - static_cast<std::uint64_t>(a)));
     return std::pair{a * 256, b * 256};
   };
   const auto [left, right] = range(image.width);
@@ -78,7 +81,9 @@ TEST(Footprint, holds_every_place_that_shows) {
     const bool is_nearest = round % 4 == 0;
     const Sampling sampling = random_sampling(random, is_nearest);
     const double threshold = round % 2 == 0 ? 0 : random.unit() * 0.6;
-    const Footprint footprint = is_nearest ? Footprint::texels : round % 3 == 0 ? Footprint::bilinear_loose : Footprint::bilinear;
+    const Footprint footprint = is_nearest       ? Footprint::texels
+                                : round % 3 == 0 ? Footprint::bilinear_loose
+                                                 : Footprint::bilinear;
     const ShownImage parts(image, sampling, {threshold, footprint});
     const Box frame = random_frame(random, image);
     const std::vector<Point> points = parts.shown_points(frame);
@@ -192,7 +197,8 @@ TEST(ShownCells, find_whatever_shows_in_a_triangle_outside_of_the_frame) {
       if (s + t > 1) s = 1 - s, t = 1 - t;
       const glm::dvec2 at = glm::floor(a + s * (b - a) + t * (c - a));
       const Point point{static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y)};
-      const bool is_outside = point.x < frame.least.x - 2 || point.x > frame.most.x + 2 || point.y < frame.least.y - 2 || point.y > frame.most.y + 2;
+      const bool is_outside = point.x < frame.least.x - 2 || point.x > frame.most.x + 2 ||
+                              point.y < frame.least.y - 2 || point.y > frame.most.y + 2;
       if (!is_outside || !(sample(image, sampling, point) > threshold)) continue;
       // A step within the triangle.
       const auto side = [](const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r) {

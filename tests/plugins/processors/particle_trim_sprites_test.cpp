@@ -5,12 +5,12 @@
 #include "support/sprite_painter.h"
 #include "support/sprite_scenes.h"
 
-#include <foredraw/image/sprite_pieces.h>
 #include <foredraw/base/random.h>
+#include <foredraw/image/sprite_pieces.h>
 #include <foredraw/technique/plugin.h>
 
-#include <glm/common.hpp>
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,8 @@ struct Trimming {
 
   double figure(const std::string& metric) const {
     for (const Measured& measured : findings.measured) {
-      if (measured.metric == metric && measured.about.draw) return measured.numerator / measured.denominator.value_or(1);
+      if (measured.metric == metric && measured.about.draw)
+        return measured.numerator / measured.denominator.value_or(1);
     }
     return -1;
   }
@@ -51,13 +52,16 @@ AlphaImage blank(std::uint32_t width, std::uint32_t height) {
 }
 
 AlphaImage blots(Random& random, std::uint32_t most) {
-  AlphaImage image = blank(3 + static_cast<std::uint32_t>(random.below(most)), 3 + static_cast<std::uint32_t>(random.below(most)));
+  AlphaImage image =
+      blank(3 + static_cast<std::uint32_t>(random.below(most)), 3 + static_cast<std::uint32_t>(random.below(most)));
   for (int blot = 0; blot < 3; ++blot) {
-    const double x = random.unit() * image.width, y = random.unit() * image.height, radius = 1 + random.unit() * most / 4;
+    const double x = random.unit() * image.width, y = random.unit() * image.height,
+                 radius = 1 + random.unit() * most / 4;
     for (std::uint32_t v = 0; v < image.height; ++v) {
       for (std::uint32_t u = 0; u < image.width; ++u) {
         const double from = std::hypot(u + 0.5 - x, v + 0.5 - y) / radius;
-        if (from < 1) image.alpha[std::size_t{v} * image.width + u] = static_cast<std::uint16_t>(65535 * (1 - from * from));
+        if (from < 1)
+          image.alpha[std::size_t{v} * image.width + u] = static_cast<std::uint16_t>(65535 * (1 - from * from));
       }
     }
   }
@@ -76,7 +80,8 @@ const Settings all_savings = {{"least-saving", 0.0}};
 std::size_t differing(const AlphaImage& image, const testing::SpriteStand& stand, const testing::SpritePicture& quad,
                       const testing::SpritePicture& trimmed, double threshold) {
   const auto is_on_edge = [&](const std::array<std::int64_t, 2>& pixel) {
-    const double x = static_cast<double>(pixel[0]) + 0.5 - stand.offset.x, y = static_cast<double>(pixel[1]) + 0.5 - stand.offset.y;
+    const double x = static_cast<double>(pixel[0]) + 0.5 - stand.offset.x,
+                 y = static_cast<double>(pixel[1]) + 0.5 - stand.offset.y;
     const double u = (std::cos(stand.angle) * x + std::sin(stand.angle) * y) / stand.scale;
     const double v = (std::cos(stand.angle) * y - std::sin(stand.angle) * x) / stand.scale;
     const double off = std::min({std::abs(u), std::abs(v), std::abs(u - image.width), std::abs(v - image.height)});
@@ -106,8 +111,10 @@ TEST(ParticleTrim, paints_every_pixel_that_shows_as_the_quad_does) {
     texture.is_nearest = round % 5 == 0;
     const double threshold = round % 2 == 0 ? 0 : random.unit() * 0.5;
     const int mip_levels = static_cast<int>(random.below(3));
-    Settings settings = {{"vertices", static_cast<std::int64_t>(3 + random.below(8))}, {"threshold", threshold},
-                         {"mip-levels", std::int64_t{mip_levels}}, {"least-saving", 0.0}};
+    Settings settings = {{"vertices", static_cast<std::int64_t>(3 + random.below(8))},
+                         {"threshold", threshold},
+                         {"mip-levels", std::int64_t{mip_levels}},
+                         {"least-saving", 0.0}};
     if (round % 7 == 0) settings["method"] = std::string("persson");
     if (round % 3 == 0) settings["footprint"] = std::string("bilinear-loose");
     if (round % 4 == 0) settings["uv"] = std::string(round % 8 == 0 ? "float16" : "unorm16");
@@ -143,7 +150,8 @@ TEST(ParticleTrim, the_painter_would_see_a_polygon_that_is_too_small) {
   const Trimming trimming = trim(scene, texels);  // while the picture is blended
   const testing::SpriteStand stand{.scale = 4};
   EXPECT_GT(differing(image, stand, testing::painted(scene, scene.draws[0], levels, stand),
-                      testing::painted(trimming.scene, trimming.scene.draws[0], levels, stand), 0), 0u);
+                      testing::painted(trimming.scene, trimming.scene.draws[0], levels, stand), 0),
+            0u);
 }
 
 TEST(ParticleTrim, keeps_every_attribute_running_as_it_runs_over_the_quad) {
@@ -206,15 +214,21 @@ TEST(ParticleTrim, small_thin_and_wide_images_are_trimmed_right) {
   dot.alpha[32 * 9 + 20] = 1;
   // A texel blends two by two texels wide.
   EXPECT_NEAR(trim(testing::sprite_scene(testing::texel_image(dot)), plain).figure("area"), 4.0 / 1024, 2e-4);
-  EXPECT_NEAR(trim(testing::sprite_scene(testing::texel_image(dot)), with(plain, "footprint", std::string("texels"))).figure("area"), 1.0 / 1024, 1e-4);
-  EXPECT_NEAR(trim(testing::sprite_scene(testing::texel_image(dot)), with(plain, "vertices", std::int64_t{3})).figure("area"), 8.0 / 1024, 4e-4);
+  EXPECT_NEAR(trim(testing::sprite_scene(testing::texel_image(dot)), with(plain, "footprint", std::string("texels")))
+                  .figure("area"),
+              1.0 / 1024, 1e-4);
+  EXPECT_NEAR(
+      trim(testing::sprite_scene(testing::texel_image(dot)), with(plain, "vertices", std::int64_t{3})).figure("area"),
+      8.0 / 1024, 4e-4);
   AlphaImage line = blank(16384, 3);
   for (std::uint32_t u = 100; u < 16000; ++u) line.alpha[16384 + u] = 9;
   const Trimming wide = trim(testing::sprite_scene(testing::texel_image(line)), with(plain, "padding", 0.0));
   EXPECT_NEAR(wide.figure("area"), 15901.0 * 2 / (3 * 16384), 8e-3);
   AlphaImage diagonal = blank(256, 256);
   for (std::uint32_t u = 0; u < 256; ++u) diagonal.alpha[257 * u] = 65535;
-  const double hairline = trim(testing::sprite_scene(testing::texel_image(diagonal)), with(plain, "vertices", std::int64_t{6})).figure("area");
+  const double hairline =
+      trim(testing::sprite_scene(testing::texel_image(diagonal)), with(plain, "vertices", std::int64_t{6}))
+          .figure("area");
   EXPECT_LT(hairline, 0.02);
   AlphaImage ring = blank(64, 64), disc = ring;
   Random random(7);
@@ -236,7 +250,8 @@ TEST(ParticleTrim, reaches_out_of_a_tile_only_where_nothing_shows) {
   for (std::uint32_t v = 2; v < 30; ++v) std::fill_n(image.alpha.begin() + 64 * v + 1 + v * 26 / 30, 4, 65535);
   const auto area = [](const AlphaImage& atlas, double threshold) {
     const TrimFrame tile{{0, 0}, {32 * 256, 32 * 256}};
-    const auto made = particle_trim(atlas, {{Wrap::clamped, Wrap::clamped}, false}, {&tile, 1}, {.vertices = 3, .threshold = threshold, .mip_levels = 0, .least_saving = 0});
+    const auto made = particle_trim(atlas, {{Wrap::clamped, Wrap::clamped}, false}, {&tile, 1},
+                                    {.vertices = 3, .threshold = threshold, .mip_levels = 0, .least_saving = 0});
     return std::pair(made[0].outcome, made[0].area);
   };
   const auto [free_outcome, free_area] = area(image, 0);

@@ -5,8 +5,8 @@
 
 #include <foredraw/base/random.h>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 
@@ -40,7 +40,8 @@ double doubled_area(const std::vector<glm::dvec2>& corners) {
   return area;
 }
 
-// --- An exhaustive search that shares nothing with the technique: half planes, cut one after the other. ----------------
+// --- An exhaustive search that shares nothing with the technique: half planes, cut one after the other.
+// ----------------
 
 struct Line {
   glm::dvec2 point, direction;
@@ -132,7 +133,8 @@ void expect_encloses(const Enclosing& polygon, const std::vector<Point>& hull, s
     const glm::dvec2 p = polygon.corners[i], q = polygon.corners[(i + 1) % polygon.corners.size()];
     const double length = std::hypot(q.x - p.x, q.y - p.y);
     for (const Point& corner : hull) {
-      const double height = ((q.x - p.x) * (static_cast<double>(corner.y) - p.y) - (q.y - p.y) * (static_cast<double>(corner.x) - p.x));
+      const double height =
+          ((q.x - p.x) * (static_cast<double>(corner.y) - p.y) - (q.y - p.y) * (static_cast<double>(corner.x) - p.x));
       EXPECT_GE(height, -1e-7 * (1 + length) * (1 + length));
     }
   }
@@ -201,7 +203,8 @@ TEST(SmallestEnclosing, keeps_to_what_is_allowed_and_takes_the_next_best) {
       const auto bounded = trim::smallest_enclosing(hull, n, allowed, kept->area * (1 + 1e-9));
       ASSERT_TRUE(bounded);
       EXPECT_NEAR(bounded->area, kept->area, 1e-9 * kept->area);
-      EXPECT_FALSE(trim::smallest_enclosing(hull, n, allowed, kept->area * (1 - 1e-6)) && hull.size() > static_cast<std::size_t>(n));
+      EXPECT_FALSE(trim::smallest_enclosing(hull, n, allowed, kept->area * (1 - 1e-6)) &&
+                   hull.size() > static_cast<std::size_t>(n));
     }
   }
   EXPECT_GT(forbidden, 20);
@@ -254,7 +257,8 @@ TEST(StoredPolygon, holds_what_was_in_it_in_every_format) {
     for (int round = 0; round < 300; ++round) {
       std::vector<Point> points;
       for (int i = 0; i < 40; ++i) {
-        points.push_back({256 * 30 + static_cast<std::int64_t>(random.below(740 * 256)), 256 * 30 + static_cast<std::int64_t>(random.below(240 * 256))});
+        points.push_back({256 * 30 + static_cast<std::int64_t>(random.below(740 * 256)),
+                          256 * 30 + static_cast<std::int64_t>(random.below(240 * 256))});
       }
       const std::vector<Point> hull = trim::convex_hull(points);
       std::vector<glm::dvec2> corners;
@@ -267,7 +271,8 @@ TEST(StoredPolygon, holds_what_was_in_it_in_every_format) {
       EXPECT_GE(polygon->area(), exact);
       EXPECT_LT(polygon->area(), exact * (format == trim::UvFormat::float16 ? 1.05 : 1.001));
       for (const glm::dvec2& uv : polygon->texture_coordinates()) {
-        EXPECT_EQ(static_cast<double>(static_cast<float>(uv.x)), format == trim::UvFormat::unorm16 ? static_cast<double>(static_cast<float>(uv.x)) : uv.x);
+        EXPECT_EQ(static_cast<double>(static_cast<float>(uv.x)),
+                  format == trim::UvFormat::unorm16 ? static_cast<double>(static_cast<float>(uv.x)) : uv.x);
       }
     }
   }

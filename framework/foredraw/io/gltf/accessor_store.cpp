@@ -135,7 +135,8 @@ bool AccessorStore::lay_within(std::size_t accessor, std::size_t of, std::size_t
   const std::vector<std::byte> kept = is_new ? std::vector<std::byte>() : elements(document_, *was);
   const Bytes own = is_new ? changed->second.bytes.view() : Bytes(kept);
   const std::size_t begin = first * whole.format.bytes;
-  if (begin + own.size() > whole.bytes.size() || !std::ranges::equal(own, whole.bytes.view().subspan(begin, own.size()))) {
+  if (begin + own.size() > whole.bytes.size() ||
+      !std::ranges::equal(own, whole.bytes.view().subspan(begin, own.size()))) {
     return false;
   }
   if (wholes_.erase(accessor) > 0) {  // its parts go along

@@ -102,10 +102,11 @@ std::optional<Accessor> accessor_of(Gate& gate, const Json& json, const std::str
   if (!component || !type || !count) return std::nullopt;
   const auto format = format_of(*type, *component, normalized);
   if (!format && !json.contains("bufferView") && !json.contains("sparse")) {
-    gate.warning(place, "accessor-type",
-                 fmt::format("type '{}' of component type {} is none that glTF has; it stays as it is, for nothing refers "
-                             "to it",
-                             *type, *component));
+    gate.warning(
+        place, "accessor-type",
+        fmt::format("type '{}' of component type {} is none that glTF has; it stays as it is, for nothing refers "
+                    "to it",
+                    *type, *component));
     gate.unknown_accessors.insert(gate.accessors.size());
     return Accessor{};
   }

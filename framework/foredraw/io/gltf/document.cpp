@@ -183,9 +183,8 @@ std::vector<std::string> extensions_in(const Json& json) {
 
 bool Document::knows_extension(std::string_view name) const {
   // Families that refer to textures, images, nodes or materials alone, none of which is ever renumbered.
-  static constexpr std::string_view families[] = {"KHR_materials_", "KHR_texture_", "KHR_lights_",
-                                                  "EXT_texture_",   "EXT_lights_",  "MSFT_texture_",
-                                                  "KHR_xmp",        "KHR_node_"};
+  static constexpr std::string_view families[] = {"KHR_materials_", "KHR_texture_",  "KHR_lights_", "EXT_texture_",
+                                                  "EXT_lights_",    "MSFT_texture_", "KHR_xmp",     "KHR_node_"};
   static constexpr std::string_view names[] = {
       "KHR_mesh_quantization",      mesh_gpu_instancing,       "KHR_animation_pointer",   "MSFT_lod",
       "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression", "FB_ngon_encoding",

@@ -11,8 +11,8 @@
 
 namespace foredraw {
 
-/// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right. What no
-/// row of `products` knows is a foreign extension, which stays as it is.
+/// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right. What
+/// no row of `products` knows is a foreign extension, which stays as it is.
 std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
                                const ProductRows& products = {});
 

@@ -70,7 +70,8 @@ bool has_levels(const Json& json) {
 }
 
 void take_levels(Json& json) {
-  each_unchecked_primitive(json, [](Json& primitive, std::size_t, std::size_t) { take_extension(primitive, levels_extension); });
+  each_unchecked_primitive(
+      json, [](Json& primitive, std::size_t, std::size_t) { take_extension(primitive, levels_extension); });
 }
 
 std::optional<std::string> expose_levels(Json& json, std::vector<Ladder>& ladders) {

@@ -1,7 +1,7 @@
 // A document to files: .glb, or .gltf with its .bin beside.
+#include <foredraw/io/gltf/private/write.h>
 #include <foredraw/io/text/private/file_kind.h>
 #include <foredraw/io/text/private/uri.h>
-#include <foredraw/io/gltf/private/write.h>
 
 #include <cstring>
 #include <limits>

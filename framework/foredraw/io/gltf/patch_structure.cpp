@@ -138,10 +138,8 @@ Json textured_surface(Json& document, const Material& now, const Texture& textur
   Json surface = Json::object();
   if (now.alpha != 1) surface["baseColorFactor"] = {1, 1, 1, now.alpha};
   const int filter = texture.is_nearest ? 9728 : 9729;
-  const Json sampler{{"magFilter", filter},
-                     {"minFilter", filter},
-                     {"wrapS", word(texture.wrap[0])},
-                     {"wrapT", word(texture.wrap[1])}};
+  const Json sampler{
+      {"magFilter", filter}, {"minFilter", filter}, {"wrapS", word(texture.wrap[0])}, {"wrapT", word(texture.wrap[1])}};
   const std::size_t number = listed(document["samplers"], sampler);
   Json use{{"index", listed(document["textures"], {{"sampler", number}, {"source", *texture.image}})}};
   if (texture.texcoord != 0) use["texCoord"] = texture.texcoord;
@@ -217,7 +215,8 @@ class StructurePatch {
     const bool is_drawn_plainly = !was.skin && was.weights.empty() && was.instances.empty();
     if (now.mesh || !is_drawn_plainly) return fail(place, "it was changed");
     if (was.keeps_mesh) {
-      return fail(place, "its mesh was taken away, but an extension or a further scene refers to it, or no scene shows it");
+      return fail(place,
+                  "its mesh was taken away, but an extension or a further scene refers to it, or no scene shows it");
     }
     json_["nodes"][i].erase("mesh");
     return true;

@@ -38,7 +38,8 @@ class Relayout {
       if (content != nullptr && (is_new || !document_.accessors[a].rows)) {
         new_blocks_.push_back(block_of({&item("accessors", a)}, *content, 1));
         for (const auto& [part, lies] : changes_.parts) {
-          if (lies.of == a) new_blocks_.back().places.push_back({{&item("accessors", part)}, lies.first * new_blocks_.back().row});
+          if (lies.of == a)
+            new_blocks_.back().places.push_back({{&item("accessors", part)}, lies.first * new_blocks_.back().row});
         }
       }
     }

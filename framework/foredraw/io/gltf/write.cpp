@@ -1,7 +1,7 @@
 #include <foredraw/io/gltf/gltf.h>
 
-#include <foredraw/io/text/private/uri.h>
 #include <foredraw/io/gltf/private/write.h>
+#include <foredraw/io/text/private/uri.h>
 
 #include <algorithm>
 

@@ -40,7 +40,8 @@ std::string png_damage(Bytes bytes) {
 /// Runs of equal texels and of different ones, until all texels are there.
 std::string packed_tga_damage(Bytes bytes, const Header& header) {
   const std::size_t texel = byte_at(bytes, 16) / 8;
-  const std::size_t map = byte_at(bytes, 1) == 1 ? (byte_at(bytes, 5) | byte_at(bytes, 6) << 8) * (byte_at(bytes, 7) / 8) : 0;
+  const std::size_t map =
+      byte_at(bytes, 1) == 1 ? (byte_at(bytes, 5) | byte_at(bytes, 6) << 8) * (byte_at(bytes, 7) / 8) : 0;
   std::size_t i = 18 + byte_at(bytes, 0) + map;
   for (std::uint64_t left = std::uint64_t{header.facts.width} * header.facts.height; left > 0;) {
     const std::uint32_t packet = i < bytes.size() ? byte_at(bytes, i) : 0;

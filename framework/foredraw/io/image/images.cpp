@@ -1,9 +1,9 @@
 #include <foredraw/io/image/images.h>
 
-#include <foredraw/io/text/private/uri.h>
 #include <foredraw/io/image/private/exr.h>
 #include <foredraw/io/image/private/headers.h>
 #include <foredraw/io/image/private/stb.h>
+#include <foredraw/io/text/private/uri.h>
 #include <foredraw/platform/files.h>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include <foredraw/io/image/private/encode.h>
 #include <foredraw/io/image/picture.h>
+#include <foredraw/io/image/private/encode.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -50,8 +50,8 @@ void Picture::fill(int x, int y, int width, int height, Colour colour) {
 
 void Picture::blend(int x, int y, Colour colour, float part) {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
-  std::uint8_t* texel = &rgb_[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                                   static_cast<std::size_t>(x))];
+  std::uint8_t* texel =
+      &rgb_[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x))];
   const std::uint8_t channels[] = {colour.red, colour.green, colour.blue};
   for (int c = 0; c < 3; ++c) {
     const float was = texel[c];

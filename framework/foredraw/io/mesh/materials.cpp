@@ -1,10 +1,10 @@
 #include <foredraw/io/gltf/private/material_stamps.h>
 #include <foredraw/io/mesh/private/materials.h>
 
-#include <foredraw/io/text/private/file_kind.h>
-#include <foredraw/io/text/private/uri.h>
 #include <foredraw/io/mesh/private/obj.h>
 #include <foredraw/io/mesh/private/text.h>
+#include <foredraw/io/text/private/file_kind.h>
+#include <foredraw/io/text/private/uri.h>
 #include <foredraw/platform/files.h>
 
 #include <fmt/format.h>

@@ -1,12 +1,12 @@
 #include <foredraw/io/mesh/mesh_files.h>
 
-#include <foredraw/io/text/private/file_kind.h>
 #include <foredraw/io/mesh/private/materials.h>
 #include <foredraw/io/mesh/private/obj.h>
 #include <foredraw/io/mesh/private/off.h>
 #include <foredraw/io/mesh/private/ply.h>
 #include <foredraw/io/mesh/private/source.h>
 #include <foredraw/io/mesh/private/stl.h>
+#include <foredraw/io/text/private/file_kind.h>
 
 #include <fmt/format.h>
 

@@ -33,8 +33,8 @@ bool same_surroundings(const Scene& a, const Scene& b) {
 class DrawChange {
  public:
   DrawChange(const Draw& now, const Draw& was) : now_(now.full()), was_(was.full()) {
-    alike_ = now.levels.size() == 1 && now_.orders.size() == 1 &&
-             now.topology == was.topology && now.material == was.material;
+    alike_ = now.levels.size() == 1 && now_.orders.size() == 1 && now.topology == was.topology &&
+             now.material == was.material;
   }
 
   bool is_order_alone() const { return alike_ && same_triangles() && same_vertices(); }

@@ -1,6 +1,6 @@
 // Sprites as C99 arrays, which C++ takes too.
-#include <foredraw/io/text/private/free_names.h>
 #include <foredraw/io/sprite/private/write.h>
+#include <foredraw/io/text/private/free_names.h>
 
 #include <fmt/format.h>
 
@@ -141,9 +141,9 @@ std::optional<std::string> header_text(std::span<const Sheet> sheets, const std:
       ++count;
     }
   }
-  std::string text =
-      fmt::format(fmt::runtime(head), fmt::arg("stem", stem), fmt::arg("count", count), fmt::arg("winding", winding_of(sheets)),
-                  fmt::arg("guard", "FOREDRAW_SPRITES_" + in_capitals(stem) + "_H"), fmt::arg("type", stem + "_frame"));
+  std::string text = fmt::format(
+      fmt::runtime(head), fmt::arg("stem", stem), fmt::arg("count", count), fmt::arg("winding", winding_of(sheets)),
+      fmt::arg("guard", "FOREDRAW_SPRITES_" + in_capitals(stem) + "_H"), fmt::arg("type", stem + "_frame"));
   text += arrays;
   text += fmt::format("#define {}_FRAME_COUNT {}\n\n", in_capitals(stem), count);
   text += "#if defined(__GNUC__)\n__attribute__((unused))\n#endif\n";

@@ -1,6 +1,6 @@
 // Frame lists as TexturePacker and others write them: frames by name, frames in an array, or several textures of them.
-#include <foredraw/io/text/private/json_text.h>
 #include <foredraw/io/sprite/private/source.h>
+#include <foredraw/io/text/private/json_text.h>
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/base/printable.h>

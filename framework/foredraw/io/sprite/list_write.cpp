@@ -1,6 +1,6 @@
 // A frame list with polygons: the one that was read with these put in, or a new one.
-#include <foredraw/io/text/private/free_names.h>
 #include <foredraw/io/sprite/private/write.h>
+#include <foredraw/io/text/private/free_names.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // All sprites in one picture.
-#include <foredraw/io/image/private/encode.h>
 #include <foredraw/io/image/picture.h>
+#include <foredraw/io/image/private/encode.h>
 #include <foredraw/io/sprite/private/svg.h>
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // What is written of sprites, by the kind of file.
 #include <foredraw/io/sprite/sprite_files.h>
 
-#include <foredraw/io/text/private/file_kind.h>
 #include <foredraw/io/gltf/private/source.h>
 #include <foredraw/io/image/private/encode.h>
 #include <foredraw/io/sprite/private/write.h>
+#include <foredraw/io/text/private/file_kind.h>
 
 #include <fmt/format.h>
 
@@ -84,7 +84,8 @@ std::string winding_of(std::span<const Sheet> sheets) {
     for (const DrawnSprite& sprite : sheet.sprites) {
       for (std::size_t i = 0; i + 2 < sprite.triangles.size(); i += 3) {
         const glm::dvec2 a = sprite.points[sprite.triangles[i]];
-        const glm::dvec2 ab = sprite.points[sprite.triangles[i + 1]] - a, ac = sprite.points[sprite.triangles[i + 2]] - a;
+        const glm::dvec2 ab = sprite.points[sprite.triangles[i + 1]] - a,
+                         ac = sprite.points[sprite.triangles[i + 2]] - a;
         const double turn = ab.x * ac.y - ab.y * ac.x;  // y is down
         any_clockwise = any_clockwise || turn > 0;
         any_counter_clockwise = any_counter_clockwise || turn < 0;

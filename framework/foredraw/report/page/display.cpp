@@ -5,9 +5,9 @@
 
 #include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/bounding_sphere.h>
-#include <foredraw/viewing/subject_geometry.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
+#include <foredraw/viewing/subject_geometry.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,9 +21,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_triangles = 200'000;     // of a subject: what a small machine's browser turns smoothly
-constexpr std::size_t most_branches = 24;           // each takes four bytes a triangle
-constexpr std::size_t most_poses = 64;              // of all clips
+constexpr std::size_t most_triangles = 200'000;         // of a subject: what a small machine's browser turns smoothly
+constexpr std::size_t most_branches = 24;               // each takes four bytes a triangle
+constexpr std::size_t most_poses = 64;                  // of all clips
 constexpr std::size_t most_bytes_of_poses = 6'000'000;  // of a subject
 
 /// Draws of which the viewer can show every order: as those who measure overdraw see them, but without holes.
@@ -53,8 +53,8 @@ class SubjectDisplay {
     json["states"] = Json::array({state_of(input_)});
     for (const auto& branch : branches) {
       const bool is_one_too_many = json["states"].size() > most_branches;  // the input is the first of them
-      const std::string why = is_one_too_many ? fmt::format("only the first {} are shown", most_branches)
-                                              : why_absent(branch);
+      const std::string why =
+          is_one_too_many ? fmt::format("only the first {} are shown", most_branches) : why_absent(branch);
       if (!why.empty()) json["absent"][std::to_string(json["states"].size())] = why;
       json["states"].push_back(why.empty() ? state_of(*branch) : Json(nullptr));
     }
@@ -74,9 +74,8 @@ class SubjectDisplay {
       const auto positions = posed_positions(input_, part, nodes);
       if (positions.empty()) continue;
       const IndexStream& order = order_of(input_, part.draw);
-      const std::size_t share = triangles <= most_triangles
-                                    ? order.triangle_count()
-                                    : order.triangle_count() * most_triangles / triangles + 1;
+      const std::size_t share = triangles <= most_triangles ? order.triangle_count()
+                                                            : order.triangle_count() * most_triangles / triangles + 1;
       parts_.push_back({part, shown_triangles(positions, order.indices.view(), share)});
       all_triangles_ += order.triangle_count();
       shown_triangles_ += parts_.back().shown.triangles.size();

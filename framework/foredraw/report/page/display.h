@@ -12,7 +12,7 @@ namespace foredraw {
 
 /// One file as the script reads it; docs/report.md tells its form.
 struct Display {
-  std::string scene;   ///< JSON
+  std::string scene;  ///< JSON
   std::string buffer_name;
   std::string buffer;  ///< base64
 };

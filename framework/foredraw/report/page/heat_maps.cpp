@@ -1,10 +1,10 @@
 #include <foredraw/report/page/heat_maps.h>
 
-#include <foredraw/viewing/drawn_orders.h>
-#include <foredraw/overdraw/heat_map.h>
+#include <foredraw/base/whole_number.h>
 #include <foredraw/io/image/picture.h>
 #include <foredraw/measuring/subjects_in_poses.h>
-#include <foredraw/base/whole_number.h>
+#include <foredraw/overdraw/heat_map.h>
+#include <foredraw/viewing/drawn_orders.h>
 
 #include <fmt/format.h>
 
@@ -129,7 +129,7 @@ class Photographer {
  private:
   SubjectGeometry drawn(const Scene& scene, std::size_t subject, std::size_t pose) const {
     return subject_geometry(scene, subjects_.subjects[subject], faces_, posed_nodes(scene, subjects_.poses.poses[pose]),
-                         analyses_);
+                            analyses_);
   }
 
   const SubjectsInPoses& subjects_;

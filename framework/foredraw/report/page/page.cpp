@@ -29,7 +29,8 @@ std::string with_script() {
 /// Of many files the first ones have a viewer.
 std::string left_out(std::size_t files, std::size_t displays) {
   if (files <= most_displays) return "";
-  return '\n' + element("p", fmt::format("Of {} files the first {} are shown here.", files, displays), "class=\"note\"");
+  return '\n' +
+         element("p", fmt::format("Of {} files the first {} are shown here.", files, displays), "class=\"note\"");
 }
 
 std::string data(const std::string& type, const std::string& id, std::string_view content) {
@@ -57,21 +58,23 @@ std::string scripts(std::span<const Comparison> comparisons, std::span<const Dis
 
 std::string page(std::span<const Comparison> comparisons, std::span<const Display> displays,
                  const std::string& program) {
-  const Section sections[] = {{"summary", "Summary", summary_html(comparisons)},
-                              {"figures", "Figures", figures_html(comparisons)},
-                              {"plot", "One against another", with_script()},
-                              {"viewer", "In three dimensions", with_script() + left_out(comparisons.size(), displays.size())},
-                              {"draws", "Draws", draws_html(comparisons)},
-                              {"stages", "Stages", stages_html(comparisons)},
-                              {"diagnostics", "Diagnostics", diagnostics_html(comparisons)},
-                              {"pipelines", "Pipelines", pipelines_html(comparisons)},
-                              {"run", "The run", run_html(comparisons, program)}};
+  const Section sections[] = {
+      {"summary", "Summary", summary_html(comparisons)},
+      {"figures", "Figures", figures_html(comparisons)},
+      {"plot", "One against another", with_script()},
+      {"viewer", "In three dimensions", with_script() + left_out(comparisons.size(), displays.size())},
+      {"draws", "Draws", draws_html(comparisons)},
+      {"stages", "Stages", stages_html(comparisons)},
+      {"diagnostics", "Diagnostics", diagnostics_html(comparisons)},
+      {"pipelines", "Pipelines", pipelines_html(comparisons)},
+      {"run", "The run", run_html(comparisons, program)}};
   std::string links, body;
   for (const Section& section : sections) {
     if (section.content.empty()) continue;
     links += element("a", escaped(section.title), fmt::format("href=\"#{}\"", section.id)) + '\n';
     body += element("section", '\n' + element("h2", escaped(section.title)) + '\n' + section.content + '\n',
-                    fmt::format("id=\"{}\"", section.id)) + '\n';
+                    fmt::format("id=\"{}\"", section.id)) +
+            '\n';
   }
   const std::string title =
       comparisons.size() == 1 ? comparisons[0].input.path : fmt::format("{} files", comparisons.size());

@@ -19,7 +19,8 @@ std::string PageBuffer::base64() const {
     }
     for (int shift = 18; shift >= 0; shift -= 6) text += letters[group >> shift & 63];
   }
-  if (const std::size_t rest = bytes_.size() % 3; rest != 0) text.replace(text.size() - (3 - rest), 3 - rest, 3 - rest, '=');
+  if (const std::size_t rest = bytes_.size() % 3; rest != 0)
+    text.replace(text.size() - (3 - rest), 3 - rest, 3 - rest, '=');
   return text;
 }
 

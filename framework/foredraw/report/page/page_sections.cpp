@@ -9,21 +9,25 @@ namespace foredraw {
 namespace {
 
 std::string stage_row(const StageRecord& stage) {
-  const auto [least, most] =
-      stage.rounds.empty() ? std::ranges::minmax_result<double>{stage.seconds, stage.seconds} : std::ranges::minmax(stage.rounds);
-  const std::string spread =
-      stage.rounds.empty() ? element("td", "-", "class=\"number\"")
-                           : element("td", fmt::format("{:.2f} to {:.2f} ms", 1000 * least, 1000 * most),
-                                     fmt::format("class=\"number\" data-value=\"{}\"", most - least));
-  const std::string memory = !stage.memory ? element("td", "-", "class=\"number\"")
-                                           : element("td", fmt::format("{:.1f} MB", static_cast<double>(*stage.memory) / 1e6),
-                                                     fmt::format("class=\"number\" data-value=\"{}\"", *stage.memory));
-  return element("tr", element("td", escaped(stage.text)) +
-                           element("td", escaped(fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over)),
-                                   fmt::format("class=\"number\" data-value=\"{}\"", stage.changed)) +
-                           element("td", fmt::format("{:.2f} ms", 1000 * stage.seconds),
-                                   fmt::format("class=\"number\" data-value=\"{}\"", stage.seconds)) +
-                           spread + memory) + '\n';
+  const auto [least, most] = stage.rounds.empty() ? std::ranges::minmax_result<double>{stage.seconds, stage.seconds}
+                                                  : std::ranges::minmax(stage.rounds);
+  const std::string spread = stage.rounds.empty()
+                                 ? element("td", "-", "class=\"number\"")
+                                 : element("td", fmt::format("{:.2f} to {:.2f} ms", 1000 * least, 1000 * most),
+                                           fmt::format("class=\"number\" data-value=\"{}\"", most - least));
+  const std::string memory = !stage.memory
+                                 ? element("td", "-", "class=\"number\"")
+                                 : element("td", fmt::format("{:.1f} MB", static_cast<double>(*stage.memory) / 1e6),
+                                           fmt::format("class=\"number\" data-value=\"{}\"", *stage.memory));
+  return element(
+             "tr",
+             element("td", escaped(stage.text)) +
+                 element("td", escaped(fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over)),
+                         fmt::format("class=\"number\" data-value=\"{}\"", stage.changed)) +
+                 element("td", fmt::format("{:.2f} ms", 1000 * stage.seconds),
+                         fmt::format("class=\"number\" data-value=\"{}\"", stage.seconds)) +
+                 spread + memory) +
+         '\n';
 }
 
 std::string skips_html(const std::vector<StageRecord>& stages) {
@@ -31,14 +35,16 @@ std::string skips_html(const std::vector<StageRecord>& stages) {
   for (const StageRecord& stage : stages) {
     for (const SkipRecord& skip : stage.skipped) {
       const bool is_scene = skip.about.size() == 1 && skip.about[0].empty();
-      const std::string places = is_scene                 ? "the scene"
+      const std::string places = is_scene                ? "the scene"
                                  : skip.about.empty()    ? "everything"
                                  : skip.about.size() > 5 ? fmt::format("{} {}", skip.about.size(), stage.loops_over)
-                                                          : fmt::format("{}", fmt::join(skip.about, ", "));
+                                                         : fmt::format("{}", fmt::join(skip.about, ", "));
       items += element("li", escaped(fmt::format("{} left {} alone: {}", stage.use, places, skip.reason))) + '\n';
     }
     for (const NoteRecord& note : stage.notes) {
-      items += element("li", escaped(stage.use + (note.about.empty() ? "" : " on " + note.about) + ": " + note.message)) + '\n';
+      items +=
+          element("li", escaped(stage.use + (note.about.empty() ? "" : " on " + note.about) + ": " + note.message)) +
+          '\n';
     }
   }
   return items.empty() ? "" : element("ul", '\n' + items, "class=\"skipped\"") + '\n';
@@ -69,12 +75,14 @@ std::string diagnostics_html(std::span<const Comparison> comparisons) {
   return articles(comparisons, [](const Comparison& comparison) {
     std::string items;
     for (const Diagnostic& diagnostic : comparison.diagnostics) {
-      items += element("li", escaped(to_text(diagnostic)), fmt::format("class=\"{}\"", to_text(diagnostic.severity))) + '\n';
+      items +=
+          element("li", escaped(to_text(diagnostic)), fmt::format("class=\"{}\"", to_text(diagnostic.severity))) + '\n';
     }
     for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
       for (const Diagnostic& diagnostic : comparison.branches[i].report.diagnostics) {
         items += element("li", escaped(number_of(i) + ' ' + to_text(diagnostic)),
-                         fmt::format("class=\"{}\"", to_text(diagnostic.severity))) + '\n';
+                         fmt::format("class=\"{}\"", to_text(diagnostic.severity))) +
+                 '\n';
       }
     }
     return items.empty() ? items : element("ul", '\n' + items);
@@ -88,7 +96,8 @@ std::string pipelines_html(std::span<const Comparison> comparisons) {
   const std::vector<Branch>& branches = whole->branches;  // the same on every file
   for (std::size_t i = 0; i < branches.size(); ++i) {
     html += element("details", element("summary", number_of(i) + ' ' + escaped(branches[i].name)) +
-                                   element("pre", escaped(branches[i].report.pipeline))) + '\n';
+                                   element("pre", escaped(branches[i].report.pipeline))) +
+            '\n';
   }
   return html;
 }

@@ -39,8 +39,8 @@ std::string finding(const Comparison& comparison, std::size_t index, const std::
   }
   std::string text = number_of(index) + ": " + fmt::format("{}", fmt::join(parts, ", ")) + (parts.empty() ? "" : "; ") +
                      fmt::format("{:.0f} ms of work.", 1000 * stages_seconds(branch.report));
-  const bool has_errors = std::ranges::any_of(branch.report.diagnostics,
-                                              [](const Diagnostic& d) { return d.severity == Severity::error; });
+  const bool has_errors =
+      std::ranges::any_of(branch.report.diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });
   return has_errors ? text + " Something failed: see Diagnostics." : text;
 }
 
@@ -49,8 +49,10 @@ std::string fronts_html(const Comparison& comparison) {
   for (const Front& front : fronts_of(comparison)) {
     std::vector<std::string> names;
     for (const std::size_t branch : front.branches) names.push_back(number_of(branch));
-    items += element("li", escaped(fmt::format("Not beaten in both {} and {}: {}.", front.x, front.y,
-                                               fmt::join(names, " ")))) + '\n';
+    items +=
+        element("li",
+                escaped(fmt::format("Not beaten in both {} and {}: {}.", front.x, front.y, fmt::join(names, " ")))) +
+        '\n';
   }
   return items;
 }
@@ -60,9 +62,11 @@ std::string summary_of(const Comparison& comparison) {
   const std::vector<FigureRow> rows = total_rows(comparison);
   std::string branches, findings;
   for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
-    branches += element("li", element("span", number_of(i), "class=\"branch\"") + ' ' +
-                                  element("code", escaped(comparison.branches[i].name)),
-                        fmt::format("data-branch=\"{}\"", i)) + '\n';
+    branches += element("li",
+                        element("span", number_of(i), "class=\"branch\"") + ' ' +
+                            element("code", escaped(comparison.branches[i].name)),
+                        fmt::format("data-branch=\"{}\"", i)) +
+                '\n';
     findings += element("li", escaped(finding(comparison, i, rows))) + '\n';
   }
   return element("ol", '\n' + branches, "class=\"branches\"") + '\n' +

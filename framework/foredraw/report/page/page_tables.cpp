@@ -33,8 +33,9 @@ std::string change_html(const Figure& figure, const Figure* baseline) {
 std::string cell(const Figure* figure, double best, const Figure* baseline, const std::string& branch) {
   if (figure == nullptr || !std::isfinite(figure->value())) return element("td", "-", "class=\"number\"" + branch);
   const bool is_best = figure->value() == best;
-  return element("td", escaped(to_text(*figure)) + change_html(*figure, baseline),
-                 fmt::format("class=\"number{}\" data-value=\"{}\"{}", is_best ? " best" : "", figure->value(), branch));
+  return element(
+      "td", escaped(to_text(*figure)) + change_html(*figure, baseline),
+      fmt::format("class=\"number{}\" data-value=\"{}\"{}", is_best ? " best" : "", figure->value(), branch));
 }
 
 std::string unit_of(const FigureRow& row) {
@@ -54,8 +55,8 @@ std::string figure_cells(const FigureRow& row) {
 }
 
 std::string time_row(const Comparison& comparison) {
-  std::string cells = element("td", "time") + element("td", "all stages") + element("td", "ms") +
-                      element("td", "", "class=\"number\"");
+  std::string cells =
+      element("td", "time") + element("td", "all stages") + element("td", "ms") + element("td", "", "class=\"number\"");
   for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
     const Branch& branch = comparison.branches[i];
     const double seconds = stages_seconds(branch.report);
@@ -70,21 +71,24 @@ std::string time_row(const Comparison& comparison) {
 
 std::string figures_html(std::span<const Comparison> comparisons) {
   const std::string legend =
-      element("p", comparisons.empty() || comparisons[0].branches.size() < 2
-                       ? "Errors are one standard error."
-                       : "In per cent: against [1]; ~: no more than the errors may make up. The best of a row is marked.",
+      element("p",
+              comparisons.empty() || comparisons[0].branches.size() < 2
+                  ? "Errors are one standard error."
+                  : "In per cent: against [1]; ~: no more than the errors may make up. The best of a row is marked.",
               "class=\"legend\"");
   return legend + '\n' + articles_and_sum(comparisons, [](const Comparison& comparison) {
-    if (comparison.is_lost()) return std::string();
-    std::string rows;
-    for (const FigureRow& row : total_rows(comparison)) {
-      if (is_detail(row)) continue;
-      rows += element("tr", element("td", escaped(row.evaluator)) + element("td", escaped(row.metric)) +
-                                element("td", escaped(unit_of(row))) + figure_cells(row)) + '\n';
-    }
-    const std::string heads = element("th", "evaluator") + element("th", "metric") + element("th", "unit") + branch_heads(comparison);
-    return table(heads, rows + time_row(comparison), "figures");
-  });
+           if (comparison.is_lost()) return std::string();
+           std::string rows;
+           for (const FigureRow& row : total_rows(comparison)) {
+             if (is_detail(row)) continue;
+             rows += element("tr", element("td", escaped(row.evaluator)) + element("td", escaped(row.metric)) +
+                                       element("td", escaped(unit_of(row))) + figure_cells(row)) +
+                     '\n';
+           }
+           const std::string heads =
+               element("th", "evaluator") + element("th", "metric") + element("th", "unit") + branch_heads(comparison);
+           return table(heads, rows + time_row(comparison), "figures");
+         });
 }
 
 std::string draws_html(std::span<const Comparison> comparisons) {
@@ -94,15 +98,19 @@ std::string draws_html(std::span<const Comparison> comparisons) {
     for (std::size_t draw = 0; draw < draw_count(comparison); ++draw) {
       for (const FigureRow& row : draw_rows(comparison, draw)) {
         if (is_detail(row) || ++count > most_draw_rows) continue;
-        rows += element("tr", element("td", escaped(draw_name(comparison, draw))) +
-                                  element("td", escaped(row.evaluator)) + element("td", escaped(row.metric)) + figure_cells(row)) + '\n';
+        rows +=
+            element("tr", element("td", escaped(draw_name(comparison, draw))) + element("td", escaped(row.evaluator)) +
+                              element("td", escaped(row.metric)) + figure_cells(row)) +
+            '\n';
       }
     }
     if (rows.empty()) return std::string();
-    const std::string heads = element("th", "draw") + element("th", "evaluator") + element("th", "metric") + branch_heads(comparison);
-    const std::string more = count <= most_draw_rows
-                                 ? ""
-                                 : element("p", fmt::format("{} more figures are in the JSON form.", count - most_draw_rows));
+    const std::string heads =
+        element("th", "draw") + element("th", "evaluator") + element("th", "metric") + branch_heads(comparison);
+    const std::string more =
+        count <= most_draw_rows
+            ? ""
+            : element("p", fmt::format("{} more figures are in the JSON form.", count - most_draw_rows));
     return table(heads, rows, "draws") + more;
   });
 }

@@ -42,7 +42,9 @@ std::vector<std::uint32_t> first_in_cell(std::span<const glm::vec3> positions, c
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     if (!is_finite(positions[v])) continue;
     const glm::vec3 place = (positions[v] - box.least) * scale;
-    const auto cell = [&](float along) { return static_cast<std::uint64_t>(std::min(along, static_cast<float>(cells - 1))); };
+    const auto cell = [&](float along) {
+      return static_cast<std::uint64_t>(std::min(along, static_cast<float>(cells - 1)));
+    };
     result[v] = first.try_emplace(cell(place.x) << 42 | cell(place.y) << 21 | cell(place.z), v).first->second;
   }
   return result;

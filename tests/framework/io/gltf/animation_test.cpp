@@ -4,9 +4,9 @@
 #include "support/meshes.h"
 #include "support/naive_animation.h"
 
+#include <foredraw/io/gltf/gltf.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
-#include <foredraw/io/gltf/gltf.h>
 
 #include <gtest/gtest.h>
 

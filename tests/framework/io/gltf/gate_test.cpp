@@ -319,18 +319,20 @@ TEST_P(HarmlessOddity, is_told_and_kept) {
 
 INSTANTIATE_TEST_SUITE_P(
     Gltf, HarmlessOddity,
-    ::testing::Values(
-        Harmless{"unknown_type_of_an_unused_accessor",
-                 [](auto& b) { b.add("accessors", {{"componentType", 7}, {"type", "VEC5"}, {"count", 10}}); },
-                 "accessor-type"},
-        Harmless{"primitive_without_positions",
-                 [](auto& b) {
-                   GltfJson other = primitive(b);
-                   other["attributes"].erase("POSITION");
-                   b.json["meshes"][0]["primitives"].push_back(other);
-                 },
-                 "no-position"},
-        Harmless{"corners_left_over", [](auto& b) { item(b, "accessors", 2)["count"] = 23; }, "index-count"}),
+    ::testing::Values(Harmless{"unknown_type_of_an_unused_accessor",
+                               [](auto& b) {
+                                 b.add("accessors", {{"componentType", 7}, {"type", "VEC5"}, {"count", 10}});
+                               },
+                               "accessor-type"},
+                      Harmless{"primitive_without_positions",
+                               [](auto& b) {
+                                 GltfJson other = primitive(b);
+                                 other["attributes"].erase("POSITION");
+                                 b.json["meshes"][0]["primitives"].push_back(other);
+                               },
+                               "no-position"},
+                      Harmless{"corners_left_over", [](auto& b) { item(b, "accessors", 2)["count"] = 23; },
+                               "index-count"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(GltfGate, corners_left_over_are_not_drawn) {

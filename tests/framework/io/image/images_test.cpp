@@ -260,13 +260,16 @@ TEST(Images, are_decoded_for_analyses_from_the_scene_or_from_beside_it) {
   image.name = "leaf";
   image.bytes = Shared<std::byte>(std::vector<std::byte>(png));
   const auto texels = [&](const std::filesystem::path& scene_file) { return image_decoder(scene_file)(image); };
-  const auto why_not = [&](const std::filesystem::path& scene_file) { return std::get<std::string>(texels(scene_file)); };
+  const auto why_not = [&](const std::filesystem::path& scene_file) {
+    return std::get<std::string>(texels(scene_file));
+  };
   EXPECT_EQ(std::get<Texels>(texels({})).facts, facts);
   image.bytes = {};
   image.uri = "inner/a%20leaf.png";
   EXPECT_EQ(std::get<Texels>(texels(folder / "scene.gltf")).facts, facts);
   EXPECT_EQ(why_not({}), "there is no image 'inner/a leaf.png' in the folder of the scene");
-  EXPECT_EQ(why_not(folder / "inner" / "scene.gltf"), "there is no image 'inner/a leaf.png' in the folder of the scene");
+  EXPECT_EQ(why_not(folder / "inner" / "scene.gltf"),
+            "there is no image 'inner/a leaf.png' in the folder of the scene");
   image.uri = "../images%20beside/inner/a%20leaf.png";
   EXPECT_EQ(why_not(folder / "inner" / "scene.gltf"),
             "the image's file '../images%20beside/inner/a%20leaf.png' leads out of the file's folder");

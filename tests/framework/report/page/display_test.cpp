@@ -87,7 +87,8 @@ stages = ["weld", "lookahead", "linear-clusters", "dot-rule", "vertex-fetch"])")
   const auto sorted = shown.numbers<std::uint32_t>(order["triangles"], triangles);
   EXPECT_TRUE(is_permutation(sorted, triangles));
   const IndexStream& stream = shown.output.draws[0].levels[0].orders[0];
-  EXPECT_EQ(sorted, std::vector<std::uint32_t>(stream.triangle_origin.view().begin(), stream.triangle_origin.view().end()));
+  EXPECT_EQ(sorted,
+            std::vector<std::uint32_t>(stream.triangle_origin.view().begin(), stream.triangle_origin.view().end()));
   const std::size_t clusters = order["cluster-count"];
   EXPECT_EQ(shown.numbers<std::uint32_t>(order["clusters"], clusters + 1), stream.clusters->offsets);
 
@@ -123,7 +124,8 @@ poses.poses = "6")");
     const auto sorted = shown.numbers<std::uint32_t>(state["orders"][k][0]["triangles"], triangles);
     ASSERT_TRUE(is_permutation(sorted, triangles));
     std::vector<std::uint32_t> drawn;
-    for (const std::uint32_t t : sorted) drawn.insert(drawn.end(), {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]});
+    for (const std::uint32_t t : sorted)
+      drawn.insert(drawn.end(), {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]});
     const auto stored = first[k].indices.view();
     EXPECT_EQ(drawn, std::vector<std::uint32_t>(stored.begin(), stored.end())) << k;
   }

@@ -4,8 +4,8 @@
 #include "support/meshes.h"
 
 #include <foredraw/io/image/images.h>
-#include <foredraw/scene/reorder.h>
 #include <foredraw/scene/order_table.h>
+#include <foredraw/scene/reorder.h>
 
 #include <gtest/gtest.h>
 

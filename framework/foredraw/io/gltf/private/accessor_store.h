@@ -66,8 +66,8 @@ class AccessorStore {
   std::optional<std::size_t> appended(const Content& content) const;
   /// Nobody refers to it any more: it keeps its number, but no bytes.
   void release(std::size_t accessor);
-  /// The accessor's bytes become a part of those of another one, which was appended, from its row `first` on. False, and
-  /// nothing changes, where these are others or it is a part already.
+  /// The accessor's bytes become a part of those of another one, which was appended, from its row `first` on. False,
+  /// and nothing changes, where these are others or it is a part already.
   bool lay_within(std::size_t accessor, std::size_t of, std::size_t first);
   void set_image(std::size_t image, Shared<std::byte> bytes);
 

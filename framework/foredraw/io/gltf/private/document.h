@@ -91,8 +91,9 @@ struct Document {
   Shared<std::byte> file;  ///< as it came
   Json json;
   bool left_out = false;  ///< `json` lacks what the reader took out of it, so that the file can not stay as it came
-  std::set<std::size_t> let_go;  ///< accessors that this named, where the writer may drop them; perhaps some that are not there
-  std::vector<Ladder> ladders;   ///< primitives of `json` that are levels, behind those of their mesh
+  std::set<std::size_t>
+      let_go;  ///< accessors that this named, where the writer may drop them; perhaps some that are not there
+  std::vector<Ladder> ladders;        ///< primitives of `json` that are levels, behind those of their mesh
   std::vector<Chunk> further_chunks;  ///< of a GLB, after JSON and BIN
   std::vector<Buffer> buffers;
   std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed
@@ -100,7 +101,8 @@ struct Document {
   std::vector<Accessor> accessors;
   ProductRows products;  ///< whose extensions are known
 
-  /// Whether we know of the extension which members refer to what, so that nothing it points at is lost or moved unseen.
+  /// Whether we know of the extension which members refer to what, so that nothing it points at is lost or moved
+  /// unseen.
   bool knows_extension(std::string_view name) const;
   /// Whether we know all of them. Else what was there stays where it was.
   bool knows_all_extensions() const;

@@ -70,8 +70,8 @@ class Gate {
   std::size_t warnings_ = 0;
 };
 
-/// How many bytes buffer views, or accessors, may claim together. Some overlap is common, as primitives view one stream;
-/// but a small file whose parts all lie over one another must not fill the memory.
+/// How many bytes buffer views, or accessors, may claim together. Some overlap is common, as primitives view one
+/// stream; but a small file whose parts all lie over one another must not fill the memory.
 std::uint64_t most_claimed(const Gate& gate);
 
 std::string at(const std::string& place, std::size_t i);

@@ -9,8 +9,8 @@
 
 namespace foredraw::gltf {
 
-/// Puts a document's products into its scene. Where one does not hold, a warning says why, and its extension is taken out of
-/// the document: what no longer fits must not be written again.
+/// Puts a document's products into its scene. Where one does not hold, a warning says why, and its extension is taken
+/// out of the document: what no longer fits must not be written again.
 void read_products(Document& document, Scene& scene, Diagnostics& diagnostics);
 
 /// Puts the scene's products into `json`, once its meshes are there. What the file says of the same products stays.

@@ -21,12 +21,12 @@ class Source final : public SceneSource {
 std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics);
 
 /// A JSON text for tinygltf: the members that the gate has looked at, and no others, for what it never sees can not
-/// upset it. Buffers and images stay out, so that it neither copies bytes nor opens files, and nodes, of which there are
-/// many: each would take a kilobyte there.
+/// upset it. Buffers and images stay out, so that it neither copies bytes nor opens files, and nodes, of which there
+/// are many: each would take a kilobyte there.
 std::string checked_structure(const Json& json);
 
-/// Which nodes the scene that the file shows holds: the default one, or the first. A file without scenes shows all. Those that
-/// KHR_node_visibility hides, with all below them, are not shown.
+/// Which nodes the scene that the file shows holds: the default one, or the first. A file without scenes shows all.
+/// Those that KHR_node_visibility hides, with all below them, are not shown.
 void find_shown_nodes(Scene& scene, const Document& document);
 
 /// The draws with an extension that may refer to their triangles or vertices by number.

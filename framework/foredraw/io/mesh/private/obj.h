@@ -1,8 +1,8 @@
 #pragma once
 // OBJ, line by line. Private to io.
 
-#include <foredraw/io/mesh/private/text.h>
 #include <foredraw/io/mesh/private/polygon_mesh.h>
+#include <foredraw/io/mesh/private/text.h>
 
 namespace foredraw::mesh_files {
 

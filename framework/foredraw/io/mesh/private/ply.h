@@ -1,8 +1,8 @@
 #pragma once
 // PLY: a header that says what follows, and a walk over what follows. Private to io.
 
-#include <foredraw/io/mesh/private/text.h>
 #include <foredraw/io/mesh/private/polygon_mesh.h>
+#include <foredraw/io/mesh/private/text.h>
 
 #include <bit>
 #include <cmath>

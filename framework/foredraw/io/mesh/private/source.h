@@ -1,10 +1,10 @@
 #pragma once
 // What the mesh readers keep for the writers. Private to io.
 
-#include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/gltf/private/source.h>
-#include <foredraw/io/mesh/private/text.h>
+#include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/mesh/private/polygon_mesh.h>
+#include <foredraw/io/mesh/private/text.h>
 
 namespace foredraw::mesh_files {
 

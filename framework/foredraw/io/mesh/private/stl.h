@@ -1,8 +1,8 @@
 #pragma once
 // STL, binary and ASCII. Private to io.
 
-#include <foredraw/io/mesh/private/text.h>
 #include <foredraw/io/mesh/private/polygon_mesh.h>
+#include <foredraw/io/mesh/private/text.h>
 
 namespace foredraw::mesh_files {
 

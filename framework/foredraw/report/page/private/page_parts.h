@@ -18,7 +18,8 @@ inline std::string number_of(std::size_t branch) { return fmt::format("[{}]", br
 /// What a section tells of one file. `file`: its number, or "all".
 inline std::string article(const Comparison& comparison, const std::string& file, const std::string& content) {
   return element("article", element("h3", escaped(comparison.input.path)) + '\n' + content,
-                 fmt::format("class=\"file\" data-file=\"{}\"", file)) + '\n';
+                 fmt::format("class=\"file\" data-file=\"{}\"", file)) +
+         '\n';
 }
 
 /// Of every file for which there is something to tell.
@@ -44,7 +45,8 @@ inline std::string table(const std::string& heads, const std::string& rows, cons
   return element("div",
                  element("table", element("thead", element("tr", heads)) + '\n' + element("tbody", '\n' + rows),
                          fmt::format("class=\"sortable {}\"", kind)),
-                 "class=\"scroll\"") + '\n';
+                 "class=\"scroll\"") +
+         '\n';
 }
 
 }  // namespace foredraw
