@@ -46,7 +46,8 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", program_name());
     app_.footer(
-        "Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed, 3 a --fail-if was met.\n"
+        "Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed, 3 a figure was out of the "
+        "bounds of --fail-if.\n"
         "A first try: foredraw optimize in.glb -o out.glb");
 
     auto& optimize_app =
@@ -116,9 +117,10 @@ class CommandLine {
                     "Run the stages so many times, the pipelines in turn; times are medians (default: 1)")
         ->check(CLI::Range(1, 1000));
     compare_app
-        .add_option("--fail-if", arguments_.fail_if,
-                    "End with exit code 3 where a figure is so, such as 'overdraw-raster.ratio > baseline * 1.01'; "
-                    "also beside input, or a number; may be given several times")
+        .add_option(
+            "--fail-if", arguments_.fail_if,
+            "End with exit code 3 when a figure is out of bounds, such as 'overdraw-raster.ratio > baseline * 1.01'; "
+            "also beside input, or a number; may be given several times")
         ->allow_extra_args(false);
     compare_app.add_option(
         "--baseline", arguments_.baseline,

@@ -198,10 +198,12 @@ class OverdrawEvaluation {
     run.count_at(about, "hidden", hidden);
     run.count_at(about, "ties", ties);
     if (about == About() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
-      run.note("close",
-               fmt::format("surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
-                           "ties per pixel, more than its error; who rounds depths otherwise finds another one",
-                           ties / ratio.denominator));
+      run.note(
+          "close",
+          fmt::format(
+              "surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
+              "ties per pixel, more than its error; a renderer that rounds depths differently measures another ratio",
+              ties / ratio.denominator));
     }
     if (discarded > 0) run.count_at(about, "discarded", discarded);
   }
