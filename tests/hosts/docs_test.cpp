@@ -106,9 +106,8 @@ TEST_F(Docs, EveryPluginStandsInTheTableOfLibraries) {
   const std::string page = page_of("embedding.md");
   for (const auto& [name, folder] : folders_of_plugins()) {
     const std::string target = folder.filename().string();
-    EXPECT_TRUE(std::regex_search(page, std::regex("\n\\| `(foredraw::\\w+`(, `\\w+`)*, `|foredraw::)?" + target +
-                                                   "`|\n\\| `foredraw::[^|]*`" + target + "`")))
-        << target << " is in no row of docs/embedding.md's first table";
+    const std::regex row("\\n\\| `foredraw::(" + target + "|[^|]*`" + target + ")`");
+    EXPECT_TRUE(std::regex_search(page, row)) << target << " is in no row of docs/embedding.md's first table";
   }
 }
 
