@@ -24,7 +24,7 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threads, int rounds) {
+MergeFigures merge(Scene& scene, const MergeSceneOptions& options, int threads, int rounds) {
   const Executor executor(threads);
   std::vector<DrawId> draws(scene.draws.size());
   std::iota(draws.begin(), draws.end(), DrawId{0});
@@ -33,7 +33,7 @@ MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threa
   std::vector<double> whole, packing;
   for (int round = 0; round < rounds; ++round) {
     merged = {};
-    whole.push_back(milliseconds([&] { merged = merge_instances(scene, draws, options, executor); }));
+    whole.push_back(milliseconds([&] { merged = merge_scene(scene, draws, options, executor); }));
     packing.push_back(milliseconds([&] {
       for (const MergedSet& set : merged.merged) packed_instances(scene, set, options, executor);
     }));
@@ -45,13 +45,13 @@ MergeFigures merge(Scene& scene, const MergeInstancesOptions& options, int threa
   for (const MergedSet& set : merged.merged) {
     made.sets.push_back(merged_instances(scene, set));
     figures.sets += 1;
-    figures.groups += set.groups.size();
+    figures.groups += set.layout.groups.size();
     figures.merged += set.packed.placed.size();
     entries += static_cast<double>(set.packed.drawn_entries + set.packed.padded_entries);
     padded += static_cast<double>(set.packed.padded_entries);
     slots += static_cast<double>(set.packed.slots.size());
     std::string own;
-    for (const std::uint32_t frequency : set.frequencies.frequencies) {
+    for (const std::uint32_t frequency : set.layout.frequencies.frequencies) {
       own += (own.empty() ? "" : "+") + std::to_string(frequency);
     }
     figures.frequencies += (figures.frequencies.empty() ? "" : " ") + own;

@@ -34,7 +34,7 @@ struct Wanted {
   std::vector<std::string> kits{"city", "space"};
   std::vector<std::uint64_t> instances{10'000, 100'000};
   double mirrored = 0;
-  MergeInstancesOptions merging{.materials = merging::SharedMaterials::kind};
+  MergeSceneOptions merging{{}, merging::SharedMaterials::kind};
   int rounds = 7, frames = 0, threads = 2;
   bool is_markdown = false;
   std::string tsv;

@@ -3,7 +3,7 @@
 
 #include "evaluators/scene_cost/scene_cost.h"
 #include "plugins/processors/gpu_instances/gpu_instances.h"
-#include "plugins/processors/merge_instances/merge_instances.h"
+#include "plugins/processors/merge_instances/merge_scene.h"
 #include "support/edit_product.h"
 #include "support/meshes.h"
 #include "support/products.h"
@@ -119,7 +119,7 @@ Scene merged_half(const Scene& plain, bool even) {
   }
   std::ranges::sort(draws);
   Scene scene = plain;
-  const MergedScene sets = merge_instances(plain, draws, {}, Executor(2));
+  const MergedScene sets = merge_scene(plain, draws, {}, Executor(2));
   for (const MergedSet& set : sets.merged) {
     testing::edit<MergedDraws>(scene)->sets.push_back(merged_instances(plain, set));
     for (const merging::MergeableMesh& mesh : set.set.meshes) scene.draws[mesh.draw].traits.add(traits::extended);
@@ -162,7 +162,7 @@ TEST(KitInstances, what_is_instanced_is_merged_where_that_saves_more) {
   Scene made = space(0);
   gpu_instances(made, free_draws(made));
   const std::uint64_t by_instancing = scene_cost(made).draws;
-  const MergedScene sets = merge_instances(made, free_draws(made), {}, Executor(2));
+  const MergedScene sets = merge_scene(made, free_draws(made), {}, Executor(2));
   for (const MergedSet& set : sets.merged)
     testing::edit<MergedDraws>(made)->sets.push_back(merged_instances(made, set));
   const Scene after = through_file(made);

@@ -11,7 +11,7 @@
 #include "support/meshes.h"
 #include "support/on_device.h"
 
-#include <plugins/processors/merge_instances/merge_instances.h>
+#include <plugins/processors/merge_instances/merge_scene.h>
 
 #include <gtest/gtest.h>
 
@@ -52,10 +52,10 @@ Scene space(std::uint64_t instances, double mirrored, float spread = 0.1f) {
   return placed_scene(kit, placements, "space");
 }
 
-Scene merged(Scene scene, const MergeInstancesOptions& options = {}) {
+Scene merged(Scene scene, const MergeSceneOptions& options = {}) {
   std::vector<DrawId> draws(scene.draws.size());
   std::iota(draws.begin(), draws.end(), DrawId{0});
-  for (const MergedSet& set : merge_instances(scene, draws, options, Executor(2)).merged) {
+  for (const MergedSet& set : merge_scene(scene, draws, options, Executor(2)).merged) {
     testing::edit<MergedDraws>(scene)->sets.push_back(merged_instances(scene, set));
   }
   return scene;
@@ -193,7 +193,7 @@ TEST_F(MergedFrames, space_shows_the_same) {
 }
 
 TEST_F(MergedFrames, instances_may_have_their_own_materials) {
-  const Scene scene = merged(space(800, 0.3), {.materials = merging::SharedMaterials::kind});
+  const Scene scene = merged(space(800, 0.3), {{}, merging::SharedMaterials::kind});
   ASSERT_EQ(merged_sets(scene).size(), 1u);
   EXPECT_FALSE(merged_sets(scene)[0].materials.empty());
   expect_merged_shows_the_same(scene, overviews(scene));
@@ -220,7 +220,7 @@ TEST_F(MergedFrames, a_wrong_transform_shows) {
 }
 
 TEST_F(MergedFrames, wrong_slots_places_materials_and_corners_show) {
-  const Scene scene = merged(space(300, 0.3, 0.5f), {.materials = merging::SharedMaterials::kind});
+  const Scene scene = merged(space(300, 0.3, 0.5f), {{}, merging::SharedMaterials::kind});
   const glm::mat4 view = overviews(scene)[0];
   const auto before = pixels(scene, frame_content(scene, DrawWay::merged), view);
   const auto shows = [&](const auto& break_one) {

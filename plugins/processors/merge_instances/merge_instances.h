@@ -1,12 +1,17 @@
 #pragma once
-// Many meshes with many instances each, drawn as a few draws without a vertex stored twice. An engine that has no Scene
-// takes the parts, which are plain functions: frequency.h, spatial_groups.h, packing.h, slot_order.h.
+// Many meshes with many instances each, drawn as a few draws without a vertex stored twice.
 
+#include "box.h"
+
+#include <foredraw/base/parallel.h>
 #include <foredraw/scene/merged_instances.h>
 
-#include "mergeable.h"
-#include "packing.h"
-#include "spatial_groups.h"
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace foredraw {
 
@@ -17,11 +22,8 @@ enum class FrequencyGoal : std::uint8_t {
 };
 
 struct MergeInstancesOptions {
-  merging::SharedMaterials materials = merging::SharedMaterials::alike;
-  bool skinned = false;     ///< skinned draws too; who draws them applies their joints
-  Poses poses = rest_pose;  ///< that the boxes of skinned draws hold; the stage takes the pipeline's
-  int multiple = 3;         ///< of the frequency, in index entries
-  int frequencies = 2;      ///< of slots, at most, 1 to 4; each is a draw of each group
+  int multiple = 3;     ///< of the frequency, in index entries; a multiple of 3
+  int frequencies = 2;  ///< of slots, at most, 1 to 4; each is a draw of each group
   FrequencyGoal goal = FrequencyGoal::fewest_slots;
   double most_padding = 0.02;             ///< of all entries drawn; goal fewest_slots
   double padded_cost = 12;                ///< bytes; goal least_cost
@@ -34,34 +36,50 @@ struct MergeInstancesOptions {
   bool cut_well = true;                   ///< cut meshes where few vertices are shared
 };
 
-/// Draws of one layout that one shader draws, merged.
-struct MergedSet {
-  merging::MergeableSet set;
-  merging::FrequencyChoice frequencies;
-  merging::SpatialGroups groups;                  ///< of set.placements
-  std::shared_ptr<const VertexStreams> vertices;  ///< each mesh's once; those of other sets of this layout too
-  std::vector<std::uint32_t> first_vertex;        ///< [mesh of the set]
-  merging::PackedInstances packed;                ///< instances name set.placements
+namespace merging {
+
+/// A mesh whose vertices lie in a buffer together with the others'.
+struct PackedMesh {
+  std::string_view name;                   ///< for messages
+  std::span<const std::uint32_t> indices;  ///< a triangle list, from 0 to below `vertices`
+  std::uint32_t first_vertex = 0;          ///< in the shared buffer
+  std::uint32_t vertices = 0;
 };
 
-struct MergedScene {
-  std::vector<MergedSet> merged;
-  std::vector<merging::MergeableSet> not_merged;  ///< each with why_not
-  std::vector<merging::LeftAlone> left_alone;
+struct PlacedMesh {
+  std::uint32_t mesh = 0;
+  glm::mat4 world{1};
+  Box box;  ///< in the world; finite
 };
 
-/// Merges what can be merged of `draws` (rising) and is worth it. The scene stays as it is. Deterministic at any number
-/// of threads. Throws std::invalid_argument where an option makes no sense. Source: Persson, "Graphics Gems for Games",
-/// SIGGRAPH 2012, "Merge-Instancing".
-MergedScene merge_instances(const Scene& scene, std::span<const DrawId> draws, const MergeInstancesOptions& options,
-                            const Executor& executor);
+/// The buffers, and what they come to.
+struct PackedInstances {
+  std::vector<std::uint32_t> indices;       ///< into the shared vertex buffer
+  std::vector<MergedSlot> slots;            ///< draw after draw
+  std::vector<MergedTransform> transforms;  ///< [instance], group after group
+  std::vector<std::uint32_t> placed;        ///< [instance] its number among those that were given
+  std::vector<MergedGroup> groups;          ///< instances that lie together
+  std::vector<MergedDraw> draws;            ///< group after group, frequencies rising in each
 
-/// The last step of merge_instances(): what a set, of which all else is known, comes to in buffers.
-merging::PackedInstances packed_instances(const Scene& scene, const MergedSet& set,
-                                          const MergeInstancesOptions& options, const Executor& executor);
+  std::uint64_t drawn_entries = 0;   ///< of all draws, without padding
+  std::uint64_t padded_entries = 0;  ///< of all draws
+  std::uint64_t mirrored = 0;        ///< instances that are turned inside out
+  std::uint64_t fetched = 0;         ///< different vertices of each slot that is drawn, over all
+  std::uint64_t fetched_plain = 0;   ///< the same if slots were cut without a look at vertices
 
-/// As the scene holds it.
-MergedInstances merged_instances(const Scene& scene, const MergedSet& set);
+  std::size_t bytes() const { return 4 * indices.size() + 8 * slots.size() + 48 * transforms.size(); }
+};
+
+}  // namespace merging
+
+/// Merges meshes of one vertex layout, drawn with one shader: chooses the frequencies, the groups that are culled
+/// together, and fills the buffers that runtime/merge_instances.h reads. A mesh that nothing places takes no room.
+/// Deterministic at any number of threads. Throws std::invalid_argument where an option is out of its range, a mesh's
+/// indices lead out of its vertices, or a transform is not affine or has no inverse; std::length_error where 32 bits
+/// cannot number the entries or slots. Source: Persson, "Graphics Gems for Games", SIGGRAPH 2012, "Merge-Instancing".
+merging::PackedInstances merge_instances(std::span<const merging::PackedMesh> meshes,
+                                         std::span<const merging::PlacedMesh> placed,
+                                         const MergeInstancesOptions& options, const Executor& executor);
 
 struct Plugin;
 Plugin merge_instances_plugin();

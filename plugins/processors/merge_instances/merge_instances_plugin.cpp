@@ -1,4 +1,5 @@
 #include "merge_instances.h"
+#include "merge_scene.h"
 #include "merged_draws_product.h"
 #include "slot_order.h"
 
@@ -92,7 +93,7 @@ MergedInstances with_less_overdraw(const Scene& scene, MergedInstances merged, R
   return merged;
 }
 
-struct Options : MergeInstancesOptions {
+struct Options : MergeSceneOptions {
   bool overdraw_order = false;  // sort the slots of each group where that pays
 };
 
@@ -105,9 +106,9 @@ class MergeInstances final : public Processor {
   }
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
-    MergeInstancesOptions options = options_;
+    MergeSceneOptions options = options_;
     options.poses = run.poses;
-    const MergedScene merged = merge_instances(scene, draws, options, run.executor);
+    const MergedScene merged = merge_scene(scene, draws, options, run.executor);
     note_left_alone(merged, run);
     if (merged.merged.empty()) {
       run.keep("no draws that could be merged are worth it; notes say why");
@@ -140,8 +141,8 @@ class MergeInstances final : public Processor {
       slots += static_cast<double>(set.packed.slots.size());
       placed += static_cast<double>(set.packed.placed.size());
       bytes += static_cast<double>(set.packed.bytes());
-      groups += static_cast<double>(set.groups.size());
-      wasted += set.groups.cost.wasted;
+      groups += static_cast<double>(set.layout.groups.size());
+      wasted += set.layout.groups.cost.wasted;
     }
     run.measure_at({}, "padding", padded, entries + padded);
     run.count_at({}, "draws", draws);
@@ -159,10 +160,10 @@ class MergeInstances final : public Processor {
 
 Plugin merge_instances_plugin() {
   OptionTable<Options> table;
-  table.choice(&MergeInstancesOptions::materials, "materials",
+  table.choice(&MergeSceneOptions::materials, "materials",
                "Draws are merged whose materials look alike, or are of one kind: the shader looks up each instance's",
                {{"alike", merging::SharedMaterials::alike}, {"kind", merging::SharedMaterials::kind}});
-  table.row(&MergeInstancesOptions::skinned, "skinned",
+  table.row(&MergeSceneOptions::skinned, "skinned",
             "Merge skinned draws too: their joints place them, and boxes hold the pipeline's poses");
   table.row(&MergeInstancesOptions::multiple, "multiple",
             "Slots have multiples of so many index entries: 3, or those of a primitive group", {3, 3072, "entries"});

@@ -139,11 +139,11 @@ std::string_view to_text(Placing placing) {
 }
 
 PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<const PlacedMesh> placed,
-                               std::span<const std::uint32_t> groups, std::span<const std::uint32_t> first,
-                               const FrequencyChoice& frequencies, const PackOptions& options,
-                               const Executor& executor) {
+                               const SpatialGroups& groups, const FrequencyChoice& frequencies,
+                               const PackOptions& options, const Executor& executor) {
   PackedInstances result;
-  const std::size_t group_count = first.empty() ? 0 : first.size() - 1;
+  const std::vector<std::uint32_t>& first = groups.first;
+  const std::size_t group_count = groups.size();
   std::vector<std::array<std::uint8_t, 2>> is_placed(meshes.size());
   std::vector<std::uint8_t> is_mirrored(placed.size());
   std::vector<Placing> placings(placed.size());
@@ -151,11 +151,11 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
     const std::size_t end = std::min(placed.size(), (task + 1) * at_once);
     for (std::size_t p = task * at_once; p < end; ++p) placings[p] = placing_of(placed[p].world);
   });
-  for (const std::uint32_t p : groups) {
+  for (const std::uint32_t p : groups.instances) {
     const Placing placing = placings[p];
     if (placing != Placing::plain && placing != Placing::mirrored) {
       throw std::invalid_argument(std::string(meshes[placed[p].mesh].name) +
-                                  ": can not be merged: " + std::string(to_text(placing)));
+                                  " cannot be merged: " + std::string(to_text(placing)));
     }
     is_mirrored[p] = placing == Placing::mirrored;
     is_placed[placed[p].mesh][is_mirrored[p]] = 1;
@@ -172,9 +172,8 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
   });
 
   // Instances by mesh in each group, and how many slots that makes.
-  result.placed.assign(groups.begin(), groups.end());
-  result.first_instance.assign(first.begin(), first.end());
-  result.transforms.resize(groups.size());
+  result.placed = groups.instances;
+  result.transforms.resize(groups.instances.size());
   std::vector<ClassSlots> own(group_count);
   executor.for_each(group_count, [&](std::size_t g) {
     std::sort(result.placed.begin() + first[g], result.placed.begin() + first[g + 1],
@@ -193,6 +192,7 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
   for (std::uint32_t g = 0; g < group_count; ++g) {
     first_slot.push_back(slots);
     add_draws(g, own[g], frequencies, options, slots, result.draws);
+    result.groups.push_back({groups.bounds[g].least, groups.bounds[g].most, first[g], first[g + 1] - first[g]});
   }
   result.slots.resize(slots);
   std::vector<std::array<std::uint64_t, 4>> counts(group_count);

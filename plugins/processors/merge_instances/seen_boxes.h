@@ -1,28 +1,9 @@
 #pragma once
 // How likely a camera sees any of a box.
 
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
-
-#include <limits>
+#include "box.h"
 
 namespace foredraw::merging {
-
-/// Upright in the world. Empty until something is added.
-struct Box {
-  glm::vec3 least{std::numeric_limits<float>::infinity()};
-  glm::vec3 most{-std::numeric_limits<float>::infinity()};
-
-  void add(const glm::vec3& point) {
-    least = glm::min(least, point);
-    most = glm::max(most, point);
-  }
-  void add(const Box& other) {
-    least = glm::min(least, other.least);
-    most = glm::max(most, other.most);
-  }
-  bool is_empty() const { return !(least.x <= most.x); }
-};
 
 /// The part of all frustums that see anything of a scene which also touch a box in it: cameras stand anywhere and look
 /// anywhere, all equally likely.

@@ -80,15 +80,16 @@ class MergePacking : public ::testing::Test {
   }
 
   PackedInstances pack(const PackOptions& options = {}) const {
-    std::vector<std::uint32_t> groups;
-    for (std::uint32_t i = 0; i < placed.size(); ++i) groups.push_back(i);
-    const std::vector<std::uint32_t> first{0, static_cast<std::uint32_t>(placed.size())};
-    return pack_instances(meshes, placed, groups, first, frequencies, options, Executor(2));
+    SpatialGroups groups;  // one
+    for (std::uint32_t i = 0; i < placed.size(); ++i) groups.instances.push_back(i);
+    groups.first.push_back(static_cast<std::uint32_t>(placed.size()));
+    groups.bounds.emplace_back();
+    return pack_instances(meshes, placed, groups, frequencies, options, Executor(2));
   }
 
   std::vector<std::uint32_t> small, large;
   std::vector<PackedMesh> meshes;
-  std::vector<PlacedMesh> placed{{1, glm::mat4(1)}, {0, glm::mat4(1)}};
+  std::vector<PlacedMesh> placed{{1, glm::mat4(1), {}}, {0, glm::mat4(1), {}}};
   FrequencyChoice frequencies;
 };
 
@@ -123,8 +124,8 @@ TEST_F(MergePacking, OffsetsThatDoNotFitAreRefusedByName) {
 }
 
 TEST_F(MergePacking, DrawsAreSplitWhereVertexNumbersEnd) {
-  placed.assign(10, {1, glm::mat4(1)});
-  placed.push_back({0, glm::mat4(1)});
+  placed.assign(10, {1, glm::mat4(1), {}});
+  placed.push_back({0, glm::mat4(1), {}});
   const PackedInstances packed = pack({.most_entries = 200});
   ASSERT_EQ(packed.draws.size(), 6u);  // 21 slots, of which 4 have 180 entries
   EXPECT_EQ(packed.draws[1].first_slot, 4u);

@@ -1,6 +1,6 @@
 // What the stage makes of a scene: what is drawn by whom, and with which materials.
 
-#include "plugins/processors/merge_instances/merge_instances.h"
+#include "plugins/processors/merge_instances/merge_scene.h"
 
 #include "support/merged_draws.h"
 #include "support/placements.h"

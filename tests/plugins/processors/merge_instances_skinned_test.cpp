@@ -1,4 +1,4 @@
-#include "plugins/processors/merge_instances/merge_instances.h"
+#include "plugins/processors/merge_instances/merge_scene.h"
 
 #include "support/placements.h"
 
@@ -50,7 +50,7 @@ Scene two_skinned() {
 
 TEST(MergeInstancesOfSkins, AreLeftAloneUnlessAsked) {
   const Scene scene = two_skinned();
-  const MergedScene merged = merge_instances(scene, testing::all_draws(scene), {}, Executor(1));
+  const MergedScene merged = merge_scene(scene, testing::all_draws(scene), {}, Executor(1));
   EXPECT_TRUE(merged.merged.empty());
   ASSERT_EQ(merged.left_alone.size(), 2u);
   EXPECT_EQ(merged.left_alone[0].why, "it is skinned");
@@ -58,10 +58,10 @@ TEST(MergeInstancesOfSkins, AreLeftAloneUnlessAsked) {
 
 TEST(MergeInstancesOfSkins, StandWhereTheirJointsPutThemInAllPoses) {
   const Scene scene = two_skinned();
-  MergeInstancesOptions options;
+  MergeSceneOptions options;
   options.skinned = true;
   options.poses.poses = {Pose{}, Pose{.clip = 0, .time = 1}};
-  const MergedScene found = merge_instances(scene, testing::all_draws(scene), options, Executor(2));
+  const MergedScene found = merge_scene(scene, testing::all_draws(scene), options, Executor(2));
   ASSERT_EQ(found.merged.size(), 1u);
   const MergedInstances merged = merged_instances(scene, found.merged[0]);
   EXPECT_EQ(mistake_in(merged), std::nullopt);
@@ -80,9 +80,9 @@ TEST(MergeInstancesOfSkins, StayWhereTheNodeHasNoSkinOrTurnsThemInsideOut) {
   Scene scene = two_skinned();
   scene.nodes[0].skin.reset();
   scene.nodes[1].transform.scale = {-1, 1, 1};
-  MergeInstancesOptions options;
+  MergeSceneOptions options;
   options.skinned = true;
-  const MergedScene found = merge_instances(scene, testing::all_draws(scene), options, Executor(1));
+  const MergedScene found = merge_scene(scene, testing::all_draws(scene), options, Executor(1));
   EXPECT_TRUE(found.merged.empty());
   std::vector<std::string> reasons;
   for (const merging::LeftAlone& left : found.left_alone) reasons.push_back(left.why);

@@ -1,6 +1,6 @@
 #include "plugins/processors/merge_instances/slot_order.h"
 
-#include "plugins/processors/merge_instances/merge_instances.h"
+#include "plugins/processors/merge_instances/merge_scene.h"
 
 #include "support/placements.h"
 
@@ -20,7 +20,7 @@ using testing::random_placements;
 using testing::scene_with;
 
 MergedInstances merged_of(const Scene& scene) {
-  const MergedScene merged = merge_instances(scene, all_draws(scene), {}, Executor(2));
+  const MergedScene merged = merge_scene(scene, all_draws(scene), {}, Executor(2));
   return merged_instances(scene, merged.merged.at(0));
 }
 

@@ -1,4 +1,4 @@
-#include "plugins/processors/merge_instances/merge_instances.h"
+#include "plugins/processors/merge_instances/merge_scene.h"
 
 #include "support/placements.h"
 
@@ -22,8 +22,8 @@ using testing::random_placements;
 using testing::random_transform;
 using testing::scene_with;
 
-MergedScene merge(const Scene& scene, const MergeInstancesOptions& options = {}) {
-  return merge_instances(scene, all_draws(scene), options, Executor(2));
+MergedScene merge(const Scene& scene, const MergeSceneOptions& options = {}) {
+  return merge_scene(scene, all_draws(scene), options, Executor(2));
 }
 
 /// A triangle of an instance: the node, and its corners' positions bit by bit. Corners begin with the mesh's first, and
@@ -87,13 +87,13 @@ TEST(MergeInstances, UnpackingGivesEveryInstancesTriangles) {
   for (const int frequencies : {1, 2, 3}) {
     for (const bool cut_well : {false, true}) {
       const Scene scene = scene_with(random_placements(11, 9, 40));
-      MergeInstancesOptions options;
+      MergeSceneOptions options;
       options.frequencies = frequencies;
       options.cut_well = cut_well;
       options.draw_cost = 700;  // several groups
       const MergedScene merged = merge(scene, options);
       ASSERT_EQ(merged.merged.size(), 1u);
-      EXPECT_GT(merged.merged[0].groups.size(), 1u);
+      EXPECT_GT(merged.merged[0].layout.groups.size(), 1u);
       EXPECT_GT(merged.merged[0].packed.mirrored, 0u);
       EXPECT_EQ(unpacked(merged.merged[0]), original(scene));
       EXPECT_LE(
@@ -101,6 +101,30 @@ TEST(MergeInstances, UnpackingGivesEveryInstancesTriangles) {
           0.02 * static_cast<double>(merged.merged[0].packed.drawn_entries + merged.merged[0].packed.padded_entries));
     }
   }
+}
+
+/// An engine has meshes, transforms and boxes, and no scene.
+TEST(MergeInstances, AnEnginesMeshesComeToTheSame) {
+  const Scene scene = scene_with(random_placements(21, 9, 40));
+  const MergedScene merged = merge(scene);
+  ASSERT_EQ(merged.merged.size(), 1u);
+  const MergedSet& set = merged.merged[0];
+  std::vector<merging::PackedMesh> meshes;
+  for (std::size_t m = 0; m < set.set.meshes.size(); ++m) {
+    const Level& level = scene.draws[set.set.meshes[m].draw].levels[0];
+    meshes.push_back({"mesh", level.orders[0].indices.view(), set.first_vertex[m], level.vertices->count});
+  }
+  std::vector<merging::PlacedMesh> placed;
+  for (const auto& at : set.set.placements) placed.push_back({at.mesh, at.world, at.box});
+  const merging::PackedInstances packed = merge_instances(meshes, placed, {}, Executor(2));
+  EXPECT_EQ(packed.slots, set.packed.slots);
+  EXPECT_EQ(packed.indices, set.packed.indices);
+  EXPECT_EQ(packed.transforms, set.packed.transforms);
+  EXPECT_EQ(packed.groups, set.packed.groups);
+  EXPECT_EQ(packed.draws, set.packed.draws);
+  placed[0].mesh = 99;
+  EXPECT_THROW(merge_instances(meshes, placed, {}, Executor(1)), std::invalid_argument);
+  EXPECT_TRUE(merge_instances({}, {}, {}, Executor(1)).draws.empty());
 }
 
 /// What faces the camera must face it still: the sign of the area of each drawn triangle in the world is the mesh's
@@ -224,25 +248,25 @@ TEST(MergeInstances, AHundredThousandInstancesOf150MeshesTakeLittleTime) {
   const Scene scene = scene_with(placements);
   const Executor executor(2);
   const auto begin = std::chrono::steady_clock::now();
-  const MergedScene merged = merge_instances(scene, all_draws(scene), {}, executor);
+  const MergedScene merged = merge_scene(scene, all_draws(scene), {}, executor);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   ASSERT_EQ(merged.merged.size(), 1u);
   std::printf("100k instances of 150 meshes: %zu draws, %.2f %% padding, %.1f bytes of slots each: %.3f s\n",
-              merged.merged[0].packed.draws.size(), 100 * merged.merged[0].frequencies.padding(),
+              merged.merged[0].packed.draws.size(), 100 * merged.merged[0].layout.frequencies.padding(),
               8e-5 * static_cast<double>(merged.merged[0].packed.slots.size()), time.count());
   EXPECT_LT(time.count(), 30);  // far above what it takes, also under a sanitizer
 }
 
 TEST(MergeInstances, IsTheSameAtAnyNumberOfThreads) {
   const Scene scene = scene_with(random_placements(18, 20, 500));
-  MergeInstancesOptions options;
+  MergeSceneOptions options;
   options.draw_cost = 500;
-  const MergedScene one = merge_instances(scene, all_draws(scene), options, Executor(1));
-  const MergedScene many = merge_instances(scene, all_draws(scene), options, Executor(0));
+  const MergedScene one = merge_scene(scene, all_draws(scene), options, Executor(1));
+  const MergedScene many = merge_scene(scene, all_draws(scene), options, Executor(0));
   ASSERT_EQ(one.merged.size(), 1u);
   EXPECT_EQ(one.merged[0].packed.slots, many.merged[0].packed.slots);
   EXPECT_EQ(one.merged[0].packed.indices, many.merged[0].packed.indices);
-  EXPECT_EQ(one.merged[0].groups.instances, many.merged[0].groups.instances);
+  EXPECT_EQ(one.merged[0].layout.groups.instances, many.merged[0].layout.groups.instances);
 }
 
 }  // namespace
