@@ -19,6 +19,7 @@ namespace foredraw {
 struct OverdrawOptions : ViewSet, PoseSet {
   OverdrawOptions() {
     views = "fibonacci";
+    size = 256;
     poses = "16";
   }
   Faces faces = Faces::material;

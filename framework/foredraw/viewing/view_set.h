@@ -21,7 +21,7 @@ struct ViewSet {
   double angle = 90;                     ///< of a cone: the farthest that a view is from its axis, in degrees
   std::optional<std::int64_t> rotation;  ///< seed of a random rotation of the whole set; absent: as it is
   std::optional<double> distance;        ///< in bounding-sphere radii; absent: orthographic
-  int size = 256;                        ///< pixels
+  int size = 128;                        ///< pixels
 
   friend bool operator==(const ViewSet&, const ViewSet&) = default;
 };

@@ -91,20 +91,9 @@ struct Rival {
   auto operator<=>(const Rival&) const = default;
 };
 
-}  // namespace
-
-BatchModel cache_of(const LookaheadOptions& options) {
-  switch (options.target) {
-    case LookaheadTarget::nvidia: return batch_models[0];
-    case LookaheadTarget::amd: return batch_models[1];
-    case LookaheadTarget::intel: return batch_models[2];
-    default: return {"fifo", static_cast<std::uint32_t>(options.cache_size), 0, 0};
-  }
-}
-
-void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
-               const LookaheadOptions& options, std::pmr::memory_resource& memory) {
-  if (!lookahead_takes(indices.size())) return std::iota(order.begin(), order.end(), 0u);
+/// One walk over the mesh, from fan to fan.
+void walk_through(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
+                  const LookaheadOptions& options, std::pmr::memory_resource& memory) {
   const Effort effort = effort_of(options);
   FanWalk walk(order, indices, vertex_count, cache_of(options), weights_of(options), memory);
 
@@ -138,6 +127,44 @@ void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> in
     keep_cheapest(1, effort.depth);
     drawn += walk.draw(rivals[0].center);
   }
+}
+
+std::uint64_t misses_of(std::span<const std::uint32_t> order, std::span<const std::uint32_t> indices,
+                        std::size_t vertex_count, const BatchModel& cache, std::pmr::memory_resource& memory) {
+  std::pmr::vector<std::uint32_t> ordered(&memory);
+  ordered.reserve(indices.size());
+  for (const std::uint32_t triangle : order) {
+    for (std::size_t c = 0; c < 3; ++c) ordered.push_back(indices[3 * std::size_t{triangle} + c]);
+  }
+  return count_batches(ordered, vertex_count, cache).misses;
+}
+
+}  // namespace
+
+BatchModel cache_of(const LookaheadOptions& options) {
+  switch (options.target) {
+    case LookaheadTarget::nvidia: return batch_models[0];
+    case LookaheadTarget::amd: return batch_models[1];
+    case LookaheadTarget::intel: return batch_models[2];
+    default: return {"fifo", static_cast<std::uint32_t>(options.cache_size), 0, 0};
+  }
+}
+
+void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
+               const LookaheadOptions& options, std::pmr::memory_resource& memory) {
+  if (!lookahead_takes(indices.size())) return std::iota(order.begin(), order.end(), 0u);
+  walk_through(order, indices, vertex_count, options, memory);
+  if (options.quality != LookaheadQuality::high) return;
+
+  // Deeper trials mostly find the better order, but not in every mesh: the plainer one is the measure.
+  LookaheadOptions plainer = options;
+  plainer.quality = LookaheadQuality::balanced;
+  std::pmr::vector<std::uint32_t> other(order.size(), &memory);
+  walk_through(other, indices, vertex_count, plainer, memory);
+  const auto misses = [&](std::span<const std::uint32_t> of) {
+    return misses_of(of, indices, vertex_count, cache_of(options), memory);
+  };
+  if (misses(other) < misses(order)) std::ranges::copy(other, order.begin());
 }
 
 std::vector<std::uint32_t> lookahead(std::span<const std::uint32_t> indices, std::size_t vertex_count,

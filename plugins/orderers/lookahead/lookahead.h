@@ -20,6 +20,8 @@ enum class LookaheadTarget {
   intel,
 };
 
+/// How much is tried out. `high` walks twice, with deeper trials and as `balanced` does, and keeps the order that
+/// misses less in the cache that it is made for: it is never worse than `balanced` there.
 enum class LookaheadQuality { fast, balanced, high };
 
 struct LookaheadOptions {
@@ -43,7 +45,7 @@ BatchModel cache_of(const LookaheadOptions& options);
 std::vector<std::uint32_t> lookahead(std::span<const std::uint32_t> indices, std::size_t vertex_count,
                                      const LookaheadOptions& options = {});
 
-/// The same into `order` (one entry a triangle), with working memory from `memory`: at most 60 bytes a triangle, and 16
+/// The same into `order` (one entry a triangle), with working memory from `memory`: at most 64 bytes a triangle, and 16
 /// a vertex where there are more than triangles.
 void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
                const LookaheadOptions& options, std::pmr::memory_resource& memory);

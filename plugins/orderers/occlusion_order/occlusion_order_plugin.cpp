@@ -28,6 +28,26 @@ Clusters atoms_of(const Draw& draw, const Options& options) {
                    atom_size(options.quality, stream.triangle_count()));
 }
 
+/// What a search comes to, beside what there was.
+struct Found {
+  SubjectCapture captured;
+  KOrders orders;
+  ViewTally before, after;
+};
+
+/// Nothing where nothing is overdrawn, which the run is told.
+std::optional<Found> search(const SubjectView& view, const Options& options, Run& run) {
+  Found found;
+  found.captured = capture_subject(
+      view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run);
+  const SubjectLayers& subject = found.captured.seen;
+  found.before = tally_of(subject, counts_of(subject, as_it_came(subject)));
+  if (!has_overdraw(found.before, run)) return std::nullopt;
+  found.orders = k_orders(subject, options, run.executor);
+  found.after = tally_of(subject, found.orders.counts);
+  return found;
+}
+
 class OcclusionOrder final : public SubjectOrderer {
  public:
   explicit OcclusionOrder(Options options) : options_(options) {}
@@ -37,21 +57,24 @@ class OcclusionOrder final : public SubjectOrderer {
     Options options = options_;
     options.seed = run.seed + static_cast<std::uint64_t>(options_.start);
     options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].full().stream(), options_);
-    const SubjectCapture captured = capture_subject(
-        view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run);
-    const SubjectLayers& subject = captured.seen;
-    const ViewTally before = tally_of(subject, counts_of(subject, as_it_came(subject)));
-    if (!has_overdraw(before, run)) return {};
-    const KOrders found = k_orders(subject, options, run.executor);
-    if (!lowers_overdraw(before, tally_of(subject, found.counts), run)) return {};
+    std::optional<Found> found = search(view, options, run);
+    if (!found) return {};
+    if (options.quality == OcclusionQuality::high) {  // finer atoms mostly find the better order, but not always
+      options.quality = OcclusionQuality::balanced;
+      std::optional<Found> plainer = search(view, options, run);
+      if (plainer && plainer->after.shaded < found->after.shaded) found = std::move(plainer);
+    }
+    if (!lowers_overdraw(found->before, found->after, run)) return {};
+    const SubjectCapture& captured = found->captured;
     SubjectOrders result;
-    result.table = order_table(view.scene, run.poses, run.views, captured.by_pose(found.serving), options);
+    result.table = order_table(view.scene, run.poses, run.views, captured.by_pose(found->orders.serving), options);
     result.table.draws = view.draws;
     for (const DrawId id : view.draws) {
       const std::size_t d = captured.number_of(id);
       result.orders.emplace_back();
-      for (const auto& order : found.orders)
-        result.orders.back().push_back(in_sequence(subject.draws[d].atoms, order[d]));
+      for (const auto& order : found->orders.orders) {
+        result.orders.back().push_back(in_sequence(captured.seen.draws[d].atoms, order[d]));
+      }
     }
     return result;
   }
