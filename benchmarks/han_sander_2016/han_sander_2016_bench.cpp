@@ -112,7 +112,7 @@ std::string cut_of(const Scene& scene) {
 class Table {
  public:
   explicit Table(const std::string& path) : file_(path) {
-    if (!file_) throw std::runtime_error(path + " can not be written");
+    if (!file_) throw std::runtime_error(path + ": cannot be written");
     file_ << "model\ttriangles\tmotion\tkeyframes\tmethod\tcut\tk\tacmr\tratio\tseconds\n";
   }
   void begin(std::string model, std::string motion) { model_ = std::move(model), motion_ = std::move(motion); }
@@ -192,7 +192,7 @@ int number(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < 1) {
-    throw std::runtime_error(fmt::format("'{}' should be a whole number from 1 on", text));
+    throw std::runtime_error(fmt::format("'{}' is not a whole number of 1 or more", text));
   }
   return value;
 }
@@ -209,9 +209,10 @@ Arguments parsed(std::span<char*> words) {
     else if (word.starts_with("--sweeps="))
       arguments.sweeps = word.substr(9);
     else
-      throw std::runtime_error(fmt::format("'{}' is not known", word));
+      throw std::runtime_error(
+          fmt::format("'{}' is unknown; use --tsv=FILE, --motions=N, --keyframes=N, --sweeps=MODEL", word));
   }
-  if (arguments.tsv.empty()) throw std::runtime_error("--tsv=FILE says where the figures go");
+  if (arguments.tsv.empty()) throw std::runtime_error("no output file; --tsv=FILE sets where the figures go");
   return arguments;
 }
 

@@ -61,7 +61,7 @@ OverdrawCount drawn(const RasterPart& part, const Views& views) {
 }
 
 void hold(bool holds) {
-  if (!holds) throw std::logic_error("layers count something else than drawing does");
+  if (!holds) throw std::logic_error("layers and drawing give different counts");
 }
 
 void contest(const std::string& name, const TestMesh& mesh, int count, bool culls_back_faces) {

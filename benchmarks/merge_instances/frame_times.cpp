@@ -55,7 +55,7 @@ FrameTimes frame_times(std::vector<TimedWay>& ways, int rounds, int frames) {
     return times;
   }
   if (!has_shader_compiler()) {
-    times.device = "there is no glslangValidator (Debian: glslang-tools)";
+    times.device = "none: glslangValidator is not installed (Debian: glslang-tools)";
     return times;
   }
   FrameDevice device(picture_size);

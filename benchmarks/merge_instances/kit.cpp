@@ -44,7 +44,7 @@ Kit read_kit(const fs::path& folder) {
     if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb") files.push_back(entry.path());
   }
   std::ranges::sort(files);
-  if (files.empty()) throw std::runtime_error(folder.string() + ": there is no .gltf and no .glb in it");
+  if (files.empty()) throw std::runtime_error(folder.string() + ": holds no .gltf or .glb file");
 
   KitDocument document;
   std::vector<KitDocument::Model> models;

@@ -220,10 +220,10 @@ int main(int argc, char** argv) {
   Wanted wanted;
   for (const std::string_view word : std::span(argv + 1, argv + argc)) {
     if (read_argument(word, wanted)) continue;
-    std::cerr << argv[0] << ": '" << word
-              << "' is not understood; --kit=city|space|both, --instances=1..4000000,..., --mirrored=0..1, "
-                 "--materials=kind|alike, --rounds=1..1000, --frames=0..1000, --threads=1..1024, --markdown and "
-                 "--tsv=FILE are\n";
+    std::cerr
+        << argv[0] << ": '" << word
+        << "' is unknown or out of range; use --kit=city|space|both, --instances=1..4000000,..., --mirrored=0..1, "
+           "--materials=kind|alike, --rounds=1..1000, --frames=0..1000, --threads=1..1024, --markdown, --tsv=FILE\n";
     return 1;
   }
   try {
@@ -235,7 +235,7 @@ int main(int argc, char** argv) {
     if (wanted.tsv.empty()) return 0;
     std::ofstream out(wanted.tsv);
     bench.write(out);
-    if (!out.flush()) throw std::runtime_error("'" + wanted.tsv + "' can not be written");
+    if (!out.flush()) throw std::runtime_error("'" + wanted.tsv + "' cannot be written");
   } catch (const std::exception& problem) {
     std::cerr << argv[0] << ": " << problem.what() << '\n';
     return 2;

@@ -79,12 +79,12 @@ int main(int argc, char** argv) {
   for (const std::string_view word : std::span(argv + 1, argv + argc)) {
     if (foredraw::bench::read_argument(word, wanted)) continue;
     std::cerr << argv[0] << ": '" << word
-              << "' is not understood; --output=FILE.glb, --kit=city|space, --instances=1..4000000, --seed=N, "
-                 "--mirrored=0..1 and --gpu-instancing are\n";
+              << "' is unknown or out of range; use --output=FILE.glb, --kit=city|space, --instances=1..4000000, "
+                 "--seed=N, --mirrored=0..1, --gpu-instancing\n";
     return 1;
   }
   if (wanted.output.empty()) {
-    std::cerr << argv[0] << ": where to? --output=FILE.glb says it\n";
+    std::cerr << argv[0] << ": no output file; --output=FILE.glb sets it\n";
     return 1;
   }
   try {

@@ -53,7 +53,7 @@ std::vector<Contestant> contestants(const Registry& registry) {
   for (const Contestant& contestant : all) {
     const Plugin* plugin = registry.find(contestant.evaluator);
     if (plugin == nullptr || (plugin->unavailable && plugin->unavailable())) {
-      fmt::print(stderr, "{} is left out: it is not there\n", contestant.evaluator);
+      fmt::print(stderr, "{} is left out: it is not available on this machine\n", contestant.evaluator);
     } else {
       there.push_back(contestant);
     }
@@ -204,13 +204,13 @@ int main(int argc, char** argv) {
     } else if (word == "--quick") {
       is_quick = true;
     } else {
-      std::cerr << argv[0] << ": '" << word << "' is not known; --tsv=FILE, --seeds=N and --quick are\n";
+      std::cerr << argv[0] << ": '" << word << "' is unknown; use --tsv=FILE, --seeds=N, --quick\n";
       return 1;
     }
   }
   std::ofstream out(tsv);
   if (!out || seeds < 1) {
-    std::cerr << argv[0] << ": where to? --tsv=FILE takes the figures; --seeds=N takes 1 or more\n";
+    std::cerr << argv[0] << ": --tsv=FILE must name a file that can be written, and --seeds=N must be 1 or more\n";
     return 1;
   }
   Registry registry;

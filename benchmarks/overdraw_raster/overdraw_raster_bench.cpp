@@ -66,7 +66,7 @@ void contest(const std::string& name, const TestMesh& mesh) {
     const Time of_one = time_of([&] { alone = overdraw_raster({&part, 1}, views, one); });
     const Time of_two = time_of([&] { together = overdraw_raster({&part, 1}, views, two); });
     const Time near = time_of([&] { overdraw_raster({&part, 1}, near_views, one); });
-    if (alone != together) throw std::logic_error("two threads count something else than one does");
+    if (alone != together) throw std::logic_error("two threads and one thread give different counts");
     peer[i] = of_peer.of_processor;
     ours[i] = of_one.of_processor;
     calls[i] = of_one.of_processor / of_peer.of_processor;

@@ -251,13 +251,13 @@ int main(int argc, char** argv) {
     } else if (word.starts_with("--rounds=")) {
       std::from_chars(value.data(), value.data() + value.size(), rounds);
     } else {
-      std::cerr << argv[0] << ": '" << word << "' is not known; --tsv=FILE and --rounds=N are\n";
+      std::cerr << argv[0] << ": '" << word << "' is unknown; use --tsv=FILE, --rounds=N\n";
       return 1;
     }
   }
   std::ofstream out(tsv);
   if (!out || rounds < 1) {
-    std::cerr << argv[0] << ": where to? --tsv=FILE takes the figures; --rounds=N takes 1 or more\n";
+    std::cerr << argv[0] << ": --tsv=FILE must name a file that can be written, and --rounds=N must be 1 or more\n";
     return 1;
   }
   std::vector<bench::ParticleTexture> textures;

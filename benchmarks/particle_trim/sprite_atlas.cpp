@@ -25,8 +25,7 @@ ParticleTexture sprite_atlas(std::span<const ParticleTexture> textures) {
   for (const ParticleTexture& texture : textures) {
     if (texture.frames.size() > 1) continue;
     if (texture.texels.facts != sprite_facts) {
-      throw std::invalid_argument(texture.name +
-                                  ": has to be 512 x 512 texels of RGBA, 8 bits each, for the large atlas");
+      throw std::invalid_argument(texture.name + ": the large atlas needs 512 x 512 texels of RGBA with 8 bits each");
     }
     sprites.push_back(&texture.texels);
   }

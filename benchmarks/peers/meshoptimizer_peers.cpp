@@ -22,7 +22,7 @@ IndexOrder order_of(std::span<const std::uint32_t> old, std::span<const std::uin
   IndexOrder order;
   for (std::size_t t = 0; t < reordered.size() / 3; ++t) {
     auto& same = left[{reordered[3 * t], reordered[3 * t + 1], reordered[3 * t + 2]}];
-    if (same.empty()) throw std::runtime_error("the peer's triangles are not the ones it was given");
+    if (same.empty()) throw std::runtime_error("the peer returned other triangles than it was given");
     order.push_back(same.back());
     same.pop_back();
   }
@@ -106,7 +106,8 @@ void add_peers(Registry& registry) {
 
   Plugin overdraw = peer("meshopt-overdraw", "meshopt_optimizeOverdraw", traits::overdraw_ordered);
   OptionTable<OverdrawOptions> overdraw_options;
-  overdraw_options.row(&OverdrawOptions::threshold, "threshold", "Vertex work that may be added", {1, 3, "times"});
+  overdraw_options.row(&OverdrawOptions::threshold, "threshold",
+                       "Highest ACMR allowed, as a multiple of that of the order that comes in", {1, 3, "times"});
   bind_options(overdraw, overdraw_options,
                [](const OverdrawOptions& o) { return std::make_unique<MeshoptOverdraw>(o); });
   registry.add(std::move(overdraw));

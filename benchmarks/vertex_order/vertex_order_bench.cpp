@@ -152,12 +152,12 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.rest.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.rest.data())) return 1;
   if (arguments.tsv.empty()) {
-    std::cerr << argv[0] << ": where to? --tsv=FILE takes the figures\n";
+    std::cerr << argv[0] << ": no output file; --tsv=FILE sets where the figures go\n";
     return 1;
   }
   std::ofstream out(arguments.tsv);  // before the minutes that the run takes
   if (!out) {
-    std::cerr << arguments.tsv << ": can not be written\n";
+    std::cerr << arguments.tsv << ": cannot be written\n";
     return 1;
   }
   const std::vector<Contestant> all = contestants();

@@ -72,8 +72,9 @@ struct BoxTree::Tree {
     if (device != nullptr && error == RTC_ERROR_NONE) return;
     release();
     if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-    throw std::runtime_error("Embree refuses to make a tree: error " + std::to_string(error) +
-                             (error == RTC_ERROR_UNSUPPORTED_CPU ? ", it has no code for this processor" : ""));
+    throw std::runtime_error("Embree cannot build its tree: error " + std::to_string(error) +
+                             (error == RTC_ERROR_UNSUPPORTED_CPU ? ", it does not support this processor" : "") +
+                             "; measure with overdraw-raster");
   }
 
   void release() {

@@ -26,13 +26,14 @@ Plugin overdraw_embree_plugin() {
   return overdraw_plugin<Options>(
       {
           .name = "overdraw-embree",
-          .summary = "Counts overdraw along rays, with as many samples in a pixel as one likes",
+          .summary = "Measures overdraw by ray tracing, as a slow but independent check of overdraw-raster",
           .reference = "Han, Sander 2016, section 1 (overdraw ratio); Embree (Wald et al. 2014); own",
       },
       [](auto& table) {
-        table.template row<int>(&Options::samples, "samples",
-                                "Rays through each pixel: one through its middle, or more at random places",
-                                {1, 1024, "rays"});
+        table.template row<int>(
+            &Options::samples, "samples",
+            "Rays through each pixel: one through its centre, or more at random points; time grows in proportion",
+            {1, 1024, "rays"});
       },
       [](const Options& options) {
         return std::make_unique<OverdrawEmbree>(

@@ -28,7 +28,7 @@ Plugin overdraw_raster_plugin() {
   Plugin plugin = overdraw_plugin<OverdrawOptions>(
       {
           .name = "overdraw-raster",
-          .summary = "Counts overdraw exactly by drawing every subject from all sides on the processor",
+          .summary = "Measures overdraw exactly, by drawing every subject from many sides on the processor",
           .reference = "Han, Sander 2016, section 1 (overdraw ratio); own",
       },
       [](auto&) {}, [](const OverdrawOptions& options) { return std::make_unique<OverdrawRaster>(options.faces); });

@@ -31,10 +31,10 @@ class OverdrawVulkan final : public OverdrawService {
   /// Of the subjects at rest.
   void tell_more(const Scene& scene, std::span<const Subject> subjects, const Views& views, Run& run) const override {
     const std::lock_guard lock(one_at_a_time_);
-    run.note("device", fmt::format("drawn by {}, whose depths have {} bits", device().name(), device().depth_bits()));
+    run.note("device", fmt::format("drawn by {}, with a {}-bit depth buffer", device().name(), device().depth_bits()));
     const bool takes_times = options_.times && !device().is_processor();
     if (options_.times && device().is_processor()) {
-      run.note("no-times", fmt::format("no times were taken: {} is a program on the processor", device().name()));
+      run.note("no-times", fmt::format("no times were taken: {} runs on the processor", device().name()));
     }
     std::vector<std::uint64_t> invocations(scene.draws.size());
     std::vector<std::size_t> triangles(scene.draws.size());
@@ -81,13 +81,15 @@ class OverdrawVulkan final : public OverdrawService {
 };
 
 void add_rows(OptionTable<OverdrawVulkanOptions>& table) {
-  table.row(&OverdrawVulkanOptions::device, "device",
-            "Part of the name of the device to draw with; without it a hardware device, else one on the processor");
-  table.choice(&OverdrawVulkanOptions::method, "method",
-               "How fragments are counted: by the device around each draw, or one by one in the shader; both agree",
-               {{"queries", CountMethod::queries}, {"atomics", CountMethod::atomics}});
+  table.row(
+      &OverdrawVulkanOptions::device, "device",
+      "Part of the name of the device to draw with; by default a hardware device, else one that runs on the processor");
+  table.choice(
+      &OverdrawVulkanOptions::method, "method",
+      "How fragments are counted: queries around each draw, or atomics in the shader, which are slower; both agree",
+      {{"queries", CountMethod::queries}, {"atomics", CountMethod::atomics}});
   table.row(&OverdrawVulkanOptions::times, "times",
-            "Whether times are taken too; of all figures these alone differ from run to run");
+            "Measure times too; they differ from run to run, as no other figure does");
 }
 
 }  // namespace
@@ -96,14 +98,16 @@ Plugin overdraw_vulkan_plugin() {
   Plugin plugin = overdraw_plugin<OverdrawVulkanOptions>(
       {
           .name = "overdraw-vulkan",
-          .summary = "Counts overdraw and vertex shading by drawing every subject from all sides on a Vulkan device",
+          .summary = "Measures overdraw and vertex shading by drawing every subject from many sides on a Vulkan device",
           .reference = "Han, Sander 2016, section 1 (overdraw ratio); own",
           .metrics =
               {
                   {"vertex-shader-invocations", "invocations per triangle",
-                   "How often the device runs the vertex shader, with its own vertex cache"},
-                  {"gpu-time-light", "ms per view", "Time on the device where fragments cost next to nothing"},
-                  {"gpu-time-heavy", "ms per view", "The same where each fragment waits for 256 sines in a row"},
+                   "How often the device runs the vertex shader, with its real vertex cache"},
+                  {"gpu-time-light", "ms per view",
+                   "Time on the device with a fragment shader that costs next to nothing"},
+                  {"gpu-time-heavy", "ms per view",
+                   "Time on the device with an expensive fragment shader: 256 sines in a row"},
               },
       },
       add_rows, [](const OverdrawVulkanOptions& options) { return std::make_unique<OverdrawVulkan>(options); });

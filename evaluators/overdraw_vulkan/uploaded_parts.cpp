@@ -61,7 +61,8 @@ UploadedParts::UploadedParts(gpu::Device& device, std::span<const RasterPart> pa
     const std::size_t count = all_indices.size() - first;
     if (count == 0) continue;
     if (count > 0xFFFFFFFF)
-      throw std::runtime_error("overdraw-vulkan draws 2^32 indices at once at most; split the mesh");
+      throw std::runtime_error(
+          "overdraw-vulkan draws fewer than 2^32 indices at once; split the mesh or measure with overdraw-raster");
     drawn.push_back(
         {number, all_positions.size() * sizeof(glm::vec3), first * sizeof(std::uint32_t),
          static_cast<std::uint32_t>(count), parts[number].culls_back_faces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE,
@@ -77,7 +78,8 @@ UploadedParts::UploadedParts(gpu::Device& device, std::span<const RasterPart> pa
   indices = gpu::DeviceBuffer(device, std::as_bytes(std::span(all_indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   if (masks.places.empty()) return;
   if (masks.texels.size() * sizeof(std::uint32_t) > device.limits().maxStorageBufferRange) {
-    throw std::runtime_error(device.name() + " can not hold the alpha of all masks at once; take overdraw-raster");
+    throw std::runtime_error(device.name() +
+                             " cannot hold the alpha of all masked materials at once; measure with overdraw-raster");
   }
   places = gpu::DeviceBuffer(device, std::as_bytes(std::span(masks.places)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   texels = gpu::DeviceBuffer(device, std::as_bytes(std::span(masks.texels)), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);

@@ -35,28 +35,26 @@ class SceneCostEvaluator final : public Evaluator {
 
 Plugin scene_cost_plugin() {
   OptionTable<SceneCostOptions> table;
-  table.row(&SceneCostOptions::cache_size, "cache-size", "Size of the FIFO cache that vertices are shaded with",
-            {3, 65535, "entries"});
+  table.row(&SceneCostOptions::cache_size, "cache-size",
+            "Size of the FIFO vertex cache that shaded and acmr are counted with", {3, 65535, "entries"});
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;
   plugin.card = {
       .name = "scene-cost",
-      .summary = "Counts what a frame costs that draws all of the scene: draw calls, indices, vertices shaded, bytes",
-      .reference = "own; Persson 2012 (merge-instancing) names what it weighs",
+      .summary = "Counts what drawing the whole scene costs: draw calls, indices, shaded vertices, bytes",
+      .reference = "own; the quantities of Persson 2012 (merge-instancing)",
       .metrics =
           {
-              {"draws", "draw calls", "Draw calls, of an engine that batches nothing by itself"},
-              {"draws-if-instanced", "draw calls",
-               "Draw calls, were primitives that are equal and of the same material drawn by instancing"},
+              {"draws", "draw calls", "Draw calls in an engine that batches nothing by itself"},
+              {"draws-if-instanced", "draw calls", "Draw calls if equal primitives of the same material are instanced"},
               {"instances", "placed primitives",
-               "Primitives, each as often as it is seen; what is seen is the same "
-               "however few draw calls draw it",
-               false},
+               "Primitives, each counted as often as it is placed, however few draw calls draw it", false},
               {"indices", "indices", "Indices that all draw calls read"},
               {"shaded", "vertices", "Vertices shaded by all draw calls"},
-              {"acmr", "misses per triangle", "Vertices shaded for each triangle of the frame"},
-              {"bytes", "bytes", "Bytes of vertices, indices and placements that the draw calls refer to, each once"},
+              {"acmr", "misses per triangle", "Vertices shaded per triangle of the frame"},
+              {"bytes", "bytes",
+               "Bytes of the vertices, indices and placements that the draw calls read, each counted once"},
           },
   };
   bind_options(plugin, std::move(table),

@@ -29,12 +29,12 @@ std::vector<double> scales_of(const std::string& list) {
     number.imbue(std::locale::classic());
     double scale = 0;
     if (!(number >> scale) || !number.eof() || !(scale > 0) || scale > 16) {
-      throw std::invalid_argument("'" + word + "' is no scale; scales are numbers above 0 and at most 16, such as " +
+      throw std::invalid_argument("'" + word + "' is not a scale; scales are numbers above 0 and at most 16, such as " +
                                   "\"1 0.5 0.25\"");
     }
     scales.push_back(scale);
   }
-  if (scales.empty()) throw std::invalid_argument("scales names none; give one or more, such as \"1 0.5 0.25\"");
+  if (scales.empty()) throw std::invalid_argument("scales is empty; give one or more numbers, such as \"1 0.5 0.25\"");
   return scales;
 }
 
@@ -125,8 +125,8 @@ void require_drawable(std::span<const PlacedTriangle> triangles, const Laid& lai
       const glm::dvec2& place = triangle.corners[i];
       const double most = std::max({std::abs(p[i].x), std::abs(p[i].y), std::abs(place.x), std::abs(place.y)});
       if (!(most < furthest)) {
-        throw std::runtime_error("its texture coordinates reach too far to be drawn: more than " +
-                                 std::to_string(1 << 20) + " pixels, or sides of the image");
+        throw std::runtime_error("its texture coordinates are too large to be drawn: they reach more than " +
+                                 std::to_string(1 << 20) + " pixels, or widths of the image, away");
       }
     }
     pixels += std::abs((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y)) / 2;
@@ -134,8 +134,7 @@ void require_drawable(std::span<const PlacedTriangle> triangles, const Laid& lai
   if (pixels > most_pixels) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << "at scale " << laid.look.scale << " it covers more than " << (1 << 30)
-         << " pixels; measure it at smaller scales";
+    text << "at scale " << laid.look.scale << " it covers more than " << (1 << 30) << " pixels; set smaller scales";
     throw std::runtime_error(text.str());
   }
 }

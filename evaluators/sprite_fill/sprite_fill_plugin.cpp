@@ -34,7 +34,7 @@ class SpriteFillEvaluator final : public DrawEvaluator {
     const std::string semantic = fmt::format("TEXCOORD_{}", texture.texcoord);
     const VertexStream* texcoords = draw.vertices().find(semantic);
     if (texcoords == nullptr || texcoords->count() < draw.vertex_count()) {
-      throw std::runtime_error(fmt::format("it has no {}, with which its material's texture is laid on", semantic));
+      throw std::runtime_error(fmt::format("it has no {}, which its material's texture needs", semantic));
     }
     const auto kept = levels_of(draw.scene.images[*texture.image], run);
     const auto triangles = placed_triangles(texture_uv(*texcoords, texture), draw.indices());
@@ -61,7 +61,7 @@ class SpriteFillEvaluator final : public DrawEvaluator {
     if (material == nullptr || !material->base_colour) throw std::runtime_error("its material has no texture");
     const Texture& texture = *material->base_colour;
     if (!texture.image || *texture.image >= draw.scene.images.size()) {
-      throw std::runtime_error("its texture is of an unknown kind");
+      throw std::runtime_error("the format of its texture is not supported");
     }
     return texture;
   }
@@ -70,7 +70,7 @@ class SpriteFillEvaluator final : public DrawEvaluator {
   std::shared_ptr<const KeptLevels> levels_of(const Image& image, const Run& run) const {
     auto decoded = alpha_image_of(run.analyses, image, options_.channel);
     if (const std::string* why = std::get_if<std::string>(&decoded)) {
-      throw std::runtime_error(fmt::format("its image can not be read: {}", *why));
+      throw std::runtime_error(fmt::format("its image cannot be read: {}", *why));
     }
     const char asked[] = {static_cast<char>(options_.channel), options_.mipmaps ? '\1' : '\0'};
     const Stamp parts[] = {image.bytes.stamp(), content_hash(std::span<const char>(image.uri)),
@@ -91,29 +91,30 @@ class SpriteFillEvaluator final : public DrawEvaluator {
 Plugin sprite_fill_plugin() {
   OptionTable<SpriteFillOptions> table;
   table.row(&SpriteFillOptions::scales, "scales",
-            "Pixels a texel that sprites are drawn with, spaces between; each above 0, at most 16");
-  table.row(&SpriteFillOptions::turns, "turns", "In how many turns at each scale; the first is upright",
+            "Sizes at which sprites are drawn, in pixels per texel, separated by spaces; each above 0 and at most 16");
+  table.row(&SpriteFillOptions::turns, "turns", "Number of rotations at each scale; the first is upright",
             {1, 64, "turns"});
-  table.row(&SpriteFillOptions::threshold, "threshold", "A pixel shows where it has more alpha than this", {0, 1, ""});
+  table.row(&SpriteFillOptions::threshold, "threshold", "A pixel shows if it has more alpha than this", {0, 1, ""});
   add_alpha_channel(table, &SpriteFillOptions::channel);
   table.row(&SpriteFillOptions::mipmaps, "mipmaps",
             "Sample mip levels where sprites are drawn smaller than their images");
-  table.row(&SpriteFillOptions::seed, "seed", "Seed of the parts of a pixel by which sprites are moved", {.least = 0});
+  table.row(&SpriteFillOptions::seed, "seed", "Seed of the offsets, in parts of a pixel, at which sprites are drawn",
+            {.least = 0});
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;
   plugin.card = {
       .name = "sprite-fill",
-      .summary = "Counts the pixels that sprites fill, and those of them that show",
+      .summary = "Counts the pixels that sprites fill, and how many of them show anything",
       .reference = "Persson 2012 (particle trimming)",
       .acts_on = {traits::sprite},
       .metrics =
           {
-              {"fill", "pixels filled per pixel that shows", "Pixels filled for each pixel that shows; 1 is the limit"},
-              {"filled", "pixels", "Pixels that triangles cover, over all scales and turns"},
+              {"fill", "pixels filled per pixel that shows",
+               "Pixels filled for each pixel that shows; 1 is the minimum"},
+              {"filled", "pixels", "Pixels that triangles cover, summed over all scales and turns"},
               {"needed", "pixels",
-               "Those of them that show. A stage that trims leaves it as it is, but for pixels on a frame's own edge",
-               false},
+               "Those of them that show; trimming must not change it, except for pixels on a frame's own edge", false},
           },
   };
   bind_options(plugin, std::move(table),

@@ -22,7 +22,8 @@ std::vector<CacheModel> models_of(const std::string& names) {
     const auto model = cache_model(name);
     if (!model) {
       throw std::invalid_argument(fmt::format(
-          "'{}' is no cache model; there are fifo-N, lru-N, batches-CACHE-WARP-GROUP, nvidia, amd and intel", name));
+          "'{}' is not a cache model; models are fifo-N, lru-N, batches-CACHE-WARP-GROUP, nvidia, amd and intel",
+          name));
     }
     models.push_back(*model);
   }
@@ -77,26 +78,29 @@ class VertexCache final : public DrawEvaluator {
 Plugin vertex_cache_plugin() {
   OptionTable<VertexCacheOptions> table;
   table.row(&VertexCacheOptions::cache_size, "cache-size",
-            "Size of the FIFO cache that acmr and atvr are measured with", {3, 65535, "entries"});
+            "Size of the FIFO vertex cache that acmr and atvr are counted with", {3, 65535, "entries"});
   table.row(&VertexCacheOptions::vertex_size, "vertex-size",
-            "Size of a vertex for overfetch; by default what the draw's attributes take together", {1, 1024, "bytes"});
+            "Size of a vertex for overfetch; by default that of all attributes of the draw together",
+            {1, 1024, "bytes"});
   table.row(
       &VertexCacheOptions::models, "models",
-      "Further caches to measure with, spaces between: fifo-N, lru-N, batches-CACHE-WARP-GROUP, nvidia, amd, intel");
+      "Further caches to count with, separated by spaces: fifo-N, lru-N, batches-CACHE-WARP-GROUP, nvidia, amd, intel");
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;
   plugin.card = {
       .name = "vertex-cache",
-      .summary = "Counts how often vertices are shaded and fetched, with models of GPU caches",
+      .summary = "Counts how often vertices are shaded (ACMR, ATVR) and fetched (overfetch), with models of GPU caches",
       .reference = "Hoppe 1999 (ACMR); Kerbl et al. 2018 (batches); meshoptimizer (overfetch)",
       .acts_on = {traits::triangles},
       .metrics =
           {
               {"acmr", "misses per triangle",
-               "Vertices shaded for each triangle; 0.5 is the limit of large regular meshes"},
-              {"atvr", "misses per vertex", "Vertices shaded for each vertex that is drawn; 1 is the limit"},
-              {"overfetch", "bytes per byte", "Bytes read from the vertex buffer for each byte drawn; 1 is the limit"},
+               "Vertices shaded per triangle; large regular meshes come close to 0.5 at best"},
+              {"atvr", "misses per vertex", "Vertices shaded per vertex that is drawn; 1 is the minimum"},
+              {"overfetch", "bytes per byte",
+               "Bytes read from the vertex buffer per byte of the vertices drawn; 1 is the minimum, and small draws "
+               "stay above it because whole cache lines are read"},
           },
   };
   bind_options(plugin, std::move(table),

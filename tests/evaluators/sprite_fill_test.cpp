@@ -248,11 +248,11 @@ TEST(SpriteFill, the_evaluator_says_why_it_can_not_measure) {
   };
   EXPECT_EQ(why(), "");
   scene.images[0].bytes = {};
-  EXPECT_EQ(why(), "its image can not be read: it holds no texels");
+  EXPECT_EQ(why(), "its image cannot be read: it holds no texels");
   scene.materials[0].base_colour->texcoord = 1;
-  EXPECT_EQ(why(), "it has no TEXCOORD_1, with which its material's texture is laid on");
+  EXPECT_EQ(why(), "it has no TEXCOORD_1, which its material's texture needs");
   scene.materials[0].base_colour->image = 7;
-  EXPECT_EQ(why(), "its texture is of an unknown kind");
+  EXPECT_EQ(why(), "the format of its texture is not supported");
   scene.materials[0].base_colour.reset();
   EXPECT_EQ(why(), "its material has no texture");
   EXPECT_THROW(measured(scene, {{"scales", "many"}}), std::invalid_argument);

@@ -20,9 +20,9 @@ template <class T>
 gpu::DeviceBuffer uploaded(gpu::Device& device, const std::vector<T>& content, VkBufferUsageFlags usage) {
   const bool is_read_by_shaders = (usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) != 0;
   if (is_read_by_shaders && content.size() * sizeof(T) > device.limits().maxStorageBufferRange) {
-    throw std::runtime_error(device.name() + " has no buffers of " + std::to_string(content.size() * sizeof(T)) +
-                             " bytes for shaders, only of " + std::to_string(device.limits().maxStorageBufferRange) +
-                             "; draw fewer instances");
+    throw std::runtime_error(device.name() + " has no storage buffers of " +
+                             std::to_string(content.size() * sizeof(T)) + " bytes, at most " +
+                             std::to_string(device.limits().maxStorageBufferRange) + "; draw fewer instances");
   }
   return gpu::DeviceBuffer(device, std::as_bytes(std::span(content)), usage);
 }
@@ -107,8 +107,7 @@ void Frame::add_calls(const Scene& scene, const FramePart& from, Part& part) {
     return;
   }
   if (!from.indirect.empty() && !device_.device().draws_many_indirectly()) {
-    throw std::runtime_error(device_.device().name() +
-                             " does not draw many commands of a buffer, with instances, at once");
+    throw std::runtime_error(device_.device().name() + " does not support multi-draw indirect with a first instance");
   }
   for (const bool is_mirrored : {false, true}) {
     part.pipelines.push_back(frame_pipeline(device_, scene, from, 0, is_mirrored));

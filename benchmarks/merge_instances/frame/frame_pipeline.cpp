@@ -12,8 +12,8 @@ namespace {
 
 VkFormat float_format(const VertexStream& stream, std::uint8_t components) {
   if (stream.format.component != Component::float32 || stream.format.components != components) {
-    throw std::runtime_error("frames are drawn of attributes of floats, and " + stream.semantic + " is not made of " +
-                             std::to_string(components) + "; decode it before");
+    throw std::runtime_error("frames need attributes of 32-bit floats, but " + stream.semantic + " does not have " +
+                             std::to_string(components) + " of them; decode it first");
   }
   return components == 3 ? VK_FORMAT_R32G32B32_SFLOAT : VK_FORMAT_R32G32_SFLOAT;
 }

@@ -54,7 +54,7 @@ std::vector<std::uint32_t> compiled_shader(const std::string& text, const std::s
                               "\" > \"" + messages.string() + "\" 2>&1";
   if (std::system(command.c_str()) != 0) {
     const std::vector<char> said = contents(messages);
-    throw std::runtime_error("glslangValidator (Debian: glslang-tools) does not compile a shader: " +
+    throw std::runtime_error("glslangValidator (Debian: glslang-tools) cannot compile a shader: " +
                              std::string(said.begin(), said.end()) + text);
   }
   const std::vector<char> bytes = contents(code);

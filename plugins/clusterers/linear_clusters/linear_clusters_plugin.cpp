@@ -31,9 +31,10 @@ class LinearClusters final : public Clusterer {
     if (*options_.lambda >= floor) return;
     run.note(
         "lambda-out-of-reach",
-        fmt::format("lambda {} is out of reach: {:.0f} vertices for {} triangles are {:.3f} misses per triangle in "
-                    "any order; patches are cut at hard boundaries and by chance alone",
-                    *options_.lambda, vertices, draw.triangle_count(), floor));
+        fmt::format(
+            "lambda = {} cannot be reached: {:.0f} vertices for {} triangles make at least {:.3f} misses per triangle "
+            "in any order, so clusters end only at hard boundaries and by chance; raise lambda or use growth",
+            *options_.lambda, vertices, draw.triangle_count(), floor));
   }
 
   LinearClustersOptions options_;
@@ -46,17 +47,21 @@ Plugin linear_clusters_plugin() {
   plugin.kind = Kind::clusterer;
   plugin.card = {
       .name = "linear-clusters",
-      .summary = "Cuts a cache-friendly triangle order into patches that may be drawn in any sequence",
+      .summary =
+          "Cuts a cache-friendly triangle order into clusters for a later stage to sort; moves no triangle itself",
       .reference = "Sander, Nehab, Barczak 2007, linear clustering; Han, Sander 2016, section 3.1",
       .acts_on = {traits::triangles},
       .provides = {traits::clustered},
   };
   OptionTable<LinearClustersOptions> table;
-  table.row(&LinearClustersOptions::lambda, "lambda",
-            "Closes a patch once its misses per triangle are down to this; stands above growth",
-            {0.5, 3, "misses per triangle"});
+  table.row(
+      &LinearClustersOptions::lambda, "lambda",
+      "Ends a cluster once its misses per triangle fall to this; lower gives fewer, larger clusters. Overrides growth",
+      {0.5, 3, "misses per triangle"});
   table.row(&LinearClustersOptions::growth, "growth",
-            "Closes a patch at so many times the misses per triangle of the uncut order around it", {1, 6, "times"});
+            "Ends a cluster once its misses per triangle fall to this multiple of those of the uncut order around it; "
+            "higher gives more clusters, less overdraw and more shaded vertices",
+            {1, 6, "times"});
   bind_options(plugin, table,
                [](const LinearClustersOptions& options) { return std::make_unique<LinearClusters>(options); });
   return plugin;

@@ -65,9 +65,8 @@ class AnimatedKMeans final : public SubjectOrderer {
     const std::size_t orders = sets * static_cast<std::size_t>(options_.k);
     if (orders <= most) return;
     throw std::invalid_argument(
-        fmt::format("{} orders for each of {} clips are {}, and a table names {} at most: set clips = \"joint\", lower "
-                    "k to {}, or let "
-                    "[poses] name fewer clips",
+        fmt::format("{} orders for each of {} clips make {} orders, but a table holds at most {}: set clips = "
+                    "\"joint\", lower k to {}, or choose fewer clips in [poses]",
                     options_.k, sets, orders, most, std::max<std::size_t>(1, most / sets)));
   }
 
@@ -110,33 +109,39 @@ Plugin animated_kmeans_plugin() {
   plugin.kind = Kind::orderer;
   plugin.card = {
       .name = "animated-kmeans",
-      .summary = "Sorts clusters front to back in a few orders, of which each pose and side is drawn in the best",
+      .summary = "Sorts an animated character's clusters front to back, in several orders chosen by pose and view",
       .reference = "Han, Sander 2016, section 3",
       .acts_on = {traits::triangles, traits::animated},
       .needs = {traits::clustered},
       .provides = {traits::overdraw_ordered},
       .breaks = {traits::fetch_ordered},
-      .pays_if = "something is drawn that does not stay, and the new orders draw less of it",
+      .pays_if = "the subject has overdraw, and the new orders lower it as measured",
       .uses_overdraw = true,
   };
   plugin.products = {draw_orders_product()};
   OptionTable<Options> table;
-  table.row<int>(&Options::k, "k", "Orders of each draw, of which the engine draws one by view and pose",
+  table.row<int>(&Options::k, "k",
+                 "Number of orders for each draw, of which the engine picks one by view and pose; more orders lower "
+                 "overdraw and take more memory",
                  {1, 255, "orders"});
   table.choice<Clips>(&Options::clips, "clips",
-                      "joint: one set of orders for all animations; single: a set of k for each, 255 in all at most",
+                      "joint: all clips share k orders; single: each clip has k orders of its own, at most 255 in all",
                       {{"joint", Clips::joint}, {"single", Clips::single}});
   table.choice<OverdrawMetric>(&Options::metric, "metric",
-                               "By what the best of all rounds and starts is told: ratio, all fragments over all "
-                               "pixels; view-mean, the mean of the "
-                               "views' own ratios",
+                               "How the best result is chosen. ratio: all fragments over all covered pixels; "
+                               "view-mean: the mean of the ratios of all looks",
                                {{"ratio", OverdrawMetric::ratio}, {"view-mean", OverdrawMetric::view_mean}});
-  table.row<int>(&Options::restarts, "restarts", "How often it begins anew, from other looks; the best of all is kept",
-                 {0, 1000, "times"});
-  table.row<std::int64_t>(&Options::start, "seed", "Of the looks that it begins with, besides the pipeline's seed");
+  table.row<int>(
+      &Options::restarts, "restarts",
+      "How often to search again from other starting looks; the best result is kept, and each search takes time",
+      {0, 1000, "times"});
+  table.row<std::int64_t>(&Options::start, "seed", "Seed of the starting looks, combined with the pipeline's seed");
   table.row<int>(&Options::theta_steps, "theta-steps",
-                 "Steps of the table that says which order to draw, from straight above to straight below", {1, 1024});
-  table.row<int>(&Options::phi_steps, "phi-steps", "The same, around the subject", {1, 1024});
+                 "Rows of the table from which the engine reads which order to draw: steps of the view from straight "
+                 "above to straight below",
+                 {1, 1024});
+  table.row<int>(&Options::phi_steps, "phi-steps", "Columns of that table: steps of the view around the subject",
+                 {1, 1024});
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<AnimatedKMeans>(options); });
   return plugin;
 }

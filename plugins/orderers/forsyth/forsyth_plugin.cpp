@@ -31,16 +31,15 @@ Plugin forsyth_plugin() {
   plugin.kind = Kind::orderer;
   plugin.card = {
       .name = "forsyth",
-      .summary = "Orders triangles for vertex caches of any kind by scores, slower than tipsify",
+      .summary = "Orders triangles by vertex scores, for vertex caches of unknown size and kind; slower than tipsify",
       .reference = "Forsyth 2006, Linear-Speed Vertex Cache Optimisation",
       .acts_on = {traits::triangles},
       .provides = {traits::cache_ordered},
       .breaks = {traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},
-      .pays_if = "fewer vertices miss an LRU cache of that size than in the order there is",
+      .pays_if = "fewer vertices miss an LRU cache of cache-size entries than in the current order",
   };
   OptionTable<ForsythOptions> table;
-  table.row(&ForsythOptions::cache_size, "cache-size", "Size of the LRU vertex cache that is modelled",
-            {3, 64, "entries"});
+  table.row(&ForsythOptions::cache_size, "cache-size", "Size of the modelled LRU vertex cache", {3, 64, "entries"});
   bind_options(plugin, table, [](const ForsythOptions& options) { return std::make_unique<Forsyth>(options); });
   return plugin;
 }

@@ -32,30 +32,36 @@ Plugin lookahead_plugin() {
   plugin.kind = Kind::orderer;
   plugin.card = {
       .name = "lookahead",
-      .summary = "Orders triangles for the vertex cache by trying out what might follow",
+      .summary =
+          "Orders triangles for the vertex cache by trying several continuations; slower than tipsify, with fewer "
+          "misses",
       .reference = "own; fans as in Sander, Nehab, Barczak 2007, tipsy strips",
       .acts_on = {traits::triangles},
       .provides = {traits::cache_ordered},
       .breaks = {traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},
-      .pays_if = "fewer vertices miss the cache than in the order there is",
+      .pays_if = "fewer vertices miss the cache than in the current order",
   };
   OptionTable<LookaheadOptions> table;
   table.choice(
-      &LookaheadOptions::quality, "quality", "How much is tried out, against time: sets `candidates` and `depth`",
+      &LookaheadOptions::quality, "quality",
+      "How much is tried: high gives the fewest misses, fast takes the least time. Sets `candidates` and `depth`",
       {{"fast", LookaheadQuality::fast}, {"balanced", LookaheadQuality::balanced}, {"high", LookaheadQuality::high}});
   table.row(&LookaheadOptions::candidates, "candidates",
-            "Centres of the next fan of triangles that are tried out; 0: as `quality` says", {0, 64, "fans"});
-  table.row(&LookaheadOptions::depth, "depth", "Fans drawn on trial behind each; 0: as `quality` says",
+            "How many centres of the next fan of triangles are tried; more take longer. 0: set by `quality`",
+            {0, 64, "fans"});
+  table.row(&LookaheadOptions::depth, "depth",
+            "How many further fans are tried behind each candidate; more take longer. 0: set by `quality`",
             {0, 64, "fans"});
   table.choice(&LookaheadOptions::target, "target",
-               "Cache to order for: robust and fifo mean a FIFO of `cache-size`, robust with care for all others",
+               "Cache to order for. robust: a FIFO of `cache-size`, but good for other caches too; fifo: that FIFO "
+               "only; nvidia, amd, intel: the batch models of these names",
                {{"robust", LookaheadTarget::robust},
                 {"fifo", LookaheadTarget::fifo},
                 {"nvidia", LookaheadTarget::nvidia},
                 {"amd", LookaheadTarget::amd},
                 {"intel", LookaheadTarget::intel}});
-  table.row(&LookaheadOptions::cache_size, "cache-size", "Size of the FIFO vertex cache to order for",
-            {3, 256, "entries"});
+  table.row(&LookaheadOptions::cache_size, "cache-size",
+            "Size of the FIFO vertex cache to order for, with the targets robust and fifo", {3, 256, "entries"});
   bind_options(plugin, table, [](const LookaheadOptions& options) { return std::make_unique<Lookahead>(options); });
   return plugin;
 }

@@ -90,39 +90,47 @@ Plugin occlusion_order_plugin() {
   plugin.kind = Kind::orderer;
   plugin.card = {
       .name = "occlusion-order",
-      .summary = "Draws first what hides most, as measured from all sides and in all poses, in one or several orders",
+      .summary =
+          "Draws first what hides most, as measured from many views and poses; put lookahead or tipsify before it",
       .reference = "own; orders by look as in Han, Sander 2016, section 3",
       .acts_on = {traits::triangles},
       .provides = {traits::overdraw_ordered},
       .breaks = {traits::fetch_ordered},
-      .pays_if = "something is drawn that does not stay, and the new order draws less of it",
+      .pays_if = "the subject has overdraw, and the new order lowers it as measured",
       .uses_overdraw = true,
   };
   plugin.products = {draw_orders_product()};
   OptionTable<Options> table;
-  table.row<int>(&Options::k, "k", "Orders of each draw, of which the engine draws one by view and pose",
+  table.row<int>(&Options::k, "k",
+                 "Number of orders for each draw, of which the engine picks one by view and pose; more orders lower "
+                 "overdraw and take more memory",
                  {1, 255, "orders"});
-  table.row<double>(&Options::acmr_budget, "acmr-budget",
-                    "What the orders may cost in the vertex cache: times the ACMR of the order that came in", {1, 100});
   table.row<double>(
-      &Options::vertex_weight, "vertex-weight",
-      "Below the budget: shading a hundredth more vertices has to save so many hundredths of the fragments; "
-      "0 spends all of the budget",
-      {0, 1000});
+      &Options::acmr_budget, "acmr-budget",
+      "Highest ACMR allowed, as a multiple of that of the order that comes in; more lets overdraw fall further",
+      {1, 100});
+  table.row<double>(&Options::vertex_weight, "vertex-weight",
+                    "Within that budget: how many per cent of the fragments one per cent more shaded vertices must "
+                    "save; higher keeps the ACMR lower, 0 spends the whole budget",
+                    {0, 1000});
   table.choice<OcclusionQuality>(
-      &Options::quality, "quality", "How much is tried out, against time",
+      &Options::quality, "quality", "How much is tried: high leaves the least overdraw, fast takes the least time",
       {{"fast", OcclusionQuality::fast}, {"balanced", OcclusionQuality::balanced}, {"high", OcclusionQuality::high}});
-  table.row<std::optional<int>>(
-      &Options::made_for, "cache-size",
-      "Size of the FIFO vertex cache that the budget is reckoned for; without it what the order was made for, or 16",
-      {3, 65535, "entries"});
+  table.row<std::optional<int>>(&Options::made_for, "cache-size",
+                                "Size of the FIFO vertex cache that the ACMR is counted with; by default the one that "
+                                "the order was made for, or 16",
+                                {3, 65535, "entries"});
   table.row<int>(&Options::restarts, "restarts",
-                 "With several orders: how often it begins anew, from other sides; the best of all is kept",
+                 "With k above 1: how often to search again from other starting looks; the best result is kept, and "
+                 "each search takes time",
                  {0, 1000, "times"});
-  table.row<std::int64_t>(&Options::start, "seed", "Of the sides that it begins with, besides the pipeline's seed");
+  table.row<std::int64_t>(&Options::start, "seed", "Seed of the starting looks, added to the pipeline's seed");
   table.row<int>(&Options::theta_steps, "theta-steps",
-                 "Steps of the table that says which order to draw, from straight above to straight below", {1, 1024});
-  table.row<int>(&Options::phi_steps, "phi-steps", "The same, around the subject", {1, 1024});
+                 "Rows of the table from which the engine reads which order to draw: steps of the view from straight "
+                 "above to straight below",
+                 {1, 1024});
+  table.row<int>(&Options::phi_steps, "phi-steps", "Columns of that table: steps of the view around the subject",
+                 {1, 1024});
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<OcclusionOrder>(options); });
   return plugin;
 }

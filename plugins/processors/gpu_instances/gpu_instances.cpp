@@ -17,20 +17,20 @@ namespace {
 std::string_view why_not(const Scene& scene, const Draw& draw) {
   const Material* material = scene.material_of(draw);
   if (draw.traits.has(traits::blended) || (material != nullptr && material->alpha_mode == AlphaMode::blend)) {
-    return "they are blended, so that the sequence of draws shows";
+    return "they are blended, so the order of draws is visible";
   }
   if (draw.traits.has(traits::skinned)) return "they are skinned";
-  if (draw.traits.has(traits::animated)) return "an animation changes the shape";
-  if (draw.levels.size() != 1) return "there are several levels of detail";
-  if (draw.full().orders.size() != 1) return "there are several orders, among which each node chooses by itself";
+  if (draw.traits.has(traits::animated)) return "an animation changes their shape";
+  if (draw.levels.size() != 1) return "they have several levels of detail";
+  if (draw.full().orders.size() != 1) return "they have several orders, of which each node picks its own";
   if (draw.traits.has(traits::morphed) || !draw.full().vertices->morph_targets.empty())
-    return "there are morph targets";
+    return "they have morph targets";
   return {};
 }
 
 std::string_view why_not(const Scene& scene, const Mesh& mesh, const std::vector<char>& may_change) {
   for (const DrawId id : mesh.draws) {
-    if (may_change[id] == 0) return "one of the primitives must stay as it is";
+    if (may_change[id] == 0) return "a primitive of the mesh must stay as it is";
     if (const std::string_view why = why_not(scene, scene.draws[id]); !why.empty()) return why;
   }
   return {};
@@ -57,11 +57,11 @@ struct NodeFacts {
 
 InstanceTransform placed(const Node& node, NodeId id, const NodeFacts& facts) {
   if (node.skin) return {{}, "they are skinned"};
-  if (!node.instances.empty()) return {{}, "they draw it many times already"};
+  if (!node.instances.empty()) return {{}, "they are instanced already"};
   if (!node.weights.empty()) return {{}, "they have morph weights"};
-  if (facts.merged[id] != 0) return {{}, "merged draws show them"};
-  if (node.keeps_mesh) return {{}, "an extension or a further scene refers to them, or no scene shows them"};
-  if (facts.moved[id]) return {{}, "an animation moves them, or they hang on a joint"};
+  if (facts.merged[id] != 0) return {{}, "merged draws draw them"};
+  if (node.keeps_mesh) return {{}, "an extension or another scene refers to them, or no scene shows them"};
+  if (facts.moved[id]) return {{}, "an animation or a joint moves them"};
   return instance_transform(node, facts.has_parent[id] == 0, facts.world[id]);
 }
 
@@ -113,7 +113,8 @@ InstancedNodes gpu_instances(Scene& scene, std::span<const DrawId> draws, const 
     const auto instances = static_cast<std::uint32_t>(now.nodes.size());
     if (instances == 0) continue;
     if (instances < static_cast<std::uint32_t>(options.least)) {
-      result.left.push_back({m, instances, "too few to be worth it"});
+      result.left.push_back(
+          {m, instances, "fewer than " + std::to_string(options.least) + " are not replaced (option least)"});
       continue;
     }
     for (const NodeId id : now.nodes) scene.nodes[id].mesh.reset();

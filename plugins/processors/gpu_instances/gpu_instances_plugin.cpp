@@ -21,7 +21,8 @@ class GpuInstances final : public Processor {
                   fmt::format("{} of its nodes stay as they are: {}", left.nodes, left.why));
     }
     if (made.meshes.empty()) {
-      run.keep(fmt::format("no mesh is placed by {} nodes or more that one could stand for", options_.least));
+      run.keep(fmt::format("no mesh is placed by at least {} nodes that can become instances (option least)",
+                           options_.least));
       return {};
     }
     std::vector<DrawId> changed;
@@ -50,17 +51,18 @@ Plugin gpu_instances_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "gpu-instances",
-      .summary = "Nodes that place the same mesh become one that draws it many times (EXT_mesh_gpu_instancing)",
+      .summary =
+          "Replaces the nodes that place a mesh by one instanced node (EXT_mesh_gpu_instancing), to save draw calls",
       .reference = "common practice; Khronos, EXT_mesh_gpu_instancing",
-      .pays_if = "a mesh is placed by many nodes that nothing moves",
+      .pays_if = "many nodes place the same mesh, and no animation moves them",
       .lossless = true,
-      .metrics = {{"draws-saved", "draws", "Draw calls fewer, of an engine that batches nothing by itself", false},
-                  {"nodes", "nodes", "Nodes that draw a mesh many times", false},
-                  {"instances", "instances", "Nodes that they stand for", false}},
+      .metrics = {{"draws-saved", "draws", "Draw calls saved, in an engine that batches nothing by itself", false},
+                  {"nodes", "nodes", "Instanced nodes made", false},
+                  {"instances", "instances", "Nodes that they replace", false}},
   };
   OptionTable<GpuInstancesOptions> table;
-  table.row(&GpuInstancesOptions::least, "least", "Instances of a mesh that are worth a node of their own",
-            {2, 65535, "instances"});
+  table.row(&GpuInstancesOptions::least, "least",
+            "Fewest nodes of a mesh that are replaced; a mesh placed by fewer stays as it is", {2, 65535, "instances"});
   bind_options(plugin, table,
                [](const GpuInstancesOptions& options) { return std::make_unique<GpuInstances>(options); });
   return plugin;

@@ -42,8 +42,8 @@ InstanceTransform instance_transform(const Node& node, bool is_root, const glm::
   const glm::dvec3 scale(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
   const double volume = glm::dot(glm::cross(axes[0], axes[1]), axes[2]);
   // Elements are floats: below this part of the box that the axes could span, the sign is their rounding's.
-  if (!(std::abs(volume) > 1e-6 * scale.x * scale.y * scale.z)) return {{}, "they are flat"};
-  if (volume < 0) return {{}, "they are mirrored"};
+  if (!(std::abs(volume) > 1e-6 * scale.x * scale.y * scale.z)) return {{}, "their transforms flatten them"};
+  if (volume < 0) return {{}, "their transforms mirror them"};
   if (is_root && !node.matrix) return {node.transform, {}};
 
   Transform transform;
@@ -51,7 +51,7 @@ InstanceTransform instance_transform(const Node& node, bool is_root, const glm::
   const glm::dmat3 turned(axes[0] / scale.x, axes[1] / scale.y, axes[2] / scale.z);
   transform.rotation = glm::quat(glm::normalize(glm::quat_cast(turned)));
   transform.scale = glm::vec3(scale);
-  if (!are_alike(axes, transform.matrix())) return {{}, "they are sheared"};
+  if (!are_alike(axes, transform.matrix())) return {{}, "their transforms shear them"};
   return {transform, {}};
 }
 

@@ -14,17 +14,17 @@ namespace {
 
 void check(std::span<const MeshSize> meshes, const FrequencyOptions& options) {
   if (options.multiple == 0 || options.multiple % 3 != 0) {
-    throw std::invalid_argument("the multiple of the frequency must be one of 3, so that no triangle is cut");
+    throw std::invalid_argument("multiple must be a multiple of 3, so that no triangle is cut");
   }
-  if (options.classes < 1 || options.classes > 4) throw std::invalid_argument("there can be 1 to 4 frequencies");
+  if (options.classes < 1 || options.classes > 4) throw std::invalid_argument("frequencies must be 1 to 4");
   const auto is_price = [](double price) { return price >= 0 && price <= 1e30; };  // false for what is no number
   if (!is_price(options.slot_bytes) || !is_price(options.padded_cost) || !is_price(options.slot_byte_cost) ||
       !is_price(options.class_cost)) {
-    throw std::invalid_argument("what padding and slots cost must be numbers from 0 to 1e30");
+    throw std::invalid_argument("the costs of padding, slots and draws must be numbers from 0 to 1e30");
   }
   for (const MeshSize& mesh : meshes) {
     if (mesh.indices > std::numeric_limits<std::uint32_t>::max()) {
-      throw std::invalid_argument("a mesh has 2^32 index entries or more");
+      throw std::invalid_argument("a mesh has 2^32 index entries or more; split it");
     }
   }
 }
@@ -130,7 +130,7 @@ FrequencyChoice best_frequencies(std::span<const MeshSize> meshes, const Frequen
 std::optional<FrequencyChoice> fewest_slots(std::span<const MeshSize> meshes, double most_padding,
                                             const FrequencyOptions& options) {
   check(meshes, options);
-  if (!(most_padding >= 0 && most_padding <= 1)) throw std::invalid_argument("the most padding must be from 0 to 1");
+  if (!(most_padding >= 0 && most_padding <= 1)) throw std::invalid_argument("most-padding must be from 0 to 1");
   const std::vector<MeshSize> sizes = distinct_sizes(meshes);
   if (sizes.empty()) return nothing_for(meshes);
   std::optional<FrequencyChoice> best = fewest_slots_of_one(meshes, sizes, most_padding, options);

@@ -25,13 +25,16 @@ void note_left_alone(const MergedScene& merged, const Run& run) {
   for (const auto& [place, count] : placements) {
     const auto& [draw, why] = place;
     run.note_at({draw}, "not-merged",
-                count == 0 ? fmt::format("not merged: {}", why)
-                           : fmt::format("not merged in {} of its places: {}", count, why));
+                count == 0
+                    ? fmt::format("not merged: {}", why)
+                    : fmt::format("not merged in {} {}: {}", count, count == 1 ? "placement" : "placements", why));
   }
   for (const merging::MergeableSet& set : merged.not_merged) {
     if (set.meshes.empty()) continue;
     const std::size_t others = set.meshes.size() - 1;
-    const std::string with = others == 0 ? "" : fmt::format(", with {} that share its material and layout", others);
+    const std::string with = others == 0 ? ""
+                                         : fmt::format(", with {} other {} of the same material and vertex layout",
+                                                       others, others == 1 ? "draw" : "draws");
     run.note_at({set.meshes.front().draw}, "not-merged", fmt::format("not merged{}: {}", with, set.why_not));
   }
 }
@@ -88,8 +91,9 @@ MergedInstances with_less_overdraw(const Scene& scene, MergedInstances merged, R
   const auto ratio = [](const OverdrawCount& count) {
     return count.visible == 0 ? 1 : static_cast<double>(count.shaded) / static_cast<double>(count.visible);
   };
-  run.note_at({}, "overdraw",
-              fmt::format("slots sorted: the groups' overdraw is {:.4f}, and was {:.4f}", ratio(after), ratio(before)));
+  run.note_at(
+      {}, "overdraw",
+      fmt::format("slots sorted: the groups' overdraw went from {:.4f} to {:.4f}", ratio(before), ratio(after)));
   return merged;
 }
 
@@ -111,7 +115,7 @@ class MergeInstances final : public Processor {
     const MergedScene merged = merge_scene(scene, draws, options, run.executor);
     note_left_alone(merged, run);
     if (merged.merged.empty()) {
-      run.keep("no draws that could be merged are worth it; notes say why");
+      run.keep(draws.empty() ? "there is no draw to merge" : "nothing is worth merging; the notes say why");
       return {};
     }
     std::vector<DrawId> changed;
@@ -161,56 +165,68 @@ class MergeInstances final : public Processor {
 Plugin merge_instances_plugin() {
   OptionTable<Options> table;
   table.choice(&MergeSceneOptions::materials, "materials",
-               "Draws are merged whose materials look alike, or are of one kind: the shader looks up each instance's",
+               "Which draws are merged. alike: those whose materials look the same; kind: those whose materials differ "
+               "only in factors and textures, which the shader looks up for each instance",
                {{"alike", merging::SharedMaterials::alike}, {"kind", merging::SharedMaterials::kind}});
   table.row(&MergeSceneOptions::skinned, "skinned",
-            "Merge skinned draws too: their joints place them, and boxes hold the pipeline's poses");
+            "Merge skinned draws too; the groups' boxes then enclose them in the pipeline's poses");
   table.row(&MergeInstancesOptions::multiple, "multiple",
-            "Slots have multiples of so many index entries: 3, or those of a primitive group", {3, 3072, "entries"});
+            "Slot sizes are multiples of this: 3, or the size of the GPU's primitive groups", {3, 3072, "entries"});
   table.row(&MergeInstancesOptions::frequencies, "frequencies",
-            "Different sizes of slots, at most; each is a draw of each group", {1, 4, "sizes"});
-  table.choice(&MergeInstancesOptions::goal, "goal", "What the sizes of slots are chosen for",
+            "Most slot sizes; more pad less or need fewer slots, but each adds a draw call to each group",
+            {1, 4, "sizes"});
+  table.choice(&MergeInstancesOptions::goal, "goal",
+               "How slot sizes are chosen. fewest-slots: the fewest within most-padding; least-cost: the lowest cost "
+               "of padding, slot records and draw calls",
                {{"fewest-slots", FrequencyGoal::fewest_slots}, {"least-cost", FrequencyGoal::least_cost}});
   table.row(&MergeInstancesOptions::most_padding, "most-padding",
-            "Padding, as a part of all index entries, that fewest-slots may come to", {0, 1, ""});
-  table.row(&MergeInstancesOptions::padded_cost, "padded-cost", "Of least-cost: a padded index entry",
+            "With fewest-slots: largest share of padding among all index entries", {0, 1, ""});
+  table.row(&MergeInstancesOptions::padded_cost, "padded-cost", "With least-cost: cost of a padded index entry",
             {0, 1e6, "bytes"});
-  table.row(&MergeInstancesOptions::slot_byte_cost, "slot-byte-cost", "Of least-cost: a byte of slot records",
+  table.row(&MergeInstancesOptions::slot_byte_cost, "slot-byte-cost", "With least-cost: cost of a byte of slot records",
             {0, 1e6, "bytes"});
-  table.row(&MergeInstancesOptions::draw_cost, "draw-cost", "What a draw call costs", {0, 1e9, "vertex shader calls"});
-  table.row(&MergeInstancesOptions::most_indices, "most-indices", "Index entries of a group",
+  table.row(&MergeInstancesOptions::draw_cost, "draw-cost",
+            "Cost of a draw call; higher merges more meshes into fewer, larger groups",
+            {0, 1e9, "vertex shader calls"});
+  table.row(&MergeInstancesOptions::most_indices, "most-indices", "Most index entries of a group",
             {3, 4294967295.0, "entries"});
-  table.row(&MergeInstancesOptions::most_instances, "most-instances", "Instances of a group",
+  table.row(&MergeInstancesOptions::most_instances, "most-instances", "Most instances of a group",
             {1, 4294967295.0, "instances"});
   table.row(&MergeInstancesOptions::most_size, "most-size",
-            "Longest side of a group's box, in the scene's units; 0: any", {0, 1e30, ""});
+            "Longest side that a group's box may have, in the scene's units; 0: any", {0, 1e30, ""});
   table.row(&MergeInstancesOptions::view_distance, "view-distance",
-            "How far cameras see, in the scene's units; 0: a quarter of its diagonal", {0, 1e30, ""});
-  table.row(&MergeInstancesOptions::cut_well, "cut-well", "Cut meshes where few vertices are shared");
-  table.row(
-      &Options::overdraw_order, "overdraw-order",
-      "Sort the slots of each group for low overdraw, where its measured overdraw from the pipeline's views falls");
+            "How far cameras see, in the scene's units, which decides how large groups get; 0: a quarter of the "
+            "scene's diagonal",
+            {0, 1e30, ""});
+  table.row(&MergeInstancesOptions::cut_well, "cut-well",
+            "Use the padding to cut meshes into slots where few vertices are shared");
+  table.row(&Options::overdraw_order, "overdraw-order",
+            "Sort the slots of each group for low overdraw, and keep that where its overdraw from the pipeline's views "
+            "falls; takes time");
 
   Plugin plugin;
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "merge-instances",
-      .summary = "Many instances of many meshes as a few draws without a vertex twice; the nodes stay for who can not",
+      .summary =
+          "Merges many instances of many meshes into few draw calls, no vertex stored twice; the nodes stay as a "
+          "fallback",
       .reference = "Persson, Graphics Gems for Games, SIGGRAPH 2012, Merge-Instancing",
       .acts_on = {traits::triangles},
-      .pays_if = "several meshes of one material and one layout are placed often, and are not vertex-bound",
+      .pays_if =
+          "several meshes of the same material and vertex layout are placed often, and vertex shading is not the "
+          "bottleneck",
       .uses_overdraw = true,
       .lossless = true,
-      .metrics =
-          {{"padding", "of index entries", "Padded index entries of all that are drawn"},
-           {"draws", "draws", "Draw calls of the scene, merged ones and those left"},
-           {"slots", "slots", "Slots of all merged draws"},
-           {"slot-bytes", "bytes", "Slot records for each placed draw that is merged"},
-           {"bytes", "bytes", "Merged indices, slot records and transforms"},
-           {"groups", "groups", "Groups of instances that are culled together"},
-           {"wasted", "of index entries",
-            "Index entries that are drawn though their instance by itself would have been culled, expected over all "
-            "places and ways to look that see some of the scene"}},
+      .metrics = {{"padding", "of index entries", "Share of padding among the index entries drawn"},
+                  {"draws", "draws", "Draw calls of the scene: the merged ones and those that remain"},
+                  {"slots", "slots", "Slots of all merged draws"},
+                  {"slot-bytes", "bytes", "Bytes of slot records for each merged instance"},
+                  {"bytes", "bytes", "Bytes of merged indices, slot records and transforms"},
+                  {"groups", "groups", "Groups of instances, each culled as a whole"},
+                  {"wasted", "of index entries",
+                   "Share of index entries drawn although their instance alone would be culled, expected over all "
+                   "camera positions and directions that see some of the scene"}},
   };
   plugin.products = {merged_draws_product()};
   bind_options(plugin, std::move(table),

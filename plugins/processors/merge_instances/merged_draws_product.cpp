@@ -20,7 +20,7 @@ std::map<std::uint32_t, std::uint64_t> slots_by_frequency(const MergedInstances&
 }
 
 std::string material_text(const Scene& scene, const MergedInstances& merged) {
-  if (!merged.materials.empty()) return "materials of their own";
+  if (!merged.materials.empty()) return "a material per instance";
   if (!merged.material) return "no material";
   const std::string& name = scene.materials[*merged.material].name;
   return name.empty() ? fmt::format("material {}", *merged.material) : name;
@@ -32,7 +32,7 @@ class MergedDrawsRow final : public ProductRow {
       : ProductRow({.name = std::string(MergedDraws::product),
                     .title = "merged draws",
                     .extension = "FOREDRAW_merge_instances",
-                    .remedy = "merge them again; the nodes show the same",
+                    .remedy = "run merge-instances again; the nodes still show the same",
                     .accessors_of_file = {"sets/*/attributes/*", "sets/*/indices", "sets/*/slots", "sets/*/transforms",
                                           "sets/*/places", "sets/*/materials"},
                     .schemas = schemas(),
@@ -73,7 +73,7 @@ class MergedDrawsRow final : public ProductRow {
   }
 
   ProductText told(const Scene& scene) const override {
-    ProductText text{.heading = "merged (beside the nodes that show the same)", .value = ExtensionValue::List()};
+    ProductText text{.heading = "merged draws (the nodes show the same)", .value = ExtensionValue::List()};
     for (const MergedInstances& merged : merged_sets(scene)) {
       std::vector<std::string> words;
       ExtensionValue::List slots;
@@ -82,8 +82,8 @@ class MergedDrawsRow final : public ProductRow {
         slots.push_back(ExtensionValue::Members{{"frequency", frequency}, {"slots", count}});
       }
       const std::string material = material_text(scene, merged);
-      text.lines.push_back(fmt::format("{}: {} instances of {} draws in {} groups, drawn by {} calls; {}", material,
-                                       merged.places.size(), merged.meshes.size(), merged.groups.size(),
+      text.lines.push_back(fmt::format("{}: {} instances of {} draws in {} groups, drawn by {} draw calls; {}",
+                                       material, merged.places.size(), merged.meshes.size(), merged.groups.size(),
                                        merged.draws.size(), fmt::join(words, ", ")));
       text.value.push(ExtensionValue::Members{
           {"material", material},

@@ -31,7 +31,7 @@ class Reader {
     }
     std::ranges::sort(places_);
     if (mistake_.empty() && std::ranges::adjacent_find(places_) != places_.end()) {
-      return "it names a primitive of a node twice";
+      return "it names the same primitive of a node twice";
     }
     if (!mistake_.empty()) return mistake_;
     return merged;
@@ -62,10 +62,10 @@ class Reader {
     const std::uint32_t i = number(value, name);
     if (!mistake_.empty()) return std::nullopt;
     auto data = from_.accessor(i);
-    if (!data) return wrong(fmt::format("has no accessor {} for '{}'", i, name)), std::nullopt;
+    if (!data) return wrong(fmt::format("names accessor {} for '{}', which does not exist", i, name)), std::nullopt;
     // Bytes may be named again and again; what is looked at may not go on for ever.
     bytes_ += data->bytes.size();
-    if (bytes_ > most_bytes_) return wrong("names more than the file holds"), std::nullopt;
+    if (bytes_ > most_bytes_) return wrong("names the same bytes too often"), std::nullopt;
     return data;
   }
 
@@ -77,7 +77,7 @@ class Reader {
     const auto bytes = from->bytes.view();
     if (from->format.component != component || from->format.components != components || from->format.normalized ||
         bytes.size() % sizeof(T) != 0) {
-      return wrong(fmt::format("has '{}' of another type than it must have", name)), Shared<T>();
+      return wrong(fmt::format("has the wrong accessor type for '{}'", name)), Shared<T>();
     }
     std::vector<T> values(bytes.size() / sizeof(T));
     std::memcpy(values.data(), bytes.data(), bytes.size());
@@ -142,7 +142,7 @@ class Reader {
       }
       const DrawId draw = scene_.meshes[m].draws[p];
       if (set.vertices && std::uint64_t{first} + scene_.draws[draw].levels[0].vertices->count > set.vertices->count) {
-        return wrong(fmt::format("has no room for the vertices of primitive {} of mesh {} from {} on", p, m, first));
+        return wrong(fmt::format("has too few vertices for primitive {} of mesh {} at firstVertex {}", p, m, first));
       }
       set.meshes.push_back({draw, first});
     }

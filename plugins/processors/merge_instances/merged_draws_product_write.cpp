@@ -162,7 +162,7 @@ SideFile merged_side_file(const Scene& scene, std::string_view extension, const 
     const ShaderLanguage language = extension == ".hlsl" ? ShaderLanguage::hlsl : ShaderLanguage::glsl;
     return {.content = merged_shader_text(merged_sets(scene), language)};
   } catch (const std::length_error& error) {
-    throw Refusal("too-large", error.what(), "merge in parts, each stage with another only = \"NAMES\"");
+    throw Refusal("too-large", error.what(), "merge in several stages, each with its own only = \"NAMES\"");
   }
 }
 

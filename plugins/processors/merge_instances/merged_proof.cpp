@@ -90,19 +90,19 @@ std::string MergedProof::vertices(const MergedInstances& set) {
     const Draw& draw = scene_.draws[mesh.draw];
     const VertexStreams& own = *draw.levels[0].vertices;
     if (!first_vertex_.emplace(mesh.draw, mesh.first_vertex).second) return "names " + draw.name + " twice";
-    if (draw.topology != Topology::triangles) return "holds " + draw.name + ", which is no list of triangles";
+    if (draw.topology != Topology::triangles) return "holds " + draw.name + ", which is not a triangle list";
     if (own.base.size() != set.vertices->base.size() || !own.morph_targets.empty()) {
-      return "has not the attributes of " + draw.name;
+      return "does not have the attributes of " + draw.name;
     }
     if (!same_.emplace(&own, set.vertices.get(), mesh.first_vertex).second) continue;
     for (const VertexStream& stream : own.base) {
       const VertexStream* merged = set.vertices->find(stream.semantic);
-      if (merged == nullptr || merged->format != stream.format) return "has not the attributes of " + draw.name;
-      if (stream.bytes.size() > bytes_left_) return "names vertices again and again";
+      if (merged == nullptr || merged->format != stream.format) return "does not have the attributes of " + draw.name;
+      if (stream.bytes.size() > bytes_left_) return "names the same vertices too often to check";
       bytes_left_ -= stream.bytes.size();
       const std::size_t from = std::size_t{mesh.first_vertex} * stream.format.bytes;
       if (!std::ranges::equal(stream.bytes.view(), merged->bytes.view().subspan(from, stream.bytes.size()))) {
-        return "has other vertices than " + draw.name + " (" + stream.semantic + ")";
+        return "has a " + stream.semantic + " that differs from that of " + draw.name;
       }
     }
   }
@@ -118,18 +118,18 @@ std::string MergedProof::placings(const MergedInstances& set) const {
     const std::string where = numbered("instance", i) + " (" + numbered("primitive", place.primitive) + " of " +
                               numbered("node", place.node) + ")";
     const DrawId id = draw_at(place);
-    if (!first_vertex_.contains(id)) return where + " is of no primitive of the set";
+    if (!first_vertex_.contains(id)) return where + " belongs to no primitive of the set";
     const auto own = node.instances.view();
-    if (node.skin && !own.empty()) return where + " is skinned and one of many";
-    if (!node.is_shown) return where + " is not shown by its node";
-    if (!node.skin && moved[place.node]) return where + " stands still, but its node is moved";
+    if (node.skin && !own.empty()) return where + " is both skinned and instanced";
+    if (!node.is_shown) return where + " has a node that is not shown";
+    if (!node.skin && moved[place.node]) return where + " is static, but its node moves";
     glm::mat4 world = own.empty() ? worlds_[place.node] : worlds_[place.node] * own[place.instance].matrix();
     if (node.skin) world = glm::mat4(1);  // its joints place it
-    if (!is_near(set.transforms.view()[i], world)) return where + " lies elsewhere than its node";
+    if (!is_near(set.transforms.view()[i], world)) return where + " is not where its node is";
     const std::optional<MaterialId> is = set.materials.empty() ? set.material : std::optional(set.materials.view()[i]);
     const std::optional<MaterialId> wanted = scene_.draws[id].material;
     const bool looks_alike = is == wanted || (is && wanted && look(*is) && look(*is) == look(*wanted));
-    if (!looks_alike) return where + " has another material than its primitive";
+    if (!looks_alike) return where + " does not have the material of its primitive";
   }
   return {};
 }
@@ -163,14 +163,14 @@ std::string MergedProof::triangles(const MergedInstances& set) {
     mirrored[i] = foredraw_merged_is_mirrored(set.transforms.view()[i].data()) != 0;
   }
   const auto differs = [](std::uint32_t instance) {
-    return numbered("instance", instance) + " draws other triangles than its primitive";
+    return numbered("instance", instance) + " does not draw the triangles of its primitive";
   };
   for (const auto& [slot, frequency] : in_sequence(set)) {
     const DrawId id = draw_at(set.places.view()[slot.instance]);
     const Compared one{slot.index_offset, frequency, id, reached[slot.instance], mirrored[slot.instance] != 0};
     const auto [after, is_new] = known.try_emplace(one, 0);
     if (is_new) {
-      if (frequency > left) return "draws the same again and again, each time otherwise";
+      if (frequency > left) return "draws the same indices in too many ways to check";
       left -= frequency;
       const auto end = triangle_after(one, entries.subspan(slot.index_offset, frequency));
       if (!end) return differs(slot.instance);

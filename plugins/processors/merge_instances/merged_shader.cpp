@@ -109,7 +109,7 @@ std::string transforms(const MergedShaderOptions& options) {
                   .c_str()) +
          "float merged_handedness(uint instance) {\n" +
          rows("  return dot(x.xyz, cross(y.xyz, z.xyz)) < 0.0 ? -1.0 : 1.0;\n}\n\n") +
-         "// By the cofactors: the inverse transposed, but for its length.\n" + vec3 +
+         "// The cofactor matrix is the inverse transpose, up to a scale.\n" + vec3 +
          " merged_normal_to_world(uint instance, " + vec3 + " normal) {\n" +
          rows(("  " + vec3 + " a = cross(y.xyz, z.xyz);\n  " + vec3 + " turned = " + vec3 +
                "(dot(a, normal), dot(cross(z.xyz, x.xyz), normal), dot(cross(x.xyz, y.xyz), normal));\n"
@@ -216,9 +216,9 @@ std::string merged_shader_text(const MergedVertexLayout& layout, const MergedSha
 
 std::string merged_shader_text(std::span<const MergedInstances> sets, ShaderLanguage language) {
   std::string text =
-      "// Made by Foredraw: the vertex fetch of merged draws. To be defined before:\n"
-      "//   MERGED_SET        which of the sets, 0 where it is not defined\n"
-      "//   MERGED_FREQUENCY  index entries of a slot, of the draw:\n";
+      "// Made by Foredraw: the vertex fetch of merged draws. Define before including:\n"
+      "//   MERGED_SET        number of the set; 0 by default\n"
+      "//   MERGED_FREQUENCY  index entries of a slot of the draw; those of each set:\n";
   for (std::size_t s = 0; s < sets.size(); ++s) {
     std::string frequencies;
     for (const std::uint32_t frequency : frequencies_of(sets[s])) {

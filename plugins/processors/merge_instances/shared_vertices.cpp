@@ -20,7 +20,7 @@ SharedVertices shared_vertices(const Scene& scene, std::span<const DrawId> draws
       count += own->count;
       if (count > std::numeric_limits<std::uint32_t>::max()) {
         throw std::length_error(scene.draws[id].name + ": with it there are " + std::to_string(count) +
-                                " merged vertices, more than 32 bits can number; merge fewer meshes together");
+                                " merged vertices, more than 32-bit indices can address; merge fewer meshes together");
       }
     }
     result.first.push_back(it->second);

@@ -48,12 +48,16 @@ Told told(TrimmedSprite::Outcome outcome) {
   using Outcome = TrimmedSprite::Outcome;
   switch (outcome) {
     case Outcome::rectangle:
-      return {
-          "rectangle",
-          "trimmed to an upright rectangle: a polygon of so few vertices is larger, or covers what shows beside it"};
-    case Outcome::empty: return {"empty", "nothing of it shows, so it stays as it is; it need not be drawn at all"};
-    case Outcome::full: return {"full", "all of it shows: there is nothing to trim"};
-    case Outcome::no_saving: return {"no-saving", "trimming saves too little (least-saving), so it stays as it is"};
+      return {"rectangle",
+              "trimmed to an upright rectangle: any other polygon of so few vertices is larger, or covers something "
+              "visible beside the frame"};
+    case Outcome::empty:
+      return {"empty", "nothing of it shows, so it stays as it is; it need not be drawn at all (option threshold)"};
+    case Outcome::full:
+      return {"full",
+              "all of it shows, so there is nothing to trim; for an additive sprite without alpha set channel = "
+              "\"luminance\""};
+    case Outcome::no_saving: return {"no-saving", "trimming would save less than least-saving, so it stays as it is"};
     default: return {};
   }
 }
@@ -80,7 +84,12 @@ class ParticleTrim final : public Processor {
       Draw& draw = scene.draws[sprite.id];
       draw = with_polygons(draw, sprite.quads, sprite.sprites, *sprite.texture, *sprite.image, options_);
     }
-    if (!any) run.keep("no sprite has empty corners worth trimming");
+    if (draws.empty()) {
+      run.keep("there is no sprite to trim");
+    } else if (!any) {
+      run.keep(sprites.empty() ? "no sprite can be trimmed; the notes say why"
+                               : "no sprite has empty corners worth trimming; the notes say more");
+    }
     return as_tight_as_can_be;
   }
 
@@ -93,7 +102,7 @@ class ParticleTrim final : public Processor {
       const bool has_image = material != nullptr && material->base_colour && material->base_colour->image &&
                              *material->base_colour->image < scene.images.size();
       if (!has_image) {
-        left.emplace_back(id, "it has no image");
+        left.emplace_back(id, "its material has no image");
         continue;
       }
       const Texture& texture = *material->base_colour;
@@ -105,15 +114,16 @@ class ParticleTrim final : public Processor {
       SpriteDraw sprite{id, &texture, std::get<std::shared_ptr<const AlphaImage>>(image), {}, {}};
       auto quads = trim::sprite_quads(scene.draws[id], texture, *sprite.image);
       if (const std::string* why = std::get_if<std::string>(&quads)) {
-        run.note_at({id}, "left-alone", *why);
+        run.note_at({id}, "left-alone", "not trimmed: " + *why);
         continue;
       }
       sprite.quads = std::move(std::get<std::vector<SpriteQuad>>(quads));
       sprite.sprites.resize(sprite.quads.size());
       sprites.push_back(std::move(sprite));
     }
-    if (sprites.empty() && !left.empty()) throw std::runtime_error(left.front().second);
-    for (const auto& [id, why] : left) run.note_at({id}, "left-alone", why);
+    if (sprites.empty() && !left.empty())
+      throw std::runtime_error(scene.draws[left.front().first].name + ": " + left.front().second);
+    for (const auto& [id, why] : left) run.note_at({id}, "left-alone", "not trimmed: " + why);
     return sprites;
   }
 
@@ -198,46 +208,52 @@ Plugin particle_trim_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "particle-trim",
-      .summary = "Draws sprites as tight polygons in place of quads, proven to hide nothing that shows",
+      .summary = "Trims sprite quads to tight polygons that fill fewer pixels, proven to cut off nothing that shows",
       .reference = "Persson 2012, Graphics Gems for Games, Particle trimming; DePano 1987",
       .acts_on = {traits::triangles, traits::sprite},
       .provides = {traits::trimmed},
       .breaks = {traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered},
       .pays_if = "a sprite has empty corners",
-      .metrics = {{"area", "of the frame", "What is drawn of each frame, of its area; 1: the whole quad"},
-                  {"alpha-lost", "alpha",
-                   "Largest value that may show outside of the polygon, 0 to 1; at most the threshold", true, true},
-                  {"texels", "texels", "Texels that were checked: all that show are drawn", false}},
+      .metrics = {{"area", "of the frame", "Area that is drawn, as a share of the frame; 1: the whole quad"},
+                  {"alpha-lost", "alpha", "Largest alpha that may be cut off, 0 to 1; never above the threshold", true,
+                   true},
+                  {"texels", "texels", "Texels checked by the proof", false}},
   };
   OptionTable<Options> table;
-  table.row(&ParticleTrimOptions::vertices, "vertices", "Most vertices of a polygon", {3, 16, "vertices"})
+  table
+      .row(&ParticleTrimOptions::vertices, "vertices",
+           "Most vertices of a polygon; more fill fewer pixels and shade more vertices", {3, 16, "vertices"})
       .choice(&ParticleTrimOptions::method, "method",
-              "The smallest of all polygons, or Persson's search on a reduced hull",
+              "optimal: the smallest polygon there is; persson: Persson's search on a reduced hull, for comparison",
               {{"optimal", TrimMethod::optimal}, {"persson", TrimMethod::persson}})
-      .row(&ParticleTrimOptions::threshold, "threshold", "What is above it shows", {0, 1, ""});
+      .row(&ParticleTrimOptions::threshold, "threshold",
+           "What has more alpha than this shows; higher trims more and may cut off faint edges", {0, 1, ""});
   add_alpha_channel(table, &ParticleTrimOptions::channel);
   table
       .choice(&ParticleTrimOptions::footprint, "footprint",
-              "How far a texel reaches: its square; all that blends with it; or where the blend is above the threshold",
+              "How far a visible texel reaches. texels: its square, for nearest filtering; bilinear-loose: all that "
+              "blends with it; bilinear: where the blend is above the threshold",
               {{"texels", trim::Footprint::texels},
                {"bilinear-loose", trim::Footprint::bilinear_loose},
                {"bilinear", trim::Footprint::bilinear}})
-      .row(&ParticleTrimOptions::mip_levels, "mip-levels", "Smaller versions of the image that may be sampled",
+      .row(&ParticleTrimOptions::mip_levels, "mip-levels",
+           "How many smaller mip levels may be sampled; more make polygons larger, 0 is for images without mipmaps",
            {0, 14, "levels"})
-      .row(&ParticleTrimOptions::padding, "padding", "More on each side", {0, 64, "texels"})
-      .choice(&ParticleTrimOptions::uv, "uv", "Numbers that the polygon's texture coordinates are rounded to",
+      .row(&ParticleTrimOptions::padding, "padding", "Extra margin on each side, for wider filters", {0, 64, "texels"})
+      .choice(&ParticleTrimOptions::uv, "uv", "Format of the texture coordinates, to which polygons are rounded",
               {{"float32", trim::UvFormat::float32},
                {"float16", trim::UvFormat::float16},
                {"unorm16", trim::UvFormat::unorm16}})
-      .choice(&ParticleTrimOptions::winding, "winding", "How polygons run as seen in the image; kept: as the quads do",
+      .choice(&ParticleTrimOptions::winding, "winding",
+              "Winding of the polygons as seen in the image; kept: that of the quads",
               {{"kept", TrimWinding::as_before},
                {"clockwise", TrimWinding::clockwise},
                {"counter-clockwise", TrimWinding::counter_clockwise}})
-      .row(&Options::shared, "shared", "One polygon for all frames of an image that are of one size")
-      .row(&ParticleTrimOptions::least_saving, "least-saving", "Sprites that save less stay as they are",
-           {0, 1, "of the frame"})
-      .row(&ParticleTrimOptions::hull_edges, "hull-edges", "Of method persson: to so many the hull is reduced first",
-           {3, 32, "edges"});
+      .row(&Options::shared, "shared", "Use one polygon for all frames of the same size in an image, as for flipbooks")
+      .row(&ParticleTrimOptions::least_saving, "least-saving",
+           "Sprites that would save less than this stay as they are", {0, 1, "of the frame"})
+      .row(&ParticleTrimOptions::hull_edges, "hull-edges",
+           "With method persson: edges that the hull is reduced to first", {3, 32, "edges"});
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<ParticleTrim>(options); });
   return plugin;
 }

@@ -128,12 +128,12 @@ Format texcoord_format(UvFormat format) {
 std::variant<std::vector<SpriteQuad>, std::string> sprite_quads(const Draw& draw, const Texture& texture,
                                                                 const AlphaImage& image) {
   const Level& level = draw.full();
-  if (draw.levels.size() > 1 || level.orders.size() > 1) return "it has several levels of detail or orders";
+  if (draw.levels.size() > 1 || level.orders.size() > 1) return "it has several levels of detail or several orders";
   if (!level.vertices->morph_targets.empty()) return "it has morph targets";
   if (texture.scale != glm::dvec2(1) || texture.rotation != 0 || texture.offset != glm::dvec2(0)) {
-    return "its texture coordinates are moved by KHR_texture_transform";
+    return "KHR_texture_transform moves its texture coordinates";
   }
-  if (!is_made_of_quads(draw, texture.texcoord)) return "it is not made of upright quads: they may be trimmed already";
+  if (!is_made_of_quads(draw, texture.texcoord)) return "it is not made of upright quads; it may be trimmed already";
   const VertexStreams& vertices = *level.vertices;
   const auto places = texture_uv(*vertices.find(texcoord_name(texture)), texture);
   std::vector<SpriteQuad> quads;
@@ -142,14 +142,14 @@ std::variant<std::vector<SpriteQuad>, std::string> sprite_quads(const Draw& draw
     for (const VertexStream& stream : vertices.base) {
       const bool is_its_own = stream.semantic == texcoord_name(texture);
       if (!is_its_own && !runs_evenly(stream, quads.back())) {
-        return stream.semantic + " does not run evenly over its quads" +
-               (is_float(stream) ? "" : ", or is stored as integers that differ");
+        return stream.semantic + " is not linear over its quads" +
+               (is_float(stream) ? "" : ", or is stored as integers that are not all equal");
       }
     }
     constexpr std::int64_t most = std::int64_t{1} << 24;  // 65536 texels
     const TrimFrame& frame = quads.back().frame;
     for (const std::int64_t number : {frame.least.x, frame.least.y, frame.most.x, frame.most.y}) {
-      if (std::abs(number) > most) return "its texture coordinates are too far from the image";
+      if (std::abs(number) > most) return "its texture coordinates lie more than 65536 texels from the image";
     }
   }
   return quads;

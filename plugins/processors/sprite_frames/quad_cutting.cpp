@@ -86,24 +86,25 @@ bool is_plain(const VertexStreams& vertices) {
 }  // namespace
 
 std::string why_not_cut(const Scene& scene, const Draw& draw) {
-  if (!draw.frame) return "it has no frame: it was not made from an image";
+  if (!draw.frame) return "it was not made from an image, so it has no frame";
   const SpriteFrame& frame = *draw.frame;
-  if (draw.levels.size() != 1 || draw.full().orders.size() != 1) return "it has several levels or orders";
+  if (draw.levels.size() != 1 || draw.full().orders.size() != 1)
+    return "it has several levels of detail or several orders";
   const Material* material = scene.material_of(draw);
   if (material == nullptr || !material->base_colour) return "its material has no texture";
   const Texture& texture = *material->base_colour;
-  if (!texture.image || *texture.image >= scene.images.size()) return "its texture is of an unknown kind";
+  if (!texture.image || *texture.image >= scene.images.size()) return "the format of its texture is not supported";
   const auto& facts = scene.images[*texture.image].facts;
-  if (!facts) return "the size of its image is not known";
+  if (!facts) return "the size of its image is unknown";
   if (std::uint64_t{frame.x} + frame.width > facts->width || std::uint64_t{frame.y} + frame.height > facts->height ||
       frame.width == 0 || frame.height == 0) {
-    return "its frame is empty or reaches out of the image";
+    return "its frame is empty or extends beyond the image";
   }
-  if (!is_plain(*draw.full().vertices)) return "it has morph targets, or attributes that are no 32-bit floats";
+  if (!is_plain(*draw.full().vertices)) return "it has morph targets, or attributes that are not 32-bit floats";
   if (sprite_pieces(draw, texture.texcoord).size() != 1 || !is_made_of_quads(draw, texture.texcoord)) {
-    return "it is not one quad: frames are cut before sprites are trimmed";
+    return "it is not a single quad; put sprite-frames before particle-trim";
   }
-  if (!ShownQuad(draw, texture, *facts).shows(frame)) return "its quad shows another part of the image than its frame";
+  if (!ShownQuad(draw, texture, *facts).shows(frame)) return "its quad does not show exactly its frame of the image";
   return {};
 }
 

@@ -73,7 +73,7 @@ std::vector<SpriteFrame> grid_frames(const SpriteFrame& whole, int columns, int 
   };
   if (static_cast<std::uint32_t>(columns) > whole.width || static_cast<std::uint32_t>(rows) > whole.height) {
     throw std::invalid_argument(std::to_string(whole.width) + " x " + std::to_string(whole.height) +
-                                " texels can not be cut into " + std::to_string(columns) + " columns and " +
+                                " texels cannot be cut into " + std::to_string(columns) + " columns and " +
                                 std::to_string(rows) + " rows");
   }
   std::vector<SpriteFrame> frames;
@@ -92,8 +92,8 @@ std::vector<SpriteFrame> found_frames(const AlphaImage& image, const SpriteFrame
   const auto limit = static_cast<std::uint16_t>(options.threshold * 65535);
   std::vector<TexelBox> parts = image_parts(image, whole, limit, static_cast<std::uint32_t>(options.gutter));
   if (parts.size() > most_parts) {
-    throw std::runtime_error("it falls into " + std::to_string(parts.size()) + " parts, more than " +
-                             std::to_string(most_parts) + "; a higher threshold or a wider gutter makes fewer");
+    throw std::runtime_error("it has " + std::to_string(parts.size()) + " parts, more than the limit of " +
+                             std::to_string(most_parts) + "; raise threshold or gutter");
   }
   std::vector<SpriteFrame> frames;
   for (const TexelBox& box : in_reading_order(united(std::move(parts)))) frames.push_back(with_margin(box, whole));

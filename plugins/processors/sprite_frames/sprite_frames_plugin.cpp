@@ -66,13 +66,18 @@ class SpriteFrames final : public Processor {
  public:
   explicit SpriteFrames(const SpriteFramesOptions& options) : options_(options) {
     if (options.find && (options.columns > 1 || options.rows > 1)) {
-      throw std::invalid_argument("find looks for the frames itself; leave out columns and rows");
+      throw std::invalid_argument(
+          "find = true finds the frames by itself: leave out columns and rows, or set find = false");
     }
   }
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
+    if (draws.empty()) {
+      run.keep("there is no sprite to cut");
+      return {};
+    }
     if (!options_.find && options_.columns == 1 && options_.rows == 1) {
-      run.keep("one column and one row are the whole; give columns and rows, or find = true");
+      run.keep("neither a grid nor find is set: set columns and rows, or find = true");
       return {};
     }
     std::vector<Cut> cuts(draws.size());
@@ -88,7 +93,7 @@ class SpriteFrames final : public Processor {
       const std::vector<DrawId> ids = put_in_place(scene, id, named_cuts(scene, id, cuts[i].frames));
       done.insert(done.end(), ids.begin(), ids.end());
     }
-    if (done.empty()) run.keep("none of its sprites can be cut; notes say why");
+    if (done.empty()) run.keep("no sprite can be cut; the notes say why");
     std::ranges::sort(done);
     return done;
   }
@@ -99,8 +104,9 @@ class SpriteFrames final : public Processor {
     if (!cut.why_not.empty()) return cut;
     if (options_.find) {
       cut.frames = found_in(scene, draw, run);
-      if (cut.frames.empty()) cut.why_not = "nothing in it is above the threshold";
-      if (cut.frames.size() == 1 && cut.frames[0] == *draw.frame) cut.why_not = "it is one part, which fills it";
+      if (cut.frames.empty()) cut.why_not = "no texel is above the threshold";
+      if (cut.frames.size() == 1 && cut.frames[0] == *draw.frame)
+        cut.why_not = "it is a single part that fills its frame";
       return cut;
     }
     try {
@@ -115,11 +121,11 @@ class SpriteFrames final : public Processor {
     const Image& image = scene.images[*scene.material_of(draw)->base_colour->image];
     const auto decoded = alpha_image_of(run.analyses, image, options_.channel);
     if (const std::string* why = std::get_if<std::string>(&decoded)) {
-      throw std::runtime_error(fmt::format("{}: its image can not be read: {}", draw.name, *why));
+      throw std::runtime_error(fmt::format("{}: its image cannot be read: {}", draw.name, *why));
     }
     const AlphaImage& alpha = *std::get<std::shared_ptr<const AlphaImage>>(decoded);
     if (alpha.width != image.facts->width || alpha.height != image.facts->height) {
-      throw std::runtime_error(draw.name + ": its image is of another size than its header says");
+      throw std::runtime_error(draw.name + ": its image does not have the size that its header states");
     }
     try {
       return found_frames(alpha, *draw.frame, options_);
@@ -143,24 +149,27 @@ class SpriteFrames final : public Processor {
 
 Plugin sprite_frames_plugin() {
   OptionTable<SpriteFramesOptions> table;
-  table.row(&SpriteFramesOptions::columns, "columns", "Columns of a grid of equal cells", {1, 1024, "columns"});
+  table.row(&SpriteFramesOptions::columns, "columns",
+            "Columns of a grid of equal cells; with one column and one row nothing is cut", {1, 1024, "columns"});
   table.row(&SpriteFramesOptions::rows, "rows", "Rows of the grid", {1, 1024, "rows"});
-  table.row(&SpriteFramesOptions::find, "find", "Look for the parts that empty gaps part, in place of a grid");
-  table.row(&SpriteFramesOptions::threshold, "threshold", "A texel belongs to a part where it has more alpha than this",
-            {0, 1, ""});
+  table.row(&SpriteFramesOptions::find, "find",
+            "Find the sprites by the empty gaps between them, instead of by a grid");
+  table.row(&SpriteFramesOptions::threshold, "threshold",
+            "With find: texels with more alpha than this belong to a sprite", {0, 1, ""});
   add_alpha_channel(table, &SpriteFramesOptions::channel);
-  table.row(&SpriteFramesOptions::gutter, "gutter", "Empty texels between two parts, at least", {1, 1024, "texels"});
+  table.row(&SpriteFramesOptions::gutter, "gutter",
+            "With find: fewest empty texels between two sprites; what lies closer is one sprite", {1, 1024, "texels"});
 
   Plugin plugin;
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "sprite-frames",
-      .summary = "Cuts images of several sprites into a draw for each, by a grid or where the gaps are",
+      .summary = "Cuts sheets of sprites into one draw for each sprite, by a grid or at the empty gaps",
       .reference = "own",
       .acts_on = {traits::sprite},
       .breaks = {traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered},
-      .pays_if = "a grid is given or parts are to be found, and the draw is one quad with a frame of an image",
-      .metrics = {{"frames", "frames", "Draws that a draw was cut into", false}},
+      .pays_if = "a grid or find is set, and the draw is one quad that shows its frame of an image",
+      .metrics = {{"frames", "frames", "Draws that a sheet was cut into", false}},
   };
   bind_options(plugin, std::move(table),
                [](const SpriteFramesOptions& options) { return std::make_unique<SpriteFrames>(options); });

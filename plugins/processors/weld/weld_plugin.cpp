@@ -16,8 +16,9 @@ class WeldVertices final : public Processor {
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<VertexGroup> groups = vertex_groups(scene);
     for (const HeldDraw& held : keep_groups_of(groups, draws)) {
-      run.note_at({held.draw}, "shared-vertices",
-                  "not welded: it shares its vertices with " + scene.draws[held.by].name + ", which stays as it is");
+      run.note_at(
+          {held.draw}, "shared-vertices",
+          "not welded: it shares its vertices with " + scene.draws[held.by].name + ", which must stay as it is");
     }
 
     std::vector<Weld> welds(groups.size());
@@ -35,7 +36,8 @@ class WeldVertices final : public Processor {
       move_vertices(scene, groups[i], welds[i].destination, welds[i].count);
       any = true;
     }
-    if (!any) run.keep("no two of its vertices are equal, and each is used");
+    if (!any)
+      run.keep(options_.keep_unused ? "no two vertices are equal" : "no two vertices are equal, and all are used");
     return welded;
   }
 
@@ -50,16 +52,16 @@ Plugin weld_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "weld",
-      .summary = "Merges vertices that are equal in every bit of every attribute and morph target",
+      .summary = "Merges vertices that are equal in every bit of every attribute and morph target; put it first",
       .reference = "common practice",
       .acts_on = {traits::triangles},
       .provides = {traits::welded},
       .lossless = true,
-      .metrics = {{"merged", "vertices", "Vertices that were equal to an earlier one", false},
-                  {"unused", "vertices", "Vertices that were left out, as no triangle uses them", false}},
+      .metrics = {{"merged", "vertices", "Vertices removed because they equal an earlier one", false},
+                  {"unused", "vertices", "Vertices removed because no triangle uses them", false}},
   };
   OptionTable<WeldOptions> table;
-  table.row(&WeldOptions::keep_unused, "keep-unused", "Keep vertices that no triangle uses");
+  table.row(&WeldOptions::keep_unused, "keep-unused", "Keep vertices that no triangle uses, instead of removing them");
   bind_options(plugin, table, [](const WeldOptions& options) { return std::make_unique<WeldVertices>(options); });
   return plugin;
 }

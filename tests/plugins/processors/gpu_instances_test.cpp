@@ -108,7 +108,7 @@ TEST(GpuInstances, TooFewStay) {
   Scene scene = rows({4, 5});
   const InstancedNodes made = instanced(scene, 5);
   ASSERT_EQ(made.meshes.size(), 1u);
-  EXPECT_EQ(told(made), "0 x 4: too few to be worth it\n");
+  EXPECT_EQ(told(made), "0 x 4: fewer than 5 are not replaced (option least)\n");
 }
 
 TEST(GpuInstances, MeshesStayThatMayNotBeChangedWhole) {
@@ -118,7 +118,8 @@ TEST(GpuInstances, MeshesStayThatMayNotBeChangedWhole) {
   const std::vector<DrawId> first{0};
   const InstancedNodes made = gpu_instances(scene, first, {.least = 2});
   EXPECT_TRUE(made.meshes.empty());
-  EXPECT_EQ(told(made), "0 x 3: one of the primitives must stay as it is\n") << "who gave no draw of a mesh knows that";
+  EXPECT_EQ(told(made), "0 x 3: a primitive of the mesh must stay as it is\n")
+      << "who gave no draw of a mesh knows that";
 }
 
 TEST(GpuInstances, DrawsStayWhoseNodesAreNotAlike) {
@@ -138,16 +139,16 @@ TEST(GpuInstances, DrawsStayWhoseNodesAreNotAlike) {
               scene.materials.push_back({.alpha_mode = AlphaMode::blend});
               draw.material = 0;
             }),
-            "0 x 3: they are blended, so that the sequence of draws shows\n");
+            "0 x 3: they are blended, so the order of draws is visible\n");
   EXPECT_EQ(why([](Scene&, Draw& draw) { draw.traits.add(traits::skinned); }), "0 x 3: they are skinned\n");
   EXPECT_EQ(why([](Scene&, Draw& draw) {
               VertexStreams streams = *draw.levels[0].vertices;
               streams.morph_targets.emplace_back();
               draw.levels[0].vertices = std::make_shared<const VertexStreams>(streams);
             }),
-            "0 x 3: there are morph targets\n");
+            "0 x 3: they have morph targets\n");
   EXPECT_EQ(why([](Scene&, Draw& draw) { draw.levels[0].orders.push_back(draw.levels[0].orders[0]); }),
-            "0 x 3: there are several orders, among which each node chooses by itself\n");
+            "0 x 3: they have several orders, of which each node picks its own\n");
 }
 
 TEST(GpuInstances, NodesStayThatAreMoreThanAPlace) {
@@ -171,15 +172,15 @@ TEST(GpuInstances, NodesStayThatAreMoreThanAPlace) {
   const InstancedNodes made = instanced(scene);
   ASSERT_EQ(made.meshes.size(), 1u);
   EXPECT_EQ(told(made),
-            "0 x 3: an animation moves them, or they hang on a joint\n"
-            "0 x 1: an extension or a further scene refers to them, or no scene shows them\n"
-            "0 x 1: merged draws show them\n"
+            "0 x 3: an animation or a joint moves them\n"
+            "0 x 1: an extension or another scene refers to them, or no scene shows them\n"
+            "0 x 1: merged draws draw them\n"
             "0 x 1: their transforms are not finite\n"
-            "0 x 1: they are flat\n"
-            "0 x 1: they are mirrored\n"
-            "0 x 1: they are sheared\n"
+            "0 x 1: their transforms flatten them\n"
+            "0 x 1: their transforms mirror them\n"
+            "0 x 1: their transforms shear them\n"
+            "0 x 1: they are instanced already\n"
             "0 x 1: they are skinned\n"
-            "0 x 1: they draw it many times already\n"
             "0 x 1: they have morph weights\n");
   std::vector<NodeId> emptied;
   for (NodeId n = 0; n < 16; ++n) {
@@ -236,9 +237,9 @@ TEST(GpuInstances, PlacesBelowOthersAreDecomposed) {
 TEST(GpuInstances, WhatParentsShearStays) {
   Node node = placed(0, {.rotation = glm::angleAxis(0.5f, glm::vec3(0, 0, 1))});
   const glm::mat4 stretched = glm::scale(glm::mat4(1), glm::vec3(1, 2, 1)) * node.local();
-  EXPECT_EQ(instance_transform(node, false, stretched).why_not, "they are sheared");
+  EXPECT_EQ(instance_transform(node, false, stretched).why_not, "their transforms shear them");
   const glm::mat4 hardly = glm::scale(glm::mat4(1), glm::vec3(1, 1.00001f, 1)) * node.local();
-  EXPECT_EQ(instance_transform(node, false, hardly).why_not, "they are sheared");
+  EXPECT_EQ(instance_transform(node, false, hardly).why_not, "their transforms shear them");
   const glm::mat4 evenly = glm::scale(glm::mat4(1), glm::vec3(2)) * node.local();
   EXPECT_EQ(instance_transform(node, false, evenly).why_not, "");
 }

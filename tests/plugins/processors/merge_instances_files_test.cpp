@@ -228,7 +228,7 @@ TEST(MergedFiles, InspectTellsOfThem) {
   const ProductText told = merged_draws_product()->told(scene);
   ASSERT_EQ(told.lines.size(), 1u);
   EXPECT_EQ(told.lines[0],
-            "no material: 3 instances of 2 draws in 2 groups, drawn by 3 calls; 4 slots of 6 index entries, "
+            "no material: 3 instances of 2 draws in 2 groups, drawn by 3 draw calls; 4 slots of 6 index entries, "
             "3 slots of 12 index entries");
   EXPECT_EQ(told.value.list()->front().member("instances")->whole(), 3u);
 }

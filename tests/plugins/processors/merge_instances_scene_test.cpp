@@ -160,7 +160,7 @@ TEST(MergeInstancesOfScene, InstancesOfANodeArePlacedMirroredOnesTooAndSingularO
   // However flat: it has an inverse.
   EXPECT_EQ(merged_places(scene), places);
   EXPECT_EQ(drawn_merged(scene), drawn_by_nodes(before, places));
-  EXPECT_TRUE(has_note(said, "not merged in 1 of its places: its transform is singular"));
+  EXPECT_TRUE(has_note(said, "not merged in 1 placement: its transform is singular"));
   EXPECT_EQ(said.figures.at("draws"), static_cast<double>(merged_sets(scene)[0].draws.size()) + 1)
       << "the node is drawn still";
 }
@@ -185,8 +185,8 @@ TEST(MergeInstancesOfScene, NodesThatTheFileDoesNotShowStay) {
   const Said said = merge(scene);
   ASSERT_EQ(merged_sets(scene).size(), 1u);
   EXPECT_EQ(merged_sets(scene)[0].places.size(), 16u);
-  EXPECT_TRUE(has_note(
-      said, "not merged in 1 of its places: it is not shown: hidden, or not in the scene that the file shows"));
+  EXPECT_TRUE(
+      has_note(said, "not merged in 1 placement: it is not shown: hidden, or not in the scene that the file shows"));
   EXPECT_EQ(said.figures.at("draws"), static_cast<double>(merged_sets(scene)[0].draws.size()));
 }
 

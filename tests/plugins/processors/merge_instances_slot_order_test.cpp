@@ -124,9 +124,9 @@ TEST(MergeSlotOrder, TheStageSortsWhereMeasuredOverdrawFalls) {
   HeightService likes_high(true), likes_low(false);
   std::string sorted, kept;
   EXPECT_EQ(first_drawn(scene, likes_high, sorted), 1);
-  EXPECT_NE(sorted.find("overdraw is 1.0000, and was 2.0000"), std::string::npos) << sorted;
+  EXPECT_NE(sorted.find("overdraw went from 2.0000 to 1.0000"), std::string::npos) << sorted;
   EXPECT_EQ(first_drawn(scene, likes_low, kept), 0);
-  EXPECT_NE(kept.find("overdraw is 1.0000, and was 1.0000"), std::string::npos) << kept;
+  EXPECT_NE(kept.find("overdraw went from 1.0000 to 1.0000"), std::string::npos) << kept;
 }
 
 }  // namespace

@@ -287,10 +287,10 @@ TEST(SpriteFrames, finds_parts_of_images_of_any_depth) {
   // It has no alpha, so it is opaque.
   const Cutting by_alpha = cut(sheet, {{"find", true}});
   EXPECT_TRUE(by_alpha.findings.nothing_to_gain);
-  EXPECT_EQ(by_alpha.findings.notes[0].message, "not cut into frames: it is one part, which fills it");
+  EXPECT_EQ(by_alpha.findings.notes[0].message, "not cut into frames: it is a single part that fills its frame");
   const Cutting one =
       cut(testing::sprite_scene(testing::texel_image({1, 1, 4, 16, false}, {1, 2, 3, 0})), {{"find", true}});
-  EXPECT_EQ(one.findings.notes[0].message, "not cut into frames: nothing in it is above the threshold");
+  EXPECT_EQ(one.findings.notes[0].message, "not cut into frames: no texel is above the threshold");
 }
 
 TEST(SpriteFrames, leaves_alone_what_can_not_be_cut_and_says_why) {
@@ -301,18 +301,18 @@ TEST(SpriteFrames, leaves_alone_what_can_not_be_cut_and_says_why) {
     return cutting.findings.notes.empty() ? "" : cutting.findings.notes[0].message.substr(21);
   };
   const Scene sheet = noisy_sheet(10, 4);
-  EXPECT_EQ(why(noisy_sheet(2, 4)), "2 x 4 texels can not be cut into 3 columns and 2 rows");
+  EXPECT_EQ(why(noisy_sheet(2, 4)), "2 x 4 texels cannot be cut into 3 columns and 2 rows");
   Scene scene = sheet;
   scene.draws[0].frame.reset();
-  EXPECT_EQ(why(scene), "it has no frame: it was not made from an image");
+  EXPECT_EQ(why(scene), "it was not made from an image, so it has no frame");
   scene = sheet;
   scene.draws[0].frame = SpriteFrame{0, 0, 9, 4};
-  EXPECT_EQ(why(scene), "its quad shows another part of the image than its frame");
+  EXPECT_EQ(why(scene), "its quad does not show exactly its frame of the image");
   scene.draws[0].frame = SpriteFrame{4, 0, 10, 4};
-  EXPECT_EQ(why(scene), "its frame is empty or reaches out of the image");
+  EXPECT_EQ(why(scene), "its frame is empty or extends beyond the image");
   scene = sheet;
   scene.draws[0].levels[0].orders[0].indices = Shared<std::uint32_t>({0, 1, 2});
-  EXPECT_EQ(why(scene), "it is not one quad: frames are cut before sprites are trimmed");
+  EXPECT_EQ(why(scene), "it is not a single quad; put sprite-frames before particle-trim");
   EXPECT_TRUE(cut(sheet, {}).findings.nothing_to_gain);
   EXPECT_THROW(cut(sheet, {{"find", true}, {"rows", std::int64_t{2}}}), std::invalid_argument);
   scene = sheet;
