@@ -168,7 +168,7 @@ int main(int argc, char** argv) {
   benchmark::RunSpecifiedBenchmarks(&reporter);
   write_table(out, all, tasks, reporter.times, figures);
   if (!out.flush()) {
-    std::cerr << arguments.tsv << ": can not be written to the end\n";
+    std::cerr << arguments.tsv << ": cannot be written to the end\n";
     return 1;
   }
 }
