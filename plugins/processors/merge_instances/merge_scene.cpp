@@ -59,8 +59,8 @@ std::string why_not_worth_it(const MergeableSet& set, const merging::SlotLayout&
     more += static_cast<double>(mesh.placed) * (static_cast<double>(mesh.indices) - static_cast<double>(mesh.shaded));
   }
   if (more <= static_cast<double>(before - after) * options.draw_cost) return "";
-  return text(before - after) + " draws saved are not worth " + text(static_cast<std::uint64_t>(more)) +
-         " more calls of the vertex shader";
+  return text(before - after) + " fewer draws are not worth " + text(static_cast<std::uint64_t>(more)) +
+         " more vertex shader calls";
 }
 
 /// The vertices of all sets of one layout in one buffer, so that what two sets draw lies there once.

@@ -43,7 +43,7 @@ std::string why_not_merged(const Scene& scene, const Draw& draw, const Mergeable
   if (draw.traits.has(traits::animated) && !is_skinned) return "an animation changes its shape";
   const Material* material = scene.material_of(draw);
   if (draw.traits.has(traits::blended) || (material != nullptr && material->alpha_mode == AlphaMode::blend)) {
-    return "it is blended, so that the sequence of draws shows";
+    return "it is blended, so the order of draws is visible";
   }
   if (draw.traits.has(traits::extended)) {
     return "an extension refers to its triangles or vertices";
@@ -110,10 +110,11 @@ std::string why_not_worth_it(const MergeableSet& set, const MergeableOptions& op
   const std::uint64_t placed = set.placements.size();
   if (placed == 0) return "nothing is placed";
   if (set.meshes.size() == 1) {
-    return "1 mesh, " + counted(placed, "instance") + (placed == 1 ? ": one draw already" : ": instancing serves");
+    return "1 mesh, " + counted(placed, "instance") +
+           (placed == 1 ? ": one draw already" : ": instancing does the same");
   }
   if (placed < options.least_placements) {
-    return counted(placed, "placement") + ", of at least " + std::to_string(options.least_placements);
+    return counted(placed, "placement") + "; at least " + std::to_string(options.least_placements) + " are needed";
   }
   return "";
 }
@@ -122,8 +123,8 @@ std::string why_not_worth_it(const MergeableSet& set, const MergeableOptions& op
 std::string why_vertex_bound(const MergeableMesh& mesh, const MergeableOptions& options) {
   const double extra = static_cast<double>(mesh.indices) - static_cast<double>(mesh.shaded);
   if (extra <= options.draw_cost) return "";
-  return "vertex-bound: merged it would shade 3 vertices a triangle in place of " + two_digits(mesh.acmr()) + ", " +
-         std::to_string(static_cast<std::uint64_t>(extra)) + " more for each draw saved, of at most " +
+  return "vertex-bound: merged, it would shade 3 vertices a triangle instead of " + two_digits(mesh.acmr()) + ", " +
+         std::to_string(static_cast<std::uint64_t>(extra)) + " more for each draw saved; draw-cost allows " +
          std::to_string(static_cast<std::uint64_t>(options.draw_cost));
 }
 
@@ -171,9 +172,8 @@ std::string why_not_merged(const Node& node, bool is_moved, const glm::mat4& wor
   if (!node.is_shown) return "it is not shown: hidden, or not in the scene that the file shows";
   if (node.keeps_mesh) return "an extension or another scene may refer to its node";
   if (node.skin && !node.instances.empty()) return "it is skinned and has instances";
-  if (node.skin)
-    return glm::determinant(glm::dmat3(world)) < 0 ? "its node turns inside out what its joints place" : "";
-  if (is_moved) return "an animation moves it, or it hangs on a joint";
+  if (node.skin) return glm::determinant(glm::dmat3(world)) < 0 ? "its node mirrors what its joints place" : "";
+  if (is_moved) return "an animation moves it, or its parent is a joint";
   const Placing placing = placing_of(world);
   return placing == Placing::plain || placing == Placing::mirrored ? "" : std::string(to_text(placing));
 }
@@ -249,7 +249,7 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
         placement.box = box_in_world(in.box, to_world);
       }
       if (why.empty()) {
-        if (!is_finite(placement.box)) why = "it reaches farther than numbers do";
+        if (!is_finite(placement.box)) why = "in the world it is too large for 32-bit floats";
       }
       if (!why.empty()) {
         result.left_alone.push_back({id, n, std::move(why)});

@@ -25,9 +25,11 @@ struct PlacedSlots {
 
 void check(const PackedMesh& mesh) {
   const std::string name(mesh.name);
-  if (mesh.indices.size() % 3 != 0) throw std::invalid_argument(name + ": its indices are no triangle list");
+  if (mesh.indices.size() % 3 != 0)
+    throw std::invalid_argument(name + ": the number of its indices is not a multiple of 3");
   if (std::uint64_t{mesh.first_vertex} + mesh.vertices > std::uint64_t{1} << 32) {
-    throw std::invalid_argument(name + ": the merged vertices are more than 32 bits can number");
+    throw std::invalid_argument(
+        name + ": with it the vertex buffer has more vertices than 32 bits can number; merge fewer meshes together");
   }
   for (const std::uint32_t index : mesh.indices) {
     if (index >= mesh.vertices) {

@@ -249,7 +249,7 @@ TEST(MergeInstancesOfScene, WhatIsNotWorthItStaysAsItWas) {
   EXPECT_TRUE(merged_sets(scene).empty());
   EXPECT_TRUE(said.changed.empty());
   EXPECT_FALSE(scene.draws[0].traits.has(traits::extended));
-  EXPECT_TRUE(has_note(said, "1 mesh, 5 instances: instancing serves"));
+  EXPECT_TRUE(has_note(said, "1 mesh, 5 instances: instancing does the same"));
 }
 
 TEST(MergeInstancesOfScene, MeshesThatNoNodePlacesStay) {

@@ -88,7 +88,7 @@ TEST(MergeInstancesOfSkins, StayWhereTheNodeHasNoSkinOrTurnsThemInsideOut) {
   for (const merging::LeftAlone& left : found.left_alone) reasons.push_back(left.why);
   std::ranges::sort(reasons);
   EXPECT_EQ(reasons, (std::vector<std::string>{"it has joints, but its node has no skin",
-                                               "its node turns inside out what its joints place"}));
+                                               "its node mirrors what its joints place"}));
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ TEST(MergeInstances, NothingIsLostOfWhatIsNotMerged) {
   for (const merging::LeftAlone& left : merged.left_alone) reasons.push_back(left.why);
   std::ranges::sort(reasons);
   EXPECT_EQ(reasons,
-            (std::vector<std::string>{"an animation moves it, or it hangs on a joint", "its transform is not affine",
+            (std::vector<std::string>{"an animation moves it, or its parent is a joint", "its transform is not affine",
                                       "its transform is not finite", "its transform is singular"}));
   EXPECT_EQ(merged.merged[0].packed.placed.size() + merged.left_alone.size(), scene.nodes.size());
 }
@@ -188,11 +188,11 @@ TEST(MergeInstances, TellsWhatCanNotBeMerged) {
   const MergedScene merged = merge(scene);
   std::vector<std::string> reasons;
   for (const merging::LeftAlone& left : merged.left_alone) reasons.push_back(left.why);
-  EXPECT_EQ(reasons, (std::vector<std::string>{"it is skinned", "it is blended, so that the sequence of draws shows",
+  EXPECT_EQ(reasons, (std::vector<std::string>{"it is skinned", "it is blended, so the order of draws is visible",
                                                "an extension refers to its triangles or vertices",
                                                "it has no triangles", "its material is missing"}));
   ASSERT_EQ(merged.not_merged.size(), 1u);
-  EXPECT_EQ(merged.not_merged[0].why_not, "1 mesh, 3 instances: instancing serves");
+  EXPECT_EQ(merged.not_merged[0].why_not, "1 mesh, 3 instances: instancing does the same");
 }
 
 TEST(MergeInstances, OneMeshIsForInstancing) {
@@ -200,7 +200,7 @@ TEST(MergeInstances, OneMeshIsForInstancing) {
   const MergedScene merged = merge(scene);
   EXPECT_TRUE(merged.merged.empty());
   ASSERT_EQ(merged.not_merged.size(), 1u);
-  EXPECT_EQ(merged.not_merged[0].why_not, "1 mesh, 3 instances: instancing serves");
+  EXPECT_EQ(merged.not_merged[0].why_not, "1 mesh, 3 instances: instancing does the same");
 }
 
 TEST(MergeInstances, VertexBoundMeshesAreLeftAloneWithTheFigure) {
@@ -209,7 +209,7 @@ TEST(MergeInstances, VertexBoundMeshesAreLeftAloneWithTheFigure) {
   const MergedScene merged = merge(scene_with(placements));
   ASSERT_FALSE(merged.left_alone.empty());
   EXPECT_TRUE(
-      merged.left_alone[0].why.starts_with("vertex-bound: merged it would shade 3 vertices a triangle in place of "))
+      merged.left_alone[0].why.starts_with("vertex-bound: merged, it would shade 3 vertices a triangle instead of "))
       << merged.left_alone[0].why;
 }
 
