@@ -46,8 +46,8 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", program_name());
     app_.footer(
-        "Exit codes: 0 done, 1 a mistake in what was asked, 2 a file or a stage failed, 3 a figure was out of the "
-        "bounds of --fail-if.\n"
+        "Exit codes: 0 done, 1 a mistake in the arguments or the pipeline, 2 a file or a stage failed, 3 a figure was "
+        "out of the bounds of --fail-if.\n"
         "A first try: foredraw optimize in.glb -o out.glb");
 
     auto& optimize_app =
@@ -57,9 +57,9 @@ class CommandLine {
         .add_option(
             "-o,--output", arguments_.outputs,
             fmt::format("Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; "
-                        "sprites also as {}. Something else of it by KIND:FILE; the kinds are {}. May be given "
-                        "several times; all are written or none. Of a folder: a folder, and files of sprites "
-                        "that hold those of all its files",
+                        "sprites also as {}. KIND:FILE writes something else of it; the kinds are {}. May be given "
+                        "several times; all outputs are written, or none. If the input is a folder: a folder, and "
+                        "files of sprites that hold those of all inputs",
                         sprite_output_extensions(), kinds_text(registry.products())))
         ->required()
         ->expected(1)
@@ -69,25 +69,24 @@ class CommandLine {
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
     html(optimize_app);
     optimize_app
-        .add_option(
-            "--levels", arguments_.levels,
-            "How levels of detail that a stage made go out: keep, as FOREDRAW_levels; msft-lod, as nodes with MSFT_lod")
+        .add_option("--levels", arguments_.levels,
+                    "How to write levels of detail that a stage made: keep, as FOREDRAW_levels; msft-lod, as nodes "
+                    "with MSFT_lod (default: keep)")
         ->check(CLI::IsMember({"keep", "msft-lod"}));
     optimize_app
         .add_option("--compression", arguments_.compression,
-                    "keep: what came in compressed goes out compressed; none: nothing does (default: keep)")
+                    "keep: what was read compressed is written compressed; none: nothing is (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
     optimize_app
-        .add_option(
-            "--products", arguments_.products,
-            "keep: what stages made beside triangles and vertices is written with the scene, as optional extensions; "
-            "none: it is left out (default: keep)")
+        .add_option("--products", arguments_.products,
+                    "keep: what stages made besides triangles and vertices is written with the scene, as optional "
+                    "extensions; none: it is left out (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
     heat_maps(optimize_app, "before and after");
     json(optimize_app, "Print the record of the run, as JSON, to standard output");
     threads(optimize_app);
 
-    auto& plan_app = add("plan", "Say what would run, what would be skipped and why",
+    auto& plan_app = add("plan", "Show what would run, what would be skipped and why",
                          [this] { return plan(arguments_, registry_); });
     input(plan_app);
     pipeline(plan_app);
@@ -114,25 +113,23 @@ class CommandLine {
         ->allow_extra_args(false);
     compare_app
         .add_option("--repeat", arguments_.repeat,
-                    "Run the stages so many times, the pipelines in turn; times are medians (default: 1)")
+                    "Run the stages this many times, the pipelines in turn; times are medians (default: 1)")
         ->check(CLI::Range(1, 1000));
     compare_app
-        .add_option(
-            "--fail-if", arguments_.fail_if,
-            "End with exit code 3 when a figure is out of bounds, such as 'overdraw-raster.ratio > baseline * 1.01'; "
-            "also beside input, or a number; may be given several times")
+        .add_option("--fail-if", arguments_.fail_if,
+                    "End with exit code 3 if a figure is out of bounds, such as 'overdraw-raster.ratio > baseline * "
+                    "1.01'. The limit may also name input, or be a number. May be given several times")
         ->allow_extra_args(false);
     compare_app.add_option(
         "--baseline", arguments_.baseline,
-        "What --fail-if means by baseline: a report, or comparison, of an earlier run; without it the "
-        "first pipeline");
+        "The report or comparison of an earlier run that --fail-if takes as baseline (default: the first pipeline)");
     compare_app
         .add_option("--front", arguments_.fronts,
-                    "Say which pipelines no other one beats in both of two figures, such as "
+                    "Show which pipelines no other pipeline beats in both of two figures, such as "
                     "time,overdraw-raster.ratio; may be given several times")
         ->allow_extra_args(false);
     compare_app.add_option("--report", arguments_.report, "Write the comparison, as JSON, to this file");
-    compare_app.add_option("--csv", arguments_.csv, "Write every figure on a line of its own, as CSV, to this file");
+    compare_app.add_option("--csv", arguments_.csv, "Write every figure on its own line, as CSV, to this file");
     html(compare_app);
     json(compare_app);
     threads(compare_app);
@@ -154,7 +151,7 @@ class CommandLine {
     auto& schema_app = add("schema", "Print a JSON Schema of the pipeline format, for editors",
                            [this] { return schema(arguments_, registry_); });
     schema_app.add_option("product", arguments_.name,
-                          "Print those of a product's glTF extension instead, by file name");
+                          "Print the schemas of this product's glTF extension instead, by file name");
   }
 
   int run(int argc, char** argv) {
@@ -166,8 +163,8 @@ class CommandLine {
       return done;
     } catch (const CLI::ParseError& mistake) {
       const CLI::App* asked = app_.get_subcommands().empty() ? &app_ : app_.get_subcommands().front();
-      fmt::print(stderr, "foredraw: error: {}\n    hint: foredraw {}--help lists what there is\n", mistake.what(),
-                 asked == &app_ ? "" : asked->get_name() + ' ');
+      fmt::print(stderr, "foredraw: error: {}\n    hint: foredraw {}--help lists commands and options\n",
+                 mistake.what(), asked == &app_ ? "" : asked->get_name() + ' ');
       return users_mistake;
     }
     return run_command();
@@ -176,7 +173,7 @@ class CommandLine {
  private:
   int run_command() {
     if (arguments_.memory_limit != 0 && !limit_memory(arguments_.memory_limit)) {
-      fmt::print(stderr, "foredraw: error: --memory-limit: this system sets no such limit\n");
+      fmt::print(stderr, "foredraw: error: --memory-limit: this system cannot limit memory\n");
       return something_failed;
     }
     if (arguments_.memory_limit != 0) {
@@ -193,7 +190,7 @@ class CommandLine {
       if (arguments_.memory_limit == 0) {
         fmt::print(stderr, "\n    hint: close other programs, or use a machine with more\n");
       } else {
-        fmt::print(stderr, ": --memory-limit is {} bytes\n    hint: give it more\n", arguments_.memory_limit);
+        fmt::print(stderr, ": --memory-limit is {} bytes\n    hint: raise --memory-limit\n", arguments_.memory_limit);
       }
       return something_failed;
     }
@@ -255,30 +252,29 @@ class CommandLine {
     app.add_option("--heatmap", arguments_.heat_maps,
                    "Write PNG pictures of how often each pixel is shaded, " + when + ", into this folder");
     app.add_option("--heatmap-view", arguments_.heat_map_view,
-                   "Views to draw, of those that the first overdraw evaluator looks from: worst, all, or a number "
-                   "(default: worst)");
+                   "Which of the first overdraw evaluator's views to draw: worst, all, or a number (default: worst)");
   }
   void html(CLI::App& app) {
     app.add_option("--html", arguments_.html,
-                   "Write a page with tables, a plot and the scene in three dimensions, for any browser, to this file");
+                   "Write a page with tables, a plot and a 3D view of the scene, for any browser, to this file");
   }
   void json(CLI::App& app, const std::string& what = "Print JSON to standard output") {
     app.add_flag("--json", arguments_.json, what);
   }
   void threads(CLI::App& app) {
-    app.add_option("--threads", arguments_.threads, "Threads to work with (default: one for each processor)")
+    app.add_option("--threads", arguments_.threads, "Number of threads (default: one for each processor)")
         ->check(CLI::Range(1, 1024));
   }
   void memory_limit(CLI::App& app) {
     const auto take = [this](const std::string& text) {
       const auto size = size_of(text);
-      if (!size) throw CLI::ValidationError("--memory-limit", "'" + text + "' is no size; 500M and 2G are");
+      if (!size)
+        throw CLI::ValidationError("--memory-limit", "'" + text + "' is not a size; give one such as 500M or 2G");
       arguments_.memory_limit = *size;
     };
-    app.add_option_function<std::string>(
-           "--memory-limit", take,
-           "Stop with a message, and change no file, where more memory than that would be "
-           "needed, such as 500M or 2G (default: no limit)")
+    app.add_option_function<std::string>("--memory-limit", take,
+                                         "Stop with an error, and change no file, if more memory than this is needed, "
+                                         "such as 500M or 2G (default: no limit)")
         ->type_name("SIZE");
   }
 

@@ -76,7 +76,7 @@ Planned planned(const Contest& contest, const Registry& registry, const Scene& s
       branch.report.diagnostics = diagnostics.all();
       Diagnostics lost;
       lost.error({.file = comparison.input.path}, "can-not-be-planned",
-                 fmt::format("[{}] {} can not be planned for it:", number + 1, named.name));
+                 fmt::format("[{}] {} cannot be planned for this file:", number + 1, named.name));
       tell(lost);
     }
     tell(diagnostics);
@@ -139,11 +139,12 @@ std::optional<Budget> budget_of(const Arguments& arguments, std::size_t pipeline
   }
   if (arguments.baseline.empty()) {
     if (needs_baseline && pipelines < 2) {
-      diagnostics.error({}, "bad-arguments", "--fail-if names a baseline, and there is none",
-                        "give --baseline a stored report, or a pipeline before the one that is judged");
+      diagnostics.error({}, "bad-arguments", "--fail-if names a baseline, but there is none",
+                        "give --baseline a stored report, or run two pipelines, of which the first is the baseline");
     }
   } else if (!needs_baseline) {
-    diagnostics.error({}, "bad-arguments", "--baseline is given, but no --fail-if names it", "");
+    diagnostics.error({}, "bad-arguments", "--baseline is given, but no --fail-if names it",
+                      "remove it, or add --fail-if 'overdraw-raster.ratio > baseline'");
   } else if (const auto bytes = read_file(arguments.baseline, diagnostics)) {
     const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     budget.stored = read_stored_figures(text, arguments.baseline, diagnostics);
@@ -198,8 +199,8 @@ bool have_sources(const Fronts& fronts, const Budget& budget, const std::vector<
     const std::string source = figure.substr(0, figure.find_first_of(".#"));  // a second use is "tipsify#2"
     if (figure == "time" || sources.contains(source)) return;
     diagnostics.error({.file = argument}, "unknown-figure",
-                      fmt::format("there is no figure '{}': figures are of {}", figure, fmt::join(sources, ", ")),
-                      "--with says which evaluators measure");
+                      fmt::format("there is no figure '{}': figures come from {}", figure, fmt::join(sources, ", ")),
+                      "add its evaluator with --with");
   };
   for (const auto& [x, y] : fronts) {
     check(x, "--front");
@@ -215,8 +216,8 @@ Exit unknown_fronts(std::span<const Comparison> comparisons) {
   for (const Comparison& comparison : comparisons) {
     for (const std::string& figure : unknown_figures(comparison)) {
       diagnostics.error({.file = comparison.input.path}, "unknown-figure",
-                        fmt::format("no pipeline has a figure '{}', which --front asks for", figure),
-                        "--json lists all figures by evaluator and metric; --with says which evaluators measure");
+                        fmt::format("no pipeline has the figure '{}' that --front names", figure),
+                        "--json lists all figures by evaluator and metric; add its evaluator with --with");
     }
   }
   return diagnostics.has_errors() ? refuse(diagnostics) : done;

@@ -36,15 +36,16 @@ FolderOutputs outputs_in(const std::vector<std::string>& words, const ProductRow
     const Output output = typed_output(word, rows);
     if (!output.is_scene()) {
       diagnostics.error({.file = output.path}, "bad-arguments",
-                        "is to hold the " + output.kind + " of one scene, and the input is a folder",
-                        "run it on the file that it is wanted of");
+                        "holds the " + output.kind + " of one scene, but the input is a folder",
+                        "run foredraw on a single file for this output");
     } else if (is_sprite_output(output.path) && !is_folder(output.path)) {
       result.gathered.push_back(output.path);
     } else if (result.folder.empty()) {
       result.folder = output.path;
     } else {
-      diagnostics.error({.file = output.path}, "bad-arguments", "is a second folder for the same scenes",
-                        "give -o one folder, and besides it files of sprites: " + sprite_output_extensions());
+      diagnostics.error(
+          {.file = output.path}, "bad-arguments", "is a second folder for the same scenes",
+          "give -o one folder, and as further outputs only files of sprites: " + sprite_output_extensions());
     }
   }
   return result;
@@ -94,7 +95,7 @@ bool outputs_meet(std::vector<fs::path> scenes, const std::vector<fs::path>& inp
       const auto [at, is_new] = taken.emplace(fs::weakly_canonical(file, error), scenes[i]);
       if (is_new) continue;
       diagnostics.error({.file = file.string()}, "outputs-meet",
-                        at->second.string() + " and what becomes of " + scenes[i].string() + " would both be here",
+                        at->second.string() + " and the output of " + scenes[i].string() + " would both have this name",
                         "give one of them another name, or -o another folder");
     }
   }
@@ -112,7 +113,7 @@ FileRun lost(const fs::path& input, const std::string& why, const std::string& h
 
 /// One file; whatever it throws is its own affair.
 FileRun guarded(const fs::path& input, const std::function<FileRun()>& run) {
-  const std::string hint = "give it more memory, or --threads 1";
+  const std::string hint = "allow more memory, or use --threads 1";
   try {
     return run();
   } catch (const OutOfMemory& lack) {
@@ -169,25 +170,25 @@ Exit optimize_folder(const FileJob& job) {
   const fs::path to = wanted.folder;
   std::error_code error;
   if (to == "-" || (fs::exists(to, error) && !is_folder(wanted.folder))) {
-    diagnostics.error({.file = wanted.folder}, "bad-arguments", "is no folder, and the input is one",
-                      "give -o the name of a folder; it is made where there is none");
+    diagnostics.error({.file = wanted.folder}, "bad-arguments", "is not a folder, but the input is one",
+                      "give -o the name of a folder; it is created if it does not exist");
   }
   if (fs::equivalent(from, to, error)) {
     diagnostics.error({.file = wanted.folder}, "bad-arguments", "is the input folder itself",
-                      "give -o another folder: several scenes may share a .bin, and need what is in it");
+                      "give -o another folder: several scenes may share a .bin, which must not be overwritten");
   }
   if (!arguments.html.empty()) {
-    diagnostics.error({}, "bad-arguments", "--html makes the page of one scene, and the input is a folder",
-                      "foredraw compare makes one of several scenes");
+    diagnostics.error({}, "bad-arguments", "--html makes the page of one scene, but the input is a folder",
+                      "use foredraw compare, which makes one page of several scenes");
   }
   const FolderScenes which = scenes_for(job.pipeline, job.registry);
   const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, which, diagnostics);
   if (!scenes) return refuse(diagnostics);
   if (!wanted.gathered.empty() && std::ranges::none_of(*scenes, is_sprite_input)) {
-    diagnostics.error({.file = wanted.gathered[0]}, "bad-arguments",
-                      "is a file of sprites, and none is worked on: the folder has none, or the pipeline no stage for "
-                      "them",
-                      "of a folder of meshes, -o is a folder");
+    diagnostics.error(
+        {.file = wanted.gathered[0]}, "bad-arguments",
+        "is a file of sprites, but there are none: the folder has no sprites, or the pipeline has no stage for them",
+        "for a folder of meshes, give -o a folder");
     return refuse(diagnostics);
   }
   std::vector<fs::path> inputs;

@@ -53,8 +53,8 @@ Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostic
   if (fitting.size() > 1) {
     std::vector<std::string> words;
     for (const Output& one : fitting) words.push_back(fmt::format("-o {}:{}", one.kind, one.path));
-    diagnostics.error({.file = output.path}, "unknown-kind", "several kinds of output are written as files like this",
-                      fmt::format("say which: {}", fmt::join(words, ", ")));
+    diagnostics.error({.file = output.path}, "unknown-kind", "several kinds of output have this extension",
+                      fmt::format("choose one: {}", fmt::join(words, ", ")));
   }
   return output;
 }
@@ -75,8 +75,8 @@ std::vector<Output> outputs_of(const std::vector<std::string>& words, const std:
       output = with_kind(std::move(output), rows, diagnostics);
     if (!output.kind.empty() && !has_kind_for(output, output.path)) {
       diagnostics.error({.file = output.path}, "unknown-kind",
-                        fmt::format("'{}' is not written as a file like this", output.kind),
-                        "foredraw optimize --help says which files there are");
+                        fmt::format("'{}' cannot be written with this extension", output.kind),
+                        "foredraw optimize --help lists the kinds of output");
     }
     outputs.push_back(std::move(output));
   }

@@ -15,7 +15,7 @@ namespace {
 
 std::optional<Pipeline> one_pipeline(const Arguments& arguments, Diagnostics& diagnostics) {
   if (arguments.pipelines.size() > 1) {
-    diagnostics.error({}, "bad-arguments", "--pipeline is given more than once", "foredraw compare runs several");
+    diagnostics.error({}, "bad-arguments", "--pipeline is given more than once", "use foredraw compare to run several");
     return std::nullopt;
   }
   const std::string text = arguments.pipelines.empty() ? "@default" : arguments.pipelines.front();

@@ -58,18 +58,18 @@ std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const 
     }
   }
   if (error) {
-    diagnostics.error({.file = folder.string()}, "unreadable-folder", "can not be read: " + error.message(),
-                      "see that you may read it and all folders below it");
+    diagnostics.error({.file = folder.string()}, "unreadable-folder", "cannot be read: " + error.message(),
+                      "check that you may read it and all folders below it");
     return std::nullopt;
   }
   drop_images_of_lists(folder, scenes);
   if (scenes.empty()) {
-    const std::string meshes = "scenes are files called " + extensions_that_hold(Holds::meshes);
+    const std::string meshes = "scenes are files with the extensions " + extensions_that_hold(Holds::meshes);
     diagnostics.error({.file = folder.string()}, "no-scenes", "holds no scene, nor do the folders below it",
                       with_sprites ? meshes + "; sprites are images (" + extensions_that_hold(Holds::image) +
                                          ") and frame lists (" + extensions_that_hold(Holds::frame_list) + ')'
-                      : has_images ? "its images count as sprites only where a stage or an evaluator is for sprites; "
-                                     "the pipeline has none"
+                      : has_images ? "its images count as sprites only if the pipeline has a stage or an evaluator for "
+                                     "sprites, which it does not"
                                    : meshes);
     return std::nullopt;
   }

@@ -110,7 +110,7 @@ bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics) 
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
-    diagnostics.error({.file = folder.string()}, "can-not-make-folder", "can not be made: " + error.message(),
+    diagnostics.error({.file = folder.string()}, "can-not-make-folder", "cannot be created: " + error.message(),
                       "choose an output folder that you may write to");
   }
   return !error;
@@ -122,8 +122,8 @@ bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostic
     const auto folder = std::filesystem::path(file).parent_path();
     if (folder.empty() || std::filesystem::is_directory(folder, none)) continue;
     diagnostics.error({.file = file}, "no-such-folder",
-                      "can not be written: there is no folder '" + folder.string() + "'",
-                      "make it, or name another one");
+                      "cannot be written: there is no folder '" + folder.string() + "'",
+                      "create it, or name another folder");
   }
   return !diagnostics.has_errors();
 }

@@ -21,7 +21,7 @@ Exit inspect(const Arguments& arguments, const Registry& registry) {
   if (!file) return refuse_file(diagnostics);
   tell(diagnostics);
   Analyses analyses;
-  return print(with_memory(input, "look into it", [&] {
+  return print(with_memory(input, "inspect it", [&] {
     return arguments.json ? inspection_json(file->scene, rows, analyses) : inspection_text(file->scene, rows, analyses);
   }));
 }

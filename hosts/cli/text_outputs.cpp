@@ -35,7 +35,7 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
     std::vector<std::string> files;
     for (const auto& path : paths_written_for(output)) files.push_back(path.string());
     if ((!output.kind.empty() || is_sprite_output(output.path)) && is_among(read, output.path)) {
-      diagnostics.error({.file = output.path}, "bad-arguments", "is read by this very run",
+      diagnostics.error({.file = output.path}, "bad-arguments", "is an input of this run",
                         "give the output another name or folder");
     }
     const auto is_taken = [&](const std::string& file) {
@@ -43,7 +43,7 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
     };
     const bool meets = std::ranges::any_of(files, is_taken);
     if (meets) {
-      diagnostics.error({.file = is_standard ? "" : output.path}, "bad-arguments", "is to hold two outputs",
+      diagnostics.error({.file = is_standard ? "" : output.path}, "bad-arguments", "is named for two outputs",
                         "give each -o a file of its own");
     }
     taken.insert(taken.end(), files.begin(), files.end());
@@ -65,14 +65,14 @@ bool have_files_of_their_own(const Arguments& arguments, const std::vector<Outpu
   for (const std::string& file : {arguments.report, arguments.csv, arguments.html}) {
     if (file.empty()) continue;
     if (file == "-") {
-      refuse("", "--report, --csv and --html take the name of a file", "--json prints the record");
+      refuse("", "--report, --csv and --html take the name of a file", "use --json to print to standard output");
     } else if (is_among(read, file)) {
-      refuse(file, "is read by this very run", "give the output a file of its own");
+      refuse(file, "is an input of this run", "give the output a file of its own");
     } else if (is_among(written, file)) {
-      refuse(file, "is to hold two outputs", "give each a file of its own");
+      refuse(file, "is named for two outputs", "give each a file of its own");
     } else if (is_called_like_an_asset(file)) {
-      refuse(file, "is called like a scene, what belongs to one, or a pipeline, and would become a text",
-             "let its name end in .json, .csv or .html");
+      refuse(file, "has the extension of a scene, of a part of one, or of a pipeline, but would hold text",
+             "use a name that ends in .json, .csv or .html");
     }
     written.push_back(file);
   }

@@ -74,9 +74,9 @@ TEST(OverdrawRasterPlugin, materials_decide_about_back_faces_and_blending) {
   EXPECT_EQ(find(findings, "blended-left-out", {})->numerator, 1);
   EXPECT_EQ(find(findings, "masked-left-out", {})->numerator, 1);
   ASSERT_EQ(findings.notes.size(), 2u);
-  EXPECT_EQ(findings.notes[0].message, "left out as blended: 1 draw (Glass)");
+  EXPECT_EQ(findings.notes[0].message, "left out because they are blended: 1 draw (Glass)");
   EXPECT_EQ(findings.notes[1].message,
-            "left out, for it is not known where their holes are: 1 draw (Leaves); its texture is of an unknown kind");
+            "left out because their holes are unknown: 1 draw (Leaves); its texture is of an unknown kind");
 
   Settings front = few_views;
   front["faces"] = std::string("front");
@@ -192,7 +192,7 @@ TEST(OverdrawRasterPlugin, what_has_no_overdraw_is_known_at_the_first_look) {
   const Findings findings = evaluate(testing::scene_of(testing::sphere(16, 8)), {{"error", 1e-4}});
   EXPECT_EQ(find(findings, "ratio", {})->error, 0);
   ASSERT_EQ(findings.notes.size(), 1u);
-  EXPECT_EQ(findings.notes[0].message, "looked from 10 x 12 views of 64 x 64 pixels");
+  EXPECT_EQ(findings.notes[0].message, "used 10 x 12 views of 64 x 64 pixels");
 }
 
 TEST(OverdrawRasterPlugin, details_name_what_can_have_no_overdraw) {
@@ -202,7 +202,7 @@ TEST(OverdrawRasterPlugin, details_name_what_can_have_no_overdraw) {
                                                         testing::draw_of(testing::torus(16, 8), "ring")}),
                                      settings);
   EXPECT_TRUE(std::ranges::any_of(findings.notes, [](const Note& note) {
-    return note.message == "convex, or nearly so, so that no order overdraws more than 1.001: 1 draw (ball)";
+    return note.message == "convex or nearly convex, so no order has a higher ratio than 1.001: 1 draw (ball)";
   }));
 }
 
@@ -218,10 +218,10 @@ TEST(OverdrawRasterPlugin, details_tell_who_causes_the_overdraw) {
   settings["details"] = true;
   const Findings findings = evaluate(scene, settings);
   ASSERT_EQ(findings.notes.size(), 2u);
-  EXPECT_EQ(findings.notes[1].message, "nothing that these shade is hidden, from any view: 1 draw (outer)");
+  EXPECT_EQ(findings.notes[1].message, "shade no fragment that ends up hidden, from any view: 1 draw (outer)");
   EXPECT_EQ(findings.notes[0].about.draw, 0u);
   EXPECT_TRUE(findings.notes[0].message.starts_with(
-      "shades 100.0 % of what is hidden in the end; half of it is shaded by 1 of 2 clusters: 1 ("))
+      "shades 100.0 % of the fragments that end up hidden; 1 of 2 clusters shade half of it: 1 ("))
       << findings.notes[0].message;
   const double visible = *find(findings, "ratio", {})->denominator;
   const double hidden = find(findings, "hidden", {})->numerator;

@@ -179,20 +179,22 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"baseline_is_noise", "--fail-if 'x.y > baseline' --baseline noise.json", 1, "no JSON object"},
         Mistake{"report_in_no_folder", "--report no/r.json", 2, "no folder 'no'"},
         Mistake{"page_in_no_folder", "--html no/r.html", 2, "no folder 'no'"},
-        Mistake{"two_outputs_in_one_file", "--html r --csv ./r", 1, "r: error: is to hold two outputs"},
+        Mistake{"two_outputs_in_one_file", "--html r --csv ./r", 1, "r: error: is named for two outputs"},
         Mistake{"page_in_a_pipelines_place", "-p empty.toml --html empty.toml", 1, "'compare' has no pipelines"},
-        Mistake{"page_in_a_buffers_place", "--html in/bench.bin", 1, "in/bench.bin: error: is called like a scene"},
+        Mistake{"page_in_a_buffers_place", "--html in/bench.bin", 1,
+                "in/bench.bin: error: has the extension of a scene"},
         Mistake{"table_in_a_baselines_place",
                 "--fail-if 'vertex-cache.acmr > baseline' --baseline old.json --csv old.json", 1,
-                "old.json: error: is read by this very run"},
+                "old.json: error: is an input of this run"},
         Mistake{"sweep_of_an_evaluator", "-p tipsify --sweep vertex-cache.cache-size=8,16", 1, "measured alike"},
         Mistake{"page_to_standard_output", "--html -", 1, "take the name of a file"},
         Mistake{"empty_sweep", "--sweep tipsify.cache-size=", 1, "a value is empty"},
-        Mistake{"sweep_that_leads_nowhere", "--sweep tipsify.cache-size=9:1:1", 1, "no steps of 1 lead from 9 to 1"},
+        Mistake{"sweep_that_leads_nowhere", "--sweep tipsify.cache-size=9:1:1", 1,
+                "steps of 1 do not lead from 9 to 1"},
         Mistake{"sweep_of_no_stage", "-p weld --sweep tipsify.cache-size=8:16:8", 1, "no stage 'tipsify'"},
         Mistake{"front_of_one", "--front time", 1, "expected two figures, found 'time'"},
         Mistake{"front_of_nobody", "--front time,vertex-cash.acmr", 1,
-                "--front: error: there is no figure 'vertex-cash.acmr': figures are of "},
+                "--front: error: there is no figure 'vertex-cash.acmr': figures come from "},
         Mistake{"bound_of_nobody", "--fail-if 'x.y > 1'", 1, "--fail-if: error: there is no figure 'x.y'"},
         Mistake{"no_rows", "-p empty.toml", 1, "empty.toml:2:11: error: compare: 'compare' has no pipelines"}),
     [](const auto& info) { return std::string(info.param.what); });
@@ -200,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(Compare, AFrontOfFiguresThatNobodyHasIsTold) {
   const Ended ended = run("compare " + spot() + " -p weld --with vertex-cache --front time,vertex-cache.acm");
   EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.err, HasSubstr("no pipeline has a figure 'vertex-cache.acm', which --front asks for"));
+  EXPECT_THAT(ended.err, HasSubstr("no pipeline has the figure 'vertex-cache.acm' that --front names"));
   EXPECT_THAT(ended.out, HasSubstr("acmr"));  // the comparison is told all the same
 }
 

@@ -131,25 +131,25 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
     EXPECT_THAT(ended.err, HasSubstr(what)) << arguments;
     EXPECT_FALSE(fs::exists(folder_ / "out")) << arguments;
   };
-  refused("optimize in -o in/spot.glb", "is no folder");
-  refused("optimize in -o -", "is no folder");
+  refused("optimize in -o in/spot.glb", "is not a folder");
+  refused("optimize in -o -", "is not a folder");
   refused("optimize in -o out -o remap:remap.json", "remap");
   refused("optimize in -o out -o draw-orders:orders.json", "draw-orders");
   fs::create_directories(folder_ / "empty");
   refused("optimize empty -o out", "holds no scene");
   testing::put(folder_ / "in/spot.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  refused("optimize in -o out", "would both be here");
+  refused("optimize in -o out", "would both have this name");
   refused("optimize in -o in", "is the input folder itself");
-  refused("optimize in -o out --report out/spot.glb", "is called like a scene");
+  refused("optimize in -o out --report out/spot.glb", "has the extension of a scene");
   fs::create_directories(folder_ / "named");
   for (const char* name : {"named/bench.gltf", "named/bench.fallback.gltf"})
     copy("scenes/kaykit_city/bench.gltf", name);
   refused("optimize named -o out",
-          "would both be here");  // bench.fallback.bin: a buffer of one, a plain copy of the other
+          "would both have this name");  // bench.fallback.bin: a buffer of one, a plain copy of the other
   fs::create_directories(folder_ / "up/up");
   fs::copy_file(folder_ / "in/spot.glb", folder_ / "up/up/spot.glb");
   fs::copy_file(folder_ / "in/spot.glb", folder_ / "up/spot.glb");
-  refused("optimize up -o .", "would both be here");
+  refused("optimize up -o .", "would both have this name");
   // What one scene becomes would take the place of a buffer that another is read from.
   fs::create_directories(folder_ / "deep/deep");
   copy("scenes/kaykit_city/bench.gltf", "deep/deep/bench.gltf");

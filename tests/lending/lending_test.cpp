@@ -88,7 +88,7 @@ TEST(Lending, APlanRefusesWhatCanNotBeLent) {
   };
   const InMemory host;
   const std::string unread = complaint("likeness(reference=low)", &host);
-  EXPECT_NE(unread.find("test:1:20: error: 'reference' of 'likeness': low can not be read"), std::string::npos)
+  EXPECT_NE(unread.find("test:1:20: error: 'reference' of 'likeness': low cannot be read"), std::string::npos)
       << unread;
   EXPECT_NE(unread.find("low: error: is not in memory"), std::string::npos) << unread;
   EXPECT_NE(complaint("likeness(reference=high)", nullptr).find("reads no files that options name"), std::string::npos);

@@ -52,7 +52,7 @@ std::vector<std::shared_ptr<Analyses::Entry>> Analyses::take_what_is_too_much() 
 }
 
 std::variant<Texels, std::string> Analyses::decode(const Image& image) const {
-  if (!decoder_) return "this program decodes no images";
+  if (!decoder_) return "this program cannot decode images";
   return decoder_(image);
 }
 

@@ -88,12 +88,13 @@ std::string placement_difference(const Scene& before, const Scene& after) {
     while (end < was.size() && was[end].key() == was[first].key()) ++end;
     if (end > is.size() ||
         !same_at_a_point(std::span(was).subspan(first, end - first), std::span(is).subspan(first, end - first))) {
-      return "it shows " + name_of(was[first].draw) + " elsewhere than before";
+      return "it no longer draws " + name_of(was[first].draw) + " at the same places";
     }
     first = end;
   }
   if (was.size() != is.size()) {
-    return "it shows " + std::to_string(is.size()) + " placed draws, and there were " + std::to_string(was.size());
+    return "it places " + std::to_string(is.size()) + " draws, but there were " + std::to_string(was.size()) +
+           " before";
   }
   return {};
 }

@@ -44,7 +44,7 @@ class DrawOrdersRow final : public ProductRow {
       : ProductRow({.name = std::string(DrawOrders::product),
                     .title = "orders and their tables",
                     .extension = "FOREDRAW_draw_orders",
-                    .remedy = "make them again, once nothing changes the file any more",
+                    .remedy = "make them again as the last step, after all other changes of the file",
                     .accessors_of_file = {"tables/*/order", "tables/*/clips/*/times"},
                     .accessors_of_draw = {"orders/*"},
                     .schemas = schemas(),
@@ -68,7 +68,7 @@ class DrawOrdersRow final : public ProductRow {
       if (const std::string why = why_not(scene, table); !why.empty()) return why;
       for (const OrderTable::Clip& clip : table.clips) {
         if (std::ranges::find(clips, clip.name) == clips.end())
-          return "clip '" + clip.name + "' is no animation of the scene";
+          return "clip '" + clip.name + "' is not an animation of the scene";
       }
     }
     return {};
@@ -83,7 +83,7 @@ class DrawOrdersRow final : public ProductRow {
         if (!same_tables || id >= before.draws.size()) continue;
         const IndexStream& now = after.draws[id].levels[0].orders[0];
         const IndexStream& was = before.draws[id].levels[0].orders[0];
-        if (!now.triangle_origin.is(was.triangle_origin)) return after.draws[id].name + " was ordered anew";
+        if (!now.triangle_origin.is(was.triangle_origin)) return after.draws[id].name + " was reordered";
       }
       return std::string();
     });
@@ -130,8 +130,9 @@ class DrawOrdersRow final : public ProductRow {
   static std::string why_not(const Scene& scene, const OrderTable& table) {
     const std::size_t most = table.order.empty() ? 0 : *std::ranges::max_element(table.order);
     for (const DrawId id : table.draws) {
-      if (id >= scene.draws.size()) return "a draw of theirs is gone";
-      if (scene.draws[id].levels[0].orders.size() <= most) return scene.draws[id].name + " has fewer orders";
+      if (id >= scene.draws.size()) return "one of their draws is gone";
+      if (scene.draws[id].levels[0].orders.size() <= most)
+        return scene.draws[id].name + " has fewer orders than the table uses";
     }
     return {};
   }

@@ -29,7 +29,7 @@ class Reader {
     }
     if (const ExtensionValue* value = from_.of_file()) {
       const ExtensionValue* tables = value->member("tables");
-      if (tables == nullptr || tables->list() == nullptr) return "it has no array 'tables'";
+      if (tables == nullptr || tables->list() == nullptr) return "the array 'tables' is missing";
       for (const ExtensionValue& one : *tables->list()) {
         if (!table(one, fmt::format("tables[{}]", made_.tables.size()))) return mistake_;
       }
@@ -64,10 +64,10 @@ class Reader {
     const ExtensionValue* member = value.member("orders");
     const ExtensionValue::List* list = member == nullptr ? nullptr : member->list();
     if (list == nullptr || list->empty() || list->size() >= most_orders) {
-      return wrong(draw.name, fmt::format("must have 1 to {} orders besides its indices", most_orders - 1));
+      return wrong(draw.name, fmt::format("must have 1 to {} orders in addition to its indices", most_orders - 1));
     }
     if (draw.topology != Topology::triangles || !from_.is_list(id)) {
-      return wrong(draw.name, "has orders, but is no list of triangles");
+      return wrong(draw.name, "has orders, but is not a triangle list");
     }
     std::vector<IndexStream>& streams = draw.levels[0].orders;
     const IndexStream first = streams[0];
@@ -76,10 +76,10 @@ class Reader {
       const bool are_indices =
           data && (data->format.component == Component::uint8 || data->format.component == Component::uint16 ||
                    data->format.component == Component::uint32);
-      if (!are_indices) return wrong(draw.name, "names an order that is no accessor of indices");
+      if (!are_indices) return wrong(draw.name, "names an order that is not an accessor of indices");
       if (data->count != first.indices.size()) {
-        return wrong(draw.name,
-                     fmt::format("has an order of {} indices, but draws {}", data->count, first.indices.size()));
+        return wrong(draw.name, fmt::format("has an order of {} indices, but draws {} indices", data->count,
+                                            first.indices.size()));
       }
       // Bytes may be named again and again; what is made of them may not fill the memory.
       indices_ += data->count;
@@ -90,7 +90,7 @@ class Reader {
       if (known == known_.end()) {
         // Codecs may turn corners, so the order is taken, and not the corners.
         const auto order = order_between(first.indices.view(), widened(*data));
-        if (!order) return wrong(draw.name, "has an order that draws other triangles than its indices do");
+        if (!order) return wrong(draw.name, "has an order that does not draw the triangles of its indices");
         known = known_.emplace(same, with_triangle_order(first, *order)).first;
       }
       streams.push_back(known->second);
@@ -114,7 +114,7 @@ class Reader {
         return wrong(place, "names a primitive that does not exist");
       }
       const DrawId draw = scene_.meshes[*mesh].draws[*primitive];
-      if (!in_tables_.insert(draw).second) return wrong(place, "names a primitive that a table has already");
+      if (!in_tables_.insert(draw).second) return wrong(place, "names a primitive that a table names already");
       fewest = std::min(fewest, scene_.draws[draw].levels[0].orders.size());
       table.draws.push_back(draw);
     }
@@ -145,10 +145,10 @@ class Reader {
     for (const ExtensionValue& clip : *clips.list()) {
       const ExtensionValue* member = clip.member("animation");
       const auto animation = member == nullptr ? std::nullopt : member->whole();
-      if (!animation || *animation >= names.size()) return wrong(place, "has a clip of no animation");
+      if (!animation || *animation >= names.size()) return wrong(place, "has a clip whose 'animation' does not exist");
       const auto times = scalars(clip.member("times"));
       if (!times || times->format.component != Component::float32) {
-        return wrong(place, "has a clip whose 'times' is no accessor of floats");
+        return wrong(place, "has a clip whose 'times' is not an accessor of floats");
       }
       std::vector<float> values(times->count);
       std::memcpy(values.data(), times->bytes.view().data(), 4 * values.size());

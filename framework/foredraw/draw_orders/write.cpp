@@ -49,7 +49,7 @@ Members value_of(const Scene& scene, DrawId id) {
   const Draw& draw = scene.draws[id];
   const std::vector<IndexStream>& streams = draw.levels[0].orders;
   const auto places = primitives_of(scene, id);
-  if (places.empty()) throw Refusal("no-mesh", draw.name + " is in no mesh", "leave out draws that no mesh holds");
+  if (places.empty()) throw Refusal("no-mesh", draw.name + " is not in a mesh", "remove draws that no mesh holds");
   return {{"name", draw.name},
           {"mesh", places.front().first},
           {"primitive", places.front().second},
@@ -57,7 +57,7 @@ Members value_of(const Scene& scene, DrawId id) {
              const auto order = order_between(streams[0].indices.view(), stream.indices.view());
              if (!order)
                throw Refusal("other-triangles", "the orders of " + draw.name + " draw different triangles",
-                             "order it again");
+                             "run the orderer again");
              return ExtensionValue(List(order->begin(), order->end()));
            })}};
 }

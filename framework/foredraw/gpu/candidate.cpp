@@ -51,7 +51,7 @@ std::string lack_of(Candidate& candidate) {
   VkPhysicalDeviceFeatures has;
   vkGetPhysicalDeviceFeatures(candidate.device, &has);
   if (candidate.properties.apiVersion < VK_API_VERSION_1_1) return "Vulkan 1.1";
-  if (!has_graphics_queue(candidate)) return "a queue for graphics";
+  if (!has_graphics_queue(candidate)) return "a graphics queue";
   if (!has.occlusionQueryPrecise) return "precise occlusion queries";
   if (!has.fragmentStoresAndAtomics) return "atomics in fragment shaders";
   if (!has.fullDrawIndexUint32) return "32-bit indices";
@@ -80,15 +80,15 @@ Candidate chosen_device(VkInstance instance, const std::string& name) {
     vkGetPhysicalDeviceProperties(device, &candidate.properties);
     const std::string lack = lack_of(candidate), called = candidate.properties.deviceName;
     if (!lack.empty() || lower_case(called).find(lower_case(name)) == std::string::npos) {
-      others += (others.empty() ? "" : ", ") + called + (lack.empty() ? "" : " (which lacks " + lack + ')');
+      others += (others.empty() ? "" : ", ") + called + (lack.empty() ? "" : " (lacks " + lack + ')');
     } else if (best.device == VK_NULL_HANDLE || rank(candidate) < rank(best)) {
       best = candidate;
     }
   }
   if (best.device != VK_NULL_HANDLE) return best;
   if (others.empty()) throw std::runtime_error(no_device);
-  if (name.empty()) throw std::runtime_error("no Vulkan device that will do, only " + others);
-  throw std::runtime_error("no Vulkan device that will do is called '" + name + "', but there is " + others);
+  if (name.empty()) throw std::runtime_error("no suitable Vulkan device; found " + others);
+  throw std::runtime_error("no suitable Vulkan device is called '" + name + "'; found " + others);
 }
 
 }  // namespace foredraw::gpu

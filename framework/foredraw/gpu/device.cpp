@@ -62,7 +62,7 @@ OwnedMemory Device::allocated(const VkMemoryRequirements& wants, VkMemoryPropert
       return OwnedMemory(get(), info, "vkAllocateMemory");
     }
   }
-  throw std::runtime_error(name_ + " has no memory of the kind that is needed; choose another device");
+  throw std::runtime_error(name_ + " has no suitable type of memory; choose another device");
 }
 
 void Device::run(const std::function<void(VkCommandBuffer)>& record) {

@@ -13,11 +13,10 @@ std::string explained(VkResult result) {
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:
       return "the device is out of memory; ask for smaller pictures or another device";
     case VK_ERROR_DEVICE_LOST:
-      return "the device was lost, by a fault of its driver or because one draw took too long; ask for smaller "
-             "pictures "
-             "or another device";
-    case VK_ERROR_INITIALIZATION_FAILED: return "the driver could not start; see whether vulkaninfo works";
-    case VK_ERROR_INCOMPATIBLE_DRIVER: return "no driver; install one, or mesa-vulkan-drivers";
+      return "the device was lost: its driver failed, or one draw took too long; ask for smaller pictures or another "
+             "device";
+    case VK_ERROR_INITIALIZATION_FAILED: return "the driver could not start; check that vulkaninfo works";
+    case VK_ERROR_INCOMPATIBLE_DRIVER: return "no Vulkan driver; install one, such as mesa-vulkan-drivers";
     case VK_ERROR_LAYER_NOT_PRESENT: return "the validation layer is missing; install vulkan-validationlayers";
     default: return "VkResult " + std::to_string(result);
   }

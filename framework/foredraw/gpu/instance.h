@@ -8,7 +8,7 @@
 
 namespace foredraw::gpu {
 
-inline constexpr const char* no_device = "no Vulkan device: install a driver or mesa-vulkan-drivers";
+inline constexpr const char* no_device = "no Vulkan device: install a driver, such as mesa-vulkan-drivers";
 
 class Instance {
  public:

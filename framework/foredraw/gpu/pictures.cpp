@@ -67,7 +67,7 @@ Pictures::Pictures(const Device& device, VkRenderPass render_pass, int size)
   const std::uint32_t most = std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth,
                                        limits.maxFramebufferHeight, limits.maxViewportDimensions[0]});
   if (size_ > most) {
-    throw std::runtime_error(device.name() + " draws pictures of " + std::to_string(most) + " pixels at most, not " +
+    throw std::runtime_error(device.name() + " draws pictures of at most " + std::to_string(most) + " pixels, not " +
                              std::to_string(size_) + "; ask for a smaller size");
   }
   const std::uint64_t pixels = std::uint64_t{size_} * size_;

@@ -11,7 +11,7 @@ namespace {
 std::optional<Loan<Scene>> read_lent_scene(const std::string& path, const ProductRows& products,
                                            Diagnostics& diagnostics) {
   if (path == "-") {
-    diagnostics.error({}, "no-such-file", "an option names a file, and - is standard input",
+    diagnostics.error({}, "no-such-file", "an option must name a file, but '-' is standard input",
                       "give the path of a scene");
     return std::nullopt;
   }

@@ -39,9 +39,10 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, Dia
   std::uint64_t after = 0;
   for (const OutputFile& file : files) after += file.bytes.size();
   if (after <= before) return;
-  diagnostics.note({.file = files.front().path.string()}, "output-grew",
-                   "the output has " + std::to_string(after) + " bytes, the input " + std::to_string(before),
-                   "the input is of another kind, or writes its numbers in fewer letters");
+  diagnostics.note(
+      {.file = files.front().path.string()}, "output-grew",
+      "the output has " + std::to_string(after) + " bytes, more than the " + std::to_string(before) + " of the input",
+      "the input has another format, or writes its numbers with fewer characters");
 }
 
 /// As they are put into their places, the very first one last: so that none comes before those that it names, the main
@@ -86,18 +87,19 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
   const auto mesh_kind = mesh_kind_of(path);
   if (mesh_kind && input != "-" && mesh_kind == mesh_kind_of(input)) return true;
   if (mesh_kind) {
-    diagnostics.error({.file = path}, "unknown-kind",
-                      "a file of kind " + std::string(extension_of(*mesh_kind)) + " is written only from one",
-                      "give the output the extension .glb, or that of the input");
+    diagnostics.error(
+        {.file = path}, "unknown-kind",
+        "only a scene that was read from " + std::string(extension_of(*mesh_kind)) + " can be written as one",
+        "give the output the extension .glb, or that of the input");
   } else if (is_sprite_output(path)) {
-    diagnostics.error({.file = path}, "unknown-kind", "a file of this kind is written only of sprites",
-                      "give the output the extension .glb, or as input an image or a frame list");
+    diagnostics.error({.file = path}, "unknown-kind", "this kind of file holds only sprites",
+                      "give the output the extension .glb, or use an image or a frame list as input");
   } else if (is_of_sprites) {
-    diagnostics.error({.file = path}, "unknown-kind", "sprites are not written as this kind of file",
-                      "they are as .glb, .gltf, " + sprite_output_extensions());
+    diagnostics.error({.file = path}, "unknown-kind", "sprites cannot be written as this kind of file",
+                      "use .glb, .gltf, " + sprite_output_extensions());
   } else {
     diagnostics.error({.file = path}, "unknown-kind",
-                      "scenes are written as .glb or .gltf, or as the kind they came from",
+                      "scenes can be written as .glb, as .gltf, or as the kind of the input",
                       "give the output one of these extensions, or - for a GLB on standard output");
   }
   return false;
@@ -117,7 +119,7 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
     if (!file) return std::nullopt;
     scene.products.each([&](const std::string& name) {
       diagnostics.warning({.file = path}, "product-left-out",
-                          "files of this kind can not hold '" + name + "'; it is left out",
+                          "this kind of file cannot hold '" + name + "'; it is left out",
                           "write the scene as .glb too, or -o " + name + ":FILE");
     });
     std::vector<OutputFile> files{std::move(*file)};
@@ -136,9 +138,9 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   if (files && mesh_source) tell_growth(mesh_source->bytes(), *files, diagnostics);
   if (!files || !is_standard) return files;
   if (files->size() > 1) {
-    diagnostics.error({.file = "standard output"}, "several-files",
-                      "the scene takes several files, and standard output holds one",
-                      "give -o the name of a file; plain copies of compressed data are left out by --compression none");
+    diagnostics.error(
+        {.file = "standard output"}, "several-files", "the scene takes several files, but standard output holds one",
+        "give -o the name of a file, or leave out compressed data and its copies with --compression none");
     return std::nullopt;
   }
   files->front().path = path;

@@ -42,8 +42,8 @@ std::optional<std::vector<OutputFile>> encode_side_file(const Scene& scene, cons
   const ProductCard& card = row.card();
   if (!scene.products.has(card.name)) {
     diagnostics.error({.file = path.string()}, "nothing-made",
-                      "is to hold " + card.title + ", and " + scene.name + " has none",
-                      "add a stage that makes them; its notes say why it leaves draws alone");
+                      "cannot be written: " + scene.name + " has no " + card.title,
+                      "add a stage that makes them; if one ran, its notes say why it made none");
     return std::nullopt;
   }
   const auto paths = paths_of_side_file(row, path);

@@ -13,19 +13,19 @@ constexpr double near_best = 1.02;  ///< misses for each vertex, of which one is
 IndexOrder CacheOrderer::order(const DrawView& draw, Run& run) const {
   const CacheCount before = count(draw.indices(), draw.vertex_count());
   if (before.misses == before.referenced) {
-    run.keep("each of its vertices is shaded once, and no order does with less");
+    run.keep("each of its vertices is shaded once, and no order shades fewer");
     return {};
   }
   if (static_cast<double>(before.misses) <= near_best * static_cast<double>(before.referenced)) {
-    run.keep(fmt::format("{} vertices miss the cache, and at best {} would: less than {:.0f} per cent to gain",
+    run.keep(fmt::format("{} vertices miss the cache, and at best {} would: the gain is below {:.0f} per cent",
                          before.misses, before.referenced, 100 * (near_best - 1)));
     return {};
   }
   IndexOrder order = order_for_cache(draw, run);
   const CacheCount after = count(with_triangle_order(draw.stream(), order).indices.view(), draw.vertex_count());
   if (after.misses >= before.misses) {
-    run.keep(fmt::format("in the order found {} vertices would miss the cache, and in its own {} do", after.misses,
-                         before.misses));
+    run.keep(
+        fmt::format("in the new order {} vertices would miss the cache, in its own {}", after.misses, before.misses));
   }
   return order;
 }

@@ -17,16 +17,17 @@ void require(bool good, const std::string& mistake) {
 }
 
 void check(const MadeLevel& level, const Draw& draw) {
-  const std::string of = "of its levels of " + draw.name + ", one ";
+  const std::string of = "one of its levels of " + draw.name + " ";
   require(level.vertices != nullptr && !level.indices.empty(), of + "draws nothing");
-  require(level.vertices->layout_stamp() == draw.full().vertices->layout_stamp(), of + "has other attributes");
+  require(level.vertices->layout_stamp() == draw.full().vertices->layout_stamp(), of + "has different attributes");
   const bool of_triangles = draw.topology == Topology::triangles && level.indices.size() % 3 == 0;
   require(of_triangles, of + "is not made of triangles");
   const bool in_range =
       std::ranges::all_of(level.indices.view(), [&](std::uint32_t v) { return v < level.vertices->count; });
   require(in_range, of + "names a vertex that does not exist");
   const auto is_distance = [](double d) { return std::isfinite(d) && d >= 0; };
-  require(is_distance(level.largest) && is_distance(level.rms.value_or(0)), of + "claims an error that is no distance");
+  require(is_distance(level.largest) && is_distance(level.rms.value_or(0)),
+          of + "claims an error that is not a distance");
 }
 
 class LevelProcessor final : public Processor {
@@ -64,7 +65,7 @@ class LevelProcessor final : public Processor {
         if (scene.draws[chosen[i][d]].levels.size() > 1) changed.push_back(chosen[i][d]);
       }
     }
-    if (changed.empty()) run.keep("no subject has a level that is worth its bytes");
+    if (changed.empty()) run.keep("no subject gains enough from a level to justify its bytes");
     return changed;
   }
 
@@ -75,7 +76,7 @@ class LevelProcessor final : public Processor {
     std::vector<bool> is_free(scene.draws.size(), false);
     for (const DrawId id : draws) {
       is_free[id] = scene.draws[id].levels.size() == 1;
-      if (!is_free[id]) run.note_at({.draw = id}, "has-levels", "it has levels of detail, which stay as they are");
+      if (!is_free[id]) run.note_at({.draw = id}, "has-levels", "it already has levels of detail, which are kept");
     }
     std::vector<std::vector<DrawId>> chosen(subjects.size());
     for (std::size_t i = 0; i < subjects.size(); ++i) {
@@ -88,10 +89,10 @@ class LevelProcessor final : public Processor {
   }
 
   static void check_steps(const SubjectLevels& made, const std::vector<DrawId>& draws, const Scene& scene) {
-    require(made.empty() || made.size() == draws.size(), "it answers for another number of draws than it was given");
+    require(made.empty() || made.size() == draws.size(),
+            "it returned levels for a different number of draws than it was given");
     for (std::size_t d = 0; d < made.size(); ++d) {
-      require(made[d].size() == made[0].size(),
-              "it answers with more levels for one draw of a subject than for another");
+      require(made[d].size() == made[0].size(), "it returned more levels for one draw of a subject than for another");
       for (const MadeLevel& level : made[d]) check(level, scene.draws[draws[d]]);
     }
   }
@@ -107,7 +108,8 @@ class LevelProcessor final : public Processor {
       const auto found =
           surface_distance({of_full->values, full.stream().indices.view()}, {of_level->values, level.indices.view()},
                            {static_cast<std::size_t>(options_.samples), run.seed + i}, run.executor);
-      require(found.has_value(), "one of its levels of " + scene.draws[id].name + " has no triangle that is finite");
+      require(found.has_value(),
+              "one of its levels of " + scene.draws[id].name + " has no triangle with finite positions");
       run.count_at(about, "error.largest", found->largest);
       run.measure_at(about, "error.rms", found->rms, 1, found->rms_error);
       // Positions are floats, so a distance is known to some parts in ten millions.
@@ -116,13 +118,13 @@ class LevelProcessor final : public Processor {
       const bool is_rougher = level.rms && found->rms - errors * found->rms_error > *level.rms * (1 + slack);
       if (is_farther) {
         run.note_at(about, "error-claim",
-                    fmt::format("it is said to lie {:.4g} from full detail at most, and lies {:.4g} away",
+                    fmt::format("its claimed distance from full detail is {:.4g}, but the measured one is {:.4g}",
                                 level.largest, found->largest));
       }
       if (is_rougher) {
         run.note_at(about, "error-claim",
-                    fmt::format("its rms distance is said to be {:.4g}, and is {:.4g} ± {:.2g}", *level.rms, found->rms,
-                                found->rms_error));
+                    fmt::format("its claimed rms distance is {:.4g}, but the measured one is {:.4g} ± {:.2g}",
+                                *level.rms, found->rms, found->rms_error));
       }
       level.largest = std::max(level.largest, found->largest);
     }

@@ -51,7 +51,7 @@ std::string worst_clusters(const Clusters& clusters, std::span<const double> hid
   for (const std::size_t c : std::span(ranked).first(std::min(count, most_named))) {
     named.push_back(fmt::format("{} ({:.0f} %)", c, 100 * of_clusters[c] / all));
   }
-  return fmt::format("half of it is shaded by {} of {} clusters: {}{}", count, ranked.size(), fmt::join(named, ", "),
+  return fmt::format("{} of {} clusters shade half of it: {}{}", count, ranked.size(), fmt::join(named, ", "),
                      count > named.size() ? ", ..." : "");
 }
 
@@ -69,7 +69,7 @@ void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawServic
                            Run& run) {
   if (!service.can_capture()) {
     return run.note("no-details",
-                    "this evaluator counts fragments and does not keep whose they are; overdraw-raster does");
+                    "this evaluator does not record which draw shades a fragment; use overdraw-raster for details");
   }
   const Scene& scene = subjects.scene;
   Hidden hidden(scene.draws.size());
@@ -88,7 +88,7 @@ void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawServic
         const auto layers = service.capture(drawn.parts, chosen(views, some.views), run);
         if (!layers) {
           return run.note("no-details",
-                          fmt::format("the layers of {} take more than {} MB; ask for fewer views, or smaller ones",
+                          fmt::format("the layers of {} take more than {} MB; ask for fewer or smaller views",
                                       subject.name, default_layer_bytes >> 20));
         }
         std::vector<std::uint32_t> as_drawn(layers->owners);
@@ -112,7 +112,7 @@ void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawServic
     const double of_draw = sum_of(hidden[draw]);
     if (of_draw == 0 && !hidden[draw].empty()) free_of_it.push_back(scene.draws[draw].name);
     if (of_draw == 0 || of_draw < all / 100) continue;
-    std::string message = fmt::format("shades {:.1f} % of what is hidden in the end", 100 * of_draw / all);
+    std::string message = fmt::format("shades {:.1f} % of the fragments that end up hidden", 100 * of_draw / all);
     const std::vector<IndexStream>& orders = scene.draws[draw].full().orders;
     const auto& clusters = orders[0].clusters;
     // In several orders a triangle has several numbers, and so has a cluster.
@@ -121,12 +121,12 @@ void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawServic
   }
   if (!convex.empty()) {
     run.note_at({}, "convex",
-                fmt::format("convex, or nearly so, so that no order overdraws more than {}: {}", least_overdraw,
+                fmt::format("convex or nearly convex, so no order has a higher ratio than {}: {}", least_overdraw,
                             listed_draws(convex)));
   }
   if (!free_of_it.empty()) {
     run.note_at({}, "no-overdraw",
-                fmt::format("nothing that these shade is hidden, from any view: {}", listed_draws(free_of_it)));
+                fmt::format("shade no fragment that ends up hidden, from any view: {}", listed_draws(free_of_it)));
   }
 }
 

@@ -129,10 +129,12 @@ class OverdrawEvaluation {
         views = std::min(most, views_for(views, bound, wanted));
         continue;
       }
-      run.note("views", fmt::format("looked from {} x {} views of {} x {} pixels", sets_of_views, views,
-                                    samples_.views.size, samples_.views.size));
+      run.note("views", fmt::format("used {} x {} views of {} x {} pixels", sets_of_views, views, samples_.views.size,
+                                    samples_.views.size));
       if (bound > wanted) {
-        run.note("error-not-reached", fmt::format("the error is up to {:.2g}; more views were not tried", bound));
+        run.note(
+            "error-not-reached",
+            fmt::format("the error is up to {:.2g}, above the requested one; the limit of views is reached", bound));
       }
       return tallies;
     }
@@ -200,10 +202,9 @@ class OverdrawEvaluation {
     if (about == About() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
       run.note(
           "close",
-          fmt::format(
-              "surfaces lie closer together than depths are told apart: the ratio rests on {:.4f} "
-              "ties per pixel, more than its error; a renderer that rounds depths differently measures another ratio",
-              ties / ratio.denominator));
+          fmt::format("surfaces lie closer together than the precision of depths: {:.4f} ties per pixel decide the "
+                      "ratio, more than its error; a renderer that rounds depths differently gets another ratio",
+                      ties / ratio.denominator));
     }
     if (discarded > 0) run.count_at(about, "discarded", discarded);
   }
@@ -226,8 +227,7 @@ class OverdrawEvaluation {
     }
     if (highest == 0) return;
     run.note("worst-pose",
-             fmt::format("looked in {} poses, {} of them different; the worst is {}, with {:.4f} fragments "
-                         "per pixel",
+             fmt::format("measured in {} poses, {} of them different; the worst is {}, with {:.4f} fragments per pixel",
                          poses.size(), different, pose_name(poses[worst], clip_names(subjects.scene)), highest));
   }
 
@@ -247,21 +247,20 @@ class OverdrawEvaluation {
     }
     if (!blended.empty()) {
       run.count("blended-left-out", static_cast<double>(blended.size()));
-      run.note("blended", fmt::format("left out as blended: {}", listed_draws(blended)));
+      run.note("blended", fmt::format("left out because they are blended: {}", listed_draws(blended)));
     }
     if (!unknown.empty()) {
       run.count("masked-left-out", static_cast<double>(unknown.size()));
-      run.note("masked",
-               fmt::format("left out, for it is not known where their holes are: {}; {}", listed_draws(unknown), why));
+      run.note("masked", fmt::format("left out because their holes are unknown: {}; {}", listed_draws(unknown), why));
     }
     const std::size_t non_finite =
         std::accumulate(tallies.non_finite.begin(), tallies.non_finite.end(), std::size_t{0});
     if (non_finite > 0) {
       run.count("triangles-left-out", static_cast<double>(non_finite));
-      run.note("not-finite", fmt::format("{} triangles are left out: positions that are not finite", non_finite));
+      run.note("not-finite", fmt::format("{} triangles are left out: their positions are not finite", non_finite));
     }
     if (samples_.views.views == run.views.views && poses == run.poses) {
-      run.note("same-views", "these are the views that orders are optimised for; figures from others tell more");
+      run.note("same-views", "these are the views that orders are optimised for; other views give a fairer figure");
     }
   }
 

@@ -87,8 +87,8 @@ void add_looks(SubjectCapture& captured, const SubjectView& view, const SubjectG
   const auto layers_of_triangles = run.overdraw->capture(drawn.parts, views, run);
   if (!layers_of_triangles) {
     throw std::runtime_error(
-        "what hides what can not be captured: let overdraw-raster answer in [services], or let "
-        "[views] name fewer or smaller pictures");
+        "its visibility cannot be captured; name overdraw-raster in [services], or fewer or smaller pictures in "
+        "[views]");
   }
   ClusterLayers layers = cluster_layers(*layers_of_triangles, atoms, run.executor);
   seen.layers.owners = layers.owners;
@@ -141,8 +141,8 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
     if (see) see(captured.seen, drawn);
   }
   if (different > 1) {
-    run.note("poses", fmt::format("made for {} poses, which are looked at from {} sides in all", different,
-                                  captured.seen.layers.views.size()));
+    run.note("poses",
+             fmt::format("made for {} poses, seen from {} views in all", different, captured.seen.layers.views.size()));
   }
   return captured;
 }
@@ -154,19 +154,19 @@ bool may_overdraw(const SubjectView& view, Run& run) {
   const SubjectGeometry drawn = subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
   const auto bound = overdraw_bound(drawn.parts, least_overdraw);
   if (!bound) return true;
-  run.keep(fmt::format("it is convex, or nearly so: no order of it overdraws more than {:.4f}", *bound));
+  run.keep(fmt::format("it is convex or nearly convex: no order has a higher overdraw ratio than {:.4f}", *bound));
   return false;
 }
 
 bool has_overdraw(const ViewTally& before, Run& run) {
   if (before.shaded > before.visible) return true;
-  run.keep("nothing in it is drawn that does not stay");
+  run.keep("it has no overdraw: every fragment that is shaded stays visible");
   return false;
 }
 
 bool lowers_overdraw(const ViewTally& before, const ViewTally& after, Run& run) {
   if (after.shaded < before.shaded) return true;
-  run.keep(fmt::format("ordered anew, its overdraw would be {:.4f} and not {:.4f} as it is",
+  run.keep(fmt::format("the new order would have an overdraw of {:.4f}, its own has {:.4f}",
                        after.shaded / after.visible, before.shaded / before.visible));
   return false;
 }

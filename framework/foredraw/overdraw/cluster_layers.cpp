@@ -81,7 +81,7 @@ class ClusterLists {
 
 ClusterLayers cluster_layers(const FragmentLayers& layers, const Clusters& clusters, const Executor& executor) {
   if (!is_partition(clusters, layers.owners)) {
-    throw std::invalid_argument("cluster_layers: the clusters are no partition of the layers' " +
+    throw std::invalid_argument("cluster_layers: the clusters are not a partition of the layers' " +
                                 std::to_string(layers.owners) + " triangles; offsets rise from 0 to that number");
   }
   const std::vector<std::uint32_t> cluster_of = clusters_of_triangles(clusters, layers.owners);

@@ -38,33 +38,33 @@ void leave_out_unnamed(SubjectOrders& answer) {
 }  // namespace
 
 void check_order(std::span<const std::uint32_t> order, std::size_t count, std::string_view what) {
-  require(is_permutation(order, count), "its order of {} entries is no permutation of {} {}", order.size(), count,
+  require(is_permutation(order, count), "its order of {} entries is not a permutation of {} {}", order.size(), count,
           what);
 }
 
 void check_clusters(const Clusters& clusters, std::size_t triangles) {
-  require(is_partition(clusters, triangles), "its clusters are no partition of {} triangles", triangles);
+  require(is_partition(clusters, triangles), "its clusters are not a partition of {} triangles", triangles);
 }
 
 void check_orders(const SubjectView& subject, const SubjectOrders& answer) {
   const OrderTable& table = answer.table;
-  require(answer.orders.size() == table.draws.size(), "it answers for {} draws, but its table names {}",
+  require(answer.orders.size() == table.draws.size(), "it orders {} draws, but its table names {}",
           answer.orders.size(), table.draws.size());
-  require(!answer.orders.empty() && !answer.orders.front().empty(), "it answers with no order");
+  require(!answer.orders.empty() && !answer.orders.front().empty(), "it returned no order");
   const std::size_t k = answer.orders.front().size();
   const std::optional<std::string> mistake = mistake_in(table, k);
   require(!mistake, "its table {}", mistake.value_or(""));
   const std::vector<std::string> clips = clip_names(subject.scene);
   for (const OrderTable::Clip& clip : table.clips) {
-    require(std::ranges::find(clips, clip.name) != clips.end(), "its table has clip '{}', which the scene has not",
-            clip.name);
+    require(std::ranges::find(clips, clip.name) != clips.end(),
+            "its table has clip '{}', which the scene does not have", clip.name);
   }
 
   for (std::size_t i = 0; i < table.draws.size(); ++i) {
     const DrawId id = table.draws[i];
     require(std::ranges::find(subject.draws, id) != subject.draws.end(), "it orders draw {}, which it was not given",
             id);
-    require(answer.orders[i].size() == k, "it answers with {} orders for one draw and {} for another", k,
+    require(answer.orders[i].size() == k, "it returned {} orders for one draw and {} for another", k,
             answer.orders[i].size());
     const std::size_t triangles = subject.scene.draws[id].full().stream().triangle_count();
     for (const IndexOrder& order : answer.orders[i]) check_order(order, triangles, "triangles");

@@ -45,7 +45,7 @@ std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawI
     return Skip{id, "extended", "has an extension that may refer to its triangles or vertices by number"};
   }
   if (orders_triangles(stage) && traits.has(traits::blended) && !stage.stage.blended) {
-    return Skip{id, "blended", "alpha-blended, where order may show (blended = true reorders it all the same)"};
+    return Skip{id, "blended", "alpha-blended, so its order may be visible (blended = true reorders it anyway)"};
   }
   if (const std::string lacks = missing(card.needs, traits); !lacks.empty()) {
     return Skip{id, "needs", "not " + lacks};

@@ -57,7 +57,7 @@ class Scanner {
     } while (take(','));
     if (!at_end()) {
       mistake("',' or the end", is_plain(text_[next_])
-                                    ? "commas stand between stages; options stand in parentheses: name(option=value)"
+                                    ? "separate stages with commas, and put options in parentheses: name(option=value)"
                                     : "");
       return std::nullopt;
     }
@@ -70,7 +70,7 @@ class Scanner {
     if (!value) return std::nullopt;
     skip_space();
     if (at_end()) return value;
-    mistake("nothing after the value", "put a text with spaces or signs in quotes");
+    mistake("nothing after the value", "put text with spaces or special characters in quotes");
     return std::nullopt;
   }
 
@@ -121,7 +121,8 @@ class Scanner {
       if (!read_option(words)) return false;
     } while (take(','));
     if (take(')')) return true;
-    mistake("',' or ')'", at_end() ? "close the options with )" : "put a text with spaces or signs in quotes");
+    mistake("',' or ')'",
+            at_end() ? "close the options with )" : "put text with spaces or special characters in quotes");
     return false;
   }
 
@@ -160,7 +161,7 @@ class Scanner {
     if (at_quote()) return read_quoted();
     const std::string word = read_word();
     if (!word.empty()) return value_of_word(word);
-    mistake("a value", at_end() ? "" : "put a text with spaces or signs in quotes");
+    mistake("a value", at_end() ? "" : "put text with spaces or special characters in quotes");
     return std::nullopt;
   }
 
@@ -182,7 +183,7 @@ class Scanner {
       next_ = std::min(next_ + (escapes ? 2 : 1), text_.size());
     }
     if (at_end()) {
-      diagnostics_.error(where, "syntax", "the text that begins here has no end",
+      diagnostics_.error(where, "syntax", "the quoted text that begins here has no end",
                          fmt::format("close it with {}", quote));
       return std::nullopt;
     }
@@ -192,7 +193,7 @@ class Scanner {
       return table.get("text")->value<std::string>();
     } catch (const toml::parse_error& problem) {
       diagnostics_.error(where, "syntax",
-                         fmt::format("the text that begins here can not be read: {}", problem.description()));
+                         fmt::format("the quoted text that begins here cannot be read: {}", problem.description()));
       return std::nullopt;
     }
   }

@@ -68,10 +68,10 @@ bool borrow(const Stage& stage, const std::vector<OptionSpec>& rows, const Setti
       good = false;
     };
     if (lender == nullptr) {
-      refuse(path + " is not read: this program reads no files that options name", "leave the option out");
+      refuse(path + " is not read: this program cannot read files that options name", "leave the option out");
     } else if (!(is_scene ? is_lent(path, loans.scenes, [&] { return lender->scene(path, reading); })
                           : is_lent(path, loans.images, [&] { return lender->image(path, reading); }))) {
-      refuse(path + " can not be read", fmt::format("name {} that can be read", is_scene ? "a scene" : "an image"));
+      refuse(path + " cannot be read", fmt::format("name {} that can be read", is_scene ? "a scene" : "an image"));
     }
     for (const Diagnostic& found : reading.all()) {
       if (found.severity != Severity::note) diagnostics.add(found);

@@ -21,7 +21,7 @@ std::string_view kind_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table: return "a table";
     case toml::node_type::array: return "a list";
-    case toml::node_type::string: return "a text";
+    case toml::node_type::string: return "a string";
     case toml::node_type::integer: return "a whole number";
     case toml::node_type::floating_point: return "a number";
     case toml::node_type::boolean: return "true or false";
@@ -99,13 +99,13 @@ class FileReader {
   void check_version(const toml::table& root) {
     const toml::node* node = root.get("pipeline");
     if (node == nullptr) {
-      error({name_, 1, 1, {}}, "missing-version", "the file does not say that it is a pipeline",
+      error({name_, 1, 1, {}}, "missing-version", "'pipeline' is missing",
             fmt::format("add pipeline = {} as its first line", format_version));
     } else if (!node->is_integer()) {
       wrong_kind(*node, "", "'pipeline'", fmt::format("the format's version, {}", format_version));
     } else if (node->as_integer()->get() != format_version) {
       error(at(node->source(), ""), "unknown-version",
-            fmt::format("'pipeline' is {}, but this program knows version {} of the format alone",
+            fmt::format("'pipeline' is {}, but this program reads only version {} of the format",
                         node->as_integer()->get(), format_version),
             fmt::format("write pipeline = {}", format_version));
     }
@@ -116,7 +116,7 @@ class FileReader {
     if (const auto* whole = node.as_integer()) return whole->get();
     if (const auto* number = node.as_floating_point()) return number->get();
     if (const auto* text = node.as_string()) return text->get();
-    wrong_kind(node, inside, fmt::format("'{}'", key), "a text, a number, true or false");
+    wrong_kind(node, inside, fmt::format("'{}'", key), "a string, a number, true or false");
     return std::nullopt;
   }
 
@@ -176,7 +176,7 @@ class FileReader {
   std::optional<Stage> read_stage(const toml::node& node, const std::string& inside) {
     if (const auto* text = node.as_string()) return read_stage_text(text->get(), node.source(), inside);
     if (const auto* table = node.as_table()) return read_stage_table(*table, inside);
-    wrong_kind(node, inside, "a stage", "a text or a table",
+    wrong_kind(node, inside, "a stage", "a string or a table",
                "such as \"weld\" or { use = \"tipsify\", cache-size = 16 }");
     return std::nullopt;
   }
@@ -211,7 +211,7 @@ class FileReader {
     if (!stages) return std::nullopt;
     if (stages->size() == 1) return std::move(stages->front());
     error(at(region, inside), "bad-value", fmt::format("expected one stage, found {}", stages->size()),
-          "give each stage a text of its own");
+          "write each stage as a string of its own");
     return std::nullopt;
   }
 
@@ -245,7 +245,7 @@ std::optional<std::vector<NamedPipeline>> parse_branches(std::string_view text, 
                                                          Diagnostics& diagnostics) {
   if (std::ranges::count(text, '.') > most_dots) {
     diagnostics.error({.file = name}, "too-large",
-                      fmt::format("the file has more than {} dots, as no pipeline has", most_dots));
+                      fmt::format("the file has more than {} dots, which is too many for a pipeline", most_dots));
     return std::nullopt;
   }
   Diagnostics found;
@@ -255,7 +255,7 @@ std::optional<std::vector<NamedPipeline>> parse_branches(std::string_view text, 
   } catch (const toml::parse_error& problem) {
     const toml::source_position place = problem.source().begin;
     found.error({name, static_cast<int>(place.line), static_cast<int>(place.column), {}}, "syntax",
-                std::string(problem.description()), "the file is no TOML; see https://toml.io");
+                std::string(problem.description()), "the file is not valid TOML; see https://toml.io");
   }
   for (const Diagnostic& diagnostic : from_the_top(found.all())) diagnostics.add(diagnostic);
   if (found.has_errors()) return std::nullopt;
@@ -267,7 +267,7 @@ std::optional<Pipeline> only_one(std::optional<std::vector<NamedPipeline>> branc
   if (!branches) return std::nullopt;
   if (branches->size() == 1) return std::move(branches->front().pipeline);
   diagnostics.error({.file = name, .inside = "compare"}, "has-branches",
-                    fmt::format("there are {} pipelines, and one is asked for", branches->size()),
+                    fmt::format("the file has {} pipelines, but this command runs one", branches->size()),
                     "foredraw compare runs them side by side");
   return std::nullopt;
 }

@@ -34,7 +34,7 @@ class Planner {
     try {
       plan.poses = make_poses(scene_, pipeline.poses);
       if (const auto why = why_at_rest(scene_, pipeline.poses)) {
-        diagnostics_.warning(pipeline.poses_where, "at-rest", *why, "characters are looked at as they stand");
+        diagnostics_.warning(pipeline.poses_where, "at-rest", *why, "characters are drawn at rest");
       }
     } catch (const std::invalid_argument& mistake) {
       error(pipeline.poses_where, "bad-poses", mistake.what());
@@ -71,7 +71,7 @@ class Planner {
     const std::vector<std::string> names = registry_.names();
     const std::string_view near = nearest(stage.use, names);
     error(stage.where, "unknown-plugin", fmt::format("there is no plugin '{}'", stage.use),
-          near.empty() ? "foredraw list shows all there are" : fmt::format("did you mean '{}'?", near));
+          near.empty() ? "foredraw list shows all plugins" : fmt::format("did you mean '{}'?", near));
     return nullptr;
   }
 
@@ -109,8 +109,8 @@ class Planner {
     if (plugin == nullptr) return std::nullopt;
     if ((plugin->kind == Kind::evaluator) != measure) {
       error(stage.where, "wrong-list",
-            measure ? fmt::format("'{}' changes the scene; only evaluators measure", stage.use)
-                    : fmt::format("'{}' is an evaluator; stages arrange or change", stage.use),
+            measure ? fmt::format("'{}' changes the scene; only evaluators can measure", stage.use)
+                    : fmt::format("'{}' is an evaluator; stages must order or change", stage.use),
             measure ? "list it under stages" : "list it under measure");
       return std::nullopt;
     }
@@ -170,9 +170,9 @@ class Planner {
       }
     }
     error(planned.stage.where, "needs",
-          fmt::format("'{}' needs draws that are {}, and no stage before it makes them so", card.name,
+          fmt::format("'{}' needs draws that are {}, but no stage before it makes them so", card.name,
                       missing(card.needs, {})),
-          providers.empty() ? "no plugin of this build provides that"
+          providers.empty() ? "no plugin in this build provides that"
                             : fmt::format("put {} before it", fmt::join(providers, " or ")));
   }
 
@@ -180,7 +180,7 @@ class Planner {
     if (!planned.stage.required) return;
     error(planned.stage.where, "required",
           fmt::format("'{}' is required but would be skipped: {}", planned.stage.use, reason),
-          "leave out required = true, or give it what it acts on");
+          "remove required = true, or use a scene that the stage acts on");
   }
 
   /// Keeps the books: who made what, and what this stage undoes.
@@ -213,8 +213,8 @@ class Planner {
       }
     }
     error(user->stage.where, "no-service",
-          fmt::format("'{}' asks for measured overdraw, and no evaluator here gives it", user->stage.use),
-          "build with an evaluator that can answer for measured overdraw");
+          fmt::format("'{}' needs measured overdraw, but no evaluator in this build supplies it", user->stage.use),
+          "build with an evaluator that measures overdraw, such as overdraw-raster");
     return nullptr;
   }
 
@@ -226,8 +226,8 @@ class Planner {
       return nullptr;
     }
     if (const auto why = plugin->unavailable ? plugin->unavailable() : std::nullopt) {
-      error(stage.where, "unavailable", fmt::format("'{}' can not run on this machine: {}", stage.use, *why),
-            "name another, or leave services out");
+      error(stage.where, "unavailable", fmt::format("'{}' cannot run on this machine: {}", stage.use, *why),
+            "name another evaluator, or remove [services]");
       return nullptr;
     }
     const auto settings = fitted(plugin->service_options, stage);

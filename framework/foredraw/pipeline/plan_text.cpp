@@ -33,7 +33,7 @@ std::string stage_text(const PlannedStage& stage, const Scene& scene) {
   std::string text = "  " + print_stage(stage.stage) + ": ";
   if (stage.left_out) return text + "skipped, " + *stage.left_out + '\n';
   text += fmt::format("{} of {} draws", stage.draws.size(), scene.draws.size());
-  if (!card.pays_if.empty()) text += "; where it pays: " + card.pays_if;
+  if (!card.pays_if.empty()) text += "; pays if " + card.pays_if;
   text += '\n';
   for (const Reason& reason : reasons(stage, scene)) {
     std::vector<std::string> shown(reason.draws.begin(),

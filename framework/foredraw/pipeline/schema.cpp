@@ -112,15 +112,15 @@ std::string pipeline_schema(const Registry& registry) {
   properties["stages"] = list_of("any_stage", "What to run, in this sequence");
   properties["measure"] = list_of("any_measure", "What to measure, before and after");
   properties["compare"] = {{"type", "object"},
-                           {"description", "Several pipelines in one: each goes on from the stages with its own"},
+                           {"description", "Several pipelines in one file: each runs the stages, then its own"},
                            {"minProperties", 1},
-                           {"additionalProperties", list_of("any_stage", "What this one runs behind the stages")}};
+                           {"additionalProperties", list_of("any_stage", "What this pipeline runs after the stages")}};
   properties["views"] = closed_table(properties_of(view_words().specs()));
-  properties["views"]["description"] = "Where orders are optimised to be looked at from";
+  properties["views"]["description"] = "The views that orders are optimised for";
   properties["poses"] = closed_table(properties_of(pose_words().specs()));
-  properties["poses"]["description"] = "In which poses of animated characters";
+  properties["poses"]["description"] = "The poses of animated characters that orders are optimised for";
   properties["services"] = closed_table({{"overdraw", reference("any_overdraw_service")}});
-  properties["services"]["description"] = "Who answers what plugins ask";
+  properties["services"]["description"] = "Which evaluator supplies measured overdraw";
 
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Foredraw pipeline"}};
   schema.update(closed_table(std::move(properties)));

@@ -72,7 +72,7 @@ bool set_word(const OptionTable<Options>& table, Options& options, const Assignm
 
 bool set_of_stages(Pipeline& pipeline, const Assignment& assignment, Diagnostics& diagnostics) {
   if (assignment.word == "use") {
-    diagnostics.error({"--set", 1, 1, {}}, "syntax", "'use' can not be set: it would be another stage",
+    diagnostics.error({"--set", 1, 1, {}}, "syntax", "'use' cannot be set, because it would make another stage",
                       "write the stages with --pipeline");
     return false;
   }

@@ -48,7 +48,7 @@ void StageProducts::leave_out_unknown(Scene& scene) {
   for (const std::string& name : unknown) {
     scene.products.erase(name);
     record_.notes.push_back(
-        {"", "product-left-out", "'" + name + "' is left out: no plugin here knows what becomes of it"});
+        {"", "product-left-out", "'" + name + "' is left out: no plugin in this build can keep it up to date"});
   }
 }
 

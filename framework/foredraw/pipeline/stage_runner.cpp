@@ -100,7 +100,7 @@ class StageRunner {
         parts.size(), [&](std::size_t i) { return About{.subject = parts[i].subject, .level = parts[i].level}; },
         [&](std::size_t i, Run& run, Outcome<OrderedSubject>& outcome) {
           const SubjectView view{chosen_.scene_at(parts[i].level), subjects[parts[i].subject], parts[i].draws};
-          if (view.draws.empty()) return run.keep("none of its draws may be ordered anew");
+          if (view.draws.empty()) return run.keep("none of its draws may be reordered");
           const RangedScene* ranges = chosen_.ranges_at(run.about.level);
           SubjectOrders orders = ranges ? orders_of(technique, view, *ranges, run) : technique.order(view, run);
           if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
@@ -158,7 +158,8 @@ class StageRunner {
           worked_on = technique.process(changed, chosen_.draws(), run);
           if (run.keeps()) return;
           if (stage_.plugin->card.lossless) {
-            if (changed.draws.size() != scene_.draws.size()) throw std::runtime_error("it promised the same draws");
+            if (changed.draws.size() != scene_.draws.size())
+              throw std::runtime_error("it is lossless, but changed the number of draws");
             for (DrawId id : chosen_.draws()) certify(scene_.draws[id], changed.draws[id], run.analyses);
             if (const std::string other = placement_difference(scene_, changed); !other.empty())
               throw std::runtime_error(other);
@@ -222,7 +223,7 @@ class StageRunner {
       } catch (const std::exception& problem) {
         outcome = {.failure = problem.what()};
       } catch (...) {
-        outcome = {.failure = "it threw something that is no std::exception"};
+        outcome = {.failure = "it threw something that is not a std::exception"};
       }
     });
     return outcomes;
@@ -270,7 +271,7 @@ class StageRunner {
     } else {
       diagnostics_.error({.file = scene_.name, .inside = place}, "stage-failed",
                          fmt::format("stage {} '{}' failed: {}", number_, stage_.plugin->card.name, outcome.failure),
-                         "it was left as it was before this stage; the rest went on");
+                         "this stage leaves it unchanged; the run continues");
     }
   }
 

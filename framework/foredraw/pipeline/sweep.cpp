@@ -69,7 +69,7 @@ std::variant<std::vector<std::string>, Complaint> values_in(const std::string& t
   }
   const auto [first, last, step] = std::tuple(numbers[0], numbers[1], numbers[2]);
   if (step == 0 || (last - first) / step < 0) {
-    return Complaint{fmt::format("no steps of {} lead from {} to {}", step, first, last), "such as 1:1.5:0.05"};
+    return Complaint{fmt::format("steps of {} do not lead from {} to {}", step, first, last), "such as 1:1.5:0.05"};
   }
   if ((last - first) / step >= most) {
     return Complaint{fmt::format("there are more than {} values", most), "take larger steps"};
@@ -106,8 +106,8 @@ Diagnostic only_measures(const Sweep& sweep) {
   return {Severity::error,
           {"--sweep", 1, 1, {}},
           "only-measures",
-          fmt::format("'{}' is of an evaluator, and all pipelines are measured alike", sweep.option),
-          "--set changes what all of them are measured with"};
+          fmt::format("'{}' belongs to an evaluator, but all pipelines are measured alike", sweep.option),
+          "use --set to change it for all pipelines"};
 }
 
 /// Of several pipelines without the stage, what is told of the one that has a stage of nearly that name.
@@ -179,7 +179,7 @@ std::optional<std::vector<NamedPipeline>> swept(std::vector<NamedPipeline> pipel
     if (made->size() > most) {
       diagnostics.error({"--sweep", 1, 1, {}}, "bad-value",
                         fmt::format("there would be {} pipelines, more than {}", made->size(), most),
-                        "take larger steps, or one option after the other");
+                        "take larger steps, or sweep one option at a time");
       return std::nullopt;
     }
     variants = std::move(*made);

@@ -9,8 +9,8 @@ namespace foredraw {
 
 OptionTable<Pipeline> pipeline_words() {
   OptionTable<Pipeline> table;
-  table.row(&Pipeline::about, "about", "What the pipeline is for, in a sentence");
-  table.row(&Pipeline::seed, "seed", "What all random choices follow from");
+  table.row(&Pipeline::about, "about", "What the pipeline is for, in one sentence");
+  table.row(&Pipeline::seed, "seed", "The seed of all random choices");
   return table;
 }
 
@@ -29,13 +29,14 @@ OptionTable<PoseSet> pose_words() {
 OptionTable<Stage> stage_words() {
   OptionTable<Stage> table;
   table.row(&Stage::use, "use", "The plugin's name");
-  table.row(&Stage::only, "only", "Names of the draws to work on, with * and ?; without it all");
-  table.row(&Stage::required, "required", "Whether it is an error where the stage would be skipped");
+  table.row(&Stage::only, "only", "Names of the draws to work on, with * and ? as wildcards (default: all)");
+  table.row(&Stage::required, "required", "Whether it is an error if the stage would be skipped");
   table.row(&Stage::enabled, "enabled", "Whether the stage runs at all");
-  table.row(&Stage::blended, "blended", "Whether alpha-blended draws are reordered too, where order may show");
+  table.row(&Stage::blended, "blended",
+            "Whether alpha-blended draws are reordered too, although their order may be visible");
   table.row(&Stage::level, "level",
-            "Which level of detail an evaluator measures; 0 is full detail, and of a draw that has "
-            "fewer it is the coarsest",
+            "Which level of detail an evaluator measures: 0 is full detail; a draw with fewer levels is measured at "
+            "its coarsest",
             {0, 255});
   return table;
 }
@@ -75,7 +76,7 @@ std::optional<Stage> stage_of(const StageWords& words, const Where& where, Diagn
     }
   }
   if (!words.values.contains("use")) {
-    diagnostics.error(where, "missing-use", "the stage does not say which plugin it is", "add use = \"NAME\"");
+    diagnostics.error(where, "missing-use", "the stage names no plugin", "add use = \"NAME\"");
     good = false;
   }
   if (!good) return std::nullopt;

@@ -156,7 +156,7 @@ bool is_stream(const fs::path& path) {
 void cannot_open(const OutputFile& file, Diagnostics& diagnostics) {
   const std::string hint =
       errno == ENAMETOOLONG ? "give it a shorter name" : "check that the folder exists and that you may write to it";
-  diagnostics.error({.file = file.path.string()}, "cannot-write", "can not be written: " + reason(), hint);
+  diagnostics.error({.file = file.path.string()}, "cannot-write", "cannot be written: " + reason(), hint);
 }
 
 /// Its part has another name, so that nobody else would say so before the others are in their places.
@@ -166,8 +166,8 @@ bool is_too_long(const fs::path& place) {
 }
 
 void cannot_finish(const OutputFile& file, Diagnostics& diagnostics) {
-  diagnostics.error({.file = file.path.string()}, "cannot-write", "could not be written whole: " + reason(),
-                    "is there room on the disk?");
+  diagnostics.error({.file = file.path.string()}, "cannot-write", "could not be written completely: " + reason(),
+                    "check that the disk has room");
 }
 
 /// On the disk whole before it takes another's place: a power cut may come at any moment too.
@@ -208,7 +208,7 @@ std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostic
   if (in.get() < 0 || ::fstat(in.get(), &status) != 0) {
     const bool missing = errno == ENOENT;
     diagnostics.error({.file = path.string()}, missing ? "no-such-file" : "cannot-read",
-                      missing ? "there is no such file" : "can not be read: " + reason());
+                      missing ? "there is no such file" : "cannot be read: " + reason());
     return std::nullopt;
   }
   if (S_ISDIR(status.st_mode)) {
@@ -218,7 +218,7 @@ std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostic
   std::vector<std::byte> bytes;
   if (S_ISREG(status.st_mode)) bytes.reserve(std::min(at_most, static_cast<std::size_t>(status.st_size) + step));
   if (!read_all(in.get(), bytes, at_most)) {
-    diagnostics.error({.file = path.string()}, "cannot-read", "can not be read: " + reason());
+    diagnostics.error({.file = path.string()}, "cannot-read", "cannot be read: " + reason());
     return std::nullopt;
   }
   return bytes;
@@ -227,7 +227,7 @@ std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostic
 std::optional<std::vector<std::byte>> read_standard_input(Diagnostics& diagnostics) {
   std::vector<std::byte> bytes;
   if (!read_all(STDIN_FILENO, bytes, std::numeric_limits<std::size_t>::max())) {
-    diagnostics.error({.file = "standard input"}, "cannot-read", "can not be read: " + reason());
+    diagnostics.error({.file = "standard input"}, "cannot-read", "cannot be read: " + reason());
     return std::nullopt;
   }
   return bytes;
@@ -235,7 +235,7 @@ std::optional<std::vector<std::byte>> read_standard_input(Diagnostics& diagnosti
 
 bool write_standard_output(std::span<const std::byte> bytes, Diagnostics& diagnostics) {
   if (write_all(STDOUT_FILENO, bytes)) return true;
-  diagnostics.error({.file = "standard output"}, "cannot-write", "can not be written: " + reason());
+  diagnostics.error({.file = "standard output"}, "cannot-write", "cannot be written: " + reason());
   return false;
 }
 
@@ -256,7 +256,7 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
       return other.place.lexically_normal() == place.lexically_normal();
     };
     if (std::ranges::any_of(pending, is_there)) {
-      diagnostics.error({.file = file.path.string()}, "outputs-meet", "is to hold two outputs",
+      diagnostics.error({.file = file.path.string()}, "outputs-meet", "is named for two outputs",
                         "give each a file of its own; a .gltf has its bytes in the .bin beside it");
       return false;
     }
@@ -275,7 +275,7 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
     if (!part) {
       if (!write_stream(*file, diagnostics)) return false;
     } else if (!part->move_to(place)) {
-      diagnostics.error({.file = file->path.string()}, "cannot-write", "can not be put in its place: " + reason());
+      diagnostics.error({.file = file->path.string()}, "cannot-write", "cannot be moved into place: " + reason());
       return false;
     } else {
       settle(folder_of(place));

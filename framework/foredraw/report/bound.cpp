@@ -81,8 +81,8 @@ class BoundReader {
 
   std::nullopt_t wrong(const std::string& expected) {
     diagnostics_.error({}, "bad-bound",
-                       fmt::format("'{}' is no bound: {} was expected at '{}'", text_, expected, text_.substr(at_)),
-                       "such as: overdraw-raster.ratio > baseline * 1.01");
+                       fmt::format("'{}' is not a bound: expected {} at '{}'", text_, expected, text_.substr(at_)),
+                       "such as overdraw-raster.ratio > baseline * 1.01");
     return std::nullopt;
   }
 
@@ -120,8 +120,8 @@ void judge_file(const Bound& bound, const Comparison& comparison, const std::map
   const std::string& path = comparison.input.path;
   const auto unknown = [&](const std::string& whose) {
     diagnostics.error({.file = path}, "unknown-figure",
-                      fmt::format("'{}' can not be judged: {} has no figure '{}'", bound.text, whose, bound.figure),
-                      "--json lists all figures by evaluator and metric; --with says which evaluators measure");
+                      fmt::format("'{}' cannot be checked: {} has no figure '{}'", bound.text, whose, bound.figure),
+                      "--json lists all figures by evaluator and metric; add its evaluator with --with");
   };
   std::optional<double> beside = 0;
   if (bound.beside == Bound::Beside::input) {
@@ -132,8 +132,8 @@ void judge_file(const Bound& bound, const Comparison& comparison, const std::map
     if (figures == nullptr) {
       return diagnostics.error(
           {.file = path}, "unknown-baseline",
-          fmt::format("'{}' can not be judged: the stored baseline says nothing of this file", bound.text),
-          "it has to hold the file under the same path, or under a name that no other file there has");
+          fmt::format("'{}' cannot be checked: the stored baseline does not have this file", bound.text),
+          "the baseline must have the file by the same path, or by a name that no other file in it has");
     }
     if (!figures->contains(bound.figure)) return unknown("the stored baseline of this file");
     beside = figures->at(bound.figure);

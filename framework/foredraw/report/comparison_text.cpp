@@ -140,7 +140,7 @@ std::string to_text(const std::vector<Comparison>& comparisons) {
   for (const Comparison& comparison : comparisons) text += (text.empty() ? "" : "\n") + text_of(comparison);
   if (const auto sum = sum_of(comparisons)) text += '\n' + text_of(*sum);
   const bool is_turned = std::ranges::any_of(comparisons, is_wide);
-  return text + fmt::format("\n* the best of its {}; in per cent: against [1]; ~: no more than the errors\n",
+  return text + fmt::format("\n* best of its {}; per cent: change against [1]; ~: within the errors\n",
                             is_turned ? "column" : "row");
 }
 

@@ -92,8 +92,7 @@ std::string images_text(const Scene& scene) {
       text += fmt::format("{} x {}, {} channels of {} bits{}\n", facts->width, facts->height, facts->channels,
                           facts->bits, facts->is_float ? ", float" : "");
     } else {
-      text += image.uri.empty() ? "of a kind that is not known here, or damaged\n"
-                                : fmt::format("the file {}\n", image.uri);
+      text += image.uri.empty() ? "of an unknown kind, or damaged\n" : fmt::format("the file {}\n", image.uri);
     }
   }
   return text;
@@ -146,7 +145,7 @@ std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyse
   text += table.text();
   if (!odd.empty()) text += "\nodd:\n" + odd;
   if (const std::string levels = levels_text(scene); !levels.empty()) {
-    text += "\nlevels of detail (beside full detail):\n" + levels;
+    text += "\nlevels of detail (besides full detail):\n" + levels;
   }
   for (const auto& [name, product] : products_of(scene, rows)) {
     text += fmt::format("\n{}:\n", product.heading);

@@ -113,7 +113,7 @@ std::string list_text(const Registry& registry, std::optional<Kind> kind) {
       if (plugin->kind != each) continue;
       std::string summary = plugin->card.summary;
       if (plugin->unavailable) {
-        if (const auto why = plugin->unavailable()) summary += " (not on this machine: " + *why + ")";
+        if (const auto why = plugin->unavailable()) summary += " (unavailable on this machine: " + *why + ")";
       }
       table.add({std::string(to_text(each)), plugin->card.name, summary});
     }

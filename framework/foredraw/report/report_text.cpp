@@ -101,7 +101,7 @@ std::string losses_text(const Report& report) {
   }
   if (losses.empty()) return "";
   return fmt::format(
-      "\nnot as good as before: {}. foredraw compare with fewer stages shows which one traded it away.\n", losses);
+      "\nworse than before: {}. Run foredraw compare with fewer stages to find the stage that causes it.\n", losses);
 }
 
 std::string places_text(const std::vector<std::string>& places) {
@@ -130,7 +130,7 @@ std::string skips_text(const StageRecord& stage) {
   }
   for (const auto& [code, count] : of_code) {
     if (count > shown)
-      text += fmt::format("  {} left {} more alone ({}); the record has them all\n", stage.use, count - shown, code);
+      text += fmt::format("  {} left {} more alone ({}); --json lists them all\n", stage.use, count - shown, code);
   }
   return text;
 }
@@ -168,7 +168,7 @@ std::string facts_text(const Report& report) {
   std::string text;
   for (const auto& [name, count] : sums) {
     if (count > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "\nodd in the input, kept: " : ", ", name, counted(count));
+      text += fmt::format("{}{} {}", text.empty() ? "\nunusual in the input, and kept: " : ", ", name, counted(count));
   }
   return text.empty() ? text : text + '\n';
 }

@@ -55,26 +55,26 @@ std::optional<std::map<std::string, StoredFigures>> read_stored_figures(const st
                                                                         const std::string& name,
                                                                         Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& why) {
-    diagnostics.error({.file = name}, "bad-baseline", why, "give what --report of optimize, measure or compare wrote");
+    diagnostics.error({.file = name}, "bad-baseline", why, "give the JSON report of optimize, measure or compare");
     return std::nullopt;
   };
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) return refuse("is no JSON object");
+  if (!json.is_object()) return refuse("is not a JSON object");
   for (const std::string form : {"report", "batch", "comparison"}) {
     if (!json.contains(form)) continue;
     const Json& version = json[form];
     if (!version.is_number_integer()) break;
     if (version.get<std::int64_t>() > known_version) {
-      return refuse(fmt::format("is a {} of version {}, but this program knows versions to {}", form,
+      return refuse(fmt::format("is a {} of version {}, but this program reads versions up to {}", form,
                                 version.get<std::int64_t>(), known_version));
     }
     try {
       return figures_in(json, form);
     } catch (const Json::exception&) {
-      return refuse(fmt::format("is no whole {}", form));
+      return refuse(fmt::format("is an incomplete {}", form));
     }
   }
-  return refuse("is neither a report, nor a batch, nor a comparison");
+  return refuse("is not a report, a batch or a comparison");
 }
 
 }  // namespace foredraw

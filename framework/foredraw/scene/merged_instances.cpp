@@ -10,7 +10,7 @@ std::string named(const char* what, std::size_t number) { return std::string(wha
 
 std::optional<std::string> mistake_in(const MergedDraw& draw, const MergedInstances& merged) {
   if (draw.frequency == 0 || draw.frequency % 3 != 0) {
-    return "has slots of " + std::to_string(draw.frequency) + " entries, which are no whole triangles";
+    return "has slots of " + std::to_string(draw.frequency) + " entries, which are not whole triangles";
   }
   if (std::uint64_t{draw.frequency} * draw.slot_count > 0xffffffff) return "has more vertices than 32 bits can number";
   if (draw.group >= merged.groups.size()) return "is of group " + std::to_string(draw.group) + ", which does not exist";
@@ -19,10 +19,10 @@ std::optional<std::string> mistake_in(const MergedDraw& draw, const MergedInstan
   const MergedGroup& group = merged.groups[draw.group];
   for (const MergedSlot& slot : slots.subspan(draw.first_slot, draw.slot_count)) {
     if (std::uint64_t{slot.index_offset} + draw.frequency > merged.indices.size()) {
-      return "has a slot that reaches behind the index buffer";
+      return "has a slot that reaches past the end of the index buffer";
     }
     if (slot.instance < group.first_instance || slot.instance - group.first_instance >= group.instance_count) {
-      return "has a slot of instance " + std::to_string(slot.instance) + ", which is not of its group";
+      return "has a slot of instance " + std::to_string(slot.instance) + ", which is not in its group";
     }
   }
   return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<std::string> mistake_in(const MergedInstances& merged) {
            std::to_string(merged.vertices->count) + " vertices";
   }
   for (const MergedMesh& mesh : merged.meshes) {
-    if (mesh.first_vertex >= merged.vertices->count) return "has a mesh that begins behind its vertices";
+    if (mesh.first_vertex >= merged.vertices->count) return "has a mesh that begins after its last vertex";
   }
   const std::size_t instances = merged.transforms.size();
   if (merged.places.size() != instances) {

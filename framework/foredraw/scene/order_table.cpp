@@ -33,14 +33,14 @@ std::optional<std::string> mistake_in(const OrderTable& table, std::size_t order
   const auto [fewest, most] = std::minmax(table.theta_steps, table.phi_steps);
   if (fewest == 0 || most > most_steps) {
     return "has " + std::to_string(table.theta_steps) + " steps of theta and " + std::to_string(table.phi_steps) +
-           " of phi, but may have 1 to " + std::to_string(most_steps);
+           " of phi, but must have 1 to " + std::to_string(most_steps);
   }
   if (table.order.size() != table.cells()) {
-    return "has " + std::to_string(table.order.size()) + " cells, but should have " + std::to_string(table.cells());
+    return "has " + std::to_string(table.order.size()) + " cells, but must have " + std::to_string(table.cells());
   }
   const std::size_t highest = *std::ranges::max_element(table.order);
   if (highest >= orders) {
-    return "names order " + std::to_string(highest) + " of " + std::to_string(orders) + ", which begin with 0";
+    return "names order " + std::to_string(highest) + " of " + std::to_string(orders) + ", counted from 0";
   }
   return std::nullopt;
 }

@@ -6,11 +6,11 @@ std::vector<std::string> ProductRow::follow(const Scene&, Scene& after) const {
   const std::string why = difference(after);
   if (why.empty()) return {};
   leave_out(after);
-  return {"the " + card().title + " are left out, for they no longer show the same: " + why};
+  return {"the " + card().title + " are left out, because they no longer match the scene: " + why};
 }
 
 SideFile ProductRow::side_file(const Scene&, std::string_view extension, const std::string&) const {
-  throw Refusal("unknown-kind", card().title + " are not written as " + std::string(extension),
+  throw Refusal("unknown-kind", card().title + " cannot be written as " + std::string(extension),
                 "write the scene as .glb");
 }
 

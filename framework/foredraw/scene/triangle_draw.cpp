@@ -7,9 +7,9 @@ namespace foredraw {
 
 Draw triangle_draw(std::string name, std::span<const glm::vec3> positions, std::vector<std::uint32_t> indices,
                    std::vector<VertexStream> streams) {
-  if (indices.size() % 3 != 0) throw std::invalid_argument(name + ": indices are no multiple of three");
+  if (indices.size() % 3 != 0) throw std::invalid_argument(name + ": the number of indices is not a multiple of three");
   if (std::ranges::any_of(indices, [&](std::uint32_t index) { return index >= positions.size(); })) {
-    throw std::invalid_argument(name + ": an index names no position");
+    throw std::invalid_argument(name + ": an index names a position that does not exist");
   }
   for (const VertexStream& stream : streams) {
     if (stream.count() != positions.size()) {

@@ -104,7 +104,7 @@ std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionV
       return wants(spec, "a finite number", value);
     case OptionType::text:
       if (std::holds_alternative<std::string>(value)) return value;
-      return wants(spec, "a text", value);
+      return wants(spec, "a string", value);
     case OptionType::scene:
     case OptionType::image:
       if (const auto* path = std::get_if<std::string>(&value); path != nullptr && !path->empty()) return value;
@@ -113,7 +113,7 @@ std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionV
     case OptionType::views:
       if (std::holds_alternative<std::string>(value)) return value;
       if (std::holds_alternative<std::int64_t>(value)) return OptionValue(to_text(value));
-      return wants(spec, "a whole number or a text", value);
+      return wants(spec, "a whole number or a string", value);
     case OptionType::choice:
       if (const auto* word = std::get_if<std::string>(&value)) {
         if (std::find(spec.choices.begin(), spec.choices.end(), *word) != spec.choices.end()) return value;

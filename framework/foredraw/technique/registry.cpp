@@ -21,12 +21,14 @@ void Registry::add(Plugin plugin) {
   if (!is_name(name)) {
     throw std::invalid_argument("plugin name '" + name + "': expected lower-case letters, digits and hyphens");
   }
-  if (plugins_.contains(name)) throw std::invalid_argument("there is a plugin '" + name + "' already");
+  if (plugins_.contains(name)) throw std::invalid_argument("there is already a plugin '" + name + "'");
   std::set<std::string> seen(std::begin(reserved_words), std::end(reserved_words));
   for (const OptionSpec& option : plugin.options) {
-    if (!is_name(option.name)) throw std::invalid_argument(name + ": option name '" + option.name + "'");
+    if (!is_name(option.name))
+      throw std::invalid_argument(name + ": option name '" + option.name +
+                                  "': expected lower-case letters, digits and hyphens");
     if (!seen.insert(option.name).second) {
-      throw std::invalid_argument(name + ": option name '" + option.name + "' is reserved, or there twice");
+      throw std::invalid_argument(name + ": option name '" + option.name + "' is reserved or occurs twice");
     }
     if (std::holds_alternative<std::monostate>(option.default_value)) continue;
     const auto fitted = fit(option, option.default_value);
@@ -39,7 +41,7 @@ void Registry::add(Plugin plugin) {
     for (const auto& known : products()) {
       if ((known->card().name == card.name) != (known->card().extension == card.extension)) {
         throw std::invalid_argument(name + ": product '" + card.name + "' or its extension " + card.extension +
-                                    " is there already");
+                                    " is already in use");
       }
     }
   }

@@ -8,7 +8,7 @@ namespace {
 
 template <class Content>
 const Content& lent(const std::map<std::string, Loan<Content>>& loans, const std::string& path) {
-  if (path.empty()) throw std::invalid_argument("an option that is to name a file names none");
+  if (path.empty()) throw std::invalid_argument("an option that must name a file is empty");
   const auto loan = loans.find(path);
   if (loan == loans.end()) throw std::invalid_argument(path + " was not lent to this run");
   return *loan->second.content;

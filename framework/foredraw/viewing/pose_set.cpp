@@ -131,7 +131,7 @@ class PoseMaker {
 
   [[noreturn]] static void refuse() {
     throw std::invalid_argument("the clips have more than " + std::to_string(most_poses) +
-                                " such poses; ask for fewer: poses = 64, say");
+                                " such poses; ask for fewer, such as poses = 64");
   }
 
   std::vector<Clip> clips_;
@@ -182,7 +182,7 @@ std::optional<std::string> mistake_in(const PoseSet& set) {
     return "rate is " + std::to_string(*set.rate) + ", but must be above 0 poses a second";
   }
   if (!times_in(set.moments)) return "moments is '" + set.moments + "', but must be seconds such as '0 0.5 2'";
-  if (set.rate && !set.moments.empty()) return "rate and moments both say when; leave one of them out";
+  if (set.rate && !set.moments.empty()) return "rate and moments both choose the poses; leave one of them out";
   if (set.clips.empty()) return "clips is empty; leave it out, or name some, with * and ?";
   return std::nullopt;
 }

@@ -36,7 +36,7 @@ std::variant<View, std::string> view_in(const std::string& line, double distance
   if (kind == "position") {
     if (length < 1.01) {
       return "the camera is " + std::to_string(length) +
-             " bounding-sphere radii from the centre, but must stand outside of the sphere (1.01 at least)";
+             " bounding-sphere radii from the centre, but must be outside the sphere (at least 1.01)";
     }
     view.distance = length;
   }
@@ -52,7 +52,7 @@ std::variant<std::vector<View>, std::string> read_view_list(const std::string& p
   std::ifstream file(path);
   if (!file)
     return path +
-           ": there is no such file, or it can not be read; views come from icosphere, fibonacci, axes, random, cone "
+           ": there is no such file, or it cannot be read; views come from icosphere, fibonacci, axes, random, cone "
            "or a file";
   std::vector<View> views;
   std::string line;
@@ -65,7 +65,7 @@ std::variant<std::vector<View>, std::string> read_view_list(const std::string& p
     if (views.size() == most_views) return place + "a set has at most " + std::to_string(most_views) + " views";
     views.push_back(std::get<View>(view));
   }
-  if (views.empty()) return path + ": there is no view in it; expected lines such as 'direction 0 0 1'";
+  if (views.empty()) return path + ": it has no views; expected lines such as 'direction 0 0 1'";
   return views;
 }
 

@@ -93,7 +93,7 @@ std::optional<std::string> mistake_in_word(const ViewSet& set) {
     return "there are 6 views along the axes, not " + std::to_string(*set.count);
   }
   if (set.count && *set.count < 1) {
-    return "count is " + std::to_string(*set.count) + ", but there must be 1 view at least";
+    return "count is " + std::to_string(*set.count) + ", but there must be at least 1 view";
   }
   if (set.views == "cone" && !direction_in(set.axis)) {
     return "axis is '" + set.axis + "', but must be a direction such as '0 1 0'";
@@ -116,9 +116,9 @@ void turn_at_random(std::vector<View>& views, std::uint64_t seed) {
 std::optional<std::string> mistake_in(const ViewSet& set) {
   if (set.distance && !(*set.distance > 1 && std::isfinite(*set.distance))) {
     return "distance is " + std::to_string(*set.distance) +
-           " bounding-sphere radii, but the camera must stand outside of the sphere (more than 1)";
+           " bounding-sphere radii, but the camera must be outside the sphere (more than 1)";
   }
-  if (set.size < 1) return "size is " + std::to_string(set.size) + ", but there must be 1 pixel at least";
+  if (set.size < 1) return "size is " + std::to_string(set.size) + ", but there must be at least 1 pixel";
   if (is_icosphere(set)) return mistake_in_icosphere(set);
   if (!is_view_list(set.views)) return mistake_in_word(set);
   if (set.count) return "views is the file " + set.views + ", which says how many there are; leave count out";

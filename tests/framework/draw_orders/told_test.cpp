@@ -38,7 +38,7 @@ TEST(DrawOrdersProduct, LeavesOutATableWhoseDrawWasOrderedAnewAndKeepsOneWhoseVe
   first = with_triangle_order(first, std::vector<std::uint32_t>{3, 2, 1, 0});
   const auto told = draw_orders_product()->follow(before, scene);
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0], "the orders and their table are left out: body was ordered anew");
+  EXPECT_EQ(told[0], "the orders and their table are left out: body was reordered");
   ASSERT_EQ(order_tables(scene).size(), 1u);
   EXPECT_EQ(order_tables(scene)[0].draws, std::vector<DrawId>{1});
   EXPECT_EQ(scene.draws[0].levels[0].orders.size(), 1u);

@@ -41,7 +41,7 @@ TEST(GpuDrivers, where_there_is_none_the_reason_says_what_to_install) {
     before.push_back(value != nullptr ? std::optional<std::string>(value) : std::nullopt);
     setenv(variable, "no-such-driver.json", 1);
   }
-  EXPECT_EQ(why_no_device(), "no Vulkan device: install a driver or mesa-vulkan-drivers");
+  EXPECT_EQ(why_no_device(), "no Vulkan device: install a driver, such as mesa-vulkan-drivers");
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if (before[i]) {
       setenv(variables[i], before[i]->c_str(), 1);

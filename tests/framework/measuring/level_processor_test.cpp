@@ -87,7 +87,7 @@ TEST_F(LevelProcessorTest, PutsLevelsBehindFullDetailAndMeasuresThem) {
 TEST_F(LevelProcessorTest, SaysWhereAClaimDoesNotHold) {
   process([](const DrawView& draw) { return std::vector{coarser(draw, 2, 0.25, 0.001)}; });
   ASSERT_EQ(notes("error-claim").size(), 4u);
-  EXPECT_EQ(notes("error-claim")[0], "it is said to lie 0.25 from full detail at most, and lies 1 away");
+  EXPECT_EQ(notes("error-claim")[0], "its claimed distance from full detail is 0.25, but the measured one is 1");
   EXPECT_EQ(scene_.draws[0].levels[1].error, 1) << "what was found stands";
 }
 

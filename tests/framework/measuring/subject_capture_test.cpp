@@ -121,10 +121,10 @@ std::optional<std::string> left_alone(const testing::TestMesh& mesh) {
 
 TEST(MayOverdraw, IsNotSoOfWhatIsConvexOrNearlySo) {
   EXPECT_EQ(left_alone(testing::sphere(32, 16)),
-            "it is convex, or nearly so: no order of it overdraws more than 1.0000");
+            "it is convex or nearly convex: no order has a higher overdraw ratio than 1.0000");
   const auto marble = testing::sphere(16, 8, 0.02f);  // inside of a ball
   EXPECT_EQ(left_alone(testing::joined(marble, testing::sphere(32, 16))),
-            "it is convex, or nearly so: no order of it overdraws more than 1.0004");
+            "it is convex or nearly convex: no order has a higher overdraw ratio than 1.0004");
   EXPECT_EQ(left_alone(testing::torus(32, 16)), std::nullopt);
 }
 

@@ -42,12 +42,12 @@ TEST(Answers, TablesThatCanNotBeLookedUpAreRefused) {
   };
   const std::vector<std::pair<std::string, OrderTable>> tables = {
       {"", good},
-      {"it answers with no order", changed([](auto& table) { table.draws.clear(); })},
+      {"it returned no order", changed([](auto& table) { table.draws.clear(); })},
       {"names a draw twice", changed([](auto& table) {
          table.draws = {0, 0};
        })},
       {"draw 1, which it was not given", changed([](auto& table) { table.draws = {1}; })},
-      {"clip 'Run', which the scene has not", changed([](auto& table) { table.clips[0].name = "Run"; })},
+      {"clip 'Run', which the scene does not have", changed([](auto& table) { table.clips[0].name = "Run"; })},
       {"clip 'Walk' twice", changed([](auto& table) { table.clips.push_back(table.clips[0]); })},
       {"times do not rise", changed([](auto& table) { table.clips[0].times = {}; })},
       {"times do not rise", changed([](auto& table) {
@@ -58,7 +58,7 @@ TEST(Answers, TablesThatCanNotBeLookedUpAreRefused) {
        })},
       {"has 0 steps of theta", changed([](auto& table) { table.theta_steps = 0; })},
       {"may have 1 to 65536", changed([](auto& table) { table.phi_steps = 65537; })},
-      {"has 3 cells, but should have 4", changed([](auto& table) { table.order.pop_back(); })},
+      {"has 3 cells, but must have 4", changed([](auto& table) { table.order.pop_back(); })},
       {"names order 2 of 2", changed([](auto& table) { table.order[1] = 2; })}};
   for (const auto& [expected, table] : tables) {
     const std::string mistake = mistake_of(moves, table);

@@ -62,7 +62,7 @@ TEST(ParseBranches, WhatIsWrongInThemIsTold) {
   EXPECT_EQ(refused("pipeline = 1\n[compare]\na = 3\n"),
             "p.toml:3:5: error: 'compare.a' must be a list, not a whole number\n    hint: write a = [ ... ]\n");
   EXPECT_EQ(refused("pipeline = 1\n[compare]\na = []\nb = []\n"),
-            "p.toml: error: compare: there are 2 pipelines, and one is asked for\n"
+            "p.toml: error: compare: the file has 2 pipelines, but this command runs one\n"
             "    hint: foredraw compare runs them side by side\n");
 }
 

@@ -85,7 +85,7 @@ TEST(ParseFile, ReadsPoses) {
   EXPECT_EQ(pipeline.poses, (PoseSet{.poses = "all", .clips = "Walk*", .rate = 30}));
   EXPECT_EQ(parsed("pipeline = 1\n[poses]\nposes = 64\n").poses, PoseSet{.poses = "64"});
   EXPECT_EQ(refused("pipeline = 1\n[poses]\nrate = 30\nmoments = '1'\n"),
-            "p.toml:2:1: error: poses: rate and moments both say when; leave one of them out\n");
+            "p.toml:2:1: error: poses: rate and moments both choose the poses; leave one of them out\n");
 }
 
 TEST(ParseFile, RemembersWhereThingsStand) {
@@ -121,19 +121,19 @@ size = 1
 overdraw = 2024-01-01
 overdrew = "x"
 )"),
-            R"(p.toml:1:1: error: the file does not say that it is a pipeline
+            R"(p.toml:1:1: error: 'pipeline' is missing
     hint: add pipeline = 1 as its first line
 p.toml:1:1: error: there is no 'abuot' here
     hint: did you mean 'about'?
 p.toml:2:8: error: 'seed' must be a whole number, not "seven"
-p.toml:3:19: error: stages[1]: a stage must be a text or a table, not a whole number
+p.toml:3:19: error: stages[1]: a stage must be a string or a table, not a whole number
     hint: such as "weld" or { use = "tipsify", cache-size = 16 }
-p.toml:3:22: error: stages[2]: the stage does not say which plugin it is
+p.toml:3:22: error: stages[2]: the stage names no plugin
     hint: add use = "NAME"
 p.toml:3:74: error: stages[3]: 'required' must be true or false, not 1
-p.toml:3:84: error: stages[3]: 'list' must be a text, a number, true or false, not a list
+p.toml:3:84: error: stages[3]: 'list' must be a string, a number, true or false, not a list
 p.toml:3:91: error: stages[4]: expected one stage, found 2
-    hint: give each stage a text of its own
+    hint: write each stage as a string of its own
 p.toml:3:103: error: stages[5]: expected '=' after 'b', found the end
     hint: options are given as name=value
 p.toml:4:11: error: 'measure' must be a list, not a text
@@ -141,7 +141,7 @@ p.toml:4:11: error: 'measure' must be a list, not a text
 p.toml:6:1: error: views: there is no 'veiws' here
     hint: did you mean 'views'?
 p.toml:7:8: error: views: 'size' is 1, but must be 16 to 4096 pixels
-p.toml:9:12: error: services.overdraw: a stage must be a text or a table, not a date or time
+p.toml:9:12: error: services.overdraw: a stage must be a string or a table, not a date or time
     hint: such as "weld" or { use = "tipsify", cache-size = 16 }
 p.toml:10:1: error: services: there is no 'overdrew' here
     hint: did you mean 'overdraw'?
@@ -224,28 +224,28 @@ TEST(ParseLine, SaysWhatItExpected) {
   EXPECT_EQ(refused_line("weld, "), "pipeline:1:7: error: expected a stage, found the end\n");
   EXPECT_EQ(refused_line("weld tipsify"),
             "pipeline:1:6: error: expected ',' or the end, found 't'\n"
-            "    hint: commas stand between stages; options stand in parentheses: name(option=value)\n");
+            "    hint: separate stages with commas, and put options in parentheses: name(option=value)\n");
   EXPECT_EQ(refused_line("tipsify(16)"),
             "pipeline:1:11: error: expected '=' after '16', found ')'\n    hint: options are given as name=value\n");
   EXPECT_EQ(refused_line("tipsify(cache-size=16"),
             "pipeline:1:22: error: expected ',' or ')', found the end\n    hint: close the options with )\n");
-  EXPECT_EQ(
-      refused_line("a(only=Gr\xc3\xb6\xc3\x9f"
-                   "e)"),
-      "pipeline:1:10: error: expected ',' or ')', found 'ö'\n    hint: put a text with spaces or signs in quotes\n");
+  EXPECT_EQ(refused_line("a(only=Gr\xc3\xb6\xc3\x9f"
+                         "e)"),
+            "pipeline:1:10: error: expected ',' or ')', found 'ö'\n    hint: put text with spaces or special "
+            "characters in quotes\n");
   EXPECT_EQ(refused_line("a(b=1, b=2)"), "pipeline:1:8: error: 'b' is given twice\n    hint: leave one of them out\n");
   EXPECT_EQ(refused_line("a(b=\"c)"),
-            "pipeline:1:5: error: the text that begins here has no end\n    hint: close it with \"\n");
-  EXPECT_NE(refused_line("a(b=\"\\q\")").find("pipeline:1:5: error: the text that begins here can not be read"),
+            "pipeline:1:5: error: the quoted text that begins here has no end\n    hint: close it with \"\n");
+  EXPECT_NE(refused_line("a(b=\"\\q\")").find("pipeline:1:5: error: the quoted text that begins here cannot be read"),
             std::string::npos);
-  EXPECT_NE(refused_line("a(b=\"\xff\")").find("can not be read"), std::string::npos);
+  EXPECT_NE(refused_line("a(b=\"\xff\")").find("cannot be read"), std::string::npos);
   EXPECT_NE(refused_line("a(b=\"c\\").find("has no end"), std::string::npos);
   EXPECT_NE(refused_line("\xff").find("expected a stage"), std::string::npos);
 }
 
 TEST(ParseLine, TellsEveryWrongReservedWord) {
   EXPECT_EQ(refused_line("a(only=42), b(required=yes)"),
-            "pipeline:1:8: error: 'only' must be a text, not 42\n    hint: put it in quotes\n"
+            "pipeline:1:8: error: 'only' must be a string, not 42\n    hint: put it in quotes\n"
             "pipeline:1:24: error: 'required' must be true or false, not \"yes\"\n");
 }
 

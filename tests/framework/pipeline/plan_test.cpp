@@ -137,7 +137,7 @@ TEST(Plan, RefusesAServiceThatThisMachineCanNotRun) {
   pipeline.overdraw = Stage{.use = "gone"};
   EXPECT_FALSE(plan(pipeline, plugins, scene(), diagnostics));
   ASSERT_EQ(diagnostics.all().size(), 1u);
-  EXPECT_EQ(diagnostics.all()[0].message, "'gone' can not run on this machine: no such device");
+  EXPECT_EQ(diagnostics.all()[0].message, "'gone' cannot run on this machine: no such device");
   pipeline.overdraw.reset();
   EXPECT_TRUE(plan(pipeline, plugins, scene(), diagnostics)->overdraw);
 }

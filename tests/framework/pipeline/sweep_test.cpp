@@ -45,8 +45,8 @@ TEST(ParseSweep, SaysWhatItIsNot) {
               HasSubstr("--sweep:1:5: error: expected FIRST:LAST:STEP, three numbers, found '1:2'"));
   EXPECT_THAT(refused("a.b=1:x:1"), HasSubstr("three numbers"));
   EXPECT_THAT(refused("a.b=1:inf:1"), HasSubstr("three numbers"));
-  EXPECT_THAT(refused("a.b=1:2:0"), HasSubstr("no steps of 0 lead from 1 to 2"));
-  EXPECT_THAT(refused("a.b=1:2:-1"), HasSubstr("no steps of -1 lead from 1 to 2"));
+  EXPECT_THAT(refused("a.b=1:2:0"), HasSubstr("steps of 0 do not lead from 1 to 2"));
+  EXPECT_THAT(refused("a.b=1:2:-1"), HasSubstr("steps of -1 do not lead from 1 to 2"));
   EXPECT_THAT(refused("a.b=0:1e300:1e-300"), HasSubstr("more than 1000 values"));
 }
 
@@ -101,9 +101,8 @@ TEST_F(Swept, LeavesAloneWhatAllAreMeasuredWith) {
   measured[0].pipeline.measure = *parse_stages("overdraw-raster(count=10)", "--with", diagnostics_);
   const Sweep views = parse_sweep("overdraw-raster.count=10,400", diagnostics_).value();
   EXPECT_FALSE(swept(measured, {&views, 1}, diagnostics_));
-  EXPECT_THAT(to_text(diagnostics_),
-              HasSubstr("--sweep:1:1: error: 'overdraw-raster.count' is of an evaluator, and all "
-                        "pipelines are measured alike\n    hint: --set changes"));
+  EXPECT_THAT(to_text(diagnostics_), HasSubstr("--sweep:1:1: error: 'overdraw-raster.count' belongs to an evaluator, "
+                                               "but all pipelines are measured alike\n    hint: --set changes"));
 }
 
 TEST_F(Swept, AnOptionOnce) {

@@ -53,15 +53,15 @@ TEST(Bound, IsAFigureBesideALimit) {
 
 TEST(Bound, WhatIsNoneIsToldWithItsPlace) {
   for (const auto& [text, expected] :
-       std::map<std::string, std::string>{{"", "EVALUATOR.METRIC or time was expected at ''"},
-                                          {"acmr > 1", "EVALUATOR.METRIC or time was expected at ' > 1'"},
-                                          {"x.y = 1", "one of > >= < <= was expected at '= 1'"},
-                                          {"x.y >", "a number, baseline or input was expected at ''"},
-                                          {"x.y > basline", "a number, baseline or input was expected at 'basline'"},
-                                          {"x.y > baseline *", "a number was expected at ''"},
-                                          {"x.y > baseline * inf", "a number was expected at 'inf'"},
-                                          {"x.y > nan", "a number, baseline or input was expected at 'nan'"},
-                                          {"x.y > 1 2", "its end was expected at '2'"}}) {
+       std::map<std::string, std::string>{{"", "expected EVALUATOR.METRIC or time at ''"},
+                                          {"acmr > 1", "expected EVALUATOR.METRIC or time at ' > 1'"},
+                                          {"x.y = 1", "expected one of > >= < <= at '= 1'"},
+                                          {"x.y >", "expected a number, baseline or input at ''"},
+                                          {"x.y > basline", "expected a number, baseline or input at 'basline'"},
+                                          {"x.y > baseline *", "expected a number at ''"},
+                                          {"x.y > baseline * inf", "expected a number at 'inf'"},
+                                          {"x.y > nan", "expected a number, baseline or input at 'nan'"},
+                                          {"x.y > 1 2", "expected its end at '2'"}}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(parse_bound(text, diagnostics)) << text;
     ASSERT_EQ(diagnostics.all().size(), 1u);
@@ -101,8 +101,8 @@ TEST(Judge, BesideStoredFigures) {
             "out-of-bounds: vertex-cache.acmr is 1.2 after [2] new; the bound is 1.1: vertex-cache.acmr > baseline\n");
   stored = {{"other.glb", {{"vertex-cache.acmr", 1}}}};
   EXPECT_NE(told("vertex-cache.acmr > baseline", &stored)
-                .find("unknown-baseline: 'vertex-cache.acmr > baseline' can not be "
-                      "judged: the stored baseline says nothing of this file"),
+                .find("unknown-baseline: 'vertex-cache.acmr > baseline' cannot be checked: the stored baseline does "
+                      "not have this file"),
             std::string::npos);
 }
 
@@ -148,10 +148,10 @@ TEST(StoredFigures, WhatCanNotBeReadIsRefused) {
            {"[1]", "no JSON object"},
            {"{}", "neither a report, nor a batch, nor a comparison"},
            {R"({"report": "1"})", "neither a report"},
-           {R"({"report": 7})", "is a report of version 7, but this program knows versions to 1"},
-           {R"({"report": 1})", "no whole report"},
-           {R"({"comparison": 1, "files": [{"branches": []}]})", "no whole comparison"},
-           {R"({"batch": 1, "files": 3})", "no whole batch"}}) {
+           {R"({"report": 7})", "is a report of version 7, but this program reads versions up to 1"},
+           {R"({"report": 1})", "an incomplete report"},
+           {R"({"comparison": 1, "files": [{"branches": []}]})", "an incomplete comparison"},
+           {R"({"batch": 1, "files": 3})", "an incomplete batch"}}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(read_stored_figures(text, "r.json", diagnostics)) << text;
     ASSERT_EQ(diagnostics.all().size(), 1u) << text;

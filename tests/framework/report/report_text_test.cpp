@@ -97,7 +97,7 @@ TEST(ReportText, ThreeReasonsOfAKindAndTheRestCounted) {
   const std::string text = to_text(report);
   EXPECT_THAT(text, HasSubstr("  tipsify left Rock3 alone: reason 3\n"));
   EXPECT_THAT(text, Not(HasSubstr("reason 4")));
-  EXPECT_THAT(text, HasSubstr("  tipsify left 2 more alone (no-gain); the record has them all\n"));
+  EXPECT_THAT(text, HasSubstr("  tipsify left 2 more alone (no-gain); --json lists them all\n"));
   EXPECT_THAT(text, HasSubstr("  tipsify left Glass alone: another kind\n"));
   EXPECT_THAT(text, Not(HasSubstr("(blended)")));
 }
@@ -128,7 +128,7 @@ TEST(ReportText, OddFactsAreSummedOverTheDraws) {
   EXPECT_THAT(to_text(report), Not(HasSubstr("odd in the input")));
   report.draws[0].facts.zero_area = 1000;
   report.draws[1].facts.zero_area = 34;
-  EXPECT_THAT(to_text(report), HasSubstr("\nodd in the input, kept: zero-area 1,034\n"));
+  EXPECT_THAT(to_text(report), HasSubstr("\nunusual in the input, and kept: zero-area 1,034\n"));
 }
 
 }  // namespace

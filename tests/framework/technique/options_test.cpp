@@ -146,8 +146,8 @@ TEST(Fit, EachTypeRefusesTheOthers) {
   EXPECT_EQ(refusal("cache-size", 16.0), "'cache-size' must be a whole number, not 16.0");
   EXPECT_EQ(refusal("cache-size", text("16")), "'cache-size' must be a whole number, not \"16\"");
   EXPECT_EQ(refusal("quick", whole(1)), "'quick' must be true or false, not 1");
-  EXPECT_EQ(refusal("label", whole(1)), "'label' must be a text, not 1");
-  EXPECT_EQ(refusal("views", 1.5), "'views' must be a whole number or a text, not 1.5");
+  EXPECT_EQ(refusal("label", whole(1)), "'label' must be a string, not 1");
+  EXPECT_EQ(refusal("views", 1.5), "'views' must be a whole number or a string, not 1.5");
   EXPECT_EQ(refusal("shape", text("oval")), "'shape' is oval, but must be one of round, square");
   EXPECT_EQ(refusal("shape", whole(1)), "'shape' is 1, but must be one of round, square");
 }

@@ -62,7 +62,7 @@ TEST(Registry, RefusesOptionsThatCouldNeverBeSet) {
   }
   Plugin twice = with_option({.name = "size", .default_value = std::string()});
   twice.options.push_back(twice.options.front());
-  EXPECT_EQ(refusal(twice), "sample: option name 'size' is reserved, or there twice");
+  EXPECT_EQ(refusal(twice), "sample: option name 'size' is reserved or occurs twice");
 }
 
 TEST(Registry, RefusesOddOptionNames) {

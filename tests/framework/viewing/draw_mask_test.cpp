@@ -128,7 +128,7 @@ TEST(DrawMask, places_are_scaled_turned_and_moved) {
 
 TEST(DrawMask, says_why_it_is_not_known_where_the_holes_are) {
   Analyses blind;
-  EXPECT_EQ(why_not(leaf(), blind), "this program decodes no images");
+  EXPECT_EQ(why_not(leaf(), blind), "this program cannot decode images");
   Analyses analyses(a_hole());
   Scene scene = leaf();
   scene.materials[0].base_colour->texcoord = 3;

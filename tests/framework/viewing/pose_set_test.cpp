@@ -134,7 +134,7 @@ TEST(PoseSet, mistakes_are_told) {
   EXPECT_EQ(mistake(poses("100001")), "poses is 100001, but must be 1 to 100000");
   EXPECT_EQ(mistake(poses("-3")), "poses is -3, but must be 1 to 100000");
   EXPECT_EQ(mistake({.poses = "all", .rate = 30, .moments = "1"}),
-            "rate and moments both say when; leave one of them out");
+            "rate and moments both choose the poses; leave one of them out");
   EXPECT_EQ(mistake({.poses = "all", .rate = -1}), "rate is -1.000000, but must be above 0 poses a second");
   for (const char* times : {"now", "1 x", "-1", "1,2", "nan", "inf", "1e999"}) {
     EXPECT_EQ(mistake({.poses = "all", .moments = times}),

@@ -65,9 +65,9 @@ TEST_F(ViewList, mistakes_name_the_line) {
   EXPECT_EQ(complaint_about("direction 0 0 1 0"), ":1: the weight must be above 0");
   EXPECT_EQ(complaint_about("direction 0 0 1 -1"), ":1: the weight must be above 0");
   EXPECT_EQ(complaint_about("position 0 0 1"),
-            ":1: the camera is 1.000000 bounding-sphere radii from the centre, but must stand outside of the sphere "
-            "(1.01 at least)");
-  EXPECT_EQ(complaint_about("# nothing\n"), ": there is no view in it; expected lines such as 'direction 0 0 1'");
+            ":1: the camera is 1.000000 bounding-sphere radii from the centre, but must be outside the sphere (at "
+            "least 1.01)");
+  EXPECT_EQ(complaint_about("# nothing\n"), ": it has no views; expected lines such as 'direction 0 0 1'");
 }
 
 TEST_F(ViewList, a_count_beside_a_file_is_refused) {

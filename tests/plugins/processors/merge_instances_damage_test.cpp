@@ -260,7 +260,7 @@ TEST(DamagedMergedInstances, the_warning_names_the_place) {
   ASSERT_TRUE(read_gltf(builder.glb(), "yard.glb", {}, diagnostics, built_in_products()));
   EXPECT_EQ(diagnostics.all()[0].where.file, "yard.glb");
   EXPECT_EQ(diagnostics.all()[0].message,
-            "the merged draws are left out: sets[0] draw 3 has slots of 4 entries, which are no whole triangles");
+            "the merged draws are left out: sets[0] draw 3 has slots of 4 entries, which are not whole triangles");
 }
 
 TEST(DamagedMergedInstances, transforms_may_be_rounded_otherwise) {

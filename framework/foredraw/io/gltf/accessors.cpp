@@ -27,7 +27,8 @@ std::optional<Rows> rows_in_view(Gate& gate, const Json& json, const Claim& clai
   if (!number || (!offset && json.contains("byteOffset")) || gate.view(number) == nullptr) return std::nullopt;
   const BufferView& view = *gate.view(number);
   if (!may_stride && view.stride != 0) {
-    gate.error(in(place, "bufferView"), "view-stride", "sparse elements must be tight, but the view has a byteStride");
+    gate.error(in(place, "bufferView"), "view-stride",
+               "sparse elements must be tightly packed, but the view has a byteStride");
     return std::nullopt;
   }
   const std::size_t stride = view.stride == 0 ? claim.element : view.stride;
@@ -38,16 +39,17 @@ std::optional<Rows> rows_in_view(Gate& gate, const Json& json, const Claim& clai
     return std::nullopt;
   }
   if (from % claim.component != 0 || (view.offset + from) % claim.component != 0 || stride % claim.component != 0) {
-    gate.error(in(place, "byteOffset"), "accessor-alignment",
-               fmt::format("elements at {} of the buffer, every {} bytes, are not aligned to their components of {}",
-                           view.offset + from, stride, claim.component));
+    gate.error(
+        in(place, "byteOffset"), "accessor-alignment",
+        fmt::format("elements at byte {} of the buffer, every {} bytes, are not aligned to their {}-byte components",
+                    view.offset + from, stride, claim.component));
     return std::nullopt;
   }
   const bool first_fits = from <= view.length && claim.element <= view.length - from;
   if (!first_fits || (view.length - from - claim.element) / stride < claim.count - 1) {
     gate.error(in(place, "count"), "accessor-range",
-               fmt::format("{} elements every {} bytes from {} do not lie in buffer view {} of {} bytes", claim.count,
-                           stride, from, *number, view.length));
+               fmt::format("{} elements, one every {} bytes from byte {}, do not fit in buffer view {} of {} bytes",
+                           claim.count, stride, from, *number, view.length));
     return std::nullopt;
   }
   return Rows{*number, static_cast<std::size_t>(from), stride};
@@ -60,8 +62,9 @@ void check_sparse_order(Gate& gate, const Accessor& accessor, const std::string&
   std::size_t i = 0;
   for (std::uint32_t index : index_elements(gate.document(), {format, sparse.count, sparse.indices, std::nullopt})) {
     if (index >= accessor.count || index <= last) {
-      gate.error(in(place, "sparse.indices"), "sparse-indices",
-                 fmt::format("index {} is {}: they must rise strictly and stay below {}", i, index, accessor.count));
+      gate.error(
+          in(place, "sparse.indices"), "sparse-indices",
+          fmt::format("index {} is {}, but indices must rise strictly and stay below {}", i, index, accessor.count));
       return;
     }
     last = index;
@@ -104,15 +107,14 @@ std::optional<Accessor> accessor_of(Gate& gate, const Json& json, const std::str
   if (!format && !json.contains("bufferView") && !json.contains("sparse")) {
     gate.warning(
         place, "accessor-type",
-        fmt::format("type '{}' of component type {} is none that glTF has; it stays as it is, for nothing refers "
-                    "to it",
-                    *type, *component));
+        fmt::format(
+            "glTF has no type '{}' of component type {}; nothing refers to the accessor, so it is kept as it is", *type,
+            *component));
     gate.unknown_accessors.insert(gate.accessors.size());
     return Accessor{};
   }
   if (!format) {
-    gate.error(place, "accessor-type",
-               fmt::format("type '{}' of component type {} is none that glTF has", *type, *component),
+    gate.error(place, "accessor-type", fmt::format("glTF has no type '{}' of component type {}", *type, *component),
                "types are SCALAR, VEC2..4, MAT2..4; component types 5120 to 5123, 5125 and 5126");
     return std::nullopt;
   }
@@ -121,7 +123,7 @@ std::optional<Accessor> accessor_of(Gate& gate, const Json& json, const std::str
   }
   if (*count > std::numeric_limits<std::uint32_t>::max()) {
     gate.error(in(place, "count"), "accessor-range",
-               fmt::format("is {}: more than the bytes of any buffer view", *count));
+               fmt::format("is {}, but a buffer view has at most 4294967295 bytes", *count));
     return std::nullopt;
   }
   Accessor accessor{*format, static_cast<std::size_t>(*count), std::nullopt, std::nullopt};
@@ -160,8 +162,8 @@ void check_accessors(Gate& gate) {
     if (is_new || made->sparse) claimed += made->bytes();
     if (claimed <= most) continue;
     gate.error(at("accessors", i), "overlap",
-               fmt::format("the accessors up to this one claim {} bytes: they lie over one another", claimed),
-               "let primitives share accessors instead");
+               fmt::format("the accessors up to this one claim {} bytes, because they overlap", claimed),
+               "share accessors between primitives instead");
     return;
   }
 }

@@ -24,13 +24,13 @@ std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64
   const auto path = percent_decoded(uri);
   const std::string why = path ? why_not_beside(*path) : "is not well-formed";
   if (!why.empty()) {
-    gate.error(place, "buffer-uri", fmt::format("'{}' {}; a file in the folder of the glTF was expected", uri, why),
+    gate.error(place, "buffer-uri", fmt::format("'{}' {}; expected a file in the folder of the glTF", uri, why),
                "put the file beside the glTF and name it by a relative path, or pack both into a .glb");
     return std::nullopt;
   }
   if (folder.empty()) {
     gate.error(place, "buffer-missing",
-               fmt::format("'{}' can not be looked for: the glTF was not read from a folder", uri),
+               fmt::format("'{}' cannot be found, because the glTF was not read from a folder", uri),
                "give the path of the .gltf, or pack both into a .glb");
     return std::nullopt;
   }
@@ -60,7 +60,7 @@ std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64
       read_file(file, reading, std::max<std::uint64_t>(length, std::min<std::uint64_t>(size, 2 * known.size())));
   if (!bytes || bytes->size() < length) {
     gate.error(place, "buffer-missing",
-               bytes ? "the file got shorter while it was read" : reading.all().front().message);
+               bytes ? "the file became shorter while it was read" : reading.all().front().message);
     return std::nullopt;
   }
   gate.document().kept.push_back(std::move(*bytes));
@@ -125,7 +125,7 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
   }
   if (fallback && !may_be_beside(gate, *uri)) {
     gate.note(in(place, "uri"), "fallback-missing",
-              fmt::format("the plain copy '{}' is not there; the compressed data is read", *uri));
+              fmt::format("the uncompressed copy '{}' is missing; the compressed data is used", *uri));
     return absent;
   }
   const auto bytes = file_beside(gate, *uri, *length, in(place, "uri"), files);
@@ -171,15 +171,15 @@ void check_views(Gate& gate) {
     if (size == 0) continue;
     if (offset.value_or(0) > size || *length > size - offset.value_or(0)) {
       gate.error(in(place, "byteLength"), "view-range",
-                 fmt::format("{} bytes from {} do not lie in buffer {} of {} bytes", *length, offset.value_or(0),
+                 fmt::format("{} bytes from byte {} do not fit in buffer {} of {} bytes", *length, offset.value_or(0),
                              *number, size));
       continue;
     }
     if (!buffer.bytes.empty()) claimed += *length;
     if (claimed > most) {
       gate.error(place, "overlap",
-                 fmt::format("the buffer views up to this one claim {} bytes: they lie over one another", claimed),
-                 "give each byte to one buffer view");
+                 fmt::format("the buffer views up to this one claim {} bytes, because they overlap", claimed),
+                 "let no two buffer views share bytes");
       return;
     }
     BufferView view{*number, offset.value_or(0), *length, stride.value_or(0), {}, std::nullopt};

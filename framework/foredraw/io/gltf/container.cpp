@@ -21,7 +21,7 @@ const char* const make_again = "export the file again; it was cut off or damaged
 /// The chunks of a GLB; nullopt where header and lengths do not agree with the bytes.
 std::optional<std::vector<Chunk>> chunks_of(Gate& gate, Bytes file) {
   if (file.size() < 12) {
-    gate.error("header", "glb-length", fmt::format("a GLB has 12 bytes at least, this has {}", file.size()),
+    gate.error("header", "glb-length", fmt::format("a GLB has at least 12 bytes, but the file has {}", file.size()),
                make_again);
     return std::nullopt;
   }
@@ -42,7 +42,7 @@ std::optional<std::vector<Chunk>> chunks_of(Gate& gate, Bytes file) {
     if (left < 8 || word(file, at) > left - 8) {
       gate.error(place, "glb-chunk",
                  left < 8 ? fmt::format("{} bytes are left, too few for a chunk", left)
-                          : fmt::format("says {} bytes, but {} are left", word(file, at), left - 8),
+                          : fmt::format("its length is {} bytes, but {} are left", word(file, at), left - 8),
                  make_again);
       return std::nullopt;
     }
@@ -61,7 +61,7 @@ std::optional<Container> open_glb(Gate& gate, Bytes file) {
   const auto chunks = chunks_of(gate, file);
   if (!chunks) return std::nullopt;
   if (chunks->empty() || chunks->front().type != glb_json_chunk || chunks->front().bytes.empty()) {
-    gate.error("chunks[0]", "glb-chunk", "the first chunk must be JSON and not empty", make_again);
+    gate.error("chunks[0]", "glb-chunk", "the first chunk must be JSON, and not empty", make_again);
     return std::nullopt;
   }
   Container container{text_of(chunks->front().bytes), std::nullopt};
@@ -71,7 +71,7 @@ std::optional<Container> open_glb(Gate& gate, Bytes file) {
       container.bin = chunk.bytes;
     } else if (chunk.type == glb_bin_chunk || chunk.type == glb_json_chunk) {
       gate.error(fmt::format("chunks[{}]", i), "glb-chunk",
-                 "a JSON chunk must be the first and a BIN chunk the second, and there may be one of each");
+                 "only the first chunk may be JSON, and only the second may be BIN");
       return std::nullopt;
     } else {
       gate.document().further_chunks.push_back(chunk);
@@ -85,6 +85,10 @@ std::optional<Container> open_glb(Gate& gate, Bytes file) {
 std::optional<Container> open_container(Gate& gate) {
   const Bytes file = gate.document().file.view();
   const std::string_view text = text_of(file);
+  if (file.empty()) {
+    gate.error({}, "not-gltf", "the file is empty", "export it again");
+    return std::nullopt;
+  }
   if (file.size() >= 4 && word(file, 0) == glb_magic) {
     gate.document().binary = true;
     return open_glb(gate, file);
@@ -92,8 +96,8 @@ std::optional<Container> open_container(Gate& gate) {
   if (text.substr(0, 3) != "\xEF\xBB\xBF") {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || text[first] != '{') {
-      gate.error({}, "not-gltf", "is no glTF: it starts neither with 'glTF' (.glb) nor with '{' (.gltf)",
-                 "is the file empty, or of another format?");
+      gate.error({}, "not-gltf", "is not glTF: it starts neither with 'glTF' (.glb) nor with '{' (.gltf)",
+                 "export the file as .glb or .gltf");
       return std::nullopt;
     }
   }

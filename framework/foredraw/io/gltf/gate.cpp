@@ -14,7 +14,16 @@ namespace {
 constexpr std::size_t most_mistakes = 20;
 
 const char* kind_name(const Json& value) {
-  return value.is_number_float() ? "a fraction" : value.is_number() ? "a number" : value.type_name();
+  switch (value.type()) {
+    case Json::value_t::object: return "an object";
+    case Json::value_t::array: return "an array";
+    case Json::value_t::string: return "a string";
+    case Json::value_t::boolean: return "true or false";
+    case Json::value_t::number_float: return "a fraction";
+    case Json::value_t::number_integer:
+    case Json::value_t::number_unsigned: return "a number";
+    default: return "null";
+  }
 }
 
 /// The top-level arrays of objects that we look into.
@@ -52,7 +61,7 @@ void Gate::note(const std::string& place, std::string code, std::string message)
 void Gate::finish() {
   if (mistakes_ > most_mistakes) {
     diagnostics_.note({.file = document_.name}, "more-mistakes",
-                      fmt::format("{} more mistakes are not shown", mistakes_ - most_mistakes));
+                      fmt::format("{} more errors are not shown", mistakes_ - most_mistakes));
   }
   if (warnings_ > most_mistakes) {
     diagnostics_.note({.file = document_.name}, "more-warnings",
@@ -86,7 +95,7 @@ std::optional<std::string> Gate::text(const Json& parent, const char* key, const
   const auto found = parent.find(key);
   if (found == parent.end()) return std::nullopt;
   if (found->is_string()) return found->get<std::string>();
-  error(in(place, key), "wrong-type", fmt::format("must be a text, but is {}", kind_name(*found)));
+  error(in(place, key), "wrong-type", fmt::format("must be a string, but is {}", kind_name(*found)));
   return std::nullopt;
 }
 
@@ -144,7 +153,7 @@ bool Gate::numbers(const Json& parent, const char* key, const std::string& place
 
 std::optional<std::size_t> Gate::reference(const Json& value, const char* kind, const std::string& place) {
   if (!value.is_number_integer()) {
-    error(place, "wrong-type", fmt::format("must be the number of one of the {}, but is {}", kind, kind_name(value)));
+    error(place, "wrong-type", fmt::format("must be the index of one of the {}, but is {}", kind, kind_name(value)));
     return std::nullopt;
   }
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count(kind)) {
@@ -183,13 +192,14 @@ const BufferView* Gate::view(std::optional<std::size_t> number) const {
 bool check_structure(Gate& gate) {
   const Json& json = gate.json();
   if (!json.is_object()) {
-    gate.error({}, "wrong-type", "the JSON must be an object");
+    gate.error({}, "wrong-type", fmt::format("the JSON must be an object, but is {}", kind_name(json)));
     return false;
   }
   for (const char* kind : kinds) {
     const Json* values = gate.array(json, kind, {});
     for (std::size_t i = 0; values != nullptr && i < values->size(); ++i) {
-      if (!(*values)[i].is_object()) gate.error(at(kind, i), "wrong-type", "must be an object");
+      if (!(*values)[i].is_object())
+        gate.error(at(kind, i), "wrong-type", fmt::format("must be an object, but is {}", kind_name((*values)[i])));
     }
   }
   const Json* asset = gate.object(json, "asset", {});
@@ -271,7 +281,7 @@ std::optional<Document> open_document(Shared<std::byte> file, const std::string&
   if (document && first != found.all().end()) {
     diagnostics.warning({.file = name, .inside = levels_extension}, "levels-left-out",
                         fmt::format("the levels of detail are left out: {} {}", first->where.inside, first->message),
-                        "make them again, once nothing changes the file any more");
+                        "make them again as the last step, after all other changes of the file");
   }
   return document;
 }

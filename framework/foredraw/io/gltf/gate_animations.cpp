@@ -146,7 +146,7 @@ void check_finite(Gate& gate) {
     if (accessor.format.component != Component::float32 || vertex_data.contains(i)) continue;
     for (float value : decoded_elements(gate.document(), accessor)) {
       if (std::isfinite(value)) continue;
-      gate.error(at("accessors", i), "non-finite", "holds a number that is infinite or none");
+      gate.error(at("accessors", i), "non-finite", "holds a number that is infinite or NaN");
       break;
     }
   }

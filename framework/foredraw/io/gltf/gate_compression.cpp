@@ -35,7 +35,7 @@ class CompressionCheck {
     const std::string place = at("bufferViews", v);
     const auto is_in_it = [&](const char* name) { return extension_of(json, name) != nullptr; };
     const auto count = std::count_if(std::begin(meshopt_extensions), std::end(meshopt_extensions), is_in_it);
-    if (count > 1) gate_.error(place, "compressed-twice", "is compressed by two extensions; one was expected");
+    if (count > 1) gate_.error(place, "compressed-twice", "is compressed by two extensions; expected one");
     if (count == 0 && view.length != 0 && view.bytes.empty()) refuse_absent(view, place);
     if (count != 1) return;
     const char* name = *std::find_if(std::begin(meshopt_extensions), std::end(meshopt_extensions), is_in_it);
@@ -60,7 +60,7 @@ class CompressionCheck {
     if (const std::string what = not_understood(*compressed, json); !what.empty()) {
       if (view.bytes.empty()) {
         if (refused_.insert(what).second) {
-          gate_.error(place, "unsupported-extension", fmt::format("{}: {} is not known here", name, what),
+          gate_.error(place, "unsupported-extension", fmt::format("{}: {} is not supported", name, what),
                       compress_again);
         }
         return false;
@@ -73,14 +73,15 @@ class CompressionCheck {
     auto plain = decompressed(compressed->coding, compressed->stream);
     if (!plain) {
       gate_.error(place, "compressed-data",
-                  fmt::format("the {} bytes are no sound stream of mode {}", compressed->stream.size(),
+                  fmt::format("the {} bytes are not a valid stream of mode {}", compressed->stream.size(),
                               name_of(compressed->coding.mode)),
                   "export the file again; it was damaged on its way");
       return false;
     }
     if (!same_elements(compressed->coding, *plain, view.bytes)) {
       if (!view.bytes.empty()) {
-        gate_.note(place, "plain-copy-differs", "the plain copy differs from the compressed data, which is read");
+        gate_.note(place, "plain-copy-differs",
+                   "the uncompressed copy differs from the compressed data; the compressed data is used");
       }
       gate_.document().kept.push_back(std::move(*plain));
       view.bytes = gate_.document().kept.back();
@@ -105,19 +106,19 @@ class CompressionCheck {
     const std::size_t size = buffer.bytes.size();
     if (offset.value_or(0) > size || *length > size - offset.value_or(0)) {
       gate_.error(in(place, "byteLength"), "view-range",
-                  fmt::format("{} bytes from {} do not lie in buffer {} of {} bytes", *length, offset.value_or(0),
+                  fmt::format("{} bytes from byte {} do not fit in buffer {} of {} bytes", *length, offset.value_or(0),
                               *number, size));
       return std::nullopt;
     }
     if (*count > view.length / *stride || *count * *stride != view.length) {
-      gate_.error(
-          in(place, "count"), "compressed-count",
-          fmt::format("{} elements of {} bytes do not make the {} of the buffer view", *count, *stride, view.length));
+      gate_.error(in(place, "count"), "compressed-count",
+                  fmt::format("{} elements of {} bytes do not fill the {} bytes of the buffer view", *count, *stride,
+                              view.length));
       return std::nullopt;
     }
     if (view.stride != 0 && view.stride != *stride) {
       gate_.error(in(place, "byteStride"), "view-stride",
-                  fmt::format("is {}, but that of the buffer view is {}", *stride, view.stride));
+                  fmt::format("is {}, but the byteStride of the buffer view is {}", *stride, view.stride));
       return std::nullopt;
     }
     Compressed result{{}, *number, static_cast<std::size_t>(offset.value_or(0)), {}, {}, true};
@@ -144,14 +145,14 @@ class CompressionCheck {
     }
     if (coding.mode == Mode::triangles && coding.count % 3 != 0) {
       gate_.error(in(place, "count"), "index-count",
-                  fmt::format("{} corners make no whole number of triangles", coding.count));
+                  fmt::format("{} indices are not a whole number of triangles", coding.count));
       return false;
     }
     const bool octahedral = coding.filter == Filter::octahedral && coding.stride != 4 && coding.stride != 8;
     const bool quaternion = coding.filter == Filter::quaternion && coding.stride != 8;
     if (octahedral || quaternion || (!attributes && coding.filter != Filter::none)) {
       gate_.error(in(place, "filter"), "compressed-filter",
-                  fmt::format("{} can not be used in mode {} with a byteStride of {}", name_of(coding.filter),
+                  fmt::format("{} cannot be used in mode {} with a byteStride of {}", name_of(coding.filter),
                               name_of(coding.mode), coding.stride),
                   "OCTAHEDRAL takes 4 or 8 bytes, QUATERNION 8, EXPONENTIAL a multiple of 4; each in mode ATTRIBUTES");
       return false;
@@ -159,7 +160,7 @@ class CompressionCheck {
     const std::size_t least = least_stream_bytes(coding);
     if (compressed.stream.size() < least) {
       gate_.error(in(place, "count"), "compressed-count",
-                  fmt::format("{} elements of {} bytes take {} compressed bytes at least, but there are {}",
+                  fmt::format("{} elements of {} bytes take at least {} compressed bytes, but there are {}",
                               coding.count, coding.stride, least, compressed.stream.size()));
       return false;
     }

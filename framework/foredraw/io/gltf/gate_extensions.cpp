@@ -19,7 +19,7 @@ std::set<std::string> names(Gate& gate, const char* key) {
     if ((*list)[i].is_string()) {
       result.insert((*list)[i].get<std::string>());
     } else {
-      gate.error(at(key, i), "wrong-type", "must be a text");
+      gate.error(at(key, i), "wrong-type", "must be a string");
     }
   }
   return result;
@@ -43,8 +43,8 @@ bool depends_on_draco(Gate& gate, const Json& primitive) {
 }
 
 void refuse_draco(Gate& gate, const std::string& place) {
-  gate.error(place, "unsupported-extension", fmt::format("{}: the data is compressed and has no plain copy", draco),
-             decode);
+  gate.error(place, "unsupported-extension",
+             fmt::format("{}: the data is compressed and has no uncompressed copy", draco), decode);
 }
 
 void check_draco(Gate& gate) {
@@ -70,7 +70,7 @@ void check_extensions(Gate& gate) {
       refuse_draco(gate, "extensionsRequired");
     } else if (!gate.document().knows_extension(name)) {
       gate.error("extensionsRequired", "unsupported-extension",
-                 fmt::format("the file can not be understood without '{}', which is not known here", name),
+                 fmt::format("the file requires the extension '{}', which is not supported", name),
                  "export the file without that extension");
     }
   }

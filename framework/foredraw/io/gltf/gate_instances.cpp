@@ -36,8 +36,9 @@ void check_attributes(Gate& gate, const Json& attributes, const std::string& pla
     check_format(gate, semantic, accessor->format, *number, in(place, semantic));
     if (!count) count = accessor->count;
     if (*count == accessor->count) continue;
-    gate.error(in(place, semantic), "unequal-counts",
-               fmt::format("accessor {} has {} elements, but the first one here {}", *number, accessor->count, *count));
+    gate.error(
+        in(place, semantic), "unequal-counts",
+        fmt::format("accessor {} has {} elements, but the first attribute has {}", *number, accessor->count, *count));
   }
 }
 

@@ -61,7 +61,7 @@ class MeshCheck {
         gate_.error(in(place, "attributes"), "out-of-range", "must not be empty");
       } else if (!attributes->contains("POSITION")) {
         gate_.warning(in(place, "attributes"), "no-position",
-                      "lacks POSITION: there is nothing to draw, so it stays as it is");
+                      "lacks POSITION: there is nothing to draw, so it is kept as it is");
       }
     }
     const Json* targets = gate_.array(primitive, "targets", place);
@@ -107,7 +107,7 @@ class MeshCheck {
                                     : format.component != Component::uint32;
       if (type_fits && format.components >= rule.least && format.components <= rule.most) return;
       gate_.error(place, "attribute-type",
-                  fmt::format("accessor has {} components of {} bytes, which {} can not have", format.components,
+                  fmt::format("accessor has {} components of {} bytes, which {} cannot have", format.components,
                               bytes_of(format.component), semantic));
       return;
     }
@@ -124,8 +124,9 @@ class MeshCheck {
     if (format.components != 1 || !is_unsigned || format.normalized || !accessor->rows) {
       gate_.error(
           in(place, "indices"), "index-type",
-          fmt::format("accessor {} must be SCALAR, of 8, 16 or 32 bits unsigned, not normalized, in a buffer view",
-                      *number));
+          fmt::format(
+              "accessor {} must be SCALAR of unsigned 8-, 16- or 32-bit integers, not normalized, in a buffer view",
+              *number));
       return std::nullopt;
     }
     const IndexRange& range = range_of(*number, *accessor);
@@ -134,8 +135,9 @@ class MeshCheck {
           in(place, "indices"), "primitive-restart",
           fmt::format("accessor {} holds {}, which restarts primitives; glTF forbids it", *number, range.restart));
     } else if (vertices && range.most >= *vertices) {
-      gate_.error(in(place, "indices"), "index-range",
-                  fmt::format("accessor {} names vertex {}, but there are {}", *number, range.most, *vertices));
+      gate_.error(
+          in(place, "indices"), "index-range",
+          fmt::format("accessor {} names vertex {}, but there are {} vertices", *number, range.most, *vertices));
     }
     return accessor->count;
   }
@@ -165,7 +167,7 @@ class MeshCheck {
     } else if (count % need.multiple != 0) {
       gate_.warning(
           place, "index-count",
-          fmt::format("{} corners make no whole number of {}; what is left over is not drawn", count, need.of));
+          fmt::format("{} corners are not a whole number of {}; the leftover ones are not drawn", count, need.of));
     }
   }
 

@@ -31,7 +31,7 @@ void check_tree(Gate& gate, const std::vector<std::vector<std::size_t>>& childre
     for (std::size_t child : children[i]) {
       if (parent[child] != none) {
         gate.error(in(at("nodes", i), "children"), "node-parents",
-                   fmt::format("node {} is a child of node {} already", child, parent[child]));
+                   fmt::format("node {} is already a child of node {}", child, parent[child]));
         one_parent = false;
       }
       parent[child] = i;
@@ -93,7 +93,8 @@ class JointCheck {
     if (is_new) known->second = greatest_in_mesh(mesh);
     const auto& [joint, where] = known->second;
     if (where.empty() || joint < joints) return;
-    gate_.error(place, "joint-range", fmt::format("{} names joint {}, but the skin has {}", where, joint, joints));
+    gate_.error(place, "joint-range",
+                fmt::format("{} names joint {}, but the skin has {} joints", where, joint, joints));
   }
 
  private:

@@ -38,14 +38,14 @@ std::optional<int> kind_of(const Json& primitive) {
 }
 
 std::optional<std::string> mistake_in_level(const Json& level, const Json& primitive) {
-  if (!level.is_object()) return "is no object";
+  if (!level.is_object()) return "is not an object";
   const Json* attributes = member(level, "attributes");
   if (attributes == nullptr || member(*attributes, "POSITION") == nullptr) return "has no positions";
   if (kind_of(level) != kind_of(primitive)) return "draws another kind of primitive than full detail does";
   const Json* error = member(level, "error");
   const bool is_distance = error == nullptr || (error->is_number() && error->get<double>() >= 0 &&
                                                 error->get<double>() <= std::numeric_limits<float>::max());
-  return is_distance ? std::nullopt : std::optional<std::string>("has an error that is no distance");
+  return is_distance ? std::nullopt : std::optional<std::string>("has an error that is not a distance");
 }
 
 Json json_of(const Json& primitive, float error) {

@@ -57,7 +57,7 @@ class LodNodes {
     for (const auto& [n, why] : why_of_node_) {
       if (why) {
         diagnostics.note({.file = document_.name, .inside = fmt::format("nodes[{}]", n)}, "lod-left-as-it-came",
-                         "MSFT_lod is kept, but its nodes are no levels of one draw: " + *why);
+                         "MSFT_lod is kept, but its nodes are not read as levels of detail: " + *why);
       } else if (done.insert(*scene_.nodes[n].mesh).second) {
         add_ladders(n, ladders);
       }
@@ -68,7 +68,7 @@ class LodNodes {
  private:
   Why levels_of(NodeId n, const Json& lod, std::vector<NodeId>& coarser) const {
     const Json* ids = member(lod, "ids");
-    if (ids == nullptr || !ids->is_array() || ids->empty()) return "it names none";
+    if (ids == nullptr || !ids->is_array() || ids->empty()) return "it names no nodes";
     for (const Json& id : *ids) {
       if (!id.is_number_unsigned() || id.get<std::uint64_t>() >= scene_.nodes.size())
         return "it names a node that does not exist";
@@ -88,10 +88,10 @@ class LodNodes {
     if (!node.mesh) return "the node has no mesh";
     if (!node.children.empty()) return "the node has children, which go with it";
     if (!node.instances.empty()) return "the node is drawn many times by instancing";
-    if (bent_.contains(n)) return "an animation moves the weights of its morph targets alone";
-    if (moved_.contains(n) && !node.skin) return "an animation moves the node, and not the coarser ones";
+    if (bent_.contains(n)) return "an animation moves its morph weights, and not those of the coarser nodes";
+    if (moved_.contains(n) && !node.skin) return "an animation moves the node, and not the coarser nodes";
     if (joints_.contains(n)) return "the node is a joint";
-    if (with_levels_.contains(*node.mesh)) return "its mesh has levels already";
+    if (with_levels_.contains(*node.mesh)) return "its mesh already has levels";
     return std::nullopt;
   }
 
@@ -106,9 +106,9 @@ class LodNodes {
     if (!node.instances.empty()) return "is drawn many times by instancing";
     if (moved_.contains(c) || bent_.contains(c)) return "is animated by itself";
     if (joints_.contains(c)) return "is a joint";
-    if (node.skin != full.skin) return "follows another skin";
-    if (node.weights != full.weights) return "has other weights of morph targets";
-    if (node.local() != full.local()) return "stands elsewhere";
+    if (node.skin != full.skin) return "has a different skin";
+    if (node.weights != full.weights) return "has different morph weights";
+    if (node.local() != full.local()) return "has a different transform";
     if (json_["nodes"][c].contains("extensions")) return "has extensions of its own";
     if (with_levels_.contains(*node.mesh)) return "has a mesh with levels of its own";
     return not_alike(*full.mesh, *node.mesh);
@@ -117,18 +117,18 @@ class LodNodes {
   Why not_alike(MeshId full, MeshId coarse) const {
     const Mesh& a = scene_.meshes[full];
     const Mesh& b = scene_.meshes[coarse];
-    if (a.draws.size() != b.draws.size()) return "has another number of primitives";
-    if (a.weights != b.weights) return "has other weights of morph targets";
+    if (a.draws.size() != b.draws.size()) return "has a different number of primitives";
+    if (a.weights != b.weights) return "has different morph weights";
     for (std::size_t p = 0; p < a.draws.size(); ++p) {
       const Draw& x = scene_.draws[a.draws[p]];
       const Draw& y = scene_.draws[b.draws[p]];
-      if (x.material != y.material) return "has other materials";
+      if (x.material != y.material) return "has different materials";
       if (x.material && extension_of(json_["materials"][*x.material], lod_extension) != nullptr) {
         return "has a material with levels";
       }
       if (x.topology != y.topology) return "draws another kind of primitive";
       if (x.full().vertices->morph_targets.size() != y.full().vertices->morph_targets.size()) {
-        return "has another number of morph targets";
+        return "has a different number of morph targets";
       }
       if (y.full().vertices->find("POSITION") == nullptr) return "has no positions";
       if (!is_plain(json_["meshes"][coarse]["primitives"][p])) return "has a primitive with extensions of its own";
@@ -154,7 +154,7 @@ class LodNodes {
         if (!is_new && known->second != n) of_several.insert({n, known->second});
       }
     }
-    for (const NodeId n : of_several) refuse(n, "another node names the same coarser ones");
+    for (const NodeId n : of_several) refuse(n, "another node names the same coarser nodes");
     for (bool changed = true; changed;) {
       changed = false;
       std::map<MeshId, std::set<std::vector<MeshId>>> levels;          // of each mesh that is drawn as full detail
@@ -176,7 +176,7 @@ class LodNodes {
         const bool is_shared = std::ranges::any_of(coarser, [&](MeshId mesh) { return use[mesh].size() > 1; });
         if (!differs && !is_shared) continue;
         why = differs ? "another node draws its mesh without these levels"
-                      : "a coarser mesh is drawn by itself, or for another one";
+                      : "a coarser mesh is also drawn by itself, or as a level of another mesh";
         changed = true;
       }
     }

@@ -31,7 +31,7 @@ class LodOutput {
       if (std::ranges::none_of(mesh.draws, is_own)) continue;
       if (const std::string why = why_not(m); !why.empty()) {
         diagnostics.note({.file = scene_.name, .inside = mesh.name}, "levels-stay-with-primitive",
-                         "MSFT_lod can not tell of its levels; they are written as FOREDRAW_levels: " + why);
+                         "its levels do not fit MSFT_lod and are written as FOREDRAW_levels: " + why);
         continue;
       }
       for (std::size_t level = 1; level < scene_.draws[mesh.draws[0]].levels.size(); ++level) {

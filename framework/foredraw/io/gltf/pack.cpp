@@ -100,8 +100,8 @@ std::optional<std::vector<OutputFile>> packed(Written written, const fs::path& t
     std::size_t length = text.size() + written.laid_out.bytes.size() + 64;
     for (const Chunk& chunk : written.further_chunks) length += chunk.bytes.size() + 16;
     if (length > std::numeric_limits<std::uint32_t>::max()) {
-      diagnostics.error({.file = target.string()}, "too-large", "a .glb can not hold more than 4 GB",
-                        "write a .gltf, whose bytes lie beside it");
+      diagnostics.error({.file = target.string()}, "too-large", "a .glb cannot hold more than 4 GB",
+                        "write a .gltf, whose bytes are in a .bin beside it");
       return std::nullopt;
     }
     std::vector<OutputFile> files{{target, glb(text, written)}};
@@ -130,9 +130,10 @@ void relocate_images(Json& json, const Document& document, const fs::path& targe
     const auto path = percent_decoded(uri->get<std::string>());
     if (!path || path->empty() || path->front() == '/' || path->find(':') != std::string::npos) continue;
     if (from.empty()) {
-      diagnostics.note({.file = document.name, .inside = "images"}, "image-outside",
-                       "the images are files beside the glTF, whose folder is not known; their names stay as they are",
-                       "copy '" + *path + "' beside the output");
+      diagnostics.note(
+          {.file = document.name, .inside = "images"}, "image-outside",
+          "the images are separate files, but the folder of the glTF is unknown; their names are unchanged",
+          "copy '" + *path + "' beside the output");
       return;
     }
     const fs::path file = (from / fs::path(std::u8string(path->begin(), path->end()))).lexically_normal();

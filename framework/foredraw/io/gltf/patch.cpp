@@ -25,8 +25,9 @@ void drop_draco(Json& json, AccessorStore& store, const Document& document, Diag
   }
   unlist_extension(json, draco);
   if (!dropped) return;
-  diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "compressed-copy-dropped",
-                   "the Draco copy of the geometry is left out, as it no longer fits; the plain data is written");
+  diagnostics.note(
+      {.file = document.name, .inside = "extensionsUsed"}, "compressed-copy-dropped",
+      "the Draco copy of the geometry is left out, because it no longer matches; the uncompressed data is written");
 }
 
 void unlist_what_is_not_used(Json& json) {
@@ -97,7 +98,7 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   if (!written.changed) return written;
   if (document.buffers.size() > 1 && !may_join_buffers(document.json, document)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
-                      "the file has several buffers, and an extension that is not known here refers to them by number",
+                      "the file has several buffers, and an unknown extension refers to them by index",
                       "pack the file into one .glb first");
     return std::nullopt;
   }

@@ -57,7 +57,7 @@ class MeshPatch {
       : scene_(scene), source_(source), rows_(rows), json_(json), store_(store), diagnostics_(diagnostics) {}
 
   bool run() {
-    if (scene_.meshes.size() < source_.as_read.meshes.size()) return fail(scene_.name, "meshes were taken away");
+    if (scene_.meshes.size() < source_.as_read.meshes.size()) return fail(scene_.name, "meshes were removed");
     primitives_.resize(scene_.meshes.size());
     for (std::size_t m = 0; m < scene_.meshes.size(); ++m) {
       if (!mesh(m)) return false;
@@ -73,7 +73,7 @@ class MeshPatch {
  private:
   bool fail(const std::string& what, const std::string& why) {
     diagnostics_.error({.file = source_.document.name, .inside = what}, "cannot-express",
-                       why + "; this can not be written back", "leave out the stage that did it");
+                       why + "; this cannot be written back", "leave out the stage that did it");
     return false;
   }
 
@@ -135,8 +135,8 @@ class MeshPatch {
                          std::optional<std::size_t> target) {
       for (const VertexStream& stream : list) {
         if (stream.count() != streams.count) {
-          return fail(now.name,
-                      fmt::format("{} has {} rows for {} vertices", stream.semantic, stream.count(), streams.count));
+          return fail(now.name, fmt::format("{} has {} elements for {} vertices", stream.semantic, stream.count(),
+                                            streams.count));
         }
         const VertexStream* before = nullptr;
         for (std::size_t i = 0; old_list != nullptr && i < old_list->size(); ++i) {

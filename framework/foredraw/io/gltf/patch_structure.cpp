@@ -185,14 +185,14 @@ class StructurePatch {
 
  private:
   bool fail(const std::string& inside, const std::string& why) {
-    diagnostics_.error({.file = scene_.name, .inside = inside}, "cannot-express",
-                       why + "; this can not be written back", "leave out the stage that did it");
+    diagnostics_.error({.file = scene_.name, .inside = inside}, "cannot-express", why + "; this cannot be written back",
+                       "leave out the stage that did it");
     return false;
   }
 
   template <class T>
   bool unchanged(const std::vector<T>& now, const std::vector<T>& was, const char* kind) {
-    if (now.size() < was.size()) return fail(kind, "some were taken away");
+    if (now.size() < was.size()) return fail(kind, "some were removed");
     for (std::size_t i = 0; i < was.size(); ++i) {
       if (!same(now[i], was[i])) return fail(std::string(kind) + '[' + std::to_string(i) + ']', "it was changed");
     }
@@ -200,7 +200,7 @@ class StructurePatch {
   }
 
   bool old_nodes() {
-    if (scene_.nodes.size() < was_.nodes.size()) return fail("nodes", "some were taken away");
+    if (scene_.nodes.size() < was_.nodes.size()) return fail("nodes", "some were removed");
     for (std::size_t i = 0; i < was_.nodes.size(); ++i) {
       if (!old_node(i, scene_.nodes[i], was_.nodes[i])) return false;
     }
@@ -216,7 +216,7 @@ class StructurePatch {
     if (now.mesh || !is_drawn_plainly) return fail(place, "it was changed");
     if (was.keeps_mesh) {
       return fail(place,
-                  "its mesh was taken away, but an extension or a further scene refers to it, or no scene shows it");
+                  "its mesh was removed, but an extension or a further scene refers to it, or no scene shows it");
     }
     json_["nodes"][i].erase("mesh");
     return true;
@@ -241,7 +241,7 @@ class StructurePatch {
   }
 
   bool materials() {
-    if (scene_.materials.size() < was_.materials.size()) return fail("materials", "some were taken away");
+    if (scene_.materials.size() < was_.materials.size()) return fail("materials", "some were removed");
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
       if (i >= was_.materials.size()) json_["materials"][i] = Json::object();
       put_material(json_["materials"][i], scene_.materials[i],
@@ -256,7 +256,7 @@ class StructurePatch {
   }
 
   bool images() {
-    if (scene_.images.size() < was_.images.size()) return fail("images", "some were taken away");
+    if (scene_.images.size() < was_.images.size()) return fail("images", "some were removed");
     for (std::size_t i = 0; i < scene_.images.size(); ++i) {
       const bool is_new = i >= was_.images.size();
       if (!image(i, scene_.images[i], is_new ? Image{} : was_.images[i])) return false;
@@ -269,12 +269,13 @@ class StructurePatch {
     Json& json = json_["images"][i];
     if (now.name != was.name) json["name"] = now.name;
     if (!now.uri.empty() && now.uri != was.uri) {
-      if (json.contains("bufferView")) return fail("images[" + std::to_string(i) + "]", "bytes became a reference");
+      if (json.contains("bufferView"))
+        return fail("images[" + std::to_string(i) + "]", "its bytes were replaced by a file name");
       json["uri"] = now.uri;
     }
     if (now.uri.empty() && !(now.bytes == was.bytes)) {
       const std::string type = now.media_type.empty() ? media_type_of(now.bytes.view()) : now.media_type;
-      if (type.empty() || now.bytes.empty()) return fail("images[" + std::to_string(i) + "]", "it is of no known type");
+      if (type.empty() || now.bytes.empty()) return fail("images[" + std::to_string(i) + "]", "its type is unknown");
       store_.set_image(i, now.bytes);
       json["mimeType"] = type;
     }

@@ -172,8 +172,8 @@ void patch_products(const Scene& scene, const Source& source, const ProductRows&
   scene.products.each([&](const std::string& name) {
     if (std::ranges::any_of(rows, [&](const auto& row) { return row->card().name == name; })) return;
     diagnostics.warning({.file = scene.name}, "product-left-out",
-                        "no row tells how '" + name + "' is written; it is left out",
-                        "hand the writer the rows of the registry that made it");
+                        "the writer does not know the product '" + name + "'; it is left out",
+                        "pass the product rows of the registry whose plugin made it");
   });
 }
 

@@ -294,7 +294,7 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
   std::string errors, warnings;
   const std::string text = checked_structure(document.json);
   if (!reader.LoadASCIIFromString(&model, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), "")) {
-    diagnostics.error({.file = document.name}, "cannot-read", "tinygltf refuses the file: " + errors);
+    diagnostics.error({.file = document.name}, "cannot-read", "tinygltf cannot read the file: " + errors);
     return std::nullopt;
   }
   Scene scene;

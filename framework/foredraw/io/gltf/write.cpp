@@ -68,7 +68,8 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, con
   for (const OutputFile& file : files) after += file.bytes.size();
   if (before == 0 || after <= before) return;
   diagnostics.note({.file = files.front().path.string()}, "output-grew",
-                   fmt::format("the output has {} bytes, the input {}", after, before), causes(after - before, sizes));
+                   fmt::format("the output has {} bytes, more than the {} of the input", after, before),
+                   causes(after - before, sizes));
 }
 
 }  // namespace

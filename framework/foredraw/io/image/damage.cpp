@@ -29,7 +29,7 @@ std::string png_damage(Bytes bytes) {
     const std::string_view kind(reinterpret_cast<const char*>(checked.data()), 4);
     const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(checked.data()), checked.size());
     if (is_of_texels(kind) && sum != big32_at(bytes, i + 8 + length)) {
-      return "has a wrong checksum in its chunk " + std::string(kind) + ": it was damaged";
+      return "has a wrong checksum in chunk " + std::string(kind) + ": it is damaged";
     }
     if (kind == "IEND") break;
     i += 12 + length;
@@ -47,7 +47,7 @@ std::string packed_tga_damage(Bytes bytes, const Header& header) {
     const std::uint32_t packet = i < bytes.size() ? byte_at(bytes, i) : 0;
     const std::uint64_t texels = 1 + (packet & 0x7f);
     i += 1 + static_cast<std::size_t>(packet >= 0x80 ? texel : texels * texel);
-    if (i > bytes.size()) return "ends before its last texel: it was cut off or damaged";
+    if (i > bytes.size()) return "ends before its last texel: it is cut off or damaged";
     left -= std::min(left, texels);
   }
   return {};

@@ -21,7 +21,7 @@ namespace foredraw::images {
 namespace {
 
 std::variant<Texels, std::string> texels_of(const Image& image) {
-  if (!image.uri.empty()) return "lies in a file of its own, '" + image.uri + "'";
+  if (!image.uri.empty()) return "is in a separate file, '" + image.uri + "'";
   Diagnostics diagnostics;
   auto texels = decode_image(image.bytes.view(), {}, diagnostics);
   if (!texels) return diagnostics.all().front().message;
@@ -58,7 +58,7 @@ std::vector<std::byte> png_of(int width, int height, int channels, const std::ui
     all->insert(all->end(), first, first + count);
   };
   if (stbi_write_png_to_func(append, &png, width, height, channels, rows, channels * width) == 0) {
-    throw std::runtime_error("the picture can not be encoded");
+    throw std::runtime_error("the picture cannot be encoded");
   }
   return png;
 }
@@ -85,9 +85,9 @@ std::variant<Rgba, std::string> rgba_of(const Image& image) {
 }
 
 std::variant<Image, std::string> png_or_jpeg(const Image& image) {
-  if (!image.uri.empty()) return "lies in a file of its own, '" + image.uri + "'";
+  if (!image.uri.empty()) return "is in a separate file, '" + image.uri + "'";
   const auto header = header_of(image.bytes.view());
-  if (!header) return "is of a kind that is not known";
+  if (!header) return "is of an unknown kind";
   Image result = image;
   result.media_type = header->kind == Kind::jpeg ? "image/jpeg" : "image/png";
   if (header->kind == Kind::png || header->kind == Kind::jpeg) return result;

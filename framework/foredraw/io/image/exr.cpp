@@ -132,7 +132,7 @@ std::optional<Layout> layout_of(Bytes bytes) {
   if (layout.compression > 3 && layout.unsupported.empty()) {
     const std::size_t other = layout.compression - 4u;
     layout.unsupported = std::string("it is compressed by ") +
-                         (other < std::size(others) ? others[other] : "something unknown") +
+                         (other < std::size(others) ? others[other] : "an unknown method") +
                          "; save it with ZIP compression";
   }
   return layout;
@@ -263,7 +263,7 @@ std::variant<std::vector<std::byte>, std::string> exr_texels(Bytes bytes) {
     const std::int64_t first = std::int64_t{reader.value<std::int32_t>()} - layout->first_row;
     const Bytes packed = reader.take(reader.value<std::uint32_t>());
     if (!reader.good) return name + " is cut off";
-    if (first != std::int64_t{i} * layout->rows_in_chunk()) return name + " is of other rows";
+    if (first != std::int64_t{i} * layout->rows_in_chunk()) return name + " holds the wrong rows";
     const auto rows = std::min<std::size_t>(layout->rows_in_chunk(), layout->height - static_cast<std::size_t>(first));
     chunk.resize(rows * row);
     if (!decompress(packed, chunk, layout->compression, spare)) return name + " is damaged";

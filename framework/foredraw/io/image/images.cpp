@@ -36,8 +36,8 @@ std::optional<images::Header> checked_header(std::span<const std::byte> bytes, c
                                              Diagnostics& diagnostics, const ImageLimits& limits) {
   const auto header = images::header_of(bytes);
   if (!header) {
-    diagnostics.error(where, "image-kind", "is no image that can be decoded, or its header is damaged",
-                      "PNG, JPEG, TGA and OpenEXR can be");
+    diagnostics.error(where, "image-kind", "is not an image of a supported kind, or its header is damaged",
+                      "PNG, JPEG, TGA and OpenEXR are supported");
     return std::nullopt;
   }
   const ImageFacts& facts = header->facts;
@@ -51,8 +51,8 @@ std::optional<images::Header> checked_header(std::span<const std::byte> bytes, c
   if (texels > header->most_texels) {
     diagnostics.error(
         where, "image-size",
-        fmt::format("claims {} x {} texels, which its {} bytes can not hold", facts.width, facts.height, bytes.size()),
-        "it was cut off or damaged");
+        fmt::format("claims {} x {} texels, which its {} bytes cannot hold", facts.width, facts.height, bytes.size()),
+        "it is cut off or damaged");
     return std::nullopt;
   }
   return header;
@@ -78,7 +78,7 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
   const bool is_exr = header->kind == images::Kind::exr;
   auto made = is_exr ? images::exr_texels(bytes) : images::stb_texels(bytes, *header);
   if (const std::string* why = std::get_if<std::string>(&made)) {
-    diagnostics.error(where, "image-data", "can not be decoded: " + *why);
+    diagnostics.error(where, "image-data", "cannot be decoded: " + *why);
     return std::nullopt;
   }
   Texels result{header->facts, std::move(std::get<std::vector<std::byte>>(made))};

@@ -71,10 +71,10 @@ std::variant<std::vector<std::byte>, std::string> stb_texels(Bytes bytes, const 
   void* made = is_wide ? static_cast<void*>(stbi_load_16_from_memory(from, length, &width, &height, &stored, channels))
                        : static_cast<void*>(stbi_load_from_memory(from, length, &width, &height, &stored, channels));
   const std::unique_ptr<void, decltype(&stbi_image_free)> texels(made, &stbi_image_free);
-  if (!texels) return stbi_failure_reason() == nullptr ? "can not be decoded" : std::string(stbi_failure_reason());
+  if (!texels) return stbi_failure_reason() == nullptr ? "cannot be decoded" : std::string(stbi_failure_reason());
   if (static_cast<std::uint32_t>(width) != header.facts.width ||
       static_cast<std::uint32_t>(height) != header.facts.height) {
-    return "has two headers that differ";
+    return "has two different headers";
   }
   const auto* first = static_cast<const std::byte*>(texels.get());
   const std::size_t size =

@@ -30,7 +30,7 @@ std::string path_beside(std::string_view written, const char* what, const std::s
   std::string why_not = gltf::why_not_beside(path);
   std::error_code error;
   if (why_not.empty() && (folder.empty() || !fs::is_regular_file(folder / utf8_path(path), error)))
-    why_not = "is not there";
+    why_not = "is missing";
   if (why_not.empty() && !gltf::lies_within(folder / utf8_path(path), folder))
     why_not = "leads out of the file's folder";
   if (why_not.empty()) return path;
@@ -110,7 +110,7 @@ class LibraryReader {
     const std::string extension = lower_extension(utf8_path(path));
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
       diagnostics_.warning({.file = name_}, "left-out",
-                           fmt::format("the texture {} is left out: glTF knows PNG and JPEG", shown(written)));
+                           fmt::format("the texture {} is left out: glTF supports only PNG and JPEG", shown(written)));
       return;
     }
     const std::string uri = gltf::percent_encoded(path);
@@ -150,7 +150,8 @@ void tell_unknown(std::span<const Material> materials, const std::string& obj, D
   if (materials.size() > 3) names += ", ...";
   diagnostics.warning(
       {.file = obj}, "unknown-materials",
-      fmt::format("{} materials are in no library that was read, and are names alone: {}", materials.size(), names));
+      fmt::format("{} materials are in none of the libraries that were read, so only their names are kept: {}",
+                  materials.size(), names));
 }
 
 /// glTF allows a texture only where there are coordinates for it: draws without any get the material without it.

@@ -95,7 +95,7 @@ std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, co
   const auto source = std::dynamic_pointer_cast<const MeshSource>(scene.source);
   if (!source || source->kind != kind) {
     diagnostics.error({.file = target.string()}, "unknown-kind",
-                      fmt::format("only a file that was read as {} is written as one", extension_of(kind)),
+                      fmt::format("only a scene that was read from {0} can be written as {0}", extension_of(kind)),
                       "give the output the extension .glb, or that of the input");
     return std::nullopt;
   }

@@ -20,7 +20,7 @@ std::string read_index(std::string_view token, std::size_t so_far, std::uint32_t
   if (number == 0) return "names record 0, but OBJ counts from 1";
   if (number < 0) {
     if (static_cast<std::uint64_t>(-(number + 1)) >= so_far) {
-      return fmt::format("names record {}, and {} are there so far", number, so_far);
+      return fmt::format("names record {}, but the file has {} so far", number, so_far);
     }
     number += static_cast<std::int64_t>(so_far) + 1;
   }

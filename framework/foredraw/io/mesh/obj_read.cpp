@@ -73,7 +73,7 @@ class ObjReader {
       values_.push_back(value);
     }
     if (values_.size() >= least) return true;
-    return reading_.refuse(reading_.at(line.keyword), fmt::format("'{}' takes at least {} numbers, and here are {}",
+    return reading_.refuse(reading_.at(line.keyword), fmt::format("'{}' takes at least {} numbers, but has {}",
                                                                   line.keyword, least, values_.size()));
   }
 
@@ -122,7 +122,7 @@ class ObjReader {
         for (const std::string& name : names_) names_bytes_ += name.size();
         if (names_bytes_ > most_names_bytes + 4 * reading_.text.size()) {
           return reading_.refuse(reading_.at(line.keyword),
-                                 "objects, groups and materials are too many for names of that length");
+                                 "there are too many objects, groups and materials with names of this length");
         }
       }
       part_ = found->second;
@@ -137,7 +137,7 @@ class ObjReader {
       if (record == none || record < count) return true;
       return reading_.refuse(
           reading_.at(std::string_view(places_[face], 1)),
-          fmt::format("the face names '{}' number {}, and the file holds {}", what, std::size_t{record} + 1, count));
+          fmt::format("the face names '{}' number {}, but the file has {}", what, std::size_t{record} + 1, count));
     };
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
       for (const Corner& corner : mesh_.face(f)) {
@@ -187,7 +187,7 @@ class ObjReader {
     }
     if (unknown_ > 0) {
       diagnostics.warning(reading_.at(first_unknown_), "unknown-lines",
-                          fmt::format("{} lines begin with a word that OBJ does not know, {} here; they are not read",
+                          fmt::format("{} lines begin with an unknown word, such as {} here; they are skipped",
                                       unknown_, shown(first_unknown_)));
     }
   }
@@ -217,7 +217,7 @@ bool read_obj(const Reading& reading, PolygonMesh& mesh, std::vector<std::string
     return reading.refuse({.file = reading.name}, "the text is UTF-16", "save it as UTF-8 or ASCII");
   }
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-    return reading.refuse(reading.at_byte(zero), "a zero byte, which no OBJ holds: the file is not text");
+    return reading.refuse(reading.at_byte(zero), "found a zero byte: the file is not text");
   }
   return ObjReader(reading, mesh, libraries).run();
 }

@@ -132,8 +132,7 @@ class ObjWriting {
   bool grows_too_much(const ObjLine& line) {
     reading_.diagnostics.error(
         reading_.at(line.keyword), "cannot-express",
-        "in the new sequence the lines of groups and materials would have to be repeated until the file is several "
-        "times as long",
+        "in the new order, repeated lines of groups and materials would make the file several times as long",
         "give the output the extension .glb");
     return false;
   }
@@ -211,7 +210,7 @@ class ObjWriting {
     }
     reading_.diagnostics.error(
         reading_.at(face.line.keyword), "cannot-express",
-        "the face would come before a vertex that it names, which many readers of OBJ can not follow",
+        "the face would come before a vertex that it names, which many OBJ readers do not accept",
         "give the output the extension .glb");
     return false;
   }
@@ -232,7 +231,7 @@ class ObjWriting {
         };
         if (wrong.empty() && (missing(corner.position, positions_) || missing(corner.texcoord, texcoords_) ||
                               missing(corner.normal, normals_))) {
-          wrong = "names a record that is not there";
+          wrong = "names a record that does not exist";
         }
         if (!wrong.empty()) return reading_.refuse(reading_.at(token), wrong);
       }
@@ -241,7 +240,7 @@ class ObjWriting {
     }
     reading_.diagnostics.error(
         reading_.at(line.keyword), "cannot-express",
-        fmt::format("'{}' may refer to vertices by number, which would then be wrong", line.keyword),
+        fmt::format("'{}' may refer to vertices by number, and the numbers would become wrong", line.keyword),
         "give the output the extension .glb");
     return false;
   }

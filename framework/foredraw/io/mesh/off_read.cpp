@@ -25,20 +25,21 @@ bool read_keyword(std::string_view word, OffHeader& header) {
 bool read_counts(const Reading& reading, std::string_view line, OffHeader& header) {
   const std::string_view vertices = take_token(line), faces = take_token(line);
   if (!read_integer(vertices, header.vertices)) {
-    return reading.refuse(reading.at(vertices), fmt::format("{} is no number of vertices", shown(vertices)));
+    return reading.refuse(reading.at(vertices),
+                          fmt::format("expected the number of vertices, found {}", shown(vertices)));
   }
   if (!read_integer(faces, header.faces)) {
-    return reading.refuse(reading.at(faces), fmt::format("{} is no number of faces", shown(faces)));
+    return reading.refuse(reading.at(faces), fmt::format("expected the number of faces, found {}", shown(faces)));
   }
   // "0 0 0" and "0" with their line ends are the shortest that a vertex and a face can be.
   const std::uint64_t left = header.body.size() + 1;
   if (header.vertices > left / 6) {
-    return reading.refuse(reading.at(vertices),
-                          fmt::format("{} vertices, and {} bytes are left", header.vertices, header.body.size()));
+    return reading.refuse(reading.at(vertices), fmt::format("{} vertices do not fit in the {} bytes that are left",
+                                                            header.vertices, header.body.size()));
   }
   if (header.faces > left / 2) {
-    return reading.refuse(reading.at(faces),
-                          fmt::format("{} faces, and {} bytes are left", header.faces, header.body.size()));
+    return reading.refuse(reading.at(faces), fmt::format("{} faces do not fit in the {} bytes that are left",
+                                                         header.faces, header.body.size()));
   }
   return true;
 }
@@ -103,8 +104,9 @@ class OffReader {
     const std::uint8_t size = there >= 4 ? 4 : 3;
     if (color_size_ == 0) color_size_ = size;
     if (size != color_size_) {
-      return reading_.refuse(reading_.at(line),
-                             fmt::format("a colour of {} numbers, and the first vertex has {}", size, color_size_));
+      return reading_.refuse(
+          reading_.at(line),
+          fmt::format("the colour has {} numbers, but that of the first vertex has {}", size, color_size_));
     }
     for (std::uint8_t i = 0; i < color_size_; ++i) {
       const std::string_view token = take_token(line);
@@ -142,12 +144,13 @@ class OffReader {
       const std::string_view token = take_token(line);
       std::uint32_t vertex = 0;
       if (!read_integer(token, vertex)) {
-        return reading_.refuse(reading_.at(token), fmt::format("{} is no number of a vertex", shown(token)));
+        return reading_.refuse(reading_.at(token),
+                               fmt::format("expected the number of a vertex, found {}", shown(token)));
       }
       if (vertex >= mesh_.positions.size()) {
         return reading_.refuse(
             reading_.at(token),
-            fmt::format("the face names vertex {}, and there are {}, counted from 0", vertex, mesh_.positions.size()));
+            fmt::format("the face names vertex {}, but there are {}, counted from 0", vertex, mesh_.positions.size()));
       }
       mesh_.corners.push_back({vertex, header_.has_texcoords ? vertex : none, header_.has_normals ? vertex : none});
     }
@@ -159,10 +162,10 @@ class OffReader {
   void tell() {
     const Where where{.file = reading_.name};
     if (vertices_with_more_ > 0) {
-      reading_.diagnostics.warning(where, "numbers-left-out",
-                                   fmt::format("{} vertices have more numbers than the first line announces; these are "
-                                               "left out",
-                                               vertices_with_more_));
+      reading_.diagnostics.warning(
+          where, "numbers-left-out",
+          fmt::format("{} vertices have more numbers than the first line announces; the extra ones are left out",
+                      vertices_with_more_));
     }
     if (faces_with_more_ > 0) {
       reading_.diagnostics.note(where, "face-colors-left-out",
@@ -209,7 +212,8 @@ std::optional<OffHeader> read_off_header(const Reading& reading) {
     line = trimmed(line);
     if (line.empty()) line = take_off_line(header.body);
   } else if (word.empty() || word.find_first_not_of("0123456789") != std::string_view::npos) {
-    reading.refuse(reading.at(word), fmt::format("{}, expected OFF, with ST, C or N before it at most", shown(word)));
+    reading.refuse(reading.at(word),
+                   fmt::format("expected OFF, with at most ST, C or N before it, found {}", shown(word)));
     return std::nullopt;
   }
   if (!read_counts(reading, line, header)) return std::nullopt;

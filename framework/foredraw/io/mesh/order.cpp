@@ -185,13 +185,15 @@ class OrderMaking {
   void tell() const {
     const Where where{.file = source_.as_read.name};
     if (torn_ > 0) {
-      diagnostics_.note(where, "polygons-stay-whole",
-                        fmt::format("polygons stay whole in the file: {} triangles go with the first of theirs", torn_),
-                        "a .glb keeps the triangles' own order");
+      diagnostics_.note(
+          where, "polygons-stay-whole",
+          fmt::format("polygons stay whole in the file: {} triangles move with the first triangle of their polygon",
+                      torn_),
+          "a .glb keeps the triangles' own order");
     }
     if (kept_ > 0) {
       diagnostics_.note(where, "vertices-stay",
-                        fmt::format("{} vertices that were merged or left out stay in the file as they were", kept_),
+                        fmt::format("{} vertices that were merged or left out stay in the file", kept_),
                         "a .glb leaves them out");
     }
   }
@@ -214,11 +216,11 @@ std::optional<MeshOrder> order_of(const Scene& scene, const MeshSource& source, 
     order = OrderMaking(scene, source, counts, diagnostics).run();
   }
   if (order) return order;
-  diagnostics.error({.file = scene.name}, "cannot-express",
-                    fmt::format("more than the order of triangles and vertices was changed; {} is written back with "
-                                "nothing else changed",
-                                extension_of(source.kind)),
-                    "give the output the extension .glb");
+  diagnostics.error(
+      {.file = scene.name}, "cannot-express",
+      fmt::format("more than the order of triangles and vertices was changed; {} can hold only a new order",
+                  extension_of(source.kind)),
+      "give the output the extension .glb");
   return std::nullopt;
 }
 

@@ -90,7 +90,8 @@ class PlyReader {
     if (has_wedges_ && wedge_.size() == 2 * corners) {
       for (std::size_t i = 0; i < corners; ++i) mesh_.corners[first + i].texcoord = wedge_number(i);
     } else if (has_wedges_ && !wedge_.empty()) {
-      return refuse({.begin = begin}, fmt::format("{} texture coordinates for {} corners", wedge_.size(), corners));
+      return refuse({.begin = begin},
+                    fmt::format("found {} texture coordinates for {} corners", wedge_.size(), corners));
     }
     wedge_.clear();
     mesh_.ends.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
@@ -181,7 +182,7 @@ class PlyReader {
 
   bool corner(const PlyValue& value) {
     if (value.value < 0 || value.value >= none)
-      return refuse(value, fmt::format("a face names vertex {}", value.value));
+      return refuse(value, fmt::format("the face names vertex {}, which cannot exist", value.value));
     const auto vertex = static_cast<std::uint32_t>(value.value);
     mesh_.corners.push_back({vertex, none, none});
     return true;
@@ -200,7 +201,7 @@ class PlyReader {
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
       for (const Corner& corner : mesh_.face(f)) {
         if (corner.position < mesh_.positions.size()) continue;
-        return refuse({.begin = places_[f]}, fmt::format("the face names vertex {}, and there are {}, counted from 0",
+        return refuse({.begin = places_[f]}, fmt::format("the face names vertex {}, but there are {}, counted from 0",
                                                          corner.position, mesh_.positions.size()));
       }
     }
@@ -233,7 +234,7 @@ class PlyReader {
     }
     if (names.empty()) return;
     reading_.diagnostics.note({.file = reading_.name}, "properties-left-out",
-                              fmt::format("properties that a scene does not hold are left out: {}", names));
+                              fmt::format("properties that a scene cannot hold are left out: {}", names));
   }
 
   bool is_read(Meaning meaning) const {

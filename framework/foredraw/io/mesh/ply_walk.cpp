@@ -36,7 +36,7 @@ class HeaderReader {
 
   bool run() {
     std::string_view line = take_line(text_);
-    if (trimmed(line) != "ply") return reading_.refuse(reading_.at(line), "a PLY begins with a line 'ply'");
+    if (trimmed(line) != "ply") return reading_.refuse(reading_.at(line), "the first line must be 'ply'");
     bool has_format = false;
     while (!text_.empty()) {
       line = take_line(text_);
@@ -52,7 +52,7 @@ class HeaderReader {
           : key == "property" ? !property(rest)
                               : true) {
         if (key == "format" || key == "element" || key == "property") return false;
-        return reading_.refuse(reading_.at(key), fmt::format("{} is no word of a PLY's header", shown(key)));
+        return reading_.refuse(reading_.at(key), fmt::format("{} is not a keyword of a PLY header", shown(key)));
       }
       has_format = has_format || key == "format";
     }
@@ -72,9 +72,12 @@ class HeaderReader {
     else if (name == "binary_big_endian")
       header.encoding = Encoding::big;
     else
-      return reading_.refuse(reading_.at(name), fmt::format("{} is no format of PLY", shown(name)));
+      return reading_.refuse(
+          reading_.at(name),
+          fmt::format("{} is not a PLY format; expected ascii, binary_little_endian or binary_big_endian",
+                      shown(name)));
     return version == "1.0" ||
-           reading_.refuse(reading_.at(version), fmt::format("version {}, expected 1.0", shown(version)));
+           reading_.refuse(reading_.at(version), fmt::format("expected version 1.0, found {}", shown(version)));
   }
 
   bool element(std::string_view rest) {
@@ -83,7 +86,7 @@ class HeaderReader {
     made.count_token = take_token(rest);
     if (!read_integer(made.count_token, made.count)) {
       return reading_.refuse(reading_.at(made.count_token),
-                             fmt::format("{} is no number of elements", shown(made.count_token)));
+                             fmt::format("expected the number of elements, found {}", shown(made.count_token)));
     }
     if (!element_names_.insert(made.name).second) {
       return reading_.refuse(reading_.at(made.count_token), fmt::format("there are two elements {}", shown(made.name)));
@@ -94,19 +97,22 @@ class HeaderReader {
   }
 
   bool property(std::string_view rest) {
-    if (header.elements.empty()) return reading_.refuse(reading_.at(rest), "a property before the first element");
+    if (header.elements.empty())
+      return reading_.refuse(reading_.at(rest), "there is a property before the first element");
     PlyProperty made;
     std::string_view word = take_token(rest);
     if (word == "list") {
       word = take_token(rest);
       made.list = type_of(word);
       if (!made.list || !is_whole(*made.list)) {
-        return reading_.refuse(reading_.at(word), fmt::format("{} is no type for the length of a list", shown(word)));
+        return reading_.refuse(
+            reading_.at(word),
+            fmt::format("{} is not a type for the length of a list; expected an integer type", shown(word)));
       }
       word = take_token(rest);
     }
     const auto type = type_of(word);
-    if (!type) return reading_.refuse(reading_.at(word), fmt::format("{} is no type of PLY", shown(word)));
+    if (!type) return reading_.refuse(reading_.at(word), fmt::format("{} is not a PLY type", shown(word)));
     made.type = *type;
     made.name = take_token(rest);
     if (made.name.empty()) return reading_.refuse(reading_.at(rest), "the property has no name");
@@ -172,14 +178,15 @@ bool PlyWalk::may_hold(const PlyElement& element) const {
   // The last value of a text needs no space after it.
   if (element.count <= (left + 1) / least) return true;
   return reading_.refuse(reading_.at(element.count_token),
-                         fmt::format("{} elements '{}' take at least {} bytes each, and {} bytes are left",
+                         fmt::format("{} elements '{}' take at least {} bytes each, but {} bytes are left",
                                      element.count, element.name, least, left));
 }
 
 bool PlyWalk::refuse_list(const PlyValue& value, std::size_t left) const {
   const bool is_text = header_.encoding == PlyHeader::Encoding::ascii;
-  return reading_.refuse(is_text ? reading_.at(reading_.text.substr(value.begin)) : reading_.at_byte(value.begin),
-                         fmt::format("a list of {} values, and {} bytes are left", value.value, left));
+  return reading_.refuse(
+      is_text ? reading_.at(reading_.text.substr(value.begin)) : reading_.at_byte(value.begin),
+      fmt::format("a list of {} values does not fit in the {} bytes that are left", value.value, left));
 }
 
 bool PlyWalk::find(PlyType type, PlyValue& value) {

@@ -121,7 +121,7 @@ std::optional<std::string> reordered_ply(const Scene& scene, const MeshSource& s
     if (!order->moved || is_ours || element.count == 0) continue;
     diagnostics.error(
         reading.at(element.count_token), "cannot-express",
-        "element '" + element.name + "' may refer to vertices or faces by number, which would then be wrong",
+        "element '" + element.name + "' may refer to vertices or faces by number, and the numbers would become wrong",
         "give the output the extension .glb");
     return std::nullopt;
   }
@@ -130,7 +130,7 @@ std::optional<std::string> reordered_ply(const Scene& scene, const MeshSource& s
     if (!names_vertices(property) || &property == places.corner_list) continue;
     diagnostics.error({.file = reading.name}, "cannot-express",
                       "'" + property.name + "' names vertices besides '" + places.corner_list->name +
-                          "', and its numbers would then be wrong",
+                          "', and its numbers would become wrong",
                       "give the output the extension .glb");
     return std::nullopt;
   }

@@ -100,11 +100,11 @@ class SceneMaking {
     };
     say(too_small, "faces-left-out", fmt::format("{} faces have fewer than three corners and are left out", too_small));
     say(triangulator.earless(), "polygons-as-fans",
-        fmt::format("{} polygons cross themselves or have no area; each, or a part of it, is cut as a fan",
+        fmt::format("{} polygons cross themselves or have no area; they are triangulated as fans, wholly or in part",
                     triangulator.earless()));
     say(triangulator.unfinished(), "polygons-unfinished",
-        fmt::format("{} polygons came when the work was spent that one file may take, for it has concave ones of very "
-                    "many corners; each, or a part of it, is cut as a fan",
+        fmt::format("{} polygons are triangulated as fans, wholly or in part, because the file has too many concave "
+                    "polygons with very many corners",
                     triangulator.unfinished()));
     return !makings_.empty() || refuse("none of the file's faces has three corners");
   }

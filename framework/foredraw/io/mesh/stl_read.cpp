@@ -52,8 +52,9 @@ bool read_binary(const Reading& reading, PolygonMesh& mesh) {
   const std::uint64_t count = triangles_announced(text);
   const std::size_t left = text.size() - stl_header;
   if (count > left / stl_record) {
-    return reading.refuse(reading.at_byte(stl_header - 4),
-                          fmt::format("{} triangles of {} bytes each, and {} bytes are left", count, stl_record, left));
+    return reading.refuse(
+        reading.at_byte(stl_header - 4),
+        fmt::format("{} triangles of {} bytes each do not fit in the {} bytes that are left", count, stl_record, left));
   }
   Welding welding(mesh);
   std::size_t with_attributes = 0;
@@ -93,11 +94,11 @@ class TextReader {
     mesh_.parts.clear();
     for (std::string_view word = take(); !word.empty(); word = take()) {
       if (lower_case(word) != "solid") {
-        return reading_.refuse(reading_.at(word), fmt::format("{}, expected 'solid'", shown(word)));
+        return reading_.refuse(reading_.at(word), fmt::format("expected 'solid', found {}", shown(word)));
       }
       if (!solid()) return false;
     }
-    return !mesh_.parts.empty() || reading_.refuse({.file = reading_.name}, "the file holds no solid");
+    return !mesh_.parts.empty() || reading_.refuse({.file = reading_.name}, "the file has no solid");
   }
 
  private:
@@ -107,8 +108,8 @@ class TextReader {
     const std::string_view word = take();
     if (lower_case(word) == what) return true;
     if (word.empty())
-      return reading_.refuse(reading_.at(text_), fmt::format("the file ends where '{}' should stand", what));
-    return reading_.refuse(reading_.at(word), fmt::format("{}, expected '{}'", shown(word), what));
+      return reading_.refuse(reading_.at(text_), fmt::format("expected '{}', found the end of the file", what));
+    return reading_.refuse(reading_.at(word), fmt::format("expected '{}', found {}", what, shown(word)));
   }
 
   bool solid() {
@@ -124,7 +125,7 @@ class TextReader {
       }
       if (word.empty()) return reading_.refuse(reading_.at(text_), "the file ends inside a solid");
       if (lower != "facet") {
-        return reading_.refuse(reading_.at(word), fmt::format("{}, expected 'facet' or 'endsolid'", shown(word)));
+        return reading_.refuse(reading_.at(word), fmt::format("expected 'facet' or 'endsolid', found {}", shown(word)));
       }
       if (!facet()) return false;
       mesh_.part.push_back(part);
@@ -141,7 +142,7 @@ class TextReader {
       const std::string lower = lower_case(word);
       if (lower == "endloop") break;
       if (lower != "vertex") {
-        return reading_.refuse(reading_.at(word), fmt::format("{}, expected 'vertex' or 'endloop'", shown(word)));
+        return reading_.refuse(reading_.at(word), fmt::format("expected 'vertex' or 'endloop', found {}", shown(word)));
       }
       glm::vec3 position;
       for (int i = 0; i < 3; ++i) {

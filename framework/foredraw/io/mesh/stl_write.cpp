@@ -39,8 +39,8 @@ std::optional<std::string> reordered_stl(const Scene& scene, const MeshSource& s
   }
   const auto places = is_binary_stl(text) ? records(text, count) : facets(text);
   if (places.size() < count) {
-    diagnostics.error({.file = source.as_read.name}, "cannot-express", "its facets can not be told apart again",
-                      "write a .glb");
+    diagnostics.error({.file = source.as_read.name}, "cannot-express", "its facets cannot be found again in the text",
+                      "give the output the extension .glb");
     return std::nullopt;
   }
   const auto order = order_of(scene, source, {.faces = places.size()}, diagnostics);

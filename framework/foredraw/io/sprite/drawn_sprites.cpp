@@ -87,18 +87,18 @@ std::optional<std::vector<DrawnSprite>> drawn_sprites(const Scene& scene, const 
   std::vector<DrawnSprite> sprites;
   const auto refuse = [&](const std::string& inside, const std::string& why) {
     diagnostics.error({.file = target.string(), .inside = inside}, "no-sprites", why,
-                      "frames come from images (.png, .jpg, .tga, .exr) and frame lists (.json); a scene of meshes is "
-                      "written as .glb or .gltf");
+                      "use an image (.png, .jpg, .tga, .exr) or a frame list (.json) as input; write a scene of meshes "
+                      "as .glb or .gltf");
     return std::nullopt;
   };
   for (const Draw& draw : scene.draws) {
-    if (!draw.frame) return refuse(draw.name, "has no frame in an image, and this kind of file is for sprites alone");
+    if (!draw.frame) return refuse(draw.name, "has no frame in an image, but this kind of file holds only sprites");
     const Material* material = scene.material_of(draw);
     const auto* texture = material != nullptr && material->base_colour ? &*material->base_colour : nullptr;
     const bool has_image = texture != nullptr && texture->image && *texture->image < scene.images.size() &&
                            scene.images[*texture->image].facts;
     if (!has_image || draw.frame->width == 0 || draw.frame->height == 0) {
-      return refuse(draw.name, "shows no image whose size is known");
+      return refuse(draw.name, "has no image of known size");
     }
     DrawnSprite& sprite = sprites.emplace_back();
     sprite.image = *texture->image;
@@ -106,7 +106,7 @@ std::optional<std::vector<DrawnSprite>> drawn_sprites(const Scene& scene, const 
     set_frame(draw, source, sprite);
     add_corners(draw, *texture, *scene.images[sprite.image].facts, sprite);
   }
-  if (sprites.empty()) return refuse("", "the scene has no sprite");
+  if (sprites.empty()) return refuse("", "the scene has no sprites");
   return sprites;
 }
 

@@ -131,7 +131,7 @@ std::optional<std::string> header_text(std::span<const Sheet> sheets, const std:
     for (const DrawnSprite& sprite : sheet.sprites) {
       if (sprite.points.size() > most_vertices) {
         diagnostics.error({.file = target.string(), .inside = sprite.frame.name}, "cannot-express",
-                          fmt::format("has {} vertices, more than 16 bits count", sprite.points.size()),
+                          fmt::format("has {} vertices, more than 16-bit indices can address", sprite.points.size()),
                           "write it as .json or .glb");
         return std::nullopt;
       }

@@ -29,7 +29,7 @@ class ListReader {
     if (!root.is_object()) return refuse("", "frame-list", "must be an object", what_is_read);
     if (const auto textures = root.find(textures_key); textures != root.end()) {
       if (!textures->is_array() || textures->empty()) {
-        return refuse("textures", "frame-list", "must be a list with a texture at least", what_is_read);
+        return refuse("textures", "frame-list", "must be a list with at least one texture", what_is_read);
       }
       for (std::size_t t = 0; t < textures->size(); ++t) {
         const std::string place = fmt::format("textures[{}]", t);
@@ -51,7 +51,7 @@ class ListReader {
 
  private:
   static constexpr const char* what_is_read =
-      "a frame list has \"frames\", an object or a list, or \"textures\" that do, as TexturePacker writes them";
+      "a frame list has \"frames\", an object or a list, or \"textures\" that have them, as TexturePacker writes it";
 
   bool refuse(const std::string& inside, const char* code, const std::string& message, const std::string& hint = {}) {
     if (++mistakes_ <= most_mistakes) {
@@ -64,7 +64,7 @@ class ListReader {
                std::size_t number) {
     const auto image = facts.find("image");
     if (image == facts.end() || !image->is_string()) {
-      refuse(facts_place + "image", "frame-list-image", "must be the name of the image that the frames lie in",
+      refuse(facts_place + "image", "frame-list-image", "must be the name of the image that holds the frames",
              "write \"image\": \"atlas.png\" there, a file beside the list");
       return;
     }
@@ -80,10 +80,10 @@ class ListReader {
       refuse(place + "frames", "frame-list", "must be an object of frames, or a list of them", what_is_read);
       return;
     }
-    if (frames->empty()) refuse(place + "frames", "frame-list", "holds no frame", "pack a sprite at least");
+    if (frames->empty()) refuse(place + "frames", "frame-list", "has no frames", "pack at least one sprite");
     if (list.entries.size() + frames->size() > most_frames) {
       refuse(place + "frames", "frame-list", fmt::format("there are more than {} frames", most_frames),
-             "part it into several lists");
+             "split it into several lists");
       return;
     }
     std::set<std::string> names;
@@ -103,7 +103,8 @@ class ListReader {
       } else if (const auto name = value.find("filename"); name != value.end() && name->is_string()) {
         entry.name = name->get<std::string>();
         if (!names.insert(entry.name).second) {
-          refuse(at, "frame-duplicate", fmt::format("is called '{}', as one before it is", printable(entry.name)),
+          refuse(at, "frame-duplicate",
+                 fmt::format("is called '{}', but an earlier frame has this name", printable(entry.name)),
                  "give each frame a name of its own");
         }
       } else {
@@ -172,7 +173,7 @@ class ListReader {
 std::optional<FrameList> read_frame_list(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
   if (text.size() > longest) {
     diagnostics.error({.file = name}, "frame-list", fmt::format("is longer than {} MiB", longest >> 20),
-                      "part it into several lists");
+                      "split it into several lists");
     return std::nullopt;
   }
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);

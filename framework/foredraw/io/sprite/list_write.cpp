@@ -221,7 +221,7 @@ std::optional<std::string> list_text(std::span<const Sheet> sheets, const std::f
     for (const DrawnSprite& sprite : sheets[0].sprites) {
       if (sprite.image < textures && sprite.frame.texture == sprite.image) continue;
       diagnostics.error({.file = target.string(), .inside = sprite.frame.name}, "cannot-express",
-                        "shows another image than its list names; this can not be written back",
+                        "shows another image than its list names; this cannot be written back",
                         "leave out the stage that did it");
       return std::nullopt;
     }

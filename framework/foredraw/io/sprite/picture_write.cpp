@@ -186,8 +186,8 @@ std::optional<std::vector<std::byte>> contact_sheet(std::span<const Sheet> sheet
   }
   if (left_out > 0) {
     diagnostics.warning({.file = target.string()}, "sprites-left-out",
-                        fmt::format("a picture shows {} sprites; {} more are left out", most_shown, left_out),
-                        "a page (.html) shows all");
+                        fmt::format("a picture shows at most {} sprites; {} are left out", most_shown, left_out),
+                        "write a page (.html), which shows all");
   }
   const int edge = edge_for(all.size()), cell_width = edge + 2 * inset, cell_height = edge + 2 * inset + caption;
   const int count = static_cast<int>(all.size());

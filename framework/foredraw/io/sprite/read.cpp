@@ -129,11 +129,11 @@ std::optional<fs::path> image_file(const std::string& image, const std::string& 
   std::string why = gltf::why_not_beside(image);
   const fs::path file = folder / path_of(image);
   std::error_code error;
-  if (why.empty() && (folder.empty() || !fs::is_regular_file(file, error))) why = "is not there";
+  if (why.empty() && (folder.empty() || !fs::is_regular_file(file, error))) why = "is missing";
   if (why.empty() && !gltf::lies_within(file, folder)) why = "leads out of the list's folder";
   if (why.empty()) return file;
   diagnostics.error({.file = list}, "frame-list-image", fmt::format("its image '{}' {}", printable(image), why),
-                    "put the image beside the list, or below, and name it as it is called from there");
+                    "put the image into the folder of the list, or below it, and name it by its path from there");
   return std::nullopt;
 }
 
@@ -150,12 +150,13 @@ bool frames_lie_in_images(const std::vector<FrameEntry>& entries, const Scene& s
     const SpriteFrame& place = entry.place;
     diagnostics.error(
         {.file = scene.name, .inside = printable(entry.name)}, "frame-outside",
-        fmt::format("reaches from {}, {} over {} x {} texels, but the image '{}' has {} x {}", place.x, place.y,
+        fmt::format("begins at {}, {} and has {} x {} texels, but the image '{}' has {} x {}", place.x, place.y,
                     place.width, place.height, printable(image.name), image.facts->width, image.facts->height),
-        "is the image the one that the list was made for?");
+        "check that this is the image that the list was made for");
   }
   if (outside > most) {
-    diagnostics.error({.file = scene.name}, "frame-outside", fmt::format("{} more frames reach out", outside - most));
+    diagnostics.error({.file = scene.name}, "frame-outside",
+                      fmt::format("{} more frames reach out of their images", outside - most));
   }
   return outside == 0;
 }
@@ -206,7 +207,7 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
     std::error_code error;
     if (file && !taken.insert(fs::canonical(*file, error)).second) {
       diagnostics.error({.file = name, .inside = fmt::format("textures[{}].image", i)}, "frame-list-image",
-                        "is the image of a texture before it", "make one texture of both");
+                        "is the image of an earlier texture", "put the frames of both into one texture");
       return std::nullopt;
     }
     auto content = file ? read_file(*file, diagnostics) : std::nullopt;
@@ -218,9 +219,9 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
     if (list->image_sizes[i] && *list->image_sizes[i] != size) {
       diagnostics.warning(
           {.file = name}, "frame-list-size",
-          fmt::format("is made for an image of {} x {} texels, but '{}' has {} x {}", list->image_sizes[i]->x,
+          fmt::format("was made for an image of {} x {} texels, but '{}' has {} x {}", list->image_sizes[i]->x,
                       list->image_sizes[i]->y, printable(list->images[i]), size.x, size.y),
-          "is it the image that the list was made for?");
+          "check that this is the image that the list was made for");
     }
     source->files.push_back(*file);
     source->image_files.push_back(*file);
@@ -229,7 +230,8 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
   if (!frames_lie_in_images(list->entries, scene, diagnostics)) return std::nullopt;
   if (list->has_polygons) {
     diagnostics.note({.file = name}, "polygons-left-aside",
-                     "frames have polygons (\"vertices\") already; what is drawn is the whole rectangle of each");
+                     "frames already have polygons (\"vertices\"); they are ignored, and the whole rectangle of each "
+                     "frame is drawn");
   }
   source->list = std::move(list->json);
   source->entries = std::move(list->entries);

@@ -110,8 +110,8 @@ std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const fs
                                          Diagnostics& diagnostics) {
   const Writer* writer = writer_of(target);
   if (writer == nullptr) {
-    diagnostics.error({.file = target.string()}, "unknown-kind", "sprites are not written as this kind of file",
-                      "they are as " + sprite_output_extensions());
+    diagnostics.error({.file = target.string()}, "unknown-kind", "sprites cannot be written as this kind of file",
+                      "use " + sprite_output_extensions());
     return std::nullopt;
   }
   std::vector<Sheet> sheets;
@@ -148,8 +148,8 @@ std::shared_ptr<const Scene> sprites_for_gltf(const Scene& scene, const fs::path
   for (Image& image : result->images) {
     if (image.facts && image.facts->is_float) {
       diagnostics.error({.file = target.string(), .inside = image.name}, "cannot-express",
-                        "is an image of floats, and glTF holds PNG and JPEG",
-                        "write a .json or .h, or make a PNG of the image first");
+                        "is an image of floats, but glTF supports only PNG and JPEG",
+                        "write a .json or .h, or convert the image to PNG first");
       return nullptr;
     }
     auto made = images::png_or_jpeg(image);

@@ -118,12 +118,12 @@ std::variant<Json, JsonFault> parse_json_text(std::string_view text, const JsonL
   if (reading.stuck) return JsonFault{reading.stuck, "json-syntax", "is not JSON: " + reading.why, ""};
   if (reading.is_crowded) {
     return JsonFault{std::nullopt, "json-crowd", fmt::format("an object has more than {} keys", limits.keys),
-                     "put them into an array"};
+                     "use an array instead"};
   }
   if (!reading.twice.empty()) {
     return JsonFault{std::nullopt, "json-duplicate-key",
-                     fmt::format("the key '{}' stands twice in one object", reading.twice),
-                     "keep one of them; readers differ in which they take"};
+                     fmt::format("the key '{}' occurs twice in one object", reading.twice),
+                     "keep one of them; readers differ in which one they use"};
   }
   return std::move(reading.tree);
 }

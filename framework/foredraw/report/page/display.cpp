@@ -87,7 +87,7 @@ class SubjectDisplay {
 
   std::string note() const {
     if (shown_triangles_ == all_triangles_) return "";
-    return fmt::format("{} of {} triangles are shown: counts and ratios here are those of what is shown",
+    return fmt::format("{} of {} triangles are shown; counts and ratios here are those of the shown triangles",
                        shown_triangles_, all_triangles_);
   }
 
@@ -157,7 +157,7 @@ class SubjectDisplay {
       return draw < scene->draws.size() &&
              order_of(*scene, draw).triangle_count() == order_of(input_, draw).triangle_count();
     });
-    return has_them ? "" : "draws other triangles than the input";
+    return has_them ? "" : "does not draw the triangles of the input";
   }
 
   Json state_of(const Scene& scene) {

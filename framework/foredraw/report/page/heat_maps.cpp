@@ -155,8 +155,8 @@ bool are_views(const std::string& which, const OverdrawOptions& options, Diagnos
   const auto count = static_cast<std::int64_t>(make_views(options).views.size());
   const auto number = whole_number(which);
   if (which == "worst" || which == "all" || (number && *number >= 0 && *number < count)) return true;
-  diagnostics.error({}, "bad-arguments", fmt::format("there is no view '{}' to draw", which),
-                    fmt::format("worst, all, or a number from 0 to {}", count - 1));
+  diagnostics.error({}, "bad-arguments", fmt::format("there is no view '{}'", which),
+                    fmt::format("give worst, all, or a number from 0 to {}", count - 1));
   return false;
 }
 

@@ -58,16 +58,15 @@ std::string scripts(std::span<const Comparison> comparisons, std::span<const Dis
 
 std::string page(std::span<const Comparison> comparisons, std::span<const Display> displays,
                  const std::string& program) {
-  const Section sections[] = {
-      {"summary", "Summary", summary_html(comparisons)},
-      {"figures", "Figures", figures_html(comparisons)},
-      {"plot", "One against another", with_script()},
-      {"viewer", "In three dimensions", with_script() + left_out(comparisons.size(), displays.size())},
-      {"draws", "Draws", draws_html(comparisons)},
-      {"stages", "Stages", stages_html(comparisons)},
-      {"diagnostics", "Diagnostics", diagnostics_html(comparisons)},
-      {"pipelines", "Pipelines", pipelines_html(comparisons)},
-      {"run", "The run", run_html(comparisons, program)}};
+  const Section sections[] = {{"summary", "Summary", summary_html(comparisons)},
+                              {"figures", "Figures", figures_html(comparisons)},
+                              {"plot", "Two figures against each other", with_script()},
+                              {"viewer", "3D view", with_script() + left_out(comparisons.size(), displays.size())},
+                              {"draws", "Draws", draws_html(comparisons)},
+                              {"stages", "Stages", stages_html(comparisons)},
+                              {"diagnostics", "Diagnostics", diagnostics_html(comparisons)},
+                              {"pipelines", "Pipelines", pipelines_html(comparisons)},
+                              {"run", "The run", run_html(comparisons, program)}};
   std::string links, body;
   for (const Section& section : sections) {
     if (section.content.empty()) continue;

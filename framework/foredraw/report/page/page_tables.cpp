@@ -74,7 +74,7 @@ std::string figures_html(std::span<const Comparison> comparisons) {
       element("p",
               comparisons.empty() || comparisons[0].branches.size() < 2
                   ? "Errors are one standard error."
-                  : "In per cent: against [1]; ~: no more than the errors may make up. The best of a row is marked.",
+                  : "Per cent: change against [1]. ~: within the errors. The best of a row is marked.",
               "class=\"legend\"");
   return legend + '\n' + articles_and_sum(comparisons, [](const Comparison& comparison) {
            if (comparison.is_lost()) return std::string();

@@ -21,7 +21,7 @@ TEST(GltfCompressionGate, a_codec_that_is_not_known_is_refused_by_name_with_the_
   EXPECT_FALSE(read_gltf(builder.glb(), "new", {}, diagnostics));
   EXPECT_EQ(diagnostics.all().at(0).code, "unsupported-extension");
   EXPECT_EQ(diagnostics.all()[0].where.inside, "bufferViews[0].extensions.EXT_meshopt_compression");
-  EXPECT_EQ(diagnostics.all()[0].message, "EXT_meshopt_compression: vertex codec version 1 is not known here");
+  EXPECT_EQ(diagnostics.all()[0].message, "EXT_meshopt_compression: vertex codec version 1 is not supported");
   EXPECT_NE(diagnostics.all()[0].hint.find("gltfpack -cc -ce ext"), std::string::npos);
 }
 

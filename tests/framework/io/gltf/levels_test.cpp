@@ -128,15 +128,15 @@ TEST(GltfLevels, WhatIsNoLevelStaysAndSaysWhy) {
         j["materials"] = {GltfJson::object()};
         j["meshes"][1]["primitives"][0]["material"] = 0;
       }),
-      "node 1 has other materials");
+      "node 1 has different materials");
   has(why([](GltfJson& j) { j["meshes"][2]["primitives"].push_back(j["meshes"][2]["primitives"][0]); }),
-      "node 2 has another number of primitives");
+      "node 2 has a different number of primitives");
   has(why([](GltfJson& j) {
         j["materials"] = {{{"extensions", {{"MSFT_lod", {{"ids", {0}}}}}}}};
         for (GltfJson& mesh : j["meshes"]) mesh["primitives"][0]["material"] = 0;
       }),
       "has a material with levels");
-  has(why([](GltfJson& j) { j["nodes"][1]["translation"] = {1, 0, 0}; }), "node 1 stands elsewhere");
+  has(why([](GltfJson& j) { j["nodes"][1]["translation"] = {1, 0, 0}; }), "node 1 has a different transform");
   has(why([](GltfJson& j) { j["scenes"][0]["nodes"].push_back(2); }), "node 2 is in the scene");
   has(why([](GltfJson& j) { j.erase("scenes"), j.erase("scene"); }), "node 1 is in the scene");
   has(why([](GltfJson& j) { j["nodes"].push_back({{"children", {1}}}); }), "node 1 is below another node");
@@ -158,7 +158,7 @@ TEST(GltfLevels, WhatIsNoLevelStaysAndSaysWhy) {
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 1}; }), "names a node twice");
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 0}; }), "names a node twice");
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 9}; }), "does not exist");
-  has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"] = 3; }), "it names none");
+  has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"] = 3; }), "it names no nodes");
   has(why([](GltfJson& j) { j["nodes"][1]["extensions"]["MSFT_lod"]["ids"] = {2}; }),
       "node 1 has extensions of its own");
 }

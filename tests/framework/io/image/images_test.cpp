@@ -275,7 +275,7 @@ TEST(Images, are_decoded_for_analyses_from_the_scene_or_from_beside_it) {
             "the image's file '../images%20beside/inner/a%20leaf.png' leads out of the file's folder");
   image.uri.clear();
   EXPECT_EQ(why_not(folder / "scene.gltf"),
-            "the image 'leaf' is no image that can be decoded, or its header is damaged");
+            "the image 'leaf' is not an image of a supported kind, or its header is damaged");
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST(MeshObj, NegativeIndicesCountFromTheLineTheyStandIn) {
   const Scene scene = read("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -4 -3 -2\n");
   EXPECT_EQ(indices(scene), (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2}));
   EXPECT_EQ(decode_vec3(*vertices(scene).find("POSITION"))[0], glm::vec3(0));
-  EXPECT_EQ(error(square + "f 1 2 -5\n"), "input.obj:5:7: error: names record -5, and 4 are there so far");
+  EXPECT_EQ(error(square + "f 1 2 -5\n"), "input.obj:5:7: error: names record -5, but the file has 4 so far");
 }
 
 TEST(MeshObj, RecordsMayComeAfterTheFace) { EXPECT_EQ(vertices(read("f 1 2 3\n" + square)).count, 3u); }
@@ -129,21 +129,20 @@ TEST(MeshObj, PointsAloneAreAScene) {
 }
 
 TEST(MeshObj, RefusalsNameTheLine) {
-  EXPECT_EQ(error("v 0 0\n"), "input.obj:1:1: error: 'v' takes at least 3 numbers, and here are 2");
+  EXPECT_EQ(error("v 0 0\n"), "input.obj:1:1: error: 'v' takes at least 3 numbers, but has 2");
   EXPECT_EQ(error("v 0 0 0\nv 0 nan 0\n"), "input.obj:2:5: error: 'nan' is not finite");
   EXPECT_EQ(error("v 0 0 -inf\n"), "input.obj:1:7: error: '-inf' is not finite");
   EXPECT_EQ(error("v 0 1e39 0\n"), "input.obj:1:5: error: '1e39' does not fit into a 32-bit float");
   EXPECT_EQ(error("v 0 0 zero\n"), "input.obj:1:7: error: 'zero' is not a number");
-  EXPECT_EQ(error(square + "f 1 2 5\n"), "input.obj:5:1: error: the face names 'v' number 5, and the file holds 4");
+  EXPECT_EQ(error(square + "f 1 2 5\n"), "input.obj:5:1: error: the face names 'v' number 5, but the file has 4");
   EXPECT_EQ(error(square + "f 1/1 2/1 3/1\n"),
-            "input.obj:5:1: error: the face names 'vt' number 1, and the file holds 0");
+            "input.obj:5:1: error: the face names 'vt' number 1, but the file has 0");
   EXPECT_EQ(error(square + "f 0 1 2\n"), "input.obj:5:3: error: names record 0, but OBJ counts from 1");
   EXPECT_EQ(error(square + "f 1 2 99999999999999999999\n"),
             "input.obj:5:7: error: '99999999999999999999' is not a whole number");
   EXPECT_EQ(error(square + "f 1 2 4294967297\n"),
             "input.obj:5:7: error: names record 4294967297, which no file can hold");
-  EXPECT_EQ(error(std::string("v 0 0 0\0", 8)),
-            "input.obj: error: byte 7: a zero byte, which no OBJ holds: the file is not text");
+  EXPECT_EQ(error(std::string("v 0 0 0\0", 8)), "input.obj: error: byte 7: found a zero byte: the file is not text");
   EXPECT_EQ(error(""), "input.obj: error: the file holds no vertices");
   EXPECT_EQ(error(square + "f 1 2\n"), "input.obj: error: none of the file's faces has three corners");
 }
@@ -214,8 +213,9 @@ TEST_F(MeshObjMaterials, ThoseThatNoLibraryHoldsAreTold) {
   for (const char* name : {"a", "b", "c", "b", "d", "e"}) text += std::string("usemtl ") + name + "\nf 1 2 3\n";
   const auto made = read_mesh(MeshKind::obj, text, folder_);
   ASSERT_EQ(made.told(), "unknown-materials");
-  EXPECT_EQ(made.diagnostics.all()[0].message,
-            "4 materials are in no library that was read, and are names alone: 'b', 'c', 'd', ...");
+  EXPECT_EQ(
+      made.diagnostics.all()[0].message,
+      "4 materials are in none of the libraries that were read, so only their names are kept: 'b', 'c', 'd', ...");
 }
 
 TEST(MeshObj, LongNamesAreNotRepeatedWithoutBound) {

@@ -52,19 +52,22 @@ TEST(MeshOff, WhyAPolygonBecomesAFanIsTold) {
 
 TEST(MeshOff, RefusalsNameTheLine) {
   EXPECT_EQ(error("OFF BINARY\n"), "input.off:1:5: error: binary OFF is not read");
-  EXPECT_EQ(error("4OFF\n1 0 0\n"), "input.off:1:1: error: '4OFF', expected OFF, with ST, C or N before it at most");
-  EXPECT_EQ(error("OFF\n1000000000 0 0\n0 0 0\n"), "input.off:2:1: error: 1000000000 vertices, and 6 bytes are left");
+  EXPECT_EQ(error("4OFF\n1 0 0\n"),
+            "input.off:1:1: error: expected OFF, with at most ST, C or N before it, found '4OFF'");
+  EXPECT_EQ(error("OFF\n1000000000 0 0\n0 0 0\n"),
+            "input.off:2:1: error: 1000000000 vertices do not fit in the 6 bytes that are left");
   EXPECT_EQ(error("OFF\n1 18446744073709551615 0\n0 0 0\n"),
-            "input.off:2:3: error: 18446744073709551615 faces, and 6 bytes are left");
+            "input.off:2:3: error: 18446744073709551615 faces do not fit in the 6 bytes that are left");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"), "input.off:4:5: error: 'nan' is not finite");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), "input.off:4:4: error: a number is missing here");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
-            "input.off:6:7: error: the face names vertex 7, and there are 3, counted from 0");
-  EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), "input.off:6:6: error: '' is no number of a vertex");
+            "input.off:6:7: error: the face names vertex 7, but there are 3, counted from 0");
+  EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
+            "input.off:6:6: error: expected the number of a vertex, found ''");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"),
             "input.off:6:1: error: a face of '4000000000' corners does not fit its line");
   EXPECT_EQ(error("COFF\n3 1 0\n0 0 0 1 2 3 4\n1 0 0 1 2 3\n0 1 0 1 2 3 4\n3 0 1 2\n"),
-            "input.off:4:6: error: a colour of 3 numbers, and the first vertex has 4");
+            "input.off:4:6: error: the colour has 3 numbers, but that of the first vertex has 4");
   EXPECT_EQ(error("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
             "input.off:7:1: error: the file ends before all vertices and faces are there");
 }

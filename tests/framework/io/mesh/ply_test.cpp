@@ -105,16 +105,18 @@ TEST(MeshPly, TextureCoordinatesOfCornersMakeSeams) {
 }
 
 TEST(MeshPly, RefusalsNameThePlace) {
-  EXPECT_EQ(error(""), "input.ply:1:1: error: a PLY begins with a line 'ply'");
-  EXPECT_EQ(error("ply\nformat ascii 2.0\n"), "input.ply:2:14: error: version '2.0', expected 1.0");
-  EXPECT_EQ(error("ply\nformat middle 1.0\n"), "input.ply:2:8: error: 'middle' is no format of PLY");
+  EXPECT_EQ(error(""), "input.ply:1:1: error: the first line must be 'ply'");
+  EXPECT_EQ(error("ply\nformat ascii 2.0\n"), "input.ply:2:14: error: expected version 1.0, found '2.0'");
+  EXPECT_EQ(
+      error("ply\nformat middle 1.0\n"),
+      "input.ply:2:8: error: 'middle' is not a PLY format; expected ascii, binary_little_endian or binary_big_endian");
   EXPECT_EQ(error(head), "input.ply:7:1: error: the file ends inside its header");
   EXPECT_EQ(error(head + face_element + "end_header\n" + places + "3 0 1 3\n"),
-            "input.ply:13:1: error: the face names vertex 3, and there are 3, counted from 0");
+            "input.ply:13:1: error: the face names vertex 3, but there are 3, counted from 0");
   EXPECT_EQ(error(head + face_element + "end_header\n" + places + "3 0 1 -1\n"),
-            "input.ply:13:7: error: a face names vertex -1");
+            "input.ply:13:7: error: the face names vertex -1, which cannot exist");
   EXPECT_EQ(error(head + face_element + "end_header\n" + places + "200 0 1 2\n"),
-            "input.ply:13:1: error: a list of 200 values, and 7 bytes are left");
+            "input.ply:13:1: error: a list of 200 values does not fit in the 7 bytes that are left");
   EXPECT_EQ(error(head + "end_header\n0 0 0\n0 inf 0\n0 0 0\n"), "input.ply:9:3: error: 'inf' is not finite");
   EXPECT_EQ(
       error(head + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + places + "3 0 1 2\n"),

@@ -42,7 +42,7 @@ TEST(MeshStl, CornersAtOnePlaceAreOneVertex) {
 TEST(MeshStl, AHeaderThatSaysSolidIsBelievedInTextAlone) {
   EXPECT_TRUE(read_mesh(MeshKind::stl, binary("solid lie", {one}, 1)).scene);
   EXPECT_EQ(error(binary("solid lie", {one}, 2)),
-            "input.stl: error: byte 80: 2 triangles of 50 bytes each, and 50 bytes are left");
+            "input.stl: error: byte 80: 2 triangles of 50 bytes each do not fit in the 50 bytes that are left");
 }
 
 TEST(MeshStl, CountsAreHeldAgainstTheBytesThatAreThere) {
@@ -70,12 +70,12 @@ TEST(MeshStl, EachSolidIsAMesh) {
 }
 
 TEST(MeshStl, RefusalsNameThePlace) {
-  EXPECT_EQ(error(""), "input.stl: error: the file holds no solid");
+  EXPECT_EQ(error(""), "input.stl: error: the file has no solid");
   EXPECT_EQ(error("solid\n" + triangle), "input.stl:9:1: error: the file ends inside a solid");
   EXPECT_EQ(error("solid\n" + facet("vertex 0 0 1e99\n")),
             "input.stl:4:12: error: '1e99' does not fit into a 32-bit float");
   EXPECT_EQ(error("solid\n" + facet("vertex 0 0\n")), "input.stl:5:2: error: 'endloop' is not a number");
-  EXPECT_EQ(error("solid\nloop\n"), "input.stl:2:1: error: 'loop', expected 'facet' or 'endsolid'");
+  EXPECT_EQ(error("solid\nloop\n"), "input.stl:2:1: error: expected 'facet' or 'endsolid', found 'loop'");
   Triangle bad = one;
   bad[4] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(error(binary("", {two, bad}, 2)), "input.stl: error: byte 162: a coordinate of triangle 1 is not finite");

@@ -238,7 +238,7 @@ TEST(MeshWrite, MoreThanOrderIsRefused) {
   Scene without = scene;
   without.draws.clear();
   EXPECT_NE(write(without, MeshKind::off).error.find("more than the order"), std::string::npos);
-  EXPECT_NE(write(scene, MeshKind::stl).error.find("only a file that was read as .stl"), std::string::npos);
+  EXPECT_NE(write(scene, MeshKind::stl).error.find("only a scene that was read from .stl"), std::string::npos);
 }
 
 TEST(MeshWrite, AsGltfAMeshKeepsNamesMaterialsAndTriangles) {

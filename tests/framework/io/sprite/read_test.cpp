@@ -133,7 +133,7 @@ TEST_F(SpriteRead, ListsOfOtherForms) {
 TEST_F(SpriteRead, AnImageIsOneTextures) {
   const Json texture = {{"image", "atlas.png"}, {"frames", {{{"filename", "a"}, {"frame", box(0, 0, 8, 8)}}}}};
   EXPECT_FALSE(read_list({{"textures", {texture, texture}}}));
-  EXPECT_THAT(to_text(told_), HasSubstr("textures[1].image: is the image of a texture before it"));
+  EXPECT_THAT(to_text(told_), HasSubstr("textures[1].image: is the image of an earlier texture"));
 }
 
 TEST_F(SpriteRead, BadFramesAreRefusedByName) {
@@ -142,8 +142,8 @@ TEST_F(SpriteRead, BadFramesAreRefusedByName) {
   EXPECT_THAT(mistake({{"frame", {{"x", 0.5}, {"y", 0}, {"w", 1}, {"h", 1}}}}), HasSubstr("is 0.5"));
   EXPECT_THAT(mistake({{"frame", {{"x", 1e300}, {"y", 0}, {"w", 1}, {"h", 1}}}}), HasSubstr("whole number"));
   EXPECT_THAT(mistake({{"frame", {{"x", "1"}, {"y", 0}, {"w", 1}, {"h", 1}}}}), HasSubstr("must be a number"));
-  EXPECT_THAT(mistake({{"frame", box(60, 0, 5, 8)}}), HasSubstr("it: reaches from 60, 0 over 5 x 8"));
-  EXPECT_THAT(mistake({{"frame", box(0, 30, 8, 2)}, {"rotated", true}}), HasSubstr("over 2 x 8"));
+  EXPECT_THAT(mistake({{"frame", box(60, 0, 5, 8)}}), HasSubstr("it: begins at 60, 0 and has 5 x 8 texels"));
+  EXPECT_THAT(mistake({{"frame", box(0, 30, 8, 2)}, {"rotated", true}}), HasSubstr("has 2 x 8 texels"));
   EXPECT_THAT(mistake({{"frame", box(0, 0, 8, 8)}, {"rotated", 90}}), HasSubstr("frames.it.rotated: must be true or"));
   EXPECT_THAT(mistake({{"frame", box(0, 0, 8, 8)}, {"sourceSize", 3}}), HasSubstr("frames.it.sourceSize"));
   EXPECT_THAT(mistake({{"frame", box(0, 0, 8, 8)}, {"spriteSourceSize", box(-3, 0, 8, 8)}}), HasSubstr("is -3"));
@@ -160,7 +160,7 @@ TEST_F(SpriteRead, BadListsAreRefused) {
   EXPECT_THAT(told("{"), HasSubstr("list.json:1:2: error: is not JSON"));
   EXPECT_THAT(told("[]"), HasSubstr("must be an object"));
   EXPECT_THAT(told("{}"), HasSubstr("meta.image: must be the name"));
-  EXPECT_THAT(told(R"({"frames":{},"meta":{"image":"atlas.png"}})"), HasSubstr("frames: holds no frame"));
+  EXPECT_THAT(told(R"({"frames":{},"meta":{"image":"atlas.png"}})"), HasSubstr("frames: has no frames"));
   EXPECT_THAT(told(R"({"frames":7,"meta":{"image":"atlas.png"}})"), HasSubstr("frames: must be an object of frames"));
   EXPECT_THAT(told(R"({"textures":[]})"), HasSubstr("textures: must be a list"));
   EXPECT_THAT(told(R"({"textures":[5]})"), HasSubstr("textures[0]: must be an object"));
@@ -168,7 +168,7 @@ TEST_F(SpriteRead, BadListsAreRefused) {
   const std::string frame = R"({"filename":"a","frame":{"x":0,"y":0,"w":1,"h":1}})";
   const std::string meta = R"(,"meta":{"image":"atlas.png"}})";
   EXPECT_THAT(told(R"({"frames":[)" + frame + ',' + frame + ']' + meta), HasSubstr("frames[1]: is called 'a'"));
-  EXPECT_THAT(told(R"({"frames":{"a":)" + frame + R"(,"a":)" + frame + '}' + meta), HasSubstr("stands twice"));
+  EXPECT_THAT(told(R"({"frames":{"a":)" + frame + R"(,"a":)" + frame + '}' + meta), HasSubstr("occurs twice"));
   EXPECT_THAT(told(R"({"frames":[{"frame":{}}])" + meta), HasSubstr("frames[0].filename"));
   std::string many = R"({"frames":[7)";
   for (int i = 0; i < 16384; ++i) many += ",7";
@@ -186,7 +186,7 @@ TEST_F(SpriteRead, ImagesStayInTheFolder) {
   EXPECT_THAT(told("a\\atlas.png"), HasSubstr("backslash"));
   EXPECT_THAT(told("http://x/atlas.png"), HasSubstr("scheme"));
   EXPECT_THAT(told(""), HasSubstr("is empty"));
-  EXPECT_THAT(told("none.png"), HasSubstr("is not there"));
+  EXPECT_THAT(told("none.png"), HasSubstr("is missing"));
   std::filesystem::create_directories(folder_ / "in");
   std::filesystem::copy_file(folder_ / "atlas.png", folder_ / "in/atlas.png");
   EXPECT_TRUE(read_list({{"frames", {{"a", {{"frame", box(0, 0, 1, 1)}}}}}, {"meta", {{"image", "in/atlas.png"}}}}));

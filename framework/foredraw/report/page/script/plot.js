@@ -113,7 +113,7 @@ export function start_plot(holder, comparison) {
     front_line.textContent =
       names === ''
         ? `No branch has both ${two}${state.is_log ? ' above 0' : ''}.`
-        : `Beaten by none in both ${two}: ${names}. These are filled and joined; ` +
+        : `Not beaten in both ${two}: ${names}. These are filled and joined; ` +
           `${x.less_is_better ? 'left' : 'right'} and ${y.less_is_better ? 'down' : 'up'} is better.`;
     canvas.setAttribute('aria-label', `Scatter plot of ${two}. The list below holds the same figures.`);
     redraw();

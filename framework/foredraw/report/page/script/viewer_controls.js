@@ -102,7 +102,7 @@ function make_legend(viewer) {
     if (viewer.mode === 'clusters') {
       const without = viewer.shown_panes().filter((pane) => !viewer.subject.has_clusters(viewer.states[pane]));
       return [
-        element('span', {}, 'one colour for each cluster'),
+        element('span', {}, 'one colour per cluster'),
         ...without.map((pane) =>
           element('span', {}, `no clusters in ${viewer.state_name(viewer.states[pane])}: one colour for each mesh`),
         ),
@@ -146,7 +146,7 @@ export function add_controls(holder, viewer, panes) {
       worst.disabled = false;
     });
   });
-  worst.title = 'Turns to where what is shown first has the most fragments per pixel, of 100 directions';
+  worst.title = 'Turns to the one of 100 directions where the first picture has the most fragments per pixel';
   const reset = button('Reset view', () => viewer.reset_camera());
   const legend = make_legend(viewer);
   const drawn = make_drawn_slider(viewer);

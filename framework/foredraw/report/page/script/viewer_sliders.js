@@ -41,7 +41,7 @@ export function make_drawn_slider(viewer) {
   );
   const row = slider_row(
     'Triangles drawn',
-    'the triangles, one after the other',
+    'the triangles one after another',
     (n) => {
       player.stop();
       viewer.set_drawn(n);

@@ -16,8 +16,8 @@ export function start_viewer(holder, comparison, scenes) {
   if (made === null) {
     const why =
       scenes.length > 0
-        ? 'This browser offers no WebGL 2, so nothing can be drawn here.'
-        : 'There are no triangles that could be shown here.';
+        ? 'This browser does not support WebGL 2, so nothing can be drawn here.'
+        : 'There are no triangles to show.';
     holder.append(element('p', { class: 'note' }, why));
     return null;
   }
