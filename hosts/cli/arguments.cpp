@@ -82,7 +82,7 @@ class CommandLine {
                     "keep: what stages made besides triangles and vertices is written with the scene, as optional "
                     "extensions; none: it is left out (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
-    heat_maps(optimize_app, "before and after");
+    heat_maps(optimize_app, ", before and after,");
     json(optimize_app, "Print the record of the run, as JSON, to standard output");
     threads(optimize_app);
 
@@ -95,7 +95,7 @@ class CommandLine {
     auto& measure_app = add("measure", "Measure a scene as it is", [this] { return measure(arguments_, registry_); });
     input(measure_app);
     with(measure_app);
-    heat_maps(measure_app, "as it is");
+    heat_maps(measure_app, "");
     json(measure_app);
     threads(measure_app);
 
@@ -103,13 +103,12 @@ class CommandLine {
                             [this] { return compare(arguments_, registry_); });
     compare_app.add_option("inputs", arguments_.inputs, "Scenes, images or frame lists, or folders of them")
         ->required();
-    pipeline(compare_app, "; give it once for each pipeline");
+    pipeline(compare_app, "; may be given several times");
     with(compare_app);
     compare_app
-        .add_option(
-            "--sweep", arguments_.sweeps,
-            "Run the pipelines at every value of an option: stage.option=FIRST:LAST:STEP or =A,B,C; given several "
-            "times, at every combination")
+        .add_option("--sweep", arguments_.sweeps,
+                    "Run the pipelines at every value of an option: stage.option=FIRST:LAST:STEP or =A,B,C; if given "
+                    "several times, at every combination")
         ->allow_extra_args(false);
     compare_app
         .add_option("--repeat", arguments_.repeat,
@@ -162,15 +161,49 @@ class CommandLine {
       app_.exit(asked);
       return done;
     } catch (const CLI::ParseError& mistake) {
-      const CLI::App* asked = app_.get_subcommands().empty() ? &app_ : app_.get_subcommands().front();
-      fmt::print(stderr, "foredraw: error: {}\n    hint: foredraw {}--help lists commands and options\n",
-                 mistake.what(), asked == &app_ ? "" : asked->get_name() + ' ');
+      refuse(mistake, {argv + 1, argv + argc});
       return users_mistake;
     }
     return run_command();
   }
 
  private:
+  void refuse(const CLI::ParseError& mistake, const std::vector<std::string>& words) const {
+    const bool has_command = !app_.get_subcommands().empty();
+    const CLI::App& asked = has_command ? *app_.get_subcommands().front() : app_;
+    const std::string help = fmt::format("foredraw {}--help", has_command ? asked.get_name() + ' ' : "");
+    if (words.empty()) {
+      fmt::print(stderr, "foredraw: error: a command is missing\n    hint: there are {}; {} explains them\n",
+                 fmt::join(commands(), ", "), help);
+    } else if (const std::string unknown = unknown_option(asked, words); !unknown.empty()) {
+      const std::vector<std::string> names = options_of(asked);
+      const std::string_view near = nearest(unknown, names);
+      fmt::print(stderr, "foredraw: error: there is no option '{}'\n    hint: {}\n", unknown,
+                 near.empty() ? help + " lists all options" : fmt::format("did you mean '{}'?", near));
+    } else {
+      fmt::print(stderr, "foredraw: error: {}\n    hint: {} lists commands and options\n", mistake.what(), help);
+    }
+  }
+
+  static std::vector<std::string> options_of(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+  }
+
+  /// The first word that looks like an option and is none; or nothing.
+  static std::string unknown_option(const CLI::App& app, const std::vector<std::string>& words) {
+    const std::vector<std::string> names = options_of(app);
+    for (const std::string& word : words) {
+      if (word == "--") break;
+      const std::string name = word.substr(0, word.find('='));
+      if (word.starts_with("--") && std::ranges::find(names, name) == names.end()) return name;
+    }
+    return {};
+  }
+
   int run_command() {
     if (arguments_.memory_limit != 0 && !limit_memory(arguments_.memory_limit)) {
       fmt::print(stderr, "foredraw: error: --memory-limit: this system cannot limit memory\n");
@@ -239,7 +272,8 @@ class CommandLine {
                        " (default: @default). " + presets_text())
         ->expected(1)
         ->take_all();
-    app.add_option("--set", arguments_.set, "Set an option of the pipeline: stage.option=value")
+    app.add_option("--set", arguments_.set,
+                   "Set an option of the pipeline: stage.option=value; may be given several times")
         ->expected(1)
         ->take_all();
   }
@@ -250,7 +284,7 @@ class CommandLine {
   }
   void heat_maps(CLI::App& app, const std::string& when) {
     app.add_option("--heatmap", arguments_.heat_maps,
-                   "Write PNG pictures of how often each pixel is shaded, " + when + ", into this folder");
+                   "Write PNG pictures of how often each pixel is shaded" + when + " into this folder");
     app.add_option("--heatmap-view", arguments_.heat_map_view,
                    "Which of the first overdraw evaluator's views to draw: worst, all, or a number (default: worst)");
   }

@@ -50,7 +50,11 @@ Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostic
     if (kind != sprites && has_kind_for(one, one.path)) fitting.push_back(std::move(one));
   }
   if (fitting.size() == 1) return fitting.front();
-  if (fitting.size() > 1) {
+  const std::size_t colon = output.path.find(':');
+  if (fitting.size() > 1 && colon != std::string::npos && colon > 1) {  // C: is a drive
+    diagnostics.error({}, "unknown-kind", fmt::format("there is no kind of output '{}'", output.path.substr(0, colon)),
+                      fmt::format("there are {}", kinds_text(rows)));
+  } else if (fitting.size() > 1) {
     std::vector<std::string> words;
     for (const Output& one : fitting) words.push_back(fmt::format("-o {}:{}", one.kind, one.path));
     diagnostics.error({.file = output.path}, "unknown-kind", "several kinds of output have this extension",

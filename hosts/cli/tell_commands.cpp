@@ -66,8 +66,10 @@ Exit schema(const Arguments& arguments, const Registry& registry) {
     for (const auto& [file, text] : card.schemas) texts.push_back(fmt::format("\"{}\": {}", file, text));
     return print(fmt::format("{{{}}}\n", fmt::join(texts, ", ")));
   }
-  fmt::print(stderr, "foredraw: error: there is no product '{}'\n    hint: there are {}\n", arguments.name,
-             fmt::join(names, ", "));
+  const std::string_view near = nearest(arguments.name, names);
+  fmt::print(
+      stderr, "foredraw: error: there is no product '{}'\n    hint: {}\n", arguments.name,
+      near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
   return users_mistake;
 }
 

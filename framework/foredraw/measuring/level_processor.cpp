@@ -167,8 +167,9 @@ std::unique_ptr<Processor> level_processor(std::unique_ptr<const LevelMaker> mak
 }
 
 std::vector<Metric> level_metrics() {
-  return {{"largest", "units", "Largest distance of a level from full detail that was found, either way", true, true},
-          {"rms", "units", "Root of the mean square distance of a level from full detail, both ways"}};
+  return {{"largest", "units", "Largest measured distance between a level and full detail, in either direction", true,
+           true},
+          {"rms", "units", "Root mean square distance between a level and full detail, in both directions"}};
 }
 
 }  // namespace foredraw

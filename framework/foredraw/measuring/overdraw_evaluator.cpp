@@ -289,16 +289,17 @@ class OverdrawEvaluator final : public Evaluator {
 std::vector<Metric> overdraw_metrics() {
   return {
       {"ratio", "fragments per pixel",
-       "Fragments that pass the depth test over those that stay, of all views and poses; 1 is the limit"},
-      {"view-mean", "fragments per pixel", "The mean of the ratios of all views and poses, as papers print it"},
+       "Fragments that pass the depth test per fragment that stays, over all views and poses; 1 is the minimum"},
+      {"view-mean", "fragments per pixel", "The mean of the ratios of all views and poses, as papers report it"},
       {"worst-view", "fragments per pixel", "The highest ratio of any view and pose", true, true},
       {"hidden", "fragments",
-       "Fragments that pass but do not stay, of all views and poses: a draw's part of the overdraw"},
-      {"ties", "fragments", "Fragments exactly as near as what was drawn before them, of all views and poses"},
+       "Fragments that pass but do not stay, over all views and poses: a draw's part of the overdraw"},
+      {"ties", "fragments", "Fragments exactly as near as what was drawn before them, over all views and poses"},
       {"discarded", "fragments",
-       "Fragments that pass the depth test and fall into the holes of a mask, of all views and poses; in no ratio"},
+       "Fragments that pass the depth test but fall into the holes of a mask, over all views and poses; no ratio "
+       "includes them"},
       {"blended-left-out", "draws", "Blended draws, which are left out"},
-      {"masked-left-out", "draws", "Masked draws of which it is not known where their holes are, which are left out"},
+      {"masked-left-out", "draws", "Masked draws whose holes are unknown, which are left out"},
       {"triangles-left-out", "triangles", "Triangles with positions that are not finite, which are left out"},
   };
 }

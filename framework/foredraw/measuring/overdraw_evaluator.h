@@ -32,7 +32,7 @@ requires std::derived_from<Options, OverdrawOptions>
 void add_faces_row(OptionTable<Options>& table) {
   table.template choice<Faces>(
       &OverdrawOptions::faces, "faces",
-      "Which faces are drawn: as the material culls, or front faces alone as in published figures",
+      "Which faces are drawn: as the material culls, or only front faces, as in published figures",
       {{"material", Faces::material}, {"front", Faces::front}});
 }
 
@@ -44,11 +44,10 @@ requires std::derived_from<Options, OverdrawOptions>
 void add_evaluator_rows(OptionTable<Options>& table) {
   table.template row<bool>(
       &OverdrawOptions::details, "details",
-      "Tell how many pixels are shaded how often, and which draws and clusters cause the overdraw");
+      "Report how many pixels are shaded how often, and which draws and clusters cause the overdraw");
   table.template row<std::optional<double>>(&OverdrawOptions::error, "error",
-                                            "Pick views and size so that each subject's ratio is this exact, 19 times "
-                                            "of 20; views, count and size are not used "
-                                            "then",
+                                            "Choose views and size so that the error of each subject's ratio is at "
+                                            "most this, 19 times out of 20; views, count and size are then ignored",
                                             {1e-4, 1, "fragments per pixel"});
 }
 

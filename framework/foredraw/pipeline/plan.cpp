@@ -111,7 +111,7 @@ class Planner {
       error(stage.where, "wrong-list",
             measure ? fmt::format("'{}' changes the scene; only evaluators can measure", stage.use)
                     : fmt::format("'{}' is an evaluator; stages must order or change", stage.use),
-            measure ? "list it under stages" : "list it under measure");
+            measure ? "list it under stages (--pipeline)" : "list it under measure (--with)");
       return std::nullopt;
     }
     auto settings = fitted(plugin->options, stage);

@@ -63,8 +63,8 @@ std::string reference_page(const Plugin& plugin) {
   fact("makes them", names_text(card.provides));
   fact("undoes", names_text(card.breaks));
   fact("pays if", card.pays_if);
-  if (card.uses_overdraw) page += "- asks for measured overdraw\n";
-  if (plugin.overdraw_service) page += "- can answer for measured overdraw ([services])\n";
+  if (card.uses_overdraw) page += "- needs measured overdraw\n";
+  if (plugin.overdraw_service) page += "- can supply measured overdraw ([services])\n";
   if (plugin.options.empty()) {
     page += "\nIt has no options.\n";
   } else {

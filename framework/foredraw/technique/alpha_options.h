@@ -9,11 +9,10 @@ namespace foredraw {
 /// The row `channel`.
 template <class Options, class Owner>
 void add_alpha_channel(OptionTable<Options>& table, AlphaChannel Owner::*channel) {
-  table.choice(
-      channel, "channel",
-      "What counts as alpha: the image's, or, for sprites that are added to what is there, the luminance of its "
-      "colour, or the greatest of its channels",
-      {{"alpha", AlphaChannel::alpha}, {"luminance", AlphaChannel::luminance}, {"any", AlphaChannel::any}});
+  table.choice(channel, "channel",
+               "What counts as alpha: the image's own alpha, or, for sprites that are blended additively, the "
+               "luminance of the colour or the greatest of its channels",
+               {{"alpha", AlphaChannel::alpha}, {"luminance", AlphaChannel::luminance}, {"any", AlphaChannel::any}});
 }
 
 }  // namespace foredraw

@@ -10,15 +10,17 @@ namespace foredraw {
 template <class Options>
 requires std::derived_from<Options, PoseSet>
 void add_pose_rows(OptionTable<Options>& table) {
-  table.number_or_text(&PoseSet::poses, "poses",
-                       "In which poses: auto (16 spread over the clips, sharing the views), bind (as the nodes of the "
-                       "file stand), all (every key of every clip), or at most so many, spread over the clips");
+  table.number_or_text(
+      &PoseSet::poses, "poses",
+      "Which poses: auto (16 spread over the clips, sharing the views), bind (as the nodes of the file stand), all "
+      "(every key of every clip), or a number: at most that many, spread over the clips");
   table.template row<std::string>(&PoseSet::clips, "clips", "Names of the clips to take poses from, with * and ?");
   table.template row<std::optional<double>>(&PoseSet::rate, "rate",
-                                            "In place of poses: so many a second, from each clip's first key on",
+                                            "Instead of poses: this many per second, from each clip's first key on",
                                             {0.001, 1000, "poses a second"});
-  table.template row<std::string>(&PoseSet::moments, "moments",
-                                  "In place of poses: these seconds of each clip that lasts for them, as '0 0.5 2'");
+  table.template row<std::string>(
+      &PoseSet::moments, "moments",
+      "Instead of poses: these seconds of each clip that is long enough, such as '0 0.5 2'");
 }
 
 }  // namespace foredraw

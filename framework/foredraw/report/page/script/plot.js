@@ -112,7 +112,7 @@ export function start_plot(holder, comparison) {
     const two = `${axis_title(x)} and ${axis_title(y)}`;
     front_line.textContent =
       names === ''
-        ? `No branch has both ${two}${state.is_log ? ' above 0' : ''}.`
+        ? `No pipeline has both ${two}${state.is_log ? ' above 0' : ''}.`
         : `Not beaten in both ${two}: ${names}. These are filled and joined; ` +
           `${x.less_is_better ? 'left' : 'right'} and ${y.less_is_better ? 'down' : 'up'} is better.`;
     canvas.setAttribute('aria-label', `Scatter plot of ${two}. The list below holds the same figures.`);

@@ -104,7 +104,7 @@ function make_legend(viewer) {
       return [
         element('span', {}, 'one colour per cluster'),
         ...without.map((pane) =>
-          element('span', {}, `no clusters in ${viewer.state_name(viewer.states[pane])}: one colour for each mesh`),
+          element('span', {}, `no clusters in ${viewer.state_name(viewer.states[pane])}: one colour per mesh`),
         ),
       ];
     }
