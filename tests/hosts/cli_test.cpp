@@ -254,6 +254,7 @@ TEST_P(Mistakes, AreToldInOneClearLineAndNothingIsWritten) {
   std::ofstream(folder_ / "bad.glb") << "glTF but not really";
   std::ofstream(folder_ / "typo.toml")
       << "pipeline = 1\nstages = [\n  \"weld\",\n  { use = \"tipsify\", cache = 16 },\n]\n";
+  std::ofstream(folder_ / "empty.glb");
   std::ofstream(folder_ / "service.toml")
       << "pipeline = 1\n[services]\noverdraw = { use = \"overdraw-raster\", views = 162 }\n";
   const auto before = files();
@@ -279,7 +280,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unknown_set", "optimize SPOT -o out.glb --set lookahead.cach-size=3", 1, "cache-size"},
         Mistake{"unknown_kind_of_output", "optimize SPOT -o out.xyz", 1, ".glb or .gltf"},
         Mistake{"missing_folder", "optimize SPOT -o no/such/folder/out.glb", 2, "no folder 'no/such/folder'"},
-        Mistake{"no_output", "optimize SPOT", 1, "--output"}, Mistake{"no_command", "", 1, "hint"},
+        Mistake{"no_output", "optimize SPOT", 1, "--output"},
+        Mistake{"no_command", "", 1, "hint: there are optimize, plan"},
+        Mistake{"misspelled_option", "optimize SPOT -o out.glb --levls keep", 1,
+                "'--levls'\n    hint: did you mean '--levels'?"},
+        Mistake{"option_like_no_other", "plan SPOT --quite-else=3", 1,
+                "'--quite-else'\n    hint: foredraw plan --help"},
+        Mistake{"unknown_kind_before_a_colon", "optimize SPOT -o tangents:out.json", 1, "no kind of output 'tangents'"},
+        Mistake{"unknown_product", "schema draw-order", 1, "did you mean 'draw-orders'?"},
+        Mistake{"empty_file", "inspect empty.glb", 2, "empty.glb: error: the file is empty"},
         Mistake{"unknown_plugin_shown", "show tipsfy", 1, "did you mean 'tipsify'?"},
         Mistake{"unknown_kind_listed", "list --kind things", 1, "orderer"},
         Mistake{"bad_views", "measure SPOT --with 'overdraw-raster(views=100)'", 1, "162"},

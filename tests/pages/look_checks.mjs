@@ -114,7 +114,7 @@ export async function check_without_script(browser, html) {
 export async function check_without_gl(html) {
   const browser = await launch({ has_gl: false });
   const { page } = await open(browser, html);
-  check('without WebGL: it says so', (await page.textContent('#viewer')).includes('no WebGL 2'));
+  check('without WebGL: it says so', (await page.textContent('#viewer')).includes('not support WebGL 2'));
   check('without WebGL: the plot works', (await page.evaluate(() => window.foredraw.plot.points().length)) > 0);
   await page.click('#figures th button >> nth=0');
   check_equal(

@@ -99,7 +99,7 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
                       "use .glb, .gltf, " + sprite_output_extensions());
   } else {
     diagnostics.error({.file = path}, "unknown-kind",
-                      "scenes can be written as .glb, as .gltf, or as the kind of the input",
+                      "scenes can be written as .glb or .gltf, or as the kind of the input",
                       "give the output one of these extensions, or - for a GLB on standard output");
   }
   return false;

@@ -143,7 +143,7 @@ std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyse
     }
   }
   text += table.text();
-  if (!odd.empty()) text += "\nodd:\n" + odd;
+  if (!odd.empty()) text += "\nunusual:\n" + odd;
   if (const std::string levels = levels_text(scene); !levels.empty()) {
     text += "\nlevels of detail (besides full detail):\n" + levels;
   }

@@ -109,12 +109,12 @@ TEST_F(LevelProcessorTest, AnAnswerThatIsNoneIsRefused) {
   EXPECT_NE(refused([](MadeLevel& l) { l.indices = {}; }).find("draws nothing"), std::string::npos);
   EXPECT_NE(refused([&](MadeLevel& l) { l.indices = indices({0, 1}); }).find("triangles"), std::string::npos);
   EXPECT_NE(refused([&](MadeLevel& l) { l.indices = indices({0, 1, 99}); }).find("does not exist"), std::string::npos);
-  EXPECT_NE(refused([](MadeLevel& l) { l.largest = -1; }).find("no distance"), std::string::npos);
+  EXPECT_NE(refused([](MadeLevel& l) { l.largest = -1; }).find("not a distance"), std::string::npos);
   EXPECT_NE(refused([](MadeLevel& l) {
               VertexStreams streams = *l.vertices;
               streams.base.push_back({"_MORE", Format{}, streams.base[0].bytes});
               l.vertices = std::make_shared<const VertexStreams>(streams);
-            }).find("other attributes"),
+            }).find("different attributes"),
             std::string::npos);
 }
 

@@ -57,7 +57,7 @@ TEST(Answers, TablesThatCanNotBeLookedUpAreRefused) {
          table.clips[0].times = {0, never};
        })},
       {"has 0 steps of theta", changed([](auto& table) { table.theta_steps = 0; })},
-      {"may have 1 to 65536", changed([](auto& table) { table.phi_steps = 65537; })},
+      {"must have 1 to 65536", changed([](auto& table) { table.phi_steps = 65537; })},
       {"has 3 cells, but must have 4", changed([](auto& table) { table.order.pop_back(); })},
       {"names order 2 of 2", changed([](auto& table) { table.order[1] = 2; })}};
   for (const auto& [expected, table] : tables) {

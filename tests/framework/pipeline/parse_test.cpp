@@ -136,7 +136,7 @@ p.toml:3:91: error: stages[4]: expected one stage, found 2
     hint: write each stage as a string of its own
 p.toml:3:103: error: stages[5]: expected '=' after 'b', found the end
     hint: options are given as name=value
-p.toml:4:11: error: 'measure' must be a list, not a text
+p.toml:4:11: error: 'measure' must be a list, not a string
     hint: write measure = [ ... ]
 p.toml:6:1: error: views: there is no 'veiws' here
     hint: did you mean 'views'?
@@ -150,7 +150,7 @@ p.toml:10:1: error: services: there is no 'overdrew' here
 
 TEST(ParseFile, ChecksTheVersion) {
   EXPECT_NE(refused("pipeline = 2").find("p.toml:1:12: error: 'pipeline' is 2, but"), std::string::npos);
-  EXPECT_NE(refused("pipeline = '1'").find("'pipeline' must be the format's version, 1, not a text"),
+  EXPECT_NE(refused("pipeline = '1'").find("'pipeline' must be the format's version, 1, not a string"),
             std::string::npos);
 }
 

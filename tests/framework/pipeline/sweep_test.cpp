@@ -102,7 +102,7 @@ TEST_F(Swept, LeavesAloneWhatAllAreMeasuredWith) {
   const Sweep views = parse_sweep("overdraw-raster.count=10,400", diagnostics_).value();
   EXPECT_FALSE(swept(measured, {&views, 1}, diagnostics_));
   EXPECT_THAT(to_text(diagnostics_), HasSubstr("--sweep:1:1: error: 'overdraw-raster.count' belongs to an evaluator, "
-                                               "but all pipelines are measured alike\n    hint: --set changes"));
+                                               "but all pipelines are measured alike\n    hint: use --set"));
 }
 
 TEST_F(Swept, AnOptionOnce) {

@@ -144,10 +144,10 @@ TEST(StoredFigures, AreReadOutOfEveryForm) {
 
 TEST(StoredFigures, WhatCanNotBeReadIsRefused) {
   for (const auto& [text, expected] : std::map<std::string, std::string>{
-           {"", "no JSON object"},
-           {"[1]", "no JSON object"},
-           {"{}", "neither a report, nor a batch, nor a comparison"},
-           {R"({"report": "1"})", "neither a report"},
+           {"", "is not a JSON object"},
+           {"[1]", "is not a JSON object"},
+           {"{}", "is not a report, a batch or a comparison"},
+           {R"({"report": "1"})", "is not a report"},
            {R"({"report": 7})", "is a report of version 7, but this program reads versions up to 1"},
            {R"({"report": 1})", "an incomplete report"},
            {R"({"comparison": 1, "files": [{"branches": []}]})", "an incomplete comparison"},

@@ -125,7 +125,7 @@ TEST(ReportText, StagesOnTheWholeScene) {
 
 TEST(ReportText, OddFactsAreSummedOverTheDraws) {
   Report report = optimized();
-  EXPECT_THAT(to_text(report), Not(HasSubstr("odd in the input")));
+  EXPECT_THAT(to_text(report), Not(HasSubstr("unusual in the input")));
   report.draws[0].facts.zero_area = 1000;
   report.draws[1].facts.zero_area = 34;
   EXPECT_THAT(to_text(report), HasSubstr("\nunusual in the input, and kept: zero-area 1,034\n"));

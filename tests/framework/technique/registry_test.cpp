@@ -67,7 +67,7 @@ TEST(Registry, RefusesOptionsThatCouldNeverBeSet) {
 
 TEST(Registry, RefusesOddOptionNames) {
   EXPECT_EQ(refusal(with_option({.name = "cache_size", .default_value = std::string()})),
-            "sample: option name 'cache_size'");
+            "sample: option name 'cache_size': expected lower-case letters, digits and hyphens");
 }
 
 TEST(Registry, RefusesADefaultThatDoesNotFitItsRow) {

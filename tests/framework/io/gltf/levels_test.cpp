@@ -154,7 +154,7 @@ TEST(GltfLevels, WhatIsNoLevelStaysAndSaysWhy) {
         j["nodes"].push_back({{"mesh", 2}});
         j["scenes"][0]["nodes"].push_back(3);
       }),
-      "a coarser mesh is drawn by itself");
+      "a coarser mesh is also drawn by itself");
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 1}; }), "names a node twice");
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 0}; }), "names a node twice");
   has(why([](GltfJson& j) { j["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 9}; }), "does not exist");

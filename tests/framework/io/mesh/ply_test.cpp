@@ -101,7 +101,7 @@ TEST(MeshPly, TextureCoordinatesOfCornersMakeSeams) {
   EXPECT_EQ(
       error(head + "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n" +
             "end_header\n" + places + "3 0 1 2 4 0 0 1 0\n"),
-      "input.ply:14:1: error: 4 texture coordinates for 3 corners");
+      "input.ply:14:1: error: found 4 texture coordinates for 3 corners");
 }
 
 TEST(MeshPly, RefusalsNameThePlace) {

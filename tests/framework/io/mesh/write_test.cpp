@@ -91,7 +91,7 @@ TEST(MeshWrite, ObjLinesAreNotRepeatedWithoutBound) {
   IndexOrder order;
   for (std::uint32_t i = 0; i < 400; ++i) order.insert(order.end(), {i, i + 400});
   mixed.draws[0] = with_triangle_order(mixed.draws[0], order);
-  EXPECT_THAT(write(mixed, MeshKind::obj).error, ::testing::HasSubstr("would have to be repeated"));
+  EXPECT_THAT(write(mixed, MeshKind::obj).error, ::testing::HasSubstr("repeated lines of groups and materials"));
 }
 
 TEST(MeshWrite, ObjPolygonsStayWhole) {

@@ -76,7 +76,7 @@ TEST_F(SpriteRead, AnyKindOfImage) {
 TEST_F(SpriteRead, DamagedImagesAreRefused) {
   testing::put(folder_ / "no.png", "no image at all");
   EXPECT_FALSE(read("no.png"));
-  EXPECT_THAT(to_text(told_), HasSubstr("no.png: error: is no image"));
+  EXPECT_THAT(to_text(told_), HasSubstr("no.png: error: is not an image"));
   testing::put(folder_ / "empty.jpg", "");
   EXPECT_FALSE(read("empty.jpg"));
   std::vector<std::byte> vast = testing::disc_png(8, 8);
