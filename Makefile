@@ -5,11 +5,12 @@ SEED ?= 1
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test clang bench city vertex-orders overdraw-error han-sander-2016 particle-trim merge-instances asan tsan fuzz clean
+.PHONY: help demo build test long-test clang bench city vertex-orders overdraw-error han-sander-2016 particle-trim merge-instances asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
 	@echo 'make test     build everything, run every test'
+	@echo 'make long-test  the checks of minutes: millions of triangles, hundreds of views, slow plugins on the corpus, make fuzz'
 	@echo 'make clang    build the program with clang: build/clang/hosts/cli/foredraw'
 	@echo 'make bench    build the benchmarks, in build/release/benchmarks: foredraw-bench, the program with the peers beside'
 	@echo '              our plugins, techniques/techniques-bench, which times both sides, and vertex_order/vertex-order-bench'
@@ -40,6 +41,10 @@ fuzz: MORE = fuzz
 test asan tsan fuzz:
 	packages/install build test $(MORE)
 	cmake --preset $(TESTS) && cmake --build --preset $(TESTS) && ctest --preset $(TESTS)
+
+long-test: fuzz
+	packages/install build test
+	cmake --preset release-tests && cmake --build --preset release-tests && ctest --preset long-test
 
 clang:
 	packages/install build clang

@@ -90,12 +90,18 @@ if(FOREDRAW_SANITIZE)
   endif()
 endif()
 
-# A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...).
+# A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...). LONG is a
+# filter of GoogleTest's: what it lets through is labelled "long" and belongs to `make long-test`, not to `make test`.
 function(foredraw_add_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "LONG" "SOURCES;LINK;PROPERTIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # tests may call things alike
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's
   target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support ${ARG_LINK})
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}." PROPERTIES TIMEOUT 600)
+  set(discover ${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}.")
+  if(ARG_LONG)
+    gtest_discover_tests(${discover} TEST_FILTER "${ARG_LONG}" PROPERTIES LABELS long TIMEOUT 3600 ${ARG_PROPERTIES})
+    list(APPEND discover TEST_FILTER "-${ARG_LONG}")
+  endif()
+  gtest_discover_tests(${discover} PROPERTIES TIMEOUT 600 ${ARG_PROPERTIES})
 endfunction()

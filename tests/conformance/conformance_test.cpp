@@ -65,7 +65,10 @@ struct Outcome {
   Plan plan;
 };
 
-Outcome run(const Pipeline& pipeline, int threads) {
+/// What is measured for orders, is so in few small pictures.
+Outcome run(Pipeline pipeline, int threads) {
+  pipeline.views.count = 12;
+  pipeline.views.size = 48;
   Diagnostics diagnostics;
   const Scene scene = testing::odd_scene();
   const Generous lender;
@@ -107,12 +110,24 @@ std::vector<double> figures(const Result& result) {
   return values;
 }
 
-std::optional<OptionValue> extreme(const OptionSpec& option, bool most) {
+/// How far pictures go: a hundred thousand views show no more than a thousand, but take a device minutes.
+struct Pictures {
+  double views, pixels;
+};
+constexpr Pictures some_pictures{100, 512};
+constexpr Pictures largest_pictures{1000, 4096};
+
+bool is_size(const OptionSpec& option) { return option.name == "size" && option.unit == "pixels"; }
+
+double most_of(const OptionSpec& option, const Pictures& pictures) {
+  if (option.unit == "views") return std::min(option.most, pictures.views);
+  return is_size(option) ? std::min(option.most, pictures.pixels) : option.most;
+}
+
+std::optional<OptionValue> extreme(const OptionSpec& option, bool most, const Pictures& pictures = some_pictures) {
   // The least error takes the most views, and leaves the other options of views unused.
   if (option.name == "error" && !most) return std::nullopt;
-  // One view is drawn like the other: a hundred thousand show no more than a thousand, but take a device minutes.
-  constexpr double many_views = 1000;
-  const double bound = !most ? option.least : option.unit == "views" ? std::min(option.most, many_views) : option.most;
+  const double bound = most ? most_of(option, pictures) : option.least;
   if (option.type == OptionType::boolean) return most;
   if (option.type == OptionType::choice) return most ? option.choices.back() : option.choices.front();
   if (!std::isfinite(bound)) return std::nullopt;
@@ -136,17 +151,23 @@ Settings few_pictures(const Plugin& plugin) {
   Settings settings = named_files(plugin);
   for (const OptionSpec& option : plugin.options) {
     if (option.unit == "views") settings[option.name] = std::int64_t{12};
-    if (option.name == "size" && option.unit == "pixels") settings[option.name] = std::int64_t{48};
+    if (is_size(option)) settings[option.name] = std::int64_t{48};
   }
   return settings;
 }
 
-/// The defaults; everything at its least; and each option at its most with the others at their least.
-std::vector<Settings> settings_of(const Plugin& plugin) {
+/// Everything at its least.
+Settings least_of(const Plugin& plugin) {
   Settings least = named_files(plugin);
   for (const OptionSpec& option : plugin.options) {
     if (const auto value = extreme(option, false)) least[option.name] = *value;
   }
+  return least;
+}
+
+/// The defaults; everything at its least; and each option at its most with the others at their least.
+std::vector<Settings> settings_of(const Plugin& plugin) {
+  const Settings least = least_of(plugin);
   std::vector<Settings> all{few_pictures(plugin), least};
   for (const OptionSpec& option : plugin.options) {
     if (const auto value = extreme(option, true)) {
@@ -164,6 +185,18 @@ class EveryPlugin : public ::testing::TestWithParam<std::string> {
 
 TEST_P(EveryPlugin, AnswersRightOnOddDrawsAtEveryOption) {
   for (const Settings& settings : settings_of(plugin())) {
+    const Pipeline pipeline = pipeline_for(plugin(), settings);
+    const Outcome outcome = run(pipeline, 2);
+    EXPECT_FALSE(outcome.result.failed) << print_file(pipeline) << problems(outcome.result);
+  }
+}
+
+/// Of the options of pictures, which take longest.
+TEST_P(EveryPlugin, AnswersRightWithTheLargestPictures) {
+  for (const OptionSpec& option : plugin().options) {
+    if (option.unit != "views" && !is_size(option)) continue;
+    Settings settings = least_of(plugin());
+    settings[option.name] = *extreme(option, true, largest_pictures);
     const Pipeline pipeline = pipeline_for(plugin(), settings);
     const Outcome outcome = run(pipeline, 2);
     EXPECT_FALSE(outcome.result.failed) << print_file(pipeline) << problems(outcome.result);

@@ -1,9 +1,8 @@
 // The corpus through @default: the bytes that come out are the ones that are written down here, at any thread count and
 // from either compiler, and every model is cheaper to draw or as it was.
-//
-// Where a change is meant, FOREDRAW_UPDATE_GOLDEN=1 writes the file anew; read the difference before it is committed.
 
 #include "corpus_run.h"
+#include "rows.h"
 #include "support/meshes.h"
 
 #include <fmt/format.h>
@@ -11,9 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <map>
+#include <filesystem>
 
 namespace foredraw {
 namespace {
@@ -31,27 +28,10 @@ std::vector<std::string> corpus() {
   return models;
 }
 
-fs::path golden_file() { return testing::project_file("tests/golden/corpus.tsv"); }
-
-bool updating() { return std::getenv("FOREDRAW_UPDATE_GOLDEN") != nullptr; }
-
-using Rows = std::map<std::string, std::string>;
-
-Rows golden_rows() {
-  Rows rows;
-  std::ifstream file(golden_file());
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t tab = line.find('\t');
-    if (tab != std::string::npos && line[0] != '#') rows[line.substr(0, tab)] = line.substr(tab + 1);
-  }
-  return rows;
-}
-
-void write_rows(const Rows& rows) {
-  std::ofstream file(golden_file());
-  file << "# model\tcontent hash of the output\tbefore and after: ACMR (FIFO 16), OVR (overdraw-raster, 100 views, "
-          "16 poses of animations)\n";
-  for (const auto& [model, row] : rows) file << model << '\t' << row << '\n';
+testing::GoldenRows golden_rows() {
+  return {"corpus.tsv",
+          "# model\tcontent hash of the output\tbefore and after: ACMR (FIFO 16), OVR (overdraw-raster, 100 views, "
+          "16 poses of animations)\n"};
 }
 
 Stamp output_stamp(const Scene& scene, const std::string& model) {
@@ -85,12 +65,7 @@ TEST_P(Corpus, IsCheaperToDrawAndTheSameBytesAsEver) {
   const std::string row =
       fmt::format("{}\t{:.4f} {:.4f}\t{:.4f} {:.4f}", to_text(output_stamp(result.scene, GetParam())), acmr[0], acmr[1],
                   ovr[0], ovr[1]);
-  Rows rows = golden_rows();
-  if (updating()) {
-    rows[GetParam()] = row;
-    write_rows(rows);
-  }
-  EXPECT_EQ(rows[GetParam()], row) << "if this change is meant: FOREDRAW_UPDATE_GOLDEN=1";
+  golden_rows().expect(GetParam(), row);
 }
 
 TEST_P(Corpus, GivesTheSameBytesAtAnyThreadCount) {

@@ -1,9 +1,8 @@
 // The particle textures of the corpus, trimmed: the frame lists that come out are the ones that are written down here,
 // at any thread count and from either compiler, and no pixel that shows is lost.
-//
-// Where a change is meant, FOREDRAW_UPDATE_GOLDEN=1 writes the file anew; read the difference before it is committed.
 
 #include "corpus_run.h"
+#include "rows.h"
 #include "support/meshes.h"
 
 #include <benchmarks/particle_trim/particle_textures.h>
@@ -15,28 +14,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
-#include <fstream>
-#include <map>
+#include <filesystem>
 
 namespace foredraw {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path golden_file() { return testing::project_file("tests/golden/sprites.tsv"); }
-
-using Rows = std::map<std::string, std::string>;
-
-Rows golden_rows() {
-  Rows rows;
-  std::ifstream file(golden_file());
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t tab = line.find('\t');
-    if (tab != std::string::npos && line[0] != '#') rows[line.substr(0, tab)] = line.substr(tab + 1);
-  }
-  return rows;
-}
 
 /// How sprites are trimmed, and how it is measured whether they still show what they did.
 struct Trimming {
@@ -51,14 +34,12 @@ constexpr std::array trimmings = {
     Trimming{"particle-trim(vertices=8, mip-levels=2)", "sprite-fill"},  // down to a quarter of their size
 };
 
-void write_rows(const Rows& rows) {
-  std::ofstream file(golden_file());
-  file << "# texture\tfor each trimming: content hash of the frame list; sprite-fill: pixels that show, filled before "
-          "and "
-          "after\n# ";
-  for (const Trimming& trimming : trimmings) file << '\t' << trimming.stage << "; " << trimming.measure;
-  file << '\n';
-  for (const auto& [texture, row] : rows) file << texture << '\t' << row << '\n';
+testing::GoldenRows golden_rows() {
+  std::string heading =
+      "# texture\tfor each trimming: content hash of the frame list; sprite-fill: pixels that show, filled before and "
+      "after\n# ";
+  for (const Trimming& trimming : trimmings) heading += fmt::format("\t{}; {}", trimming.stage, trimming.measure);
+  return {"sprites.tsv", heading + '\n'};
 }
 
 Result trimmed(const fs::path& sprites, const Trimming& trimming, int threads) {
@@ -98,14 +79,7 @@ TEST_P(Sprites, ShowWhatTheyDidAndAreTheSamePolygonsAsEver) {
     figures.push_back(fmt::format("{} {:.0f} {:.0f} {:.0f}", to_text(list_stamp(result.scene, GetParam())),
                                   count(before, "needed"), count(before, "filled"), count(after, "filled")));
   }
-  const std::string name = GetParam().stem().string();
-  const std::string row = fmt::format("{}", fmt::join(figures, "\t"));
-  Rows rows = golden_rows();
-  if (std::getenv("FOREDRAW_UPDATE_GOLDEN") != nullptr) {
-    rows[name] = row;
-    write_rows(rows);
-  }
-  EXPECT_EQ(rows[name], row) << "if this change is meant: FOREDRAW_UPDATE_GOLDEN=1";
+  golden_rows().expect(GetParam().stem().string(), fmt::format("{}", fmt::join(figures, "\t")));
 }
 
 TEST_P(Sprites, ShowExactlyWhatTheyDidWhileTheyAreUpright) {

@@ -1,6 +1,7 @@
 // The program as its users run it: arguments, exit codes, what lands on which stream, what lands on disk.
 
 #include "support/meshes.h"
+#include "support/program.h"
 
 #include <foredraw/io/gltf/gltf.h>
 
@@ -9,61 +10,24 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace foredraw {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+using testing::content;
+using testing::Ended;
 
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class Cli : public ::testing::Test {
+class Cli : public testing::InFolder {
  protected:
-  struct Ended {
-    int code = 0;
-    std::string out;
-    std::string err;
-  };
-
-  Cli() {
-    folder_ = fs::temp_directory_path() /
-              ("foredraw-cli-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~Cli() override { fs::remove_all(folder_); }
-
-  /// Runs the program in the folder with a shell's quoting.
-  Ended run(const std::string& arguments) {
-    std::string command = "cd '" + folder_.string() + "' && '" FOREDRAW_PROGRAM "' " + arguments;
-    if (arguments.find(">/dev/full") == std::string::npos) command += " >out.txt";
-    command = "(" + command + ") 2>'" + (folder_ / "err.txt").string() + "'";
-    const int status = std::system(command.c_str());
-    Ended ended{WEXITSTATUS(status), content(folder_ / "out.txt"), content(folder_ / "err.txt")};
-    fs::remove(folder_ / "out.txt");
-    fs::remove(folder_ / "err.txt");
-    return ended;
-  }
-
+  Ended run(const std::string& arguments) { return testing::run_program(folder_, arguments); }
   std::string model(const std::string& name) {
     return "'" + testing::project_file("benchmarks/corpus/" + name).string() + "'";
   }
   std::string spot() { return model("static/spot.glb"); }
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
-    return names;
-  }
-
-  fs::path folder_;
 };
 
 double metric(const Json& state, const char* plugin, const char* name) {
@@ -297,7 +261,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"two_outputs_in_one_file", "optimize SPOT -o out.glb --report out.glb", 1, "two outputs"},
         Mistake{"report_in_no_folder", "optimize SPOT -o out.glb --report no/r.json", 2, "no folder 'no'"},
         Mistake{"empty_name", "measure ''", 1, "empty"},
-        Mistake{"full_disk", "schema >/dev/full; exit $?", 2, "cannot be written"},
+         Mistake{"full_disk", "schema >/dev/full", 2, "cannot be written"},
         Mistake{"option_of_no_service", "plan SPOT -p service.toml", 1, "no option 'views'"},
         Mistake{"json_and_scene_on_one_stream", "optimize SPOT -o - --json", 1, "--report"}),
     [](const auto& info) { return std::string(info.param.what); });

@@ -65,14 +65,14 @@ struct Ended {
 };
 
 #ifdef FOREDRAW_PROGRAM
-/// Runs `foredraw arguments` in the folder, with a shell's quoting; `before` goes before the command: "ulimit -v
-/// 1000;".
+/// Runs `foredraw arguments` in the folder, with a shell's quoting and redirections; `before` goes before the command:
+/// "ulimit -v 1000;".
 inline Ended run_program(const std::filesystem::path& folder, const std::string& arguments,
                          const std::string& before = {}) {
   const std::filesystem::path streams = folder.string() + ".streams";
   std::filesystem::create_directories(streams);
-  const std::string command = "cd '" + folder.string() + "' && " + before + " '" FOREDRAW_PROGRAM "' " + arguments +
-                              " >'" + (streams / "out").string() + "' 2>'" + (streams / "err").string() +
+  const std::string command = "(cd '" + folder.string() + "' && " + before + " '" FOREDRAW_PROGRAM "' " + arguments +
+                              ") >'" + (streams / "out").string() + "' 2>'" + (streams / "err").string() +
                               "' </dev/null";
   const int status = std::system(command.c_str());
   Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(streams / "out"), content(streams / "err")};

@@ -1,5 +1,5 @@
 // Every model of a folder goes through the program, and what comes out must be as valid as what went in:
-//   node corpus.mjs PROGRAM FOLDER OUTPUT_FOLDER
+//   node corpus.mjs PROGRAM FOLDER OUTPUT_FOLDER OPTIONS...
 // Exit 1 where the program failed, or wrote a file with an error that its input did not have.
 
 import { spawnSync } from 'node:child_process';
@@ -17,7 +17,7 @@ function models_below(folder) {
     });
 }
 
-const [program, folder, output_folder] = process.argv.slice(2);
+const [program, folder, output_folder, ...options] = process.argv.slice(2);
 const models = models_below(folder);
 let failures = 0;
 for (const model of models) {
@@ -25,7 +25,7 @@ for (const model of models) {
   const output = path.join(output_folder, name);
   mkdirSync(path.dirname(output), { recursive: true });
 
-  const run = spawnSync(program, ['optimize', model, '-o', output], { encoding: 'utf8' });
+  const run = spawnSync(program, ['optimize', model, '-o', output, ...options], { encoding: 'utf8' });
   const faults =
     run.status === 0
       ? new_errors(await validate(model), await validate(output))

@@ -1,0 +1,42 @@
+// A mesh of ten million triangles: right, in bounded time and memory.
+
+#include "golden/corpus_run.h"
+#include "support/meshes.h"
+#include "support/program.h"
+
+#include <foredraw/platform/memory.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace foredraw {
+namespace {
+
+TEST(TenMillions, are_ordered_for_the_vertex_cache_in_bounded_time_and_memory) {
+  constexpr std::uint64_t gibibyte = std::uint64_t{1} << 30;
+  if (!testing::is_sanitized) ASSERT_TRUE(limit_memory(8 * gibibyte));
+  const Scene scene = testing::scene_of(testing::shuffled(testing::torus(2500, 2000), 1));
+  ASSERT_EQ(scene.draws[0].levels[0].stream().triangle_count(), 10'000'000u);
+
+  const auto begin = std::chrono::steady_clock::now();
+  const Result result = testing::run_pipeline("weld, tipsify, vertex-fetch", scene, 2, "vertex-cache");
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+
+  // The runner checks each stage's answer and its certificate: nothing failed means that the same triangles are drawn.
+  EXPECT_FALSE(result.failed) << to_text(result.report);
+  ASSERT_EQ(result.report.stages.size(), 3u);
+  const double before = result.report.before.metrics.find("vertex-cache", "acmr")->value();
+  const double after = result.report.after.metrics.find("vertex-cache", "acmr")->value();
+  EXPECT_GT(before, 2.9) << "in random order hardly a vertex is found in the cache";
+  EXPECT_LT(after, 0.7) << "half of it is the least, and tipsify is near to that on a closed sheet";
+  EXPECT_EQ(result.scene.draws[0].levels[0].vertices->count, 5'000'000u) << "the seams are welded";
+  EXPECT_EQ(result.scene.draws[0].levels[0].stream().triangle_count(), 10'000'000u);
+  EXPECT_LT(seconds.count(), 300);
+  EXPECT_LT(peak_memory(), 8 * gibibyte);
+  std::printf("acmr %.4f, then %.4f; %.0f s; %.1f GiB at most\n", before, after, seconds.count(),
+              static_cast<double>(peak_memory()) / static_cast<double>(gibibyte));
+}
+
+}  // namespace
+}  // namespace foredraw
