@@ -243,11 +243,14 @@ class StructurePatch {
   bool materials() {
     if (scene_.materials.size() < was_.materials.size()) return fail("materials", "some were removed");
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
-      if (i >= was_.materials.size()) json_["materials"][i] = Json::object();
-      put_material(json_["materials"][i], scene_.materials[i],
-                   i < was_.materials.size() ? was_.materials[i] : Material{});
-      const bool had_texture = i < was_.materials.size() && was_.materials[i].base_colour;
       const Material& now = scene_.materials[i];
+      const std::size_t old = i < was_.materials.size() ? i : now.copy_of.value_or(was_.materials.size());
+      const bool is_old = old < was_.materials.size();
+      if (i >= was_.materials.size()) {
+        json_["materials"][i] = is_old ? Json(json_["materials"][old]) : Json::object();
+      }
+      put_material(json_["materials"][i], now, is_old ? was_.materials[old] : Material{});
+      const bool had_texture = is_old && was_.materials[old].base_colour;
       if (!now.base_colour || !now.base_colour->image || had_texture) continue;
       Json surface = textured_surface(json_, now, *now.base_colour);
       json_["materials"][i]["pbrMetallicRoughness"].update(surface);

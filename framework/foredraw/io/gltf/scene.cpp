@@ -3,6 +3,7 @@
 #include <foredraw/image/found_traits.h>
 #include <foredraw/io/gltf/private/base_colour.h>
 #include <foredraw/io/gltf/private/instances.h>
+#include <foredraw/io/gltf/private/kept_sides.h>
 #include <foredraw/io/gltf/private/material_stamps.h>
 #include <foredraw/io/gltf/private/source.h>
 #include <foredraw/io/image/images.h>
@@ -199,6 +200,7 @@ Node node_of(const Json& from) {
   if (const auto name = from.find("name"); name != from.end() && name->is_string()) node.name = *name;
   node.mesh = id("mesh");
   node.skin = id("skin");
+  node.has_camera = from.contains("camera");
   node.weights = numbers_in<float>(from, "weights");
   node.children = numbers_in<NodeId>(from, "children");
   if (const auto m = numbers_in<float>(from, "matrix"); !m.empty()) {  // and nothing beside it
@@ -314,6 +316,7 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
     add_base_colour(scene.materials.back(), document.json["materials"][m], document.json);
     add_stamps(scene.materials.back(), document.json["materials"][m]);
   }
+  find_kept_sides(scene, document.json);
   if (const auto images = document.json.find("images"); images != document.json.end()) {
     ViewBytes views;
     for (const Json& image : *images) scene.images.push_back(image_of(image, document, views));

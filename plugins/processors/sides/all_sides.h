@@ -1,0 +1,41 @@
+#pragma once
+// A subject with every side of its double-sided parts apart, so that each can be drawn, missed or asked for by itself.
+
+#include "sides.h"
+
+#include <foredraw/viewing/subject_geometry.h>
+
+#include <deque>
+#include <span>
+#include <vector>
+
+namespace foredraw::sides {
+
+/// [part][triangle]
+using SidesOfParts = std::vector<std::vector<Side>>;
+
+/// A subject in a pose. Fronts come first, part by part; then the backs of those parts that draw them. The geometry
+/// must outlive it.
+class AllSides {
+ public:
+  explicit AllSides(std::span<const RasterPart> parts);
+
+  /// Single-sided ones, in which triangles are numbered through.
+  std::span<const RasterPart> parts() const { return sided_; }
+
+  struct Place {
+    std::size_t part = 0;  ///< of the subject
+    std::size_t triangle = 0;
+    Side side = front;
+  };
+  Place place_of(std::uint32_t number) const;
+  std::size_t count() const { return first_.back(); }  ///< of all sides
+
+ private:
+  std::deque<std::vector<std::uint32_t>> reversed_;
+  std::vector<RasterPart> sided_;
+  std::vector<std::pair<std::size_t, Side>> what_;  ///< [part of parts()]
+  std::vector<std::uint32_t> first_{0};             ///< [part of parts()] its first number; and the end
+};
+
+}  // namespace foredraw::sides

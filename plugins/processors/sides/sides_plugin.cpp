@@ -1,0 +1,397 @@
+#include "side_search.h"
+#include "sides.h"
+#include "surrounding.h"
+#include "turned_vertices.h"
+
+#include <foredraw/technique/overdraw_service.h>
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace foredraw {
+
+namespace {
+
+using sides::Side;
+
+enum class SeenFrom { anywhere, outside };
+
+struct Options : sides::SideSearchOptions {
+  SeenFrom seen_from = SeenFrom::anywhere;
+  double most_added = 0.1;     // triangles, times the scene's
+  double vertex_weight = 0.1;  // of a vertex beside a fragment, as occlusion-order has it
+  bool split = true;           // a draw of which too much would be added may become two
+};
+
+/// Why the sides that are drawn of a double-sided draw have to stay, or nothing. `given`: [draw]
+std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& given) {
+  const Draw& draw = scene.draws[id];
+  const Material& material = *scene.material_of(draw);
+  if (material.alpha_mode == AlphaMode::blend) return "it is blended";
+  if (material.keeps_sides) return "light passes through its material, or an animation changes the material";
+  if (draw.levels.size() != 1) return "it has several levels of detail";
+  if (draw.full().orders.size() != 1) return "it has several orders";
+  if (draw.full().vertices->find("POSITION") == nullptr) return "it has no positions";
+  for (DrawId other = 0; other < scene.draws.size(); ++other) {
+    if (given[other]) continue;
+    for (const Level& level : scene.draws[other].levels) {
+      if (level.vertices == draw.full().vertices) {
+        return "it shares its vertices with " + scene.draws[other].name + ", which stays as it is";
+      }
+    }
+  }
+  return "";
+}
+
+/// What was found about a draw.
+struct Counted {
+  std::size_t triangles = 0, added = 0, turned = 0;
+};
+
+Counted counted(std::span<const Side> wanted) {
+  Counted count{wanted.size()};
+  for (const Side sides : wanted) {
+    count.added += sides == sides::both;
+    count.turned += sides == sides::back;
+  }
+  return count;
+}
+
+/// The single-sided copy of a material, made once.
+class SingleSidedMaterials {
+ public:
+  explicit SingleSidedMaterials(Scene& scene) : scene_(scene) {}
+
+  MaterialId of(MaterialId material) {
+    const auto [made, is_new] = made_.try_emplace(material, static_cast<MaterialId>(scene_.materials.size()));
+    if (is_new) {
+      Material copy = scene_.materials[material];
+      copy.double_sided = false;
+      copy.copy_of = material;
+      for (std::optional<Stamp>* stamp : {&copy.look, &copy.kind}) {  // alike are those that were
+        if (*stamp) *stamp = combine(std::array{**stamp, Stamp{0, 1}});
+      }
+      scene_.materials.push_back(std::move(copy));
+    }
+    return made->second;
+  }
+
+ private:
+  Scene& scene_;
+  std::map<MaterialId, MaterialId> made_;
+};
+
+/// Triangles by their numbers, from a list with vertices of its own numbering.
+IndexStream stream_of(const IndexStream& before, std::vector<std::uint32_t> indices,
+                      std::span<const std::uint32_t> triangles) {
+  IndexStream stream;
+  stream.indices = Shared(std::move(indices));
+  std::vector<std::uint32_t> origin;
+  const auto of_file = before.triangle_origin.view();
+  for (const std::uint32_t t : triangles) origin.push_back(of_file.empty() ? t : of_file[t]);
+  stream.triangle_origin = Shared(std::move(origin));
+  return stream;
+}
+
+void make_single_sided(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials) {
+  Draw& draw = scene.draws[id];
+  Level& level = draw.full();
+  SingleSided made = single_sided(level.stream().indices.view(), level.vertices->count, wanted);
+  if (!made.copies.empty()) {
+    const auto old = level.vertices;
+    const auto vertices = sides::with_turned_copies(*old, made.copies);
+    for (Draw& other : scene.draws) {  // who shared the vertices shares them still: all keep their numbers
+      for (Level& sharing : other.levels) {
+        if (sharing.vertices == old) sharing.vertices = vertices;
+      }
+    }
+    level.stream() = stream_of(level.stream(), std::move(made.indices), made.triangles);
+  }
+  draw.material = materials.of(*draw.material);
+  draw.traits.remove(traits::double_sided);
+}
+
+/// Two draws of one: what is seen from both sides stays double-sided, the rest does not.
+void split(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials) {
+  Draw whole = scene.draws[id];
+  const IndexStream& stream = whole.full().stream();
+  std::vector<std::uint32_t> triangles[2], indices[2];
+  for (std::uint32_t t = 0; t < wanted.size(); ++t) {
+    const std::size_t is_two_sided = (wanted[t] & sides::back) != 0;
+    triangles[is_two_sided].push_back(t);
+    for (std::size_t c = 0; c < 3; ++c) indices[is_two_sided].push_back(stream.indices.view()[3 * std::size_t{t} + c]);
+  }
+  Draw one_sided = whole, two_sided = whole;
+  one_sided.full().stream() = stream_of(stream, std::move(indices[0]), triangles[0]);
+  two_sided.full().stream() = stream_of(stream, std::move(indices[1]), triangles[1]);
+  two_sided.name += " (both sides)";
+  one_sided.material = materials.of(*whole.material);
+  one_sided.traits.remove(traits::double_sided);
+  const auto added = static_cast<DrawId>(scene.draws.size());
+  scene.draws[id] = std::move(one_sided);
+  scene.draws.push_back(std::move(two_sided));
+  for (Mesh& mesh : scene.meshes) {
+    const auto at = std::ranges::find(mesh.draws, id);
+    if (at != mesh.draws.end()) mesh.draws.insert(at + 1, added);
+  }
+}
+
+/// [draw] fragments shaded, and of all: visible; over a few poses, from the run's views.
+struct Shaded {
+  std::map<DrawId, double> of;
+  double visible = 0;
+};
+
+Shaded shaded(const Scene& scene, Run& run) {
+  constexpr std::size_t most_poses = 4;
+  Shaded result;
+  const std::size_t step = (run.poses.poses.size() + most_poses - 1) / most_poses;
+  for (const Subject& subject : subjects_of(scene)) {
+    const bool moves = subject.is_placed() && run.poses.poses.size() > 1;
+    for (std::size_t pose = 0; pose < (moves ? run.poses.poses.size() : 1); pose += step) {
+      const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene, run.poses.poses[pose]) : PosedNodes();
+      const auto drawn = subject_geometry(scene, subject, run.overdraw->faces(), nodes, run.analyses);
+      const OverdrawCounts counts = run.overdraw->draw(drawn.parts, run.views, run);
+      for (std::size_t part = 0; part < counts.size(); ++part) {
+        for (const OverdrawCount& count : counts[part]) {
+          result.of[subject.parts[part].draw] += static_cast<double>(count.shaded);
+          result.visible += static_cast<double>(count.visible);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+/// What is done with a draw.
+enum class Choice { left, single_sided, copies, two_draws };
+
+class Sides final : public Processor {
+ public:
+  explicit Sides(const Options& options) : options_(options) {}
+
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
+    const std::vector<DrawId> asked = candidates(scene, draws, run);
+    if (asked.empty()) {
+      run.keep("no draw is double-sided and free to change; the notes say which stay, and why");
+      return draws;
+    }
+    sides::SideSearchOptions search = options_;
+    search.views = run.views;
+    search.poses = run.poses;
+    search.seed = run.seed;
+    const sides::FoundSides found = sides::find_sides(scene, asked, search, run.analyses, run.executor);
+    const Shaded before = shaded(scene, run);
+    std::map<DrawId, Choice> choices = first_choices(scene, found);
+    for (;;) {
+      Scene changed = scene;
+      const std::map<DrawId, DrawId> added = apply(changed, found, choices);
+      const Shaded after = shaded(changed, run);
+      if (!leave_what_does_not_pay(scene, found, before, after, added, choices, run)) {
+        tell(scene, found, before, after, choices, run);
+        scene = std::move(changed);
+        break;
+      }
+    }
+    std::vector<DrawId> changed;
+    for (const auto& [id, choice] : choices) {
+      if (choice != Choice::left) changed.push_back(id);
+    }
+    if (changed.empty()) run.keep("of no double-sided draw it pays to draw fewer sides; the notes say why");
+    return changed;
+  }
+
+ private:
+  std::vector<DrawId> candidates(const Scene& scene, const std::vector<DrawId>& draws, Run& run) const {
+    std::vector<bool> given(scene.draws.size(), false);
+    for (const DrawId id : draws) given[id] = true;
+    std::vector<DrawId> result;
+    for (const DrawId id : draws) {
+      const Material* material = scene.material_of(scene.draws[id]);
+      if (material == nullptr || !material->double_sided || scene.draws[id].full().stream().indices.empty()) continue;
+      const std::string why = why_kept(scene, id, given);
+      if (!why.empty()) {
+        run.note_at({id}, "stays-double-sided", "stays double-sided: " + why);
+        continue;
+      }
+      result.push_back(id);
+    }
+    if (result.empty() || options_.seen_from == SeenFrom::outside) return result;
+    const std::vector<bool> surrounds = sides::surrounding_draws(scene, run.executor);
+    std::erase_if(result, [&](DrawId id) {
+      if (!surrounds[id]) return false;
+      run.note_at({id}, "surrounds",
+                  "stays double-sided: it surrounds other things, so a camera may stand inside (seen-from = outside "
+                  "changes it all the same)");
+      return true;
+    });
+    return result;
+  }
+
+  /// Copies for as many draws as the scene may grow by, those that add least first; the others become two.
+  std::map<DrawId, Choice> first_choices(const Scene& scene, const sides::FoundSides& found) const {
+    double allowed = 0;
+    for (const Draw& draw : scene.draws)
+      allowed += options_.most_added * static_cast<double>(draw.full().stream().triangle_count());
+    std::vector<std::pair<std::size_t, DrawId>> by_added;
+    for (const auto& [id, wanted] : found.wanted) by_added.emplace_back(counted(wanted).added, id);
+    std::ranges::sort(by_added);
+    std::map<DrawId, Choice> choices;
+    for (const auto& [added, id] : by_added) {
+      const Counted count = counted(found.wanted.at(id));
+      if (count.added + count.turned == 0) {
+        choices[id] = Choice::single_sided;
+        continue;
+      }
+      allowed -= static_cast<double>(added);
+      // Two draws have other numbers than one, which no product must mind.
+      const bool may_split = options_.split && scene.products.empty() && added + count.turned < count.triangles;
+      choices[id] = allowed >= 0 ? Choice::copies : may_split ? Choice::two_draws : Choice::left;
+    }
+    return choices;
+  }
+
+  /// [draw] the draw that was made beside it.
+  static std::map<DrawId, DrawId> apply(Scene& scene, const sides::FoundSides& found,
+                                        const std::map<DrawId, Choice>& choices) {
+    SingleSidedMaterials materials(scene);
+    std::map<DrawId, DrawId> added;
+    for (const auto& [id, choice] : choices) {
+      if (choice == Choice::left) continue;
+      if (choice == Choice::two_draws) {
+        added[id] = static_cast<DrawId>(scene.draws.size());
+        split(scene, id, found.wanted.at(id), materials);
+      } else {
+        make_single_sided(scene, id, found.wanted.at(id), materials);
+      }
+    }
+    return added;
+  }
+
+  /// Leaves those alone that save less than they cost; whether there are any.
+  bool leave_what_does_not_pay(const Scene& scene, const sides::FoundSides& found, const Shaded& before,
+                               const Shaded& after, const std::map<DrawId, DrawId>& added,
+                               std::map<DrawId, Choice>& choices, Run& run) const {
+    double vertices = 0;
+    for (const Draw& draw : scene.draws) vertices += static_cast<double>(draw.full().vertices->count);
+    bool any = false;
+    for (auto& [id, choice] : choices) {
+      if (choice == Choice::left || choice == Choice::single_sided) continue;
+      const auto second = added.find(id);
+      double saved = value(before.of, id) - value(after.of, id);
+      if (second != added.end()) saved -= value(after.of, second->second);
+      const Counted count = counted(found.wanted.at(id));
+      // A triangle of a good order has about .7 vertices shaded. A draw is worth doing from a hundredth of what is
+      // seen.
+      const double cost = choice == Choice::two_draws
+                              ? 0.01
+                              : options_.vertex_weight * 0.7 * static_cast<double>(count.added) / vertices;
+      if (saved > 0 && saved >= cost * before.visible) continue;
+      run.note_at({id}, "stays-double-sided",
+                  fmt::format("stays double-sided: {} of its {} triangles show their back, and {} would save {:.2f} "
+                              "per cent of the fragments",
+                              count.added + count.turned, count.triangles,
+                              choice == Choice::two_draws ? "two draws" : "copies of these",
+                              100 * std::max(0.0, saved) / std::max(1.0, before.visible)));
+      choice = Choice::left;
+      any = true;
+    }
+    return any;
+  }
+
+  static double value(const std::map<DrawId, double>& of, DrawId id) {
+    const auto found = of.find(id);
+    return found == of.end() ? 0 : found->second;
+  }
+
+  static void tell(const Scene& scene, const sides::FoundSides& found, const Shaded& before, const Shaded& after,
+                   const std::map<DrawId, Choice>& choices, Run& run) {
+    double single = 0, two = 0, added = 0, turned = 0, triangles = 0;
+    for (const Draw& draw : scene.draws) triangles += static_cast<double>(draw.full().stream().triangle_count());
+    for (const auto& [id, choice] : choices) {
+      const Counted count = counted(found.wanted.at(id));
+      if (choice == Choice::left) continue;
+      (choice == Choice::two_draws ? two : single) += 1;
+      if (choice == Choice::single_sided) {
+        run.note_at({id}, "single-sided",
+                    found.is_closed.at(id) ? "drawn single-sided: it is closed and faces outwards, and pictures agree"
+                                           : "drawn single-sided: no picture and no ray shows a back of it");
+      } else if (choice == Choice::copies) {
+        added += static_cast<double>(count.added);
+        turned += static_cast<double>(count.turned);
+        run.note_at({id}, "single-sided",
+                    fmt::format("drawn single-sided: {} of its {} triangles are seen from both sides and are there "
+                                "twice, {} are seen from behind alone and are turned",
+                                count.added, count.triangles, count.turned));
+      } else {
+        run.note_at({id}, "two-draws",
+                    fmt::format("drawn as two draws: {} of its {} triangles show their back and stay double-sided",
+                                count.added + count.turned, count.triangles));
+      }
+    }
+    double shaded_before = 0, shaded_after = 0;
+    for (const auto& [id, count] : before.of) shaded_before += count;
+    for (const auto& [id, count] : after.of) shaded_after += count;
+    run.count_at({}, "single-sided", single);
+    run.count_at({}, "two-draws", two);
+    run.measure_at({}, "added", added, triangles);
+    run.measure_at({}, "turned", turned, triangles);
+    if (shaded_before > 0) run.measure_at({}, "fragments", shaded_after, shaded_before);
+    if (found.last_check.shown > 0) {
+      run.measure_at({}, "contradicted", static_cast<double>(found.last_check.pixels),
+                     static_cast<double>(found.last_check.shown));
+    }
+  }
+
+  Options options_;
+};
+
+}  // namespace
+
+Plugin sides_plugin() {
+  OptionTable<Options> table;
+  table.choice(&Options::seen_from, "seen-from",
+               "Where cameras may be. anywhere: draws that surround other things, such as a sky dome or a room, stay "
+               "double-sided; outside: cameras never stand inside anything",
+               {{"anywhere", SeenFrom::anywhere}, {"outside", SeenFrom::outside}});
+  table.row(&Options::most_added, "most-added",
+            "Most triangles that may be added to the scene as reversed copies, as a share of its triangles",
+            {0, 1, ""});
+  table.row(&Options::split, "split",
+            "Split a draw in two, one of them double-sided, where too many triangles would be added");
+  table.row(&Options::vertex_weight, "vertex-weight",
+            "What a shaded vertex weighs beside a fragment: copies must save more than they add", {0, 1000, ""});
+  table.row(
+      &sides::SideSearchOptions::rays, "rays",
+      "Rays cast from a side that no picture shows, next to one that is seen; more find smaller gaps and take longer",
+      {0, 65536, "rays"});
+  table.row(&sides::SideSearchOptions::checks, "checks",
+            "Pictures, from views and in poses not used before, that the result is checked with",
+            {1, 100000, "pictures"});
+
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {
+      .name = "sides",
+      .summary = "Draws double-sided meshes single-sided, without the back sides that are never seen",
+      .reference = "own",
+      .acts_on = {traits::triangles},
+      .breaks = {traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},
+      .pays_if = "a double-sided mesh has back sides that are drawn but never seen",
+      .uses_overdraw = true,
+      .metrics = {{"single-sided", "draws", "Double-sided draws that became single-sided", false},
+                  {"two-draws", "draws", "Double-sided draws that became two, one of them single-sided", false},
+                  {"added", "of the triangles", "Triangles added as reversed copies"},
+                  {"turned", "of the triangles", "Triangles of which only the back is seen, now turned", false},
+                  {"fragments", "of those before", "Fragments shaded, in the order there is"},
+                  {"contradicted", "of the pixels", "Pixels of the last check that still needed a side put back"}},
+  };
+  bind_options(plugin, std::move(table), [](const Options& options) { return std::make_unique<Sides>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw
