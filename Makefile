@@ -9,9 +9,9 @@ FOREDRAW := build/release/hosts/cli/foredraw
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
-	@echo 'make test     build everything, run every test'
+	@echo 'make test     build everything, run the tests'
 	@echo 'make long-test  the checks of minutes: millions of triangles, hundreds of views, slow plugins on the corpus, make fuzz'
-	@echo 'make clang    build the program with clang: build/clang/hosts/cli/foredraw'
+	@echo 'make clang    build the program with clang, not optimised: whether the other compiler takes it'
 	@echo 'make bench    build the benchmarks, in build/release/benchmarks: foredraw-bench, the program with the peers beside'
 	@echo '              our plugins, techniques/techniques-bench, which times both sides, and vertex_order/vertex-order-bench'
 	@echo 'make vertex-orders  run the last one, and make docs/vertex-orders.md of its figures'

@@ -90,14 +90,27 @@ if(FOREDRAW_SANITIZE)
   endif()
 endif()
 
+# ccache is told that it may keep what was compiled with precompiled headers.
+function(foredraw_compile_as_test name)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # tests may call things alike
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's
+  target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support)
+  if(CMAKE_CXX_COMPILER_LAUNCHER)
+    set_target_properties(${name} PROPERTIES CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${CMAKE_CXX_COMPILER_LAUNCHER}")
+  endif()
+endfunction()
+
 # A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...). LONG is a
 # filter of GoogleTest's: what it lets through is labelled "long" and belongs to `make long-test`, not to `make test`.
 function(foredraw_add_test name)
   cmake_parse_arguments(ARG "" "LONG" "SOURCES;LINK;PROPERTIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # tests may call things alike
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's
-  target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support ${ARG_LINK})
+  foredraw_compile_as_test(${name})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  if(TARGET foredraw_test_headers)
+    target_precompile_headers(${name} REUSE_FROM foredraw_test_headers)
+  endif()
   set(discover ${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}.")
   if(ARG_LONG)
     gtest_discover_tests(${discover} TEST_FILTER "${ARG_LONG}" PROPERTIES LABELS long TIMEOUT 3600 ${ARG_PROPERTIES})

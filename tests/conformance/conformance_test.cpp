@@ -191,18 +191,6 @@ TEST_P(EveryPlugin, AnswersRightOnOddDrawsAtEveryOption) {
   }
 }
 
-/// Of the options of pictures, which take longest.
-TEST_P(EveryPlugin, AnswersRightWithTheLargestPictures) {
-  for (const OptionSpec& option : plugin().options) {
-    if (option.unit != "views" && !is_size(option)) continue;
-    Settings settings = least_of(plugin());
-    settings[option.name] = *extreme(option, true, largest_pictures);
-    const Pipeline pipeline = pipeline_for(plugin(), settings);
-    const Outcome outcome = run(pipeline, 2);
-    EXPECT_FALSE(outcome.result.failed) << print_file(pipeline) << problems(outcome.result);
-  }
-}
-
 TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
   const Pipeline pipeline = pipeline_for(plugin(), few_pictures(plugin()));
   const Result first = run(pipeline, 1).result;
@@ -284,6 +272,31 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryPlugin, ::testing::ValuesIn(registry().names()), test_name);
+
+bool is_of_pictures(const OptionSpec& option) { return option.unit == "views" || is_size(option); }
+
+std::vector<std::string> names_with_pictures() {
+  std::vector<std::string> names = registry().names();
+  std::erase_if(names, [](const std::string& name) {
+    return std::ranges::none_of(registry().find(name)->options, is_of_pictures);
+  });
+  return names;
+}
+
+class PluginWithPictures : public EveryPlugin {};
+
+TEST_P(PluginWithPictures, AnswersRightWithTheMostAndTheLargest) {
+  for (const OptionSpec& option : plugin().options) {
+    if (!is_of_pictures(option)) continue;
+    Settings settings = least_of(plugin());
+    settings[option.name] = *extreme(option, true, largest_pictures);
+    const Pipeline pipeline = pipeline_for(plugin(), settings);
+    const Outcome outcome = run(pipeline, 2);
+    EXPECT_FALSE(outcome.result.failed) << print_file(pipeline) << problems(outcome.result);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, PluginWithPictures, ::testing::ValuesIn(names_with_pictures()), test_name);
 
 }  // namespace
 }  // namespace foredraw
