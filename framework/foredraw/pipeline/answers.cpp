@@ -46,10 +46,17 @@ void check_clusters(const Clusters& clusters, std::size_t triangles) {
   require(is_partition(clusters, triangles), "its clusters are not a partition of {} triangles", triangles);
 }
 
+void check_sequence(const SubjectView& subject, std::span<const std::uint32_t> sequence) {
+  check_order(sequence, subject.subject.parts.size(), "parts");
+  require(is_allowed(sequence, subject.groups), "its sequence moves draws that must stay where they are");
+}
+
 void check_orders(const SubjectView& subject, const SubjectOrders& answer) {
   const OrderTable& table = answer.table;
   require(answer.orders.size() == table.draws.size(), "it orders {} draws, but its table names {}",
           answer.orders.size(), table.draws.size());
+  if (!answer.sequence.empty()) check_sequence(subject, answer.sequence);
+  if (!answer.sequence.empty() && answer.orders.empty()) return;
   require(!answer.orders.empty() && !answer.orders.front().empty(), "it returned no order");
   const std::size_t k = answer.orders.front().size();
   const std::optional<std::string> mistake = mistake_in(table, k);
@@ -109,9 +116,10 @@ Draw clustered(const DrawView& draw, Clusters clusters) {
 
 OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyses& analyses) {
   check_orders(subject, answer);
-  leave_out_unnamed(answer);
-
   OrderedSubject result;
+  for (const std::uint32_t part : answer.sequence) result.sequence.push_back(subject.subject.parts[part]);
+  if (answer.orders.empty()) return result;
+  leave_out_unnamed(answer);
   const OrderTable& table = answer.table;
   for (std::size_t i = 0; i < table.draws.size(); ++i) {
     const Draw& before = subject.scene.draws[table.draws[i]];

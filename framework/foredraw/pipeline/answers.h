@@ -10,9 +10,11 @@
 
 namespace foredraw {
 
-/// That an answer is one: each of `count` things once; a partition of the triangles; orders of draws that were given.
+/// That an answer is one: each of `count` things once; a partition of the triangles; parts that change places as they
+/// may; orders of draws that were given.
 void check_order(std::span<const std::uint32_t> order, std::size_t count, std::string_view what);
 void check_clusters(const Clusters& clusters, std::size_t triangles);
+void check_sequence(const SubjectView& subject, std::span<const std::uint32_t> sequence);
 void check_orders(const SubjectView& subject, const SubjectOrders& answer);
 
 using ChangedDraws = std::vector<std::pair<DrawId, Draw>>;
@@ -26,6 +28,7 @@ Draw clustered(const DrawView& draw, Clusters clusters);
 struct OrderedSubject {
   ChangedDraws draws;  ///< each with its k orders
   OrderTable table;
+  std::vector<SubjectPart> sequence;  ///< of the parts; empty: as it was
 };
 OrderedSubject ordered(const SubjectView& subject, SubjectOrders answer, Analyses& analyses);
 

@@ -153,7 +153,7 @@ SubjectOrders orders_of(const SubjectOrderer& technique, const SubjectView& subj
   if (run.keeps()) return answer;
   check_orders(view, answer);
 
-  SubjectOrders whole{{}, answer.table};
+  SubjectOrders whole{{}, answer.table, {}};
   whole.table.draws.clear();
   const auto number_of = [&](DrawId range) {
     return static_cast<std::size_t>(std::ranges::find(answer.table.draws, range) - answer.table.draws.begin());

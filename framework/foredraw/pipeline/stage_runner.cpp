@@ -96,10 +96,12 @@ class StageRunner {
   void run(const SubjectOrderer& technique) {
     const std::vector<Subject> subjects = subjects_of(scene_);
     const std::vector<SubjectLevel> parts = chosen_.of(subjects);
+    const PartGroups groups(scene_, subjects, [&](DrawId id) { return may_change_places(id); });
     auto outcomes = over<OrderedSubject>(
         parts.size(), [&](std::size_t i) { return About{.subject = parts[i].subject, .level = parts[i].level}; },
         [&](std::size_t i, Run& run, Outcome<OrderedSubject>& outcome) {
-          const SubjectView view{chosen_.scene_at(parts[i].level), subjects[parts[i].subject], parts[i].draws};
+          SubjectView view{chosen_.scene_at(parts[i].level), subjects[parts[i].subject], parts[i].draws};
+          if (parts[i].level == 0) view.groups = groups.of(parts[i].subject);
           if (view.draws.empty()) return run.keep("none of its draws may be reordered");
           const RangedScene* ranges = chosen_.ranges_at(run.about.level);
           SubjectOrders orders = ranges ? orders_of(technique, view, *ranges, run) : technique.order(view, run);
@@ -107,12 +109,16 @@ class StageRunner {
         });
     const auto before = order_tables(scene_);
     std::vector<OrderTable> tables(before.begin(), before.end());
+    std::vector<std::vector<SubjectPart>> sequences;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string& name = subjects[parts[i].subject].name;
       accept(outcomes[i], parts[i].level == 0 ? name : fmt::format("{} (level {})", name, parts[i].level));
+      if (outcomes[i].answer && !outcomes[i].answer->sequence.empty())
+        sequences.push_back(outcomes[i].answer->sequence);
       if (outcomes[i].answer) put_subject(std::move(*outcomes[i].answer), parts[i].level, tables);
       for (DrawId id : parts[i].draws) update_traits(scene_.draws[id], parts[i].level, outcomes[i]);
     }
+    put_in_sequence(scene_, sequences);
     if (tables.empty()) {
       scene_.products.erase(DrawOrders::product);
     } else {
@@ -315,6 +321,11 @@ class StageRunner {
       for (const DrawId other : table.draws) scene_.draws[other].full().orders.resize(1);
       return true;
     });
+  }
+
+  /// Products may name a draw by its number in its mesh, so nothing moves beside them.
+  bool may_change_places(DrawId id) const {
+    return scene_.products.empty() && std::ranges::binary_search(chosen_.draws(), id);
   }
 
   /// Draws that a processor was not given have the same handles afterwards.

@@ -1,9 +1,10 @@
 #include <foredraw/scene/subject.h>
 
+#include <foredraw/scene/walk.h>
+
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 namespace foredraw {
 
@@ -98,7 +99,7 @@ std::vector<Subject> subjects_of(const Scene& scene) {
   const Characters characters(scene);
   std::vector<Subject> by_skin(scene.skins.size());
   std::vector<char> is_shown(scene.meshes.size(), 0);
-  for (NodeId node = 0; node < scene.nodes.size(); ++node) {
+  for (const NodeId node : walk(scene)) {
     const auto mesh = scene.nodes[node].mesh;
     const auto character = characters.of(node);
     if (!mesh || !character) continue;
@@ -124,11 +125,6 @@ std::vector<Subject> subjects_of(const Scene& scene) {
       is_shown[mesh] = 1;
     }
     if (!is_shown[mesh]) add_mesh(mesh, std::nullopt);
-  }
-  for (Subject& subject : subjects) {
-    std::sort(subject.parts.begin(), subject.parts.end(), [](const SubjectPart& a, const SubjectPart& b) {
-      return std::tie(a.draw, a.node) < std::tie(b.draw, b.node);
-    });
   }
   return subjects;
 }

@@ -13,9 +13,10 @@ namespace foredraw {
 struct SubjectPart {
   DrawId draw = 0;
   std::optional<NodeId> node;
+  friend bool operator==(const SubjectPart&, const SubjectPart&) = default;
 };
 
-/// One draw, a mesh, a character, or the scene. Parts are in draw order.
+/// One draw, a mesh, a character, or the scene. Parts are in the sequence in which they are drawn.
 struct Subject {
   std::string name;
   std::vector<SubjectPart> parts;
@@ -28,7 +29,8 @@ struct Subject {
 
 /// The default subjects of a scene: a character (every mesh that shares a skin or hangs below one of its joints) where
 /// there is a skin; a mesh as each node shows it whose morph weights an animation moves; else each mesh in its own
-/// space. Every draw that a mesh holds is in one subject at least.
+/// space. Every draw that a mesh holds is in one subject at least. Parts are drawn node by node as the file's walk has
+/// them, and of a node in the sequence of Mesh::draws.
 std::vector<Subject> subjects_of(const Scene& scene);
 
 }  // namespace foredraw

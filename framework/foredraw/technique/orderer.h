@@ -4,6 +4,7 @@
 // finds that nothing can be gained says so by run.keep(reason) and may answer with anything.
 
 #include <foredraw/scene/order_table.h>
+#include <foredraw/scene/part_groups.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/technique/draw_view.h>
@@ -25,13 +26,18 @@ struct SubjectView {
   const Scene& scene;
   const Subject& subject;
   std::vector<DrawId> draws;  ///< those of the subject's draws that may be ordered anew
+  /// Which of the subject's parts may change places; none where something in the scene may refer to them by number.
+  std::vector<PartGroup> groups = {};
 };
 
-/// k orders for each draw of a subject, and the table that says which to draw when.
+/// k orders for each draw of a subject, and the table that says which to draw when; a sequence of its parts; or both.
 struct SubjectOrders {
   /// [i][j]: order j of draw table.draws[i], which is one of the view's draws. orders[i][0] stands alone.
   std::vector<std::vector<IndexOrder>> orders;
   OrderTable table;
+  /// [rank] = part of the subject, as the view's groups allow it. Empty: the parts stay where they are. Coarser levels
+  /// are drawn in the sequence of full detail, so only full detail may be answered with one.
+  std::vector<std::uint32_t> sequence = {};
 };
 
 /// Orders the draws of one subject together.

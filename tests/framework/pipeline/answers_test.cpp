@@ -67,5 +67,23 @@ TEST(Answers, TablesThatCanNotBeLookedUpAreRefused) {
   }
 }
 
+TEST(Answers, SequencesMoveOnlyWhatMayMove) {
+  const Scene scene =
+      testing::scene_of({testing::draw_of(testing::grid(1, 1), "A"), testing::draw_of(testing::grid(1, 1), "B"),
+                         testing::draw_of(testing::grid(1, 1), "C")});
+  const Subject subject{"All", {{0, {}}, {1, {}}, {2, {}}}};
+  const SubjectView view{scene, subject, {0, 1, 2}, {{{0, 1, 2}}}};
+  Analyses analyses;
+  const auto answered = [&](std::vector<std::uint32_t> sequence) {
+    return ordered(view, SubjectOrders{{}, {}, std::move(sequence)}, analyses);
+  };
+  const OrderedSubject turned = answered({1, 0, 2});
+  EXPECT_EQ(turned.sequence, (std::vector<SubjectPart>{{1, {}}, {0, {}}, {2, {}}}));
+  EXPECT_TRUE(turned.draws.empty());
+  EXPECT_THROW(answered({1, 2, 0}), std::runtime_error);
+  EXPECT_THROW(answered({0, 1}), std::runtime_error);
+  EXPECT_THROW(answered({0, 1, 1}), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace foredraw

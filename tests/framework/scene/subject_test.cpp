@@ -83,7 +83,19 @@ TEST(Subjects, a_character_is_its_skinned_meshes_and_what_its_joints_carry) {
   scene.nodes[4].skin = 0;
   scene.nodes[5].mesh = 3;  // a house
   add_skin(scene, "Knight", {0, 1});
-  EXPECT_EQ(told(scene), (Lines{"Knight: 0@2 1@4 2@3", "d: 3@-"}));
+  EXPECT_EQ(told(scene), (Lines{"Knight: 0@2 2@3 1@4", "d: 3@-"}));
+}
+
+TEST(Subjects, are_drawn_as_the_walk_has_nodes_and_meshes_have_draws) {
+  Scene scene = scene_with(3, 5);
+  scene.nodes[4].children = {3, 1};
+  scene.nodes[3].children = {0};
+  scene.nodes[0].mesh = 0;
+  scene.nodes[1].mesh = 1;
+  scene.nodes[4].mesh = 2;
+  scene.meshes[1].draws = {2, 1};
+  add_skin(scene, "Knight", {4});
+  EXPECT_EQ(told(scene), (Lines{"Knight: 2@4 0@0 2@1 1@1"}));
 }
 
 TEST(Subjects, skins_that_share_a_joint_are_one_character) {

@@ -11,11 +11,18 @@ namespace foredraw::gltf {
 
 namespace {
 
+bool same_members(std::vector<NodeId> a, std::vector<NodeId> b) {
+  std::ranges::sort(a);
+  std::ranges::sort(b);
+  return a == b;
+}
+
+/// The children may come in another sequence.
 bool same_but_for_mesh(const Node& a, const Node& b) {
   return a.name == b.name && a.transform.translation == b.transform.translation &&
          a.transform.rotation == b.transform.rotation && a.transform.scale == b.transform.scale &&
-         a.matrix == b.matrix && a.skin == b.skin && a.weights == b.weights && a.children == b.children &&
-         a.instances == b.instances;
+         a.matrix == b.matrix && a.skin == b.skin && a.weights == b.weights &&
+         (a.children == b.children || same_members(a.children, b.children)) && a.instances == b.instances;
 }
 
 bool same(const Skin& a, const Skin& b) {
@@ -207,10 +214,11 @@ class StructurePatch {
     return true;
   }
 
-  /// As it was, or without its mesh, which another node may draw.
+  /// As it was, but for the sequence of its children; or without its mesh, which another node may draw.
   bool old_node(std::size_t i, const Node& now, const Node& was) {
     const std::string place = "nodes[" + std::to_string(i) + ']';
     if (!same_but_for_mesh(now, was)) return fail(place, "it was changed");
+    if (now.children != was.children) json_["nodes"][i]["children"] = now.children;
     if (now.mesh == was.mesh) return true;
     const bool is_drawn_plainly = !was.skin && was.weights.empty() && was.instances.empty();
     if (now.mesh || !is_drawn_plainly) return fail(place, "it was changed");
