@@ -11,7 +11,7 @@ namespace {
 /// Every fifth, spread evenly over the looks of every pose and over all of them.
 bool judges(std::size_t look) {
   constexpr std::uint32_t golden = 2654435769u;  // 2^32 / golden ratio
-  return static_cast<std::uint32_t>(look) * golden < ~std::uint32_t{0} / 5;
+  return static_cast<std::uint32_t>(look + 1) * golden < ~std::uint32_t{0} / 5;
 }
 
 /// Of a pixel of each look that judges, or of each that decides; 0 of the others.

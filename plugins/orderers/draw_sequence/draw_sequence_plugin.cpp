@@ -101,27 +101,25 @@ class DrawSequence final : public SubjectOrderer {
       return false;
     }
     if (found.after.shaded < found.before.shaded) return true;
-    run.keep(
-        fmt::format("from views that decided nothing, draws in the sequence that was found overdraw one another to "
-                    "{:.4f}, in their "
-                    "own to {:.4f}",
-                    ratio(found.after), ratio(found.before)));
+    run.keep(fmt::format(
+        "from views that decided nothing, overdraw between draws is {:.4f}, and {:.4f} in the sequence that was found",
+        ratio(found.before), ratio(found.after)));
     return false;
   }
 
   static void tell(const SubjectView& view, const JudgedSequence& found, const Run& run) {
+    constexpr std::size_t most_named = 8;
     std::vector<std::string> names;
     for (const std::uint32_t part : moved_parts(found.sequence)) {
       names.push_back(view.scene.draws[view.subject.parts[part].draw].name);
     }
-    constexpr std::size_t most_named = 8;
     const std::size_t unnamed = names.size() - std::min(names.size(), most_named);
     names.resize(names.size() - unnamed);
-    run.note("sequence",
-             fmt::format("from views that decided nothing, draws overdraw one another to {:.4f}, before to {:.4f}; "
-                         "moved: {}{}",
-                         ratio(found.before), ratio(found.after), fmt::join(names, ", "),
-                         unnamed > 0 ? fmt::format(" and {} more", unnamed) : ""));
+    const std::string more = unnamed > 0 ? fmt::format(" and {} more", unnamed) : "";
+    run.note(
+        "sequence",
+        fmt::format("from views that decided nothing, overdraw between draws falls from {:.4f} to {:.4f}; moved: {}{}",
+                    ratio(found.before), ratio(found.after), fmt::join(names, ", "), more));
   }
 
   DrawSequenceOptions options_;

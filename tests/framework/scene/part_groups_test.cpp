@@ -38,7 +38,8 @@ Groups groups_of(const Scene& scene, const std::function<bool(DrawId)>& may_move
 
 std::vector<DrawId> drawn(const Scene& scene) {
   std::vector<DrawId> draws;
-  for (const SubjectPart& part : subjects_of(scene)[0].parts) draws.push_back(part.draw);
+  const std::vector<Subject> subjects = subjects_of(scene);
+  for (const SubjectPart& part : subjects[0].parts) draws.push_back(part.draw);
   return draws;
 }
 
@@ -70,15 +71,17 @@ TEST(PartGroups, leave_what_belongs_to_two) {
   Scene twice = character();
   twice.nodes[2].mesh = 2;  // draws 4 and 5 again
   EXPECT_EQ(groups_of(twice), (Groups{{{0, 1, 2, 3}}, {{3, 6, 8}}}));
-  Scene rider = character();
-  rider.nodes.resize(5);
-  rider.nodes[2].children = {4};
-  rider.nodes[4].mesh = 3;
-  rider.nodes[4].skin = 1;
-  rider.nodes.emplace_back();
-  rider.skins.push_back({"Other", {5}, {}});
-  ASSERT_EQ(subjects_of(rider).size(), 2u);
-  EXPECT_EQ(groups_of(rider), (Groups{{{4, 5, 6}}, {{0, 1, 2, 3}}}));
+  Scene two = character();
+  two.skins[0].joints = {1};
+  two.nodes[0].skin = 0;
+  two.nodes[2].skin = 0;
+  two.nodes.resize(6);
+  two.nodes[2].children = {4};
+  two.nodes[4].mesh = 3;
+  two.nodes[4].skin = 1;
+  two.skins.push_back({"Other", {5}, {}});
+  ASSERT_EQ(subjects_of(two).size(), 2u);
+  EXPECT_EQ(groups_of(two), (Groups{{{4, 5, 6}}, {{0, 1, 2, 3}}}));
 }
 
 TEST(PartGroups, allow_what_moves_whole_runs) {
