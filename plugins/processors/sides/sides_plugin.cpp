@@ -177,7 +177,8 @@ class Sides final : public Processor {
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawId> asked = candidates(scene, draws, run);
     if (asked.empty()) {
-      run.keep("no draw is double-sided and free to change; the notes say which stay, and why");
+      run.keep(run.findings.notes.empty() ? "no draw is double-sided"
+                                          : "no double-sided draw is free to change; the notes say why");
       return draws;
     }
     sides::SideSearchOptions search = options_;
