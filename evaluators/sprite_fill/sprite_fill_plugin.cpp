@@ -37,6 +37,7 @@ class SpriteFillEvaluator final : public DrawEvaluator {
       throw std::runtime_error(fmt::format("it has no {}, which its material's texture needs", semantic));
     }
     const auto kept = levels_of(draw.scene.images[*texture.image], run);
+    if (kept->levels.front()->is_made_up) run.note(NoAlpha::code, NoAlpha::text);
     const auto triangles = placed_triangles(texture_uv(*texcoords, texture), draw.indices());
     const Sampling sampling{texture.wrap, texture.is_nearest};
 

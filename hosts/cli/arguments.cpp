@@ -280,7 +280,7 @@ class CommandLine {
   void with(CLI::App& app) {
     app.add_option("--with", arguments_.with,
                    "Evaluators to measure with, such as \"vertex-cache, overdraw-raster(views=162)\" (default: the "
-                   "pipeline's, else those of @default)");
+                   "pipeline's, else those that show what its stages gain)");
   }
   void heat_maps(CLI::App& app, const std::string& when) {
     app.add_option("--heatmap", arguments_.heat_maps,

@@ -164,10 +164,11 @@ Exit judged(const Budget& budget, std::span<const Comparison> comparisons) {
 }
 
 /// Every pipeline that takes part: those of the arguments, at every value of the sweeps.
-std::optional<std::vector<NamedPipeline>> contestants(const Arguments& arguments, Diagnostics& diagnostics) {
+std::optional<std::vector<NamedPipeline>> contestants(const Arguments& arguments, const Registry& registry,
+                                                      Diagnostics& diagnostics) {
   const std::vector<std::string> texts =
       arguments.pipelines.empty() ? std::vector<std::string>{"@default"} : arguments.pipelines;
-  auto pipelines = pipelines_for(arguments, texts, diagnostics);
+  auto pipelines = pipelines_for(arguments, registry, texts, diagnostics);
   std::vector<Sweep> sweeps;
   for (const std::string& text : arguments.sweeps) {
     if (auto sweep = parse_sweep(text, diagnostics)) sweeps.push_back(std::move(*sweep));
@@ -227,7 +228,7 @@ Exit unknown_fronts(std::span<const Comparison> comparisons) {
 
 Exit compare(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
-  const auto pipelines = contestants(arguments, diagnostics);
+  const auto pipelines = contestants(arguments, registry, diagnostics);
   const auto fronts = fronts_in(arguments, diagnostics);
   if (!pipelines || !fronts) return refuse(diagnostics);
   const bool has_sprites = std::ranges::any_of(

@@ -13,13 +13,13 @@ namespace foredraw::cli {
 
 namespace {
 
-std::optional<Pipeline> one_pipeline(const Arguments& arguments, Diagnostics& diagnostics) {
+std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
   if (arguments.pipelines.size() > 1) {
     diagnostics.error({}, "bad-arguments", "--pipeline is given more than once", "use foredraw compare to run several");
     return std::nullopt;
   }
   const std::string text = arguments.pipelines.empty() ? "@default" : arguments.pipelines.front();
-  return only_one(pipelines_for(arguments, {text}, diagnostics), text, diagnostics);
+  return only_one(pipelines_for(arguments, registry, {text}, diagnostics), text, diagnostics);
 }
 
 /// Record and scene would stand in each other's way.
@@ -36,7 +36,7 @@ bool outputs_clash(const Arguments& arguments, const std::vector<Output>& output
 Exit optimize(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const std::string& input = arguments.inputs[0];
-  const auto pipeline = one_pipeline(arguments, diagnostics);
+  const auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return refuse(diagnostics);
   const std::vector<Output> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
   if (outputs_clash(arguments, outputs, diagnostics)) return refuse(diagnostics);
@@ -62,7 +62,7 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
 
 Exit plan(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
-  const auto pipeline = one_pipeline(arguments, diagnostics);
+  const auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return refuse(diagnostics);
   const std::string& input = arguments.inputs[0];
   const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, registry.products()); });
@@ -77,7 +77,7 @@ Exit plan(const Arguments& arguments, const Registry& registry) {
 
 Exit measure(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
-  const auto pipelines = pipelines_for(arguments, {""}, diagnostics);
+  const auto pipelines = pipelines_for(arguments, registry, {""}, diagnostics);
   if (!pipelines) return refuse(diagnostics);
   const Executor executor(arguments.threads);
   const FileLender lender(registry.products());

@@ -1,6 +1,7 @@
 #include "session.h"
 
 #include <foredraw/pipeline/parse.h>
+#include <foredraw/pipeline/usual_measures.h>
 #include <foredraw/platform/terminal.h>
 
 #include <fmt/format.h>
@@ -57,9 +58,17 @@ bool set_wherever_it_is(std::vector<NamedPipeline>& pipelines, const std::string
   return found;
 }
 
+std::vector<Stage> stages_of(const std::vector<NamedPipeline>& pipelines) {
+  std::vector<Stage> stages;
+  for (const NamedPipeline& named : pipelines) {
+    stages.insert(stages.end(), named.pipeline.stages.begin(), named.pipeline.stages.end());
+  }
+  return stages;
+}
+
 }  // namespace
 
-std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments,
+std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments, const Registry& registry,
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics) {
   std::vector<NamedPipeline> pipelines;
@@ -71,7 +80,7 @@ std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& argumen
                                         : parse_stages(arguments.with, "--with", diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   if (!measure) measure = pipelines.front().pipeline.measure;
-  if (measure->empty()) measure = load_pipeline("@default", diagnostics)->measure;
+  if (measure->empty()) measure = usual_measures(stages_of(pipelines), registry);
   for (NamedPipeline& named : pipelines) named.pipeline.measure = *measure;
   bool good = true;
   for (const std::string& assignment : arguments.set)

@@ -26,9 +26,9 @@ Exit exit_for_file(const Diagnostics& diagnostics);  ///< the code alone
 Exit print(const std::string& text);
 
 /// The pipelines of the texts, of a file with several all of them, with --with and --set put in. All measure alike:
-/// with what --with names, else as the first does, else as @default. An option is set wherever there is its stage; it
-/// is a mistake where there is none in any.
-std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments,
+/// with what --with names, else as the first does, else with what shows the gains of their stages. An option is set
+/// wherever there is its stage; it is a mistake where there is none in any.
+std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments, const Registry& registry,
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics);
 

@@ -256,6 +256,17 @@ TEST_P(EveryPlugin, SaysWhatItIs) {
   EXPECT_NE(card.summary.back(), '.');
   for (const OptionSpec& option : plugin().options) EXPECT_FALSE(option.doc.empty()) << option.name;
   EXPECT_TRUE(plugin().kind != Kind::evaluator || !card.metrics.empty());
+  for (const std::string& name : card.measured_by) {
+    const Plugin* evaluator = registry().find(name);
+    ASSERT_NE(evaluator, nullptr) << name;
+    EXPECT_EQ(evaluator->kind, Kind::evaluator) << name;
+  }
+  for (const Traits* asked : {&card.wants, &card.uses}) {
+    for (const std::string& trait : *asked) {
+      const auto provides = [&](const Plugin* other) { return other->card.provides.has(trait); };
+      EXPECT_TRUE(std::ranges::any_of(registry().all(), provides)) << "nobody makes draws " << trait;
+    }
+  }
 }
 
 TEST_P(EveryPlugin, MeasuresWhatItsCardLists) {

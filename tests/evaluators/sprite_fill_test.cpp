@@ -194,8 +194,8 @@ TEST(SpriteFill, what_is_too_far_or_too_much_is_refused) {
   EXPECT_EQ(fill_of({{0, 0}, {1e5, 0}, {0, 1e5}}, {0, 1, 2}, image, {.scales = "1e-300"}).filled, 0u);
 }
 
-/// What the evaluator measures of a scene's first draw.
-std::map<std::string, Measured> measured(const Scene& scene, const Settings& settings) {
+/// What the evaluator finds out about a scene's first draw.
+Findings found(const Scene& scene, const Settings& settings) {
   Analyses analyses(testing::stored_texels());
   const Executor executor(2);
   Findings findings;
@@ -204,9 +204,22 @@ std::map<std::string, Measured> measured(const Scene& scene, const Settings& set
   const Plugin plugin = sprite_fill_plugin();
   const Technique technique = plugin.create(settings);
   std::get<std::unique_ptr<DrawEvaluator>>(technique)->evaluate({scene, 0}, run);
+  return findings;
+}
+
+std::map<std::string, Measured> measured(const Scene& scene, const Settings& settings) {
   std::map<std::string, Measured> figures;
-  for (const Measured& figure : findings.measured) figures[figure.metric] = figure;
+  for (const Measured& figure : found(scene, settings).measured) figures[figure.metric] = figure;
   return figures;
+}
+
+TEST(SpriteFill, the_evaluator_tells_of_images_without_alpha) {
+  const Scene glow = testing::sprite_scene(testing::texel_image({2, 1, 3, 8, false}, {0, 0, 0, 9, 9, 9}));
+  const Findings of_alpha = found(glow, {{"scales", "1"}});
+  ASSERT_EQ(of_alpha.notes.size(), 1u);
+  EXPECT_EQ(of_alpha.notes[0].code, "no-alpha");
+  EXPECT_TRUE(found(glow, {{"scales", "1"}, {"channel", "luminance"}}).notes.empty());
+  EXPECT_TRUE(found(testing::sprite_scene(testing::texel_image(disc(8))), {{"scales", "1"}}).notes.empty());
 }
 
 TEST(SpriteFill, the_evaluator_measures_images_of_every_depth_by_their_channel) {

@@ -1,5 +1,7 @@
 #include <foredraw/draw_orders/order_memory.h>
 
+#include <foredraw/base/counted.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,8 +37,8 @@ OrderMemory memory_of(const Scene& scene, const OrderTable& table) {
 }
 
 std::string memory_text(const OrderMemory& memory, std::size_t keyframes) {
-  std::string text = fmt::format("{} {} of {} triangles: {}", memory.orders, memory.orders == 1 ? "order" : "orders",
-                                 memory.triangles, size_text(memory.bytes));
+  std::string text = fmt::format("{} of {}: {}", counted(memory.orders, "order"), counted(memory.triangles, "triangle"),
+                                 size_text(memory.bytes));
   if (keyframes > 1) {
     text += fmt::format("; one for each of {} keyframes would take {}", keyframes,
                         size_text(memory.bytes_for_each_keyframe));

@@ -93,6 +93,7 @@ AlphaImage alpha_image(const Texels& texels, AlphaChannel channel) {
   const std::size_t count = std::size_t{facts.width} * facts.height;
   if (channel == AlphaChannel::alpha && facts.channels % 2 == 1) {
     image.alpha.assign(count, 65535);
+    image.is_made_up = true;
     return image;
   }
   image.alpha.resize(count);

@@ -30,6 +30,7 @@ struct AlphaImage {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<std::uint16_t> alpha;  ///< 0 to 65535; what is not 0 in the image is not 0 here
+  bool is_made_up = false;           ///< alpha was asked for, and the image has no such channel
 
   std::uint16_t at(std::uint32_t x, std::uint32_t y) const { return alpha[std::size_t{y} * width + x]; }
 };

@@ -214,12 +214,8 @@ class OverdrawEvaluation {
     const std::vector<Pose>& poses = subjects.poses.poses;
     if (poses.size() == 1) return;
     std::size_t worst = 0;
-    std::size_t different = 0;
     double highest = 0;
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-      bool is_new = pose == 0;
-      for (std::size_t i = 0; i < subjects.subjects.size(); ++i) is_new = is_new || subjects.is_new(i, pose);
-      different += is_new ? 1 : 0;
       const Estimate ratio = ratio_in_pose(tallies, pose);
       if (ratio.denominator == 0 || ratio.numerator / ratio.denominator <= highest) continue;
       highest = ratio.numerator / ratio.denominator;
@@ -228,7 +224,8 @@ class OverdrawEvaluation {
     if (highest == 0) return;
     run.note("worst-pose",
              fmt::format("measured in {} poses, {} of them different; the worst is {}, with {:.4f} fragments per pixel",
-                         poses.size(), different, pose_name(poses[worst], clip_names(subjects.scene)), highest));
+                         poses.size(), count_different(subjects.distinct),
+                         pose_name(poses[worst], clip_names(subjects.scene)), highest));
   }
 
   void tell_what_is_not_as_drawn(const Scene& scene, const Poses& poses, const OverdrawTallies& tallies,
@@ -298,9 +295,10 @@ std::vector<Metric> overdraw_metrics() {
       {"discarded", "fragments",
        "Fragments that pass the depth test but fall into the holes of a mask, over all views and poses; no ratio "
        "includes them"},
-      {"blended-left-out", "draws", "Blended draws, which are left out"},
-      {"masked-left-out", "draws", "Masked draws whose holes are unknown, which are left out"},
-      {"triangles-left-out", "triangles", "Triangles with positions that are not finite, which are left out"},
+      {"blended-left-out", "draws", "Blended draws, which are left out", true, false, true},
+      {"masked-left-out", "draws", "Masked draws whose holes are unknown, which are left out", true, false, true},
+      {"triangles-left-out", "triangles", "Triangles with positions that are not finite, which are left out", true,
+       false, true},
   };
 }
 

@@ -119,8 +119,7 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
   SubjectCapture captured;
   add_draws(captured, view, atoms_of);
   const DistinctPoses distinct = distinct_poses(view.scene, {&view.subject, 1}, poses, run.executor).front();
-  const auto different =
-      static_cast<std::size_t>(std::ranges::count_if(distinct.weights, [](double weight) { return weight > 0; }));
+  const std::size_t different = count_different({&distinct, 1});
   const Looks looks = looks_at(run.views, different, poses.share_views);
   std::size_t number = 0;  // among those that look different
   for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
@@ -141,8 +140,8 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
     if (see) see(captured.seen, drawn);
   }
   if (different > 1) {
-    run.note("poses",
-             fmt::format("made for {} poses, seen from {} views in all", different, captured.seen.layers.views.size()));
+    run.note("poses", fmt::format("made for {} poses, {} of them different, seen from {} views in all",
+                                  poses.poses.size(), different, captured.seen.layers.views.size()));
   }
   return captured;
 }

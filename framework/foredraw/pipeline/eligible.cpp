@@ -2,6 +2,8 @@
 
 #include <foredraw/base/name_pattern.h>
 
+#include <fmt/format.h>
+
 #include <optional>
 
 namespace foredraw {
@@ -31,7 +33,17 @@ bool orders_triangles(const PlannedStage& stage) {
 
 }  // namespace
 
-std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits) {
+Holders holders_of_draws(const Scene& scene, const ProductRows& rows) {
+  Holders holders;
+  for (const auto& row : rows) {
+    if (!scene.products.has(row->card().name)) continue;
+    for (const DrawId draw : row->held(scene)) holders.emplace(draw, row->card().title);
+  }
+  return holders;
+}
+
+std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits,
+                            const Holders& holders) {
   const Draw& draw = scene.draws[id];
   const Card& card = stage.plugin->card;
   if (!stage.stage.only.empty() && !matches(stage.stage.only, draw.name)) {
@@ -41,6 +53,12 @@ std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawI
     return Skip{id, "does-not-apply", "not " + lacks};
   }
   if (stage.plugin->kind == Kind::evaluator) return std::nullopt;
+  if (const auto held = holders.find(id); held != holders.end()) {
+    return Skip{id, "held",
+                fmt::format("the {} refer to its triangles and vertices by number: put this stage before the one that "
+                            "makes them, or first write the file with --products none",
+                            held->second)};
+  }
   if (traits.has(traits::extended)) {
     return Skip{id, "extended", "has an extension that may refer to its triangles or vertices by number"};
   }

@@ -4,11 +4,18 @@
 
 #include <foredraw/pipeline/plan.h>
 
+#include <map>
+
 namespace foredraw {
+
+/// The draws that products of the scene hold, and the title of the product that does: "merged draws".
+using Holders = std::map<DrawId, std::string>;
+Holders holders_of_draws(const Scene& scene, const ProductRows& rows);
 
 /// Why a stage leaves a draw alone that has the traits, as they are or as earlier stages will leave them; nothing where
 /// it works on it.
-std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits);
+std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits,
+                            const Holders& holders);
 
 /// The traits in `wanted` that are not in `held`, as "clustered" or "uv0 and normals".
 std::string missing(const Traits& wanted, const Traits& held);

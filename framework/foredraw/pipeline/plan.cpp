@@ -2,6 +2,7 @@
 
 #include <foredraw/pipeline/eligible.h>
 #include <foredraw/pipeline/named_files.h>
+#include <foredraw/pipeline/stage_order.h>
 #include <foredraw/scene/levels.h>
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ class Planner {
   Planner(const Registry& registry, const Scene& scene, const Lender* lender, Diagnostics& diagnostics)
       : registry_(registry), scene_(scene), lender_(lender), diagnostics_(diagnostics) {
     for (const Draw& draw : scene.draws) traits_.push_back(traits_of(draw));
+    holders_ = holders_of_draws(scene, registry.products());
   }
 
   Plan plan(const Pipeline& as_written) {
@@ -54,11 +56,21 @@ class Planner {
   void add_stages(const std::vector<Stage>& stages, bool measure, std::vector<PlannedStage>& planned) {
     for (const Stage& stage : stages) {
       if (!stage.enabled) continue;
+      later_ = plugins_of(std::span(stages).subspan(static_cast<std::size_t>(&stage - stages.data()) + 1));
       if (auto checked = check(stage, measure)) {
         choose_draws(*checked);
         planned.push_back(std::move(*checked));
       }
     }
+  }
+
+  std::vector<const Plugin*> plugins_of(std::span<const Stage> stages) const {
+    std::vector<const Plugin*> plugins;
+    for (const Stage& stage : stages) {
+      const Plugin* plugin = stage.enabled ? registry_.find(stage.use) : nullptr;
+      if (plugin != nullptr) plugins.push_back(plugin);
+    }
+    return plugins;
   }
 
   std::string label_of(const std::string& use) {
@@ -142,7 +154,7 @@ class Planner {
             fmt::format("'{}' works on every level; 'level' is for evaluators", card.name));
     }
     for (DrawId id = 0; id < scene_.draws.size(); ++id) {
-      if (auto skip = why_not(planned, scene_, id, traits_[id])) {
+      if (auto skip = why_not(planned, scene_, id, traits_[id], holders_)) {
         planned.skips.push_back(std::move(*skip));
       } else {
         planned.draws.push_back(id);
@@ -154,26 +166,57 @@ class Planner {
     }
   }
 
+  /// What stages so far have made, and none has undone.
+  Traits made() const {
+    Traits made;
+    for (const auto& [trait, maker] : provider_) made.add(Trait(trait));
+    return made;
+  }
+
   /// A need that no earlier stage was to provide is a mistake in the pipeline; one that was not met for some draws
   /// alone is a reason to skip those.
-  void check_needs(const PlannedStage& planned) {
+  bool has_needs(const PlannedStage& planned) {
     const Card& card = planned.plugin->card;
     const bool unmet = std::ranges::any_of(planned.skips, [](const Skip& skip) { return skip.code == "needs"; });
-    const bool made =
-        std::ranges::all_of(card.needs, [&](const std::string& need) { return provider_.contains(need); });
-    if (!unmet || made) return;
-    std::vector<std::string> providers;
-    for (const Plugin* plugin : registry_.all()) {
-      const Traits& provides = plugin->card.provides;
-      if (std::ranges::any_of(card.needs, [&](const std::string& need) { return provides.has(need); })) {
-        providers.push_back(fmt::format("'{}'", plugin->card.name));
-      }
-    }
+    const std::string lacks = missing(card.needs, made());
+    if (!unmet || lacks.empty()) return true;
+    Traits wanted = card.needs;
+    wanted.add(card.wants);
+    const std::string before = way_to(wanted, made(), registry_);
+    const std::string after = who_restores(left_broken(*planned.plugin, later_, registry_), registry_);
     error(planned.stage.where, "needs",
-          fmt::format("'{}' needs draws that are {}, but no stage before it makes them so", card.name,
-                      missing(card.needs, {})),
-          providers.empty() ? "no plugin in this build provides that"
-                            : fmt::format("put {} before it", fmt::join(providers, " or ")));
+          fmt::format("'{}' needs draws that are {}, but no stage before it makes them so", card.name, lacks),
+          way_to(card.needs, made(), registry_).empty() ? "no plugin in this build provides that"
+          : after.empty()                               ? fmt::format("put {} before it", before)
+                          : fmt::format("put {} before it, and {} after it", before, after));
+    return false;
+  }
+
+  /// Warns of stages that a pipeline lacks around this one, which runs without them.
+  void look_around(const PlannedStage& planned) {
+    const Card& card = planned.plugin->card;
+    if (const std::string lacks = missing(card.wants, made()); !lacks.empty()) {
+      const std::string before = way_to(card.wants, made(), registry_);
+      diagnostics_.warning(
+          planned.stage.where, "wants",
+          fmt::format("'{}' works best on draws that are {}, but no stage before it makes them so", card.name, lacks),
+          before.empty() ? "" : fmt::format("put {} before it", before));
+    }
+    Traits broken = left_broken(*planned.plugin, later_, registry_);
+    broken.remove(made());  // of which it is said who undoes whose work
+    if (!broken.empty()) {
+      diagnostics_.warning(planned.stage.where, "left-broken",
+                           fmt::format("'{}' leaves draws that are not {}, and no later stage makes them so", card.name,
+                                       missing(broken, {})),
+                           fmt::format("put {} after it", who_restores(broken, registry_)));
+    }
+    if (const Traits unused = left_unused(*planned.plugin, later_); !unused.empty()) {
+      const std::string users = who_asks_for(unused, registry_);
+      diagnostics_.warning(planned.stage.where, "unused",
+                           fmt::format("'{}' makes draws {} for later stages, but none uses that, and no file keeps it",
+                                       card.name, missing(unused, {})),
+                           users.empty() ? "" : fmt::format("put {} after it", users));
+    }
   }
 
   void refuse_where_required(const PlannedStage& planned, const std::string& reason) {
@@ -186,7 +229,7 @@ class Planner {
   /// Keeps the books: who made what, and what this stage undoes.
   void follow(PlannedStage& planned) {
     const Card& card = planned.plugin->card;
-    check_needs(planned);
+    if (has_needs(planned) && !planned.draws.empty()) look_around(planned);
     for (DrawId id : planned.draws) traits_[id] = after_stage(card, traits_[id]);
     for (const std::string& trait : card.breaks) {
       const auto made = provider_.find(trait);
@@ -240,6 +283,8 @@ class Planner {
   Diagnostics& diagnostics_;
   Loans loans_;
   std::vector<Traits> traits_;  // of each draw, as the stages so far leave them
+  Holders holders_;
+  std::vector<const Plugin*> later_;  // of the stages that follow the one that is planned
   std::map<std::string, int> uses_;
   std::map<std::string, std::string, std::less<>> provider_;  // trait -> stage that made it
 };

@@ -1,7 +1,5 @@
 #include <foredraw/pipeline/stage_levels.h>
 
-#include <foredraw/pipeline/eligible.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -9,17 +7,18 @@ namespace foredraw {
 
 StageLevels::StageLevels(const PlannedStage& stage, const Scene& scene, const ProductRows& products) : scene_(scene) {
   const std::size_t most = most_levels(scene);
-  for (DrawId id = 0; id < scene.draws.size(); ++id) choose(stage, id);
+  const Holders holders = holders_of_draws(scene, products);
+  for (DrawId id = 0; id < scene.draws.size(); ++id) choose(stage, id, holders);
   for (std::size_t level = 0; most > 1 && level < most; ++level) at_level_.push_back(at_level(scene, level));
   for (std::size_t level = 0; !scene.products.empty() && level < most; ++level) {
     ranged_.push_back(RangedScene::of(scene_at(level), scene, level, products));
   }
 }
 
-void StageLevels::choose(const PlannedStage& stage, DrawId id) {
+void StageLevels::choose(const PlannedStage& stage, DrawId id, const Holders& holders) {
   std::string told;
   for (std::size_t level = 0; level < scene_.draws[id].levels.size(); ++level) {
-    auto skip = why_not(stage, scene_, id, traits_of(scene_.draws[id], level));
+    auto skip = why_not(stage, scene_, id, traits_of(scene_.draws[id], level), holders);
     if (!skip) {
       levels_.push_back({id, level});
       if (level == 0) draws_.push_back(id);
@@ -27,6 +26,12 @@ void StageLevels::choose(const PlannedStage& stage, DrawId id) {
       skips_.push_back({{id, level}, std::move(*skip)});
     }
   }
+}
+
+bool StageLevels::skips_all_of(const Subject& subject) const {
+  return std::ranges::all_of(subject.parts, [&](const SubjectPart& part) {
+    return std::ranges::binary_search(skips_, part.draw, {}, [](const LevelSkip& skip) { return skip.at.draw; });
+  });
 }
 
 std::vector<SubjectLevel> StageLevels::of(const std::vector<Subject>& subjects) const {

@@ -1,7 +1,7 @@
 #pragma once
 // What a stage works on: which levels of which draws, and the scene as it is at each level.
 
-#include <foredraw/pipeline/plan.h>
+#include <foredraw/pipeline/eligible.h>
 #include <foredraw/pipeline/ranges.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/scene/subject.h>
@@ -32,6 +32,8 @@ class StageLevels {
   const std::vector<DrawId>& draws() const { return draws_; }
   /// What is left alone; levels of a draw that share a reason with the one before are not repeated.
   const std::vector<LevelSkip>& skips() const { return skips_; }
+  /// Whether each of the subject's draws is left alone for a reason of its own, at full detail at least.
+  bool skips_all_of(const Subject& subject) const;
 
   const Scene& scene_at(std::size_t level) const { return at_level_.empty() ? scene_ : at_level_[level]; }
   /// Null where no product of the scene counts on ranges there.
@@ -44,7 +46,7 @@ class StageLevels {
   std::vector<SubjectLevel> of(const std::vector<Subject>& subjects) const;
 
  private:
-  void choose(const PlannedStage& stage, DrawId id);
+  void choose(const PlannedStage& stage, DrawId id, const Holders& holders);
 
   const Scene& scene_;
   std::vector<DrawLevel> levels_;

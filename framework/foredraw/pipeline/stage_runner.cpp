@@ -112,6 +112,7 @@ class StageRunner {
     std::vector<std::vector<SubjectPart>> sequences;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string& name = subjects[parts[i].subject].name;
+      if (parts[i].draws.empty() && chosen_.skips_all_of(subjects[parts[i].subject])) continue;
       accept(outcomes[i], parts[i].level == 0 ? name : fmt::format("{} (level {})", name, parts[i].level));
       if (outcomes[i].answer && !outcomes[i].answer->sequence.empty())
         sequences.push_back(outcomes[i].answer->sequence);

@@ -1,4 +1,6 @@
 #include <foredraw/report/batch.h>
+
+#include <foredraw/base/counted.h>
 #include <foredraw/report/private/json_values.h>
 #include <foredraw/report/table.h>
 
@@ -119,7 +121,7 @@ std::string to_text(const Batch& batch) {
     written += report.output.bytes;
   }
   add("all", before, after, read, written, lost == 0 ? "" : fmt::format("without the {} lost", lost));
-  return fmt::format("{}\n{} files in {:.2f} s\n", table.text(), batch.files.size(), batch.seconds);
+  return fmt::format("{}\n{} in {:.2f} s\n", table.text(), counted(batch.files.size(), "file"), batch.seconds);
 }
 
 }  // namespace foredraw

@@ -75,7 +75,7 @@ double best_of(const FigureRow& row) {
   std::vector<double> values;
   bool lower_is_better = true;
   const auto consider = [&](const Figure* figure) {
-    if (!has_value(figure)) return;
+    if (!has_value(figure) || figure->is_neutral) return;
     values.push_back(figure->value());
     lower_is_better = figure->lower_is_better;
   };
@@ -89,6 +89,7 @@ double best_of(const FigureRow& row) {
 
 std::optional<Difference> difference(const Figure* figure, const Figure* baseline) {
   if (figure == baseline || !has_value(figure) || !has_value(baseline) || baseline->value() == 0) return std::nullopt;
+  if (figure->is_neutral) return std::nullopt;
   const double change = figure->value() - baseline->value();
   if (change == 0) return std::nullopt;
   return Difference{change / std::abs(baseline->value()),

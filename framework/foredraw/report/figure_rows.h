@@ -30,7 +30,8 @@ std::string draw_name(const Comparison& comparison, std::size_t draw);
 /// Whether it is one of a group ("models.amd.acmr"), which tables for people leave out.
 bool is_detail(const FigureRow& row);
 
-/// The best value of the input and the branches; not a number where all are equal or nobody measured it.
+/// The best value of the input and the branches; not a number where all are equal, nobody measured it, or it is
+/// neutral.
 double best_of(const FigureRow& row);
 
 /// How a figure differs from the baseline's.
@@ -39,7 +40,7 @@ struct Difference {
   bool is_within_errors = false;  ///< below two of the larger error, for errors of the same views go together
 };
 
-/// Nothing where there is no baseline to compare with, or no difference.
+/// Nothing where there is no baseline to compare with, no difference, or none that is a gain or a loss.
 std::optional<Difference> difference(const Figure* figure, const Figure* baseline);
 
 /// The baseline of a row: the first branch's.

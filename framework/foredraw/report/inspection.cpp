@@ -1,6 +1,7 @@
 #include <foredraw/report/inspection.h>
 
 #include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/base/counted.h>
 #include <foredraw/io/text/extension_text.h>
 #include <foredraw/report/table.h>
 #include <foredraw/scene/levels.h>
@@ -22,14 +23,16 @@ MeshFacts facts_of(const Draw& draw, Analyses& analyses) {
   return mesh_facts(positions->values, draw.full().stream().indices.view());
 }
 
-std::string_view text_of(Topology topology) {
+std::string_view text_of_one(Topology topology) {
   switch (topology) {
-    case Topology::triangles: return "triangles";
-    case Topology::lines: return "lines";
-    case Topology::points: return "points";
+    case Topology::triangles: return "triangle";
+    case Topology::lines: return "line";
+    case Topology::points: return "point";
   }
-  return "triangles";
+  return "triangle";
 }
+
+std::string text_of(Topology topology) { return std::string(text_of_one(topology)) + 's'; }
 
 std::size_t elements(const Draw& draw, std::size_t level = 0) {
   const std::size_t indices = draw.levels[level].stream().indices.size();
@@ -44,7 +47,7 @@ std::size_t elements(const Draw& draw, std::size_t level = 0) {
 std::string attributes_text(const VertexStreams& vertices) {
   std::string text;
   for (const VertexStream& stream : vertices.base) text += (text.empty() ? "" : " ") + stream.semantic;
-  if (!vertices.morph_targets.empty()) text += fmt::format(" + {} morph targets", vertices.morph_targets.size());
+  if (!vertices.morph_targets.empty()) text += " + " + counted(vertices.morph_targets.size(), "morph target");
   return text;
 }
 
@@ -63,10 +66,10 @@ std::string levels_text(const Scene& scene) {
   for (const Draw& draw : scene.draws) {
     for (std::size_t i = 1; i < draw.levels.size(); ++i) {
       const bool shares = draw.levels[i].vertices == draw.full().vertices;
-      text +=
-          fmt::format("  {}: {} {}, {}; error {:.4g}\n", name_of(draw, i), elements(draw, i), text_of(draw.topology),
-                      shares ? "vertices of full detail" : fmt::format("{} vertices", draw.levels[i].vertices->count),
-                      draw.levels[i].error);
+      text += fmt::format(
+          "  {}: {}, {}; error {:.4g}\n", name_of(draw, i), counted(elements(draw, i), text_of_one(draw.topology)),
+          shares ? "vertices of full detail" : counted(draw.levels[i].vertices->count, "vertex", "vertices"),
+          draw.levels[i].error);
     }
   }
   return text;
@@ -89,8 +92,9 @@ std::string images_text(const Scene& scene) {
     const Image& image = scene.images[i];
     text += fmt::format("  {}: ", image.name.empty() ? fmt::format("image{}", i) : image.name);
     if (const auto& facts = image.facts) {
-      text += fmt::format("{} x {}, {} channels of {} bits{}\n", facts->width, facts->height, facts->channels,
-                          facts->bits, facts->is_float ? ", float" : "");
+      text += fmt::format("{} x {}, {} of {} bits{}\n", facts->width, facts->height,
+                          counted(static_cast<std::uint64_t>(facts->channels), "channel"), facts->bits,
+                          facts->is_float ? ", float" : "");
     } else {
       text += image.uri.empty() ? "of an unknown kind, or damaged\n" : fmt::format("the file {}\n", image.uri);
     }
@@ -127,16 +131,18 @@ Json images_json(const Scene& scene) {
 }  // namespace
 
 std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyses& analyses) {
-  std::string text = fmt::format(
-      "{}: {} draws in {} meshes on {} nodes, {} vertex streams, {} materials, {} skins, {} animations, {} images\n\n",
-      scene.name, scene.draws.size(), scene.meshes.size(), scene.nodes.size(), vertex_groups(scene).size(),
-      scene.materials.size(), scene.skins.size(), scene.animations.size(), scene.images.size());
+  std::string text =
+      fmt::format("{}: {} in {} on {}, {}, {}, {}, {}, {}\n\n", scene.name, counted(scene.draws.size(), "draw"),
+                  counted(scene.meshes.size(), "mesh", "meshes"), counted(scene.nodes.size(), "node"),
+                  counted(vertex_groups(scene).size(), "vertex stream"), counted(scene.materials.size(), "material"),
+                  counted(scene.skins.size(), "skin"), counted(scene.animations.size(), "animation"),
+                  counted(scene.images.size(), "image"));
   Table table({"draw", "", "", "vertices", "bytes/vertex", "attributes", "traits"});
   std::string odd;
   for (const Draw& draw : scene.draws) {
     const VertexStreams& vertices = *draw.full().vertices;
-    table.add({draw.name, std::to_string(elements(draw)), std::string(text_of(draw.topology)),
-               std::to_string(vertices.count), std::to_string(vertices.bytes_per_vertex()), attributes_text(vertices),
+    table.add({draw.name, std::to_string(elements(draw)), text_of(draw.topology), std::to_string(vertices.count),
+               std::to_string(vertices.bytes_per_vertex()), attributes_text(vertices),
                fmt::format("{}", fmt::join(traits_of(draw), " "))});
     if (const std::string what = odd_text(facts_of(draw, analyses)); !what.empty()) {
       odd += fmt::format("  {}: {}\n", draw.name, what);
@@ -154,7 +160,7 @@ std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyse
   if (!scene.images.empty()) text += "\nimages:\n" + images_text(scene);
   text += "\nsubjects (seen and judged together):\n";
   for (const Subject& subject : subjects_of(scene)) {
-    text += fmt::format("  {}: {} draws\n", subject.name, subject.parts.size());
+    text += fmt::format("  {}: {}\n", subject.name, counted(subject.parts.size(), "draw"));
   }
   return text;
 }

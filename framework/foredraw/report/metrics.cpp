@@ -63,6 +63,7 @@ Figure figure_of(const Measured& measured, const Card& card) {
     figure.unit = metric.unit;
     figure.lower_is_better = metric.lower_is_better;
     figure.worst_stands = metric.worst_stands;
+    figure.is_neutral = metric.is_neutral;
     if (metric.name == name) break;
   }
   return figure;

@@ -16,6 +16,7 @@ struct Figure {
   std::string unit;
   bool lower_is_better = true;
   bool worst_stands = false;  ///< over several places the worst one stands, not their sum
+  bool is_neutral = false;    ///< as on the card's metric: no gain and no loss where it changes
 
   /// Not a number where the denominator is 0.
   double value() const { return denominator ? numerator / *denominator : numerator; }

@@ -60,9 +60,12 @@ std::string reference_page(const Plugin& plugin) {
   page += '\n';
   fact("acts on draws that are", names_text(card.acts_on));
   fact("needs draws to be", names_text(card.needs));
+  fact("works best on draws that are", names_text(card.wants));
+  fact("uses, where there is any, that draws are", names_text(card.uses));
   fact("makes them", names_text(card.provides));
   fact("undoes", names_text(card.breaks));
   fact("pays if", card.pays_if);
+  fact("measured by", fmt::format("{}", fmt::join(card.measured_by, ", ")));
   if (card.uses_overdraw) page += "- needs measured overdraw\n";
   if (plugin.overdraw_service) page += "- can supply measured overdraw ([services])\n";
   if (plugin.options.empty()) {
@@ -90,9 +93,12 @@ std::string reference_json(const Plugin& plugin) {
             {"reference", card.reference},
             {"acts-on", list_of(card.acts_on)},
             {"needs", list_of(card.needs)},
+            {"wants", list_of(card.wants)},
+            {"uses", list_of(card.uses)},
             {"provides", list_of(card.provides)},
             {"breaks", list_of(card.breaks)},
-            {"pays-if", card.pays_if}};
+            {"pays-if", card.pays_if},
+            {"measured-by", card.measured_by}};
   json["options"] = Json::array();
   for (const OptionSpec& option : plugin.options) json["options"].push_back(option_json(option));
   json["metrics"] = Json::array();

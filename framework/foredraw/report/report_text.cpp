@@ -1,3 +1,4 @@
+#include <foredraw/base/counted.h>
 #include <foredraw/base/printable.h>
 #include <foredraw/report/report.h>
 #include <foredraw/report/table.h>
@@ -12,14 +13,9 @@ namespace foredraw {
 
 namespace {
 
-std::string counted(std::uint64_t count) {
-  std::string digits = std::to_string(count);
-  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(static_cast<std::size_t>(at), ",");
-  return digits;
-}
-
 std::string change_text(const Figure* before, const Figure& after) {
-  if (before == nullptr || before->value() == 0 || !std::isfinite(before->value()) || !std::isfinite(after.value())) {
+  if (after.is_neutral || before == nullptr || before->value() == 0 || !std::isfinite(before->value()) ||
+      !std::isfinite(after.value())) {
     return "";
   }
   const double change = 100 * (after.value() / before->value() - 1);
@@ -39,9 +35,9 @@ std::string file_text(const FileRecord& file) {
   return file.bytes == 0 ? path : fmt::format("{} ({} bytes)", path, counted(file.bytes));
 }
 
-std::string changed_count(std::string_view what, std::uint64_t before, std::uint64_t after) {
-  return before == after ? fmt::format("{} {}", counted(after), what)
-                         : fmt::format("{} {} (before: {})", counted(after), what, counted(before));
+std::string changed_count(std::string_view one, std::string_view several, std::uint64_t before, std::uint64_t after) {
+  const std::string text = counted(after, one, several);
+  return before == after ? text : fmt::format("{} (before: {})", text, counted(before));
 }
 
 /// A table with a row a metric; "models.…" are left to the JSON form.
@@ -74,8 +70,8 @@ std::string levels_text(const Report& report) {
   }
   std::string text;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    text += fmt::format("{}level {}: {} triangles, {} vertices", i == 0 ? "\n" : "", i + 1,
-                        counted(levels[i].triangles), counted(levels[i].vertices));
+    text += fmt::format("{}level {}: {}, {}", i == 0 ? "\n" : "", i + 1, counted(levels[i].triangles, "triangle"),
+                        counted(levels[i].vertices, "vertex", "vertices"));
     for (const auto& [plugin, by_metric] : levels[i].metrics.all()) {
       for (const auto& [metric, figure] : by_metric) {
         if (metric.find('.') == std::string::npos) text += fmt::format(", {} {} {}", plugin, metric, to_text(figure));
@@ -86,6 +82,17 @@ std::string levels_text(const Report& report) {
   return text;
 }
 
+/// Whether a figure is worse for whoever draws the scene. A ratio is of work to something: misses to vertices,
+/// fragments to pixels. Where the work itself has become less, the ratio rises only because there is less of the other
+/// (weld leaves fewer vertices to shade and fetch), and nothing was lost. That is not to be said of a ratio of which
+/// the worst stands: before and after it may be of two different places.
+bool is_loss(const Figure& before, const Figure& after) {
+  const double sign = after.lower_is_better ? 1 : -1;
+  const double loss = sign * (after.value() - before.value());
+  const bool is_less_work = sign * (after.numerator - before.numerator) < 0 && !after.worst_stands;
+  return loss > 0.0005 * std::abs(before.value()) && loss > after.error && !is_less_work;
+}
+
 /// One figure may be traded for another; who reads the table in a hurry shall not miss it.
 std::string losses_text(const Report& report) {
   std::string losses;
@@ -93,9 +100,7 @@ std::string losses_text(const Report& report) {
     for (const auto& [metric, figure] : by_metric) {
       const Figure* before = report.before.metrics.find(plugin, metric);
       if (before == nullptr || !figure.denominator || metric.find('.') != std::string::npos) continue;
-      const double rise = figure.value() - before->value();
-      const double loss = figure.lower_is_better ? rise : -rise;
-      if (!(loss > 0.0005 * std::abs(before->value()) && loss > figure.error)) continue;
+      if (!is_loss(*before, figure)) continue;
       losses += fmt::format("{}{} {}", losses.empty() ? "" : ", ", plugin, metric);
     }
   }
@@ -135,14 +140,30 @@ std::string skips_text(const StageRecord& stage) {
   return text;
 }
 
-std::string stage_text(const StageRecord& stage) {
-  std::string text = skips_text(stage);
+/// Notes that say the same of several places are one line.
+std::string notes_text(const StageRecord& stage) {
+  struct Said {
+    const NoteRecord* first;
+    std::vector<std::string> about;
+  };
+  std::vector<Said> all;
+  using Words = std::pair<std::string_view, std::string_view>;
+  std::map<Words, std::size_t> numbers;
   for (const NoteRecord& note : stage.notes) {
-    text += fmt::format("  {}{}{}: {}\n", stage.use, note.about.empty() ? "" : " on ", printable(note.about),
-                        printable(note.message));
+    const auto [at, is_new] = numbers.emplace(Words(note.code, note.message), all.size());
+    if (is_new) all.push_back({&note, {}});
+    all[at->second].about.push_back(note.about);
+  }
+  std::string text;
+  for (const auto& [note, about] : all) {
+    const bool is_of_scene = about.size() == 1 && about.front().empty();
+    text += fmt::format("  {}{}{}: {}\n", stage.use, is_of_scene ? "" : " on ", is_of_scene ? "" : places_text(about),
+                        printable(note->message));
   }
   return text;
 }
+
+std::string stage_text(const StageRecord& stage) { return skips_text(stage) + notes_text(stage); }
 
 std::string stages_text(const Report& report) {
   if (report.stages.empty()) return "";
@@ -179,12 +200,13 @@ std::string to_text(const Report& report) {
   std::string text = file_text(report.input);
   if (!report.output.path.empty()) text += " -> " + file_text(report.output);
   for (const FileRecord& file : report.named) text += "\nbeside " + file_text(file);
-  text +=
-      '\n' + fmt::format("{} draws, {}, {}\n", counted(report.draws.size()),
-                         changed_count("triangles", report.optimized ? report.before.triangles : report.after.triangles,
-                                       report.after.triangles),
-                         changed_count("vertices", report.optimized ? report.before.vertices : report.after.vertices,
-                                       report.after.vertices));
+  text += '\n' + fmt::format("{}, {}, {}\n", counted(report.draws.size(), "draw"),
+                             changed_count("triangle", "triangles",
+                                           report.optimized ? report.before.triangles : report.after.triangles,
+                                           report.after.triangles),
+                             changed_count("vertex", "vertices",
+                                           report.optimized ? report.before.vertices : report.after.vertices,
+                                           report.after.vertices));
   text += metrics_text(report);
   text += levels_text(report);
   if (report.optimized) text += losses_text(report);

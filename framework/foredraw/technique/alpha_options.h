@@ -15,4 +15,12 @@ void add_alpha_channel(OptionTable<Options>& table, AlphaChannel Owner::*channel
                {{"alpha", AlphaChannel::alpha}, {"luminance", AlphaChannel::luminance}, {"any", AlphaChannel::any}});
 }
 
+/// Code and text of a note on images whose alpha is made up: their figures look as if nothing could be gained.
+struct NoAlpha {
+  static constexpr const char* code = "no-alpha";
+  static constexpr const char* text =
+      "its image has no alpha, so every texel counts as visible; if the sprite is blended additively, set channel = "
+      "\"luminance\"";
+};
+
 }  // namespace foredraw

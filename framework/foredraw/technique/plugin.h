@@ -30,6 +30,7 @@ struct Metric {
   std::string doc;
   bool lower_is_better = true;
   bool worst_stands = false;  ///< over several places the worst one stands, not their sum
+  bool is_neutral = false;    ///< no gain and no loss where it changes: a count of what other figures leave out
 };
 
 /// What a plugin says of itself before it is made.
@@ -39,11 +40,14 @@ struct Card {
   std::string reference;       ///< paper and section; "own" where it is ours
   Traits acts_on;              ///< a draw without these is skipped
   Traits needs;                ///< a plan without these is refused
+  Traits wants;                ///< does far better with these: a plan without them gets a warning
+  Traits uses;                 ///< works with these where a draw has them, and as well without
   Traits provides;             ///< hold afterwards
   Traits breaks;               ///< no longer hold afterwards
   std::string pays_if;         ///< where it asks at run time whether anything can be gained: when that is; else empty
   bool uses_overdraw = false;  ///< asks run.overdraw
   bool lossless = false;       ///< a processor that promises the same triangles with the same vertex data: certified
+  std::vector<std::string> measured_by;  ///< evaluators that show what it gains; none: those of @default do
   std::vector<Metric> metrics;
 };
 

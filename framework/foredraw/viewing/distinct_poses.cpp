@@ -5,6 +5,7 @@
 #include <foredraw/viewing/posed_positions.h>
 
 #include <map>
+#include <set>
 
 namespace foredraw {
 
@@ -46,6 +47,13 @@ std::vector<DistinctPoses> distinct_poses(const Scene& scene, std::span<const Su
     }
   }
   return distinct;
+}
+
+std::size_t count_different(std::span<const DistinctPoses> subjects) {
+  std::set<std::size_t> different;
+  for (const DistinctPoses& subject : subjects)
+    different.insert(subject.first_alike.begin(), subject.first_alike.end());
+  return different.size();
 }
 
 }  // namespace foredraw

@@ -20,4 +20,7 @@ struct DistinctPoses {
 std::vector<DistinctPoses> distinct_poses(const Scene& scene, std::span<const Subject> subjects, const Poses& poses,
                                           const Executor& executor);
 
+/// In how many poses some of the subjects look as in none before.
+std::size_t count_different(std::span<const DistinctPoses> subjects);
+
 }  // namespace foredraw

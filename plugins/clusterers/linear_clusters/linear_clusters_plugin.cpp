@@ -51,6 +51,7 @@ Plugin linear_clusters_plugin() {
           "Cuts a cache-friendly triangle order into clusters for a later stage to sort; moves no triangle itself",
       .reference = "Sander, Nehab, Barczak 2007, linear clustering; Han, Sander 2016, section 3.1",
       .acts_on = {traits::triangles},
+      .wants = {traits::cache_ordered},
       .provides = {traits::clustered},
   };
   OptionTable<LinearClustersOptions> table;

@@ -94,6 +94,8 @@ Plugin occlusion_order_plugin() {
           "Draws first what hides most, as measured from many views and poses; put lookahead or tipsify before it",
       .reference = "own; orders by look as in Han, Sander 2016, section 3",
       .acts_on = {traits::triangles},
+      .wants = {traits::cache_ordered},
+      .uses = {traits::clustered},
       .provides = {traits::overdraw_ordered},
       .breaks = {traits::fetch_ordered},
       .pays_if = "the subject has overdraw, and the new order lowers it as measured",

@@ -56,6 +56,7 @@ Plugin gpu_instances_plugin() {
       .reference = "common practice; Khronos, EXT_mesh_gpu_instancing",
       .pays_if = "many nodes place the same mesh, and no animation moves them",
       .lossless = true,
+      .measured_by = {"scene-cost"},
       .metrics = {{"draws-saved", "draws", "Draw calls saved, in an engine that batches nothing by itself", false},
                   {"nodes", "nodes", "Instanced nodes made", false},
                   {"instances", "instances", "Nodes that they replace", false}},

@@ -218,6 +218,7 @@ Plugin merge_instances_plugin() {
           "bottleneck",
       .uses_overdraw = true,
       .lossless = true,
+      .measured_by = {"scene-cost"},
       .metrics = {{"padding", "of index entries", "Share of padding among the index entries drawn"},
                   {"draws", "draws", "Draw calls of the scene: the merged ones and those that remain"},
                   {"slots", "slots", "Slots of all merged draws"},

@@ -4,6 +4,7 @@
 
 #include <foredraw/analysis/moved_nodes.h>
 #include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/base/counted.h>
 #include <foredraw/viewing/animation.h>
 #include <foredraw/viewing/posed_positions.h>
 
@@ -28,10 +29,6 @@ std::string two_digits(double value) {
   const auto hundredths = static_cast<std::uint64_t>(std::max(0.0, value) * 100 + 0.5);
   const std::string rest = std::to_string(hundredths % 100);
   return std::to_string(hundredths / 100) + "." + (rest.size() < 2 ? "0" : "") + rest;
-}
-
-std::string counted(std::uint64_t number, const std::string& what) {
-  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
 
 std::string why_not_merged(const Scene& scene, const Draw& draw, const MergeableOptions& options) {

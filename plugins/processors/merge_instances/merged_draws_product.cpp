@@ -3,6 +3,8 @@
 #include "merged_proof.h"
 #include "schemas.h"
 
+#include <foredraw/base/counted.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,13 +80,15 @@ class MergedDrawsRow final : public ProductRow {
       std::vector<std::string> words;
       ExtensionValue::List slots;
       for (const auto& [frequency, count] : slots_by_frequency(merged)) {
-        words.push_back(fmt::format("{} slots of {} index entries", count, frequency));
+        words.push_back(
+            fmt::format("{} of {}", counted(count, "slot"), counted(frequency, "index entry", "index entries")));
         slots.push_back(ExtensionValue::Members{{"frequency", frequency}, {"slots", count}});
       }
       const std::string material = material_text(scene, merged);
-      text.lines.push_back(fmt::format("{}: {} instances of {} draws in {} groups, drawn by {} draw calls; {}",
-                                       material, merged.places.size(), merged.meshes.size(), merged.groups.size(),
-                                       merged.draws.size(), fmt::join(words, ", ")));
+      text.lines.push_back(fmt::format("{}: {} of {} in {}, drawn by {}; {}", material,
+                                       counted(merged.places.size(), "instance"), counted(merged.meshes.size(), "draw"),
+                                       counted(merged.groups.size(), "group"),
+                                       counted(merged.draws.size(), "draw call"), fmt::join(words, ", ")));
       text.value.push(ExtensionValue::Members{
           {"material", material},
           {"draws",

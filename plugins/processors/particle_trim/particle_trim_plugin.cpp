@@ -55,7 +55,7 @@ Told told(TrimmedSprite::Outcome outcome) {
       return {"empty", "nothing of it shows, so it stays as it is; it need not be drawn at all (option threshold)"};
     case Outcome::full:
       return {"full",
-              "all of it shows, so there is nothing to trim; for an additive sprite without alpha set channel = "
+              "all of it shows, so there is nothing to trim; for a sprite that is blended additively set channel = "
               "\"luminance\""};
     case Outcome::no_saving: return {"no-saving", "trimming would save less than least-saving, so it stays as it is"};
     default: return {};
@@ -193,7 +193,8 @@ class ParticleTrim final : public Processor {
       if (outcome == TrimmedSprite::Outcome::trimmed) continue;
       const std::string of =
           draw.sprites.size() == 1 ? "" : fmt::format("{} of {} quads: ", count, draw.sprites.size());
-      const auto [code, text] = told(outcome);
+      const bool is_full_without_alpha = outcome == TrimmedSprite::Outcome::full && draw.image->is_made_up;
+      const auto [code, text] = is_full_without_alpha ? Told{NoAlpha::code, NoAlpha::text} : told(outcome);
       run.note_at(about, code, of + text);
     }
   }
@@ -214,6 +215,7 @@ Plugin particle_trim_plugin() {
       .provides = {traits::trimmed},
       .breaks = {traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered},
       .pays_if = "a sprite has empty corners",
+      .measured_by = {"sprite-fill"},
       .metrics = {{"area", "of the frame", "Area that is drawn, as a share of the frame; 1: the whole quad"},
                   {"alpha-lost", "alpha", "Largest alpha that may be cut off, 0 to 1; never above the threshold", true,
                    true},

@@ -169,6 +169,7 @@ Plugin sprite_frames_plugin() {
       .acts_on = {traits::sprite},
       .breaks = {traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered},
       .pays_if = "a grid or find is set, and the draw is one quad that shows its frame of an image",
+      .measured_by = {"sprite-fill"},
       .metrics = {{"frames", "frames", "Draws that a sheet was cut into", false}},
   };
   bind_options(plugin, std::move(table),

@@ -1,35 +1,9 @@
 #include "weld.h"
 
-#include <foredraw/analysis/vertex_rows.h>
+#include <foredraw/analysis/equal_vertices.h>
 #include <foredraw/scene/draw.h>
 
-#include <algorithm>
-#include <bit>
-
 namespace foredraw {
-
-namespace {
-
-/// Finds the first vertex of equal content. Open addressing, at most half full.
-class FirstOfEquals {
- public:
-  explicit FirstOfEquals(const VertexRows& rows) : rows_(rows), slots_(std::bit_ceil(2 * rows.size() + 1), no_vertex) {}
-
-  /// The first vertex with v's content that was asked for; v itself where there was none.
-  std::uint32_t of(std::uint32_t v) {
-    const std::size_t mask = slots_.size() - 1;
-    for (std::size_t at = content_hash(rows_[v]).low & mask;; at = (at + 1) & mask) {
-      if (slots_[at] == no_vertex) return slots_[at] = v;
-      if (std::ranges::equal(rows_[slots_[at]], rows_[v])) return slots_[at];
-    }
-  }
-
- private:
-  const VertexRows& rows_;
-  std::vector<std::uint32_t> slots_;
-};
-
-}  // namespace
 
 Weld weld(const VertexStreams& vertices, std::span<const std::span<const std::uint32_t>> index_streams,
           const WeldOptions& options) {
@@ -38,8 +12,8 @@ Weld weld(const VertexStreams& vertices, std::span<const std::span<const std::ui
     for (std::uint32_t v : indices) used[v] = true;
   }
 
-  const VertexRows rows(vertices);
-  FirstOfEquals first(rows);
+  const std::vector<std::uint32_t> first = first_of_equals(vertices);
+  std::vector<std::uint32_t> kept(vertices.count, no_vertex);  // [first of equals] the new vertex for all of them
   Weld result;
   result.destination.assign(vertices.count, no_vertex);
   for (std::uint32_t v = 0; v < vertices.count; ++v) {
@@ -47,13 +21,13 @@ Weld weld(const VertexStreams& vertices, std::span<const std::span<const std::ui
       ++result.unused;
       continue;
     }
-    const std::uint32_t original = first.of(v);
-    if (original == v) {
-      result.destination[v] = result.count++;
+    std::uint32_t& vertex = kept[first[v]];
+    if (vertex == no_vertex) {
+      vertex = result.count++;
     } else {
-      result.destination[v] = result.destination[original];
       ++result.merged;
     }
+    result.destination[v] = vertex;
   }
   return result;
 }

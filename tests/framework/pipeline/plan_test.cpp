@@ -74,7 +74,7 @@ TEST(Plan, RefusesANeedThatNoStageMeetsAndNamesWhoWould) {
   const Planned planned("needs-clusters, pairs", scene());
   EXPECT_FALSE(planned.plan);
   ASSERT_EQ(planned.codes(), (Codes{"needs"}));
-  EXPECT_EQ(planned.diagnostics.all()[0].hint, "put 'pairs' before it");
+  EXPECT_EQ(planned.diagnostics.all()[0].hint, "put 'pairs' before it, and 'reverse-draw' after it");
 }
 
 TEST(Plan, SkipsDrawsForWhichTheNeedWasNotMet) {

@@ -1,6 +1,11 @@
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/presets.h>
 
+#include "support/meshes.h"
+
+#include <foredraw/pipeline/plan.h>
+#include <foredraw/technique/built_in_plugins.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,6 +29,21 @@ TEST(Presets, ParseSayWhatTheyAreForAndMeasure) {
     EXPECT_FALSE(pipeline->about.empty()) << preset.name;
     EXPECT_FALSE(pipeline->stages.empty()) << preset.name;
     EXPECT_FALSE(pipeline->measure.empty()) << preset.name;
+  }
+}
+
+TEST(Presets, LackNoStageAndHaveNoneInVain) {
+  Registry registry;
+  add_built_in_plugins(registry);
+  Draw sprite = testing::draw_of(testing::grid(1, 1), "Smoke");
+  sprite.traits.add(traits::sprite);
+  const Scene scene = testing::scene_of({testing::draw_of(testing::grid(3, 3), "Rock"), std::move(sprite)});
+  for (const Preset& preset : presets()) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(plan(*load_pipeline("@" + std::string(preset.name), diagnostics), registry, scene, diagnostics));
+    for (const char* code : {"wants", "left-broken", "unused", "undoes"}) {
+      EXPECT_EQ(std::ranges::count(diagnostics.all(), code, &Diagnostic::code), 0) << to_text(diagnostics);
+    }
   }
 }
 

@@ -216,6 +216,16 @@ TEST_F(Runner, SaysWhichDrawHoldsVerticesBack) {
   EXPECT_EQ(result.scene.draws[0].levels[0].vertices, shared.draws[0].levels[0].vertices);
 }
 
+TEST_F(Runner, GivesNoSecondReasonForASubjectWhoseDrawsHaveOne) {
+  Scene glass = two_;
+  glass.draws[0].traits.add(traits::blended);
+  const Result result = run("two-orders", glass);
+  ASSERT_EQ(result.report.stages[0].skipped.size(), 1u);
+  EXPECT_EQ(result.report.stages[0].skipped[0].code, "blended");
+  EXPECT_EQ(result.report.stages[0].skipped[0].about, std::vector<std::string>{"A"});
+  EXPECT_EQ(result.report.stages[0].changed, 1u);
+}
+
 TEST_F(Runner, ForgetsTablesWhoseOrdersAreGone) {
   const Result again = run("two-orders, two-orders", two_);
   EXPECT_EQ(order_tables(again.scene).size(), 2u);

@@ -51,6 +51,16 @@ TEST(ComparisonText, AColumnForEachBranchAndAStarAtTheBest) {
   EXPECT_THAT(text, HasSubstr("* best of its row; per cent"));
 }
 
+TEST(ComparisonText, CountsOfWhatIsLeftOutAreNotCompared) {
+  Comparison comparison = two_branches();
+  for (std::size_t i = 0; i < 2; ++i) {
+    Figure left_out{static_cast<double>(i + 1), std::nullopt, 0, "draws"};
+    left_out.is_neutral = true;
+    comparison.branches[i].report.after.metrics.set("cache", "left-out", left_out);
+  }
+  EXPECT_EQ(line_with(to_text({comparison}), "left-out"), "       left-out    -       1         2");
+}
+
 TEST(ComparisonText, DifferencesWithinTheErrorsAreNone) {
   Comparison comparison = two_branches();
   Figure near = ratio(2.01, 1);

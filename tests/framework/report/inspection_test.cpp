@@ -18,7 +18,7 @@ TEST(Inspection, TellsOfLevels) {
   scene.draws[0].levels.push_back(scene.draws[1].full());
   Analyses analyses;
   const std::string text = inspection_text(scene, {}, analyses);
-  EXPECT_NE(text.find("  body (level 1): 1 triangles, vertices of full detail; error 0.25\n"
+  EXPECT_NE(text.find("  body (level 1): 1 triangle, vertices of full detail; error 0.25\n"
                       "  body (level 2): 2 triangles, 4 vertices; error 0\n"),
             std::string::npos)
       << text;
@@ -27,6 +27,13 @@ TEST(Inspection, TellsOfLevels) {
   EXPECT_EQ(json["draws"][0]["levels"][0],
             (nlohmann::json{{"elements", 1}, {"vertices", 6}, {"shares-vertices", true}, {"error", 0.25}}));
   EXPECT_FALSE(json["draws"][1].contains("levels"));
+}
+
+TEST(Inspection, OneThingIsSingular) {
+  Analyses analyses;
+  const std::string text = inspection_text(testing::scene_of(testing::grid(1, 1)), {}, analyses);
+  EXPECT_NE(text.find(": 1 draw in 1 mesh on 0 nodes, 1 vertex stream, 0 materials"), std::string::npos) << text;
+  EXPECT_NE(text.find(": 1 draw\n"), std::string::npos) << text;
 }
 
 }  // namespace

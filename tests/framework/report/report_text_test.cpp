@@ -114,6 +114,61 @@ TEST(ReportText, NotesNameTheirPlace) {
   EXPECT_THAT(text, HasSubstr("  overdraw-raster: the views are the same\n"));
 }
 
+TEST(ReportText, NotesThatSayTheSameAreOneLine) {
+  Report report = optimized();
+  report.stages[0].notes = {{"A", "blended", "not merged: it is blended"},
+                            {"B", "other", "not merged: it is blended"},
+                            {"C", "blended", "not merged: it is blended"}};
+  for (const char* more : {"D", "E", "F"})
+    report.stages[0].notes.push_back({more, "blended", "not merged: it is blended"});
+  EXPECT_THAT(to_text(report), HasSubstr("  tipsify on A, C, D, E and 1 more: not merged: it is blended\n"
+                                         "  tipsify on B: not merged: it is blended\n"));
+}
+
+TEST(ReportText, ARatioOfLessWorkIsNoLoss) {
+  Report report = optimized();
+  Metrics& before = report.before.metrics;
+  Metrics& after = report.after.metrics;
+  before.set("cache", "atvr", {1728, 1728.0});
+  after.set("cache", "atvr", {456, 434.0});  // fewer vertices are shaded, and still fewer are there
+  EXPECT_THAT(to_text(report), Not(HasSubstr("worse than before")));
+  after.set("cache", "atvr", {1800, 1728.0});
+  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr."));
+  // The worst view may be another one than before, so that its fragments tell nothing.
+  Figure worst{200, 100.0};
+  worst.worst_stands = true;
+  before.set("cache", "atvr", worst);
+  worst = {90, 30.0};
+  worst.worst_stands = true;
+  after.set("cache", "atvr", worst);
+  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr."));
+  const auto higher_is_better = [](double numerator, double denominator) {
+    return Figure{numerator, denominator, 0, "", false};
+  };
+  before.set("cache", "atvr", higher_is_better(10, 20));
+  after.set("cache", "atvr", higher_is_better(9, 20));
+  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr."));
+  after.set("cache", "atvr", higher_is_better(12, 30));
+  EXPECT_THAT(to_text(report), Not(HasSubstr("worse than before")));
+}
+
+TEST(ReportText, CountsOfWhatIsLeftOutAreNeitherBetterNorWorse) {
+  Report report = optimized();
+  Figure left_out{1, std::nullopt, 0, "draws"};
+  left_out.is_neutral = true;
+  report.before.metrics.set("cache", "left-out", left_out);
+  left_out.numerator = 10;
+  report.after.metrics.set("cache", "left-out", left_out);
+  EXPECT_THAT(to_text(report), HasSubstr("left-out  1       10               draws\n"));
+}
+
+TEST(ReportText, OneThingIsSingular) {
+  Report report = optimized();
+  report.draws.resize(1);
+  report.before = report.after = {1, 1, {}};
+  EXPECT_THAT(to_text(report), HasSubstr("\n1 draw, 1 triangle, 1 vertex\n"));
+}
+
 TEST(ReportText, StagesOnTheWholeScene) {
   Report report = optimized();
   report.stages[0].loops_over = "scene";

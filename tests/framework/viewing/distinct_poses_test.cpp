@@ -36,6 +36,13 @@ TEST(DistinctPoses, equal_ones_are_found_and_their_weights_added) {
   }
 }
 
+TEST(DistinctPoses, different_ones_are_counted_over_all_subjects) {
+  const std::vector<DistinctPoses> both = {{{0, 1, 0, 1}, {}}, {{0, 0, 2, 0}, {}}};
+  EXPECT_EQ(count_different(std::span(both).first(1)), 2u);
+  EXPECT_EQ(count_different(both), 3u);
+  EXPECT_EQ(count_different({}), 0u);
+}
+
 TEST(DistinctPoses, what_is_in_its_own_space_never_moves) {
   Scene scene = moved_triangle();
   scene.skins.clear();

@@ -208,6 +208,14 @@ TEST(ParticleTrim, says_why_it_leaves_a_sprite_as_it_is) {
   EXPECT_EQ(code(faint, {{"threshold", 0.01}}), "empty");
 }
 
+TEST(ParticleTrim, tells_of_images_without_alpha) {
+  const Scene glow = testing::sprite_scene(
+      testing::texel_image({3, 3, 3, 8, false}, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 9, 9, 9, 0, 0, 0,  //
+                                                 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(trim(glow).note(), "no-alpha");
+  EXPECT_NE(trim(glow, {{"channel", std::string("luminance")}}).note(), "no-alpha");
+}
+
 TEST(ParticleTrim, small_thin_and_wide_images_are_trimmed_right) {
   const Settings plain = {{"mip-levels", std::int64_t{0}}, {"least-saving", 0.0}};
   AlphaImage dot = blank(32, 32);
