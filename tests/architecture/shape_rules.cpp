@@ -1,5 +1,7 @@
 #include "shape_rules.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace foredraw::architecture {
@@ -52,8 +54,7 @@ Breaches corpus_breaches(const std::vector<SourceFile>& files, const std::string
     }
   }
   if (size > corpus_limit) {
-    breaches.push_back(std::string(corpus) + ": holds " + std::to_string(size) + " bytes, of at most " +
-                       std::to_string(corpus_limit));
+    breaches.push_back(fmt::format("{}: holds {} bytes, of at most {}", corpus, size, corpus_limit));
   }
   return breaches;
 }

@@ -66,12 +66,6 @@ std::vector<glm::vec3> meant(const Scene& scene) {
   return places;
 }
 
-bool notes(const Result& result, const std::string& code) {
-  return std::ranges::any_of(result.report.stages, [&](const StageRecord& stage) {
-    return std::ranges::any_of(stage.notes, [&](const auto& note) { return note.code == code; });
-  });
-}
-
 TEST(Product, FollowsReorderedTrianglesAndRenumberedAndWeldedVertices) {
   const Result made = run("landmarks", doubled());
   ASSERT_FALSE(made.failed);
