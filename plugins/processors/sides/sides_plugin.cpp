@@ -140,17 +140,21 @@ void split(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMat
   }
 }
 
-/// [draw] fragments shaded, and of all: visible; over a few poses, from the run's views.
+/// [draw] fragments shaded, and of all: visible; of subjects with one of some draws, over a few poses, from the run's
+/// views.
 struct Shaded {
   std::map<DrawId, double> of;
   double visible = 0;
 };
 
-Shaded shaded(const Scene& scene, Run& run) {
+Shaded shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
   constexpr std::size_t most_poses = 4;
   Shaded result;
   const std::size_t step = (run.poses.poses.size() + most_poses - 1) / most_poses;
   for (const Subject& subject : subjects_of(scene)) {
+    const bool is_asked = std::ranges::any_of(
+        subject.parts, [&](const SubjectPart& part) { return std::ranges::binary_search(draws, part.draw); });
+    if (!is_asked) continue;
     const bool moves = subject.is_placed() && run.poses.poses.size() > 1;
     for (std::size_t pose = 0; pose < (moves ? run.poses.poses.size() : 1); pose += step) {
       const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene, run.poses.poses[pose]) : PosedNodes();
@@ -186,12 +190,12 @@ class Sides final : public Processor {
     search.poses = run.poses;
     search.seed = run.seed;
     const sides::FoundSides found = sides::find_sides(scene, asked, search, run.analyses, run.executor);
-    const Shaded before = shaded(scene, run);
+    const Shaded before = shaded(scene, asked, run);
     std::map<DrawId, Choice> choices = first_choices(scene, found);
     for (;;) {
       Scene changed = scene;
       const std::map<DrawId, DrawId> added = apply(changed, found, choices);
-      const Shaded after = shaded(changed, run);
+      const Shaded after = shaded(changed, asked, run);
       if (!leave_what_does_not_pay(scene, found, before, after, added, choices, run)) {
         tell(scene, found, before, after, choices, run);
         scene = std::move(changed);

@@ -52,7 +52,8 @@ Plugin weld_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "weld",
-      .summary = "Merges vertices that are equal in every bit of every attribute and morph target; put it first",
+      .summary =
+          "Merges vertices that are equal in every bit of every attribute and morph target; put it before all orderers",
       .reference = "common practice",
       .acts_on = {traits::triangles},
       .provides = {traits::welded},
