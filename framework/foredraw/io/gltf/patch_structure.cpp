@@ -11,18 +11,17 @@ namespace foredraw::gltf {
 
 namespace {
 
-bool same_members(std::vector<NodeId> a, std::vector<NodeId> b) {
-  std::ranges::sort(a);
-  std::ranges::sort(b);
-  return a == b;
+std::vector<NodeId> sorted(std::vector<NodeId> nodes) {
+  std::ranges::sort(nodes);
+  return nodes;
 }
 
 /// The children may come in another sequence.
 bool same_but_for_mesh(const Node& a, const Node& b) {
   return a.name == b.name && a.transform.translation == b.transform.translation &&
          a.transform.rotation == b.transform.rotation && a.transform.scale == b.transform.scale &&
-         a.matrix == b.matrix && a.skin == b.skin && a.weights == b.weights &&
-         (a.children == b.children || same_members(a.children, b.children)) && a.instances == b.instances;
+         a.matrix == b.matrix && a.skin == b.skin && a.weights == b.weights && a.instances == b.instances &&
+         sorted(a.children) == sorted(b.children);
 }
 
 bool same(const Skin& a, const Skin& b) {

@@ -221,6 +221,17 @@ TEST(MeshWrite, MergedAndUnusedVerticesStayInTheFile) {
   EXPECT_EQ(written.text, "OFF\n5 1 0\n0 1 0\n1 0 0\n0 0 0\n0 0 0\n7 7 7\n3 2 1 0\n");
 }
 
+TEST(MeshWrite, TheSequenceOfDrawsStaysAndSaysSo) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\no both\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n";
+  Scene scene = read(MeshKind::obj, text);
+  ASSERT_EQ(scene.meshes.at(0).draws.size(), 2u);
+  std::ranges::reverse(scene.meshes[0].draws);
+  const Written written = write(scene, MeshKind::obj);
+  EXPECT_EQ(written.error, "");
+  EXPECT_EQ(written.told, "sequence-stays");
+  EXPECT_EQ(written.text, text);
+}
+
 TEST(MeshWrite, MoreThanOrderIsRefused) {
   const Scene scene = read(MeshKind::off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   Scene moved = scene;
