@@ -73,7 +73,7 @@ TEST(Plan, LeavesDrawsWithUnknownExtensionsAlone) {
 TEST(Plan, RefusesANeedThatNoStageMeetsAndNamesWhoWould) {
   const Planned planned("needs-clusters, pairs", scene());
   EXPECT_FALSE(planned.plan);
-  ASSERT_EQ(planned.codes(), (Codes{"needs"}));
+  ASSERT_EQ(planned.codes(), (Codes{"needs", "unused"}));
   EXPECT_EQ(planned.diagnostics.all()[0].hint, "put 'pairs' before it, and 'reverse-draw' after it");
 }
 
