@@ -125,7 +125,7 @@ TEST(DrawOrders, MemoryIsToldAgainstAnOrderForEachKeyframe) {
             "3 orders of 8 triangles: 144 bytes; one for each of 5 keyframes would take 240 bytes");
   scene.draws[0] = testing::draw_of(testing::grid(300, 300), "large");
   testing::edit<DrawOrders>(scene)->tables = {{{0}, {}, 1, 1, {0}}};
-  EXPECT_EQ(memory_text(memory_of(scene, order_tables(scene)[0]), 1), "1 order of 180000 triangles: 2.2 MB");
+  EXPECT_EQ(memory_text(memory_of(scene, order_tables(scene)[0]), 1), "1 order of 180,000 triangles: 2.2 MB");
 }
 
 }  // namespace

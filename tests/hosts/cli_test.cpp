@@ -188,7 +188,7 @@ TEST_F(Cli, TellsThePlanWithoutRunningIt) {
   const Ended plan = run("plan " + model("static/flight_helmet_notex.glb"));
   EXPECT_EQ(plan.code, 0);
   EXPECT_NE(plan.out.find("alpha-blended"), std::string::npos) << plan.out;
-  EXPECT_EQ(Json::parse(run("plan " + spot() + " --json").out)["stages"].size(), 4u);
+  EXPECT_EQ(Json::parse(run("plan " + spot() + " --json").out)["stages"].size(), 6u);
   EXPECT_TRUE(files().empty());
 }
 
@@ -239,7 +239,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unknown_stage", "optimize SPOT -o out.glb -p tipsfy", 1, "did you mean 'tipsify'?"},
         Mistake{"unknown_option", "optimize SPOT -o out.glb -p typo.toml", 1, "typo.toml:4:"},
         Mistake{"option_out_of_range", "optimize SPOT -o out.glb -p 'tipsify(cache-size=2)'", 1, "3 to 1024 entries"},
-        Mistake{"unmet_need", "optimize SPOT -o out.glb -p dot-rule", 1, "put 'linear-clusters' before it"},
+        Mistake{"unmet_need", "optimize SPOT -o out.glb -p dot-rule", 1, "then 'linear-clusters' before it"},
         Mistake{"unknown_preset", "optimize SPOT -o out.glb -p @defualt", 1, "@default"},
         Mistake{"unknown_set", "optimize SPOT -o out.glb --set lookahead.cach-size=3", 1, "cache-size"},
         Mistake{"unknown_kind_of_output", "optimize SPOT -o out.xyz", 1, ".glb or .gltf"},
@@ -261,7 +261,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"two_outputs_in_one_file", "optimize SPOT -o out.glb --report out.glb", 1, "two outputs"},
         Mistake{"report_in_no_folder", "optimize SPOT -o out.glb --report no/r.json", 2, "no folder 'no'"},
         Mistake{"empty_name", "measure ''", 1, "empty"},
-         Mistake{"full_disk", "schema >/dev/full", 2, "cannot be written"},
+        Mistake{"full_disk", "schema >/dev/full", 2, "cannot be written"},
         Mistake{"option_of_no_service", "plan SPOT -p service.toml", 1, "no option 'views'"},
         Mistake{"json_and_scene_on_one_stream", "optimize SPOT -o - --json", 1, "--report"}),
     [](const auto& info) { return std::string(info.param.what); });

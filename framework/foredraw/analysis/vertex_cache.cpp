@@ -74,29 +74,7 @@ CacheCount count_lru(std::span<const std::uint32_t> indices, std::size_t vertex_
 }
 
 CacheCount count_batches(std::span<const std::uint32_t> indices, std::size_t vertex_count, const BatchModel& model) {
-  CacheCount count{0, indices.size() / 3, count_different(indices, vertex_count)};
-  FifoCache cache(vertex_count, model.cache_size);
-  std::uint64_t vertices_in_batch = 0;
-  std::uint64_t triangles_in_batch = 0;
-  for (std::size_t t = 0; t < count.triangles; ++t) {
-    const auto corners = indices.subspan(3 * t, 3);
-    // Before the triangle is drawn: a corner named twice counts twice.
-    const auto absent = static_cast<std::uint64_t>(
-        std::count_if(corners.begin(), corners.end(), [&](std::uint32_t vertex) { return !cache.holds(vertex); }));
-    if ((model.primitive_group > 0 && triangles_in_batch == model.primitive_group) ||
-        (model.warp_size > 0 && vertices_in_batch + absent > model.warp_size)) {
-      cache.flush();
-      vertices_in_batch = 0;
-      triangles_in_batch = 0;
-    }
-    for (const std::uint32_t vertex : corners) {
-      if (!cache.misses(vertex)) continue;
-      ++count.misses;
-      ++vertices_in_batch;
-    }
-    ++triangles_in_batch;
-  }
-  return count;
+  return {batch_misses(indices, vertex_count, model), indices.size() / 3, count_different(indices, vertex_count)};
 }
 
 FetchCount count_fetches(std::span<const std::uint32_t> indices, std::size_t vertex_count, std::size_t vertex_size) {

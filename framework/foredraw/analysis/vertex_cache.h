@@ -82,6 +82,30 @@ inline constexpr std::array<BatchModel, 3> batch_models = {
 
 /// A batch ends before a triangle that would exceed its triangles, or its vertices by the triangle's corners that the
 /// cache does not hold. The figures are those of meshoptimizer's meshopt_analyzeVertexCache.
+inline std::uint64_t batch_misses(std::span<const std::uint32_t> indices, std::size_t vertex_count,
+                                  const BatchModel& model) {
+  FifoCache cache(vertex_count, model.cache_size);
+  std::uint64_t misses = 0, vertices_in_batch = 0, triangles_in_batch = 0;
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    const auto corners = indices.subspan(i, 3);
+    // Before the triangle is drawn: a corner named twice counts twice.
+    const auto absent = static_cast<std::uint64_t>(
+        std::count_if(corners.begin(), corners.end(), [&](std::uint32_t vertex) { return !cache.holds(vertex); }));
+    if ((model.primitive_group > 0 && triangles_in_batch == model.primitive_group) ||
+        (model.warp_size > 0 && vertices_in_batch + absent > model.warp_size)) {
+      cache.flush();
+      vertices_in_batch = 0;
+      triangles_in_batch = 0;
+    }
+    const std::uint32_t missed = cache.misses(corners);
+    misses += missed;
+    vertices_in_batch += missed;
+    ++triangles_in_batch;
+  }
+  return misses;
+}
+
+/// The same, and what it is measured against.
 CacheCount count_batches(std::span<const std::uint32_t> indices, std::size_t vertex_count, const BatchModel& model);
 
 struct FetchCount {

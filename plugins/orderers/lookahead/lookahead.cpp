@@ -136,7 +136,7 @@ std::uint64_t misses_of(std::span<const std::uint32_t> order, std::span<const st
   for (const std::uint32_t triangle : order) {
     for (std::size_t c = 0; c < 3; ++c) ordered.push_back(indices[3 * std::size_t{triangle} + c]);
   }
-  return count_batches(ordered, vertex_count, cache).misses;
+  return batch_misses(ordered, vertex_count, cache);
 }
 
 }  // namespace
