@@ -8,7 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <cstdio>
+#include <ctime>
 
 namespace foredraw {
 namespace {
@@ -26,13 +27,13 @@ testing::TestMesh torn_torus(std::uint32_t slices, std::uint32_t sides) {
 
 TEST(TenMillions, are_ordered_for_the_vertex_cache_in_bounded_time_and_memory) {
   constexpr std::uint64_t gibibyte = std::uint64_t{1} << 30;
-  if (!testing::is_sanitized) ASSERT_TRUE(limit_memory(8 * gibibyte));
+  ASSERT_TRUE(testing::is_sanitized || limit_memory(8 * gibibyte));
   const Scene scene = testing::scene_of(torn_torus(2500, 2000));
   ASSERT_EQ(scene.draws[0].levels[0].stream().triangle_count(), 10'000'000u);
 
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // of the processor: another program may want it too
   const Result result = testing::run_pipeline("weld, tipsify, vertex-fetch", scene, 2, "vertex-cache");
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 
   // The runner checks each stage's answer and its certificate: nothing failed means that the same triangles are drawn.
   EXPECT_FALSE(result.failed) << to_text(result.report);
@@ -43,9 +44,9 @@ TEST(TenMillions, are_ordered_for_the_vertex_cache_in_bounded_time_and_memory) {
   EXPECT_LT(after, 0.7) << "a half is the least";
   EXPECT_EQ(result.scene.draws[0].levels[0].vertices->count, 2501u * 2001) << "all are welded but for the seams";
   EXPECT_EQ(result.scene.draws[0].levels[0].stream().triangle_count(), 10'000'000u);
-  EXPECT_LT(seconds.count(), 300);
+  EXPECT_LT(seconds, 300);
   EXPECT_LT(peak_memory(), 8 * gibibyte);
-  std::printf("acmr %.4f, then %.4f; %.0f s; %.1f GiB at most\n", before, after, seconds.count(),
+  std::printf("acmr %.4f, then %.4f; %.0f s; %.1f GiB at most\n", before, after, seconds,
               static_cast<double>(peak_memory()) / static_cast<double>(gibibyte));
 }
 
