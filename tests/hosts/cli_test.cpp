@@ -57,6 +57,19 @@ TEST_F(Cli, OptimizesAndMeasuresTheGain) {
   EXPECT_EQ(again["draws"].size(), 1u);
 }
 
+TEST_F(Cli, MeasuresWhatTheStagesAreAbout) {
+  const std::string sprite = model("particles/kenney_smoke_04.png");
+  const Ended trimmed = run("optimize " + sprite + " -o out.glb -p particle-trim --json");
+  ASSERT_EQ(trimmed.code, 0) << trimmed.err;
+  const Json before = Json::parse(trimmed.out)["totals"]["before"]["metrics"];
+  EXPECT_TRUE(before.contains("sprite-fill"));
+  EXPECT_FALSE(before.contains("vertex-cache")) << "two triangles more are no gain for it";
+  const Ended packed = run("optimize " + spot() + " -o out.glb -p gpu-instances --json");
+  EXPECT_TRUE(Json::parse(packed.out)["totals"]["before"]["metrics"].contains("scene-cost"));
+  const Ended asked = run("optimize " + sprite + " -o out.glb -p particle-trim --with vertex-cache --json");
+  EXPECT_FALSE(Json::parse(asked.out)["totals"]["before"]["metrics"].contains("sprite-fill"));
+}
+
 TEST_F(Cli, MeshesGoToGltfAndBackToTheirOwnKind) {
   std::ofstream(folder_ / "strip.obj")
       << "# kept\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 2 0\nf 1 2 3\nf 3 4 5\nf 3 2 4\n";
@@ -239,7 +252,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unknown_stage", "optimize SPOT -o out.glb -p tipsfy", 1, "did you mean 'tipsify'?"},
         Mistake{"unknown_option", "optimize SPOT -o out.glb -p typo.toml", 1, "typo.toml:4:"},
         Mistake{"option_out_of_range", "optimize SPOT -o out.glb -p 'tipsify(cache-size=2)'", 1, "3 to 1024 entries"},
-        Mistake{"unmet_need", "optimize SPOT -o out.glb -p dot-rule", 1, "then 'linear-clusters' before it"},
+        Mistake{"unmet_need", "optimize SPOT -o out.glb -p dot-rule", 1,
+                "then 'linear-clusters' before it, and 'vertex-fetch' after it"},
         Mistake{"unknown_preset", "optimize SPOT -o out.glb -p @defualt", 1, "@default"},
         Mistake{"unknown_set", "optimize SPOT -o out.glb --set lookahead.cach-size=3", 1, "cache-size"},
         Mistake{"unknown_kind_of_output", "optimize SPOT -o out.xyz", 1, ".glb or .gltf"},
