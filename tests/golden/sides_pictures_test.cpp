@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(LargeModels, SidesPictures,
                          ::testing::Values(Case{"static/flight_helmet_notex.glb", 10},
                                            Case{"static/dutch_ship_medium_notex.glb", 30},
                                            Case{"static/chess_board_notex.glb", 30},
-                                           Case{"animated/kaykit_knight.glb", 1}, Case{"animated/mannequiny.glb", 1}));
+                                           Case{"animated/kaykit_knight.glb", 3}, Case{"animated/mannequiny.glb", 3}));
 
 TEST(SidesPicturesOfFew, ShowTheSame) { expect_the_same_look({"animated/mannequiny.glb", 1}, 30, 256, "(checks=60)"); }
 
