@@ -1,7 +1,7 @@
+#include "applied_sides.h"
 #include "side_search.h"
 #include "sides.h"
 #include "surrounding.h"
-#include "turned_vertices.h"
 
 #include <foredraw/technique/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace foredraw {
@@ -59,85 +58,6 @@ Counted counted(std::span<const Side> wanted) {
     count.turned += sides == sides::back;
   }
   return count;
-}
-
-/// The single-sided copy of a material, made once.
-class SingleSidedMaterials {
- public:
-  explicit SingleSidedMaterials(Scene& scene) : scene_(scene) {}
-
-  MaterialId of(MaterialId material) {
-    const auto [made, is_new] = made_.try_emplace(material, static_cast<MaterialId>(scene_.materials.size()));
-    if (is_new) {
-      Material copy = scene_.materials[material];
-      copy.double_sided = false;
-      copy.copy_of = material;
-      for (std::optional<Stamp>* stamp : {&copy.look, &copy.kind}) {  // alike are those that were
-        if (*stamp) *stamp = combine(std::array{**stamp, Stamp{0, 1}});
-      }
-      scene_.materials.push_back(std::move(copy));
-    }
-    return made->second;
-  }
-
- private:
-  Scene& scene_;
-  std::map<MaterialId, MaterialId> made_;
-};
-
-/// Triangles by their numbers, from a list with vertices of its own numbering.
-IndexStream stream_of(const IndexStream& before, std::vector<std::uint32_t> indices,
-                      std::span<const std::uint32_t> triangles) {
-  IndexStream stream;
-  stream.indices = Shared(std::move(indices));
-  std::vector<std::uint32_t> origin;
-  const auto of_file = before.triangle_origin.view();
-  for (const std::uint32_t t : triangles) origin.push_back(of_file.empty() ? t : of_file[t]);
-  stream.triangle_origin = Shared(std::move(origin));
-  return stream;
-}
-
-void make_single_sided(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials) {
-  Draw& draw = scene.draws[id];
-  Level& level = draw.full();
-  SingleSided made = single_sided(level.stream().indices.view(), level.vertices->count, wanted);
-  if (!made.copies.empty()) {
-    const auto old = level.vertices;
-    const auto vertices = sides::with_turned_copies(*old, made.copies);
-    for (Draw& other : scene.draws) {  // who shared the vertices shares them still: all keep their numbers
-      for (Level& sharing : other.levels) {
-        if (sharing.vertices == old) sharing.vertices = vertices;
-      }
-    }
-    level.stream() = stream_of(level.stream(), std::move(made.indices), made.triangles);
-  }
-  draw.material = materials.of(*draw.material);
-  draw.traits.remove(traits::double_sided);
-}
-
-/// Two draws of one: what is seen from both sides stays double-sided, the rest does not.
-void split(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials) {
-  Draw whole = scene.draws[id];
-  const IndexStream& stream = whole.full().stream();
-  std::vector<std::uint32_t> triangles[2], indices[2];
-  for (std::uint32_t t = 0; t < wanted.size(); ++t) {
-    const std::size_t is_two_sided = (wanted[t] & sides::back) != 0;
-    triangles[is_two_sided].push_back(t);
-    for (std::size_t c = 0; c < 3; ++c) indices[is_two_sided].push_back(stream.indices.view()[3 * std::size_t{t} + c]);
-  }
-  Draw one_sided = whole, two_sided = whole;
-  one_sided.full().stream() = stream_of(stream, std::move(indices[0]), triangles[0]);
-  two_sided.full().stream() = stream_of(stream, std::move(indices[1]), triangles[1]);
-  two_sided.name += " (both sides)";
-  one_sided.material = materials.of(*whole.material);
-  one_sided.traits.remove(traits::double_sided);
-  const auto added = static_cast<DrawId>(scene.draws.size());
-  scene.draws[id] = std::move(one_sided);
-  scene.draws.push_back(std::move(two_sided));
-  for (Mesh& mesh : scene.meshes) {
-    const auto at = std::ranges::find(mesh.draws, id);
-    if (at != mesh.draws.end()) mesh.draws.insert(at + 1, added);
-  }
 }
 
 /// [draw] fragments shaded, and of all: visible; of subjects with one of some draws, over a few poses, from the run's
@@ -263,15 +183,15 @@ class Sides final : public Processor {
   /// [draw] the draw that was made beside it.
   static std::map<DrawId, DrawId> apply(Scene& scene, const sides::FoundSides& found,
                                         const std::map<DrawId, Choice>& choices) {
-    SingleSidedMaterials materials(scene);
+    sides::SingleSidedMaterials materials(scene);
     std::map<DrawId, DrawId> added;
     for (const auto& [id, choice] : choices) {
       if (choice == Choice::left) continue;
       if (choice == Choice::two_draws) {
         added[id] = static_cast<DrawId>(scene.draws.size());
-        split(scene, id, found.wanted.at(id), materials);
+        sides::split(scene, id, found.wanted.at(id), materials);
       } else {
-        make_single_sided(scene, id, found.wanted.at(id), materials);
+        sides::make_single_sided(scene, id, found.wanted.at(id), materials);
       }
     }
     return added;

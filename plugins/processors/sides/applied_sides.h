@@ -1,0 +1,45 @@
+#pragma once
+// What was chosen for a draw, done to the scene.
+
+#include "sides.h"
+
+#include <foredraw/scene/scene.h>
+
+#include <array>
+#include <map>
+#include <span>
+
+namespace foredraw::sides {
+
+/// The single-sided copy of a material, made once.
+class SingleSidedMaterials {
+ public:
+  explicit SingleSidedMaterials(Scene& scene) : scene_(scene) {}
+
+  MaterialId of(MaterialId material) {
+    const auto [made, is_new] = made_.try_emplace(material, static_cast<MaterialId>(scene_.materials.size()));
+    if (is_new) {
+      Material copy = scene_.materials[material];
+      copy.double_sided = false;
+      copy.copy_of = material;
+      for (std::optional<Stamp>* stamp : {&copy.look, &copy.kind}) {  // alike are those that were
+        if (*stamp) *stamp = combine(std::array{**stamp, Stamp{0, 1}});
+      }
+      scene_.materials.push_back(std::move(copy));
+    }
+    return made->second;
+  }
+
+ private:
+  Scene& scene_;
+  std::map<MaterialId, MaterialId> made_;
+};
+
+/// `wanted`: [triangle] the sides that are drawn from now on, by copies where both are.
+void make_single_sided(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials);
+
+/// Two draws of one: what is seen from both sides stays double-sided, the rest does not. The new draw is the scene's
+/// last, and comes behind the old one in its meshes.
+void split(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials);
+
+}  // namespace foredraw::sides
