@@ -19,6 +19,7 @@ OverdrawOptions looks_of(const Plan& plan) {
   add_view_rows(table);
   add_pose_rows(table);
   add_faces_row(table);
+  add_subject_row(table, &OverdrawOptions::subject);
   for (const PlannedStage& measure : plan.measures) {
     if (measure.plugin->overdraw_service) return table.read(measure.settings);
   }
@@ -86,7 +87,7 @@ std::string page_of(const Scene& before, const Result& result, const FileJob& jo
   const std::string name = job.arguments.pipelines.empty() ? "@default" : job.arguments.pipelines.front();
   const Comparison comparison{result.report.input, {{name, result.report}}, {}};
   const std::optional<Scene> after = result.scene;
-  const Display shown = display(before, {&after, 1}, 0);
+  const Display shown = display(before, {&after, 1}, 0, job.pipeline.subjects.subject);
   return page({&comparison, 1}, {&shown, 1}, program_name());
 }
 

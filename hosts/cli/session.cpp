@@ -1,5 +1,6 @@
 #include "session.h"
 
+#include <foredraw/pipeline/measured_subjects.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/usual_measures.h>
 #include <foredraw/platform/terminal.h>
@@ -85,6 +86,10 @@ std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& argumen
   bool good = true;
   for (const std::string& assignment : arguments.set)
     good = set_wherever_it_is(pipelines, assignment, diagnostics) && good;
+  const SubjectChoice& first = pipelines.front().pipeline.subjects;
+  for (NamedPipeline& named : pipelines) {
+    if (named.pipeline.subjects != first) judge_subjects_of(first, named.pipeline.measure, registry);
+  }
   return good ? std::optional(std::move(pipelines)) : std::nullopt;
 }
 

@@ -91,6 +91,21 @@ TEST_F(Compare, RowsOfAFileGoOnFromItsStages) {
   EXPECT_EQ(run("optimize " + spot() + " -o o.glb -p p.toml").code, 1);
 }
 
+TEST_F(Compare, AllAreJudgedByTheSubjectsOfTheFirst) {
+  put(folder_ / "whole.toml", "pipeline = 1\nstages = ['weld']\n[subjects]\nsubject = 'scene'\n");
+  const auto subjects = [&](const std::string& pipelines) {
+    std::vector<std::string> told;
+    const Ended ended =
+        run("compare " + spot() + ' ' + pipelines + " --with 'overdraw-raster(views=20,size=32)' --json");
+    for (const Json& branch : Json::parse(ended.out)["files"][0]["branches"]) {
+      told.push_back(branch["report"]["evaluators"]["overdraw-raster"]["options"]["subject"]);
+    }
+    return told;
+  };
+  EXPECT_EQ(subjects("-p whole.toml -p weld"), (std::vector<std::string>{"scene", "scene"}));
+  EXPECT_EQ(subjects("-p weld -p whole.toml"), (std::vector<std::string>{"character", "character"}));
+}
+
 TEST_F(Compare, StagesBeforeTheForkRunOnce) {
   put(folder_ / "p.toml", "pipeline = 1\nstages = ['weld', 'lookahead']\n[compare]\na = ['vertex-fetch']\nb = []\n");
   const Json file = compared("-p p.toml --repeat 3");

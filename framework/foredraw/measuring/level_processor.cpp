@@ -36,7 +36,7 @@ class LevelProcessor final : public Processor {
       : maker_(std::move(maker)), options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
-    const std::vector<Subject> subjects = subjects_of(scene);
+    const std::vector<Subject> subjects = subjects_of(scene, run.subjects);
     const std::vector<std::vector<DrawId>> chosen = chosen_of(scene, subjects, draws, run);
     std::vector<SubjectLevels> made(subjects.size());
     std::vector<Findings> findings(subjects.size());
@@ -51,7 +51,8 @@ class LevelProcessor final : public Processor {
               .seed = run.seed + i,
               .about = {.subject = static_cast<std::uint32_t>(i)},
               .cancel = run.cancel,
-              .loans = run.loans};
+              .loans = run.loans,
+              .subjects = run.subjects};
       made[i] = maker_->levels({scene, subjects[i], chosen[i]}, own);
       if (own.keeps()) made[i].clear();
       check_steps(made[i], chosen[i], scene);

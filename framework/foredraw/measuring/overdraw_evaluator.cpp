@@ -32,7 +32,7 @@ class OverdrawEvaluation {
       : service_(service), options_(options), samples_{views} {}
 
   void evaluate(const Scene& scene, Run& run) {
-    SubjectsInPoses subjects{scene, subjects_of(scene), make_poses(scene, options_), {}};
+    SubjectsInPoses subjects{scene, subjects_of(scene, options_.subject), make_poses(scene, options_), {}};
     subjects.distinct = distinct_poses(scene, subjects.subjects, subjects.poses, run.executor);
     const OverdrawTallies tallies =
         options_.error ? counted_to(*options_.error, subjects, run) : counted(subjects, run);

@@ -4,6 +4,7 @@
 
 #include <foredraw/technique/plugin.h>
 #include <foredraw/technique/pose_options.h>
+#include <foredraw/technique/subject_options.h>
 #include <foredraw/technique/view_options.h>
 
 #include <concepts>
@@ -23,6 +24,7 @@ struct OverdrawOptions : ViewSet, PoseSet {
     poses = "16";
   }
   Faces faces = Faces::material;
+  SubjectUnit subject = SubjectUnit::character;
   bool details = false;
   std::optional<double> error;  ///< wanted of every subject's ratio: views and size are then picked to reach it
 };
@@ -69,6 +71,7 @@ requires std::derived_from<Options, OverdrawOptions> Plugin overdraw_plugin(Card
   add_view_rows(table);
   add_pose_rows(table);
   add_faces_row(table);
+  add_subject_row<Options>(table, &OverdrawOptions::subject);
   add_evaluator_rows(table);
   add_rows(table);
   bind_options(plugin, std::move(table),

@@ -54,8 +54,9 @@ class FileReader {
   Pipeline read_pipeline(const toml::table& root) {
     check_version(root);
     const auto words = pipeline_words();
-    Pipeline pipeline = words.read(
-        fitted(root, words.specs(), {"pipeline", "stages", "measure", "compare", "views", "poses", "services"}, ""));
+    Pipeline pipeline =
+        words.read(fitted(root, words.specs(),
+                          {"pipeline", "stages", "measure", "compare", "views", "poses", "subjects", "services"}, ""));
     pipeline.stages = read_list(root, "stages", "stages");
     pipeline.measure = read_list(root, "measure", "measure");
     if (const toml::table* table = table_in(root, "views")) {
@@ -65,6 +66,10 @@ class FileReader {
     if (const toml::table* table = table_in(root, "poses")) {
       pipeline.poses = read_set(*table, "poses", pose_words());
       pipeline.poses_where = at(table->source(), "poses");
+    }
+    if (const toml::table* table = table_in(root, "subjects")) {
+      const auto words = subject_words();
+      pipeline.subjects = words.read(fitted(*table, words.specs(), {}, "subjects"));
     }
     if (const toml::table* table = table_in(root, "services")) pipeline.overdraw = read_services(*table);
     return pipeline;

@@ -3,6 +3,7 @@
 // whether it can run; plan() does.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/scene/subject.h>
 #include <foredraw/technique/options.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/view_set.h>
@@ -29,12 +30,18 @@ struct Stage {
   std::map<std::string, Where> option_where;  ///< of each option's value
 };
 
+struct SubjectChoice {
+  SubjectUnit subject = SubjectUnit::character;
+  friend bool operator==(const SubjectChoice&, const SubjectChoice&) = default;
+};
+
 struct Pipeline {
   std::string about;
   std::vector<Stage> stages;
   std::vector<Stage> measure;
   ViewSet views;                  ///< what orders are optimised for
   PoseSet poses;                  ///< and in which poses
+  SubjectChoice subjects;         ///< and what is seen as one there
   std::optional<Stage> overdraw;  ///< [services]: who answers for measured overdraw
   std::int64_t seed = 0;
 

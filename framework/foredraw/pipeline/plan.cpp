@@ -1,6 +1,7 @@
 #include <foredraw/pipeline/plan.h>
 
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/pipeline/measured_subjects.h>
 #include <foredraw/pipeline/named_files.h>
 #include <foredraw/pipeline/stage_order.h>
 #include <foredraw/scene/levels.h>
@@ -25,6 +26,9 @@ class Planner {
   Plan plan(const Pipeline& as_written) {
     Plan plan;
     plan.pipeline = with_paths_from_here(as_written, registry_);
+    if (as_written.subjects != SubjectChoice{}) {
+      judge_subjects_of(as_written.subjects, plan.pipeline.measure, registry_);
+    }
     const Pipeline& pipeline = plan.pipeline;
     plan.products = registry_.products();
     auto views = views_of(pipeline.views);

@@ -75,6 +75,10 @@ std::string poses_in_file(const PoseSet& poses) {
   return text;
 }
 
+std::string subjects_in_file(const SubjectChoice& subjects) {
+  return "\n[subjects]\n" + row_in_file("subject", std::string(text_of(subjects.subject))) + '\n';
+}
+
 }  // namespace
 
 std::string print_file(const Pipeline& pipeline) {
@@ -85,6 +89,7 @@ std::string print_file(const Pipeline& pipeline) {
   if (!pipeline.measure.empty()) text += list_in_file("measure", pipeline.measure);
   if (pipeline.views != ViewSet{}) text += views_in_file(pipeline.views);
   if (pipeline.poses != PoseSet{}) text += poses_in_file(pipeline.poses);
+  if (pipeline.subjects != SubjectChoice{}) text += subjects_in_file(pipeline.subjects);
   if (pipeline.overdraw) text += "\n[services]\noverdraw = " + stage_in_file(*pipeline.overdraw) + '\n';
   return text;
 }

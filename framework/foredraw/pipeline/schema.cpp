@@ -119,6 +119,8 @@ std::string pipeline_schema(const Registry& registry) {
   properties["views"]["description"] = "The views that orders are optimised for";
   properties["poses"] = closed_table(properties_of(pose_words().specs()));
   properties["poses"]["description"] = "The poses of animated characters that orders are optimised for";
+  properties["subjects"] = closed_table(properties_of(subject_words().specs()));
+  properties["subjects"]["description"] = "What stages and evaluators see as one";
   properties["services"] = closed_table({{"overdraw", reference("any_overdraw_service")}});
   properties["services"]["description"] = "Which evaluator supplies measured overdraw";
 

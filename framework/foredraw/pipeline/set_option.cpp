@@ -26,7 +26,7 @@ std::string what_there_is(const std::string& name, const std::vector<Stage*>& st
 
 /// "tipsify.cache-size=24", "views.count=162" or "seed=7" taken apart.
 struct Assignment {
-  std::string stage;  ///< or "views" or "poses"; empty for a word of the pipeline itself
+  std::string stage;  ///< or "views", "poses" or "subjects"; empty for a word of the pipeline itself
   std::string word;
   OptionValue value;
   Where where;  ///< of the value
@@ -107,6 +107,7 @@ bool set_option(Pipeline& pipeline, std::string_view text, Diagnostics& diagnost
     return set_word(view_words(), pipeline.views, *assignment, diagnostics);
   }
   if (assignment->stage == "poses") return set_word(pose_words(), pipeline.poses, *assignment, diagnostics);
+  if (assignment->stage == "subjects") return set_word(subject_words(), pipeline.subjects, *assignment, diagnostics);
   return set_of_stages(pipeline, *assignment, diagnostics);
 }
 

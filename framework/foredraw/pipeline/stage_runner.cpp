@@ -94,7 +94,7 @@ class StageRunner {
   }
 
   void run(const SubjectOrderer& technique) {
-    const std::vector<Subject> subjects = subjects_of(scene_);
+    const std::vector<Subject> subjects = subjects_of(scene_, plan_.pipeline.subjects.subject);
     const std::vector<SubjectLevel> parts = chosen_.of(subjects);
     const PartGroups groups(scene_, subjects, [&](DrawId id) { return may_change_places(id); });
     auto outcomes = over<OrderedSubject>(
@@ -221,7 +221,8 @@ class StageRunner {
               .about = about_of(i),
               .cancel = surroundings_.cancel,
               .progress = count == 1 ? progress_ : nullptr,
-              .loans = plan_.loans};
+              .loans = plan_.loans,
+              .subjects = plan_.pipeline.subjects.subject};
       try {
         if (run.cancelled()) throw std::runtime_error("cancelled");
         task(i, run, outcome);

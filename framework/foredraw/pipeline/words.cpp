@@ -1,6 +1,7 @@
 #include <foredraw/pipeline/private/words.h>
 
 #include <foredraw/technique/pose_options.h>
+#include <foredraw/technique/subject_options.h>
 #include <foredraw/technique/view_options.h>
 
 #include <algorithm>
@@ -23,6 +24,12 @@ OptionTable<ViewSet> view_words() {
 OptionTable<PoseSet> pose_words() {
   OptionTable<PoseSet> table;
   add_pose_rows(table);
+  return table;
+}
+
+OptionTable<SubjectChoice> subject_words() {
+  OptionTable<SubjectChoice> table;
+  add_subject_row(table, &SubjectChoice::subject);
   return table;
 }
 

@@ -73,13 +73,12 @@ std::string character_name(const Scene& scene, SkinId id) {
   return "character " + std::to_string(id);
 }
 
-void add_parts(Subject& subject, const Mesh& mesh, std::optional<NodeId> node) {
-  for (const DrawId draw : mesh.draws) subject.parts.push_back({draw, node});
-}
-
-/// Of each mesh, the nodes whose morph weights an animation moves.
-std::vector<std::set<NodeId>> morphing_nodes(const Scene& scene) {
+/// Of each mesh, the nodes that bend it: by a skin, or by morph weights that an animation moves.
+std::vector<std::set<NodeId>> nodes_that_bend(const Scene& scene) {
   std::vector<std::set<NodeId>> nodes(scene.meshes.size());
+  for (NodeId node = 0; node < scene.nodes.size(); ++node) {
+    if (scene.nodes[node].mesh && scene.nodes[node].skin) nodes[*scene.nodes[node].mesh].insert(node);
+  }
   for (const Animation& animation : scene.animations) {
     for (const AnimationChannel& channel : animation.channels) {
       if (channel.path != AnimatedPath::weights || channel.node >= scene.nodes.size()) continue;
@@ -93,40 +92,78 @@ std::string mesh_name(const Scene& scene, MeshId mesh) {
   return scene.meshes[mesh].name.empty() ? "mesh " + std::to_string(mesh) : scene.meshes[mesh].name;
 }
 
+/// Subjects as they are found: those of several meshes first, then each mesh that none of them shows.
+class SubjectList {
+ public:
+  explicit SubjectList(const Scene& scene) : scene_(scene), is_shown_(scene.meshes.size(), false) {}
+
+  void add_scene() {
+    Subject whole{"scene", {}};
+    for (const NodeId node : walk(scene_)) {
+      if (scene_.nodes[node].is_shown) add_node(whole, node);
+    }
+    add(std::move(whole));
+  }
+
+  void add_characters() {
+    const Characters characters(scene_);
+    std::vector<Subject> by_skin(scene_.skins.size());
+    for (const NodeId node : walk(scene_)) {
+      if (const auto character = characters.of(node)) add_node(by_skin[*character], node);
+    }
+    for (SkinId skin = 0; skin < by_skin.size(); ++skin) {
+      if (by_skin[skin].parts.empty()) continue;
+      by_skin[skin].name = character_name(scene_, skin);
+      add(std::move(by_skin[skin]));
+    }
+  }
+
+  void add_other_meshes() {
+    const std::vector<std::set<NodeId>> bending = nodes_that_bend(scene_);
+    for (MeshId mesh = 0; mesh < scene_.meshes.size(); ++mesh) {
+      if (scene_.meshes[mesh].draws.empty()) continue;
+      for (const NodeId node : bending[mesh]) {
+        if (is_shown_at_.contains(node)) continue;
+        Subject subject{mesh_name(scene_, mesh), {}};
+        add_node(subject, node);
+        add(std::move(subject));
+      }
+      if (is_shown_[mesh]) continue;
+      Subject subject{mesh_name(scene_, mesh), {}};
+      for (const DrawId draw : scene_.meshes[mesh].draws) subject.parts.push_back({draw, std::nullopt});
+      add(std::move(subject));
+    }
+  }
+
+  std::vector<Subject> take() { return std::move(subjects_); }
+
+ private:
+  void add_node(Subject& subject, NodeId node) {
+    const auto mesh = scene_.nodes[node].mesh;
+    if (!mesh) return;
+    for (const DrawId draw : scene_.meshes[*mesh].draws) subject.parts.push_back({draw, node});
+    is_shown_[*mesh] = true;
+    is_shown_at_.insert(node);
+  }
+
+  void add(Subject subject) {
+    if (!subject.parts.empty()) subjects_.push_back(std::move(subject));
+  }
+
+  const Scene& scene_;
+  std::vector<Subject> subjects_;
+  std::vector<bool> is_shown_;  // [mesh] by a subject of nodes
+  std::set<NodeId> is_shown_at_;
+};
+
 }  // namespace
 
-std::vector<Subject> subjects_of(const Scene& scene) {
-  const Characters characters(scene);
-  std::vector<Subject> by_skin(scene.skins.size());
-  std::vector<char> is_shown(scene.meshes.size(), 0);
-  for (const NodeId node : walk(scene)) {
-    const auto mesh = scene.nodes[node].mesh;
-    const auto character = characters.of(node);
-    if (!mesh || !character) continue;
-    add_parts(by_skin[*character], scene.meshes[*mesh], node);
-    is_shown[*mesh] = 1;
-  }
-
-  std::vector<Subject> subjects;
-  for (SkinId skin = 0; skin < by_skin.size(); ++skin) {
-    if (by_skin[skin].parts.empty()) continue;
-    by_skin[skin].name = character_name(scene, skin);
-    subjects.push_back(std::move(by_skin[skin]));
-  }
-  const auto add_mesh = [&](MeshId mesh, std::optional<NodeId> node) {
-    add_parts(subjects.emplace_back(Subject{mesh_name(scene, mesh), {}}), scene.meshes[mesh], node);
-  };
-  const std::vector<std::set<NodeId>> morphing = morphing_nodes(scene);
-  for (MeshId mesh = 0; mesh < scene.meshes.size(); ++mesh) {
-    if (scene.meshes[mesh].draws.empty()) continue;
-    for (const NodeId node : morphing[mesh]) {
-      if (characters.of(node)) continue;
-      add_mesh(mesh, node);
-      is_shown[mesh] = 1;
-    }
-    if (!is_shown[mesh]) add_mesh(mesh, std::nullopt);
-  }
-  return subjects;
+std::vector<Subject> subjects_of(const Scene& scene, SubjectUnit unit) {
+  SubjectList subjects(scene);
+  if (unit == SubjectUnit::scene) subjects.add_scene();
+  if (unit == SubjectUnit::character) subjects.add_characters();
+  subjects.add_other_meshes();
+  return subjects.take();
 }
 
 }  // namespace foredraw

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foredraw {
@@ -27,10 +28,25 @@ struct Subject {
   }
 };
 
-/// The default subjects of a scene: a character (every mesh that shares a skin or hangs below one of its joints) where
-/// there is a skin; a mesh as each node shows it whose morph weights an animation moves; else each mesh in its own
-/// space. Every draw that a mesh holds is in one subject at least. Parts are drawn node by node as the file's walk has
-/// them, and of a node in the sequence of Mesh::draws.
-std::vector<Subject> subjects_of(const Scene& scene);
+/// What is seen and judged as one.
+enum class SubjectUnit {
+  mesh,       ///< each mesh: as each node shows it where a skin or morph weights move it, else in its own space
+  character,  ///< every mesh that shares a skin or hangs below one of its joints; the other meshes one by one
+  scene,      ///< all that the scene shows; an instanced mesh once, as its node stands
+};
+
+constexpr std::string_view text_of(SubjectUnit unit) {
+  switch (unit) {
+    case SubjectUnit::mesh: return "mesh";
+    case SubjectUnit::character: return "character";
+    case SubjectUnit::scene: break;
+  }
+  return "scene";
+}
+
+/// The subjects of a scene. Every draw that a mesh holds is in one subject at least: meshes that nothing shows are
+/// subjects of their own. Parts are drawn node by node as the file's walk has them, and of a node in the sequence of
+/// Mesh::draws.
+std::vector<Subject> subjects_of(const Scene& scene, SubjectUnit unit = SubjectUnit::character);
 
 }  // namespace foredraw

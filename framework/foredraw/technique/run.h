@@ -6,6 +6,7 @@
 #include <foredraw/scene/draw.h>
 #include <foredraw/scene/lender.h>
 #include <foredraw/scene/poses.h>
+#include <foredraw/scene/subject.h>
 #include <foredraw/scene/views.h>
 #include <foredraw/technique/options.h>
 
@@ -20,8 +21,8 @@ namespace foredraw {
 
 class OverdrawService;
 
-/// What a figure or a note is about: a draw, a subject (by its number among subjects_of(scene)), or, with neither, the
-/// scene. A figure of the scene stands in place of the sum over its parts.
+/// What a figure or a note is about: a draw, a subject (by its number among subjects_of(scene, run.subjects)), or, with
+/// neither, the scene. A figure of the scene stands in place of the sum over its parts.
 struct About {
   std::optional<DrawId> draw;
   std::optional<std::uint32_t> subject;
@@ -63,8 +64,9 @@ struct Run {
   std::uint64_t seed = 0;                     ///< from the pipeline's seed, the stage and what it is about
   About about;                                ///< what figures and notes are about unless they say otherwise
   const std::atomic<bool>* cancel = nullptr;
-  std::function<void(double)> progress = {};  ///< may be empty; the part done, 0 to 1; from any thread
-  const Loans& loans = no_loans;              ///< what the stage's options name, as the host read it
+  std::function<void(double)> progress = {};      ///< may be empty; the part done, 0 to 1; from any thread
+  const Loans& loans = no_loans;                  ///< what the stage's options name, as the host read it
+  SubjectUnit subjects = SubjectUnit::character;  ///< what is seen as one: the pipeline's [subjects]
 
   /// What an option names. std::invalid_argument where it names nothing, or nothing that was lent: a plan that exists
   /// has lent all that its options name.

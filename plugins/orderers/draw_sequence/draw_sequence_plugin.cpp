@@ -56,7 +56,8 @@ SubjectCapture captured_by_draws(const SubjectView& view, const Run& run) {
                .views = views,
                .overdraw = run.overdraw,
                .about = run.about,
-               .cancel = run.cancel};
+               .cancel = run.cancel,
+               .subjects = run.subjects};
   Poses poses = run.poses;
   poses.share_views = true;
   return capture_subject(

@@ -262,7 +262,7 @@ FoundSides find_sides(const Scene& scene, std::span<const DrawId> asked, const S
     found.wanted[id].assign(level.stream().triangle_count(), front);
     found.is_closed[id] = std::ranges::all_of(surface.is_closed, [](bool is) { return is; });
   }
-  const std::vector<Subject> subjects = subjects_of(scene);
+  const std::vector<Subject> subjects = subjects_of(scene, options.subjects);
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     const bool any = std::ranges::any_of(subjects[s].parts,
                                          [&](const SubjectPart& part) { return found.wanted.contains(part.draw); });

@@ -15,6 +15,7 @@ struct SideSearchOptions {
   int checks = 150;  ///< pictures that have the last word, from sides and at times that decided nothing
   Views views;       ///< that the first pictures are drawn from; several poses share them
   Poses poses = rest_pose;
+  SubjectUnit subjects = SubjectUnit::character;  ///< what hides what: parts of one subject
   std::uint64_t seed = 0;
 };
 

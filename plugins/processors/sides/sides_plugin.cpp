@@ -71,7 +71,7 @@ Shaded shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
   constexpr std::size_t most_poses = 4;
   Shaded result;
   const std::size_t step = (run.poses.poses.size() + most_poses - 1) / most_poses;
-  for (const Subject& subject : subjects_of(scene)) {
+  for (const Subject& subject : subjects_of(scene, run.subjects)) {
     const bool is_asked = std::ranges::any_of(
         subject.parts, [&](const SubjectPart& part) { return std::ranges::binary_search(draws, part.draw); });
     if (!is_asked) continue;
@@ -108,6 +108,7 @@ class Sides final : public Processor {
     sides::SideSearchOptions search = options_;
     search.views = run.views;
     search.poses = run.poses;
+    search.subjects = run.subjects;
     search.seed = run.seed;
     const sides::FoundSides found = sides::find_sides(scene, asked, search, run.analyses, run.executor);
     const Shaded before = shaded(scene, asked, run);

@@ -88,6 +88,13 @@ TEST(ParseFile, ReadsPoses) {
             "p.toml:2:1: error: poses: rate and moments both choose the poses; leave one of them out\n");
 }
 
+TEST(ParseFile, ReadsWhatIsSeenAsOne) {
+  EXPECT_EQ(parsed("pipeline = 1\n").subjects.subject, SubjectUnit::character);
+  EXPECT_EQ(parsed("pipeline = 1\n[subjects]\nsubject = 'scene'\n").subjects.subject, SubjectUnit::scene);
+  EXPECT_EQ(refused("pipeline = 1\n[subjects]\nsubject = 'helmet'\n"),
+            "p.toml:3:11: error: subjects.subject: 'subject' is \"helmet\", but must be mesh, character or scene\n");
+}
+
 TEST(ParseFile, RemembersWhereThingsStand) {
   const Pipeline pipeline = parsed(props);
   const Stage& tipsify = pipeline.stages[1];

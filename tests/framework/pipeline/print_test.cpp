@@ -94,6 +94,7 @@ Pipeline any_pipeline() {
   pipeline.measure = any_stages();
   pipeline.views = any_views();
   pipeline.poses = any_poses();
+  pipeline.subjects.subject = *rc::gen::element(SubjectUnit::mesh, SubjectUnit::character, SubjectUnit::scene);
   if (*rc::gen::arbitrary<bool>()) pipeline.overdraw = any_stage();
   pipeline.seed = *rc::gen::arbitrary<std::int64_t>();
   return pipeline;
@@ -194,6 +195,7 @@ TEST(Print, ALineHoldsStagesAlone) {
   EXPECT_EQ(more([](Pipeline& p) { p.measure = p.stages; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.views.size = 64; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.poses.rate = 30; }), std::nullopt);
+  EXPECT_EQ(more([](Pipeline& p) { p.subjects.subject = SubjectUnit::scene; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.overdraw = Stage{.use = "x"}; }), std::nullopt);
 }
 
@@ -219,6 +221,7 @@ TEST(SamePipeline, ComparesWhatDecidesWhatRuns) {
   EXPECT_FALSE(same_after([](Pipeline& p) { p.measure = p.stages; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.views.size = 64; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.poses.clips = "Walk"; }));
+  EXPECT_FALSE(same_after([](Pipeline& p) { p.subjects.subject = SubjectUnit::mesh; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.seed = 1; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw.reset(); }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw->use = "y"; }));

@@ -27,9 +27,9 @@ void add_skin(Scene& scene, std::string name, std::vector<NodeId> joints) {
 }
 
 /// "name: draw@node draw@node" for each subject, "-" for no node.
-std::vector<std::string> told(const Scene& scene) {
+std::vector<std::string> told(const Scene& scene, SubjectUnit unit = SubjectUnit::character) {
   std::vector<std::string> lines;
-  for (const Subject& subject : subjects_of(scene)) {
+  for (const Subject& subject : subjects_of(scene, unit)) {
     std::string line = subject.name + ":";
     for (const SubjectPart& part : subject.parts) {
       line.append(" ").append(std::to_string(part.draw)).append("@");
@@ -84,6 +84,24 @@ TEST(Subjects, a_character_is_its_skinned_meshes_and_what_its_joints_carry) {
   scene.nodes[5].mesh = 3;  // a house
   add_skin(scene, "Knight", {0, 1});
   EXPECT_EQ(told(scene), (Lines{"Knight: 0@2 2@3 1@4", "d: 3@-"}));
+}
+
+TEST(Subjects, may_be_single_meshes_or_all_that_the_scene_shows) {
+  Scene scene = scene_with(5, 8);
+  scene.nodes[0].children = {1};  // a joint, and a sword below it
+  scene.nodes[1].mesh = 0;
+  scene.nodes[2].mesh = 1;  // a body, twice
+  scene.nodes[2].skin = 0;
+  scene.nodes[3].mesh = 1;
+  scene.nodes[3].skin = 0;
+  scene.nodes[4].mesh = 2;  // a chair, twice
+  scene.nodes[5].mesh = 2;
+  scene.nodes[6].mesh = 3;  // hidden
+  scene.nodes[6].is_shown = false;
+  add_skin(scene, "Knight", {0});
+  EXPECT_EQ(told(scene, SubjectUnit::mesh), (Lines{"a: 0@-", "b: 1@2", "b: 1@3", "c: 2@-", "d: 3@-", "e: 4@-"}));
+  EXPECT_EQ(told(scene, SubjectUnit::scene), (Lines{"scene: 0@1 1@2 1@3 2@4 2@5", "d: 3@-", "e: 4@-"}));
+  EXPECT_EQ(told(Scene(), SubjectUnit::scene), Lines());
 }
 
 TEST(Subjects, are_drawn_as_the_walk_has_nodes_and_meshes_have_draws) {

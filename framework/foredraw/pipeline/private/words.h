@@ -9,6 +9,7 @@ namespace foredraw {
 OptionTable<Pipeline> pipeline_words();
 OptionTable<ViewSet> view_words();
 OptionTable<PoseSet> pose_words();
+OptionTable<SubjectChoice> subject_words();
 /// The reserved words of a stage. Every other word is an option of its plugin.
 OptionTable<Stage> stage_words();
 

@@ -233,11 +233,12 @@ class SubjectDisplay {
 
 }  // namespace
 
-Display display(const Scene& input, std::span<const std::optional<Scene>> branches, std::size_t file) {
+Display display(const Scene& input, std::span<const std::optional<Scene>> branches, std::size_t file,
+                SubjectUnit unit) {
   const std::string buffer_name = fmt::format("buffer-{}", file);
   Json scene{{"file", file}, {"buffer", buffer_name}, {"subjects", Json::array()}};
   PageBuffer buffer;
-  for (const Subject& subject : subjects_of(input)) {
+  for (const Subject& subject : subjects_of(input, unit)) {
     SubjectDisplay shown(input, subject, buffer);
     if (!shown.empty()) scene["subjects"].push_back(shown.json(branches));
   }

@@ -165,7 +165,7 @@ std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const
                                   const Executor& executor, Analyses& analyses) {
   const Views views = make_views(options);
   const auto number = whole_number(which);
-  SubjectsInPoses subjects{before, subjects_of(before), make_poses(before, options), {}};
+  SubjectsInPoses subjects{before, subjects_of(before, options.subject), make_poses(before, options), {}};
   subjects.distinct = distinct_poses(before, subjects.subjects, subjects.poses, executor);
   const Photographer photographer(subjects, views, options.faces, analyses);
 
