@@ -2,6 +2,7 @@
 #include "outputs.h"
 #include "session.h"
 
+#include <foredraw/base/counted.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/sprite/sprite_files.h>
@@ -56,11 +57,12 @@ class CommandLine {
     optimize_app
         .add_option(
             "-o,--output", arguments_.outputs,
-            fmt::format("Where to write the scene: .glb, .gltf, the input's own kind, or - for standard output; "
-                        "sprites also as {}. KIND:FILE writes something else of it; the kinds are {}. May be given "
-                        "several times; all outputs are written, or none. If the input is a folder: a folder, and "
-                        "files of sprites that hold those of all inputs",
-                        sprite_output_extensions(), kinds_text(registry.products())))
+            fmt::format(
+                "Output file: .glb, .gltf, the input's own format, or - for standard output; sprites also as {}. "
+                "KIND:FILE writes extra data; the kinds are {}. May be given several times; all outputs are "
+                "written, or none. For a folder of inputs, give a folder; a file of sprites then holds those "
+                "of all inputs",
+                sprite_output_extensions(), kinds_text(registry.products())))
         ->required()
         ->expected(1)
         ->take_all();
@@ -94,7 +96,7 @@ class CommandLine {
 
     auto& measure_app = add("measure", "Measure a scene as it is", [this] { return measure(arguments_, registry_); });
     input(measure_app);
-    with(measure_app);
+    with(measure_app, "those of @default");
     heat_maps(measure_app, "");
     json(measure_app);
     threads(measure_app);
@@ -180,6 +182,13 @@ class CommandLine {
       const std::string_view near = nearest(unknown, names);
       fmt::print(stderr, "foredraw: error: there is no option '{}'\n    hint: {}\n", unknown,
                  near.empty() ? help + " lists all options" : fmt::format("did you mean '{}'?", near));
+    } else if (const CLI::Option* input = asked.get_option_no_throw("input");
+               input != nullptr && input->get_items_expected_max() == 1 && input->count() > 1) {
+      fmt::print(
+          stderr,
+          "foredraw: error: there is one input too many: '{}'\n    hint: name the output with -o, or put several "
+          "inputs into a folder\n",
+          input->results()[1]);
     } else {
       fmt::print(stderr, "foredraw: error: {}\n    hint: {} lists commands and options\n", mistake.what(), help);
     }
@@ -189,6 +198,7 @@ class CommandLine {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      for (const std::string& name : option->get_snames()) names.push_back("-" + name);
     }
     return names;
   }
@@ -199,7 +209,8 @@ class CommandLine {
     for (const std::string& word : words) {
       if (word == "--") break;
       const std::string name = word.substr(0, word.find('='));
-      if (word.starts_with("--") && std::ranges::find(names, name) == names.end()) return name;
+      const bool looks_like_one = word.size() > 1 && word[0] == '-' && std::isdigit(word[1]) == 0;
+      if (looks_like_one && std::ranges::find(names, name) == names.end()) return name;
     }
     return {};
   }
@@ -223,7 +234,8 @@ class CommandLine {
       if (arguments_.memory_limit == 0) {
         fmt::print(stderr, "\n    hint: close other programs, or use a machine with more\n");
       } else {
-        fmt::print(stderr, ": --memory-limit is {} bytes\n    hint: raise --memory-limit\n", arguments_.memory_limit);
+        fmt::print(stderr, ": --memory-limit is {}\n    hint: raise --memory-limit\n",
+                   counted(arguments_.memory_limit, "byte"));
       }
       return something_failed;
     }
@@ -277,16 +289,17 @@ class CommandLine {
         ->expected(1)
         ->take_all();
   }
-  void with(CLI::App& app) {
-    app.add_option("--with", arguments_.with,
-                   "Evaluators to measure with, such as \"vertex-cache, overdraw-raster(views=162)\" (default: the "
-                   "pipeline's, else those that show what its stages gain)");
+  void with(CLI::App& app, const std::string& usual = "the pipeline's, else those that show what its stages gain") {
+    app.add_option(
+        "--with", arguments_.with,
+        "Evaluators to measure with, such as \"vertex-cache, overdraw-raster(views=162)\" (default: " + usual + ")");
   }
   void heat_maps(CLI::App& app, const std::string& when) {
     app.add_option("--heatmap", arguments_.heat_maps,
                    "Write PNG pictures of how often each pixel is shaded" + when + " into this folder");
-    app.add_option("--heatmap-view", arguments_.heat_map_view,
-                   "Which of the first overdraw evaluator's views to draw: worst, all, or a number (default: worst)");
+    app.add_option(
+        "--heatmap-view", arguments_.heat_map_view,
+        "View to draw: worst, all, or the number of a view of the first overdraw evaluator (default: worst)");
   }
   void html(CLI::App& app) {
     app.add_option("--html", arguments_.html,

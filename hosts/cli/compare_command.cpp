@@ -58,8 +58,21 @@ struct Planned {
   std::vector<std::size_t> branches;  ///< [plan]
 };
 
+/// What is said of several pipelines alike, once.
+void tell_once(const std::vector<Diagnostic>& diagnostics) {
+  std::vector<Diagnostic> different;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const auto is_said = [&](const Diagnostic& said) {
+      return said.message == diagnostic.message && said.hint == diagnostic.hint;
+    };
+    if (std::ranges::none_of(different, is_said)) different.push_back(diagnostic);
+  }
+  tell(different);
+}
+
 Planned planned(const Contest& contest, const Registry& registry, const Scene& scene, Comparison& comparison) {
   Planned all;
+  std::vector<Diagnostic> warnings;
   for (const NamedPipeline& named : contest.pipelines) {
     const std::size_t number = comparison.branches.size();
     Branch& branch = comparison.branches.emplace_back(Branch{named.name, {}});
@@ -70,6 +83,7 @@ Planned planned(const Contest& contest, const Registry& registry, const Scene& s
     if (plan) {
       all.plans.push_back(std::move(*plan));
       all.branches.push_back(number);
+      warnings.insert(warnings.end(), diagnostics.all().begin(), diagnostics.all().end());
     } else {
       branch.is_lost = true;
       branch.report.pipeline = print_file(named.pipeline);
@@ -78,9 +92,10 @@ Planned planned(const Contest& contest, const Registry& registry, const Scene& s
       lost.error({.file = comparison.input.path}, "can-not-be-planned",
                  fmt::format("[{}] {} cannot be planned for this file:", number + 1, named.name));
       tell(lost);
+      tell(diagnostics);
     }
-    tell(diagnostics);
   }
+  tell_once(warnings);
   return all;
 }
 

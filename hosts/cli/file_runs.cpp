@@ -7,6 +7,8 @@
 #include <foredraw/report/page/heat_maps.h>
 #include <foredraw/report/remap.h>
 
+#include <numeric>
+
 namespace foredraw::cli {
 
 namespace {
@@ -91,6 +93,11 @@ std::string page_of(const Scene& before, const Result& result, const FileJob& jo
   return page({&comparison, 1}, {&shown, 1}, program_name());
 }
 
+std::uint64_t bytes_of(std::span<const OutputFile> files) {
+  return std::accumulate(files.begin(), files.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const OutputFile& file) { return sum + file.bytes.size(); });
+}
+
 Scene without_products(Scene scene, const ProductRows& rows) {
   for (const auto& row : rows) {
     if (scene.products.has(row->card().name)) row->leave_out(scene);
@@ -118,7 +125,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
                    : !output.is_scene() ? std::vector{text_file(output.path, remap_json(result.scene))}
                                         : encode_scene(scene, output.path, diagnostics, as);
       if (!files) return false;
-      if (report.output.path.empty() && output.is_scene()) report.output = {output.path, files->front().bytes.size()};
+      if (report.output.path.empty() && output.is_scene()) report.output = {output.path, bytes_of(*files)};
       if (output.path == "-") {
         standard = std::move(files->front().bytes);
       } else {

@@ -1,9 +1,11 @@
 // The commands that read a scene and run a pipeline on it.
 
 #include "file_runs.h"
+#include "scene_folder.h"
 #include "text_outputs.h"
 
 #include <foredraw/io/file_lender.h>
+#include <foredraw/io/sprite/sprite_files.h>
 
 #include <fmt/format.h>
 
@@ -50,6 +52,11 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   }
   if (diagnostics.has_errors()) return refuse(diagnostics);
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
+  if (is_sprite_input(input) && !works_on_sprites(*pipeline, registry)) {
+    diagnostics.warning({.file = input}, "no-sprites",
+                        "these are sprites, and no stage of the pipeline works on sprites", "try -p @sprites");
+    tell(diagnostics);
+  }
 
   const FileRun run =
       optimize_file({arguments, *pipeline, registry, executor, lender, progress_line()}, input, outputs);

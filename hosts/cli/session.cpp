@@ -13,7 +13,9 @@
 namespace foredraw::cli {
 
 void tell(const std::vector<Diagnostic>& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics) fmt::print(stderr, "{}\n", to_text(diagnostic));
+  for (const Diagnostic& diagnostic : diagnostics) {
+    fmt::print(stderr, "{}{}\n", diagnostic.where.file.empty() ? "foredraw: " : "", to_text(diagnostic));
+  }
 }
 
 void tell(const Diagnostics& diagnostics) { tell(diagnostics.all()); }

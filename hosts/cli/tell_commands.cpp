@@ -21,8 +21,10 @@ Exit inspect(const Arguments& arguments, const Registry& registry) {
   if (!file) return refuse_file(diagnostics);
   tell(diagnostics);
   Analyses analyses;
+  const Executor executor(0);
   return print(with_memory(input, "inspect it", [&] {
-    return arguments.json ? inspection_json(file->scene, rows, analyses) : inspection_text(file->scene, rows, analyses);
+    return arguments.json ? inspection_json(file->scene, rows, analyses, executor)
+                          : inspection_text(file->scene, rows, analyses, executor);
   }));
 }
 

@@ -120,8 +120,8 @@ TEST(OverdrawPoses, the_worst_pose_is_told) {
   }
   ASSERT_EQ(findings.notes.size(), 1u);
   EXPECT_EQ(findings.notes[0].code, "worst-pose");
-  EXPECT_TRUE(findings.notes[0].message.starts_with("measured in 6 poses, 3 of them different; the worst is " + worst +
-                                                    ", with "))
+  EXPECT_TRUE(
+      findings.notes[0].message.starts_with("measured in 6 poses (3 different); the worst is " + worst + ", with "))
       << findings.notes[0].message;
 }
 

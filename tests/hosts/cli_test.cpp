@@ -121,7 +121,8 @@ TEST_F(Cli, DrawsHeatMapsOfEachFileOfAFolder) {
 TEST_F(Cli, SaysWhereHeatMapsCanNotBeDrawn) {
   const Ended no_view = run("optimize " + spot() + " -o out.glb --heatmap maps --heatmap-view best");
   EXPECT_EQ(no_view.code, 1);
-  EXPECT_EQ(no_view.err, "error: there is no view 'best'\n    hint: give worst, all, or a number from 0 to 99\n");
+  EXPECT_EQ(no_view.err,
+            "foredraw: error: there is no view 'best'\n    hint: give worst, all, or a number from 0 to 99\n");
   EXPECT_TRUE(files().empty());
   std::ofstream(folder_ / "maps") << "a file";
   const Ended no_folder = run("measure " + spot() + " --heatmap maps");

@@ -96,8 +96,9 @@ TEST_F(Compare, AllAreJudgedByTheSubjectsOfTheFirst) {
   const auto subjects = [&](const std::string& pipelines) {
     std::vector<std::string> told;
     const Ended ended =
-        run("compare " + spot() + ' ' + pipelines + " --with 'overdraw-raster(views=20,size=32)' --json");
-    for (const Json& branch : Json::parse(ended.out)["files"][0]["branches"]) {
+        run("compare " + spot() + ' ' + pipelines + " --with 'overdraw-raster(views=12,size=32)' --json");
+    const Json json = Json::parse(ended.out);
+    for (const Json& branch : json["files"][0]["branches"]) {
       told.push_back(branch["report"]["evaluators"]["overdraw-raster"]["options"]["subject"]);
     }
     return told;

@@ -95,7 +95,7 @@ TEST_F(Folder, ABadFileDoesNotEndTheRun) {
   const Ended ended = run("optimize in -o out");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("in/broken.glb: error: "));
-  EXPECT_THAT(ended.err, HasSubstr("lost: see above"));
+  EXPECT_THAT(ended.err, HasSubstr("failed: see above"));
   EXPECT_TRUE(fs::exists(folder_ / "out/spot.glb"));
   EXPECT_FALSE(fs::exists(folder_ / "out/broken.glb"));
 }

@@ -1,5 +1,6 @@
 #include <foredraw/io/scene_file.h>
 
+#include <foredraw/base/counted.h>
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/gltf/private/stand_ins.h>
 #include <foredraw/io/gltf/private/write.h>
@@ -39,10 +40,9 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, Dia
   std::uint64_t after = 0;
   for (const OutputFile& file : files) after += file.bytes.size();
   if (after <= before) return;
-  diagnostics.note(
-      {.file = files.front().path.string()}, "output-grew",
-      "the output has " + std::to_string(after) + " bytes, more than the " + std::to_string(before) + " of the input",
-      "the input has another format, or writes its numbers with fewer characters");
+  diagnostics.note({.file = files.front().path.string()}, "output-grew",
+                   "the output has " + counted(after) + " bytes; the input had " + counted(before),
+                   "the input has another format, or writes its numbers with fewer characters");
 }
 
 /// As they are put into their places, the very first one last: so that none comes before those that it names, the main
@@ -77,7 +77,8 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
   auto scene = (kind == nullptr ? scene_kinds().front() : *kind).read(std::move(file), diagnostics, products);
   if (!scene) return std::nullopt;
   const Stamp whole = stamp_of(stamp, *scene);
-  return SceneFile{std::move(*scene), length, whole};
+  const std::uint64_t with_buffers = std::max<std::uint64_t>(length, scene->source ? scene->source->bytes() : 0);
+  return SceneFile{std::move(*scene), with_buffers, whole};
 }
 
 bool can_write_scene(const std::string& path, const std::string& input, Diagnostics& diagnostics) {

@@ -15,7 +15,7 @@ namespace foredraw {
 
 struct SceneFile {
   Scene scene;
-  std::uint64_t bytes = 0;  ///< of the file itself, without those beside it
+  std::uint64_t bytes = 0;  ///< of the file and of the buffers beside it
   Stamp stamp;              ///< of the file, and of all triangles and vertices, wherever they came from
 };
 

@@ -200,11 +200,11 @@ class OverdrawEvaluation {
     run.count_at(about, "hidden", hidden);
     run.count_at(about, "ties", ties);
     if (about == About() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
-      run.note(
-          "close",
-          fmt::format("surfaces lie closer together than the precision of depths: {:.4f} ties per pixel decide the "
-                      "ratio, more than its error; a renderer that rounds depths differently gets another ratio",
-                      ties / ratio.denominator));
+      run.note("close",
+               fmt::format(
+                   "some surfaces lie closer together than depths can tell apart ({:.4f} ties per pixel, more than the "
+                   "error of the ratio); another renderer may measure a different ratio",
+                   ties / ratio.denominator));
     }
     if (discarded > 0) run.count_at(about, "discarded", discarded);
   }
@@ -222,10 +222,9 @@ class OverdrawEvaluation {
       worst = pose;
     }
     if (highest == 0) return;
-    run.note("worst-pose",
-             fmt::format("measured in {} poses, {} of them different; the worst is {}, with {:.4f} fragments per pixel",
-                         poses.size(), count_different(subjects.distinct),
-                         pose_name(poses[worst], clip_names(subjects.scene)), highest));
+    run.note("worst-pose", fmt::format("measured in {}; the worst is {}, with {:.4f} fragments per pixel",
+                                       poses_text(poses.size(), count_different(subjects.distinct)),
+                                       pose_name(poses[worst], clip_names(subjects.scene)), highest));
   }
 
   void tell_what_is_not_as_drawn(const Scene& scene, const Poses& poses, const OverdrawTallies& tallies,

@@ -140,8 +140,8 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
     if (see) see(captured.seen, drawn);
   }
   if (different > 1) {
-    run.note("poses", fmt::format("made for {} poses, {} of them different, seen from {} views in all",
-                                  poses.poses.size(), different, captured.seen.layers.views.size()));
+    run.note("poses", fmt::format("made for {}, in {} pictures", poses_text(poses.poses.size(), different),
+                                  captured.seen.layers.views.size()));
   }
   return captured;
 }

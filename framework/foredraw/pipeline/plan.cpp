@@ -210,8 +210,8 @@ class Planner {
     broken.remove(made());  // of which it is said who undoes whose work
     if (!broken.empty()) {
       diagnostics_.warning(planned.stage.where, "left-broken",
-                           fmt::format("'{}' leaves draws that are not {}, and no later stage makes them so", card.name,
-                                       missing(broken, {})),
+                           fmt::format("after '{}', draws are no longer {}, and no later stage restores that",
+                                       card.name, missing(broken, {})),
                            fmt::format("put {} after it", who_restores(broken, registry_)));
     }
     if (const Traits unused = left_unused(*planned.plugin, later_); !unused.empty()) {

@@ -1,6 +1,6 @@
 #include <foredraw/pipeline/runner.h>
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/analysis/scene_facts.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/stage_runner.h>
 #include <foredraw/platform/machine.h>
@@ -108,19 +108,18 @@ class PlanRunner {
     const Scene& scene = result_.scene;
     Report& report = result_.report;
     report.draws.resize(scene.draws.size());
-    surroundings_->executor.for_each(scene.draws.size(), [&](std::size_t i) {
+    const std::vector<MeshFacts> facts = facts_of_draws(scene, surroundings_->analyses, surroundings_->executor);
+    for (std::size_t i = 0; i < scene.draws.size(); ++i) {
       const Draw& draw = scene.draws[i];
       DrawRecord& record = report.draws[i];
       record.name = draw.name;
+      record.facts = facts[i];
       for (std::size_t level = 0; level < draw.levels.size(); ++level) {
         record.level(level).before = state_of(draw, draw.levels[level]);
       }
-      if (draw.topology == Topology::triangles) {
-        const auto positions = positions_of(surroundings_->analyses, *draw.full().vertices);
-        record.facts = mesh_facts(positions->values, draw.full().stream().indices.view());
-      }
-    });
-    for (const DrawRecord& record : report.draws) add_counts(report.before, record.before);
+      report.before.triangles += record.before.triangles;
+    }
+    report.before.vertices = count_vertices(scene);
   }
 
   void describe_output() {
@@ -136,9 +135,10 @@ class PlanRunner {
         record.error = draw.levels[level].error;
         record.after.triangles = state.triangles;
         record.after.vertices = state.vertices;
-        if (level == 0) add_counts(report.after, state);
+        if (level == 0) report.after.triangles += state.triangles;
       }
     }
+    report.after.vertices = count_vertices(result_.scene);
   }
 
   static StateRecord state_of(const Draw& draw, const Level& level) {
@@ -146,11 +146,6 @@ class PlanRunner {
     state.vertices = level.vertices->count;
     if (draw.topology == Topology::triangles) state.triangles = level.stream().triangle_count();
     return state;
-  }
-
-  static void add_counts(StateRecord& total, const StateRecord& state) {
-    total.triangles += state.triangles;
-    total.vertices += state.vertices;
   }
 
   void measure(DrawState draw_state, StateRecord& total, std::string_view what) {

@@ -29,7 +29,17 @@ std::vector<Column> columns_of(const Metrics& metrics) {
 }
 
 std::string change(const std::string& before, const std::string& after) {
-  return before.empty() || before == after ? after : before + " -> " + after;
+  return before.empty() || before == "-" || before == after ? after : before + " -> " + after;
+}
+
+/// Of files of one kind alone: an image and the list of its frames are not to be compared.
+std::string bytes_text(const FileRecord& read, const FileRecord& written) {
+  const auto kind_of = [](const FileRecord& file) {
+    const std::string kind = std::filesystem::path(file.path).extension().string();
+    return kind == ".gltf" ? ".glb" : kind;
+  };
+  if (written.bytes == 0) return counted(read.bytes);
+  return kind_of(read) == kind_of(written) ? change(counted(read.bytes), counted(written.bytes)) : "";
 }
 
 /// Without errors, for a table of many files.
@@ -55,7 +65,7 @@ std::string_view word_of(Outcome outcome) {
 
 std::string_view told(Outcome outcome) {
   return outcome == Outcome::in_part ? "in part: a stage failed"
-         : outcome == Outcome::lost  ? "lost: see above"
+         : outcome == Outcome::lost  ? "failed: see above"
                                      : "done";
 }
 
@@ -92,20 +102,20 @@ std::string to_text(const Batch& batch) {
   for (const Column& column : columns) heads.push_back(column.evaluator + ' ' + column.metric);
   heads.insert(heads.end(), {"bytes", "outcome"});
   Table table(heads);
-  const auto add = [&](const std::string& name, const StateRecord& old, const StateRecord& now, std::uint64_t read,
-                       std::uint64_t written, std::string_view outcome) {
+  const auto add = [&](const std::string& name, const StateRecord& old, const StateRecord& now,
+                       const std::string& bytes, std::string_view outcome) {
     std::vector<std::string> row{name};
     for (const Column& column : columns) {
       const std::string was = cell(old.metrics.find(column.evaluator, column.metric));
       row.push_back(change(is_optimized(batch) ? was : "", cell(now.metrics.find(column.evaluator, column.metric))));
     }
-    row.push_back(written > 0 ? change(std::to_string(read), std::to_string(written)) : std::to_string(read));
+    row.push_back(bytes);
     row.emplace_back(outcome);
     table.add(row);
   };
 
-  std::uint64_t read = 0;
-  std::uint64_t written = 0;
+  FileRecord read, written;
+  bool are_alike = true;
   std::size_t lost = 0;
   for (const auto& [report, outcome] : batch.files) {
     if (outcome == Outcome::lost) {
@@ -116,11 +126,14 @@ std::string to_text(const Batch& batch) {
       table.add(row);
       continue;
     }
-    add(report.input.path, report.before, report.after, report.input.bytes, report.output.bytes, told(outcome));
-    read += report.input.bytes;
-    written += report.output.bytes;
+    const std::string bytes = bytes_text(report.input, report.output);
+    add(report.input.path, report.before, report.after, bytes, told(outcome));
+    are_alike = are_alike && !bytes.empty();
+    read.bytes += report.input.bytes;
+    written.bytes += report.output.bytes;
   }
-  add("all", before, after, read, written, lost == 0 ? "" : fmt::format("without the {} lost", lost));
+  add("all", before, after, are_alike ? bytes_text(read, written) : "",
+      lost == 0 ? "" : fmt::format("without {}", counted(lost, "failed file")));
   return fmt::format("{}\n{} in {:.2f} s\n", table.text(), counted(batch.files.size(), "file"), batch.seconds);
 }
 

@@ -1,6 +1,6 @@
 #include <foredraw/report/inspection.h>
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/analysis/scene_facts.h>
 #include <foredraw/base/counted.h>
 #include <foredraw/io/text/extension_text.h>
 #include <foredraw/report/table.h>
@@ -16,12 +16,6 @@ namespace foredraw {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-MeshFacts facts_of(const Draw& draw, Analyses& analyses) {
-  if (draw.topology != Topology::triangles) return {};
-  const auto positions = positions_of(analyses, *draw.full().vertices);
-  return mesh_facts(positions->values, draw.full().stream().indices.view());
-}
 
 std::string_view text_of_one(Topology topology) {
   switch (topology) {
@@ -130,21 +124,23 @@ Json images_json(const Scene& scene) {
 
 }  // namespace
 
-std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyses& analyses) {
+std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyses& analyses, const Executor& executor) {
   std::string text =
       fmt::format("{}: {} in {} on {}, {}, {}, {}, {}, {}\n\n", scene.name, counted(scene.draws.size(), "draw"),
                   counted(scene.meshes.size(), "mesh", "meshes"), counted(scene.nodes.size(), "node"),
                   counted(vertex_groups(scene).size(), "vertex stream"), counted(scene.materials.size(), "material"),
                   counted(scene.skins.size(), "skin"), counted(scene.animations.size(), "animation"),
                   counted(scene.images.size(), "image"));
-  Table table({"draw", "", "", "vertices", "bytes/vertex", "attributes", "traits"});
+  Table table({"draw", "count", "primitives", "vertices", "bytes/vertex", "attributes", "traits"});
   std::string odd;
-  for (const Draw& draw : scene.draws) {
+  const std::vector<MeshFacts> facts = facts_of_draws(scene, analyses, executor);
+  for (DrawId id = 0; id < scene.draws.size(); ++id) {
+    const Draw& draw = scene.draws[id];
     const VertexStreams& vertices = *draw.full().vertices;
     table.add({draw.name, std::to_string(elements(draw)), text_of(draw.topology), std::to_string(vertices.count),
                std::to_string(vertices.bytes_per_vertex()), attributes_text(vertices),
                fmt::format("{}", fmt::join(traits_of(draw), " "))});
-    if (const std::string what = odd_text(facts_of(draw, analyses)); !what.empty()) {
+    if (const std::string what = odd_text(facts[id]); !what.empty()) {
       odd += fmt::format("  {}: {}\n", draw.name, what);
     }
   }
@@ -165,7 +161,7 @@ std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyse
   return text;
 }
 
-std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyses& analyses) {
+std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyses& analyses, const Executor& executor) {
   Json json{{"inspection", 1},
             {"file", scene.name},
             {"meshes", scene.meshes.size()},
@@ -179,10 +175,12 @@ std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyse
     json["animations"].push_back({{"name", animation.name}, {"channels", animation.channels.size()}});
   }
   json["draws"] = Json::array();
-  for (const Draw& draw : scene.draws) {
+  const std::vector<MeshFacts> facts = facts_of_draws(scene, analyses, executor);
+  for (DrawId id = 0; id < scene.draws.size(); ++id) {
+    const Draw& draw = scene.draws[id];
     const VertexStreams& vertices = *draw.full().vertices;
-    Json facts = Json::object();
-    for (const auto& [name, count] : named_counts(facts_of(draw, analyses))) facts[std::string(name)] = count;
+    Json counts = Json::object();
+    for (const auto& [name, count] : named_counts(facts[id])) counts[std::string(name)] = count;
     Json attributes = Json::array();
     for (const VertexStream& stream : vertices.base) attributes.push_back(stream.semantic);
     json["draws"].push_back({{"name", draw.name},
@@ -194,7 +192,7 @@ std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyse
                              {"attributes", attributes},
                              {"morph-targets", vertices.morph_targets.size()},
                              {"traits", names_of(traits_of(draw))},
-                             {"facts", facts}});
+                             {"facts", counts}});
     if (draw.levels.size() > 1) json["draws"].back()["levels"] = levels_json(draw);
   }
   json["products"] = Json::object();

@@ -1,5 +1,6 @@
 #pragma once
 #include <foredraw/analysis/analyses.h>
+#include <foredraw/base/parallel.h>
 #include <foredraw/scene/product_row.h>
 
 #include <string>
@@ -7,7 +8,7 @@
 namespace foredraw {
 
 /// What a scene holds and what is odd about it, for people; of its products, what their rows tell.
-std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyses& analyses);
-std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyses& analyses);
+std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyses& analyses, const Executor& executor);
+std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyses& analyses, const Executor& executor);
 
 }  // namespace foredraw

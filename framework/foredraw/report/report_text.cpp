@@ -101,12 +101,12 @@ std::string losses_text(const Report& report) {
       const Figure* before = report.before.metrics.find(plugin, metric);
       if (before == nullptr || !figure.denominator || metric.find('.') != std::string::npos) continue;
       if (!is_loss(*before, figure)) continue;
-      losses += fmt::format("{}{} {}", losses.empty() ? "" : ", ", plugin, metric);
+      losses += fmt::format("{}{} {} ({})", losses.empty() ? "" : ", ", plugin, metric, change_text(before, figure));
     }
   }
   if (losses.empty()) return "";
-  return fmt::format(
-      "\nworse than before: {}. Run foredraw compare with fewer stages to find the stage that causes it.\n", losses);
+  return fmt::format("\nworse than before: {}. To see which stage causes it, compare pipelines with fewer stages.\n",
+                     losses);
 }
 
 std::string places_text(const std::vector<std::string>& places) {
@@ -135,7 +135,8 @@ std::string skips_text(const StageRecord& stage) {
   }
   for (const auto& [code, count] : of_code) {
     if (count > shown)
-      text += fmt::format("  {} left {} more alone ({}); --json lists them all\n", stage.use, count - shown, code);
+      text += fmt::format("  {} left {} more {} alone ({}); --json lists them all\n", stage.use, count - shown,
+                          stage.loops_over == "scene" ? "draws" : stage.loops_over, code);
   }
   return text;
 }

@@ -56,4 +56,9 @@ std::size_t count_different(std::span<const DistinctPoses> subjects) {
   return different.size();
 }
 
+std::string poses_text(std::size_t poses, std::size_t different) {
+  const std::string all = std::to_string(poses) + " poses";
+  return different == poses ? all : all + " (" + std::to_string(different) + " different)";
+}
+
 }  // namespace foredraw

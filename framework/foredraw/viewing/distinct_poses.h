@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace foredraw {
@@ -22,5 +23,8 @@ std::vector<DistinctPoses> distinct_poses(const Scene& scene, std::span<const Su
 
 /// In how many poses some of the subjects look as in none before.
 std::size_t count_different(std::span<const DistinctPoses> subjects);
+
+/// "16 poses"; "16 poses (15 different)".
+std::string poses_text(std::size_t poses, std::size_t different);
 
 }  // namespace foredraw

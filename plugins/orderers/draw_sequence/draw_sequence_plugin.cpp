@@ -18,7 +18,7 @@ constexpr std::size_t most_parts = 1024;  // every one is tried at every place, 
 std::string why_not(const SubjectView& view, const Run& run) {
   const std::size_t parts = view.subject.parts.size();
   if (run.about.level > 0) return "coarser levels are drawn in the sequence of full detail";
-  if (parts < 2) return "it is a single draw";
+  if (parts < 2) return "a single draw has no sequence";
   if (parts > most_parts) return fmt::format("it has {} draws; at most {} are put into sequence", parts, most_parts);
   if (!view.scene.products.empty()) return "something in the scene may refer to its draws by their place";
   if (view.groups.empty()) return "none of its draws can change places in the file";
@@ -98,12 +98,12 @@ class DrawSequence final : public SubjectOrderer {
 
   static bool is_confirmed(const JudgedSequence& found, Run& run) {
     if (found.before.visible == 0) {
-      run.keep("there are too few views and poses to keep some back, by which a sequence is judged");
+      run.keep("there are too few views and poses to hold some out, which judge the sequence");
       return false;
     }
     if (found.after.shaded < found.before.shaded) return true;
     run.keep(fmt::format(
-        "from views that decided nothing, overdraw between draws is {:.4f}, and {:.4f} in the sequence that was found",
+        "measured from held-out views, overdraw between draws is {:.4f}, and {:.4f} in the sequence that was found",
         ratio(found.before), ratio(found.after)));
     return false;
   }
@@ -119,7 +119,7 @@ class DrawSequence final : public SubjectOrderer {
     const std::string more = unnamed > 0 ? fmt::format(" and {} more", unnamed) : "";
     run.note(
         "sequence",
-        fmt::format("from views that decided nothing, overdraw between draws falls from {:.4f} to {:.4f}; moved: {}{}",
+        fmt::format("measured from held-out views, overdraw between draws falls from {:.4f} to {:.4f}; moved: {}{}",
                     ratio(found.before), ratio(found.after), fmt::join(names, ", "), more));
   }
 
@@ -134,12 +134,13 @@ Plugin draw_sequence_plugin() {
   plugin.card = {
       .name = "draw-sequence",
       .summary =
-          "Puts the draws of a subject into the sequence that overdraws least, as measured; put occlusion-order behind "
+          "Puts the draws of a subject into the sequence that overdraws least, as measured; put occlusion-order after "
           "it",
       .reference = "own; one start as in Eades, Lin, Smyth 1993",
       .acts_on = {traits::triangles},
       .breaks = {traits::overdraw_ordered},
-      .pays_if = "the subject has several draws, and the new sequence lowers overdraw from views that decided nothing",
+      .pays_if =
+          "the subject has several draws, and the new sequence lowers overdraw from views held out of the search",
       .uses_overdraw = true,
   };
   OptionTable<DrawSequenceOptions> table;

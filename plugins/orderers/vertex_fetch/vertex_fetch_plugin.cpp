@@ -1,6 +1,7 @@
 #include "vertex_fetch.h"
 
 #include <foredraw/analysis/vertex_cache.h>
+#include <foredraw/base/counted.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -24,8 +25,11 @@ class VertexFetch final : public VertexOrderer {
     const std::uint64_t before = bytes_fetched(use, {});
     const std::uint64_t after = bytes_fetched(use, destination);
     if (after >= before) {
-      run.keep(fmt::format("ordering its vertices by first use would fetch {} bytes, no fewer than the {} bytes now",
-                           after, before));
+      run.keep(
+          after == before
+              ? fmt::format("its order is as good already: {} bytes are fetched either way", counted(before))
+              : fmt::format("its order is better already: {} bytes are fetched now, {} would be in order of first use",
+                            counted(before), counted(after)));
     }
     return order;
   }

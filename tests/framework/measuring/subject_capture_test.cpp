@@ -81,7 +81,7 @@ TEST_F(CapturedSubjects, poses_that_look_alike_share_their_nodes) {
   EXPECT_EQ(heights_, (std::vector<float>{2, 1.75f}));
   EXPECT_EQ(both.by_pose(std::vector<std::uint8_t>{0, 1, 2, 3, 4, 5}),
             (std::vector<std::uint8_t>{0, 1, 2, 0, 1, 2, 3, 4, 5, 0, 1, 2}));
-  EXPECT_EQ(fixture_.findings.notes.front().message, "made for 4 poses, 2 of them different, seen from 6 views in all");
+  EXPECT_EQ(fixture_.findings.notes.front().message, "made for 4 poses (2 different), in 6 pictures");
 }
 
 TEST_F(CapturedSubjects, layers_judge_orders_of_atoms) {

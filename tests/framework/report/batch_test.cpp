@@ -39,8 +39,8 @@ TEST(Batch, ALineForEachFileAndOneForAll) {
   EXPECT_THAT(text, HasSubstr("file   cache acmr        bytes"));
   EXPECT_THAT(text, HasSubstr("a.glb  2.0000 -> 1.0000  100 -> 90   done\n"));
   EXPECT_THAT(text, HasSubstr("b.glb  3.0000 -> 2.0000  100 -> 90   in part: a stage failed\n"));
-  EXPECT_THAT(text, HasSubstr("c.glb" + std::string(32, ' ') + "lost: see above\n"));
-  EXPECT_THAT(text, HasSubstr("all    2.5000 -> 1.5000  200 -> 180  without the 1 lost\n"));
+  EXPECT_THAT(text, HasSubstr("c.glb" + std::string(32, ' ') + "failed: see above\n"));
+  EXPECT_THAT(text, HasSubstr("all    2.5000 -> 1.5000  200 -> 180  without 1 failed file\n"));
 }
 
 TEST(Batch, TheRecordHoldsEveryReport) {

@@ -97,7 +97,7 @@ TEST(ReportText, ThreeReasonsOfAKindAndTheRestCounted) {
   const std::string text = to_text(report);
   EXPECT_THAT(text, HasSubstr("  tipsify left Rock3 alone: reason 3\n"));
   EXPECT_THAT(text, Not(HasSubstr("reason 4")));
-  EXPECT_THAT(text, HasSubstr("  tipsify left 2 more alone (no-gain); --json lists them all\n"));
+  EXPECT_THAT(text, HasSubstr("  tipsify left 2 more draws alone (no-gain); --json lists them all\n"));
   EXPECT_THAT(text, HasSubstr("  tipsify left Glass alone: another kind\n"));
   EXPECT_THAT(text, Not(HasSubstr("(blended)")));
 }
@@ -133,7 +133,7 @@ TEST(ReportText, ARatioOfLessWorkIsNoLoss) {
   after.set("cache", "atvr", {456, 434.0});  // fewer vertices are shaded, and still fewer are there
   EXPECT_THAT(to_text(report), Not(HasSubstr("worse than before")));
   after.set("cache", "atvr", {1800, 1728.0});
-  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr."));
+  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr ("));
   // The worst view may be another one than before, so that its fragments tell nothing.
   Figure worst{200, 100.0};
   worst.worst_stands = true;
@@ -141,13 +141,13 @@ TEST(ReportText, ARatioOfLessWorkIsNoLoss) {
   worst = {90, 30.0};
   worst.worst_stands = true;
   after.set("cache", "atvr", worst);
-  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr."));
+  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr ("));
   const auto higher_is_better = [](double numerator, double denominator) {
     return Figure{numerator, denominator, 0, "", false};
   };
   before.set("cache", "atvr", higher_is_better(10, 20));
   after.set("cache", "atvr", higher_is_better(9, 20));
-  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr."));
+  EXPECT_THAT(to_text(report), HasSubstr("worse than before: cache atvr ("));
   after.set("cache", "atvr", higher_is_better(12, 30));
   EXPECT_THAT(to_text(report), Not(HasSubstr("worse than before")));
 }

@@ -144,7 +144,7 @@ TEST(DrawSequencePlugin, MaskedDrawsMoveAsOthersDo) {
 }
 
 TEST(DrawSequencePlugin, WhatCanNotMoveIsToldWhy) {
-  EXPECT_EQ(reason(run(read(spheres({1})))), "it is a single draw");
+  EXPECT_EQ(reason(run(read(spheres({1})))), "a single draw has no sequence");
   EXPECT_EQ(reason(run(read(spheres({1, 0.5f})))), "no sequence of its draws was found in which less is overdrawn");
   GltfBuilder spoken_of = spheres({0.5f, 1});
   spoken_of.json["extensionsUsed"] = {"EXT_of_primitives"};

@@ -96,7 +96,7 @@ std::optional<Container> open_container(Gate& gate) {
   if (text.substr(0, 3) != "\xEF\xBB\xBF") {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || text[first] != '{') {
-      gate.error({}, "not-gltf", "is not glTF: it starts neither with 'glTF' (.glb) nor with '{' (.gltf)",
+      gate.error({}, "not-gltf", "not glTF: it starts neither with 'glTF' (.glb) nor with '{' (.gltf)",
                  "export the file as .glb or .gltf");
       return std::nullopt;
     }

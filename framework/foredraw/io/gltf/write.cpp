@@ -1,5 +1,6 @@
 #include <foredraw/io/gltf/gltf.h>
 
+#include <foredraw/base/counted.h>
 #include <foredraw/io/gltf/private/write.h>
 #include <foredraw/io/text/private/uri.h>
 
@@ -68,7 +69,7 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, con
   for (const OutputFile& file : files) after += file.bytes.size();
   if (before == 0 || after <= before) return;
   diagnostics.note({.file = files.front().path.string()}, "output-grew",
-                   fmt::format("the output has {} bytes, more than the {} of the input", after, before),
+                   fmt::format("the output has {} bytes; the input had {}", counted(after), counted(before)),
                    causes(after - before, sizes));
 }
 

@@ -10,7 +10,9 @@
 #include <fstream>
 #include <map>
 
+#include <foredraw/base/counted.h>
 #include "framework/io/gltf/compressed_scenes.h"
+
 #include "support/meshes.h"
 
 namespace foredraw {
@@ -167,8 +169,8 @@ TEST(GltfCompression, is_left_off_where_that_is_asked_and_the_growth_is_told) {
   ASSERT_EQ(written.diagnostics.all().size(), 1u);
   const Diagnostic& note = written.diagnostics.all()[0];
   EXPECT_EQ(note.code, "output-grew");
-  EXPECT_EQ(note.message, "the output has " + std::to_string(written.files[0].bytes.size()) + " bytes, more than the " +
-                              std::to_string(file.size()) + " of the input");
+  EXPECT_EQ(note.message, "the output has " + counted(written.files[0].bytes.size()) + " bytes; the input had " +
+                              counted(file.size()));
   EXPECT_EQ(note.hint.find("data written uncompressed: "), 0u) << note.hint;
 }
 
