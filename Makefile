@@ -1,5 +1,5 @@
 # The short way in. What each word means is in CMakePresets.json; what it needs, in packages/.
-MODEL ?= benchmarks/corpus/scenes/house.glb
+MODEL ?= benchmarks/corpus/animated/kaykit_knight.glb
 INSTANCES ?= 10000
 SEED ?= 1
 DEMO := build/demo

@@ -51,6 +51,15 @@ Runs runs_below(const Scene& scene, std::span<const NodeId> walk, std::span<cons
   return below;
 }
 
+/// The roots that the scene names: the others have no place that could be another one.
+std::vector<NodeId> named_roots(const Scene& scene) {
+  std::vector<char> is_named(scene.nodes.size(), 0);
+  for (const NodeId node : scene.roots) is_named[node] = 1;
+  std::vector<NodeId> roots = roots_of(scene);
+  std::erase_if(roots, [&](NodeId node) { return is_named[node] == 0; });
+  return roots;
+}
+
 /// The things that have a rank change places among themselves, so that their ranks rise.
 template <class Thing, class RankOf>
 void sort_ranked(std::vector<Thing>& things, RankOf rank_of) {
@@ -131,22 +140,26 @@ std::vector<PartGroup> PartGroups::of(std::size_t subject) const {
   for (NodeId node = 0; node < scene_.nodes.size(); ++node) {
     if (placed_subject_[node] == subject) ++shown[*scene_.nodes[node].mesh];
   }
+  const auto add_siblings = [&](std::span<const NodeId> siblings) {
+    RunsInARow runs(groups);
+    for (const NodeId node : siblings) {
+      if (is_fence[node] != 0) {
+        runs.finish();
+      } else if (below.first[node] < below.end[node]) {
+        runs.add(below.first[node], below.end[node]);
+      }
+    }
+    runs.finish();
+  };
   for (auto n = walk_.rbegin(); n != walk_.rend(); ++n) {
     const Node& node = scene_.nodes[*n];
     if (placed_subject_[*n] == subject && shown[*node.mesh] == 1) {
       const auto draws = static_cast<std::uint32_t>(scene_.meshes[*node.mesh].draws.size());
       add_draws(subject, below.first[*n], below.first[*n] + draws, groups);
     }
-    RunsInARow runs(groups);
-    for (const NodeId child : node.children) {
-      if (is_fence[child] != 0) {
-        runs.finish();
-      } else if (below.first[child] < below.end[child]) {
-        runs.add(below.first[child], below.end[child]);
-      }
-    }
-    runs.finish();
+    add_siblings(node.children);
   }
+  add_siblings(named_roots(scene_));
   return groups;
 }
 
@@ -191,6 +204,7 @@ void put_in_sequence(Scene& scene, std::span<const std::vector<SubjectPart>> sub
       }
       sort_ranked(children, [&](NodeId child) { return of_node[child]; });
     }
+    sort_ranked(scene.roots, [&](NodeId root) { return of_node[root]; });
   }
   for (Mesh& mesh : scene.meshes) sort_ranked(mesh.draws, [&](DrawId draw) { return of_draw[draw]; });
 }

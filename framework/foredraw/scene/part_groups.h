@@ -1,6 +1,7 @@
 #pragma once
 // Which parts of a subject may be drawn in another sequence, as far as a file can hold it: the draws of a mesh may
-// change places, and so may what hangs below the children of a node. No number changes.
+// change places, and so may what hangs below the children of a node, or below the roots of the scene. No number
+// changes.
 
 #include <foredraw/scene/subject.h>
 
@@ -49,8 +50,8 @@ class PartGroups {
 /// within a run come before the group that the run belongs to. O(parts in groups * log runs).
 bool is_allowed(std::span<const std::uint32_t> sequence, std::span<const PartGroup> groups);
 
-/// Brings the draws of meshes, and the children of nodes, into the sequences in which subjects' parts shall be drawn:
-/// [subject][rank], each allowed by the subject's groups.
+/// Brings the draws of meshes, the children of nodes and the roots of the scene into the sequences in which subjects'
+/// parts shall be drawn: [subject][rank], each allowed by the subject's groups.
 void put_in_sequence(Scene& scene, std::span<const std::vector<SubjectPart>> subjects);
 
 }  // namespace foredraw

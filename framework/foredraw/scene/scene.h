@@ -89,6 +89,7 @@ struct Scene {
   std::vector<Draw> draws;
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
+  std::vector<NodeId> roots;  ///< in which sequence the scene that is shown names its roots; empty: by number
   std::vector<Skin> skins;
   std::vector<Animation> animations;
   std::vector<Material> materials;

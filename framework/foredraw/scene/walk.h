@@ -7,7 +7,10 @@
 
 namespace foredraw {
 
-/// Every node once: before all that hangs below it, children in their sequence. Nodes without a parent come by number.
+/// Nodes without a parent: those that the scene names, in its sequence, then the others by number.
+std::vector<NodeId> roots_of(const Scene& scene);
+
+/// Every node once: before all that hangs below it, roots and children in their sequence.
 std::vector<NodeId> walk(const Scene& scene);
 
 }  // namespace foredraw

@@ -48,6 +48,26 @@ TEST(PartGroups, are_the_draws_of_meshes_and_what_hangs_below_nodes) {
   EXPECT_EQ(groups_of(character()), (Groups{{{4, 5, 6}}, {{0, 1, 2, 3}}, {{3, 6, 7}}}));
 }
 
+TEST(PartGroups, may_be_below_the_roots_that_the_scene_names) {
+  Scene scene;
+  scene.draws.resize(4);
+  scene.meshes.resize(4);
+  scene.nodes.resize(4);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    scene.meshes[i].draws = {i};
+    scene.nodes[i].mesh = i;
+  }
+  scene.roots = {2, 0, 1};
+  const std::vector<Subject> subjects = subjects_of(scene, SubjectUnit::scene);
+  ASSERT_EQ(subjects.size(), 1u);
+  EXPECT_EQ(subjects[0].parts, (std::vector<SubjectPart>{{2, 2}, {0, 0}, {1, 1}, {3, 3}})) << "3 is named nowhere";
+  EXPECT_EQ(PartGroups(scene, subjects, any).of(0), (Groups{{{0, 1, 2, 3}}}));
+  const std::vector<std::vector<SubjectPart>> wanted{{{1, 1}, {2, 2}, {0, 0}, {3, 3}}};
+  put_in_sequence(scene, wanted);
+  EXPECT_EQ(scene.roots, (std::vector<NodeId>{1, 2, 0}));
+  EXPECT_EQ(subjects_of(scene, SubjectUnit::scene)[0].parts, wanted[0]);
+}
+
 TEST(PartGroups, of_a_mesh_in_its_own_space_are_its_draws) {
   Scene scene = character();
   scene.skins.clear();

@@ -127,6 +127,24 @@ TEST(DrawSequencePlugin, NodesComeInAnotherSequenceUnderTheirNumbers) {
   EXPECT_EQ(subject.parts, (std::vector<SubjectPart>{{1, 2}, {0, 1}, {2, 3}}));
 }
 
+TEST(DrawSequencePlugin, RootsOfASceneThatIsOneThingComeInAnotherSequence) {
+  GltfBuilder built = jointed_spheres({0.5f, 1, 0.75f});
+  built.json.erase("skins");
+  built.json["nodes"][0].erase("children");
+  built.json["scenes"] = {{{"nodes", {1, 3, 2}}}};  // 0 is in no scene
+  const GltfJson before = json_of(built.glb());
+  const std::string whole = "[subjects]\nsubject = \"scene\"\n";
+  const Bytes after = write(run(read(built), 2, whole).scene);
+  GltfJson json = json_of(after);
+  EXPECT_EQ(json["scenes"][0]["nodes"], (GltfJson{2, 1, 3}));
+  json["scenes"] = before["scenes"];
+  EXPECT_EQ(json, before) << "nothing else";
+  EXPECT_EQ(write(read(after)), after);
+  built.json["scenes"].push_back({{"nodes", {2}}});
+  const Result shared = run(read(built), 2, whole);
+  EXPECT_EQ(shared.scene.roots, (std::vector<NodeId>{1, 3, 2})) << "another scene shows the outermost, which stays";
+}
+
 TEST(DrawSequencePlugin, NothingPassesWhatIsBlended) {
   GltfBuilder built = spheres({0.4f, 0.6f, 0.8f, 0.9f, 1});
   built.json["materials"][2]["alphaMode"] = "BLEND";

@@ -210,6 +210,14 @@ class StructurePatch {
     for (std::size_t i = 0; i < was_.nodes.size(); ++i) {
       if (!old_node(i, scene_.nodes[i], was_.nodes[i])) return false;
     }
+    return old_roots();
+  }
+
+  /// They may come in another sequence.
+  bool old_roots() {
+    if (scene_.roots == was_.roots) return true;
+    if (sorted(scene_.roots) != sorted(was_.roots)) return fail("the scene's roots", "some were added or removed");
+    json_["scenes"][json_.value("scene", std::size_t{0})]["nodes"] = scene_.roots;
     return true;
   }
 

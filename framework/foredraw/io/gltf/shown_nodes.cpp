@@ -1,27 +1,19 @@
 // Which nodes are seen: a file may hold several scenes, nodes of none, and nodes that say that they are hidden.
 #include <foredraw/io/gltf/private/member.h>
 #include <foredraw/io/gltf/private/source.h>
+#include <foredraw/scene/walk.h>
 
 namespace foredraw::gltf {
 
 namespace {
 
-std::vector<NodeId> roots_of(const Scene& scene, const Json& json) {
+/// Those that the scene to be shown names; nothing where the file has no scenes.
+std::optional<std::vector<NodeId>> shown_roots(const Json& json) {
   const auto scenes = json.find("scenes");
-  if (scenes != json.end() && !scenes->empty()) {
-    const Json& shown = (*scenes)[json.value("scene", std::size_t{0})];
-    const auto nodes = shown.find("nodes");
-    return nodes == shown.end() ? std::vector<NodeId>() : nodes->get<std::vector<NodeId>>();
-  }
-  std::vector<char> has_parent(scene.nodes.size(), 0);
-  for (const Node& node : scene.nodes) {
-    for (const NodeId child : node.children) has_parent[child] = 1;
-  }
-  std::vector<NodeId> roots;
-  for (NodeId n = 0; n < scene.nodes.size(); ++n) {
-    if (has_parent[n] == 0) roots.push_back(n);
-  }
-  return roots;
+  if (scenes == json.end() || scenes->empty()) return std::nullopt;
+  const Json& shown = (*scenes)[json.value("scene", std::size_t{0})];
+  const auto nodes = shown.find("nodes");
+  return nodes == shown.end() ? std::vector<NodeId>() : nodes->get<std::vector<NodeId>>();
 }
 
 /// With all that is below it.
@@ -35,7 +27,9 @@ bool is_hidden(const Json& node) {
 
 void find_shown_nodes(Scene& scene, const Document& document) {
   for (Node& node : scene.nodes) node.is_shown = false;
-  std::vector<NodeId> open = roots_of(scene, document.json);
+  const auto roots = shown_roots(document.json);
+  if (roots) scene.roots = *roots;
+  std::vector<NodeId> open = roots ? *roots : roots_of(scene);
   while (!open.empty()) {
     const NodeId n = open.back();
     open.pop_back();

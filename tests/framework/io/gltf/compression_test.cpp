@@ -1,5 +1,6 @@
 // Compressed files read as their plain ones are, and are written back compressed: what changed anew, all else as it
 // came.
+#include <foredraw/base/counted.h>
 #include <foredraw/io/gltf/gltf.h>
 
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 #include <fstream>
 #include <map>
 
-#include <foredraw/base/counted.h>
 #include "framework/io/gltf/compressed_scenes.h"
 
 #include "support/meshes.h"
