@@ -1,7 +1,7 @@
 #include "side_search.h"
 
-#include "closed.h"
-
+#include <foredraw/analysis/closed_surfaces.h>
+#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/base/random.h>
 #include <foredraw/viewing/distinct_poses.h>
 #include <foredraw/viewing/pose_set.h>

@@ -1,12 +1,12 @@
 #include "plugins/processors/sides/sides.h"
 
-#include "plugins/processors/sides/closed.h"
 #include "plugins/processors/sides/needed_sides.h"
 #include "plugins/processors/sides/side_search.h"
 #include "plugins/processors/sides/surrounding.h"
 #include "plugins/processors/sides/turned_vertices.h"
 #include "support/meshes.h"
 
+#include <foredraw/analysis/closed_surfaces.h>
 #include <foredraw/image/found_traits.h>
 #include <foredraw/viewing/view_directions.h>
 
@@ -87,7 +87,7 @@ std::size_t count(const std::vector<Side>& all, Side side) {
 
 TEST(SidesClosed, TellsBodiesFromSheets) {
   const auto closed = [](const TestMesh& mesh) {
-    const std::vector<bool> is = sides::closed_outwards(mesh.positions, mesh.indices);
+    const std::vector<bool> is = closed_outwards(mesh.positions, mesh.indices);
     return static_cast<std::size_t>(std::ranges::count(is, true));
   };
   EXPECT_EQ(closed(box()), 12u);

@@ -1,54 +1,12 @@
-#include "closed.h"
+#include <foredraw/analysis/closed_surfaces.h>
+
+#include <foredraw/analysis/welded_positions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-namespace foredraw::sides {
-
-namespace {
-
-/// Sets that are joined one by one.
-class Components {
- public:
-  explicit Components(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t of(std::uint32_t one) {
-    while (parent_[one] != one) one = parent_[one] = parent_[parent_[one]];
-    return one;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a);
-    b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-}  // namespace
-
-std::vector<std::uint32_t> welded(std::span<const glm::vec3> positions) {
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t v) {
-    const glm::vec3 p = positions[v] + 0.f;  // of the two zeros one
-    return std::array{p.x, p.y, p.z};
-  };
-  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
-    const auto x = key(a), y = key(b);
-    return std::ranges::lexicographical_compare(x, y) || (!std::ranges::lexicographical_compare(y, x) && a < b);
-  });
-  std::vector<std::uint32_t> first(positions.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_same = i > 0 && key(order[i]) == key(order[i - 1]);
-    first[order[i]] = is_same ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
+namespace foredraw {
 
 std::vector<bool> closed_outwards(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
   const std::size_t triangles = indices.size() / 3;
@@ -56,7 +14,7 @@ std::vector<bool> closed_outwards(std::span<const glm::vec3> positions, std::spa
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return std::vector<bool>(triangles, false);
   }
   const std::vector<std::uint32_t> at = welded(positions);
-  Components components(positions.size());
+  JoinedSets components(positions.size());
   struct Edge {
     std::uint32_t low, high;
     std::int32_t way;  // 1 from low to high
@@ -97,4 +55,4 @@ std::vector<bool> closed_outwards(std::span<const glm::vec3> positions, std::spa
   return result;
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw

@@ -7,10 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::sides {
-
-/// [vertex] the first one at the same position, bit by bit. O(n log n).
-std::vector<std::uint32_t> welded(std::span<const glm::vec3> positions);
+namespace foredraw {
 
 /// [triangle] whether it belongs to a closed component that faces outwards: vertices are welded by their positions, bit
 /// by bit; every edge is used as often one way as the other; and the volume that the component bounds is above 0. It
@@ -18,4 +15,4 @@ std::vector<std::uint32_t> welded(std::span<const glm::vec3> positions);
 /// O(n log n).
 std::vector<bool> closed_outwards(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
-}  // namespace foredraw::sides
+}  // namespace foredraw
