@@ -136,19 +136,21 @@ std::optional<OptionValue> extreme(const OptionSpec& option, bool most, const Pi
   return std::nullopt;
 }
 
-/// The options that name files, which a plugin may not do without.
-Settings named_files(const Plugin& plugin) {
-  Settings named;
+/// The options that a plugin may not do without: those that name files, and choices without a default.
+Settings what_must_be_said(const Plugin& plugin) {
+  Settings said;
   for (const OptionSpec& option : plugin.options) {
-    if (option.type == OptionType::scene || option.type == OptionType::image) named[option.name] = std::string("lent");
+    if (option.type == OptionType::scene || option.type == OptionType::image) said[option.name] = std::string("lent");
+    const bool has_default = !std::holds_alternative<std::monostate>(option.default_value);
+    if (option.type == OptionType::choice && !has_default) said[option.name] = option.choices.front();
   }
-  return named;
+  return said;
 }
 
 /// The defaults, but for pictures: a few small ones are made by the same code as many large ones, in a hundredth of the
 /// time.
 Settings few_pictures(const Plugin& plugin) {
-  Settings settings = named_files(plugin);
+  Settings settings = what_must_be_said(plugin);
   for (const OptionSpec& option : plugin.options) {
     if (option.unit == "views") settings[option.name] = std::int64_t{12};
     if (is_size(option)) settings[option.name] = std::int64_t{48};
@@ -158,7 +160,7 @@ Settings few_pictures(const Plugin& plugin) {
 
 /// Everything at its least.
 Settings least_of(const Plugin& plugin) {
-  Settings least = named_files(plugin);
+  Settings least = what_must_be_said(plugin);
   for (const OptionSpec& option : plugin.options) {
     if (const auto value = extreme(option, false)) least[option.name] = *value;
   }

@@ -1,0 +1,185 @@
+#include "seen_by_rays.h"
+
+#include <foredraw/base/random.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace foredraw::hidden {
+
+namespace {
+
+RayTree tree_of_sight(const Sight& sight) {
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> indices;
+  std::vector<Blocks> blocks;
+  for (std::size_t p = 0; p < sight.parts.size(); ++p) {
+    const RasterPart& part = sight.parts[p];
+    const auto base = static_cast<std::uint32_t>(positions.size());
+    positions.insert(positions.end(), part.positions.begin(), part.positions.end());
+    for (const std::uint32_t index : part.indices.first(part.indices.size() / 3 * 3)) indices.push_back(base + index);
+    const Blocks of_part = sight.hides[p] == 0      ? Blocks::neither
+                           : !part.culls_back_faces ? Blocks::both
+                           : part.is_mirrored       ? Blocks::back
+                                                    : Blocks::front;
+    blocks.resize(indices.size() / 3, of_part);
+  }
+  return {positions, indices, blocks};
+}
+
+BoundingSphere sphere_of(const Sight& sight) {
+  std::vector<DrawnPositions> drawn;
+  for (const RasterPart& part : sight.parts) drawn.push_back({part.positions, part.indices});
+  return bounding_sphere(drawn);
+}
+
+/// Uniform over the sphere, of a length from 0.1 to 1.
+glm::dvec3 ray_direction(Random& random) {
+  for (;;) {
+    const double x = 2 * random.unit() - 1, y = 2 * random.unit() - 1, z = 2 * random.unit() - 1;
+    const double squared = x * x + y * y + z * z;
+    if (squared <= 1 && squared >= 0.01) return {x, y, z};
+  }
+}
+
+/// Pulled inwards by a fiftieth, so that no ray begins on an edge.
+glm::dvec3 ray_point(const std::array<glm::dvec3, 3>& corners, Random& random) {
+  double u = random.unit(), v = random.unit();
+  if (u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  const glm::dvec3 point = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
+  return middle + 0.98 * (point - middle);
+}
+
+glm::dvec3 camera_in(std::span<const glm::dmat4> boxes, Random& random) {
+  const glm::dmat4& box = boxes[random.below(boxes.size())];
+  const double x = random.unit(), y = random.unit(), z = random.unit();
+  return glm::dvec3(box * glm::dvec4(x, y, z, 1));
+}
+
+/// Three directions at right angles, of any turn.
+std::array<glm::dvec3, 3> any_axes(Random& random) {
+  const auto unit = [](const glm::dvec3& v) { return v / std::sqrt(glm::dot(v, v)); };
+  const glm::dvec3 x = unit(ray_direction(random));
+  for (;;) {
+    const glm::dvec3 y = glm::cross(x, ray_direction(random));
+    if (glm::dot(y, y) < 0.001) continue;
+    return {x, unit(y), glm::cross(x, unit(y))};
+  }
+}
+
+}  // namespace
+
+Rays::Rays(const Sight& sight) : sight_(sight), tree_(tree_of_sight(sight)), sphere_(sphere_of(sight)) {
+  for (std::size_t p = 0; p < sight.parts.size(); ++p) {
+    for (std::size_t t = 0; t < sight.parts[p].indices.size() / 3; ++t) places_.push_back({p, t});
+  }
+}
+
+/// Outside lies beyond the sphere, where the ray may go on for as long as it likes.
+bool Rays::gets_out(const RayTree::Ray& ray) const {
+  const auto& ups = sight_.cameras.ups;
+  if (!ups.empty()) {
+    const glm::dvec3 from = ray.from - sphere_.centre;
+    const double a = glm::dot(ray.direction, ray.direction), b = glm::dot(from, ray.direction);
+    const double c = glm::dot(from, from) - sphere_.radius * sphere_.radius;
+    const double way = (std::sqrt(std::max(0.0, b * b - a * c)) - b) / a;
+    const glm::dvec3 leaves = from + way * ray.direction;
+    const auto is_above = [&](const glm::dvec3& up) {
+      return glm::dot(up, ray.direction) > 0 || glm::dot(up, leaves) >= 0;
+    };
+    if (std::ranges::none_of(ups, is_above)) return false;
+  }
+  return tree_.escapes(ray);
+}
+
+/// The camera stands where the ray's direction ends, and looks back.
+bool Rays::gets_to_camera(const RayTree::Ray& ray) const {
+  const auto hit = tree_.first({ray.from + ray.direction, -ray.direction, 0, ray.except});
+  return !hit || hit->way >= 1 - ray.nearest;
+}
+
+bool Rays::is_seen(std::uint32_t number, const Place& place, const RayRange& rays) const {
+  const RasterPart& part = sight_.parts[place.part];
+  std::array<glm::dvec3, 3> corners;
+  for (std::size_t c = 0; c < 3; ++c) corners[c] = glm::dvec3(part.positions[part.indices[3 * place.triangle + c]]);
+  glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  if (part.is_mirrored) normal = -normal;
+  const double area = glm::dot(normal, normal);
+  if (!std::isfinite(area)) return true;
+  if (area == 0) return false;
+  const double size = std::sqrt(std::sqrt(area));
+  Random random(derive_seed(rays.seed, number, rays.first));
+  const Cameras& cameras = sight_.cameras;
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    const glm::dvec3 from = ray_point(corners, random);
+    const bool is_inside = !cameras.boxes.empty();
+    glm::dvec3 direction = is_inside ? camera_in(cameras.boxes, random) - from : ray_direction(random);
+    const double along = glm::dot(direction, normal);
+    if (part.culls_back_faces && along < 0) {
+      if (is_inside) continue;
+      direction = -direction;
+    }
+    const double length = std::sqrt(glm::dot(direction, direction));
+    if (!(length > 0)) return true;  // the camera is on it
+    const RayTree::Ray ray{from, direction, 1e-4 * size / length, number};
+    if (is_inside ? gets_to_camera(ray) : gets_out(ray)) return true;
+  }
+  return false;
+}
+
+void Rays::add_seen(const RayRange& rays, const Flags& asked, Flags& seen, const Executor& executor) const {
+  std::vector<std::uint32_t> questions;
+  for (std::uint32_t number = 0; number < places_.size(); ++number) {
+    if (asked[sight_.triangles[number]] != 0) questions.push_back(number);
+  }
+  constexpr std::size_t at_once = 64;
+  Flags answers(questions.size(), 0);
+  executor.for_each((questions.size() + at_once - 1) / at_once, [&](std::size_t task) {
+    for (std::size_t q = task * at_once; q < std::min(questions.size(), (task + 1) * at_once); ++q) {
+      answers[q] = is_seen(questions[q], places_[questions[q]], rays);
+    }
+  });
+  for (std::size_t q = 0; q < questions.size(); ++q) seen[sight_.triangles[questions[q]]] |= answers[q];
+}
+
+Pixels Rays::add_seen_around(std::size_t places, int size, std::uint64_t seed, const Flags& asked, Flags& seen,
+                             const Executor& executor) const {
+  const std::vector<glm::dmat4>& boxes = sight_.cameras.boxes;
+  std::vector<Pixels> pixels(6 * places);
+  std::vector<std::vector<std::uint32_t>> found(6 * places);
+  executor.for_each(6 * places, [&](std::size_t task) {
+    Random random(derive_seed(seed, task / 6, 0));
+    // Every box has its turn.
+    const glm::dvec3 camera = camera_in(std::span(&boxes[task / 6 % boxes.size()], 1), random);
+    std::array<glm::dvec3, 3> axes = any_axes(random);
+    std::rotate(axes.begin(), axes.begin() + static_cast<std::ptrdiff_t>(task % 3), axes.end());
+    const glm::dvec3 ahead = task % 6 < 3 ? axes[0] : -axes[0];
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
+        const double right = (2 * x + 1.0) / size - 1, up = (2 * y + 1.0) / size - 1;
+        const auto hit = tree_.first({camera, ahead + right * axes[1] + up * axes[2]});
+        if (!hit) continue;
+        ++pixels[task].shown;
+        if (asked[sight_.triangles[hit->triangle]] == 0) continue;
+        ++pixels[task].asked;
+        found[task].push_back(hit->triangle);
+      }
+    }
+  });
+  Pixels sum;
+  for (std::size_t task = 0; task < pixels.size(); ++task) {
+    sum += pixels[task];
+    for (const std::uint32_t number : found[task]) seen[sight_.triangles[number]] = 1;
+  }
+  return sum;
+}
+
+}  // namespace foredraw::hidden

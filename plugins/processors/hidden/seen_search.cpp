@@ -1,0 +1,119 @@
+#include "seen_search.h"
+
+#include "seen_by_rays.h"
+#include "seen_in_pictures.h"
+
+#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/base/random.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace foredraw::hidden {
+
+namespace {
+
+constexpr int rings = 2;
+constexpr std::size_t first_pictures = 12;
+constexpr std::size_t first_rays = 16;
+constexpr std::size_t places_inside = 64;  // that pictures are taken from
+
+Flags inverted(Flags flags) {
+  for (std::uint8_t& flag : flags) flag = flag == 0;
+  return flags;
+}
+
+}  // namespace
+
+Flags not_finite(std::span<const RasterPart> parts) {
+  Flags flags;
+  for (const RasterPart& part : parts) {
+    for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
+      const auto is_finite_corner = [&](std::uint32_t v) { return is_finite(part.positions[v]); };
+      flags.push_back(!std::ranges::all_of(part.indices.subspan(i, 3), is_finite_corner));
+    }
+  }
+  return flags;
+}
+
+SeenSearch::SeenSearch(const Surface& surface, Flags seen, const HiddenOptions& options, const BetweenSteps& between,
+                       const Executor& executor)
+    : surface_(surface),
+      seen_(std::move(seen)),
+      proved_(seen_.size(), 0),
+      options_(options),
+      between_(between),
+      executor_(executor) {}
+
+Flags SeenSearch::hidden() const {
+  return inverted(options_.unit == Unit::component ? surface_.with_components(seen_)
+                                                   : surface_.with_rings(seen_, rings));
+}
+
+bool SeenSearch::hides_any() const { return std::ranges::count(hidden(), 1) > 0; }
+
+/// Of a component that is seen nobody asks for more; but rings are drawn around all that is seen.
+Flags SeenSearch::open() const { return options_.unit == Unit::component ? hidden() : inverted(seen_); }
+
+bool SeenSearch::is_any_of(const Sight& sight, const Flags& flags) const {
+  return std::ranges::any_of(sight.triangles, [&](std::uint32_t t) { return flags[t] != 0; });
+}
+
+void SeenSearch::add_proved(const Flags& proved) {
+  for (std::size_t t = 0; t < proved_.size(); ++t) proved_[t] |= proved[t];
+}
+
+void SeenSearch::look(const Sight& sight, std::span<const View> views, std::size_t rays, std::uint64_t seed) {
+  add_by_pictures(sight, views);
+  add_by_rays(sight, rays, seed);
+}
+
+/// Ever more at once: what the first ones show need not be looked for by the others.
+void SeenSearch::add_by_pictures(const Sight& sight, std::span<const View> views) {
+  if (!is_any_of(sight, open()) || !sight.cameras.boxes.empty()) return;
+  const Pictures pictures(sight);
+  std::size_t at_once = first_pictures;
+  while (!views.empty()) {
+    between_();
+    const Flags asked = open();
+    if (!is_any_of(sight, asked)) return;
+    const auto some = views.first(std::min(at_once, views.size()));
+    pictures.add_seen(some, options_.size, asked, seen_, executor_);
+    views = views.subspan(some.size());
+    at_once *= 2;
+  }
+}
+
+void SeenSearch::add_by_rays(const Sight& sight, std::size_t rays, std::uint64_t seed) {
+  const auto asked = [&] {
+    Flags flags = open();
+    for (std::size_t t = 0; t < flags.size(); ++t) flags[t] &= proved_[t] == 0;
+    return flags;
+  };
+  if (!is_any_of(sight, asked())) return;
+  const Rays tree(sight);
+  if (!sight.cameras.boxes.empty()) {
+    const std::size_t places = std::max(places_inside, std::min(sight.cameras.boxes.size(), 4 * places_inside));
+    tree.add_seen_around(places, std::max(16, options_.size / 4), derive_seed(seed, 0, 1), asked(), seen_, executor_);
+  }
+  std::size_t count = std::min(first_rays, rays);
+  for (std::size_t first = 0; first < rays; first += count, count = std::min(3 * first, rays - first)) {
+    between_();
+    const Flags still = asked();
+    if (!is_any_of(sight, still)) return;
+    tree.add_seen({first, count, seed}, still, seen_, executor_);
+  }
+}
+
+Pixels SeenSearch::check(const Sight& sight, std::span<const View> views, std::uint64_t seed) {
+  between_();
+  const Flags asked = hidden();
+  if (!is_any_of(sight, asked)) return {};
+  if (sight.cameras.boxes.empty()) {
+    return Pictures(sight).add_seen(views, options_.size, asked, seen_, executor_);
+  }
+  const auto places = static_cast<std::size_t>((options_.checks + 5) / 6);
+  return Rays(sight).add_seen_around(places, std::max(16, options_.size / 4), seed, asked, seen_, executor_);
+}
+
+}  // namespace foredraw::hidden

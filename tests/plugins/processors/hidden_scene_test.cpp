@@ -1,0 +1,312 @@
+// What is hidden of scenes: materials, nodes, skins, poses and cameras.
+
+#include "hidden_shapes.h"
+#include "plugins/processors/hidden/hidden_search.h"
+#include "plugins/processors/hidden/standing_parts.h"
+
+#include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace foredraw {
+namespace {
+
+using hidden::HiddenSearchOptions;
+using hidden::Moving;
+using hidden::SeenFrom;
+using testing::box;
+using testing::one_mesh;
+
+HiddenSearchOptions searched() {
+  HiddenSearchOptions options;
+  options.views = 80;
+  options.size = 128;
+  options.rays = 128;
+  options.checks = 30;
+  return options;
+}
+
+/// [draw] how many of its triangles are hidden, where it may be asked at all.
+std::vector<std::size_t> hidden_of(const Scene& scene, const HiddenSearchOptions& options = searched()) {
+  std::vector<DrawId> asked;
+  const std::vector<std::string> why = hidden::why_they_stay(scene, options.subjects);
+  for (DrawId id = 0; id < scene.draws.size(); ++id) {
+    if (why[id].empty()) asked.push_back(id);
+  }
+  const auto found = hidden::find_hidden(
+      scene, asked, options, [] {}, Executor(2));
+  std::vector<std::size_t> counts(scene.draws.size(), 0);
+  for (const auto& [id, flags] : found.hidden) counts[id] = static_cast<std::size_t>(std::ranges::count(flags, 1));
+  return counts;
+}
+
+using Counts = std::vector<std::size_t>;
+const Counts inner_goes{0, 12}, all_stay{0, 0};
+
+TEST(HiddenScene, DrawsOfAMeshHideEachOther) { EXPECT_EQ(hidden_of(one_mesh({box(), box(0.5f)})), inner_goes); }
+
+TEST(HiddenScene, WhatOneSeesThroughHidesNothing) {
+  const auto with_shell = [](auto change) {
+    Scene scene = one_mesh({box(), box(0.5f)});
+    scene.materials.resize(2);
+    scene.draws[1].material = 1;
+    change(scene.materials[0], scene.draws[0]);
+    return hidden_of(scene);
+  };
+  EXPECT_EQ(with_shell([](Material&, Draw&) {}), inner_goes);
+  EXPECT_EQ(with_shell([](Material& m, Draw&) { m.alpha_mode = AlphaMode::mask; }), all_stay);
+  EXPECT_EQ(with_shell([](Material& m, Draw&) { m.alpha_mode = AlphaMode::blend; }), all_stay);
+  EXPECT_EQ(with_shell([](Material& m, Draw&) { m.keeps_sides = true; }), all_stay);
+  EXPECT_EQ(with_shell([](Material&, Draw& d) { d.traits.add(traits::morphed); }), all_stay);
+  EXPECT_EQ(with_shell([](Material&, Draw& d) { d.traits.add(traits::extended); }), all_stay);
+}
+
+TEST(HiddenScene, WhatMayChangeStays) {
+  const auto with_inner = [](auto change) {
+    Scene scene = one_mesh({box(), box(0.5f)});
+    scene.materials.resize(2);
+    scene.draws[1].material = 1;
+    change(scene.materials[1], scene.draws[1]);
+    return hidden_of(scene);
+  };
+  EXPECT_EQ(with_inner([](Material& m, Draw&) { m.alpha_mode = AlphaMode::mask; }), inner_goes);
+  EXPECT_EQ(with_inner([](Material& m, Draw&) { m.alpha_mode = AlphaMode::blend; }), all_stay);
+  EXPECT_EQ(with_inner([](Material& m, Draw&) { m.keeps_sides = true; }), all_stay);
+  EXPECT_EQ(with_inner([](Material&, Draw& d) { d.traits.add(traits::morphed); }), all_stay);
+  EXPECT_EQ(with_inner([](Material&, Draw& d) { d.levels.resize(2, d.full()); }), all_stay);
+  EXPECT_EQ(with_inner([](Material&, Draw& d) { d.full().orders.resize(2, d.full().stream()); }), all_stay);
+}
+
+/// A shell and what is in it, each a mesh with a node of its own.
+Scene two_nodes() {
+  Scene scene = testing::scene_of({testing::draw_of(box(), "shell"), testing::draw_of(box(0.5f), "inner")});
+  find_traits(scene);
+  return scene;
+}
+
+HiddenSearchOptions as_scene(HiddenSearchOptions options = searched()) {
+  options.subjects = SubjectUnit::scene;
+  return options;
+}
+
+TEST(HiddenScene, MeshesAreByThemselvesUnlessTheSceneIsSeenAsOne) {
+  EXPECT_EQ(hidden_of(two_nodes()), all_stay);
+  EXPECT_EQ(hidden_of(two_nodes(), as_scene()), inner_goes);
+}
+
+TEST(HiddenScene, AMirroredShellHides) {
+  Scene scene = two_nodes();
+  scene.nodes[0].transform.scale = {-1, 1, 1};
+  EXPECT_EQ(hidden_of(scene, as_scene()), inner_goes);
+  scene = one_mesh({box(), box(0.5f)});
+  scene.nodes[0].transform.scale = {1, -2, 1};
+  EXPECT_EQ(hidden_of(scene), inner_goes);
+  EXPECT_EQ(hidden_of(scene, as_scene()), inner_goes);
+  // One that is turned inside out shows what is in it, mirrored or not.
+  scene = one_mesh({testing::turned(box()), box(0.5f)});
+  scene.nodes[0].transform.scale = {1, -2, 1};
+  EXPECT_EQ(hidden_of(scene, as_scene()), all_stay);
+}
+
+TEST(HiddenScene, WhatSeveralNodesShowIsHiddenWhereItIsHiddenEverywhere) {
+  Scene scene = two_nodes();
+  scene.nodes.push_back(scene.nodes[1]);
+  scene.nodes[2].transform.scale = glm::vec3(0.5f);
+  EXPECT_EQ(hidden_of(scene, as_scene()), inner_goes);
+  scene.nodes[2].transform.translation = {9, 0, 0};
+  EXPECT_EQ(hidden_of(scene, as_scene()), all_stay);
+  scene.nodes[2].is_shown = false;  // by another scene, perhaps
+  EXPECT_EQ(hidden_of(scene, as_scene()), all_stay);
+}
+
+TEST(HiddenScene, WhatANodeShowsManyTimesStays) {
+  Scene scene = two_nodes();
+  Transform far;
+  far.translation = {9, 0, 0};
+  scene.nodes[1].instances = Shared(std::vector<Transform>{Transform{}, far});
+  EXPECT_EQ(hidden_of(scene, as_scene()), all_stay);
+  scene = two_nodes();
+  scene.nodes[0].instances = Shared(std::vector<Transform>{far});
+  EXPECT_EQ(hidden_of(scene, as_scene()), all_stay);
+}
+
+/// A clip that carries the node away.
+void add_clip(Scene& scene, NodeId node, glm::vec3 to) {
+  AnimationChannel channel;
+  channel.node = node;
+  channel.times = Shared(std::vector<float>{0, 1});
+  channel.values = Shared(std::vector<float>{0, 0, 0, to.x, to.y, to.z});
+  Animation clip;
+  clip.channels.push_back(channel);
+  scene.animations.push_back(clip);
+}
+
+TEST(HiddenScene, WhatMovesHidesNothingUnlessAllClipsSaySo) {
+  Scene still = two_nodes(), moving = two_nodes(), shaking = two_nodes();
+  add_clip(moving, 0, {9, 0, 0});
+  add_clip(shaking, 1, {0.1f, 0, 0});
+  HiddenSearchOptions clips = as_scene();
+  clips.moving = Moving::clips;
+  EXPECT_EQ(hidden_of(still, clips), inner_goes);
+  EXPECT_EQ(hidden_of(moving, as_scene()), all_stay);
+  EXPECT_EQ(hidden_of(moving, clips), all_stay);
+  EXPECT_EQ(hidden_of(shaking, as_scene()), all_stay);
+  EXPECT_EQ(hidden_of(shaking, clips), inner_goes);
+  // What hangs below what moves, moves along.
+  Scene together = two_nodes();
+  add_clip(together, 0, {9, 0, 0});
+  together.nodes[0].children = {1};
+  EXPECT_EQ(hidden_of(together, as_scene()), inner_goes);
+}
+
+template <class T>
+void add_stream(Draw& draw, const std::string& semantic, Component component, const std::vector<T>& values) {
+  VertexStreams streams = *draw.full().vertices;
+  const auto bytes = std::as_bytes(std::span(values));
+  const Format format{component, 4, false, static_cast<std::uint16_t>(4 * sizeof(T))};
+  streams.base.push_back({semantic, format, Shared<std::byte>({bytes.begin(), bytes.end()})});
+  draw.full().vertices = std::make_shared<const VertexStreams>(streams);
+}
+
+/// Each vertex follows the joint wholly, or, where there are two, both by half.
+void bind(Draw& draw, std::uint8_t joint, std::uint8_t other) {
+  std::vector<std::uint8_t> joints;
+  std::vector<float> weights;
+  for (std::uint32_t v = 0; v < draw.full().vertices->count; ++v) {
+    joints.insert(joints.end(), {joint, other, 0, 0});
+    weights.insert(weights.end(), {joint == other ? 1.f : 0.5f, joint == other ? 0.f : 0.5f, 0, 0});
+  }
+  add_stream(draw, "JOINTS_0", Component::uint8, joints);
+  add_stream(draw, "WEIGHTS_0", Component::float32, weights);
+}
+
+/// Two draws of a character with joints 1 and 2.
+Scene character(std::pair<int, int> shell, std::pair<int, int> inner) {
+  Scene scene = one_mesh({box(), box(0.5f)});
+  bind(scene.draws[0], static_cast<std::uint8_t>(shell.first), static_cast<std::uint8_t>(shell.second));
+  bind(scene.draws[1], static_cast<std::uint8_t>(inner.first), static_cast<std::uint8_t>(inner.second));
+  scene.nodes.resize(3);
+  scene.nodes[0].skin = 0;
+  scene.skins.resize(1);
+  scene.skins[0].joints = {1, 2};
+  scene.skins[0].inverse_bind_matrices.assign(2, glm::mat4(1));
+  find_traits(scene);
+  return scene;
+}
+
+TEST(HiddenScene, PartsOfACharacterHideWhatFollowsTheSameJointAlone) {
+  EXPECT_EQ(hidden_of(character({0, 0}, {0, 0})), inner_goes);
+  EXPECT_EQ(hidden_of(character({1, 1}, {1, 1})), inner_goes);
+  EXPECT_EQ(hidden_of(character({0, 0}, {1, 1})), all_stay);
+  EXPECT_EQ(hidden_of(character({0, 1}, {0, 1})), all_stay);
+  EXPECT_EQ(hidden_of(character({0, 0}, {0, 1})), all_stay);
+  EXPECT_EQ(hidden_of(character({0, 1}, {0, 0})), all_stay);
+}
+
+TEST(HiddenScene, WithClipsACharacterIsSeenInAllKeys) {
+  HiddenSearchOptions clips = searched();
+  clips.moving = Moving::clips;
+  Scene scene = character({0, 0}, {1, 1});
+  add_clip(scene, 1, {0.1f, 0, 0});
+  EXPECT_EQ(hidden_of(scene), all_stay);
+  EXPECT_EQ(hidden_of(scene, clips), inner_goes);
+  add_clip(scene, 2, {0, 0, 0.8f});  // at its end the inner one looks out
+  EXPECT_EQ(hidden_of(scene, clips), all_stay);
+}
+
+/// A box within walls: the room's inside faces who is in it.
+Scene room() { return one_mesh({box(1), testing::turned(box(0.9f)), box(0.2f, {0.5f, 0, 0})}); }
+
+HiddenSearchOptions from(SeenFrom seen_from, std::vector<std::pair<glm::dvec3, glm::dvec3>> boxes = {}) {
+  HiddenSearchOptions options = searched();
+  options.cameras.seen_from = seen_from;
+  for (const auto& [low, high] : boxes) {
+    glm::dmat4 box(0);
+    for (int axis = 0; axis < 3; ++axis) box[axis][axis] = high[axis] - low[axis];
+    box[3] = glm::dvec4(low, 1);
+    options.cameras.boxes.push_back(box);
+  }
+  return options;
+}
+
+TEST(HiddenCameras, InsideARoomKeepItsInside) {
+  const glm::dvec3 there(-0.4, 0.1, 0.2);
+  EXPECT_EQ(hidden_of(room(), from(SeenFrom::outside)), (Counts{0, 12, 12}));
+  EXPECT_EQ(hidden_of(room(), from(SeenFrom::points, {{there, there}})), (Counts{12, 0, 0}));
+  EXPECT_EQ(hidden_of(room(), from(SeenFrom::box, {{there, {0, 0.5, 0.5}}})), (Counts{12, 0, 0}));
+  const glm::dvec3 outside(3, 3, 3);
+  EXPECT_EQ(hidden_of(room(), from(SeenFrom::points, {{outside, outside}})), (Counts{0, 12, 12}));
+}
+
+/// What is behind the box from there goes; where a camera looks behind it, it stays.
+TEST(HiddenCameras, SeeWhatTheyMayComeTo) {
+  const Scene scene = one_mesh({box(0.5f), box(0.1f, {2, 0, 0})});
+  const glm::dvec3 before(-9, 0, 0), beside(-9, 9, 0);
+  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{before, before}})), inner_goes);
+  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{before, before}, {beside, beside}})), all_stay);
+  EXPECT_EQ(hidden_of(scene, from(SeenFrom::box, {{before, beside}})), all_stay);
+}
+
+TEST(HiddenCameras, AreInTheSpaceOfTheScene) {
+  Scene scene = room();
+  scene.nodes[0].transform.translation = {100, 0, 0};
+  scene.nodes[0].transform.scale = glm::vec3(10);
+  const glm::dvec3 there(96, 1, 2), elsewhere(0);
+  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{there, there}})), (Counts{12, 0, 0}));
+  EXPECT_EQ(hidden_of(scene, as_scene(from(SeenFrom::points, {{there, there}}))), (Counts{12, 0, 0}));
+  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{elsewhere, elsewhere}})), (Counts{0, 12, 12}));
+  // A second node shows the mesh where a camera is outside.
+  scene.nodes.push_back(scene.nodes[0]);
+  scene.nodes[1].transform.translation = {0, 100, 0};
+  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{there, there}})), (Counts{0, 0, 0}));
+  add_clip(scene, 1, {1, 0, 0});  // nobody knows where it is
+  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{elsewhere, elsewhere}})), (Counts{0, 0, 0}));
+}
+
+TEST(HiddenCameras, FromAboveNobodyLooksUnder) {
+  // A table with something stuck to the underside of its top: up is +Y.
+  testing::TestMesh top = box();
+  for (glm::vec3& p : top.positions) p = {4 * p.x, 0.1f * p.y + 1, 4 * p.z};
+  Scene table = one_mesh({top, box(0.1f, {0, 0.75f, 0}), box(0.1f, {0, -1, 0})});
+  EXPECT_EQ(hidden_of(table, from(SeenFrom::outside)), (Counts{0, 0, 0}));
+  EXPECT_EQ(hidden_of(table, from(SeenFrom::above)), (Counts{0, 0, 0}));  // level with it one sees it
+  // A lid turned over it leaves only what is below.
+  testing::TestMesh cap = box();
+  for (glm::vec3& p : cap.positions) p = {4 * p.x, p.y < 0 ? -2 : 1, 4 * p.z};
+  cap.indices.erase(cap.indices.begin() + 6, cap.indices.begin() + 12);  // open at its lower side
+  Scene hood = one_mesh({cap, box(0.1f, {0, 0.5f, 0})});
+  hood.materials[0].double_sided = true;
+  EXPECT_EQ(hidden_of(hood, from(SeenFrom::outside)), all_stay);
+  EXPECT_EQ(hidden_of(hood, from(SeenFrom::above)), inner_goes);
+  hood.nodes[0].transform.rotation = glm::quat(0, 1, 0, 0);  // half around: the opening looks up
+  EXPECT_EQ(hidden_of(hood, from(SeenFrom::above)), all_stay);
+  hood.nodes[0].transform.rotation = glm::quat(1, 0, 0, 0);
+  add_clip(hood, 0, {0, 1, 0});
+  EXPECT_EQ(hidden_of(hood, from(SeenFrom::above)), all_stay);
+}
+
+TEST(HiddenScene, TheSameAtAnyThreadCount) {
+  const Scene scene = one_mesh({testing::soup(400, 1), box(0.2f, glm::vec3(0.5f))});
+  HiddenSearchOptions options = searched();
+  options.unit = hidden::Unit::triangle;
+  const DrawId asked[] = {0, 1};
+  const auto one = hidden::find_hidden(
+      scene, asked, options, [] {}, Executor(1));
+  const auto four = hidden::find_hidden(
+      scene, asked, options, [] {}, Executor(4));
+  EXPECT_EQ(one.hidden, four.hidden);
+  EXPECT_EQ(one.last_check.shown, four.last_check.shown);
+}
+
+TEST(HiddenScene, ACallerMayEndIt) {
+  const Scene scene = one_mesh({box(), box(0.5f)});
+  const DrawId asked[] = {0, 1};
+  EXPECT_THROW(hidden::find_hidden(
+                   scene, asked, searched(), [] { throw std::runtime_error("cancelled"); }, Executor(2)),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace foredraw
