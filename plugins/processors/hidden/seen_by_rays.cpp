@@ -64,6 +64,25 @@ glm::dvec3 camera_in(std::span<const glm::dmat4> boxes, Random& random) {
   return glm::dvec3(box * glm::dvec4(x, y, z, 1));
 }
 
+/// A triangle as rays leave it.
+struct Facing {
+  std::array<glm::dvec3, 3> corners;
+  glm::dvec3 normal;
+  double size = 0;  ///< about the length of a side
+  bool shows_back = false;
+
+  Facing(const RasterPart& part, std::size_t triangle) : shows_back(!part.culls_back_faces) {
+    for (std::size_t c = 0; c < 3; ++c) corners[c] = glm::dvec3(part.positions[part.indices[3 * triangle + c]]);
+    normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if (part.is_mirrored) normal = -normal;
+    size = std::sqrt(std::sqrt(glm::dot(normal, normal)));
+  }
+
+  bool is_finite() const { return std::isfinite(size); }
+  bool shows(const glm::dvec3& to) const { return shows_back || glm::dot(to, normal) >= 0; }
+  double nearest(double length) const { return 1e-4 * size / length; }
+};
+
 /// Three directions at right angles, of any turn.
 std::array<glm::dvec3, 3> any_axes(Random& random) {
   const auto unit = [](const glm::dvec3& v) { return v / std::sqrt(glm::dot(v, v)); };
@@ -75,7 +94,30 @@ std::array<glm::dvec3, 3> any_axes(Random& random) {
   }
 }
 
+std::uint32_t number_of(std::uint32_t number) { return number; }
+std::uint32_t number_of(const WayOut& way) { return way.number; }
+
 }  // namespace
+
+/// The ways out that `ask` finds, flagged.
+template <class Questions, class Ask>
+std::vector<WayOut> Rays::found(const Questions& questions, const Ask& ask, Flags& seen,
+                                const Executor& executor) const {
+  constexpr std::size_t at_once = 64;
+  std::vector<std::optional<glm::dvec3>> answers(questions.size());
+  executor.for_each((questions.size() + at_once - 1) / at_once, [&](std::size_t task) {
+    for (std::size_t q = task * at_once; q < std::min(questions.size(), (task + 1) * at_once); ++q) {
+      answers[q] = ask(questions[q]);
+    }
+  });
+  std::vector<WayOut> ways;
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    if (!answers[q]) continue;
+    ways.push_back({number_of(questions[q]), *answers[q]});
+    seen[sight_.triangles[ways.back().number]] = 1;
+  }
+  return ways;
+}
 
 Rays::Rays(const Sight& sight) : sight_(sight), tree_(tree_of_sight(sight)), sphere_(sphere_of(sight)) {
   for (std::size_t p = 0; p < sight.parts.size(); ++p) {
@@ -106,48 +148,58 @@ bool Rays::gets_to_camera(const RayTree::Ray& ray) const {
   return !hit || hit->way >= 1 - ray.nearest;
 }
 
-bool Rays::is_seen(std::uint32_t number, const Place& place, const RayRange& rays) const {
-  const RasterPart& part = sight_.parts[place.part];
-  std::array<glm::dvec3, 3> corners;
-  for (std::size_t c = 0; c < 3; ++c) corners[c] = glm::dvec3(part.positions[part.indices[3 * place.triangle + c]]);
-  glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  if (part.is_mirrored) normal = -normal;
-  const double area = glm::dot(normal, normal);
-  if (!std::isfinite(area)) return true;
-  if (area == 0) return false;
-  const double size = std::sqrt(std::sqrt(area));
+std::optional<glm::dvec3> Rays::way_out(std::uint32_t number, const RayRange& rays) const {
+  const Facing triangle(sight_.parts[places_[number].part], places_[number].triangle);
+  if (!triangle.is_finite()) return glm::dvec3(0);
+  if (!(triangle.size > 0)) return std::nullopt;
   Random random(derive_seed(rays.seed, number, rays.first));
   const Cameras& cameras = sight_.cameras;
+  const bool is_inside = !cameras.boxes.empty();
   for (std::size_t i = 0; i < rays.count; ++i) {
-    const glm::dvec3 from = ray_point(corners, random);
-    const bool is_inside = !cameras.boxes.empty();
+    const glm::dvec3 from = ray_point(triangle.corners, random);
     glm::dvec3 direction = is_inside ? camera_in(cameras.boxes, random) - from : ray_direction(random);
-    const double along = glm::dot(direction, normal);
-    if (part.culls_back_faces && along < 0) {
+    if (!triangle.shows(direction)) {
       if (is_inside) continue;
       direction = -direction;
     }
     const double length = std::sqrt(glm::dot(direction, direction));
-    if (!(length > 0)) return true;  // the camera is on it
-    const RayTree::Ray ray{from, direction, 1e-4 * size / length, number};
-    if (is_inside ? gets_to_camera(ray) : gets_out(ray)) return true;
+    if (!(length > 0)) return direction;  // the camera is on it
+    const RayTree::Ray ray{from, direction, triangle.nearest(length), number};
+    if (is_inside ? gets_to_camera(ray) : gets_out(ray)) return direction;
   }
-  return false;
+  return std::nullopt;
 }
 
-void Rays::add_seen(const RayRange& rays, const Flags& asked, Flags& seen, const Executor& executor) const {
+std::optional<glm::dvec3> Rays::way_out_along(const WayOut& way, std::uint64_t seed) const {
+  constexpr int tries = 32;
+  constexpr double aside = 0.03;  // of the way's length: some two degrees
+  const Facing triangle(sight_.parts[places_[way.number].part], places_[way.number].triangle);
+  const double length = std::sqrt(glm::dot(way.direction, way.direction));
+  if (!triangle.is_finite() || !(triangle.size > 0) || !(length > 0)) return std::nullopt;
+  Random random(derive_seed(seed, way.number, 0));
+  for (int i = 0; i < tries; ++i) {
+    const glm::dvec3 from = ray_point(triangle.corners, random);
+    const glm::dvec3 direction = way.direction + (i % 2 == 0 ? 0 : aside * length) * ray_direction(random);
+    if (!triangle.shows(direction)) continue;
+    if (gets_out({from, direction, triangle.nearest(length), way.number})) return direction;
+  }
+  return std::nullopt;
+}
+
+std::vector<WayOut> Rays::add_seen(const RayRange& rays, const Flags& asked, Flags& seen,
+                                   const Executor& executor) const {
   std::vector<std::uint32_t> questions;
   for (std::uint32_t number = 0; number < places_.size(); ++number) {
     if (asked[sight_.triangles[number]] != 0) questions.push_back(number);
   }
-  constexpr std::size_t at_once = 64;
-  Flags answers(questions.size(), 0);
-  executor.for_each((questions.size() + at_once - 1) / at_once, [&](std::size_t task) {
-    for (std::size_t q = task * at_once; q < std::min(questions.size(), (task + 1) * at_once); ++q) {
-      answers[q] = is_seen(questions[q], places_[questions[q]], rays);
-    }
-  });
-  for (std::size_t q = 0; q < questions.size(); ++q) seen[sight_.triangles[questions[q]]] |= answers[q];
+  return found(
+      questions, [&](std::uint32_t number) { return way_out(number, rays); }, seen, executor);
+}
+
+std::vector<WayOut> Rays::add_seen_along(std::span<const WayOut> ways, std::uint64_t seed, Flags& seen,
+                                         const Executor& executor) const {
+  return found(
+      ways, [&](const WayOut& way) { return way_out_along(way, seed); }, seen, executor);
 }
 
 Pixels Rays::add_seen_around(std::size_t places, int size, std::uint64_t seed, const Flags& asked, Flags& seen,

@@ -7,6 +7,8 @@
 #include <foredraw/analysis/ray_tree.h>
 #include <foredraw/viewing/bounding_sphere.h>
 
+#include <optional>
+
 namespace foredraw::hidden {
 
 /// Rays of a triangle: those numbered from `first` on.
@@ -15,16 +17,26 @@ struct RayRange {
   std::uint64_t seed = 0;
 };
 
+/// A triangle of the sight, and a direction from it that is free, or may be.
+struct WayOut {
+  std::uint32_t number = 0;
+  glm::dvec3 direction{0};
+};
+
 class Rays {
  public:
   explicit Rays(const Sight& sight);
 
   /// Flags in `seen` those of the triangles `asked` of which a ray gets away: out of everything, or to a camera inside.
   /// A triangle of a single-sided part sends rays from its front alone. One of no area is not seen; one whose area is
-  /// not finite is.
-  void add_seen(const RayRange& rays, const Flags& asked, Flags& seen, const Executor& executor) const;
+  /// not finite is. Returns these triangles, rising, with the ways that their rays took.
+  std::vector<WayOut> add_seen(const RayRange& rays, const Flags& asked, Flags& seen, const Executor& executor) const;
 
-  /// The same by pictures all around of `size` x `size` for each of the six sides, from so many places in the boxes
+  /// Tries ways out, near enough, from points all over their triangles. Returns those that are free.
+  std::vector<WayOut> add_seen_along(std::span<const WayOut> ways, std::uint64_t seed, Flags& seen,
+                                     const Executor& executor) const;
+
+  /// Flags what pictures all around show, of `size` x `size` for each of six sides, from so many places in the boxes
   /// that cameras are in. Of equally near triangles one counts.
   Pixels add_seen_around(std::size_t places, int size, std::uint64_t seed, const Flags& asked, Flags& seen,
                          const Executor& executor) const;
@@ -33,7 +45,10 @@ class Rays {
   struct Place {
     std::size_t part = 0, triangle = 0;  ///< of the part
   };
-  bool is_seen(std::uint32_t number, const Place& place, const RayRange& rays) const;
+  std::optional<glm::dvec3> way_out(std::uint32_t number, const RayRange& rays) const;
+  std::optional<glm::dvec3> way_out_along(const WayOut& way, std::uint64_t seed) const;
+  template <class Questions, class Ask>
+  std::vector<WayOut> found(const Questions& questions, const Ask& ask, Flags& seen, const Executor& executor) const;
   bool gets_out(const RayTree::Ray& ray) const;
   bool gets_to_camera(const RayTree::Ray& ray) const;
 

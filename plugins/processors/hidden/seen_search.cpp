@@ -1,12 +1,12 @@
 #include "seen_search.h"
 
-#include "seen_by_rays.h"
 #include "seen_in_pictures.h"
 
 #include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/base/random.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace foredraw::hidden {
@@ -84,24 +84,53 @@ void SeenSearch::add_by_pictures(const Sight& sight, std::span<const View> views
   }
 }
 
+Flags SeenSearch::open_to_rays() const {
+  Flags flags = open();
+  for (std::size_t t = 0; t < flags.size(); ++t) flags[t] &= proved_[t] == 0;
+  return flags;
+}
+
+/// What is seen through a gap lies together, and is seen along much the same way.
+void SeenSearch::add_neighbours(const Sight& sight, const Rays& tree, std::vector<WayOut> ways, std::uint64_t seed) {
+  constexpr std::size_t none = ~std::size_t{0};
+  const auto corners = surface_.corners();
+  while (!ways.empty()) {
+    between_();
+    std::vector<std::size_t> way_at(surface_.vertices(), none);
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+      for (std::size_t c = 0; c < 3; ++c) way_at[corners[3 * std::size_t{sight.triangles[ways[w].number]} + c]] = w;
+    }
+    const Flags asked = open_to_rays();
+    std::vector<WayOut> next;
+    for (std::uint32_t number = 0; number < sight.triangles.size(); ++number) {
+      const std::size_t triangle = sight.triangles[number];
+      if (asked[triangle] == 0) continue;
+      std::set<std::size_t> near;
+      for (std::size_t c = 0; c < 3; ++c) near.insert(way_at[corners[3 * triangle + c]]);
+      for (const std::size_t w : near) {
+        if (w != none) next.push_back({number, ways[w].direction});
+      }
+    }
+    ways = tree.add_seen_along(next, seed, seen_, executor_);
+  }
+}
+
 void SeenSearch::add_by_rays(const Sight& sight, std::size_t rays, std::uint64_t seed) {
-  const auto asked = [&] {
-    Flags flags = open();
-    for (std::size_t t = 0; t < flags.size(); ++t) flags[t] &= proved_[t] == 0;
-    return flags;
-  };
-  if (!is_any_of(sight, asked())) return;
+  if (!is_any_of(sight, open_to_rays())) return;
   const Rays tree(sight);
-  if (!sight.cameras.boxes.empty()) {
+  const bool is_inside = !sight.cameras.boxes.empty();
+  if (is_inside) {
     const std::size_t places = std::max(places_inside, std::min(sight.cameras.boxes.size(), 4 * places_inside));
-    tree.add_seen_around(places, std::max(16, options_.size / 4), derive_seed(seed, 0, 1), asked(), seen_, executor_);
+    tree.add_seen_around(places, std::max(16, options_.size / 4), derive_seed(seed, 0, 1), open_to_rays(), seen_,
+                         executor_);
   }
   std::size_t count = std::min(first_rays, rays);
   for (std::size_t first = 0; first < rays; first += count, count = std::min(3 * first, rays - first)) {
     between_();
-    const Flags still = asked();
-    if (!is_any_of(sight, still)) return;
-    tree.add_seen({first, count, seed}, still, seen_, executor_);
+    const Flags asked = open_to_rays();
+    if (!is_any_of(sight, asked)) return;
+    std::vector<WayOut> ways = tree.add_seen({first, count, seed}, asked, seen_, executor_);
+    if (!is_inside) add_neighbours(sight, tree, std::move(ways), seed);
   }
 }
 

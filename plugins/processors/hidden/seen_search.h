@@ -2,6 +2,7 @@
 // What is seen of a surface, found step by step: cheap pictures of everything first, dear rays for what is left.
 
 #include "hidden.h"
+#include "seen_by_rays.h"
 #include "sight.h"
 #include "surface.h"
 
@@ -36,8 +37,10 @@ class SeenSearch {
 
  private:
   Flags open() const;
+  Flags open_to_rays() const;
   bool is_any_of(const Sight& sight, const Flags& flags) const;
   void add_by_pictures(const Sight& sight, std::span<const View> views);
+  void add_neighbours(const Sight& sight, const Rays& tree, std::vector<WayOut> ways, std::uint64_t seed);
   void add_by_rays(const Sight& sight, std::size_t rays, std::uint64_t seed);
 
   const Surface& surface_;

@@ -17,6 +17,10 @@ class Surface {
   /// What shares a vertex with a flagged triangle, and so on `rings` times.
   Flags with_rings(Flags flags, int rings) const;
 
+  /// Three a triangle, of vertices that are one where they lie at the same position.
+  std::span<const std::uint32_t> corners() const { return corners_; }
+  std::size_t vertices() const { return vertices_; }
+
   /// [triangle] the number of its component, below `components()`; they are numbered by their first triangle.
   std::span<const std::uint32_t> component() const { return component_; }
   std::size_t components() const { return components_; }
