@@ -17,7 +17,7 @@ HiddenTriangles hidden_triangles(std::span<const OpaqueOrNot> draws, const Hidde
     sight.parts.push_back({draw.positions, draw.indices, !draw.is_double_sided});
     sight.hides.push_back(draw.is_opaque);
   }
-  const Surface surface(sight.parts);
+  const Connected surface(sight.parts);
   sight.triangles.resize(surface.component().size());
   std::iota(sight.triangles.begin(), sight.triangles.end(), 0u);
   const BetweenSteps go_on = [] {};
@@ -29,12 +29,19 @@ HiddenTriangles hidden_triangles(std::span<const OpaqueOrNot> draws, const Hidde
     result.last_check = search.check(sight, checking_views(sight.cameras, options, round), 0);
     if (result.last_check.asked == 0) break;
   }
+  Flags proved = search.proved();
   const Flags flags = search.hidden();
-  auto at = flags.begin();
+  for (std::size_t t = 0; t < flags.size(); ++t) proved[t] &= flags[t];
+  std::size_t begin = 0;
   for (const OpaqueOrNot& draw : draws) {
-    const auto end = at + static_cast<std::ptrdiff_t>(draw.indices.size() / 3);
-    result.is_hidden.emplace_back(at, end);
-    at = end;
+    const std::size_t end = begin + draw.indices.size() / 3;
+    const auto of_draw = [&](const Flags& all) {
+      return std::vector(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                         all.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    result.is_hidden.push_back(of_draw(flags));
+    result.is_proved.push_back(of_draw(proved));
+    begin = end;
   }
   return result;
 }

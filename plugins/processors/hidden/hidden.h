@@ -64,6 +64,7 @@ struct OpaqueOrNot {
 
 struct HiddenTriangles {
   std::vector<std::vector<std::uint8_t>> is_hidden;  ///< [draw][triangle] 0 or 1
+  std::vector<std::vector<std::uint8_t>> is_proved;  ///< the same of those that lie within something closed: no sample
   hidden::Pixels last_check;  ///< pixels of the last check that still showed something hidden: what was put back then
 };
 

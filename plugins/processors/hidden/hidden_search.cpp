@@ -50,6 +50,9 @@ class SubjectSearch {
     return search_.hidden();
   }
 
+  /// What of it is hidden without a sample.
+  const Flags& proved() const { return search_.proved(); }
+
  private:
   bool is_seen_in_clips() const {
     return subject_.is_placed() && options_.moving == Moving::clips && !scene_.animations.empty();
@@ -156,7 +159,7 @@ class SubjectSearch {
   template <class Look>
   void in_pose(const Pose& pose, const Look& look) const {
     const StandingParts standing = standing_parts(scene_, subject_, posed_nodes(scene_, pose));
-    Sight sight{standing.parts, standing.hides, {}, cameras_beside(options_.cameras)};
+    Sight sight{standing.parts, standing.hides, {}, cameras_beside(options_.cameras), false};
     sight.triangles.resize(surface_.component().size());
     std::iota(sight.triangles.begin(), sight.triangles.end(), 0u);
     look(sight);
@@ -221,7 +224,7 @@ class SubjectSearch {
   std::uint64_t seed_;
   const Executor& executor_;
   StandingParts at_rest_;
-  Surface surface_;
+  Connected surface_;
   std::vector<RigidSight> rigid_;
   SeenSearch search_;
 };
@@ -238,6 +241,7 @@ FoundHidden find_hidden(const Scene& scene, std::span<const DrawId> asked, const
   }
   const PosedNodes rest = posed_nodes(scene);
   const std::vector<Subject> subjects = subjects_of(scene, options.subjects);
+  std::map<DrawId, Flags> proved = found.hidden;
   std::vector<bool> is_looked_at(scene.draws.size(), false);
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     const Subject& subject = subjects[s];
@@ -250,13 +254,17 @@ FoundHidden find_hidden(const Scene& scene, std::span<const DrawId> asked, const
       const std::size_t triangles = drawn_triangles(draw);
       if (is_asked[part.draw] && triangles > 0) {
         is_looked_at[part.draw] = true;
-        for (std::size_t i = 0; i < triangles; ++i) found.hidden.at(part.draw)[i] &= hidden[t + i];
+        for (std::size_t i = 0; i < triangles; ++i) {
+          found.hidden.at(part.draw)[i] &= hidden[t + i];
+          proved.at(part.draw)[i] &= search.proved()[t + i];
+        }
       }
       t += triangles;
     }
   }
   for (auto& [id, hidden] : found.hidden) {
     if (!is_looked_at[id]) std::ranges::fill(hidden, 0);  // no mesh has it
+    for (std::size_t t = 0; t < hidden.size(); ++t) found.proved += hidden[t] & proved.at(id)[t];
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #include "seen_search.h"
 
+#include "contained.h"
 #include "seen_in_pictures.h"
 
 #include <foredraw/analysis/mesh_facts.h>
@@ -36,7 +37,7 @@ Flags not_finite(std::span<const RasterPart> parts) {
   return flags;
 }
 
-SeenSearch::SeenSearch(const Surface& surface, Flags seen, const HiddenOptions& options, const BetweenSteps& between,
+SeenSearch::SeenSearch(const Connected& surface, Flags seen, const HiddenOptions& options, const BetweenSteps& between,
                        const Executor& executor)
     : surface_(surface),
       seen_(std::move(seen)),
@@ -59,12 +60,17 @@ bool SeenSearch::is_any_of(const Sight& sight, const Flags& flags) const {
   return std::ranges::any_of(sight.triangles, [&](std::uint32_t t) { return flags[t] != 0; });
 }
 
-void SeenSearch::add_proved(const Flags& proved) {
+/// Only of what stays together whatever moves, and is seen from outside.
+void SeenSearch::add_proved(const Sight& sight) {
+  const Flags asked = hidden();
+  if (!sight.is_rigid || !sight.cameras.boxes.empty() || !is_any_of(sight, asked)) return;
+  const Flags proved = inside_closed(sight, surface_, asked);
   for (std::size_t t = 0; t < proved_.size(); ++t) proved_[t] |= proved[t];
 }
 
 void SeenSearch::look(const Sight& sight, std::span<const View> views, std::size_t rays, std::uint64_t seed) {
   add_by_pictures(sight, views);
+  add_proved(sight);
   add_by_rays(sight, rays, seed);
 }
 

@@ -31,6 +31,7 @@ struct Sight {
   Flags hides;                           ///< [part] whether it hides what lies behind it
   std::vector<std::uint32_t> triangles;  ///< [triangle, counted through the parts] its number in flags
   Cameras cameras;
+  bool is_rigid = true;  ///< it stands so in every pose
 };
 
 }  // namespace foredraw::hidden

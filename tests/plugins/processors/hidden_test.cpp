@@ -1,9 +1,10 @@
 #include "plugins/processors/hidden/hidden.h"
 
 #include "hidden_shapes.h"
+#include "plugins/processors/hidden/connected.h"
 #include "plugins/processors/hidden/cut_draw.h"
-#include "plugins/processors/hidden/surface.h"
 
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -142,12 +143,54 @@ TEST(Hidden, TheSameAtAnyThreadCount) {
   EXPECT_EQ(one.last_check.shown, four.last_check.shown);
 }
 
-TEST(HiddenSurface, ComponentsAndRings) {
+std::size_t proved_of(const TestMesh& mesh, bool is_opaque = true) {
+  const OpaqueOrNot draw[] = {{mesh.positions, mesh.indices, false, is_opaque}};
+  const HiddenTriangles found = hidden_triangles(draw, few(), Executor(2));
+  return static_cast<std::size_t>(std::ranges::count(found.is_proved[0], 1));
+}
+
+/// Its seams fit bit by bit.
+TestMesh closed_torus() {
+  TestMesh mesh = testing::torus(24, 12);
+  for (glm::vec3& p : mesh.positions) p = glm::round(p * 4096.f) / 4096.f;
+  return mesh;
+}
+
+TEST(HiddenProof, WhatIsWithinSomethingClosedNeedsNoSample) {
+  EXPECT_EQ(proved_of(testing::joined(box(), box(0.5f))), 12u);
+  EXPECT_EQ(proved_of(testing::joined(box(), testing::turned(box(0.5f)))), 12u);
+  EXPECT_EQ(proved_of(testing::joined(box(), testing::joined(box(0.5f), box(0.2f)))), 24u);
+  EXPECT_EQ(proved_of(testing::joined(box(), testing::grid(1, 1))), 0u);  // touches the wall
+  // Within the hole of a torus is not within it, nor is what its wall goes through.
+  EXPECT_EQ(proved_of(testing::joined(closed_torus(), box(0.1f))), 0u);
+  EXPECT_EQ(proved_of(testing::joined(closed_torus(), box(0.1f, {1, 0, 0}))), 12u);
+  EXPECT_EQ(proved_of(testing::joined(closed_torus(), box(0.5f, {1, 0, 0}))), 0u);
+}
+
+TEST(HiddenProof, NotWhatLooksSoToSamplesAlone) {
+  EXPECT_EQ(proved_of(testing::joined(box(), box(0.5f)), false), 0u);
+  EXPECT_EQ(proved_of(testing::joined(testing::turned(box()), box(0.5f))), 0u);
+  TestMesh hull = box();
+  hull.indices.insert(hull.indices.end(), {0, 1, 2});  // not closed, and seen by nobody
+  const TestMesh in_hull = testing::joined(hull, box(0.5f));
+  EXPECT_EQ(hidden_of(in_hull), 12u);
+  EXPECT_EQ(proved_of(in_hull), 0u);
+  // An edge of the outer one passes through the inner one, whose vertices are all within.
+  TestMesh dented = box();
+  dented.positions.push_back({0, 0, 0});
+  dented.indices.erase(dented.indices.begin() + 30, dented.indices.end());
+  dented.indices.insert(dented.indices.end(), {4, 5, 8, 5, 7, 8, 7, 6, 8, 6, 4, 8});
+  EXPECT_EQ(proved_of(dented), 0u);
+  TestMesh plate{{{-0.7f, 0, 0.2f}, {0.7f, 0, 0.2f}, {0, 0.1f, -0.5f}}, {0, 1, 2, 0, 2, 1}};
+  EXPECT_EQ(proved_of(testing::joined(dented, plate)), 0u);
+}
+
+TEST(HiddenConnected, ComponentsAndRings) {
   const TestMesh mesh = testing::joined(testing::grid(9, 1), testing::grid(2, 2));
   TestMesh apart = mesh;
   for (std::size_t v = 20; v < apart.positions.size(); ++v) apart.positions[v].z = 1;
   const RasterPart parts[] = {{apart.positions, apart.indices}};
-  const hidden::Surface surface(parts);
+  const hidden::Connected surface(parts);
   EXPECT_EQ(surface.components(), 2u);
   hidden::Flags flags(26, 0);
   flags[0] = 1;
@@ -162,7 +205,7 @@ TEST(HiddenSurface, ComponentsAndRings) {
   TestMesh right = testing::grid(1, 1);
   for (glm::vec3& p : right.positions) p.x += 1;
   const RasterPart two[] = {{left.positions, left.indices}, {right.positions, right.indices}};
-  EXPECT_EQ(hidden::Surface(two).components(), 1u);
+  EXPECT_EQ(hidden::Connected(two).components(), 1u);
 }
 
 TEST(HiddenCut, KeepsPlacesAndNumbers) {

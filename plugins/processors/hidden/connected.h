@@ -7,10 +7,10 @@
 
 namespace foredraw::hidden {
 
-class Surface {
+class Connected {
  public:
   /// Triangles are counted through the parts; vertices at the same position are one, whichever part has them.
-  explicit Surface(std::span<const RasterPart> parts);
+  explicit Connected(std::span<const RasterPart> parts);
 
   /// Every triangle of a component of which one is flagged.
   Flags with_components(const Flags& flags) const;

@@ -1,10 +1,10 @@
-#include "surface.h"
+#include "connected.h"
 
 #include <foredraw/analysis/welded_positions.h>
 
 namespace foredraw::hidden {
 
-Surface::Surface(std::span<const RasterPart> parts) {
+Connected::Connected(std::span<const RasterPart> parts) {
   std::vector<glm::vec3> positions;
   for (const RasterPart& part : parts) {
     const auto base = static_cast<std::uint32_t>(positions.size());
@@ -28,7 +28,7 @@ Surface::Surface(std::span<const RasterPart> parts) {
   }
 }
 
-Flags Surface::with_components(const Flags& flags) const {
+Flags Connected::with_components(const Flags& flags) const {
   Flags is_touched(components_, 0);
   for (std::size_t t = 0; t < component_.size(); ++t) is_touched[component_[t]] |= flags[t];
   Flags result(component_.size());
@@ -36,7 +36,7 @@ Flags Surface::with_components(const Flags& flags) const {
   return result;
 }
 
-Flags Surface::with_rings(Flags flags, int rings) const {
+Flags Connected::with_rings(Flags flags, int rings) const {
   for (int ring = 0; ring < rings; ++ring) {
     Flags is_touched(vertices_, 0);
     for (std::size_t i = 0; i < corners_.size(); ++i) is_touched[corners_[i]] |= flags[i / 3];
