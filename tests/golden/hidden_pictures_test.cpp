@@ -120,6 +120,32 @@ INSTANTIATE_TEST_SUITE_P(
                            SubjectUnit::character, 1}),
     [](const auto& one) { return one.param.name; });
 
+/// Prints how many pixels change as samples grow: docs/hidden.md has the table.
+class HiddenBySamples : public ::testing::TestWithParam<Case> {};
+
+TEST_P(HiddenBySamples, FewerPixelsChange) {
+  const Scene before = testing::read_model(testing::project_file(std::string("benchmarks/corpus/") + GetParam().model));
+  std::size_t changed = 0;
+  for (const char* samples :
+       {"views=42, rays=0, checks=1", "views=162, rays=0, checks=1", "views=642, rays=0, checks=1",
+        "views=642, rays=1024, checks=1", "views=642, rays=1024, checks=300"}) {
+    const std::string stage = std::string("hidden(seen-from=outside, unit=triangle, ") + samples + ")";
+    const Scene after = without_hidden(before, stage, GetParam().subjects);
+    const Changed found = changed_pixels(before, after, GetParam().subjects, 200, 512);
+    std::printf("%s, %s: %zu triangles hidden; of %zu pixels %zu changed\n", GetParam().name, samples,
+                triangles(before) - triangles(after), found.shown, found.changed);
+    changed = found.changed;
+  }
+  EXPECT_EQ(changed, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    LargeModels, HiddenBySamples,
+    ::testing::Values(Case{"head", "static/head.glb", "", SubjectUnit::character, 0},
+                      Case{"ship", "static/dutch_ship_medium_notex.glb", "", SubjectUnit::character, 0},
+                      Case{"helmet_whole", "static/flight_helmet_notex.glb", "", SubjectUnit::scene, 0}),
+    [](const auto& one) { return one.param.name; });
+
 TEST(HiddenPicturesOfOne, ShowTheSame) {
   expect_no_pixel_changes({"head", "static/head.glb", "hidden(seen-from=outside, unit=triangle, views=162, size=256)",
                            SubjectUnit::character, 100},

@@ -31,10 +31,9 @@ struct FoundHidden {
   std::size_t proved = 0;    ///< triangles that are hidden by proof
 };
 
-/// A triangle is hidden where no part of any subject that has it shows it. Opaque draws hide, whether asked for or not;
-/// masked, blended and morphed ones hide nothing, nor those that light passes through, that an animation changes the
-/// material of, or that have an extension or other materials to choose from. Throws what `between` does, and
-/// std::invalid_argument where clips have more than 100000 keys.
+/// A triangle is hidden where no part of any subject that has it shows it. Opaque draws hide, whether asked for or not:
+/// is_opaque() says which are. Throws what `between` does, and std::invalid_argument where clips have more than 100000
+/// keys.
 FoundHidden find_hidden(const Scene& scene, std::span<const DrawId> asked, const HiddenSearchOptions& options,
                         const BetweenSteps& between, const Executor& executor);
 

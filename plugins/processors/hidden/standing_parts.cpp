@@ -54,7 +54,7 @@ std::string why_it_stays(const Scene& scene, const Draw& draw) {
   const Material* material = scene.material_of(draw);
   if (material != nullptr && material->alpha_mode == AlphaMode::blend) return "it is blended";
   if (material != nullptr && material->keeps_sides) {
-    return "light passes through its material, or an animation changes the material";
+    return "light passes through its material, or the material may change";
   }
   if (has_morph_targets(draw)) return "it has morph targets, and may take any shape between them";
   if (draw.traits.has(traits::sprite)) return "it is a sprite";

@@ -211,6 +211,22 @@ TEST(GltfRead, traits_of_material_nodes_and_extensions) {
   EXPECT_TRUE(read(builder).draws[0].traits.has(traits::instanced));
 }
 
+TEST(GltfRead, a_material_that_a_variant_makes_transparent_is_told) {
+  const auto keeps_sides = [](const GltfJson& other) {
+    GltfBuilder builder = testing::ribbon(1);
+    builder.add("materials", {{"name", "own"}});
+    builder.add("materials", other);
+    GltfJson& primitive = builder.json["meshes"][0]["primitives"][0];
+    primitive["material"] = 0;
+    primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {0}}}};
+    return read(builder).materials[0].keeps_sides;
+  };
+  EXPECT_FALSE(keeps_sides({{"name", "red"}}));
+  EXPECT_TRUE(keeps_sides({{"alphaMode", "BLEND"}}));
+  EXPECT_TRUE(keeps_sides({{"doubleSided", true}}));
+  EXPECT_TRUE(keeps_sides({{"extensions", {{"KHR_materials_transmission", GltfJson::object()}}}}));
+}
+
 /// A ribbon that is drawn twice.
 GltfBuilder instanced_ribbon() {
   GltfBuilder builder = testing::ribbon(1);
