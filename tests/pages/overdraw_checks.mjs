@@ -77,8 +77,8 @@ export async function check_stacks(page) {
   );
 }
 
-/** Of a model as it is, from a few directions, over all its subjects. */
-export async function check_ratios(page, program, model, subjects) {
+/** From a few directions, over all subjects: the state that the page shows, and the file that holds the same. */
+export async function check_ratios(page, program, model, { subjects, state = 0 }) {
   const away = [];
   for (const direction of [
     [0, 0, 1],
@@ -90,6 +90,7 @@ export async function check_ratios(page, program, model, subjects) {
     let [shaded, visible] = [0, 0];
     for (let subject = 0; subject < subjects; ++subject) {
       if (subjects > 1) await viewer(page, 'set_subject', subject);
+      await viewer(page, 'set_state', 0, state);
       await viewer(page, 'set_direction', direction);
       const seen = await viewer(page, 'overdraw', 0);
       shaded += seen.shaded;
@@ -106,18 +107,59 @@ export async function check_ratios(page, program, model, subjects) {
   );
 }
 
-/** The same of single poses of a character, whose pictures just hold it in each of them. */
-export async function check_pose_ratios(page, program, model, poses) {
+/** The evaluator's views, each in a slice of equal area. */
+function fibonacci(count) {
+  return Array.from({ length: count }, (_, i) => {
+    const y = 1 - (2 * i + 1) / count;
+    const ring = Math.sqrt(1 - y * y);
+    const phi = i * Math.PI * (3 - Math.sqrt(5));
+    return [ring * Math.cos(phi), y, ring * Math.sin(phi)];
+  });
+}
+
+/** What a pane counts from all the views of the evaluator, over all subjects, is the figure of the page's own table. */
+export async function check_table_ratios(page, { metrics }, subjects) {
+  const row = metrics.find(({ evaluator, metric }) => evaluator === 'overdraw-raster' && metric === 'ratio');
+  for (const [state, expected] of [row.input, ...row.values].entries()) {
+    const ratio = await page.evaluate(
+      async ([shown_state, directions, count]) => {
+        const { viewer: shown } = window.foredraw;
+        let [shaded, visible] = [0, 0];
+        for (let subject = 0; subject < count; ++subject) {
+          shown.set_subject(subject);
+          shown.set_state(1, null);
+          shown.set_state(0, shown_state);
+          for (const direction of directions) {
+            shown.set_direction(direction);
+            const seen = await shown.overdraw(0);
+            shaded += seen.shaded;
+            visible += seen.visible;
+          }
+        }
+        return shaded / visible;
+      },
+      [state, fibonacci(100), subjects],
+    );
+    check_near(`ratio: state ${state} from 100 directions is that of the table`, ratio, expected, 0.005);
+  }
+}
+
+/**
+ * Single poses of a character, whose pictures just hold it in each of them. Where its surfaces lie closer together than
+ * depths are rounded, the browser's device decides as it likes: `tolerance` is then wider.
+ */
+export async function check_pose_ratios(page, program, model, poses, { state = 0, tolerance = 0.005 } = {}) {
   const direction = [0.48, 0.6, 0.64];
   const ratios = program.overdraw(model, direction, `, poses=${poses.length}`).poses;
-  await viewer(page, 'set_state', 0, 0);
+  await viewer(page, 'set_state', 0, state);
   await viewer(page, 'set_direction', direction);
   for (const part of [0, 0.3, 0.6, 0.9]) {
     const pose = Math.floor(part * poses.length);
     await viewer(page, 'set_pose', pose);
     const { ratio, visible } = await viewer(page, 'overdraw', 0);
     const { value, denominator } = ratios[poses[pose].name].ratio;
-    check_near(`ratio: ${poses[pose].name}`, ratio, value, 0.005);
-    check_near(`ratio: pixels of ${poses[pose].name}`, visible, denominator, 0.01);
+    const name = `${poses[pose].name} of ${path.basename(model)}`;
+    check_near(`ratio: ${name}`, ratio, value, tolerance);
+    check_near(`ratio: pixels of ${name}`, visible, denominator, 0.01);
   }
 }

@@ -8,7 +8,13 @@ import { launch, open, settled } from './browser.mjs';
 import { check, check_equal, exit_code, group } from './checks.mjs';
 import { check_colours, check_paper, check_widths, check_without_gl, check_without_script } from './look_checks.mjs';
 import { rectangles, torus, write_gltf } from './models.mjs';
-import { check_pose_ratios, check_ratios, check_stacks, write_stacks } from './overdraw_checks.mjs';
+import {
+  check_pose_ratios,
+  check_ratios,
+  check_stacks,
+  check_table_ratios,
+  write_stacks,
+} from './overdraw_checks.mjs';
 import { check_plot } from './plot_checks.mjs';
 import { Program } from './program.mjs';
 import {
@@ -25,7 +31,9 @@ import {
   check_panes,
   check_poses,
   check_table,
+  check_unlike_states,
   check_worst_view,
+  check_worst_view_of_table,
   viewer,
 } from './viewer_checks.mjs';
 
@@ -85,8 +93,43 @@ await on_page(
 );
 
 await on_page('overdraw of a model', made.html, (page) =>
-  check_ratios(page, program, spot, made.scenes[0].subjects.length),
+  check_ratios(page, program, spot, { subjects: made.scenes[0].subjects.length }),
 );
+
+// A double-sided draw becomes single-sided, and some of its triangles are copied.
+await group('sides', async () => {
+  const helmet = path.join(corpus, 'static', 'flight_helmet_notex.glb');
+  const { html, comparison, scenes } = program.compare('helmet', [helmet], ['@default']);
+  const { subjects } = scenes[0];
+  await on_page('a double-sided draw', html, async (page) => {
+    await check_table_ratios(page, comparison.files[0], subjects.length);
+    await check_worst_view_of_table(page, comparison, subjects.length);
+  });
+});
+
+// Draws are drawn in another sequence as well.
+await group('sequence', async () => {
+  const knight = path.join(corpus, 'animated', 'kaykit_knight.glb');
+  const { html, scenes } = program.compare('knight', [knight], ['tipsify', '@default']);
+  const [{ geometries, states, poses }] = scenes[0].subjects;
+  check_equal(
+    'sequence: a reordered state shares what the input shows, another one has its own',
+    states.map(({ geometry }) => geometry),
+    [0, 0, 1],
+  );
+  const names = geometries.map(({ parts }) => parts.map(({ name }) => name));
+  check(
+    'sequence: the draws come in another sequence',
+    JSON.stringify(names[0]) !== JSON.stringify(names[1]) &&
+      JSON.stringify(names[0].toSorted()) === JSON.stringify(names[1].toSorted()),
+    names,
+  );
+  await on_page('a character of many draws', html, async (page) => {
+    await check_pose_ratios(page, program, knight, poses, { tolerance: 0.015 });
+    await check_pose_ratios(page, program, program.optimized(knight, '@default'), poses, { state: 2, tolerance: 0.015 });
+    await check_unlike_states(page);
+  });
+});
 
 await group('a character', async () => {
   const fox = path.join(corpus, 'animated', 'fox.glb');
@@ -160,7 +203,11 @@ await group('little to show', async () => {
   await on_page('a pipeline that could not be planned', html, async (page) => {
     check_equal('lost: it is no point', (await page.evaluate(() => window.foredraw.plot.points())).length, 1);
     const disabled = await page.$$eval('#viewer option:disabled', (all) => all.map((option) => option.textContent));
-    check('lost: it can not be chosen', disabled.length === 2 && disabled[0].includes('dot-rule'), disabled);
+    check_equal(
+      'lost: it can not be chosen, and the menu says why',
+      disabled,
+      Array(2).fill('[2] dot-rule (not shown: could not be planned for this file)'),
+    );
   });
 });
 

@@ -42,6 +42,13 @@ export class Program {
     return JSON.parse(this.run(['measure', model, '--with', evaluator, '--json'])).totals.metrics['overdraw-raster'];
   }
 
+  /** The file that a pipeline makes of a model. */
+  optimized(model, pipeline) {
+    const output = path.join(this.folder, `optimized-${path.basename(model)}`);
+    this.run(['optimize', model, '-p', pipeline, '-o', output]);
+    return output;
+  }
+
   /** [draw][new place] -> number of the triangle in the file, or null where nothing moved. */
   remap(model, pipeline) {
     const table = path.join(this.folder, 'remap.json');

@@ -158,6 +158,49 @@ export async function check_worst_view(page, comparison) {
   await viewer(page, 'set_state', 1, 1);
 }
 
+/** The worst of all subjects, in each state. */
+export async function check_worst_view_of_table(page, comparison, subjects) {
+  const { input, values } = comparison.files[0].metrics.find(({ metric }) => metric === 'worst-view');
+  for (const [state, expected] of [input, ...values].entries()) {
+    const ratios = [];
+    for (let subject = 0; subject < subjects; ++subject) {
+      await viewer(page, 'set_subject', subject);
+      await viewer(page, 'set_state', 0, state);
+      await viewer(page, 'show_worst_view');
+      ratios.push((await viewer(page, 'overdraw', 0)).ratio);
+    }
+    check_near(`worst view: that of the figures in state ${state}`, Math.max(...ratios), expected, 0.02);
+  }
+}
+
+/** Of two states with different numbers of triangles each is drawn to its own end. */
+export async function check_unlike_states(page) {
+  await viewer(page, 'set_state', 0, 0);
+  await viewer(page, 'set_state', 1, 2);
+  const [fewer, more] = [await viewer(page, 'triangles', 0), await viewer(page, 'triangles', 1)];
+  check('states: the second has more triangles', fewer < more, [fewer, more]);
+  const drawn = async () => [
+    (await viewer(page, 'drawn_triangles', 0)).length,
+    (await viewer(page, 'drawn_triangles', 1)).length,
+  ];
+  const said = async () => (await page.textContent('#viewer .slider output')).replaceAll(',', '');
+  for (const [n, expected] of [
+    [fewer - 1, [fewer - 1, fewer - 1]],
+    [fewer + 1, [fewer, fewer + 1]],
+    [more, [fewer, more]],
+  ]) {
+    await viewer(page, 'set_drawn', n);
+    check_equal(`states: up to triangle ${n}`, await drawn(), expected);
+    check_equal(
+      `states: the slider at ${n} says how many`,
+      await said(),
+      `triangles drawn: ${expected[0]} of ${fewer} and ${expected[1]} of ${more}`,
+    );
+  }
+  await viewer(page, 'set_state', 0, 2);
+  check_equal('states: what was drawn whole stays whole', await drawn(), [more, more]);
+}
+
 /** The order that a table has for a pose and a direction, looked up anew from the page's JSON. */
 function order_of(table, pose, [x, y, z]) {
   let first = 0;
@@ -177,13 +220,14 @@ function order_of(table, pose, [x, y, z]) {
 /** Orders of an animated character follow the camera and the pose. */
 export async function check_table(page, html, scenes) {
   const [subject] = scenes[0].subjects;
-  const { orders, table } = subject.states[1];
+  const { geometry, orders, table } = subject.states[1];
+  const { parts } = subject.geometries[geometry];
   check('table: the character has several orders', table !== null && orders.length > 1, orders.length);
   const base64 = readFileSync(html, 'utf8').match(/id="buffer-0">([^<]*)</)[1];
   const buffer = Buffer.from(base64, 'base64');
   const triangles_of = (k) => {
     let first = 0;
-    return subject.parts.flatMap((part, i) => {
+    return parts.flatMap((part, i) => {
       const from = orders[k][i].triangles;
       const numbers = Array.from({ length: part.triangles }, (_, t) => first + buffer.readUInt32LE(from + 4 * t));
       first += part.triangles;

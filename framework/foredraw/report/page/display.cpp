@@ -1,19 +1,19 @@
 #include <foredraw/report/page/display.h>
 
 #include <foredraw/report/page/private/page_buffer.h>
-#include <foredraw/report/page/shown_triangles.h>
+#include <foredraw/report/page/shown_subject.h>
 
+#include <foredraw/base/counted.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/bounding_sphere.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
-#include <foredraw/viewing/subject_geometry.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <numeric>
+#include <map>
 
 namespace foredraw {
 
@@ -21,168 +21,185 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_triangles = 200'000;         // of a subject: what a small machine's browser turns smoothly
 constexpr std::size_t most_branches = 24;               // each takes four bytes a triangle
 constexpr std::size_t most_poses = 64;                  // of all clips
-constexpr std::size_t most_bytes_of_poses = 6'000'000;  // of a subject
+constexpr std::size_t most_bytes_of_poses = 6'000'000;  // of a subject, in all its states
 
-/// Draws of which the viewer can show every order: as those who measure overdraw see them, but without holes.
-bool is_shown(const Scene& scene, const Draw& draw) {
-  return draw.topology == Topology::triangles && !is_blended(scene, draw);
+/// A scene to show, with its subjects; or why there is none.
+struct ShownScene {
+  const Scene* scene = nullptr;
+  std::vector<Subject> subjects;
+  std::string absent;
+};
+
+std::vector<ShownScene> shown_scenes(const Scene& input, std::span<const std::optional<Scene>> branches,
+                                     SubjectUnit unit) {
+  std::vector<ShownScene> scenes{{&input, subjects_of(input, unit), ""}};
+  for (const auto& branch : branches) {
+    if (scenes.size() > most_branches) {  // the input is the first of them
+      scenes.push_back({nullptr, {}, fmt::format("only the first {} pipelines are", most_branches)});
+    } else if (!branch) {
+      scenes.push_back({nullptr, {}, "could not be planned for this file"});
+    } else if (branch->animations.size() != input.animations.size()) {
+      scenes.push_back({nullptr, {}, "its clips are not those of the input"});
+    } else {
+      scenes.push_back({&*branch, subjects_of(*branch, unit), ""});
+    }
+  }
+  return scenes;
 }
 
-struct ShownPart {
-  SubjectPart part;
-  ShownTriangles shown;
+/// What became of a subject of the input: that of the same number where there are as many, else the only one of its
+/// name.
+const Subject* counterpart(std::span<const Subject> subjects, std::span<const Subject> of_input, std::size_t number) {
+  if (subjects.size() == of_input.size()) return &subjects[number];
+  const auto same_name = [&](const Subject& subject) { return subject.name == of_input[number].name; };
+  const auto found = std::ranges::find_if(subjects, same_name);
+  const bool is_only_one = std::ranges::count_if(subjects, same_name) == 1;
+  return is_only_one && std::ranges::count_if(of_input, same_name) == 1 ? &*found : nullptr;
+}
+
+std::span<const float> numbers_of(const std::vector<glm::vec3>& positions) {
+  return {positions.empty() ? nullptr : &positions[0].x, 3 * positions.size()};
+}
+
+/// What one scene shows of a subject; or why it shows nothing.
+struct State {
+  const Scene* scene = nullptr;
+  ShownSubject shown;
+  std::string absent;
 };
 
 class SubjectDisplay {
  public:
-  SubjectDisplay(const Scene& input, const Subject& subject, PageBuffer& buffer)
-      : input_(input), subject_(subject), buffer_(buffer) {
-    choose_triangles();
+  SubjectDisplay(std::span<const ShownScene> scenes, std::size_t number, PageBuffer& buffer)
+      : subject_(scenes.front().subjects[number]), buffer_(buffer) {
+    for (const ShownScene& scene : scenes) states_.push_back(state_of(scene, scenes.front().subjects, number));
   }
 
-  bool empty() const {
-    return std::ranges::all_of(parts_, [](const ShownPart& part) { return part.shown.triangles.empty(); });
-  }
+  bool empty() const { return !states_.front().absent.empty(); }
 
-  Json json(std::span<const std::optional<Scene>> branches) {
+  Json json() {
+    const std::size_t room = most_bytes_of_poses / (sizeof(glm::vec3) * std::max<std::size_t>(different_vertices(), 1));
     Json json{{"name", subject_.name}};
-    add_parts(json);
-    json["states"] = Json::array({state_of(input_)});
-    for (const auto& branch : branches) {
-      const bool is_one_too_many = json["states"].size() > most_branches;  // the input is the first of them
-      const std::string why =
-          is_one_too_many ? fmt::format("only the first {} are shown", most_branches) : why_absent(branch);
-      if (!why.empty()) json["absent"][std::to_string(json["states"].size())] = why;
-      json["states"].push_back(why.empty() ? state_of(*branch) : Json(nullptr));
+    add_poses(json, std::clamp<std::size_t>(room, 1, most_poses));
+    json["geometries"] = Json::array();
+    json["states"] = Json::array();
+    for (const State& state : states_) {
+      if (!state.absent.empty()) json["absent"][std::to_string(json["states"].size())] = state.absent;
+      json["states"].push_back(state.absent.empty() ? state_json(state, json["geometries"]) : Json(nullptr));
     }
-    if (const std::string note = this->note(); !note.empty()) json["note"] = note;
     return json;
   }
 
  private:
-  void choose_triangles() {
-    const PosedNodes nodes = posed_nodes(input_);
-    std::size_t triangles = 0;
-    for (const SubjectPart& part : subject_.parts) {
-      if (is_shown(input_, input_.draws[part.draw])) triangles += order_of(input_, part.draw).triangle_count();
+  static State state_of(const ShownScene& scene, std::span<const Subject> of_input, std::size_t number) {
+    if (!scene.absent.empty()) return {nullptr, {}, scene.absent};
+    const Subject* subject = counterpart(scene.subjects, of_input, number);
+    if (subject == nullptr) {
+      return {nullptr,
+              {},
+              fmt::format("it has {}, the input has {}", counted(scene.subjects.size(), "subject"),
+                          counted(of_input.size(), "subject"))};
     }
-    for (const SubjectPart& part : subject_.parts) {
-      if (!is_shown(input_, input_.draws[part.draw])) continue;
-      const auto positions = posed_positions(input_, part, nodes);
-      if (positions.empty()) continue;
-      const IndexStream& order = order_of(input_, part.draw);
-      const std::size_t share = triangles <= most_triangles ? order.triangle_count()
-                                                            : order.triangle_count() * most_triangles / triangles + 1;
-      parts_.push_back({part, shown_triangles(positions, order.indices.view(), share)});
-      all_triangles_ += order.triangle_count();
-      shown_triangles_ += parts_.back().shown.triangles.size();
-      vertices_ += parts_.back().shown.vertices.size();
-    }
+    State state{scene.scene, shown_subject(*scene.scene, *subject), ""};
+    const auto is_empty = [](const ShownPart& part) { return part.triangles() == 0; };
+    if (std::ranges::all_of(state.shown.parts, is_empty)) state.absent = "it draws no triangles of this subject";
+    return state;
   }
 
-  static const IndexStream& order_of(const Scene& scene, DrawId draw) { return scene.draws[draw].full().stream(); }
-
-  std::string note() const {
-    if (shown_triangles_ == all_triangles_) return "";
-    return fmt::format("{} of {} triangles are shown; counts and ratios here are those of the shown triangles",
-                       shown_triangles_, all_triangles_);
+  /// As the buffer will hold them: what several states have alike counts once.
+  std::size_t different_vertices() const {
+    std::map<Stamp, std::size_t> counts;
+    for (const State& state : states_) {
+      if (!state.absent.empty()) continue;
+      const PosedNodes nodes = posed_nodes(*state.scene);
+      for (const ShownPart& part : state.shown.parts) {
+        const std::vector<glm::vec3> positions = part.positions(*state.scene, nodes);
+        counts.emplace(content_hash(numbers_of(positions)), positions.size());
+      }
+    }
+    std::size_t sum = 0;
+    for (const auto& [stamp, count] : counts) sum += count;
+    return sum;
   }
 
   /// One where it looks alike in all of them.
-  Poses poses() const {
-    const std::size_t room = most_bytes_of_poses / (sizeof(glm::vec3) * std::max<std::size_t>(vertices_, 1));
+  void add_poses(Json& json, std::size_t at_most) {
+    const Scene& input = *states_.front().scene;
     PoseSet set;
-    set.poses = std::to_string(std::clamp<std::size_t>(room, 1, most_poses));
-    return subject_.is_placed() && !input_.animations.empty() ? make_poses(input_, set) : rest_pose;
-  }
-
-  void add_parts(Json& json) {
-    const Poses poses = this->poses();
-    std::vector<Json> parts;
-    for (const ShownPart& part : parts_) parts.push_back(part_json(part));
-    std::vector<std::vector<glm::vec3>> all_positions;
-    std::vector<std::string> clips = clip_names(input_);
-    json["poses"] = Json::array();
-    for (const Pose& pose : poses.poses) {
-      const PosedNodes nodes = posed_nodes(input_, pose);
+    set.poses = std::to_string(at_most);
+    poses_ = subject_.is_placed() && !input.animations.empty() ? make_poses(input, set) : rest_pose;
+    const std::vector<std::string> clips = clip_names(input);
+    for (const Pose& pose : poses_.poses) {
       json["poses"].push_back({{"name", pose_name(pose, clips)},
                                {"clip", pose.clip ? Json(clips[*pose.clip]) : Json(nullptr)},
                                {"time", pose.time}});
-      for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const auto positions = posed_positions(input_, parts_[i].part, nodes);
-        std::vector<glm::vec3> shown;
-        for (const std::uint32_t vertex : parts_[i].shown.vertices) shown.push_back(positions[vertex]);
-        parts[i]["positions"].push_back(buffer_.add(numbers_of(shown)));
-        parts[i]["mirrored"].push_back(is_mirrored(parts_[i].part, nodes));
-        all_positions.push_back(std::move(shown));
+    }
+    if (poses_.poses.size() > 1 && at_most < most_poses) {
+      json["note"] = fmt::format("At most {} poses are shown, for the sake of the page's size", at_most);
+    }
+  }
+
+  /// `geometries`: those of the states before, each once.
+  Json state_json(const State& state, Json& geometries) {
+    Json geometry = geometry_json(state);
+    const auto found = std::ranges::find(geometries, geometry);
+    const auto number = static_cast<std::size_t>(found - geometries.begin());
+    if (found == geometries.end()) geometries.push_back(std::move(geometry));
+    const OrderTable* table = table_of(state);
+    return {{"geometry", number},
+            {"orders", orders_json(state, table)},
+            {"table", table == nullptr ? Json(nullptr) : table_json(*table)}};
+  }
+
+  Json geometry_json(const State& state) {
+    std::vector<Json> parts;
+    for (const ShownPart& part : state.shown.parts) parts.push_back(part_json(*state.scene, part));
+    std::vector<std::vector<glm::vec3>> all_positions;
+    for (const Pose& pose : poses_.poses) {
+      const PosedNodes nodes = posed_nodes(*state.scene, pose);
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const ShownPart& part = state.shown.parts[i];
+        all_positions.push_back(part.positions(*state.scene, nodes));
+        parts[i]["positions"].push_back(buffer_.add(numbers_of(all_positions.back())));
+        parts[i]["mirrored"].push_back(is_mirrored(part.part, nodes));
       }
     }
-    json["parts"] = parts;
-    add_sphere(json, all_positions);
+    const BoundingSphere sphere = sphere_around(all_positions, state.shown.parts);
+    Json json{{"centre", {sphere.centre.x, sphere.centre.y, sphere.centre.z}},
+              {"radius", sphere.radius},
+              {"parts", std::move(parts)}};
+    if (!state.shown.note.empty()) json["note"] = state.shown.note;
+    return json;
   }
 
-  static std::span<const float> numbers_of(const std::vector<glm::vec3>& positions) {
-    return {positions.empty() ? nullptr : &positions[0].x, 3 * positions.size()};
-  }
-
-  Json part_json(const ShownPart& part) {
-    const Draw& draw = input_.draws[part.part.draw];
-    const Material* material = input_.material_of(draw);
+  Json part_json(const Scene& scene, const ShownPart& part) {
+    const Draw& draw = scene.draws[part.part.draw];
+    const Material* material = scene.material_of(draw);
     return {{"name", draw.name},
-            {"vertices", part.shown.vertices.size()},
-            {"triangles", part.shown.triangles.size()},
+            {"vertices", part.vertices.size()},
+            {"triangles", part.triangles()},
             {"double-sided", material != nullptr && material->double_sided},
-            {"indices", buffer_.add(std::span<const std::uint32_t>(part.shown.indices))}};
+            {"indices", buffer_.add(std::span<const std::uint32_t>(part.indices))}};
   }
 
   /// Around all poses.
-  void add_sphere(Json& json, const std::vector<std::vector<glm::vec3>>& positions) const {
+  static BoundingSphere sphere_around(const std::vector<std::vector<glm::vec3>>& positions,
+                                      const std::vector<ShownPart>& parts) {
     std::vector<DrawnPositions> drawn;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      drawn.push_back({positions[i], parts_[i % parts_.size()].shown.indices});
-    }
-    const BoundingSphere sphere = bounding_sphere(drawn);
-    json["centre"] = {sphere.centre.x, sphere.centre.y, sphere.centre.z};
-    json["radius"] = sphere.radius;
+    for (std::size_t i = 0; i < positions.size(); ++i) drawn.push_back({positions[i], parts[i % parts.size()].indices});
+    return bounding_sphere(drawn);
   }
 
-  /// Why what a pipeline made can not be shown as an order of the input's triangles; empty where it can.
-  std::string why_absent(const std::optional<Scene>& scene) const {
-    if (!scene) return "could not be planned for this file";
-    const bool has_them = std::ranges::all_of(parts_, [&](const ShownPart& part) {
-      const DrawId draw = part.part.draw;
-      return draw < scene->draws.size() &&
-             order_of(*scene, draw).triangle_count() == order_of(input_, draw).triangle_count();
-    });
-    return has_them ? "" : "does not draw the triangles of the input";
+  static bool is_in(const OrderTable& table, const ShownPart& part) {
+    return std::ranges::find(table.draws, part.part.draw) != table.draws.end();
   }
 
-  Json state_of(const Scene& scene) {
-    const OrderTable* table = table_of(scene);
-    std::size_t count = 1;
-    for (const ShownPart& part : parts_) {
-      if (table != nullptr) count = std::max(count, scene.draws[part.part.draw].full().orders.size());
-    }
-    Json orders = Json::array();
-    for (std::size_t k = 0; k < count; ++k) {
-      Json parts = Json::array();
-      for (const ShownPart& part : parts_) {
-        const auto& streams = scene.draws[part.part.draw].full().orders;
-        parts.push_back(order_json(streams[k < streams.size() ? k : 0], part.shown));
-      }
-      orders.push_back(std::move(parts));
-    }
-    return {{"orders", std::move(orders)}, {"table", table == nullptr ? Json(nullptr) : table_json(*table)}};
-  }
-
-  const OrderTable* table_of(const Scene& scene) const {
-    for (const OrderTable& table : order_tables(scene)) {
-      for (const ShownPart& part : parts_) {
-        if (std::ranges::find(table.draws, part.part.draw) != table.draws.end()) return &table;
-      }
+  static const OrderTable* table_of(const State& state) {
+    for (const OrderTable& table : order_tables(*state.scene)) {
+      if (std::ranges::any_of(state.shown.parts, [&](const ShownPart& part) { return is_in(table, part); }))
+        return &table;
     }
     return nullptr;
   }
@@ -196,39 +213,38 @@ class SubjectDisplay {
             {"order", table.order}};
   }
 
-  /// The triangles that are shown, in this order, and where clusters begin among them.
-  Json order_json(const IndexStream& stream, const ShownTriangles& shown) {
-    constexpr std::uint32_t hidden = ~std::uint32_t{0};
-    const std::span<const std::uint32_t> origin = stream.triangle_origin.view();
-    std::vector<std::uint32_t> place(stream.triangle_count(), hidden);  // [number in the file] among those shown
-    for (std::uint32_t i = 0; i < shown.triangles.size(); ++i) place[shown.triangles[i]] = i;
-    std::vector<std::uint32_t> triangles;
-    std::vector<std::uint32_t> offsets{0};
-    std::size_t cluster = 0;
-    for (std::uint32_t t = 0; t < place.size(); ++t) {
-      if (stream.clusters && t == stream.clusters->offsets[cluster + 1]) {
-        ++cluster;
-        if (offsets.back() < triangles.size()) offsets.push_back(static_cast<std::uint32_t>(triangles.size()));
-      }
-      const std::uint32_t at = place[origin.empty() ? t : origin[t]];
-      if (at != hidden) triangles.push_back(at);
+  /// [order][part]; parts that the table does not choose for stay in the order that stands alone.
+  Json orders_json(const State& state, const OrderTable* table) {
+    const std::vector<ShownPart>& parts = state.shown.parts;
+    std::size_t count = 1;
+    for (const ShownPart& part : parts) {
+      if (table != nullptr && is_in(*table, part)) count = std::max(count, part.orders.size());
     }
-    if (offsets.back() < triangles.size()) offsets.push_back(static_cast<std::uint32_t>(triangles.size()));
-    Json json{{"triangles", buffer_.add(std::span<const std::uint32_t>(triangles))}};
-    if (stream.clusters && !triangles.empty()) {
-      json["clusters"] = buffer_.add(std::span<const std::uint32_t>(offsets));
-      json["cluster-count"] = offsets.size() - 1;
+    Json orders = Json::array();
+    for (std::size_t k = 0; k < count; ++k) {
+      Json order = Json::array();
+      for (const ShownPart& part : parts) {
+        const bool has_k = table != nullptr && is_in(*table, part) && k < part.orders.size();
+        order.push_back(order_json(part.orders[has_k ? k : 0]));
+      }
+      orders.push_back(std::move(order));
+    }
+    return orders;
+  }
+
+  Json order_json(const ShownOrder& order) {
+    Json json{{"triangles", buffer_.add(std::span<const std::uint32_t>(order.triangles))}};
+    if (!order.clusters.empty()) {
+      json["clusters"] = buffer_.add(std::span<const std::uint32_t>(order.clusters));
+      json["cluster-count"] = order.clusters.size() - 1;
     }
     return json;
   }
 
-  const Scene& input_;
   const Subject& subject_;
   PageBuffer& buffer_;
-  std::vector<ShownPart> parts_;
-  std::size_t all_triangles_ = 0;
-  std::size_t shown_triangles_ = 0;
-  std::size_t vertices_ = 0;
+  std::vector<State> states_;
+  Poses poses_;
 };
 
 }  // namespace
@@ -236,13 +252,14 @@ class SubjectDisplay {
 Display display(const Scene& input, std::span<const std::optional<Scene>> branches, std::size_t file,
                 SubjectUnit unit) {
   const std::string buffer_name = fmt::format("buffer-{}", file);
-  Json scene{{"file", file}, {"buffer", buffer_name}, {"subjects", Json::array()}};
+  Json json{{"file", file}, {"buffer", buffer_name}, {"subjects", Json::array()}};
   PageBuffer buffer;
-  for (const Subject& subject : subjects_of(input, unit)) {
-    SubjectDisplay shown(input, subject, buffer);
-    if (!shown.empty()) scene["subjects"].push_back(shown.json(branches));
+  const std::vector<ShownScene> scenes = shown_scenes(input, branches, unit);
+  for (std::size_t number = 0; number < scenes.front().subjects.size(); ++number) {
+    SubjectDisplay shown(scenes, number, buffer);
+    if (!shown.empty()) json["subjects"].push_back(shown.json());
   }
-  return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_name, buffer.base64()};
+  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_name, buffer.base64()};
 }
 
 }  // namespace foredraw

@@ -1,7 +1,6 @@
 #pragma once
-// What the viewer of a page shows: geometry, poses, and the orders of every pipeline.
+// What the viewer of a page shows: the subjects of the input, and what every pipeline made of them.
 
-#include <foredraw/base/parallel.h>
 #include <foredraw/scene/subject.h>
 
 #include <optional>
@@ -10,15 +9,16 @@
 
 namespace foredraw {
 
-/// One file as the script reads it; docs/report.md tells its form.
+/// One file as the page's script reads it (script/subject.js).
 struct Display {
   std::string scene;  ///< JSON
   std::string buffer_name;
   std::string buffer;  ///< base64
 };
 
-/// Subject by subject, as overdraw is measured: every part in at most 64 poses, the input's triangles, and how each
-/// pipeline sorts them. Subjects above 200,000 triangles are shown by some of theirs, and the first 24 pipelines alone.
+/// Subject by subject, as overdraw is measured, in at most 64 poses. Each state, the input or a pipeline, has the parts
+/// that its own scene draws, with their sides, in its own sequence; what several states have alike is held once. A
+/// state shows at most 200,000 triangles of a subject, and the first 24 pipelines alone are shown.
 /// `branches`: [pipeline] its scene, nothing where it was lost. `file`: the number by which the page knows it.
 Display display(const Scene& input, std::span<const std::optional<Scene>> branches, std::size_t file,
                 SubjectUnit unit = SubjectUnit::character);

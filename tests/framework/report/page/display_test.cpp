@@ -7,6 +7,7 @@
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/technique/built_in_plugins.h>
+#include <foredraw/viewing/posed_positions.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -73,16 +74,25 @@ stages = ["weld", "lookahead", "linear-clusters", "dot-rule", "vertex-fetch"])")
   EXPECT_EQ(shown.scene["buffer"], "buffer-3");
   ASSERT_EQ(shown.scene["subjects"].size(), 1u);
   const Json& subject = shown.scene["subjects"][0];
-  const Json& part = subject["parts"][0];
+  ASSERT_EQ(subject["geometries"].size(), 1u);
+  const Json& geometry = subject["geometries"][0];
+  const Json& part = geometry["parts"][0];
   const std::size_t triangles = part["triangles"];
   const auto given = shown.input.draws[0].levels[0].orders[0].indices.view();
   ASSERT_EQ(triangles, given.size() / 3);
-  EXPECT_EQ(shown.numbers<std::uint32_t>(part["indices"], 3 * triangles),
-            std::vector<std::uint32_t>(given.begin(), given.end()));
+  const auto indices = shown.numbers<std::uint32_t>(part["indices"], 3 * triangles);
+  const auto places = shown.numbers<float>(part["positions"][0], 3 * part["vertices"].get<std::size_t>());
+  const auto positions = decode_vec3(*shown.input.draws[0].full().vertices->find("POSITION"));
+  EXPECT_LT(part["vertices"], positions.size());  // those along seams are one here
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const float* at = &places[3 * std::size_t{indices[i]}];
+    ASSERT_EQ(glm::vec3(at[0], at[1], at[2]), positions[given[i]]) << i;
+  }
 
   ASSERT_EQ(subject["states"].size(), 3u);
   EXPECT_EQ(subject["states"][2], nullptr);
   EXPECT_EQ(subject["absent"], Json::parse(R"({"2": "could not be planned for this file"})"));
+  EXPECT_EQ(subject["states"][1]["geometry"], 0);
   const Json& order = subject["states"][1]["orders"][0][0];
   const auto sorted = shown.numbers<std::uint32_t>(order["triangles"], triangles);
   EXPECT_TRUE(is_permutation(sorted, triangles));
@@ -94,7 +104,7 @@ stages = ["weld", "lookahead", "linear-clusters", "dot-rule", "vertex-fetch"])")
 
   EXPECT_EQ(subject["poses"].size(), 1u);
   EXPECT_EQ(subject["poses"][0]["clip"], nullptr);
-  EXPECT_NEAR(subject["radius"], 1.0, 0.5);
+  EXPECT_NEAR(geometry["radius"], 1.0, 0.5);
 }
 
 TEST(Display, HoldsTheFirstPipelinesOfMany) {
@@ -104,7 +114,8 @@ TEST(Display, HoldsTheFirstPipelinesOfMany) {
   EXPECT_EQ(subject["states"].size(), 31u);
   EXPECT_NE(subject["states"][24], nullptr);
   EXPECT_EQ(subject["states"][25], nullptr);
-  EXPECT_EQ(subject["absent"]["25"], "only the first 24 are shown");
+  EXPECT_EQ(subject["absent"]["25"], "only the first 24 pipelines are");
+  EXPECT_EQ(subject["geometries"].size(), 1u);
 }
 
 TEST(Display, HoldsEveryOrderOfACharacterItsTableAndItsPoses) {
@@ -116,18 +127,23 @@ poses.poses = "6")");
   EXPECT_LE(subject["poses"].size(), 64u);
   const Json& state = subject["states"][1];
   ASSERT_EQ(state["orders"].size(), 3u);
-  const std::size_t triangles = subject["parts"][0]["triangles"];
+  const Json& part = subject["geometries"][0]["parts"][0];
+  const std::size_t triangles = part["triangles"];
+  const auto indices = shown.numbers<std::uint32_t>(part["indices"], 3 * triangles);
   const auto first = shown.output.draws[0].levels[0].orders;
   ASSERT_EQ(first.size(), 3u);
-  const auto corners = shown.input.draws[0].levels[0].orders[0].indices.view();
+  const auto places = shown.numbers<float>(part["positions"][0], 3 * part["vertices"].get<std::size_t>());
+  const Pose pose{0, subject["poses"][0]["time"]};
+  const auto posed =
+      posed_positions(shown.output, {0, subjects_of(shown.output)[0].parts[0].node}, posed_nodes(shown.output, pose));
   for (std::size_t k = 0; k < 3; ++k) {
     const auto sorted = shown.numbers<std::uint32_t>(state["orders"][k][0]["triangles"], triangles);
     ASSERT_TRUE(is_permutation(sorted, triangles));
-    std::vector<std::uint32_t> drawn;
-    for (const std::uint32_t t : sorted)
-      drawn.insert(drawn.end(), {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]});
     const auto stored = first[k].indices.view();
-    EXPECT_EQ(drawn, std::vector<std::uint32_t>(stored.begin(), stored.end())) << k;
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+      const float* at = &places[3 * std::size_t{indices[3 * std::size_t{sorted[i / 3]} + i % 3]}];
+      ASSERT_EQ(glm::vec3(at[0], at[1], at[2]), posed[stored[i]]) << k;
+    }
   }
   const Json& table = state["table"];
   std::size_t keyframes = 0;
@@ -136,8 +152,104 @@ poses.poses = "6")");
             keyframes * table["theta-steps"].get<std::size_t>() * table["phi-steps"].get<std::size_t>());
   EXPECT_EQ(subject["states"][0]["table"], nullptr);
   // Poses differ, and each is whole.
-  const Json& positions = subject["parts"][0]["positions"];
+  const Json& positions = part["positions"];
   EXPECT_NE(positions[0], positions[1]);
+}
+
+std::vector<std::string> names_of(const Json& geometry) {
+  std::vector<std::string> names;
+  for (const Json& part : geometry["parts"]) names.push_back(part["name"]);
+  return names;
+}
+
+/// Two draws of one mesh, and what became of them.
+struct TwoDraws {
+  TwoDraws() {
+    scene = testing::scene_of({testing::draw_of(testing::grid(2, 2), "a"), testing::draw_of(testing::grid(3, 3), "b")});
+    scene.meshes = {{"both", {0, 1}, {}}};
+    scene.nodes.pop_back();
+    scene.materials = {{.double_sided = true}};
+    for (Draw& draw : scene.draws) draw.material = 0;
+  }
+
+  Json shown(const Scene& after) const {
+    const std::optional<Scene> branches[] = {after};
+    return Json::parse(display(scene, branches, 0).scene)["subjects"][0];
+  }
+
+  Scene scene;
+};
+
+TEST(Display, ShowsTheSidesThatAPipelineMade) {
+  const TwoDraws two;
+  Scene after = two.scene;
+  after.materials.push_back({.double_sided = false});
+  after.draws[1].material = 1;
+  const Json subject = two.shown(after);
+  ASSERT_EQ(subject["geometries"].size(), 2u);
+  EXPECT_EQ(subject["states"][1]["geometry"], 1);
+  const Json& before = subject["geometries"][0]["parts"];
+  const Json& now = subject["geometries"][1]["parts"];
+  EXPECT_EQ(before[1]["double-sided"], true);
+  EXPECT_EQ(now[0], before[0]);
+  EXPECT_EQ(now[1]["double-sided"], false);
+  EXPECT_EQ(now[1]["positions"], before[1]["positions"]);  // held once
+}
+
+TEST(Display, ShowsTheSequenceOfDrawsThatAPipelineMade) {
+  const TwoDraws two;
+  Scene after = two.scene;
+  after.meshes[0].draws = {1, 0};
+  const Json subject = two.shown(after);
+  ASSERT_EQ(subject["geometries"].size(), 2u);
+  EXPECT_EQ(names_of(subject["geometries"][0]), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(names_of(subject["geometries"][1]), (std::vector<std::string>{"b", "a"}));
+}
+
+TEST(Display, ShowsTrianglesThatAPipelineAdded) {
+  const TwoDraws two;
+  Scene after = two.scene;
+  after.draws[0] = testing::draw_of(testing::joined(testing::grid(2, 2), testing::grid(1, 1)), "a");
+  const Json subject = two.shown(after);
+  EXPECT_EQ(subject["geometries"][0]["parts"][0]["triangles"], 8);
+  EXPECT_EQ(subject["geometries"][1]["parts"][0]["triangles"], 10);
+}
+
+TEST(Display, SaysWhyAStateIsNotShown) {
+  const TwoDraws two;
+  Scene split = two.scene;
+  split.meshes = {{"one", {0}, {}}, {"two", {1}, {}}};
+  EXPECT_EQ(two.shown(split)["absent"]["1"], "it has 2 subjects, the input has 1 subject");
+  Scene blended = two.scene;
+  blended.materials[0].alpha_mode = AlphaMode::blend;
+  EXPECT_EQ(two.shown(blended)["absent"]["1"], "it draws no triangles of this subject");
+}
+
+TEST(Display, SaysWhatIsLeftOut) {
+  TwoDraws two;
+  two.scene.materials.push_back({.alpha_mode = AlphaMode::blend});
+  two.scene.draws[0].material = 1;
+  two.scene.materials[0].alpha_mode = AlphaMode::mask;
+  EXPECT_EQ(two.shown(two.scene)["geometries"][0]["note"],
+            "1 blended draw left out, as in the figures. The holes of 1 masked draw are not shown; figures leave them "
+            "out, so ratios here differ");
+}
+
+TEST(Display, OfALargeSubjectHoldsNoMoreThanItSays) {
+  std::vector<Draw> draws;
+  for (std::uint32_t i = 0; i < 30; ++i) draws.push_back(testing::draw_of(testing::grid(70, 50 + i)));
+  Scene scene = testing::scene_of(std::move(draws));
+  Mesh whole;
+  for (DrawId draw = 0; draw < scene.draws.size(); ++draw) whole.draws.push_back(draw);
+  scene.meshes = {whole};
+  scene.nodes.resize(1);
+  const Json subject = Json::parse(display(scene, {}, 0).scene)["subjects"][0];
+  std::size_t triangles = 0;
+  for (const Json& part : subject["geometries"][0]["parts"]) triangles += part["triangles"].get<std::size_t>();
+  EXPECT_LE(triangles, 200'000u);
+  EXPECT_GT(triangles, 50'000u);
+  EXPECT_NE(subject["geometries"][0]["note"].get<std::string>().find("of 270,900 triangles are shown"),
+            std::string::npos);
 }
 
 }  // namespace

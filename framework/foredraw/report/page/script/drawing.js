@@ -96,12 +96,12 @@ export class Drawing {
   /** The state in its order k, ready to be drawn in this pose; made on the first ask. */
   order(state, k, pose) {
     const key = `${state} ${k}`;
-    const order = this.orders.get(key) ?? new DrawnOrder(this.subject, state, k);
+    const order = this.orders.get(key) ?? new DrawnOrder(this.subject.states[state], k, this.subject.frame);
     this.orders.delete(key);
     this.orders.set(key, order);
-    const most = Math.max(2, Math.floor(kept_bytes / (bytes_per_triangle * this.subject.triangles + 1)));
+    const bytes = () => [...this.orders.values()].reduce((sum, one) => sum + bytes_per_triangle * one.state.triangles, 0);
     for (const [old_key, old] of this.orders) {
-      if (this.orders.size <= most) break;
+      if (this.orders.size <= 2 || bytes() <= kept_bytes) break;
       old.dispose();
       this.orders.delete(old_key);
     }
@@ -135,7 +135,7 @@ export class Drawing {
       this.renderer.render(this.heat_pass, new Camera());
     } else {
       if (mode !== 'shaded') order.set_tints(mode);
-      order.set_materials(() => (mode === 'shaded' ? this.materials.solid : this.materials.tinted));
+      order.set_materials(mode === 'shaded' ? this.materials.solid : this.materials.tinted);
       this.renderer.render(order.scene, camera);
     }
     this.renderer.setScissorTest(false);

@@ -1,4 +1,4 @@
-// A subject in one order, on the graphics device: one geometry for each part, drawn with one call each.
+// A state in one of its orders, on the graphics device: one geometry for each part, drawn with one call each.
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Scene } from 'three';
 import { fill_cluster_colours, fill_corners, fill_order_colours } from './triangles.js';
@@ -7,11 +7,15 @@ import { fill_cluster_colours, fill_corners, fill_order_colours } from './triang
 export const bytes_per_triangle = 48;
 
 export class DrawnOrder {
-  constructor(subject, state, k) {
-    Object.assign(this, { subject, state, k, pose: null, tints: null });
+  /**
+   * @param {import('./shown_state.js').ShownState} state
+   * @param frame  the sphere that is brought to the origin and to radius 1
+   */
+  constructor(state, k, frame) {
+    Object.assign(this, { state, k, frame, pose: null, tints: null });
     this.scene = new Scene();
     this.scene.matrixWorldAutoUpdate = false;
-    this.meshes = subject.parts.map((part) => {
+    this.meshes = state.parts.map((part) => {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', dynamic(new Float32Array(9 * part.triangles), 3, false));
       const mesh = new Mesh(geometry);
@@ -23,19 +27,19 @@ export class DrawnOrder {
 
   set_pose(pose) {
     if (this.pose === pose) return;
-    const { subject } = this;
+    const { state } = this;
     this.meshes.forEach(({ geometry }, part) => {
       const attribute = geometry.attributes.position;
       // Many poses share their positions.
-      if (this.pose !== null && subject.parts[part].positions[this.pose] === subject.parts[part].positions[pose])
-        return;
+      const { positions } = state.parts[part];
+      if (this.pose !== null && positions[this.pose] === positions[pose]) return;
       fill_corners(
         attribute.array,
-        subject.positions(part, pose),
-        subject.indices(part),
-        subject.order(this.state, this.k, part),
-        subject.centre,
-        subject.radius,
+        state.positions(part, pose),
+        state.indices(part),
+        state.order(this.k, part),
+        this.frame.centre,
+        this.frame.radius,
       );
       attribute.needsUpdate = true;
     });
@@ -46,17 +50,17 @@ export class DrawnOrder {
   set_tints(tints) {
     if (this.tints === tints) return;
     this.tints = tints;
-    const { subject } = this;
+    const { state } = this;
     let first_cluster = 0;
     this.meshes.forEach(({ geometry }, part) => {
-      const { triangles } = subject.parts[part];
+      const { triangles } = state.parts[part];
       if (!geometry.attributes.tint) geometry.setAttribute('tint', dynamic(new Uint8Array(12 * triangles), 4, true));
       const { array } = geometry.attributes.tint;
       const words = new Uint32Array(array.buffer);
       if (tints === 'order') {
-        fill_order_colours(words, triangles, subject.first_triangle[part], subject.triangles);
+        fill_order_colours(words, triangles, state.first_triangle[part], state.triangles);
       } else {
-        const offsets = subject.clusters(this.state, this.k, part);
+        const offsets = state.clusters(this.k, part);
         fill_cluster_colours(words, triangles, offsets, first_cluster);
         first_cluster += offsets === null ? 1 : offsets.length - 1;
       }
@@ -67,7 +71,7 @@ export class DrawnOrder {
   /** Exactly the first n triangles of all parts in sequence. */
   set_drawn(n) {
     this.meshes.forEach((mesh, part) => {
-      const drawn = this.subject.drawn_of(part, n);
+      const drawn = this.state.drawn_of(part, n);
       mesh.geometry.setDrawRange(0, 3 * drawn);
       mesh.visible = drawn > 0;
     });
@@ -76,7 +80,7 @@ export class DrawnOrder {
   /** @param {(part: object, pose: number) => import('three').Material} material_of */
   set_materials(material_of) {
     this.meshes.forEach((mesh, part) => {
-      mesh.material = material_of(this.subject.parts[part], this.pose);
+      mesh.material = material_of(this.state.parts[part], this.pose);
     });
   }
 

@@ -34,7 +34,7 @@ void main() {
   gl_Position = projectionMatrix * at;
 }`;
 
-// Facets as they are, lit from the upper left by a large soft light, from below by a cool one. Both sides alike.
+// Facets as they are, lit from the upper left by a large soft light, from below by a cool one.
 const solid_shader = `
 precision highp float;
 uniform mat4 projectionMatrix;
@@ -85,31 +85,28 @@ function material(properties) {
   return new RawShaderMaterial({ glslVersion: GLSL3, blending: NoBlending, ...properties });
 }
 
-export function make_materials() {
-  const solid = material({ vertexShader: vertex_shader, fragmentShader: solid_shader, side: DoubleSide });
-  const tinted = material({
-    vertexShader: vertex_shader,
-    fragmentShader: solid_shader,
-    side: DoubleSide,
-    defines: { TINTED: 1 },
-  });
-  // Fragments that pass in the sequence of drawing add one each.
-  const counting = new Map(
+/** Of two triangles at the same depth the one drawn first is seen, and back faces are culled as the part's material says. */
+function surface(properties) {
+  const by_side = new Map(
     [FrontSide, BackSide, DoubleSide].map((side) => [
       side,
-      material({
-        vertexShader: vertex_shader,
-        fragmentShader: counting_shader,
-        side,
-        depthFunc: LessDepth,
-        blending: CustomBlending,
-        blendEquation: AddEquation,
-        blendSrc: OneFactor,
-        blendDst: OneFactor,
-      }),
+      material({ vertexShader: vertex_shader, depthFunc: LessDepth, side, ...properties }),
     ]),
   );
-  const side_of = (part, pose) => (part['double-sided'] ? DoubleSide : part.mirrored?.[pose] ? BackSide : FrontSide);
+  return (part, pose) =>
+    by_side.get(part['double-sided'] ? DoubleSide : part.mirrored?.[pose] ? BackSide : FrontSide);
+}
+
+/** Those of parts are asked for by part and pose. */
+export function make_materials() {
+  // Fragments that pass in the sequence of drawing add one each.
+  const counting = surface({
+    fragmentShader: counting_shader,
+    blending: CustomBlending,
+    blendEquation: AddEquation,
+    blendSrc: OneFactor,
+    blendDst: OneFactor,
+  });
   const heat_map = material({
     vertexShader: full_screen_shader,
     fragmentShader: heat_shader,
@@ -122,5 +119,10 @@ export function make_materials() {
       palette: { value: heat.map(as_vector) },
     },
   });
-  return { solid, tinted, counting: (part, pose) => counting.get(side_of(part, pose)), heat_map };
+  return {
+    solid: surface({ fragmentShader: solid_shader }),
+    tinted: surface({ fragmentShader: solid_shader, defines: { TINTED: 1 } }),
+    counting,
+    heat_map,
+  };
 }

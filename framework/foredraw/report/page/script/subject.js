@@ -1,86 +1,21 @@
-// One subject of a scene: typed views onto the decoded buffer. Nothing is copied.
+// One subject of a scene, in all its states.
+
+import { ShownState } from './shown_state.js';
 
 /**
- * What the page's JSON calls a subject, with its numbers at hand.
- * Triangles are numbered over all parts: those of part p begin at first_triangle[p].
+ * What the page's JSON calls a subject.
+ *   states: [0] the input, [i + 1] branch i; null where it can not be shown, and absent[i] says why
+ *   frame: the sphere around the input, in all poses; cameras look at it whatever the state
  */
 export class Subject {
   constructor(description, buffer) {
     this.name = description.name;
     this.note = description.note ?? '';
-    this.centre = description.centre;
-    this.radius = description.radius > 0 ? description.radius : 1;
     this.poses = description.poses;
-    this.parts = description.parts;
-    this.states = description.states;
     this.absent = description.absent ?? {};
-    this.triangles = 0;
-    this.first_triangle = this.parts.map((part) => {
-      this.triangles += part.triangles;
-      return this.triangles - part.triangles;
-    });
-    this.buffer = buffer;
+    this.states = description.states.map(
+      (state) => state && new ShownState(description.geometries[state.geometry], state, buffer),
+    );
+    this.frame = this.states[0].whole;
   }
-
-  positions(part, pose) {
-    const { positions, vertices } = this.parts[part];
-    return new Float32Array(this.buffer, positions[pose], 3 * vertices);
-  }
-
-  indices(part) {
-    return new Uint32Array(this.buffer, this.parts[part].indices, 3 * this.parts[part].triangles);
-  }
-
-  /** [new place] -> number of the triangle in the part */
-  order(state, k, part) {
-    return new Uint32Array(this.buffer, this.states[state].orders[k][part].triangles, this.parts[part].triangles);
-  }
-
-  order_count(state) {
-    return this.states[state].orders.length;
-  }
-
-  /** Where clusters begin in the new order, the end of the last one behind them; null where there are none. */
-  clusters(state, k, part) {
-    const { clusters, 'cluster-count': count } = this.states[state].orders[k][part];
-    return clusters === undefined || !count ? null : new Uint32Array(this.buffer, clusters, count + 1);
-  }
-
-  has_clusters(state) {
-    return this.states[state]?.orders.some((parts) => parts.some((part) => part['cluster-count'] > 0)) ?? false;
-  }
-
-  /** How many of the first `drawn` triangles of all parts in sequence are of this part. */
-  drawn_of(part, drawn) {
-    return Math.max(0, Math.min(this.parts[part].triangles, drawn - this.first_triangle[part]));
-  }
-
-  /** The sphere that an evaluator's picture of this pose just holds: the middle of the box, to the farthest corner. */
-  sphere(pose) {
-    if (this.poses.length === 1) return { centre: this.centre, radius: this.radius };
-    this.spheres ??= new Map();
-    if (!this.spheres.has(pose))
-      this.spheres.set(pose, sphere_around(this.parts.map((_, i) => this.positions(i, pose))));
-    return this.spheres.get(pose);
-  }
-}
-
-function sphere_around(arrays) {
-  const least = [Infinity, Infinity, Infinity];
-  const most = [-Infinity, -Infinity, -Infinity];
-  for (const positions of arrays) {
-    for (let i = 0; i < positions.length; ++i) {
-      if (positions[i] < least[i % 3]) least[i % 3] = positions[i];
-      if (positions[i] > most[i % 3]) most[i % 3] = positions[i];
-    }
-  }
-  const centre = least.map((low, axis) => (low + most[axis]) / 2);
-  let square = 0;
-  for (const positions of arrays) {
-    for (let i = 0; i < positions.length; i += 3) {
-      const [x, y, z] = [positions[i] - centre[0], positions[i + 1] - centre[1], positions[i + 2] - centre[2]];
-      square = Math.max(square, x * x + y * y + z * z);
-    }
-  }
-  return { centre, radius: Math.sqrt(square) || 1 };
 }

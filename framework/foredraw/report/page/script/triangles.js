@@ -26,7 +26,7 @@ function fill_triangle(words, place, [r, g, b]) {
   );
 }
 
-/** By place among all triangles that the subject has, of which this part's begin at `first`. */
+/** By place among all triangles of the state, of which this part's begin at `first`. */
 export function fill_order_colours(words, triangles, first, all) {
   const steps = 256;
   const colours = Array.from({ length: steps }, (_, i) => ramp(i / (steps - 1)));

@@ -41,20 +41,43 @@ export class Viewer {
     return state_name(this.file, state);
   }
 
+  /** What the pane shows. @returns {import('./shown_state.js').ShownState} */
+  shown(pane) {
+    return this.subject.states[this.states[pane]];
+  }
+
+  shown_panes() {
+    return [0, 1].filter((pane) => this.states[pane] !== null);
+  }
+
   /** Which of its orders the pane's state is drawn in now. */
   order_of(pane) {
-    const { table } = this.subject.states[this.states[pane]];
-    return order_at(table, this.subject.poses[this.pose], this.orbit.direction.toArray());
+    return order_at(this.shown(pane).table, this.subject.poses[this.pose], this.orbit.direction.toArray());
+  }
+
+  /** How many triangles can be drawn: those of the state that has most of the ones shown. */
+  get most_drawn() {
+    return Math.max(...this.shown_panes().map((pane) => this.shown(pane).triangles));
+  }
+
+  /** How many are drawn. A state that has fewer is drawn whole. */
+  get drawn() {
+    return Math.min(this.limit, this.most_drawn);
   }
 
   /** The numbers of the triangles that are drawn now, in the sequence of drawing; numbered over all parts. */
   drawn_triangles(pane) {
-    const k = this.order_of(pane);
-    return this.subject.parts.flatMap((_, part) => {
-      const order = this.subject.order(this.states[pane], k, part);
-      const first = this.subject.first_triangle[part];
-      return Array.from(order.subarray(0, this.subject.drawn_of(part, this.drawn)), (triangle) => first + triangle);
-    });
+    return this.shown(pane).drawn_triangles(this.order_of(pane), this.drawn);
+  }
+
+  /** What is not shown of the subject, by state where states differ. */
+  get notes() {
+    const notes = this.shown_panes().map((pane) => this.shown(pane).note);
+    const are_alike = notes.every((note) => note === notes[0]);
+    const told = are_alike
+      ? notes.slice(0, 1)
+      : this.shown_panes().map((pane, i) => notes[i] && `${this.state_name(this.states[pane])}: ${notes[i]}`);
+    return [...told, this.subject.note].filter((note) => note !== '');
   }
 
   // What changes it.
@@ -71,7 +94,7 @@ export class Viewer {
     this.drawing.set_subject(this.subject);
     this.states = [0, this.most_interesting_state()];
     this.pose = 0;
-    this.drawn = this.subject.triangles;
+    this.limit = Infinity;
     this.changed();
   }
 
@@ -98,7 +121,7 @@ export class Viewer {
   }
 
   set_drawn(n) {
-    this.drawn = Math.max(0, Math.min(this.subject.triangles, Math.round(n)));
+    this.limit = n >= this.most_drawn ? Infinity : Math.max(0, Math.round(n)); // all: of whatever is shown later, too
     this.changed();
   }
 
@@ -158,23 +181,19 @@ export class Viewer {
     this.first_drawn?.();
   }
 
-  shown_panes() {
-    return [0, 1].filter((pane) => this.states[pane] !== null);
-  }
-
   // Counts.
 
   /** Pictures of one state in the pose and up to the triangle that are shown, from several directions. */
   counted(state, directions, size) {
     const pose = this.subject.poses[this.pose];
-    const { centre, radius } = this.subject.sphere(this.pose);
-    const from = this.subject.centre;
-    const middle = new Vector3(...centre.map((c, axis) => (c - from[axis]) / this.subject.radius));
+    const { frame } = this.subject;
     const { table } = this.subject.states[state];
+    const { centre, radius } = this.subject.states[state].sphere(this.pose);
+    const middle = new Vector3(...centre.map((c, axis) => (c - frame.centre[axis]) / frame.radius));
     return this.drawing.counted(
       directions.map((direction) => ({
         order: () => this.drawing.order(state, order_at(table, pose, direction), this.pose),
-        camera: () => measuring_camera(new Vector3(...direction), middle, radius / this.subject.radius),
+        camera: () => measuring_camera(new Vector3(...direction), middle, radius / frame.radius),
       })),
       size,
       this.drawn,
@@ -210,7 +229,7 @@ export class Viewer {
   tell() {
     for (const pane of this.shown_panes()) {
       const state = this.states[pane];
-      this.panes.tell(pane, this.state_name(state), this.order_of(pane) + 1, this.subject.order_count(state));
+      this.panes.tell(pane, this.state_name(state), this.order_of(pane) + 1, this.shown(pane).orders.length);
     }
     clearTimeout(this.counting);
     this.counting = setTimeout(() => this.tell_ratios(), quiet_ms);

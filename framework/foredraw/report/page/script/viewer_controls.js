@@ -63,7 +63,9 @@ function make_selects(viewer) {
         value: i,
         disabled: state === null,
         text:
-          state === null ? `${viewer.state_name(i)}: ${viewer.subject.absent[i] ?? 'not shown'}` : viewer.state_name(i),
+          state === null
+            ? `${viewer.state_name(i)} (not shown: ${viewer.subject.absent[i]})`
+            : viewer.state_name(i),
       }));
       fill_select(left.select, states);
       fill_select(right.select, [{ value: 'nothing', text: 'nothing' }, ...states]);
@@ -100,7 +102,7 @@ function make_legend(viewer) {
       ];
     }
     if (viewer.mode === 'clusters') {
-      const without = viewer.shown_panes().filter((pane) => !viewer.subject.has_clusters(viewer.states[pane]));
+      const without = viewer.shown_panes().filter((pane) => !viewer.shown(pane).has_clusters());
       return [
         element('span', {}, 'one colour per cluster'),
         ...without.map((pane) =>
@@ -108,7 +110,7 @@ function make_legend(viewer) {
         ),
       ];
     }
-    return [element('span', {}, 'triangles as they are, both sides')];
+    return [element('span', {}, 'triangles as they are; back faces where the material is double-sided')];
   }
 
   function update() {
@@ -181,8 +183,9 @@ export function add_controls(holder, viewer, panes) {
   function update() {
     mode.choose(viewer.mode);
     projection.choose(String(viewer.orbit.is_orthographic));
-    note.textContent = viewer.subject.note;
-    note.hidden = viewer.subject.note === '';
+    const { notes } = viewer;
+    note.replaceChildren(...notes.map((text) => element('span', {}, `${text}. `)));
+    note.hidden = notes.length === 0;
     for (const part of [selects, legend, drawn, pose]) part.update();
   }
   viewer.on_change(update);

@@ -29,13 +29,22 @@ function slider_row(label, player_label, on_input, on_play) {
   return { whole, play, update };
 }
 
+/** "5,000 of 5,856"; where both panes are of different sizes, "5,856 of 5,856 and 6,000 of 6,012". */
+function drawn_text(viewer) {
+  const texts = viewer.shown_panes().map((pane) => {
+    const { triangles } = viewer.shown(pane);
+    return `${number.format(Math.min(viewer.drawn, triangles))} of ${number.format(triangles)}`;
+  });
+  return [...new Set(texts)].join(' and ');
+}
+
 /** Watch the mesh being drawn. */
 export function make_drawn_slider(viewer) {
   let began = 0;
   const player = new Player(
     (seconds) => {
-      viewer.set_drawn(began + (seconds / drawing_seconds) * viewer.subject.triangles);
-      return viewer.drawn < viewer.subject.triangles;
+      viewer.set_drawn(began + (seconds / drawing_seconds) * viewer.most_drawn);
+      return viewer.drawn < viewer.most_drawn;
     },
     () => update(),
   );
@@ -47,18 +56,13 @@ export function make_drawn_slider(viewer) {
       viewer.set_drawn(n);
     },
     () => {
-      began = viewer.drawn < viewer.subject.triangles ? viewer.drawn : 0;
+      began = viewer.drawn < viewer.most_drawn ? viewer.drawn : 0;
       player.toggle();
     },
   );
   function update() {
-    const { drawn, subject } = viewer;
-    row.update(
-      player.is_playing,
-      drawn,
-      subject.triangles,
-      `triangles drawn: ${number.format(drawn)} of ${number.format(subject.triangles)}`,
-    );
+    const { drawn, most_drawn } = viewer;
+    row.update(player.is_playing, drawn, most_drawn, `triangles drawn: ${drawn_text(viewer)}`);
   }
   return { whole: row.whole, update };
 }

@@ -52,6 +52,6 @@ export function viewer_interface(viewer, ready) {
     ),
     direction: () => viewer.orbit.direction.toArray(),
     poses: () => viewer.subject.poses,
-    triangles: () => viewer.subject.triangles,
+    triangles: (pane = 0) => viewer.shown(pane).triangles,
   };
 }

@@ -1,0 +1,85 @@
+// What one state, the input or a pipeline, shows of a subject: typed views onto the decoded buffer. Nothing is copied.
+
+/**
+ * Its parts are drawn in their sequence; several states may have the same ones.
+ * Triangles are numbered over all parts: those of part p begin at first_triangle[p].
+ */
+export class ShownState {
+  constructor(geometry, { orders, table }, buffer) {
+    Object.assign(this, { parts: geometry.parts, note: geometry.note ?? '', orders, table, buffer });
+    this.whole = { centre: geometry.centre, radius: geometry.radius > 0 ? geometry.radius : 1 };
+    this.spheres = new Map();
+    this.triangles = 0;
+    this.first_triangle = this.parts.map((part) => {
+      this.triangles += part.triangles;
+      return this.triangles - part.triangles;
+    });
+  }
+
+  positions(part, pose) {
+    const { positions, vertices } = this.parts[part];
+    return new Float32Array(this.buffer, positions[pose], 3 * vertices);
+  }
+
+  indices(part) {
+    return new Uint32Array(this.buffer, this.parts[part].indices, 3 * this.parts[part].triangles);
+  }
+
+  /** [new place] -> number of the triangle in the part */
+  order(k, part) {
+    return new Uint32Array(this.buffer, this.orders[k][part].triangles, this.parts[part].triangles);
+  }
+
+  /** Where clusters begin in the new order, the end of the last one behind them; null where there are none. */
+  clusters(k, part) {
+    const { clusters, 'cluster-count': count } = this.orders[k][part];
+    return clusters === undefined || !count ? null : new Uint32Array(this.buffer, clusters, count + 1);
+  }
+
+  has_clusters() {
+    return this.orders.some((parts) => parts.some((part) => part['cluster-count'] > 0));
+  }
+
+  /** How many of the first `drawn` triangles of all parts in sequence are of this part. */
+  drawn_of(part, drawn) {
+    return Math.max(0, Math.min(this.parts[part].triangles, drawn - this.first_triangle[part]));
+  }
+
+  /** The numbers of the first `drawn` triangles in the sequence of drawing. */
+  drawn_triangles(k, drawn) {
+    return this.parts.flatMap((_, part) =>
+      Array.from(
+        this.order(k, part).subarray(0, this.drawn_of(part, drawn)),
+        (triangle) => this.first_triangle[part] + triangle,
+      ),
+    );
+  }
+
+  /** The sphere that an evaluator's picture of this pose just holds: the middle of the box, to the farthest corner. */
+  sphere(pose) {
+    if (this.parts.every(({ positions }) => positions.length === 1)) return this.whole;
+    if (!this.spheres.has(pose))
+      this.spheres.set(pose, sphere_around(this.parts.map((_, i) => this.positions(i, pose))));
+    return this.spheres.get(pose);
+  }
+}
+
+function sphere_around(arrays) {
+  const least = [Infinity, Infinity, Infinity];
+  const most = [-Infinity, -Infinity, -Infinity];
+  for (const positions of arrays) {
+    for (let i = 0; i < positions.length; ++i) {
+      if (positions[i] < least[i % 3]) least[i % 3] = positions[i];
+      if (positions[i] > most[i % 3]) most[i % 3] = positions[i];
+    }
+  }
+  const centre = least.map((low, axis) => (low + most[axis]) / 2);
+  let square = 0;
+  for (const positions of arrays) {
+    for (let i = 0; i < positions.length; i += 3) {
+      const [x, y, z] = [positions[i] - centre[0], positions[i + 1] - centre[1], positions[i + 2] - centre[2]];
+      square = Math.max(square, x * x + y * y + z * z);
+    }
+  }
+  return { centre, radius: Math.sqrt(square) || 1 };
+}
