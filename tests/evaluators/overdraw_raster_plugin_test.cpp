@@ -188,6 +188,19 @@ TEST(OverdrawRasterPlugin, a_wanted_error_is_reached_and_true) {
   EXPECT_NE(ratio({{"error", 0.003}, {"seed", std::int64_t{1}}}), ratio({{"error", 0.003}, {"seed", std::int64_t{2}}}));
 }
 
+/// A change of one is within its errors exactly where a change of the other is.
+TEST(OverdrawRasterPlugin, hidden_is_as_unsure_as_the_ratio) {
+  const Scene scene = testing::scene_of(testing::shuffled(testing::torus(40, 20), 2));
+  const Findings findings = evaluate(scene, few_views);
+  const Measured& ratio = *find(findings, "ratio", {});
+  const Measured& hidden = *find(findings, "hidden", {});
+  EXPECT_GT(ratio.error, 0.001);
+  EXPECT_EQ(hidden.numerator, ratio.numerator - *ratio.denominator);
+  EXPECT_NEAR(hidden.error, ratio.error * *ratio.denominator, 1e-9 * hidden.numerator);
+  EXPECT_LT(hidden.error, hidden.numerator);
+  EXPECT_EQ(find(findings, "ties", {})->error, 0);
+}
+
 TEST(OverdrawRasterPlugin, what_has_no_overdraw_is_known_at_the_first_look) {
   const Findings findings = evaluate(testing::scene_of(testing::sphere(16, 8)), {{"error", 1e-4}});
   EXPECT_EQ(find(findings, "ratio", {})->error, 0);

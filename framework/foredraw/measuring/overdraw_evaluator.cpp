@@ -178,12 +178,14 @@ class OverdrawEvaluation {
   /// A place is its part in each of some subjects.
   void measure_at(About about, std::span<const OverdrawTally> tallies, const Run& run) const {
     double hidden = 0;
+    double staying = 0;
     double ties = 0;
     double discarded = 0;
     OverdrawCount worst;
     std::vector<ViewTally> pictures;
     for (const OverdrawTally& tally : tallies) {
       hidden += tally.hidden;
+      for (const ViewTally& view : tally.views) staying += view.visible;
       ties += tally.ties;
       discarded += tally.discarded;
       if (is_worse(tally.worst, worst)) worst = tally.worst;
@@ -197,7 +199,8 @@ class OverdrawEvaluation {
     if (worst.visible > 0) {
       run.measure_at(about, "worst-view", static_cast<double>(worst.shaded), static_cast<double>(worst.visible));
     }
-    run.count_at(about, "hidden", hidden);
+    // It is (ratio - 1) times what stays, which no order changes: as unsure as the ratio is.
+    run.findings.measured.push_back({"hidden", hidden, std::nullopt, ratio.error * staying, about});
     run.count_at(about, "ties", ties);
     if (about == About() && ratio.error > 0 && ties > ratio.error * ratio.denominator) {
       run.note("close",

@@ -8,9 +8,9 @@ namespace foredraw {
 
 std::string to_text(const Figure& figure) {
   if (!std::isfinite(figure.value())) return "-";
-  if (!figure.denominator) return fmt::format("{:.0f}", figure.numerator);
-  const std::string text = fmt::format("{:.4f}", figure.value());
-  return figure.error > 0 ? fmt::format("{} ±{:.4f}", text, figure.error) : text;
+  const int places = figure.denominator ? 4 : 0;
+  const std::string text = fmt::format("{:.{}f}", figure.value(), places);
+  return figure.error > 0 ? fmt::format("{} ±{:.{}f}", text, figure.error, places) : text;
 }
 
 void Metrics::add(const std::string& plugin, const std::string& metric, const Figure& figure) {

@@ -56,6 +56,12 @@ TEST(Metrics, ErrorsOfCountsAddUp) {
   EXPECT_EQ(metrics.find("overdraw", "ties")->error, 3);
 }
 
+TEST(Figure, IsTextWithItsError) {
+  EXPECT_EQ(to_text({1, 4, 0.0123, ""}), "0.2500 ±0.0123");
+  EXPECT_EQ(to_text({1234.5, std::nullopt, 56.7, ""}), "1234 ±57");
+  EXPECT_EQ(to_text({1234, std::nullopt, 0, ""}), "1234");
+}
+
 TEST(Metrics, NothingOverNothingIsNoNumber) {
   Metrics metrics;
   metrics.add("cache", "acmr", {.numerator = 0, .denominator = 0, .error = 0.5});

@@ -77,7 +77,7 @@ export function figure_text(axis, place) {
   const value = axis.values[place];
   if (!Number.isFinite(value)) return '-';
   const digits = axis.is_count ? 0 : axis.key === 'time' ? 1 : 4;
-  const error = axis.errors[place] > 0 ? ` ±${axis.errors[place].toFixed(4)}` : '';
+  const error = axis.errors[place] > 0 ? ` ±${axis.errors[place].toFixed(digits)}` : '';
   return `${value.toFixed(digits)}${error} ${axis.unit}`.trim();
 }
 
