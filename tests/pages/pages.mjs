@@ -126,7 +126,8 @@ await group('sequence', async () => {
   );
   await on_page('a character of many draws', html, async (page) => {
     await check_pose_ratios(page, program, knight, poses, { tolerance: 0.015 });
-    await check_pose_ratios(page, program, program.optimized(knight, '@default'), poses, { state: 2, tolerance: 0.015 });
+    const optimized = program.optimized(knight, '@default');
+    await check_pose_ratios(page, program, optimized, poses, { state: 2, tolerance: 0.015 });
     await check_unlike_states(page);
   });
 });

@@ -17,15 +17,10 @@ constexpr std::size_t most_columns = 6;
 
 bool is_wide(const Comparison& comparison) { return comparison.branches.size() > most_columns; }
 
-std::string difference_text(const Figure* figure, const Figure* baseline) {
-  const auto found = difference(figure, baseline);
-  if (!found) return "";
-  return found->is_within_errors ? " ~" : fmt::format(" {:+.1f} %", 100 * found->change);
-}
-
 std::string cell(const Figure* figure, double best, const Figure* baseline) {
   if (figure == nullptr || !std::isfinite(figure->value())) return "-";
-  return to_text(*figure) + difference_text(figure, baseline) + (figure->value() == best ? " *" : "");
+  const std::string change = difference_text(figure, baseline);
+  return to_text(*figure) + (change.empty() ? "" : ' ' + change) + (figure->value() == best ? " *" : "");
 }
 
 std::string time_text(const Branch& branch) {
@@ -110,6 +105,9 @@ std::string stages_text(const Comparison& comparison, std::size_t branch) {
   return text + (spread.empty() ? "" : "; " + spread);
 }
 
+/// A single pipeline is the best of nothing.
+bool has_rivals(const Comparison& comparison) { return comparison.branches.size() > 1; }
+
 std::string spaced(std::string figure) {
   std::ranges::replace(figure, '.', ' ');
   return figure;
@@ -125,10 +123,11 @@ std::string text_of(const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
     text += fmt::format("  [{}] {}\n", i + 1, stages_text(comparison, i));
   }
+  if (!has_rivals(comparison)) return text;
   for (const Front& front : fronts_of(comparison)) {
     std::vector<std::string> names;
     for (const std::size_t branch : front.branches) names.push_back(fmt::format("[{}]", branch + 1));
-    text += fmt::format("not beaten in both {} and {}: {}\n", spaced(front.x), spaced(front.y), fmt::join(names, " "));
+    text += fmt::format("best trade-offs of {} and {}: {}\n", spaced(front.x), spaced(front.y), fmt::join(names, " "));
   }
   return text;
 }
@@ -139,9 +138,12 @@ std::string to_text(const std::vector<Comparison>& comparisons) {
   std::string text;
   for (const Comparison& comparison : comparisons) text += (text.empty() ? "" : "\n") + text_of(comparison);
   if (const auto sum = sum_of(comparisons)) text += '\n' + text_of(*sum);
+  if (std::ranges::none_of(comparisons, has_rivals)) return text;
   const bool is_turned = std::ranges::any_of(comparisons, is_wide);
-  return text + fmt::format("\n* best of its {}; per cent: change against [1]; ~: within the errors\n",
-                            is_turned ? "column" : "row");
+  return text +
+         fmt::format(
+             "\n* best of its {}; per cent: change against [1]; same: by less than 0.05 %; ~: within the errors\n",
+             is_turned ? "column" : "row");
 }
 
 }  // namespace foredraw

@@ -1,5 +1,7 @@
 #include <foredraw/report/figure_rows.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -72,6 +74,7 @@ std::string draw_name(const Comparison& comparison, std::size_t draw) {
 bool is_detail(const FigureRow& row) { return row.metric.find('.') != std::string::npos; }
 
 double best_of(const FigureRow& row) {
+  if (row.branches.size() < 2) return std::nan("");
   std::vector<double> values;
   bool lower_is_better = true;
   const auto consider = [&](const Figure* figure) {
@@ -91,9 +94,17 @@ std::optional<Difference> difference(const Figure* figure, const Figure* baselin
   if (figure == baseline || !has_value(figure) || !has_value(baseline) || baseline->value() == 0) return std::nullopt;
   if (figure->is_neutral) return std::nullopt;
   const double change = figure->value() - baseline->value();
-  if (change == 0) return std::nullopt;
   return Difference{change / std::abs(baseline->value()),
-                    std::abs(change) < 2 * std::max(figure->error, baseline->error)};
+                    change != 0 && std::abs(change) < 2 * std::max(figure->error, baseline->error)};
+}
+
+std::string difference_text(const Figure* figure, const Figure* baseline) {
+  const auto found = difference(figure, baseline);
+  if (!found) return "";
+  if (found->is_within_errors) return "~";
+  if (std::abs(found->change) >= 0.0005) return fmt::format("{:+.1f} %", 100 * found->change);
+  const bool is_exact_count = !figure->denominator && figure->error == 0 && baseline->error == 0;
+  return is_exact_count && found->change != 0 ? fmt::format("{:+.0f}", figure->value() - baseline->value()) : "same";
 }
 
 }  // namespace foredraw

@@ -110,4 +110,7 @@ void write_json(const Report& report, const std::function<void(std::string_view)
 /// The tables for people: figures before and after, stages with what they skipped and why.
 std::string to_text(const Report& report);
 
+/// What a stage changed: "the scene", "nothing", "3 of 5 draws".
+std::string changed_text(const StageRecord& stage);
+
 }  // namespace foredraw

@@ -170,10 +170,7 @@ std::string stages_text(const Report& report) {
   if (report.stages.empty()) return "";
   Table table({"stage", "changed", "time"});
   for (const StageRecord& stage : report.stages) {
-    const std::string changed = stage.loops_over == "scene"
-                                    ? (stage.changed > 0 ? "the scene" : "nothing")
-                                    : fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over);
-    table.add({stage.text, changed, time_text(stage.seconds)});
+    table.add({stage.text, changed_text(stage), time_text(stage.seconds)});
   }
   std::string text = '\n' + table.text();
   for (const StageRecord& stage : report.stages) text += stage_text(stage);
@@ -196,6 +193,11 @@ std::string facts_text(const Report& report) {
 }
 
 }  // namespace
+
+std::string changed_text(const StageRecord& stage) {
+  if (stage.loops_over == "scene") return stage.changed > 0 ? "the scene" : "nothing";
+  return fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over);
+}
 
 std::string to_text(const Report& report) {
   std::string text = file_text(report.input);

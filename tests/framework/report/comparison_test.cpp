@@ -1,4 +1,5 @@
 #include <foredraw/report/comparison.h>
+#include <foredraw/report/figure_rows.h>
 #include <foredraw/report/fronts.h>
 
 #include <gmock/gmock.h>
@@ -72,6 +73,43 @@ TEST(ComparisonText, DifferencesWithinTheErrorsAreNone) {
   EXPECT_THAT(line_with(to_text({comparison}), "acmr"), HasSubstr("2.0100 ±0.0040 +0.5 %"));
 }
 
+/// The text of [2]'s cell, of a count or a ratio that the baseline has a thousand of.
+std::string beside_a_thousand(double value, std::optional<double> denominator, double error = 0) {
+  Comparison comparison = two_branches();
+  comparison.branches[0].report.after.metrics.set("cache", "x", {1000, denominator, 0, ""});
+  comparison.branches[1].report.after.metrics.set("cache", "x", {value, denominator, error, ""});
+  return difference_text(total_rows(comparison)[1].branches[1], baseline_of(total_rows(comparison)[1]));
+}
+
+TEST(DifferenceText, SaysSameWhereAPerCentWouldBeZero) {
+  EXPECT_EQ(beside_a_thousand(1000, 1), "same");
+  EXPECT_EQ(beside_a_thousand(999.6, 1), "same");
+  EXPECT_EQ(beside_a_thousand(999.4, 1), "-0.1 %");
+  EXPECT_EQ(beside_a_thousand(999.6, 1, 0.3), "~");
+  EXPECT_EQ(beside_a_thousand(1000, std::nullopt), "same");
+  EXPECT_EQ(beside_a_thousand(10000, std::nullopt), "+900.0 %");
+}
+
+TEST(DifferenceText, OfExactCountsThatHardlyDifferIsHowMany) {
+  Figure before{100000, std::nullopt, 0, ""}, after{100002, std::nullopt, 0, ""};
+  EXPECT_EQ(difference_text(&after, &before), "+2");
+  after.error = 0.5;
+  EXPECT_EQ(difference_text(&after, &before), "same");
+  EXPECT_EQ(difference_text(&before, &before), "");
+  EXPECT_EQ(difference_text(&after, nullptr), "");
+}
+
+TEST(ComparisonText, OfOnePipelineHasNoBest) {
+  Comparison comparison = two_branches();
+  comparison.branches.pop_back();
+  comparison.fronts = {{"time", "cache.acmr"}};
+  const std::string text = to_text({comparison});
+  EXPECT_EQ(line_with(text, "acmr"), "cache  acmr        3.0000  2.0000");
+  EXPECT_THAT(text, Not(HasSubstr("*")));
+  EXPECT_THAT(text, Not(HasSubstr("per cent")));
+  EXPECT_THAT(text, Not(HasSubstr("trade-offs")));
+}
+
 TEST(ComparisonText, RoundsTellHowSureTimesAre) {
   Comparison comparison = two_branches();
   comparison.branches[0].report.stages[0].rounds = {0.2, 0.25, 0.6};
@@ -93,9 +131,9 @@ TEST(ComparisonText, FrontsAreToldOfThreeBranches) {
   };
   comparison.branches = {judged("fast", 0.7, 1.3, 0.1), judged("good", 0.8, 1.1, 0.3), judged("bad", 0.9, 1.2, 0.4)};
   const std::string text = to_text({comparison});
-  EXPECT_THAT(text, HasSubstr("not beaten in both vertex-cache acmr and overdraw-raster ratio: [1] [2]\n"));
-  EXPECT_THAT(text, HasSubstr("not beaten in both time and overdraw-raster ratio: [1] [2]\n"));
-  EXPECT_THAT(to_text({two_branches()}), Not(HasSubstr("beaten")));
+  EXPECT_THAT(text, HasSubstr("best trade-offs of vertex-cache acmr and overdraw-raster ratio: [1] [2]\n"));
+  EXPECT_THAT(text, HasSubstr("best trade-offs of time and overdraw-raster ratio: [1] [2]\n"));
+  EXPECT_THAT(to_text({two_branches()}), Not(HasSubstr("trade-offs")));
 }
 
 TEST(ParetoFront, IsWhatNoneBeatsInBoth) {
@@ -199,7 +237,7 @@ TEST(Fronts, AreTheOnesAskedFor) {
   const auto fronts = fronts_of(comparison);
   ASSERT_EQ(fronts.size(), 1u);
   EXPECT_EQ(fronts[0].branches, (std::vector<std::size_t>{0, 1}));
-  EXPECT_THAT(to_text({comparison}), HasSubstr("not beaten in both time and cache acmr: [1] [2]\n"));
+  EXPECT_THAT(to_text({comparison}), HasSubstr("best trade-offs of time and cache acmr: [1] [2]\n"));
   EXPECT_EQ(json::parse(to_json({comparison}))["files"][0]["fronts"],
             json::parse(R"([{"x": "time", "y": "cache.acmr", "branches": [0, 1]}])"));
   EXPECT_EQ(unknown_figures(comparison), std::vector<std::string>{"cache.nothing"});

@@ -19,14 +19,12 @@ std::string stage_row(const StageRecord& stage) {
                                  ? element("td", "-", "class=\"number\"")
                                  : element("td", fmt::format("{:.1f} MB", static_cast<double>(*stage.memory) / 1e6),
                                            fmt::format("class=\"number\" data-value=\"{}\"", *stage.memory));
-  return element(
-             "tr",
-             element("td", escaped(stage.text)) +
-                 element("td", escaped(fmt::format("{} of {} {}", stage.changed, stage.candidates, stage.loops_over)),
-                         fmt::format("class=\"number\" data-value=\"{}\"", stage.changed)) +
-                 element("td", fmt::format("{:.2f} ms", 1000 * stage.seconds),
-                         fmt::format("class=\"number\" data-value=\"{}\"", stage.seconds)) +
-                 spread + memory) +
+  return element("tr", element("td", escaped(stage.text)) +
+                           element("td", escaped(changed_text(stage)),
+                                   fmt::format("class=\"number\" data-value=\"{}\"", stage.changed)) +
+                           element("td", fmt::format("{:.2f} ms", 1000 * stage.seconds),
+                                   fmt::format("class=\"number\" data-value=\"{}\"", stage.seconds)) +
+                           spread + memory) +
          '\n';
 }
 

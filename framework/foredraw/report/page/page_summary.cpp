@@ -15,16 +15,29 @@ namespace {
 /// A figure in the words of who has never heard of it.
 struct PlainWords {
   std::string_view metric;
-  std::string_view less;  ///< what is done less often where the figure is lower
+  std::string_view work;  ///< what is counted
+  std::string_view per;   ///< for each of what; told where their number has changed too
 };
-constexpr PlainWords plain_words[] = {{"ratio", "pixels are shaded"}, {"acmr", "vertices are transformed"}};
+constexpr PlainWords plain_words[] = {{"acmr", "vertices shaded", "triangle"},
+                                      {"ratio", "pixels shaded", "visible pixel"}};
 
-/// "pixels are shaded 4.0 % less often"; nothing where there is nothing to tell.
-std::string plain_change(const FigureRow& row, std::size_t branch, std::string_view what) {
-  const auto found = difference(row.branches[branch], row.input);
-  if (row.branches[branch] == nullptr || row.input == nullptr) return "";
-  if (!found || found->is_within_errors) return fmt::format("{} as often as before", what);
-  return fmt::format("{} {:.1f} % {} often", what, std::abs(100 * found->change), found->change < 0 ? "less" : "more");
+bool is_alike(double before, double after) { return std::abs(after - before) < 0.0005 * std::abs(before); }
+
+/// "4.0 % fewer pixels shaded"; nothing where there is nothing to tell.
+std::string plain_change(const Figure* after, const Figure* before, const PlainWords& words) {
+  if (after == nullptr || before == nullptr) return "";
+  const auto found = difference(after, before);
+  if (!found || found->is_within_errors || std::abs(found->change) < 0.0005) {
+    return fmt::format("as many {} as before", words.work);
+  }
+  const bool has_as_many = is_alike(before->denominator.value_or(1), after->denominator.value_or(1));
+  return fmt::format("{:.1f} % {} {}{}", std::abs(100 * found->change), found->change < 0 ? "fewer" : "more",
+                     words.work, has_as_many ? "" : fmt::format(" per {}", words.per));
+}
+
+/// "830 ms", "1.2 s".
+std::string plain_time(double seconds) {
+  return seconds < 1 ? fmt::format("{:.0f} ms", 1000 * seconds) : fmt::format("{:.1f} s", seconds);
 }
 
 std::string finding(const Comparison& comparison, std::size_t index, const std::vector<FigureRow>& rows) {
@@ -34,11 +47,11 @@ std::string finding(const Comparison& comparison, std::size_t index, const std::
   for (const PlainWords& words : plain_words) {
     const auto row = std::ranges::find(rows, words.metric, &FigureRow::metric);
     if (row == rows.end()) continue;
-    const std::string part = plain_change(*row, index, words.less);
+    const std::string part = plain_change(row->branches[index], row->input, words);
     if (!part.empty()) parts.push_back(part);
   }
   std::string text = number_of(index) + ": " + fmt::format("{}", fmt::join(parts, ", ")) + (parts.empty() ? "" : "; ") +
-                     fmt::format("{:.0f} ms of work.", 1000 * stages_seconds(branch.report));
+                     fmt::format("the stages took {}.", plain_time(stages_seconds(branch.report)));
   const bool has_errors =
       std::ranges::any_of(branch.report.diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });
   return has_errors ? text + " Something failed: see Diagnostics." : text;
@@ -46,13 +59,13 @@ std::string finding(const Comparison& comparison, std::size_t index, const std::
 
 std::string fronts_html(const Comparison& comparison) {
   std::string items;
+  if (comparison.branches.size() < 2) return items;  // a single one has no rivals
   for (const Front& front : fronts_of(comparison)) {
     std::vector<std::string> names;
     for (const std::size_t branch : front.branches) names.push_back(number_of(branch));
-    items +=
-        element("li",
-                escaped(fmt::format("Not beaten in both {} and {}: {}.", front.x, front.y, fmt::join(names, " ")))) +
-        '\n';
+    items += element("li", escaped(fmt::format("No other pipeline is better in both {} and {}: {}.", front.x, front.y,
+                                               fmt::join(names, " ")))) +
+             '\n';
   }
   return items;
 }

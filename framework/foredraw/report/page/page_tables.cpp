@@ -22,12 +22,11 @@ std::string branch_heads(const Comparison& comparison) {
 }
 
 std::string change_html(const Figure& figure, const Figure* baseline) {
-  const auto found = difference(&figure, baseline);
-  if (!found) return "";
-  if (found->is_within_errors) return ' ' + element("span", "~", "class=\"change none\"");
-  const bool is_better = (found->change < 0) == figure.lower_is_better;
-  return ' ' + element("span", fmt::format("{:+.1f} %", 100 * found->change),
-                       is_better ? "class=\"change better\"" : "class=\"change worse\"");
+  const std::string text = difference_text(&figure, baseline);
+  if (text.empty()) return "";
+  if (text == "~" || text == "same") return ' ' + element("span", text, "class=\"change none\"");
+  const bool is_better = (figure.value() < baseline->value()) == figure.lower_is_better;
+  return ' ' + element("span", text, is_better ? "class=\"change better\"" : "class=\"change worse\"");
 }
 
 std::string cell(const Figure* figure, double best, const Figure* baseline, const std::string& branch) {
@@ -74,7 +73,8 @@ std::string figures_html(std::span<const Comparison> comparisons) {
       element("p",
               comparisons.empty() || comparisons[0].branches.size() < 2
                   ? "Errors are one standard error."
-                  : "Per cent: change against [1]. ~: within the errors. The best of a row is marked.",
+                  : "Per cent: change against [1]. Same: by less than 0.05 %. ~: within the errors. The best of a row "
+                    "is marked.",
               "class=\"legend\"");
   return legend + '\n' + articles_and_sum(comparisons, [](const Comparison& comparison) {
            if (comparison.is_lost()) return std::string();

@@ -49,8 +49,43 @@ TEST(Page, TellsFiguresWithWhatTheyAreWorth) {
   const Comparison comparison = comparison_of("rock.glb");
   const std::string html = before(page({&comparison, 1}, {}, "foredraw 1"), "<script");
   EXPECT_THAT(html, HasSubstr("<td class=\"number best\" data-value=\"1.5\" data-branch=\"0\">1.5000</td>"));
-  EXPECT_THAT(html, HasSubstr("vertices are transformed 50.0 % less often"));
+  EXPECT_THAT(html, HasSubstr("[1]: 50.0 % fewer vertices shaded per triangle; the stages took 0 ms."));
   EXPECT_THAT(html, HasSubstr("foredraw 1"));
+}
+
+TEST(Page, SaysWhatWasSavedInPlainWords) {
+  Comparison comparison = comparison_of("rock.glb");
+  for (std::size_t i = 0; i < 2; ++i) {
+    Report& report = comparison.branches[i].report;
+    report.stages[0].seconds = 1.23;
+    report.before.metrics.set("vertex-cache", "acmr", {200, 100, 0, ""});
+    report.after.metrics.set("vertex-cache", "acmr", {i == 0 ? 129.0 : 200.05, 100, 0, ""});
+    report.before.metrics.set("overdraw-raster", "ratio", {200, 100, 0.02, ""});
+    report.after.metrics.set("overdraw-raster", "ratio", {i == 0 ? 113.0 : 198.0, 100, 0.01, ""});
+  }
+  const std::string html = before(page({&comparison, 1}, {}, "foredraw 1"), "<script");
+  EXPECT_THAT(html, HasSubstr("[1]: 35.5 % fewer vertices shaded, 43.5 % fewer pixels shaded; the stages took 1.2 s."));
+  EXPECT_THAT(html, HasSubstr("[2]: as many vertices shaded as before, as many pixels shaded as before; "));
+}
+
+TEST(Page, OfOnePipelineHasNoBest) {
+  Comparison comparison = comparison_of("rock.glb");
+  comparison.branches.pop_back();
+  comparison.fronts = {{"time", "vertex-cache.acmr"}};
+  const std::string html = before(page({&comparison, 1}, {}, "foredraw 1"), "<script");
+  EXPECT_THAT(html, Not(HasSubstr("number best")));
+  EXPECT_THAT(html, Not(HasSubstr("No other pipeline")));
+  EXPECT_THAT(html, Not(HasSubstr("Per cent")));
+}
+
+TEST(Page, TellsWhatStagesChangedAsTheTerminalDoes) {
+  Comparison comparison = comparison_of("rock.glb");
+  StageRecord& stage = comparison.branches[0].report.stages[0];
+  stage.loops_over = "scene";
+  stage.candidates = 1;
+  EXPECT_THAT(before(page({&comparison, 1}, {}, ""), "<script"), HasSubstr(">nothing</td>"));
+  stage.changed = 1;
+  EXPECT_THAT(before(page({&comparison, 1}, {}, ""), "<script"), HasSubstr(">the scene</td>"));
 }
 
 TEST(Page, NamesAreNoMarkupWhereverTheyStand) {

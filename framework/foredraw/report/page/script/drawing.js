@@ -99,9 +99,10 @@ export class Drawing {
     const order = this.orders.get(key) ?? new DrawnOrder(this.subject.states[state], k, this.subject.frame);
     this.orders.delete(key);
     this.orders.set(key, order);
-    const bytes = () => [...this.orders.values()].reduce((sum, one) => sum + bytes_per_triangle * one.state.triangles, 0);
+    let triangles = [...this.orders.values()].reduce((sum, one) => sum + one.state.triangles, 0);
     for (const [old_key, old] of this.orders) {
-      if (this.orders.size <= 2 || bytes() <= kept_bytes) break;
+      if (this.orders.size <= 2 || bytes_per_triangle * triangles <= kept_bytes) break;
+      triangles -= old.state.triangles;
       old.dispose();
       this.orders.delete(old_key);
     }

@@ -85,7 +85,7 @@ function material(properties) {
   return new RawShaderMaterial({ glslVersion: GLSL3, blending: NoBlending, ...properties });
 }
 
-/** Of two triangles at the same depth the one drawn first is seen, and back faces are culled as the part's material says. */
+/** Of triangles at the same depth the first one is seen. Back faces are culled as the part's material says. */
 function surface(properties) {
   const by_side = new Map(
     [FrontSide, BackSide, DoubleSide].map((side) => [

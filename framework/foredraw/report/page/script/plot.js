@@ -103,18 +103,22 @@ export function start_plot(holder, comparison) {
     legend.replaceChildren(...places().map(entry));
   }
 
+  /** Nothing of a single pipeline: it has no rivals. */
+  function front_text(names, two, corner) {
+    if (names.length === 0) return `No pipeline has both ${two}${state.is_log ? ' above 0' : ''}.`;
+    if (file().branches.length < 2) return '';
+    const where = names.length > 1 ? `The line joins them; ${corner}` : `${corner[0].toUpperCase()}${corner.slice(1)}`;
+    return `No other pipeline is better in both ${two}: ${names.join(' ')}. ${where} is better.`;
+  }
+
   function changed() {
     const { x, y } = state;
     fill_legend();
-    const names = front()
-      .map((place) => `[${place}]`)
-      .join(' ');
+    const names = front().map((place) => `[${place}]`);
     const two = `${axis_title(x)} and ${axis_title(y)}`;
-    front_line.textContent =
-      names === ''
-        ? `No pipeline has both ${two}${state.is_log ? ' above 0' : ''}.`
-        : `Not beaten in both ${two}: ${names}. These are filled and joined; ` +
-          `${x.less_is_better ? 'left' : 'right'} and ${y.less_is_better ? 'down' : 'up'} is better.`;
+    const corner = `${y.less_is_better ? 'lower' : 'upper'} ${x.less_is_better ? 'left' : 'right'}`;
+    front_line.textContent = front_text(names, two, corner);
+    front_line.hidden = front_line.textContent === '';
     canvas.setAttribute('aria-label', `Scatter plot of ${two}. The list below holds the same figures.`);
     redraw();
   }
