@@ -8,7 +8,7 @@ static int failures = 0;
 
 static void expect(uint32_t found, uint32_t wanted, const char* what) {
   if (found == wanted) return;
-  printf("%s: order %u, but expected %u\n", what, (unsigned)found, (unsigned)wanted);
+  printf("%s: %u, but expected %u\n", what, (unsigned)found, (unsigned)wanted);
   ++failures;
 }
 
@@ -20,7 +20,8 @@ int main(void) {
       4, 5, 6, 7, /* at 1 s */
       8, 8, 9, 9, /* clip 1 */
   };
-  const foredraw_order_table table = {2, keyframes, times, 2, 2, order};
+  static const uint16_t sequences[] = {0, 1, 2, /* of order 0 */ 2, 0, 1 /* of order 1 */};
+  foredraw_order_table table = {2, keyframes, times, 2, 2, order, 0, NULL};
   static const float above_front[] = {0, 2, 1};
   static const float below_front[] = {0, -2, 1};
   static const float below_back[] = {0, -2, -1};
@@ -39,5 +40,15 @@ int main(void) {
   expect(foredraw_order_at(&table, 0, 0, below_front, &state), 3, "clearly out of it");
   expect(foredraw_order_at(&table, 0, 0, hardly_above, &state), 3, "hardly back");
   expect(foredraw_order_at(&table, 0, 1, hardly_above, &state), 7, "time passes without delay");
+
+  if (foredraw_draw_sequence(&table, 1) != NULL) {
+    printf("a table without sequences has one\n");
+    ++failures;
+  }
+  table.parts = 3;
+  table.sequences = sequences;
+  expect(foredraw_draw_sequence(&table, 0)[2], 2, "sequence of order 0, last");
+  expect(foredraw_draw_sequence(&table, 1)[0], 2, "sequence of order 1, first");
+  expect(foredraw_draw_sequence(&table, 1)[2], 1, "sequence of order 1, last");
   return failures;
 }

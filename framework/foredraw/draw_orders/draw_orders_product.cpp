@@ -45,7 +45,7 @@ class DrawOrdersRow final : public ProductRow {
                     .title = "orders and their tables",
                     .extension = "FOREDRAW_draw_orders",
                     .remedy = "make them again as the last step, after all other changes of the file",
-                    .accessors_of_file = {"tables/*/order", "tables/*/clips/*/times"},
+                    .accessors_of_file = {"tables/*/order", "tables/*/clips/*/times", "tables/*/sequences"},
                     .accessors_of_draw = {"orders/*"},
                     .schemas = schemas(),
                     .side_files = {{".json"}}}) {}
@@ -110,8 +110,10 @@ class DrawOrdersRow final : public ProductRow {
           fmt::format("{}: {} x {} directions", fmt::join(names, ", "), table.theta_steps, table.phi_steps);
       if (!table.clips.empty())
         line += fmt::format(", {} keyframes of {} clips", table.keyframes(), table.clips.size());
-      text.lines.push_back(line + "; " + memory_text(memory, table.keyframes()));
-      text.value.push(ExtensionValue::Members{
+      line += "; " + memory_text(memory, table.keyframes());
+      if (!table.parts.empty()) line += fmt::format("; {} draws in a sequence for each order", table.parts.size());
+      text.lines.push_back(std::move(line));
+      ExtensionValue::Members members{
           {"draws", ExtensionValue::List(names.begin(), names.end())},
           {"orders", memory.orders},
           {"theta-steps", table.theta_steps},
@@ -121,18 +123,36 @@ class DrawOrdersRow final : public ProductRow {
                              return ExtensionValue::Members{{"name", clip.name}, {"keyframes", clip.times.size()}};
                            })},
           {"bytes", memory.bytes},
-          {"bytes-for-each-keyframe", memory.bytes_for_each_keyframe}});
+          {"bytes-for-each-keyframe", memory.bytes_for_each_keyframe}};
+      if (!table.parts.empty()) members.emplace_back("parts-in-sequence", table.parts.size());
+      text.value.push(std::move(members));
     }
     return text;
   }
 
  private:
+  static bool is_there(const Scene& scene, const SubjectPart& part) {
+    const auto holds = [&](MeshId mesh) {
+      return std::ranges::find(scene.meshes[mesh].draws, part.draw) != scene.meshes[mesh].draws.end();
+    };
+    if (!part.node) {
+      for (MeshId mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+        if (holds(mesh)) return true;
+      }
+      return false;
+    }
+    return *part.node < scene.nodes.size() && scene.nodes[*part.node].mesh && holds(*scene.nodes[*part.node].mesh);
+  }
+
   static std::string why_not(const Scene& scene, const OrderTable& table) {
     const std::size_t most = table.order.empty() ? 0 : *std::ranges::max_element(table.order);
     for (const DrawId id : table.draws) {
       if (id >= scene.draws.size()) return "one of their draws is gone";
       if (scene.draws[id].levels[0].orders.size() <= most)
         return scene.draws[id].name + " has fewer orders than the table uses";
+    }
+    for (const SubjectPart& part : table.parts) {
+      if (!is_there(scene, part)) return "one of the draws that their sequences name is not where it was";
     }
     return {};
   }

@@ -134,8 +134,44 @@ class Reader {
       return wrong(place, "must have an 'order' that is an accessor of bytes");
     }
     for (const std::byte cell : cells->bytes.view()) table.order.push_back(std::to_integer<std::uint8_t>(cell));
+    if (!all_sequences(value, table, place)) return false;
     if (const auto mistake = mistake_in(table, fewest)) return wrong(place, *mistake);
     made_.tables.push_back(std::move(table));
+    return true;
+  }
+
+  /// The draw that a part is of: a primitive of the node's mesh, or of the mesh itself.
+  std::optional<SubjectPart> part(const ExtensionValue& value) const {
+    const auto number = [&](const char* name) {
+      const ExtensionValue* member = value.member(name);
+      return member == nullptr ? std::nullopt : member->whole();
+    };
+    const auto node = number("node"), primitive = number("primitive");
+    if (node && *node >= scene_.nodes.size()) return std::nullopt;
+    const auto mesh = node ? scene_.nodes[*node].mesh : number("mesh");
+    if (!mesh || !primitive || *mesh >= scene_.meshes.size()) return std::nullopt;
+    const std::vector<DrawId>& draws = scene_.meshes[*mesh].draws;
+    if (*primitive >= draws.size()) return std::nullopt;
+    return SubjectPart{draws[*primitive], node};
+  }
+
+  bool all_sequences(const ExtensionValue& value, OrderTable& table, const std::string& place) {
+    const ExtensionValue* parts = value.member("parts");
+    const ExtensionValue* sequences = value.member("sequences");
+    if (parts == nullptr && sequences == nullptr) return true;
+    if (parts == nullptr || parts->list() == nullptr || parts->list()->empty()) {
+      return wrong(place, "has sequences, but no array of parts");
+    }
+    for (const ExtensionValue& one : *parts->list()) {
+      const auto known = part(one);
+      if (!known) return wrong(place, "has a part that does not exist");
+      table.parts.push_back(*known);
+    }
+    const auto numbers = scalars(sequences);
+    if (!numbers || numbers->format.component != Component::uint16) {
+      return wrong(place, "must have 'sequences' that are an accessor of 16-bit numbers");
+    }
+    for (const std::uint32_t number : widened(*numbers)) table.sequences.push_back(static_cast<std::uint16_t>(number));
     return true;
   }
 

@@ -26,6 +26,18 @@ std::vector<std::pair<std::size_t, std::size_t>> primitives_of(const Scene& scen
   return places;
 }
 
+/// Where a part stands: the node that shows it, else its mesh, and the number of its primitive there.
+Members place_of(const Scene& scene, const SubjectPart& part) {
+  const auto places = primitives_of(scene, part.draw);
+  const auto mesh = part.node ? scene.nodes[*part.node].mesh : std::nullopt;
+  for (const auto& [m, primitive] : places) {
+    if (part.node && mesh == m) return {{"node", *part.node}, {"primitive", primitive}};
+    if (!part.node) return {{"mesh", m}, {"primitive", primitive}};
+  }
+  throw Refusal("no-mesh", scene.draws[part.draw].name + " is not where its table of orders says",
+                "run the orderer again");
+}
+
 ExtensionValue value_of(const Scene& scene, const OrderTable& table, ExtensionWriter& to) {
   const std::vector<std::string> names = clip_names(scene);
   List primitives, clips;
@@ -42,6 +54,10 @@ ExtensionValue value_of(const Scene& scene, const OrderTable& table, ExtensionWr
   members.emplace_back("thetaSteps", table.theta_steps);
   members.emplace_back("phiSteps", table.phi_steps);
   members.emplace_back("order", to.accessor(accessor_data(std::span(table.order), Component::uint8, 1)));
+  if (!table.parts.empty()) {
+    members.emplace_back("parts", listed(table.parts, [&](const SubjectPart& part) { return place_of(scene, part); }));
+    members.emplace_back("sequences", to.accessor(accessor_data(std::span(table.sequences), Component::uint16, 1)));
+  }
   return members;
 }
 
@@ -60,6 +76,20 @@ Members value_of(const Scene& scene, DrawId id) {
                              "run the orderer again");
              return ExtensionValue(List(order->begin(), order->end()));
            })}};
+}
+
+void add_sequences(const Scene& scene, const OrderTable& table, Members& members) {
+  members.emplace_back("parts", listed(table.parts, [&](const SubjectPart& part) {
+                         Members place{{"name", scene.draws[part.draw].name}};
+                         for (auto& member : place_of(scene, part)) place.push_back(std::move(member));
+                         return place;
+                       }));
+  List sequences;
+  for (std::size_t order = 0; order < table.sequences.size() / table.parts.size(); ++order) {
+    const auto sequence = table.sequence(order);
+    sequences.push_back(List(sequence.begin(), sequence.end()));
+  }
+  members.emplace_back("sequences", std::move(sequences));
 }
 
 }  // namespace
@@ -84,7 +114,7 @@ ExtensionValue draw_orders_value(const Scene& scene) {
       {"draw-orders", 1},
       {"file", scene.name},
       {"tables", listed(order_tables(scene), [&](const OrderTable& table) {
-         return Members{
+         Members members{
              {"clips",
               listed(table.clips,
                      [](const OrderTable::Clip& clip) {
@@ -94,6 +124,8 @@ ExtensionValue draw_orders_value(const Scene& scene) {
              {"phi-steps", table.phi_steps},
              {"order", List(table.order.begin(), table.order.end())},
              {"draws", listed(table.draws, [&](DrawId id) { return value_of(scene, id); })}};
+         if (!table.parts.empty()) add_sequences(scene, table, members);
+         return members;
        })}};
 }
 

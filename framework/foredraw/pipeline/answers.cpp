@@ -22,16 +22,32 @@ void leave_out_unnamed(SubjectOrders& answer) {
   std::vector<bool> is_named(answer.orders.front().size(), false);
   is_named[0] = true;
   for (const std::uint8_t order : answer.table.order) is_named[order] = true;
+  OrderTable& table = answer.table;
+  std::vector<std::uint16_t> sequences;
+  for (std::size_t order = 0; order < is_named.size() && !table.parts.empty(); ++order) {
+    if (is_named[order]) std::ranges::copy(table.sequence(order), std::back_inserter(sequences));
+  }
+  table.sequences = std::move(sequences);
   std::vector<std::uint8_t> number;
   std::uint8_t named = 0;
   for (const bool is : is_named) number.push_back(is ? named++ : named);
-  for (std::uint8_t& order : answer.table.order) order = number[order];
+  for (std::uint8_t& order : table.order) order = number[order];
   for (std::vector<IndexOrder>& orders : answer.orders) {
     std::size_t kept = 0;
     for (std::size_t j = 0; j < orders.size(); ++j) {
       if (is_named[j]) std::swap(orders[kept++], orders[j]);
     }
     orders.resize(kept);
+  }
+}
+
+void check_table_sequences(const SubjectView& subject, const OrderTable& table) {
+  if (table.parts.empty()) return;
+  require(table.parts == subject.subject.parts, "its table has sequences of other parts than the subject's");
+  for (std::size_t first = 0; first < table.sequences.size(); first += table.parts.size()) {
+    const auto sequence = table.sequence(first / table.parts.size());
+    require(is_allowed(std::vector<std::uint32_t>(sequence.begin(), sequence.end()), subject.free_groups),
+            "its table has a sequence that moves draws that must stay where they are");
   }
 }
 
@@ -61,6 +77,7 @@ void check_orders(const SubjectView& subject, const SubjectOrders& answer) {
   const std::size_t k = answer.orders.front().size();
   const std::optional<std::string> mistake = mistake_in(table, k);
   require(!mistake, "its table {}", mistake.value_or(""));
+  check_table_sequences(subject, table);
   const std::vector<std::string> clips = clip_names(subject.scene);
   for (const OrderTable::Clip& clip : table.clips) {
     require(std::ranges::find(clips, clip.name) != clips.end(),

@@ -104,6 +104,7 @@ class StageRunner {
           if (parts[i].level == 0) view.groups = groups.of(parts[i].subject);
           if (view.draws.empty()) return run.keep("none of its draws may be reordered");
           const RangedScene* ranges = chosen_.ranges_at(run.about.level);
+          if (parts[i].level == 0 && !ranges) view.free_groups = free_groups(view.subject, view.draws);
           SubjectOrders orders = ranges ? orders_of(technique, view, *ranges, run) : technique.order(view, run);
           if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
         });

@@ -4,6 +4,7 @@
  *   foredraw_order_state state = {0};                                  once for each character that is on the screen
  *   ...
  *   uint32_t order = foredraw_order_at(&table, clip, time, towards_camera, &state);             for every frame
+ *   const uint16_t* sequence = foredraw_draw_sequence(&table, order);      parts are drawn as it says; NULL: as ever
  *
  * Only + - * / and square roots touch the direction, so that every machine finds the same cells. */
 #ifndef FOREDRAW_RUNTIME_ORDER_TABLE_H
@@ -28,6 +29,8 @@ typedef struct foredraw_order_table {
   uint32_t theta_steps;      /* at least 1, below 2^24 */
   uint32_t phi_steps;        /* at least 1, below 2^24 */
   const uint8_t* order;      /* [keyframe of all clips in turn][theta][phi] */
+  uint32_t parts;            /* that are drawn in a sequence; 0: in that of the file */
+  const uint16_t* sequences; /* [order][place] number of a part, below `parts` */
 } foredraw_order_table;
 
 /* The cell that a subject was last looked at from. All zero: from none yet. */
@@ -149,6 +152,11 @@ static inline uint32_t foredraw_order_at(const foredraw_order_table* table, uint
   }
   if (keyframe == FOREDRAW_NO_KEYFRAME) return 0;
   return table->order[((size_t)keyframe * table->theta_steps + cell.theta) * table->phi_steps + cell.phi];
+}
+
+/* In which sequence to draw the parts with this order, as many numbers as the table has parts; NULL: as in the file. */
+static inline const uint16_t* foredraw_draw_sequence(const foredraw_order_table* table, uint32_t order) {
+  return table->parts > 0 ? table->sequences + (size_t)order * table->parts : NULL;
 }
 
 #endif

@@ -15,6 +15,37 @@ bool rise(const std::vector<float>& times) {
          std::ranges::all_of(times, [](float time) { return std::isfinite(time); });
 }
 
+bool is_permutation(std::span<const std::uint16_t> sequence) {
+  std::vector<bool> is_there(sequence.size(), false);
+  for (const std::uint16_t part : sequence) {
+    if (part >= sequence.size() || is_there[part]) return false;
+    is_there[part] = true;
+  }
+  return true;
+}
+
+std::optional<std::string> mistake_in_sequences(const OrderTable& table, std::size_t orders) {
+  constexpr std::size_t most_parts = 1 << 16;
+  const std::size_t parts = table.parts.size();
+  if (parts > most_parts) {
+    return "has sequences of " + std::to_string(parts) + " parts, but may have " + std::to_string(most_parts);
+  }
+  std::set<std::pair<DrawId, std::optional<NodeId>>> named;
+  for (const auto& [draw, node] : table.parts) {
+    if (!named.emplace(draw, node).second) return "names a part twice";
+  }
+  if (table.sequences.size() != orders * parts) {
+    return "has sequences of " + std::to_string(table.sequences.size()) + " parts in all, but must have " +
+           std::to_string(orders) + " of " + std::to_string(parts) + " parts each";
+  }
+  for (std::size_t order = 0; parts > 0 && order < orders; ++order) {
+    if (!is_permutation(table.sequence(order))) {
+      return "has a sequence for order " + std::to_string(order) + " that does not name every part once";
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::span<const OrderTable> order_tables(const Scene& scene) {
@@ -42,7 +73,7 @@ std::optional<std::string> mistake_in(const OrderTable& table, std::size_t order
   if (highest >= orders) {
     return "names order " + std::to_string(highest) + " of " + std::to_string(orders) + ", counted from 0";
   }
-  return std::nullopt;
+  return mistake_in_sequences(table, orders);
 }
 
 }  // namespace foredraw

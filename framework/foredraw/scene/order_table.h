@@ -1,11 +1,12 @@
 #pragma once
 // Which of the k orders to draw: the table that a subject orderer answers with and an engine looks up each frame.
 
-#include <foredraw/scene/scene.h>
+#include <foredraw/scene/subject.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct OrderTable {
   std::uint32_t theta_steps = 1;
   std::uint32_t phi_steps = 1;
   std::vector<std::uint8_t> order;  ///< [keyframe of all clips in turn][theta][phi]
+  /// The parts of the subject, and in which sequence they are drawn with each order: [order][rank] = number in `parts`.
+  /// No file holds them, so any part may come anywhere. None: parts are drawn as the file's walk has them.
+  std::vector<SubjectPart> parts = {};
+  std::vector<std::uint16_t> sequences = {};
 
   std::size_t keyframes() const {
     std::size_t n = 0;
@@ -32,6 +37,9 @@ struct OrderTable {
     return n == 0 ? 1 : n;
   }
   std::size_t cells() const { return keyframes() * theta_steps * phi_steps; }
+  std::span<const std::uint16_t> sequence(std::size_t order) const {
+    return std::span(sequences).subspan(order * parts.size(), parts.size());
+  }
 
   friend bool operator==(const OrderTable&, const OrderTable&) = default;
 };
@@ -47,8 +55,9 @@ struct DrawOrders {
 std::span<const OrderTable> order_tables(const Scene& scene);
 
 /// What is wrong with a table that chooses among `orders`, as the rest of a sentence that begins with it: what it names
-/// twice, times that do not rise, more steps than 2^16, too many or too few cells, an order beyond those there are.
-/// Whether its draws and clips exist is the scene's to say.
+/// twice, times that do not rise, more steps than 2^16, too many or too few cells, an order beyond those there are,
+/// sequences of which there is not one for each order, or that are no permutation of the parts. Whether its draws,
+/// clips and parts exist is the scene's to say.
 std::optional<std::string> mistake_in(const OrderTable& table, std::size_t orders);
 
 }  // namespace foredraw

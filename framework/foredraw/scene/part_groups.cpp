@@ -163,6 +163,21 @@ std::vector<PartGroup> PartGroups::of(std::size_t subject) const {
   return groups;
 }
 
+std::vector<PartGroup> free_groups(const Subject& subject, std::vector<DrawId> draws) {
+  std::ranges::sort(draws);
+  std::vector<PartGroup> groups;
+  RunsInARow runs(groups);
+  for (std::uint32_t part = 0; part < subject.parts.size(); ++part) {
+    if (std::ranges::binary_search(draws, subject.parts[part].draw)) {
+      runs.add(part, part + 1);
+    } else {
+      runs.finish();
+    }
+  }
+  runs.finish();
+  return groups;
+}
+
 bool is_allowed(std::span<const std::uint32_t> sequence, std::span<const PartGroup> groups) {
   // Undone from the outermost group inwards, so that each group is found where it was.
   std::vector<std::uint32_t> undone(sequence.begin(), sequence.end());

@@ -46,6 +46,10 @@ class PartGroups {
   std::vector<std::size_t> placed_subject_;  ///< [node] that it shows a part of
 };
 
+/// Which parts may change places where no file has to hold their sequence: those of these draws. All others stay
+/// where they are, and nothing passes them.
+std::vector<PartGroup> free_groups(const Subject& subject, std::vector<DrawId> draws);
+
 /// Whether the parts come in this sequence, [rank] = part, where nothing but runs of groups changed places. Groups
 /// within a run come before the group that the run belongs to. O(parts in groups * log runs).
 bool is_allowed(std::span<const std::uint32_t> sequence, std::span<const PartGroup> groups);

@@ -28,12 +28,16 @@ struct SubjectView {
   std::vector<DrawId> draws;  ///< those of the subject's draws that may be ordered anew
   /// Which of the subject's parts may change places; none where something in the scene may refer to them by number.
   std::vector<PartGroup> groups = {};
+  /// Which of them may change places in a table's sequences, which no file has to hold; none where nothing may.
+  std::vector<PartGroup> free_groups = {};
 };
 
 /// k orders for each draw of a subject, and the table that says which to draw when; a sequence of its parts; or both.
 struct SubjectOrders {
   /// [i][j]: order j of draw table.draws[i], which is one of the view's draws. orders[i][0] stands alone.
   std::vector<std::vector<IndexOrder>> orders;
+  /// Its sequences are of all the subject's parts, and move them as the view's
+  /// free groups allow it.
   OrderTable table;
   /// [rank] = part of the subject, as the view's groups allow it. Empty: the parts stay where they are. Coarser levels
   /// are drawn in the sequence of full detail, so only full detail may be answered with one.

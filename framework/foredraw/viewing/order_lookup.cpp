@@ -20,7 +20,9 @@ OrderLookup::OrderLookup(const OrderTable& table, std::span<const std::string> c
             times_.data(),
             table.theta_steps,
             table.phi_steps,
-            order_.data()};
+            order_.data(),
+            static_cast<std::uint32_t>(table.parts.size()),
+            table.sequences.data()};
 }
 
 std::span<const std::uint8_t> OrderLookup::cells_in(const Pose& pose) const {

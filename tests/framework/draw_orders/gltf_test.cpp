@@ -97,6 +97,54 @@ TEST(GltfDrawOrders, made_scene_comes_back_too) {
   EXPECT_TRUE(json_of(file)["meshes"][1]["primitives"][0].contains("indices"));
 }
 
+/// Two draws in three orders, each with a sequence of its own.
+Scene two_in_sequence() {
+  Scene scene = scene_of({draw_of(torus(8, 6), "ring"), draw_of(soup(5, 1), "soup")});
+  for (Draw& draw : scene.draws) add_orders(draw);
+  OrderTable table{{0, 1}, {}, 1, 3, {0, 2, 1}};
+  table.parts = {{0, 0}, {1, 1}};
+  table.sequences = {0, 1, 1, 0, 0, 1};
+  scene.products.set(DrawOrders{{table}});
+  return scene;
+}
+
+TEST(GltfDrawOrders, sequences_come_back_too) {
+  const Scene scene = two_in_sequence();
+  const Bytes file = write(scene);
+  expect_same_orders(read(file), scene);
+  EXPECT_EQ(write(read(file)), file);
+  EXPECT_EQ(json_of(file)["extensions"][name]["tables"][0]["parts"],
+            GltfJson::parse(R"([{"node": 0, "primitive": 0}, {"node": 1, "primitive": 0}])"));
+}
+
+TEST(GltfDrawOrders, sequences_of_a_mesh_that_no_node_shows_name_it) {
+  GltfBuilder builder = opened(write(two_in_sequence()));
+  GltfJson& meshes = builder.json["meshes"];
+  meshes[0]["primitives"].push_back(meshes[1]["primitives"][0]);
+  meshes.erase(1);
+  builder.json.erase("nodes");
+  builder.json.erase("scenes");
+  builder.json.erase("scene");
+  GltfJson& table = builder.json["extensions"][name]["tables"][0];
+  table["primitives"] = GltfJson::parse("[[0, 0], [0, 1]]");
+  table["parts"] = GltfJson::parse(R"([{"mesh": 0, "primitive": 0}, {"mesh": 0, "primitive": 1}])");
+  const Scene scene = read(builder);
+  ASSERT_EQ(tables_of(scene).size(), 1u);
+  EXPECT_EQ(tables_of(scene)[0].parts, (std::vector<SubjectPart>{{0, std::nullopt}, {1, std::nullopt}}));
+  EXPECT_EQ(json_of(write(scene))["extensions"][name]["tables"][0]["parts"], table["parts"]);
+}
+
+TEST(GltfDrawOrders, tables_without_sequences_say_nothing_of_them) {
+  Scene scene = two_in_sequence();
+  OrderTable table = tables_of(scene)[0];
+  table.parts.clear();
+  table.sequences.clear();
+  scene.products.set(DrawOrders{{table}});
+  const GltfJson said = json_of(write(scene))["extensions"][name]["tables"][0];
+  EXPECT_FALSE(said.contains("parts"));
+  EXPECT_FALSE(said.contains("sequences"));
+}
+
 TEST(GltfDrawOrders, without_a_table_stay_orders) {
   Scene scene = puppet_with_orders();
   scene.products.set(DrawOrders{});
@@ -205,6 +253,21 @@ TEST(GltfDrawOrders, draws_that_share_accessors_have_orders_of_their_own) {
   expect_same_orders(read(write(moved)), moved);
 }
 
+/// The puppet's table with a part and its sequences: as it should be, or as `sequences` says.
+void add_sequences(GltfBuilder& builder, GltfJson& table, const std::vector<std::uint16_t>& sequences = {0, 0, 0}) {
+  std::size_t node = 0;
+  while (!builder.json["nodes"][node].contains("mesh")) ++node;
+  table["parts"] = {{{"node", node}, {"primitive", 0}}};
+  table["sequences"] = builder.add_values(sequences, "SCALAR");
+}
+
+TEST(GltfDrawOrders, of_a_single_part_have_a_sequence_too) {
+  GltfBuilder builder = opened(write(puppet_with_orders()));
+  add_sequences(builder, builder.json["extensions"][name]["tables"][0]);
+  ASSERT_EQ(tables_of(read(builder)).size(), 1u);
+  EXPECT_EQ(tables_of(read(builder))[0].sequences, (std::vector<std::uint16_t>{0, 0, 0}));
+}
+
 struct Wrong {
   const char* name;
   std::function<void(GltfBuilder&, GltfJson& primitive, GltfJson& table)> make;
@@ -302,6 +365,61 @@ INSTANTIATE_TEST_SUITE_P(
               [](auto& builder, auto&, auto& table) {
                 table["order"] = builder.add_values(std::vector<std::uint8_t>(18, 3), "SCALAR");
               }},
+        Wrong{"parts_without_sequences",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table.erase("sequences");
+              }},
+        Wrong{"sequences_without_parts",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table.erase("parts");
+              }},
+        Wrong{"parts_are_a_number",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table["parts"] = 1;
+              }},
+        Wrong{"part_is_a_number",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table["parts"][0] = 0;
+              }},
+        Wrong{"part_of_an_unknown_node",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table["parts"][0]["node"] = far_away;
+              }},
+        Wrong{"part_of_an_unknown_primitive",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table["parts"][0]["primitive"] = 9;
+              }},
+        Wrong{"part_of_an_unknown_mesh",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table["parts"][0] = {{"mesh", 9}, {"primitive", 0}};
+              }},
+        Wrong{"part_twice",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table, {0, 1, 0, 1, 0, 1});
+                table["parts"].push_back(GltfJson(table["parts"][0]));
+              }},
+        Wrong{"sequences_are_bytes",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table["sequences"] = builder.add_values(std::vector<std::uint8_t>{0, 0, 0}, "SCALAR");
+              }},
+        Wrong{"sequences_are_beyond",
+              [](auto& builder, auto&, auto& table) {
+                add_sequences(builder, table);
+                table["sequences"] = far_away;
+              }},
+        Wrong{"sequences_are_few", [](auto& builder, auto&, auto& table) { add_sequences(builder, table, {0, 0}); }},
+        Wrong{"sequences_are_many",
+              [](auto& builder, auto&, auto& table) { add_sequences(builder, table, {0, 0, 0, 0}); }},
+        Wrong{"sequence_names_no_part",
+              [](auto& builder, auto&, auto& table) { add_sequences(builder, table, {0, 1, 0}); }},
         Wrong{"primitive_lacks_orders",
               [](auto&, auto& own, auto&) { own["orders"].erase(own["orders"].size() - 1); }}),
     [](const auto& wrong) { return std::string(wrong.param.name); });

@@ -85,5 +85,30 @@ TEST(Answers, SequencesMoveOnlyWhatMayMove) {
   EXPECT_THROW(answered({0, 1, 1}), std::runtime_error);
 }
 
+TEST(Answers, TablesMoveOnlyWhatMayMove) {
+  const Scene scene =
+      testing::scene_of({testing::draw_of(testing::grid(2, 1), "A"), testing::draw_of(testing::grid(2, 1), "B"),
+                         testing::draw_of(testing::grid(2, 1), "C")});
+  const Subject subject{"All", {{0, {}}, {1, {}}, {2, {}}}};
+  SubjectView view{scene, subject, {0, 1, 2}};
+  view.free_groups = free_groups(subject, {2, 1});  // A stays
+  Analyses analyses;
+  const auto answered = [&](std::vector<std::uint16_t> sequences) {
+    SubjectOrders answer;
+    answer.table = {{0}, {}, 1, 2, {0, 2}};
+    answer.table.parts = subject.parts;
+    answer.table.sequences = std::move(sequences);
+    answer.orders = {{{0, 1, 2, 3}, {1, 0, 2, 3}, {3, 2, 1, 0}}};
+    return ordered(view, std::move(answer), analyses).table;
+  };
+  const OrderTable table = answered({0, 1, 2, 0, 1, 2, 0, 2, 1});
+  EXPECT_EQ(table.order, (std::vector<std::uint8_t>{0, 1})) << "an order that nothing names is left out";
+  EXPECT_EQ(table.sequences, (std::vector<std::uint16_t>{0, 1, 2, 0, 2, 1})) << "and its sequence with it";
+  EXPECT_THROW(answered({0, 1, 2, 0, 1, 2, 2, 1, 0}), std::runtime_error) << "A moves";
+  EXPECT_THROW(answered({0, 1, 2, 0, 1, 2}), std::runtime_error);
+  EXPECT_THROW(answered({0, 1, 2, 0, 1, 2, 0, 2, 2}), std::runtime_error);
+  EXPECT_THROW(answered({}), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace foredraw
