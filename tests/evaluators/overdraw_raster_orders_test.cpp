@@ -7,6 +7,8 @@
 
 #include <foredraw/scene/order_table.h>
 #include <foredraw/scene/reorder.h>
+#include <foredraw/viewing/subject_geometry.h>
+#include <foredraw/viewing/view_set.h>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +95,96 @@ TEST(OverdrawOrders, details_tell_the_same_overdraw) {
     }
     EXPECT_EQ(shaded, testing::find(findings, "ratio", {})->numerator);
   }
+}
+
+/// Three squares side by side in depth, each a draw, and a table with a sequence for each of two orders.
+Scene squares_in_sequence() {
+  std::vector<Draw> draws;
+  for (const float height : {0.1f, 0.3f, 0.2f}) {
+    TestMesh square = testing::quad(0);
+    for (glm::vec3& p : square.positions) p = {p.x + height, height, -p.y};
+    Draw draw = testing::draw_of(square, "square");
+    draw.levels[0].orders.push_back(draw.levels[0].orders[0]);
+    draw.material = static_cast<MaterialId>(draws.size() == 0 ? 1 : 0);
+    draws.push_back(std::move(draw));
+  }
+  Scene scene = testing::scene_of(std::move(draws));
+  scene.materials.resize(2);
+  for (Material& material : scene.materials) material.double_sided = true;
+  Node root;
+  root.children = {0, 1, 2};
+  scene.nodes.push_back(root);
+  scene.skins.resize(1);
+  scene.skins[0].joints = {3};
+  OrderTable table{{0, 1, 2}, {}, 2, 1, {0, 1}};
+  table.parts = subjects_of(scene)[0].parts;
+  table.sequences = {0, 1, 2, 1, 2, 0};
+  testing::edit<DrawOrders>(scene)->tables.push_back(table);
+  return scene;
+}
+
+/// Drawn view by view, the parts one behind the other: `sequence_of(view)` says how.
+template <class SequenceOf>
+double shaded_of(const Scene& scene, const Views& views, SequenceOf sequence_of) {
+  const Subject subject = subjects_of(scene)[0];
+  Analyses analyses;
+  const SubjectGeometry posed = subject_geometry(scene, subject, Faces::material, posed_nodes(scene), analyses);
+  double shaded = 0;
+  for (const View& view : views.views) {
+    std::vector<RasterPart> drawn;
+    for (const std::size_t part : sequence_of(view)) drawn.push_back(posed.parts[part]);
+    for (const auto& of_part : overdraw_raster(drawn, {{view}, views.size})) {
+      shaded += static_cast<double>(of_part[0].shaded);
+    }
+  }
+  return shaded;
+}
+
+TEST(OverdrawOrders, parts_are_drawn_in_the_sequence_that_is_asked_for) {
+  using Sequence = std::vector<std::size_t>;
+  const Scene scene = squares_in_sequence();
+  ViewSet set;
+  set.views = "random";
+  set.count = 40;
+  set.size = 32;
+  const Views views = make_views(set);
+  const auto measured = [&](const std::string& sequence) {
+    return testing::find(
+               evaluate(scene, {{"views", std::string("random")}, {"count", std::int64_t{40}}, {"sequence", sequence}}),
+               "ratio", {})
+        ->numerator;
+  };
+  const double by_table = shaded_of(scene, views, [](const View& view) {
+    return view.direction.y > 0 ? Sequence{0, 1, 2} : Sequence{1, 2, 0};
+  });
+  const double as_in_file = shaded_of(scene, views, [](const View&) { return Sequence{0, 1, 2}; });
+  const double by_material = shaded_of(scene, views, [](const View&) { return Sequence{1, 2, 0}; });
+  EXPECT_EQ(measured("table"), by_table);
+  EXPECT_EQ(measured("file"), as_in_file);
+  EXPECT_EQ(measured("material"), by_material);
+  EXPECT_NE(by_table, as_in_file);
+  EXPECT_NE(by_table, by_material);
+  EXPECT_NE(as_in_file, by_material);
+}
+
+TEST(OverdrawOrders, details_and_draws_are_told_by_their_numbers_in_any_sequence) {
+  const Scene scene = squares_in_sequence();
+  for (const char* sequence : {"table", "file", "material"}) {
+    const Findings findings = evaluate(scene, {{"details", true}, {"sequence", std::string(sequence)}});
+    double of_draws = 0, of_pixels = 0;
+    for (DrawId draw = 0; draw < 3; ++draw) of_draws += testing::find(findings, "ratio", draw)->numerator;
+    for (const Measured& measured : findings.measured) {
+      if (!measured.metric.starts_with("shaded-times.")) continue;
+      of_pixels += measured.numerator * std::stod(measured.metric.substr(13));
+    }
+    EXPECT_EQ(of_draws, testing::find(findings, "ratio", {})->numerator) << sequence;
+    EXPECT_EQ(of_pixels, of_draws) << sequence;
+  }
+  // From above and below nothing is seen of the middle square but where the others leave it.
+  const auto shaded = [&](const char* sequence, DrawId draw) {
+    return testing::find(evaluate(scene, {{"sequence", std::string(sequence)}}), "ratio", draw)->numerator;
+  };
+  EXPECT_GT(shaded("file", 0), shaded("material", 0)) << "drawn first, and drawn last";
 }
 
 TEST(OverdrawOrders, poses_draw_what_their_keyframe_says) {

@@ -22,11 +22,11 @@ using Hidden = std::vector<std::vector<double>>;
 double sum_of(std::span<const double> counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
 /// Shares out what a subject's triangles hide to the draws that they are of.
-void add_hidden(Hidden& hidden, const Subject& subject, const SubjectGeometry& drawn,
-                std::span<const std::uint64_t> of_triangles, double weight) {
-  for (std::size_t part = 0; part < drawn.parts.size(); ++part) {
-    const std::size_t triangles = drawn.parts[part].indices.size() / 3;
-    std::vector<double>& of_draw = hidden[subject.parts[part].draw];
+void add_hidden(Hidden& hidden, const Subject& subject, std::span<const RasterPart> drawn,
+                std::span<const std::uint32_t> sequence, std::span<const std::uint64_t> of_triangles, double weight) {
+  for (std::size_t rank = 0; rank < drawn.size(); ++rank) {
+    const std::size_t triangles = drawn[rank].indices.size() / 3;
+    std::vector<double>& of_draw = hidden[subject.parts[sequence[rank]].draw];
     of_draw.resize(std::max(of_draw.size(), triangles));
     for (std::size_t t = 0; t < triangles; ++t) of_draw[t] += weight * static_cast<double>(of_triangles[t]);
     of_triangles = of_triangles.subspan(triangles);
@@ -66,7 +66,7 @@ std::string listed_draws(const std::vector<std::string>& names) {
 }
 
 void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawService& service, const Views& views,
-                           Run& run) {
+                           SequenceFrom said_by, Run& run) {
   if (!service.can_capture()) {
     return run.note("no-details",
                     "this evaluator does not record which draw shades a fragment; use overdraw-raster for details");
@@ -80,12 +80,12 @@ void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawServic
     for (std::size_t i = 0; i < subjects.subjects.size(); ++i) {
       if (!subjects.is_new(i, pose)) continue;
       const Subject& subject = subjects.subjects[i];
-      SubjectGeometry drawn = subject_geometry(scene, subject, service.faces(), nodes, run.analyses);
-      if (!subjects.moves(i) && overdraw_bound(drawn.parts, least_overdraw)) convex.push_back(subject.name);
+      const SubjectGeometry posed = subject_geometry(scene, subject, service.faces(), nodes, run.analyses);
+      if (!subjects.moves(i) && overdraw_bound(posed.parts, least_overdraw)) convex.push_back(subject.name);
       const Pose& moment = subjects.poses.poses[pose];
-      for (const ViewsOfOrders& some : views_by_orders(scene, subject, moment, views.views)) {
-        set_orders(drawn, scene, subject, some.orders);
-        const auto layers = service.capture(drawn.parts, chosen(views, some.views), run);
+      for (const ViewsOfOrders& some : views_by_orders(scene, subject, moment, views.views, said_by)) {
+        const std::vector<RasterPart> drawn = parts_as_drawn(posed, scene, subject, some);
+        const auto layers = service.capture(drawn, chosen(views, some.views), run);
         if (!layers) {
           return run.note("no-details",
                           fmt::format("the layers of {} take more than {} MB; ask for fewer or smaller views",
@@ -95,7 +95,7 @@ void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawServic
         std::iota(as_drawn.begin(), as_drawn.end(), 0u);
         const OverdrawDetails details = overdraw_details(*layers, as_drawn);
         const double weight = subjects.distinct[i].weights[pose];
-        add_hidden(hidden, subject, drawn, details.hidden, weight);
+        add_hidden(hidden, subject, drawn, some.sequence, details.hidden, weight);
         for (std::size_t times = 1; times < details.pixels_by_times.size(); ++times) {
           pixels[std::min(times, most_times)] += weight * static_cast<double>(details.pixels_by_times[times]);
         }

@@ -1,6 +1,7 @@
 #pragma once
 #include <foredraw/measuring/subjects_in_poses.h>
 #include <foredraw/technique/overdraw_service.h>
+#include <foredraw/viewing/drawn_orders.h>
 
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@ namespace foredraw {
 /// the overdraw or more, with the clusters that cause the most where it is clustered. One more names the draws that
 /// cause none. One note instead where the service can not capture, or where it would take too much memory.
 void tell_overdraw_details(const SubjectsInPoses& subjects, const OverdrawService& service, const Views& views,
-                           Run& run);
+                           SequenceFrom said_by, Run& run);
 
 /// "3 draws (Glass, Smoke, Flame/1)", with the first few names.
 std::string listed_draws(const std::vector<std::string>& names);

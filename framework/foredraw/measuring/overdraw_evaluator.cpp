@@ -37,7 +37,7 @@ class OverdrawEvaluation {
     const OverdrawTallies tallies =
         options_.error ? counted_to(*options_.error, subjects, run) : counted(subjects, run);
     measure(subjects, tallies, run);
-    if (options_.details) tell_overdraw_details(subjects, service_, samples_.views, run);
+    if (options_.details) tell_overdraw_details(subjects, service_, samples_.views, options_.sequence, run);
     tell_of_poses(subjects, tallies, run);
     tell_what_is_not_as_drawn(scene, subjects.poses, tallies, run);
     service_.tell_more(scene, subjects.subjects, samples_.views, run);
@@ -84,29 +84,30 @@ class OverdrawEvaluation {
     run.executor.for_each(counted.size(), [&](std::size_t i) {
       if (run.cancelled()) throw std::runtime_error("cancelled");
       if (subjects.is_new(i, pose)) {
-        SubjectGeometry drawn =
+        const SubjectGeometry posed =
             subject_geometry(subjects.scene, subjects.subjects[i], options_.faces, nodes, run.analyses);
-        counted[i].counts = drawn_in_orders(drawn, subjects, i, pose, run);
-        for (const RasterPart& part : drawn.parts) counted[i].non_finite += count_non_finite_triangles(part);
+        counted[i].counts = drawn_in_orders(posed, subjects, i, pose, run);
+        for (const RasterPart& part : posed.parts) counted[i].non_finite += count_non_finite_triangles(part);
       }
       one_is_done();
     });
     return counted;
   }
 
-  /// From each view in the orders that the subject's tables give there.
-  OverdrawCounts drawn_in_orders(SubjectGeometry& drawn, const SubjectsInPoses& subjects, std::size_t i,
+  /// From each view in the orders that the subject's tables give there, and in the sequence.
+  OverdrawCounts drawn_in_orders(const SubjectGeometry& posed, const SubjectsInPoses& subjects, std::size_t i,
                                  std::size_t pose, Run& run) const {
     const Views& views = samples_.views;
-    const auto by_orders =
-        views_by_orders(subjects.scene, subjects.subjects[i], subjects.poses.poses[pose], views.views);
-    OverdrawCounts counts(drawn.parts.size(), std::vector<OverdrawCount>(views.views.size()));
-    for (const ViewsOfOrders& some : by_orders) {
-      set_orders(drawn, subjects.scene, subjects.subjects[i], some.orders);
-      if (by_orders.size() == 1) return service_.draw(drawn.parts, views, run);
-      const OverdrawCounts seen = service_.draw(drawn.parts, chosen(views, some.views), run);
-      for (std::size_t part = 0; part < counts.size(); ++part) {
-        for (std::size_t v = 0; v < some.views.size(); ++v) counts[part][some.views[v]] = seen[part][v];
+    const Subject& subject = subjects.subjects[i];
+    OverdrawCounts counts(posed.parts.size(), std::vector<OverdrawCount>(views.views.size()));
+    for (const ViewsOfOrders& some :
+         views_by_orders(subjects.scene, subject, subjects.poses.poses[pose], views.views, options_.sequence)) {
+      const std::vector<RasterPart> drawn = parts_as_drawn(posed, subjects.scene, subject, some);
+      const OverdrawCounts seen = service_.draw(drawn, chosen(views, some.views), run);
+      for (std::size_t rank = 0; rank < seen.size(); ++rank) {
+        for (std::size_t v = 0; v < some.views.size(); ++v) {
+          counts[some.sequence[rank]][some.views[v]] = seen[rank][v];
+        }
       }
     }
     return counts;

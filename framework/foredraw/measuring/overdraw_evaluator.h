@@ -6,6 +6,7 @@
 #include <foredraw/technique/pose_options.h>
 #include <foredraw/technique/subject_options.h>
 #include <foredraw/technique/view_options.h>
+#include <foredraw/viewing/drawn_orders.h>
 
 #include <concepts>
 #include <memory>
@@ -25,6 +26,7 @@ struct OverdrawOptions : ViewSet, PoseSet {
   }
   Faces faces = Faces::material;
   SubjectUnit subject = SubjectUnit::character;
+  SequenceFrom sequence = SequenceFrom::table;
   bool details = false;
   std::optional<double> error;  ///< wanted of every subject's ratio: views and size are then picked to reach it
 };
@@ -44,6 +46,11 @@ std::vector<Metric> overdraw_metrics();
 template <class Options>
 requires std::derived_from<Options, OverdrawOptions>
 void add_evaluator_rows(OptionTable<Options>& table) {
+  table.template choice<SequenceFrom>(
+      &OverdrawOptions::sequence, "sequence",
+      "In which sequence draws are drawn. table: as tables of orders say, else as in the file; file: as in the file, "
+      "whatever tables say; material: by the material's number, near to what engines do that sort",
+      {{"table", SequenceFrom::table}, {"file", SequenceFrom::file}, {"material", SequenceFrom::material}});
   table.template row<bool>(
       &OverdrawOptions::details, "details",
       "Report how many pixels are shaded how often, and which draws and clusters cause the overdraw");

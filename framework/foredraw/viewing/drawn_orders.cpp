@@ -1,6 +1,5 @@
 #include <foredraw/viewing/drawn_orders.h>
 
-#include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/order_lookup.h>
 #include <foredraw/viewing/pose_set.h>
 
@@ -18,7 +17,28 @@ struct PosedTable {
   OrderLookup lookup;
   std::span<const std::uint8_t> cells;  ///< none: order 0
   std::vector<std::size_t> parts;
+  /// [order][rank] = part of the subject, of those that the table's sequences name.
+  std::vector<std::vector<std::uint32_t>> sequences;
 };
+
+/// Those of the sequence that the subject has, by their numbers there.
+std::vector<std::uint32_t> parts_of(const Subject& subject, const OrderTable& table,
+                                    std::span<const std::uint16_t> sequence) {
+  std::vector<std::uint32_t> parts;
+  for (const std::uint16_t number : sequence) {
+    const auto part = std::ranges::find(subject.parts, table.parts[number]);
+    if (part != subject.parts.end()) parts.push_back(static_cast<std::uint32_t>(part - subject.parts.begin()));
+  }
+  return parts;
+}
+
+std::vector<std::vector<std::uint32_t>> sequences_of(const OrderTable& table, const Subject& subject) {
+  std::vector<std::vector<std::uint32_t>> sequences;
+  for (std::size_t first = 0; first < table.sequences.size(); first += table.parts.size()) {
+    sequences.push_back(parts_of(subject, table, table.sequence(first / table.parts.size())));
+  }
+  return sequences;
+}
 
 std::vector<PosedTable> tables_of(const Scene& scene, const Subject& subject, const Pose& pose) {
   std::vector<PosedTable> tables;
@@ -30,35 +50,66 @@ std::vector<PosedTable> tables_of(const Scene& scene, const Subject& subject, co
       if (std::ranges::find(table.draws, subject.parts[i].draw) != table.draws.end()) parts.push_back(i);
     }
     if (parts.empty()) continue;
-    tables.push_back({OrderLookup(table, names), {}, std::move(parts)});
+    tables.push_back({OrderLookup(table, names), {}, std::move(parts), sequences_of(table, subject)});
     tables.back().cells = tables.back().lookup.cells_in(pose);
   }
   return tables;
 }
 
+std::vector<std::uint32_t> as_in_file(const Subject& subject) {
+  std::vector<std::uint32_t> sequence(subject.parts.size());
+  std::iota(sequence.begin(), sequence.end(), 0u);
+  return sequence;
+}
+
+std::vector<std::uint32_t> by_material(const Scene& scene, const Subject& subject) {
+  std::vector<std::uint32_t> sequence = as_in_file(subject);
+  std::ranges::stable_sort(sequence, {},
+                           [&](std::uint32_t part) { return scene.draws[subject.parts[part].draw].material; });
+  return sequence;
+}
+
+/// The places that these parts have are theirs, in this sequence. Of a sequence that is as in the file where they are.
+void put(std::span<const std::uint32_t> parts, std::vector<std::uint32_t>& sequence) {
+  std::vector<std::uint32_t> places(parts.begin(), parts.end());
+  std::ranges::sort(places);
+  for (std::size_t i = 0; i < parts.size(); ++i) sequence[places[i]] = parts[i];
+}
+
 }  // namespace
 
 std::vector<ViewsOfOrders> views_by_orders(const Scene& scene, const Subject& subject, const Pose& pose,
-                                           std::span<const View> views) {
+                                           std::span<const View> views, SequenceFrom said_by) {
   const std::vector<PosedTable> tables = tables_of(scene, subject, pose);
-  std::vector<std::uint32_t> orders(subject.parts.size(), 0);
+  const std::vector<std::uint32_t> sequence =
+      said_by == SequenceFrom::material ? by_material(scene, subject) : as_in_file(subject);
+  ViewsOfOrders one{std::vector<std::uint32_t>(subject.parts.size(), 0), sequence, {}};
   if (tables.empty()) {
-    std::vector<std::size_t> all(views.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return {{std::move(orders), std::move(all)}};
+    one.views.resize(views.size());
+    std::iota(one.views.begin(), one.views.end(), std::size_t{0});
+    return {std::move(one)};
   }
-  std::map<std::vector<std::uint32_t>, std::vector<std::size_t>> by_orders;
+  using Drawn = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;  // orders, sequence
+  std::map<Drawn, std::vector<std::size_t>> alike;
   for (std::size_t view = 0; view < views.size(); ++view) {
+    one.sequence = sequence;
     for (const PosedTable& table : tables) {
-      if (table.cells.empty()) continue;
-      const std::uint32_t order = table.cells[table.lookup.cell_of(views[view].direction)];
-      for (const std::size_t part : table.parts) orders[part] = order;
+      const std::uint32_t order = table.cells.empty() ? 0 : table.cells[table.lookup.cell_of(views[view].direction)];
+      for (const std::size_t part : table.parts) one.orders[part] = order;
+      if (said_by == SequenceFrom::table && order < table.sequences.size()) put(table.sequences[order], one.sequence);
     }
-    by_orders[orders].push_back(view);
+    alike[{one.orders, one.sequence}].push_back(view);
   }
   std::vector<ViewsOfOrders> result;
-  for (auto& [alike, numbers] : by_orders) result.push_back({alike, std::move(numbers)});
+  for (auto& [drawn, numbers] : alike) result.push_back({drawn.first, drawn.second, std::move(numbers)});
   return result;
+}
+
+std::vector<std::uint32_t> parts_in_sequence(const Subject& subject, const OrderTable& table,
+                                             std::span<const std::uint16_t> sequence) {
+  std::vector<std::uint32_t> all = as_in_file(subject);
+  put(parts_of(subject, table, sequence), all);
+  return all;
 }
 
 Views chosen(const Views& views, std::span<const std::size_t> numbers) {
@@ -67,12 +118,15 @@ Views chosen(const Views& views, std::span<const std::size_t> numbers) {
   return some;
 }
 
-void set_orders(SubjectGeometry& drawn, const Scene& scene, const Subject& subject,
-                std::span<const std::uint32_t> orders) {
-  for (std::size_t part = 0; part < drawn.parts.size(); ++part) {
-    if (drawn.parts[part].indices.empty()) continue;  // not drawn
-    drawn.parts[part].indices = scene.draws[subject.parts[part].draw].full().orders.at(orders[part]).indices.view();
+std::vector<RasterPart> parts_as_drawn(const SubjectGeometry& posed, const Scene& scene, const Subject& subject,
+                                       const ViewsOfOrders& as) {
+  std::vector<RasterPart> drawn;
+  for (const std::uint32_t part : as.sequence) {
+    drawn.push_back(posed.parts[part]);
+    if (drawn.back().indices.empty()) continue;  // not drawn
+    drawn.back().indices = scene.draws[subject.parts[part].draw].full().orders.at(as.orders[part]).indices.view();
   }
+  return drawn;
 }
 
 Stamp orders_stamp(const Scene& scene, const Subject& subject, const Pose& pose) {

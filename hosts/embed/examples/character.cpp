@@ -61,7 +61,7 @@ struct character {
   std::vector<std::string> clips = clip_names(scene);
   foredraw::OrderLookup lookup = {table, clips};
   foredraw::Analyses analyses = {};
-  foredraw::SubjectGeometry drawn = {};
+  foredraw::SubjectGeometry posed = {};
 };
 
 character* character_load(const char* path) {
@@ -89,21 +89,24 @@ int character_pose(character* hero, uint32_t clip, float time) {
       if (known == hero->clips.end()) throw std::runtime_error("the scene has no clip that its table names");
       pose = {static_cast<foredraw::AnimationId>(known - hero->clips.begin()), time};
     }
-    hero->drawn = subject_geometry(hero->scene, hero->subject, foredraw::Faces::material,
+    hero->posed = subject_geometry(hero->scene, hero->subject, foredraw::Faces::material,
                                    posed_nodes(hero->scene, pose), hero->analyses);
     return 1;
   });
 }
 
-int character_draw(character* hero, const float towards_camera[3], uint32_t order, character_fragments* fragments) {
+int character_draw(character* hero, const float towards_camera[3], uint32_t order, const uint16_t* sequence,
+                   character_fragments* fragments) {
   return said([&] {
-    std::vector<uint32_t> orders;
-    for (const SubjectPart& part : hero->subject.parts) orders.push_back(chooses_for(hero->table, part) ? order : 0);
-    set_orders(hero->drawn, hero->scene, hero->subject, orders);
+    foredraw::ViewsOfOrders as;
+    for (const SubjectPart& part : hero->subject.parts) as.orders.push_back(chooses_for(hero->table, part) ? order : 0);
+    const std::size_t parts = sequence == nullptr ? 0 : hero->table.parts.size();
+    as.sequence = parts_in_sequence(hero->subject, hero->table, {sequence, parts});
+    const auto drawn = parts_as_drawn(hero->posed, hero->scene, hero->subject, as);
     const glm::dvec3 direction(towards_camera[0], towards_camera[1], towards_camera[2]);
     const foredraw::Views views{{{normalize(direction)}}, picture_size};
     *fragments = {0, 0};
-    for (const auto& part : foredraw::overdraw_raster(hero->drawn.parts, views)) {
+    for (const auto& part : foredraw::overdraw_raster(drawn, views)) {
       fragments->drawn += static_cast<double>(part.front().shaded);
       fragments->visible += static_cast<double>(part.front().visible);
     }

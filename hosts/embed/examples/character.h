@@ -28,8 +28,10 @@ const foredraw_order_table* character_table(const character* hero);
  * Nothing but 0 says that it did not work, and stderr why. */
 int character_pose(character* hero, uint32_t clip, float time);
 
-/* Draws it orthographically, as it was posed last, in the order that is asked for: below the table's k. */
-int character_draw(character* hero, const float towards_camera[3], uint32_t order, character_fragments* fragments);
+/* Draws it orthographically, as it was posed last, in the order that is asked for: below the table's k. Its parts are
+ * drawn in the sequence, one for each of the table's; NULL: as the file has them. */
+int character_draw(character* hero, const float towards_camera[3], uint32_t order, const uint16_t* sequence,
+                   character_fragments* fragments);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
-/* Walks a camera all around a character while its clips play, draws with each frame the index buffer that the table
- * names, and counts what that saves. Reads what `foredraw optimize in.glb -o out.glb --pipeline @character` writes.
+/* Walks a camera all around a character while its clips play, draws with each frame the index buffers that the table
+ * names, its parts in the sequence that belongs to them, and counts what that saves. Reads what `foredraw optimize
+ * in.glb -o out.glb --pipeline @character` writes.
  *
  *   character_orders out.glb [frames of the walk through each clip, 200] */
 
@@ -55,13 +56,15 @@ int main(int argc, char** argv) {
       const float time = keyframes > 0 ? times[0] + moment * (times[keyframes - 1] - times[0]) : 0;
       float towards_camera[3];
       character_fragments chosen, first;
+      const uint16_t* sequence;
       uint32_t order;
 
       camera_at(part, frames, towards_camera);
       order = foredraw_order_at(table, clip, time, towards_camera, &state);
+      sequence = foredraw_draw_sequence(table, order);
 
-      if (!character_pose(hero, clip, time) || !character_draw(hero, towards_camera, order, &chosen) ||
-          !character_draw(hero, towards_camera, 0, &first)) {
+      if (!character_pose(hero, clip, time) || !character_draw(hero, towards_camera, order, sequence, &chosen) ||
+          !character_draw(hero, towards_camera, 0, NULL, &first)) {
         character_free(hero);
         return 1;
       }

@@ -60,12 +60,56 @@ TEST(DrawnOrders, parts_draw_the_orders_that_are_set) {
   const Scene scene = character();
   const Subject subject = subjects_of(scene)[0];
   Analyses analyses;
-  SubjectGeometry drawn = subject_geometry(scene, subject, Faces::front, posed_nodes(scene), analyses);
-  drawn.parts[2].indices = {};  // as one that is not drawn
-  set_orders(drawn, scene, subject, Numbers{1, 0, 1});
-  EXPECT_EQ(drawn.parts[0].indices.data(), scene.draws[0].levels[0].orders[1].indices.view().data());
-  EXPECT_EQ(drawn.parts[1].indices.data(), scene.draws[1].levels[0].orders[0].indices.view().data());
-  EXPECT_TRUE(drawn.parts[2].indices.empty());
+  SubjectGeometry posed = subject_geometry(scene, subject, Faces::front, posed_nodes(scene), analyses);
+  posed.parts[2].indices = {};  // as one that is not drawn
+  const auto drawn = parts_as_drawn(posed, scene, subject, {{1, 0, 1}, {1, 2, 0}, {}});
+  ASSERT_EQ(drawn.size(), 3u);
+  EXPECT_EQ(drawn[2].indices.data(), scene.draws[0].levels[0].orders[1].indices.view().data());
+  EXPECT_EQ(drawn[0].indices.data(), scene.draws[1].levels[0].orders[0].indices.view().data());
+  EXPECT_TRUE(drawn[1].indices.empty());
+}
+
+TEST(DrawnOrders, parts_come_in_the_sequence_of_the_order) {
+  Scene scene = character();
+  OrderTable& table = testing::edit<DrawOrders>(scene)->tables[0];
+  const Subject subject = subjects_of(scene)[0];
+  table.parts = subject.parts;
+  table.sequences = {0, 1, 2, 2, 0, 1};
+  const auto sitting = views_by_orders(scene, subject, {0, 0}, up_down_up);
+  ASSERT_EQ(sitting.size(), 2u);
+  EXPECT_EQ(sitting[0].sequence, (Numbers{0, 1, 2}));
+  EXPECT_EQ(sitting[1].sequence, (Numbers{2, 0, 1}));
+  EXPECT_EQ(sitting[1].views, (Places{1}));
+  const auto as_in_file = views_by_orders(scene, subject, {0, 0}, up_down_up, SequenceFrom::file);
+  ASSERT_EQ(as_in_file.size(), 2u) << "orders are looked up all the same";
+  EXPECT_EQ(as_in_file[1].orders, (Numbers{1, 0, 1}));
+  EXPECT_EQ(as_in_file[1].sequence, (Numbers{0, 1, 2}));
+  const auto at_rest = views_by_orders(scene, subject, {}, up_down_up);
+  ASSERT_EQ(at_rest.size(), 1u);
+  EXPECT_EQ(at_rest[0].sequence, (Numbers{0, 1, 2})) << "a clip that the table does not have";
+}
+
+TEST(DrawnOrders, parts_that_a_table_does_not_name_keep_their_places) {
+  Scene scene = character();
+  OrderTable& table = testing::edit<DrawOrders>(scene)->tables[0];
+  const Subject subject = subjects_of(scene)[0];
+  table.parts = {subject.parts[0], {7, 7}, subject.parts[2]};
+  table.sequences = {0, 1, 2, 2, 1, 0};
+  const auto flying = views_by_orders(scene, subject, {1, 0}, up_down_up);
+  ASSERT_EQ(flying.size(), 1u);
+  EXPECT_EQ(flying[0].sequence, (Numbers{2, 1, 0}));
+}
+
+TEST(DrawnOrders, parts_may_come_by_their_materials) {
+  Scene scene = character();
+  scene.materials.resize(2);
+  scene.draws[0].material = 1;
+  scene.draws[1].material = 0;
+  scene.draws[2].material = 0;
+  for (const ViewsOfOrders& some :
+       views_by_orders(scene, subjects_of(scene)[0], {0, 0}, up_down_up, SequenceFrom::material)) {
+    EXPECT_EQ(some.sequence, (Numbers{1, 2, 0}));
+  }
 }
 
 TEST(DrawnOrders, without_tables_all_views_draw_what_stands_alone) {

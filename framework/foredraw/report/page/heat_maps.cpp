@@ -90,15 +90,15 @@ double ratio_of(const OverdrawCount& count) {
 /// Draws subjects as they look in one of the poses, in the orders that their tables give there.
 class Photographer {
  public:
-  Photographer(const SubjectsInPoses& subjects, const Views& views, Faces faces, Analyses& analyses)
-      : subjects_(subjects), views_(views), faces_(faces), analyses_(analyses) {}
+  Photographer(const SubjectsInPoses& subjects, const Views& views, const OverdrawOptions& options, Analyses& analyses)
+      : subjects_(subjects), views_(views), faces_(options.faces), said_by_(options.sequence), analyses_(analyses) {}
 
   HeatMap map(const Scene& scene, std::size_t subject, std::size_t pose, std::size_t view) const {
     const View& from = views_.views[view];
-    SubjectGeometry posed = drawn(scene, subject, pose);
-    const auto orders = views_by_orders(scene, subjects_.subjects[subject], subjects_.poses.poses[pose], {&from, 1});
-    set_orders(posed, scene, subjects_.subjects[subject], orders.front().orders);
-    return heat_map(posed.parts, from, views_.size);
+    const Subject& whole = subjects_.subjects[subject];
+    const SubjectGeometry posed = geometry(scene, subject, pose);
+    const auto orders = views_by_orders(scene, whole, subjects_.poses.poses[pose], {&from, 1}, said_by_);
+    return heat_map(parts_as_drawn(posed, scene, whole, orders.front()), from, views_.size);
   }
 
   struct Look {
@@ -112,13 +112,13 @@ class Photographer {
     for (std::size_t pose = 0; pose < subjects_.poses.poses.size(); ++pose) {
       if (!subjects_.is_new(subject, pose)) continue;
       const Subject& whole = subjects_.subjects[subject];
-      SubjectGeometry posed = drawn(subjects_.scene, subject, pose);
+      const SubjectGeometry posed = geometry(subjects_.scene, subject, pose);
       for (const ViewsOfOrders& some :
-           views_by_orders(subjects_.scene, whole, subjects_.poses.poses[pose], views_.views)) {
-        set_orders(posed, subjects_.scene, whole, some.orders);
+           views_by_orders(subjects_.scene, whole, subjects_.poses.poses[pose], views_.views, said_by_)) {
+        const std::vector<RasterPart> drawn = parts_as_drawn(posed, subjects_.scene, whole, some);
         executor.for_each(some.views.size(), [&](std::size_t i) {
           const std::size_t view = some.views[i];
-          const double ratio = ratio_of(heat_map(posed.parts, views_.views[view], views_.size).count);
+          const double ratio = ratio_of(heat_map(drawn, views_.views[view], views_.size).count);
           if (ratio > worst[view].ratio) worst[view] = {pose, ratio};
         });
       }
@@ -127,7 +127,7 @@ class Photographer {
   }
 
  private:
-  SubjectGeometry drawn(const Scene& scene, std::size_t subject, std::size_t pose) const {
+  SubjectGeometry geometry(const Scene& scene, std::size_t subject, std::size_t pose) const {
     return subject_geometry(scene, subjects_.subjects[subject], faces_, posed_nodes(scene, subjects_.poses.poses[pose]),
                             analyses_);
   }
@@ -135,6 +135,7 @@ class Photographer {
   const SubjectsInPoses& subjects_;
   const Views& views_;
   Faces faces_;
+  SequenceFrom said_by_;
   Analyses& analyses_;
 };
 
@@ -167,7 +168,7 @@ std::vector<OutputFile> heat_maps(const Scene& before, const Scene* after, const
   const auto number = whole_number(which);
   SubjectsInPoses subjects{before, subjects_of(before, options.subject), make_poses(before, options), {}};
   subjects.distinct = distinct_poses(before, subjects.subjects, subjects.poses, executor);
-  const Photographer photographer(subjects, views, options.faces, analyses);
+  const Photographer photographer(subjects, views, options, analyses);
 
   struct Shot {
     std::size_t subject, pose, view;
