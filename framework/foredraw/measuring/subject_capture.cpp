@@ -137,6 +137,7 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
     const SubjectGeometry drawn =
         subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
     add_looks(captured, view, drawn, views, distinct.weights[pose], run);
+    captured.seen.poses.resize(captured.seen.layers.views.size(), static_cast<std::uint32_t>(number - 1));
     if (see) see(captured.seen, drawn);
   }
   if (different > 1) {

@@ -41,30 +41,62 @@ class CollectedLists {
   PartLists lists_;
 };
 
+/// Makes lists of parts of the lists of owners.
+class PartsInLists {
+ public:
+  PartsInLists(std::span<const std::uint32_t> part_of, std::uint32_t parts)
+      : part_of_(part_of), seen_in_(parts, 0), collected_(parts) {}
+
+  void add(const ViewLayers& view, std::int64_t weight) {
+    for_each_batch(view, [&]<class Owner>(const LayerBatch& batch, const Owner* owners) {
+      for (std::uint32_t i = 0; i < batch.lists; ++i, owners += batch.length) {
+        list_.clear();
+        ++number_;
+        for (const Owner owner : std::span(owners, batch.length)) {
+          if (owner >= tie_bit<Owner>) continue;
+          const std::uint32_t part = part_of_[owner];
+          if (seen_in_[part] == number_) continue;
+          seen_in_[part] = number_;
+          list_.push_back(part);
+        }
+        if (list_.size() > 1) collected_.add(list_, weight * batch.weight);
+      }
+    });
+  }
+
+  PartLists merged() const { return collected_.merged(); }
+
+ private:
+  std::span<const std::uint32_t> part_of_;
+  std::vector<std::uint32_t> seen_in_;  // [part] the number of the list that had it last
+  std::uint32_t number_ = 0;
+  std::vector<std::uint32_t> list_;
+  CollectedLists collected_;
+};
+
 }  // namespace
 
 PartLists part_lists(const Layers& layers, std::span<const std::uint32_t> part_of, std::uint32_t parts,
                      std::span<const std::int64_t> weights) {
-  CollectedLists collected(parts);
-  std::vector<std::uint32_t> list;
-  std::vector<std::uint32_t> seen_in(parts, 0);  // the number of the list that had the part last
-  std::uint32_t number = 0;
+  PartsInLists collected(part_of, parts);
   for (std::size_t v = 0; v < layers.views.size(); ++v) {
-    if (weights[v] == 0) continue;
-    for_each_batch(layers.views[v], [&]<class Owner>(const LayerBatch& batch, const Owner* owners) {
-      for (std::uint32_t i = 0; i < batch.lists; ++i, owners += batch.length) {
-        list.clear();
-        ++number;
-        for (const Owner owner : std::span(owners, batch.length)) {
-          if (owner >= tie_bit<Owner>) continue;
-          const std::uint32_t part = part_of[owner];
-          if (seen_in[part] == number) continue;
-          seen_in[part] = number;
-          list.push_back(part);
-        }
-        if (list.size() > 1) collected.add(list, weights[v] * batch.weight);
-      }
-    });
+    if (weights[v] != 0) collected.add(layers.views[v], weights[v]);
+  }
+  return collected.merged();
+}
+
+PartLists part_lists(const ViewLayers& view, std::span<const std::uint32_t> part_of, std::uint32_t parts) {
+  PartsInLists collected(part_of, parts);
+  collected.add(view, 1);
+  return collected.merged();
+}
+
+PartLists joined(std::span<const PartLists> lists, std::span<const std::int64_t> weights) {
+  CollectedLists collected(lists.empty() ? 0 : lists.front().parts);
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    for (std::size_t l = 0; weights[i] != 0 && l < lists[i].count(); ++l) {
+      collected.add(lists[i].list(l), weights[i] * lists[i].weights[l]);
+    }
   }
   return collected.merged();
 }

@@ -27,6 +27,12 @@ struct PartLists {
 PartLists part_lists(const Layers& layers, std::span<const std::uint32_t> part_of, std::uint32_t parts,
                      std::span<const std::int64_t> weights);
 
+/// Of a single view.
+PartLists part_lists(const ViewLayers& view, std::span<const std::uint32_t> part_of, std::uint32_t parts);
+
+/// Of all of these together, of as many parts each; a pixel of lists[i] as heavy as weights[i] says, 0 leaves it out.
+PartLists joined(std::span<const PartLists> lists, std::span<const std::int64_t> weights);
+
 /// What drawing the parts in this sequence, [rank] = part, shades of the lists: a part passes where it comes before
 /// all parts that are nearer.
 std::int64_t fragments_shaded(const PartLists& lists, std::span<const std::uint32_t> sequence);

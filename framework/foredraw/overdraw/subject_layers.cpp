@@ -1,5 +1,6 @@
 #include <foredraw/overdraw/subject_layers.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace foredraw {
@@ -13,15 +14,33 @@ std::vector<std::vector<std::uint32_t>> as_it_came(const SubjectLayers& subject)
   return order;
 }
 
-std::vector<OverdrawCount> counts_of(const SubjectLayers& subject, std::span<const std::vector<std::uint32_t>> atoms) {
+std::vector<OverdrawCount> counts_of(const SubjectLayers& subject, std::span<const std::vector<std::uint32_t>> atoms,
+                                     std::span<const std::uint32_t> sequence) {
+  constexpr std::uint32_t nobody = ~std::uint32_t{0};
+  std::vector<std::uint32_t> first_owner(subject.owners.empty() ? 0 : subject.owners.back().part + 1, nobody);
+  for (std::uint32_t owner = 0; owner < subject.owners.size(); ++owner) {
+    std::uint32_t& first = first_owner[subject.owners[owner].part];
+    first = std::min(first, owner);
+  }
   std::vector<std::uint32_t> order;
   order.reserve(subject.owners.size());
-  for (std::size_t first = 0; first < subject.owners.size();) {
-    const std::vector<std::uint32_t>& sequence = atoms[subject.owners[first].draw];
-    for (const std::uint32_t atom : sequence) order.push_back(static_cast<std::uint32_t>(first) + atom);
-    first += sequence.size();
-  }
+  const auto draw_part = [&](std::uint32_t part) {
+    if (part >= first_owner.size() || first_owner[part] == nobody) return;
+    const std::uint32_t first = first_owner[part];
+    for (const std::uint32_t atom : atoms[subject.owners[first].draw]) order.push_back(first + atom);
+  };
+  for (std::uint32_t part = 0; sequence.empty() && part < first_owner.size(); ++part) draw_part(part);
+  for (const std::uint32_t part : sequence) draw_part(part);
   return count_overdraw_by_view(subject.layers, order);
+}
+
+std::vector<LayerOwner> owners_in(const SubjectLayers& subject, std::span<const std::uint32_t> sequence) {
+  std::vector<LayerOwner> owners = subject.owners;
+  if (sequence.empty()) return owners;
+  std::vector<std::uint32_t> ranks(sequence.size());
+  for (std::uint32_t rank = 0; rank < sequence.size(); ++rank) ranks[sequence[rank]] = rank;
+  for (LayerOwner& owner : owners) owner.part = ranks[owner.part];
+  return owners;
 }
 
 ViewTally tally_of(const SubjectLayers& subject, std::span<const OverdrawCount> counts) {

@@ -35,13 +35,18 @@ struct SubjectLayers {
   Layers layers;                       ///< [look] in place of views
   std::vector<glm::dvec3> directions;  ///< [look] to the camera
   std::vector<double> weights;         ///< [look]
+  std::vector<std::uint32_t> poses;    ///< [look] which of the poses that look different
 };
 
 /// [draw][rank] = atom: the order that there is.
 std::vector<std::vector<std::uint32_t>> as_it_came(const SubjectLayers& subject);
 
-/// What the looks count, drawn in one order: [draw][rank] = atom.
-std::vector<OverdrawCount> counts_of(const SubjectLayers& subject, std::span<const std::vector<std::uint32_t>> atoms);
+/// What the looks count, drawn in one order: [draw][rank] = atom. `sequence`: [rank] = part; none: as they came.
+std::vector<OverdrawCount> counts_of(const SubjectLayers& subject, std::span<const std::vector<std::uint32_t>> atoms,
+                                     std::span<const std::uint32_t> sequence = {});
+
+/// The owners with their parts numbered as they are drawn in the sequence; none: as they came.
+std::vector<LayerOwner> owners_in(const SubjectLayers& subject, std::span<const std::uint32_t> sequence);
 
 /// The sum over all looks, each as heavy as it is.
 ViewTally tally_of(const SubjectLayers& subject, std::span<const OverdrawCount> counts);

@@ -1,27 +1,18 @@
 #include "draw_sequence.h"
 
-#include <algorithm>
-#include <cmath>
+#include <foredraw/overdraw/judging_looks.h>
+
 #include <numeric>
 
 namespace foredraw {
 
 namespace {
 
-/// Every fifth, spread evenly over the looks of every pose and over all of them.
-bool judges(std::size_t look) {
-  constexpr std::uint32_t golden = 2654435769u;  // 2^32 / golden ratio
-  return static_cast<std::uint32_t>(look + 1) * golden < ~std::uint32_t{0} / 5;
-}
-
 /// Of a pixel of each look that judges, or of each that decides; 0 of the others.
 std::vector<std::int64_t> weights_of(const SubjectLayers& seen, bool judging) {
-  constexpr double heaviest_pixel = 0x1p20;  // sums over all pixels stay far below 2^63
-  const double heaviest = seen.weights.empty() ? 1 : *std::ranges::max_element(seen.weights);
-  std::vector<std::int64_t> weights;
-  for (std::size_t look = 0; look < seen.weights.size(); ++look) {
-    const double weight = judges(look) == judging ? std::floor(seen.weights[look] / heaviest * heaviest_pixel) : 0;
-    weights.push_back(static_cast<std::int64_t>(weight));
+  std::vector<std::int64_t> weights = pixel_weights(seen);
+  for (std::size_t look = 0; look < weights.size(); ++look) {
+    if (judges(look) != judging) weights[look] = 0;
   }
   return weights;
 }

@@ -39,8 +39,10 @@ std::size_t most_nodes(OcclusionQuality quality) {
 
 class Alternation {
  public:
-  Alternation(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor)
+  Alternation(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor,
+              const KSequences* sequences)
       : subject_(subject),
+        sequences_(sequences),
         options_(options),
         executor_(executor),
         k_(static_cast<std::size_t>(options.k)),
@@ -54,6 +56,7 @@ class Alternation {
     serve(result.orders);
     result.serving = serving_;
     result.counts = counts_;
+    if (sequences_ != nullptr) result.sequences = sequences_->sequences;
     put_best_first(result);
     return result;
   }
@@ -88,7 +91,16 @@ class Alternation {
     return least;
   }
 
+  /// That order j is drawn in.
+  std::span<const std::uint32_t> sequence(std::size_t j) const {
+    return sequences_ == nullptr ? std::span<const std::uint32_t>() : sequences_->sequences[j];
+  }
+
   void part_by_direction(std::uint64_t start) {
+    if (sequences_ != nullptr && start == 0) {
+      serving_ = sequences_->serving;
+      return;
+    }
     const Directions middles = turned_at_random(fibonacci_directions(k_), options_.seed + start);
     serving_.clear();
     for (const glm::dvec3& direction : subject_.directions) {
@@ -112,7 +124,7 @@ class Alternation {
       const std::vector<WeightedLayers> served = some_served_by(j, most);
       OcclusionOrderOptions of_order = options;
       of_order.vertex_cost = options_.vertex_weight * visible_in(served) / vertices;
-      std::vector<Occlusions> occlusions = occlusions_of(served, subject_.owners, pieces);
+      std::vector<Occlusions> occlusions = occlusions_of(served, owners_in(subject_, sequence(j)), pieces);
       executor_.for_each(subject_.draws.size(), [&](std::size_t d) {
         orders[j][d] = occlusion_order(subject_.draws[d], std::move(occlusions[d]), of_order);
       });
@@ -154,7 +166,7 @@ class Alternation {
   /// Gives every look to the order that draws least there.
   void serve(const std::vector<Sequences>& orders) {
     std::vector<std::vector<OverdrawCount>> counts(orders.size());
-    executor_.for_each(orders.size(), [&](std::size_t j) { counts[j] = counts_of(subject_, orders[j]); });
+    executor_.for_each(orders.size(), [&](std::size_t j) { counts[j] = counts_of(subject_, orders[j], sequence(j)); });
     costs_.clear();
     for (const auto& of_order : counts) costs_.push_back(cost_of(of_order));
     counts_.resize(looks());
@@ -199,12 +211,14 @@ class Alternation {
   void put_best_first(KOrders& result) const {
     const auto best = static_cast<std::uint8_t>(std::ranges::min_element(costs_) - costs_.begin());
     std::swap(result.orders[0], result.orders[best]);
+    if (!result.sequences.empty()) std::swap(result.sequences[0], result.sequences[best]);
     for (std::uint8_t& order : result.serving) {
       order = order == 0 ? best : order == best ? std::uint8_t{0} : order;
     }
   }
 
   const SubjectLayers& subject_;
+  const KSequences* sequences_;
   const KOrdersOptions& options_;
   const Executor& executor_;
   std::size_t k_;
@@ -216,8 +230,9 @@ class Alternation {
 
 }  // namespace
 
-KOrders k_orders(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor) {
-  return Alternation(subject, options, executor).run();
+KOrders k_orders(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor,
+                 const KSequences* sequences) {
+  return Alternation(subject, options, executor, sequences).run();
 }
 
 }  // namespace foredraw

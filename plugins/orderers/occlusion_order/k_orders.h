@@ -7,14 +7,16 @@
 #include "occlusion_order.h"
 
 #include <foredraw/base/parallel.h>
+#include <foredraw/overdraw/k_sequences.h>
 
 namespace foredraw {
 
 struct KOrders {
   /// [order][draw][rank] = atom. The first is the one that serves best where there may be only one.
   std::vector<std::vector<std::vector<std::uint32_t>>> orders;
-  std::vector<std::uint8_t> serving;  ///< [look] which order
-  std::vector<OverdrawCount> counts;  ///< [look] drawn in it
+  std::vector<std::vector<std::uint32_t>> sequences;  ///< [order][rank] = part; none: as they came
+  std::vector<std::uint8_t> serving;                  ///< [look] which order
+  std::vector<OverdrawCount> counts;                  ///< [look] drawn in it
 };
 
 struct KOrdersOptions : OcclusionOrderOptions {
@@ -27,6 +29,8 @@ struct KOrdersOptions : OcclusionOrderOptions {
   int rounds = 30;         ///< of each start, at most
 };
 
-KOrders k_orders(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor);
+/// `sequences`: as many as orders, each of which is made for one of them. None: parts are drawn as they came.
+KOrders k_orders(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor,
+                 const KSequences* sequences = nullptr);
 
 }  // namespace foredraw
