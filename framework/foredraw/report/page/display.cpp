@@ -74,7 +74,8 @@ class SubjectDisplay {
  public:
   SubjectDisplay(std::span<const ShownScene> scenes, std::size_t number, PageBuffer& buffer)
       : subject_(scenes.front().subjects[number]), buffer_(buffer) {
-    for (const ShownScene& scene : scenes) states_.push_back(state_of(scene, scenes.front().subjects, number));
+    ShownTrianglesOnce once;
+    for (const ShownScene& scene : scenes) states_.push_back(state_of(scene, scenes.front().subjects, number, once));
   }
 
   bool empty() const { return !states_.front().absent.empty(); }
@@ -93,7 +94,8 @@ class SubjectDisplay {
   }
 
  private:
-  static State state_of(const ShownScene& scene, std::span<const Subject> of_input, std::size_t number) {
+  static State state_of(const ShownScene& scene, std::span<const Subject> of_input, std::size_t number,
+                        ShownTrianglesOnce& once) {
     if (!scene.absent.empty()) return {nullptr, {}, scene.absent};
     const Subject* subject = counterpart(scene.subjects, of_input, number);
     if (subject == nullptr) {
@@ -102,7 +104,7 @@ class SubjectDisplay {
               fmt::format("it has {}, the input has {}", counted(scene.subjects.size(), "subject"),
                           counted(of_input.size(), "subject"))};
     }
-    State state{scene.scene, shown_subject(*scene.scene, *subject), ""};
+    State state{scene.scene, shown_subject(*scene.scene, *subject, once), ""};
     const auto is_empty = [](const ShownPart& part) { return part.triangles() == 0; };
     if (std::ranges::all_of(state.shown.parts, is_empty)) state.absent = "it draws no triangles of this subject";
     return state;

@@ -44,7 +44,7 @@ ShownOrder shown_order(const IndexStream& stream, std::span<const std::uint32_t>
 }
 
 ShownPart shown_part(const Level& level, const SubjectPart& part, std::span<const glm::vec3> positions,
-                     std::size_t at_most) {
+                     std::size_t at_most, ShownTrianglesOnce& once) {
   const Places places = places_of(level);
   const std::vector<std::uint32_t> first = numbers_in_file(level.stream(), places);
   const auto given = level.stream().indices.view();
@@ -52,7 +52,7 @@ ShownPart shown_part(const Level& level, const SubjectPart& part, std::span<cons
   for (std::size_t i = 0; i < 3 * first.size(); ++i) {
     indices[3 * std::size_t{first[i / 3]} + i % 3] = places.of_vertex[given[i]];
   }
-  ShownTriangles shown = shown_triangles(chosen_positions(positions, places.vertex), indices, at_most);
+  ShownTriangles shown = once.of(chosen_positions(positions, places.vertex), indices, at_most);
 
   ShownPart result{part, std::move(shown.indices), std::move(shown.vertices), {}};
   for (std::uint32_t& vertex : result.vertices) vertex = places.vertex[vertex];
@@ -94,7 +94,7 @@ std::vector<glm::vec3> ShownPart::positions(const Scene& scene, const PosedNodes
   return chosen_positions(posed_positions(scene, part, nodes), vertices);
 }
 
-ShownSubject shown_subject(const Scene& scene, const Subject& subject) {
+ShownSubject shown_subject(const Scene& scene, const Subject& subject, ShownTrianglesOnce& once) {
   const PosedNodes nodes = posed_nodes(scene);
   const std::size_t all = count_triangles(scene, subject);
   ShownSubject shown;
@@ -114,7 +114,7 @@ ShownSubject shown_subject(const Scene& scene, const Subject& subject) {
     // Shares are cut from one whole, so that together they are no more than it.
     const std::size_t share_end =
         all <= most_shown_triangles ? left_out.all_triangles : left_out.all_triangles * most_shown_triangles / all;
-    shown.parts.push_back(shown_part(draw.full(), part, positions, share_end - share_before));
+    shown.parts.push_back(shown_part(draw.full(), part, positions, share_end - share_before, once));
     share_before = share_end;
     left_out.shown_triangles += shown.parts.back().triangles();
     const Material* material = scene.material_of(draw);

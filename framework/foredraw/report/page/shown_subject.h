@@ -40,7 +40,7 @@ struct ShownSubject {
   std::string note;              ///< what is not shown of it; empty: nothing is left out
 };
 
-/// Of large subjects, so many triangles that a browser can turn them.
-ShownSubject shown_subject(const Scene& scene, const Subject& subject);
+/// Of large subjects, so many triangles that a browser can turn them. `once`: shared by the scenes of a subject.
+ShownSubject shown_subject(const Scene& scene, const Subject& subject, ShownTrianglesOnce& once);
 
 }  // namespace foredraw

@@ -99,4 +99,13 @@ ShownTriangles shown_triangles(std::span<const glm::vec3> positions, std::span<c
   return shown;
 }
 
+ShownTriangles ShownTrianglesOnce::of(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                                      std::size_t at_most) {
+  if (indices.size() / 3 <= at_most) return shown_triangles(positions, indices, at_most);
+  const Stamp stamps[] = {content_hash(positions), content_hash(indices, at_most)};
+  const auto [found, is_new] = found_.try_emplace(combine(stamps));
+  if (is_new) found->second = shown_triangles(positions, indices, at_most);
+  return found->second;
+}
+
 }  // namespace foredraw

@@ -1,8 +1,11 @@
 #pragma once
+#include <foredraw/base/content_hash.h>
+
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -21,5 +24,14 @@ struct ShownTriangles {
 /// every order of the draw is an order of these.
 ShownTriangles shown_triangles(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                                std::size_t at_most);
+
+/// The same, searched for once in all scenes that draw the same: the search looks at every vertex some twenty times.
+class ShownTrianglesOnce {
+ public:
+  ShownTriangles of(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices, std::size_t at_most);
+
+ private:
+  std::map<Stamp, ShownTriangles> found_;  ///< those that are not all
+};
 
 }  // namespace foredraw

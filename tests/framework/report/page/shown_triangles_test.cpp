@@ -62,6 +62,20 @@ TEST(ShownTriangles, HaveFiniteCornersThreeOfThem) {
   EXPECT_EQ(shown.triangles, (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6}));
 }
 
+TEST(ShownTriangles, FoundOnceAreTheSame) {
+  const Sheet sheet(100), smaller(90);
+  ShownTrianglesOnce once;
+  for (const Sheet* one : {&sheet, &smaller, &sheet}) {
+    for (const std::size_t most : {1000u, 5000u, 30000u}) {
+      const ShownTriangles found = once.of(one->positions, one->indices, most);
+      const ShownTriangles searched = shown_triangles(one->positions, one->indices, most);
+      EXPECT_EQ(found.triangles, searched.triangles);
+      EXPECT_EQ(found.indices, searched.indices);
+      EXPECT_EQ(found.vertices, searched.vertices);
+    }
+  }
+}
+
 TEST(ShownTriangles, OfNothingAreNone) {
   EXPECT_TRUE(shown_triangles({}, {}, 10).triangles.empty());
   const Sheet sheet(1);
