@@ -40,11 +40,11 @@ std::vector<std::uint32_t> first_in_file(const Level& level) {
   return first;
 }
 
-using Corners = std::array<std::uint32_t, 3>;
+using CornerPlaces = std::array<std::uint32_t, 3>;
 
 /// From the least place on, so that it does not matter which corner comes first.
-Corners corners_at(const IndexStream& stream, std::uint32_t triangle, const Places& places) {
-  Corners corners;
+CornerPlaces corners_at(const IndexStream& stream, std::uint32_t triangle, const Places& places) {
+  CornerPlaces corners;
   for (std::size_t i = 0; i < 3; ++i)
     corners[i] = places.of_vertex[stream.indices.view()[3 * std::size_t{triangle} + i]];
   std::ranges::rotate(corners, std::ranges::min_element(corners));

@@ -50,16 +50,25 @@ std::vector<std::uint32_t> first_in_cell(std::span<const glm::vec3> positions, c
   return result;
 }
 
-/// Those with three corners apart.
-std::vector<std::uint32_t> unflattened(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> vertex) {
+using Corners = std::array<std::uint32_t, 3>;
+
+/// Those of which all corners are somewhere.
+template <class Wanted>
+std::vector<std::uint32_t> triangles_with(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> vertex,
+                                          Wanted is_wanted) {
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t t = 0; t < indices.size() / 3; ++t) {
-    const std::array<std::uint32_t, 3> corner = {vertex[indices[3 * t]], vertex[indices[3 * t + 1]],
-                                                 vertex[indices[3 * t + 2]]};
-    const bool is_flat = corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
-    if (!is_flat && std::ranges::find(corner, nowhere) == corner.end()) triangles.push_back(t);
+    const Corners corners = {vertex[indices[3 * t]], vertex[indices[3 * t + 1]], vertex[indices[3 * t + 2]]};
+    if (std::ranges::find(corners, nowhere) == corners.end() && is_wanted(corners)) triangles.push_back(t);
   }
   return triangles;
+}
+
+/// Those with three corners apart.
+std::vector<std::uint32_t> unflattened(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> vertex) {
+  return triangles_with(indices, vertex, [](const Corners& corners) {
+    return corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
+  });
 }
 
 std::vector<std::uint32_t> every_finite(std::span<const glm::vec3> positions) {
@@ -74,7 +83,8 @@ ShownTriangles shown_triangles(std::span<const glm::vec3> positions, std::span<c
                                std::size_t at_most) {
   std::vector<std::uint32_t> vertex = every_finite(positions);
   ShownTriangles shown;
-  shown.triangles = unflattened(indices, vertex);
+  shown.triangles = triangles_with(indices, vertex, [](const Corners&) { return true; });
+  if (shown.triangles.size() > at_most) shown.triangles = unflattened(indices, vertex);
   if (shown.triangles.size() > at_most) {
     const Box box = box_of(positions);
     std::uint32_t few = 1, many = 1u << 20;  // cells: `few` leave few enough

@@ -53,13 +53,16 @@ TEST(ShownTriangles, OfManyAreNoMoreThanAskedFor) {
   }
 }
 
-TEST(ShownTriangles, HaveFiniteCornersThreeOfThem) {
+/// Those that cover nothing go first where there are too many.
+TEST(ShownTriangles, HaveFiniteCorners) {
   Sheet sheet(2);
   sheet.positions[0].x = std::numeric_limits<float>::quiet_NaN();
   sheet.positions[8].y = std::numeric_limits<float>::infinity();
   sheet.indices.insert(sheet.indices.end(), {3, 3, 4});
-  const ShownTriangles shown = shown_triangles(sheet.positions, sheet.indices, 100);
-  EXPECT_EQ(shown.triangles, (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(shown_triangles(sheet.positions, sheet.indices, 7).triangles,
+            (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 8}));
+  EXPECT_EQ(shown_triangles(sheet.positions, sheet.indices, 6).triangles,
+            (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6}));
 }
 
 TEST(ShownTriangles, FoundOnceAreTheSame) {
