@@ -1,8 +1,6 @@
-// What is hidden of scenes: materials, nodes, skins, poses and cameras.
+// What is hidden of scenes: materials, nodes, skins and poses.
 
-#include "hidden_shapes.h"
-#include "plugins/processors/hidden/hidden_search.h"
-#include "plugins/processors/hidden/standing_parts.h"
+#include "hidden_in_scene.h"
 
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -13,37 +11,8 @@
 namespace foredraw {
 namespace {
 
-using hidden::HiddenSearchOptions;
 using hidden::Moving;
-using hidden::SeenFrom;
-using testing::box;
-using testing::one_mesh;
-
-HiddenSearchOptions searched() {
-  HiddenSearchOptions options;
-  options.views = 80;
-  options.size = 128;
-  options.rays = 128;
-  options.checks = 30;
-  return options;
-}
-
-/// [draw] how many of its triangles are hidden, where it may be asked at all.
-std::vector<std::size_t> hidden_of(const Scene& scene, const HiddenSearchOptions& options = searched()) {
-  std::vector<DrawId> asked;
-  const std::vector<std::string> why = hidden::why_they_stay(scene, options.subjects);
-  for (DrawId id = 0; id < scene.draws.size(); ++id) {
-    if (why[id].empty()) asked.push_back(id);
-  }
-  const auto found = hidden::find_hidden(
-      scene, asked, options, [] {}, Executor(2));
-  std::vector<std::size_t> counts(scene.draws.size(), 0);
-  for (const auto& [id, flags] : found.hidden) counts[id] = static_cast<std::size_t>(std::ranges::count(flags, 1));
-  return counts;
-}
-
-using Counts = std::vector<std::size_t>;
-const Counts inner_goes{0, 12}, all_stay{0, 0};
+using namespace testing;
 
 TEST(HiddenScene, DrawsOfAMeshHideEachOther) { EXPECT_EQ(hidden_of(one_mesh({box(), box(0.5f)})), inner_goes); }
 
@@ -86,11 +55,6 @@ Scene two_nodes() {
   return scene;
 }
 
-HiddenSearchOptions as_scene(HiddenSearchOptions options = searched()) {
-  options.subjects = SubjectUnit::scene;
-  return options;
-}
-
 TEST(HiddenScene, MeshesAreByThemselvesUnlessTheSceneIsSeenAsOne) {
   EXPECT_EQ(hidden_of(two_nodes()), all_stay);
   EXPECT_EQ(hidden_of(two_nodes(), as_scene()), inner_goes);
@@ -130,17 +94,6 @@ TEST(HiddenScene, WhatANodeShowsManyTimesStays) {
   scene = two_nodes();
   scene.nodes[0].instances = Shared(std::vector<Transform>{far});
   EXPECT_EQ(hidden_of(scene, as_scene()), all_stay);
-}
-
-/// A clip that carries the node away.
-void add_clip(Scene& scene, NodeId node, glm::vec3 to) {
-  AnimationChannel channel;
-  channel.node = node;
-  channel.times = Shared(std::vector<float>{0, 1});
-  channel.values = Shared(std::vector<float>{0, 0, 0, to.x, to.y, to.z});
-  Animation clip;
-  clip.channels.push_back(channel);
-  scene.animations.push_back(clip);
 }
 
 TEST(HiddenScene, WhatMovesHidesNothingUnlessAllClipsSaySo) {
@@ -214,77 +167,6 @@ TEST(HiddenScene, WithClipsACharacterIsSeenInAllKeys) {
   EXPECT_EQ(hidden_of(scene, clips), inner_goes);
   add_clip(scene, 2, {0, 0, 0.8f});  // at its end the inner one looks out
   EXPECT_EQ(hidden_of(scene, clips), all_stay);
-}
-
-/// A box within walls: the room's inside faces who is in it.
-Scene room() { return one_mesh({box(1), testing::turned(box(0.9f)), box(0.2f, {0.5f, 0, 0})}); }
-
-HiddenSearchOptions from(SeenFrom seen_from, std::vector<std::pair<glm::dvec3, glm::dvec3>> boxes = {}) {
-  HiddenSearchOptions options = searched();
-  options.cameras.seen_from = seen_from;
-  for (const auto& [low, high] : boxes) {
-    glm::dmat4 box(0);
-    for (int axis = 0; axis < 3; ++axis) box[axis][axis] = high[axis] - low[axis];
-    box[3] = glm::dvec4(low, 1);
-    options.cameras.boxes.push_back(box);
-  }
-  return options;
-}
-
-TEST(HiddenCameras, InsideARoomKeepItsInside) {
-  const glm::dvec3 there(-0.4, 0.1, 0.2);
-  EXPECT_EQ(hidden_of(room(), from(SeenFrom::outside)), (Counts{0, 12, 12}));
-  EXPECT_EQ(hidden_of(room(), from(SeenFrom::points, {{there, there}})), (Counts{12, 0, 0}));
-  EXPECT_EQ(hidden_of(room(), from(SeenFrom::box, {{there, {0, 0.5, 0.5}}})), (Counts{12, 0, 0}));
-  const glm::dvec3 outside(3, 3, 3);
-  EXPECT_EQ(hidden_of(room(), from(SeenFrom::points, {{outside, outside}})), (Counts{0, 12, 12}));
-}
-
-/// What is behind the box from there goes; where a camera looks behind it, it stays.
-TEST(HiddenCameras, SeeWhatTheyMayComeTo) {
-  const Scene scene = one_mesh({box(0.5f), box(0.1f, {2, 0, 0})});
-  const glm::dvec3 before(-9, 0, 0), beside(-9, 9, 0);
-  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{before, before}})), inner_goes);
-  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{before, before}, {beside, beside}})), all_stay);
-  EXPECT_EQ(hidden_of(scene, from(SeenFrom::box, {{before, beside}})), all_stay);
-}
-
-TEST(HiddenCameras, AreInTheSpaceOfTheScene) {
-  Scene scene = room();
-  scene.nodes[0].transform.translation = {100, 0, 0};
-  scene.nodes[0].transform.scale = glm::vec3(10);
-  const glm::dvec3 there(96, 1, 2), elsewhere(0);
-  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{there, there}})), (Counts{12, 0, 0}));
-  EXPECT_EQ(hidden_of(scene, as_scene(from(SeenFrom::points, {{there, there}}))), (Counts{12, 0, 0}));
-  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{elsewhere, elsewhere}})), (Counts{0, 12, 12}));
-  // A second node shows the mesh where a camera is outside.
-  scene.nodes.push_back(scene.nodes[0]);
-  scene.nodes[1].transform.translation = {0, 100, 0};
-  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{there, there}})), (Counts{0, 0, 0}));
-  add_clip(scene, 1, {1, 0, 0});  // nobody knows where it is
-  EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{elsewhere, elsewhere}})), (Counts{0, 0, 0}));
-}
-
-TEST(HiddenCameras, FromAboveNobodyLooksUnder) {
-  // A table with something stuck to the underside of its top: up is +Y.
-  testing::TestMesh top = box();
-  for (glm::vec3& p : top.positions) p = {4 * p.x, 0.1f * p.y + 1, 4 * p.z};
-  Scene table = one_mesh({top, box(0.1f, {0, 0.75f, 0}), box(0.1f, {0, -1, 0})});
-  EXPECT_EQ(hidden_of(table, from(SeenFrom::outside)), (Counts{0, 0, 0}));
-  EXPECT_EQ(hidden_of(table, from(SeenFrom::above)), (Counts{0, 0, 0}));  // level with it one sees it
-  // A lid turned over it leaves only what is below.
-  testing::TestMesh cap = box();
-  for (glm::vec3& p : cap.positions) p = {4 * p.x, p.y < 0 ? -2 : 1, 4 * p.z};
-  cap.indices.erase(cap.indices.begin() + 6, cap.indices.begin() + 12);  // open at its lower side
-  Scene hood = one_mesh({cap, box(0.1f, {0, 0.5f, 0})});
-  hood.materials[0].double_sided = true;
-  EXPECT_EQ(hidden_of(hood, from(SeenFrom::outside)), all_stay);
-  EXPECT_EQ(hidden_of(hood, from(SeenFrom::above)), inner_goes);
-  hood.nodes[0].transform.rotation = glm::quat(0, 1, 0, 0);  // half around: the opening looks up
-  EXPECT_EQ(hidden_of(hood, from(SeenFrom::above)), all_stay);
-  hood.nodes[0].transform.rotation = glm::quat(1, 0, 0, 0);
-  add_clip(hood, 0, {0, 1, 0});
-  EXPECT_EQ(hidden_of(hood, from(SeenFrom::above)), all_stay);
 }
 
 TEST(HiddenScene, TheSameAtAnyThreadCount) {

@@ -4,8 +4,8 @@
 #include "plugins/processors/hidden/connected.h"
 #include "plugins/processors/hidden/cut_draw.h"
 
-#include <glm/common.hpp>
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <limits>
