@@ -90,6 +90,22 @@ TEST_F(CharacterOrders, DrawWhatTheReportPromised) {
   }
 }
 
+/// A character of many draws: its parts come in the sequence that belongs to the order.
+TEST_F(CharacterOrders, DrawTheirPartsInTheSequenceOfTheTable) {
+  const std::string file = testing::project_file("benchmarks/corpus/animated/robot_expressive.glb").string();
+  const testing::Ended made = testing::run_program(
+      folder_, "optimize '" + file + "' -o out.glb -p 'lookahead(quality=fast), occlusion-order(k=3)' --report r.json");
+  ASSERT_EQ(made.code, 0) << made.err;
+  const nlohmann::json report = nlohmann::json::parse(content(folder_ / "r.json"));
+  const double promised = report["totals"]["metrics"]["overdraw-raster"]["ratio"]["value"];
+  const std::string told = walk("'" + (folder_ / "out.glb").string() + "' 30");
+  ASSERT_EQ(code_, 0) << told;
+  const auto whole = found(told, R"(the whole walk: ([\d.]+) fragments per pixel, ([\d.]+) with order 0)");
+  ASSERT_EQ(whole.size(), 1u) << told;
+  EXPECT_NEAR(whole[0][0], promised, 0.01);
+  EXPECT_GT(whole[0][1], whole[0][0] + 0.08) << "order 0 as the file has it";
+}
+
 TEST_F(CharacterOrders, RefusesWhatHasNoTable) {
   EXPECT_NE(walk("'" + testing::project_file("benchmarks/corpus/animated/fox.glb").string() + "'").find("no table"),
             std::string::npos);
@@ -112,6 +128,18 @@ TEST(DrawOrdersJson, OrdersAreToldByTheTrianglesOfTheFirst) {
       table["draws"][1],
       nlohmann::json::parse(
           R"({"name": "head", "mesh": 1, "primitive": 0, "orders": [[0, 1, 2, 3], [3, 2, 1, 0], [2, 0, 3, 1]]})"));
+}
+
+TEST(DrawOrdersJson, SequencesAreToldByTheNumbersOfParts) {
+  Scene scene = character();
+  EXPECT_FALSE(nlohmann::json::parse(json_text(draw_orders_value(scene)))["tables"][0].contains("parts"));
+  OrderTable& table = testing::edit<DrawOrders>(scene)->tables[0];
+  table.parts = {{0, 0}, {1, 1}};
+  table.sequences = {0, 1, 1, 0, 0, 1};
+  const nlohmann::json json = nlohmann::json::parse(json_text(draw_orders_value(scene)));
+  EXPECT_EQ(json["tables"][0]["sequences"], nlohmann::json::parse("[[0, 1], [1, 0], [0, 1]]"));
+  EXPECT_EQ(json["tables"][0]["parts"], nlohmann::json::parse(R"([{"name": "body", "node": 0, "primitive": 0},
+                                                                  {"name": "head", "node": 1, "primitive": 0}])"));
 }
 
 TEST(DrawOrders, MemoryIsToldAgainstAnOrderForEachKeyframe) {

@@ -1,8 +1,6 @@
 // FOREDRAW_draw_orders: from a scene to a file and back, and what is made of files in which it is wrong.
 
-#include "framework/io/gltf/edits.h"
-#include "support/compressed_gltf.h"
-#include "support/meshes.h"
+#include "files_with_orders.h"
 
 #include <gtest/gtest.h>
 
@@ -15,65 +13,7 @@ namespace {
 
 using namespace testing;
 
-constexpr const char* name = "FOREDRAW_draw_orders";
-
-/// A file to be changed; more bytes may be added to its buffer.
-GltfBuilder opened(const Bytes& glb) {
-  GltfBuilder builder = builder_of(glb);
-  builder.json.erase("buffers");
-  return builder;
-}
-
-/// The triangles in an order that is neither rising nor falling.
-Indices stirred(std::size_t triangles, std::size_t step) {
-  Indices order;
-  for (std::size_t first = 0; first < step; ++first) {
-    for (std::size_t t = first; t < triangles; t += step) order.push_back(static_cast<std::uint32_t>(t));
-  }
-  return order;
-}
-
-void add_orders(Draw& draw) {
-  IndexStream& first = draw.levels[0].orders[0];
-  const std::size_t triangles = first.triangle_count();
-  Indices backwards = stirred(triangles, 1);
-  std::ranges::reverse(backwards);
-  const IndexStream alone = first;
-  draw.levels[0].orders = {alone, with_triangle_order(alone, backwards),
-                           with_triangle_order(alone, stirred(triangles, 2))};
-}
-
-std::vector<OrderTable> tables_of(const Scene& scene) {
-  const auto tables = order_tables(scene);
-  return {tables.begin(), tables.end()};
-}
-
-/// A puppet with three orders and a table of its clip.
-Scene puppet_with_orders(const Bytes& file) {
-  Scene scene = read(file);
-  for (Draw& draw : scene.draws) add_orders(draw);
-  OrderTable table;
-  for (DrawId id = 0; id < scene.draws.size(); ++id) table.draws.push_back(id);
-  table.clips = {{scene.animations[0].name.empty() ? "animation0" : scene.animations[0].name, {0, 0.1f, 2}}};
-  table.theta_steps = 2;
-  table.phi_steps = 3;
-  table.order = {0, 1, 2, 0, 1, 2, 1, 1, 1, 1, 1, 0, 2, 2, 2, 0, 0, 1};
-  scene.products.set(DrawOrders{{table}});
-  return scene;
-}
-
-Scene puppet_with_orders() { return puppet_with_orders(puppet().glb()); }
-
-void expect_same_orders(const Scene& again, const Scene& scene) {
-  ASSERT_EQ(again.draws.size(), scene.draws.size());
-  EXPECT_EQ(tables_of(again), tables_of(scene));
-  for (std::size_t d = 0; d < scene.draws.size(); ++d) {
-    const auto& now = again.draws[d].levels[0].orders;
-    const auto& wanted = scene.draws[d].levels[0].orders;
-    ASSERT_EQ(now.size(), wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(now[i].indices, wanted[i].indices) << d << ' ' << i;
-  }
-}
+constexpr const char* name = draw_orders_extension;
 
 TEST(GltfDrawOrders, come_back_as_they_were) {
   const Scene scene = puppet_with_orders();
@@ -95,54 +35,6 @@ TEST(GltfDrawOrders, made_scene_comes_back_too) {
   const Bytes file = write(scene);
   expect_same_orders(read(file), scene);
   EXPECT_TRUE(json_of(file)["meshes"][1]["primitives"][0].contains("indices"));
-}
-
-/// Two draws in three orders, each with a sequence of its own.
-Scene two_in_sequence() {
-  Scene scene = scene_of({draw_of(torus(8, 6), "ring"), draw_of(soup(5, 1), "soup")});
-  for (Draw& draw : scene.draws) add_orders(draw);
-  OrderTable table{{0, 1}, {}, 1, 3, {0, 2, 1}};
-  table.parts = {{0, 0}, {1, 1}};
-  table.sequences = {0, 1, 1, 0, 0, 1};
-  scene.products.set(DrawOrders{{table}});
-  return scene;
-}
-
-TEST(GltfDrawOrders, sequences_come_back_too) {
-  const Scene scene = two_in_sequence();
-  const Bytes file = write(scene);
-  expect_same_orders(read(file), scene);
-  EXPECT_EQ(write(read(file)), file);
-  EXPECT_EQ(json_of(file)["extensions"][name]["tables"][0]["parts"],
-            GltfJson::parse(R"([{"node": 0, "primitive": 0}, {"node": 1, "primitive": 0}])"));
-}
-
-TEST(GltfDrawOrders, sequences_of_a_mesh_that_no_node_shows_name_it) {
-  GltfBuilder builder = opened(write(two_in_sequence()));
-  GltfJson& meshes = builder.json["meshes"];
-  meshes[0]["primitives"].push_back(meshes[1]["primitives"][0]);
-  meshes.erase(1);
-  builder.json.erase("nodes");
-  builder.json.erase("scenes");
-  builder.json.erase("scene");
-  GltfJson& table = builder.json["extensions"][name]["tables"][0];
-  table["primitives"] = GltfJson::parse("[[0, 0], [0, 1]]");
-  table["parts"] = GltfJson::parse(R"([{"mesh": 0, "primitive": 0}, {"mesh": 0, "primitive": 1}])");
-  const Scene scene = read(builder);
-  ASSERT_EQ(tables_of(scene).size(), 1u);
-  EXPECT_EQ(tables_of(scene)[0].parts, (std::vector<SubjectPart>{{0, std::nullopt}, {1, std::nullopt}}));
-  EXPECT_EQ(json_of(write(scene))["extensions"][name]["tables"][0]["parts"], table["parts"]);
-}
-
-TEST(GltfDrawOrders, tables_without_sequences_say_nothing_of_them) {
-  Scene scene = two_in_sequence();
-  OrderTable table = tables_of(scene)[0];
-  table.parts.clear();
-  table.sequences.clear();
-  scene.products.set(DrawOrders{{table}});
-  const GltfJson said = json_of(write(scene))["extensions"][name]["tables"][0];
-  EXPECT_FALSE(said.contains("parts"));
-  EXPECT_FALSE(said.contains("sequences"));
 }
 
 TEST(GltfDrawOrders, without_a_table_stay_orders) {
@@ -253,21 +145,6 @@ TEST(GltfDrawOrders, draws_that_share_accessors_have_orders_of_their_own) {
   expect_same_orders(read(write(moved)), moved);
 }
 
-/// The puppet's table with a part and its sequences: as it should be, or as `sequences` says.
-void add_sequences(GltfBuilder& builder, GltfJson& table, const std::vector<std::uint16_t>& sequences = {0, 0, 0}) {
-  std::size_t node = 0;
-  while (!builder.json["nodes"][node].contains("mesh")) ++node;
-  table["parts"] = {{{"node", node}, {"primitive", 0}}};
-  table["sequences"] = builder.add_values(sequences, "SCALAR");
-}
-
-TEST(GltfDrawOrders, of_a_single_part_have_a_sequence_too) {
-  GltfBuilder builder = opened(write(puppet_with_orders()));
-  add_sequences(builder, builder.json["extensions"][name]["tables"][0]);
-  ASSERT_EQ(tables_of(read(builder)).size(), 1u);
-  EXPECT_EQ(tables_of(read(builder))[0].sequences, (std::vector<std::uint16_t>{0, 0, 0}));
-}
-
 struct Wrong {
   const char* name;
   std::function<void(GltfBuilder&, GltfJson& primitive, GltfJson& table)> make;
@@ -365,61 +242,6 @@ INSTANTIATE_TEST_SUITE_P(
               [](auto& builder, auto&, auto& table) {
                 table["order"] = builder.add_values(std::vector<std::uint8_t>(18, 3), "SCALAR");
               }},
-        Wrong{"parts_without_sequences",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table.erase("sequences");
-              }},
-        Wrong{"sequences_without_parts",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table.erase("parts");
-              }},
-        Wrong{"parts_are_a_number",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table["parts"] = 1;
-              }},
-        Wrong{"part_is_a_number",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table["parts"][0] = 0;
-              }},
-        Wrong{"part_of_an_unknown_node",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table["parts"][0]["node"] = far_away;
-              }},
-        Wrong{"part_of_an_unknown_primitive",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table["parts"][0]["primitive"] = 9;
-              }},
-        Wrong{"part_of_an_unknown_mesh",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table["parts"][0] = {{"mesh", 9}, {"primitive", 0}};
-              }},
-        Wrong{"part_twice",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table, {0, 1, 0, 1, 0, 1});
-                table["parts"].push_back(GltfJson(table["parts"][0]));
-              }},
-        Wrong{"sequences_are_bytes",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table["sequences"] = builder.add_values(std::vector<std::uint8_t>{0, 0, 0}, "SCALAR");
-              }},
-        Wrong{"sequences_are_beyond",
-              [](auto& builder, auto&, auto& table) {
-                add_sequences(builder, table);
-                table["sequences"] = far_away;
-              }},
-        Wrong{"sequences_are_few", [](auto& builder, auto&, auto& table) { add_sequences(builder, table, {0, 0}); }},
-        Wrong{"sequences_are_many",
-              [](auto& builder, auto&, auto& table) { add_sequences(builder, table, {0, 0, 0, 0}); }},
-        Wrong{"sequence_names_no_part",
-              [](auto& builder, auto&, auto& table) { add_sequences(builder, table, {0, 1, 0}); }},
         Wrong{"primitive_lacks_orders",
               [](auto&, auto& own, auto&) { own["orders"].erase(own["orders"].size() - 1); }}),
     [](const auto& wrong) { return std::string(wrong.param.name); });
@@ -463,6 +285,7 @@ TEST(GltfDrawOrders, what_is_written_fits_the_schemas) {
   };
   expect_fits(json["meshes"][0]["primitives"][0]["extensions"][name], schema("mesh.primitive"));
   expect_fits(json["extensions"][name], schema("glTF"));
+  expect_fits(written(two_in_sequence())["extensions"][name], schema("glTF"));
 }
 
 }  // namespace
