@@ -21,21 +21,38 @@ struct PosedTable {
   std::vector<std::vector<std::uint32_t>> sequences;
 };
 
-/// Those of the sequence that the subject has, by their numbers there.
-std::vector<std::uint32_t> parts_of(const Subject& subject, const OrderTable& table,
-                                    std::span<const std::uint16_t> sequence) {
-  std::vector<std::uint32_t> parts;
-  for (const std::uint16_t number : sequence) {
-    const auto part = std::ranges::find(subject.parts, table.parts[number]);
-    if (part != subject.parts.end()) parts.push_back(static_cast<std::uint32_t>(part - subject.parts.begin()));
+/// What a table calls its parts, as the subject numbers them.
+class NumberedParts {
+ public:
+  NumberedParts(const Subject& subject, const OrderTable& table) {
+    std::map<std::pair<DrawId, std::optional<NodeId>>, std::uint32_t> known;
+    for (std::uint32_t part = 0; part < subject.parts.size(); ++part) {
+      known.emplace(std::pair(subject.parts[part].draw, subject.parts[part].node), part);
+    }
+    for (const auto& [draw, node] : table.parts) {
+      const auto part = known.find({draw, node});
+      numbers_.push_back(part == known.end() ? std::nullopt : std::optional(part->second));
+    }
   }
-  return parts;
-}
+
+  /// Those of the sequence that the subject has.
+  std::vector<std::uint32_t> of(std::span<const std::uint16_t> sequence) const {
+    std::vector<std::uint32_t> parts;
+    for (const std::uint16_t number : sequence) {
+      if (numbers_[number]) parts.push_back(*numbers_[number]);
+    }
+    return parts;
+  }
+
+ private:
+  std::vector<std::optional<std::uint32_t>> numbers_;
+};
 
 std::vector<std::vector<std::uint32_t>> sequences_of(const OrderTable& table, const Subject& subject) {
+  const NumberedParts numbered(subject, table);
   std::vector<std::vector<std::uint32_t>> sequences;
   for (std::size_t first = 0; first < table.sequences.size(); first += table.parts.size()) {
-    sequences.push_back(parts_of(subject, table, table.sequence(first / table.parts.size())));
+    sequences.push_back(numbered.of(table.sequence(first / table.parts.size())));
   }
   return sequences;
 }
@@ -108,7 +125,7 @@ std::vector<ViewsOfOrders> views_by_orders(const Scene& scene, const Subject& su
 std::vector<std::uint32_t> parts_in_sequence(const Subject& subject, const OrderTable& table,
                                              std::span<const std::uint16_t> sequence) {
   std::vector<std::uint32_t> all = as_in_file(subject);
-  put(parts_of(subject, table, sequence), all);
+  put(NumberedParts(subject, table).of(sequence), all);
   return all;
 }
 
