@@ -6,6 +6,7 @@
 #include <foredraw/base/counted.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/bounding_sphere.h>
+#include <foredraw/viewing/drawn_orders.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
 
@@ -66,6 +67,7 @@ std::span<const float> numbers_of(const std::vector<glm::vec3>& positions) {
 /// What one scene shows of a subject; or why it shows nothing.
 struct State {
   const Scene* scene = nullptr;
+  const Subject* subject = nullptr;
   ShownSubject shown;
   std::string absent;
 };
@@ -96,15 +98,16 @@ class SubjectDisplay {
  private:
   static State state_of(const ShownScene& scene, std::span<const Subject> of_input, std::size_t number,
                         ShownTrianglesOnce& once) {
-    if (!scene.absent.empty()) return {nullptr, {}, scene.absent};
+    if (!scene.absent.empty()) return {nullptr, nullptr, {}, scene.absent};
     const Subject* subject = counterpart(scene.subjects, of_input, number);
     if (subject == nullptr) {
       return {nullptr,
+              nullptr,
               {},
               fmt::format("it has {}, the input has {}", counted(scene.subjects.size(), "subject"),
                           counted(of_input.size(), "subject"))};
     }
-    State state{scene.scene, shown_subject(*scene.scene, *subject, once), ""};
+    State state{scene.scene, subject, shown_subject(*scene.scene, *subject, once), ""};
     const auto is_empty = [](const ShownPart& part) { return part.triangles() == 0; };
     if (std::ranges::all_of(state.shown.parts, is_empty)) state.absent = "it draws no triangles of this subject";
     return state;
@@ -152,6 +155,7 @@ class SubjectDisplay {
     const OrderTable* table = table_of(state);
     return {{"geometry", number},
             {"orders", orders_json(state, table)},
+            {"sequences", sequences_json(state, table)},
             {"table", table == nullptr ? Json(nullptr) : table_json(*table)}};
   }
 
@@ -232,6 +236,22 @@ class SubjectDisplay {
       orders.push_back(std::move(order));
     }
     return orders;
+  }
+
+  /// [order][rank] number of the part; null: every order draws them as the geometry has them.
+  static Json sequences_json(const State& state, const OrderTable* table) {
+    if (table == nullptr || table->parts.empty()) return nullptr;
+    const std::vector<ShownPart>& parts = state.shown.parts;
+    Json sequences = Json::array();
+    for (std::size_t k = 0; k * table->parts.size() < table->sequences.size(); ++k) {
+      Json sequence = Json::array();
+      for (const std::uint32_t part : parts_in_sequence(*state.subject, *table, table->sequence(k))) {
+        const auto shown = std::ranges::find(parts, state.subject->parts[part], &ShownPart::part);
+        if (shown != parts.end()) sequence.push_back(shown - parts.begin());
+      }
+      sequences.push_back(std::move(sequence));
+    }
+    return sequences;
   }
 
   Json order_json(const ShownOrder& order) {

@@ -5,6 +5,7 @@
 #include <foredraw/io/scene_file.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
+#include <foredraw/scene/order_table.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/technique/built_in_plugins.h>
 #include <foredraw/viewing/posed_positions.h>
@@ -116,6 +117,26 @@ TEST(Display, HoldsTheFirstPipelinesOfMany) {
   EXPECT_EQ(subject["states"][25], nullptr);
   EXPECT_EQ(subject["absent"]["25"], "only the first 24 pipelines are");
   EXPECT_EQ(subject["geometries"].size(), 1u);
+}
+
+TEST(Display, HoldsTheSequencesOfTheTable) {
+  const Shown shown("animated/robot_expressive.glb", R"(pipeline = 1
+stages = ["draw-sequence", { use = "occlusion-order", k = 3, quality = "fast" }]
+views.size = 64
+poses.poses = "4")");
+  const Json& states = shown.scene["subjects"][0]["states"];
+  const Subject walked = subjects_of(shown.output)[0];
+  ASSERT_EQ(order_tables(shown.output).size(), 1u);
+  const OrderTable& table = order_tables(shown.output)[0];
+  ASSERT_FALSE(table.parts.empty());
+  EXPECT_TRUE(states[0]["sequences"].is_null());
+  ASSERT_EQ(states[1]["sequences"].size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t rank = 0; rank < walked.parts.size(); ++rank) {
+      const std::size_t part = states[1]["sequences"][k][rank];
+      EXPECT_EQ(walked.parts[part], table.parts[table.sequence(k)[rank]]) << k << ' ' << rank;
+    }
+  }
 }
 
 TEST(Display, HoldsEveryOrderOfACharacterItsTableAndItsPoses) {

@@ -20,9 +20,9 @@ export class DrawnOrder {
       geometry.setAttribute('position', dynamic(new Float32Array(9 * part.triangles), 3, false));
       const mesh = new Mesh(geometry);
       mesh.frustumCulled = false;
-      this.scene.add(mesh);
       return mesh;
     });
+    for (const part of state.sequence(k)) this.scene.add(this.meshes[part]);
   }
 
   set_pose(pose) {
@@ -51,6 +51,7 @@ export class DrawnOrder {
     if (this.tints === tints) return;
     this.tints = tints;
     const { state } = this;
+    const before = state.triangles_before(this.k);
     let first_cluster = 0;
     this.meshes.forEach(({ geometry }, part) => {
       const { triangles } = state.parts[part];
@@ -58,7 +59,7 @@ export class DrawnOrder {
       const { array } = geometry.attributes.tint;
       const words = new Uint32Array(array.buffer);
       if (tints === 'order') {
-        fill_order_colours(words, triangles, state.first_triangle[part], state.triangles);
+        fill_order_colours(words, triangles, before[part], state.triangles);
       } else {
         const offsets = state.clusters(this.k, part);
         fill_cluster_colours(words, triangles, offsets, first_cluster);
@@ -70,10 +71,10 @@ export class DrawnOrder {
 
   /** Exactly the first n triangles of all parts in sequence. */
   set_drawn(n) {
+    const drawn = this.state.drawn_of_parts(this.k, n);
     this.meshes.forEach((mesh, part) => {
-      const drawn = this.state.drawn_of(part, n);
-      mesh.geometry.setDrawRange(0, 3 * drawn);
-      mesh.visible = drawn > 0;
+      mesh.geometry.setDrawRange(0, 3 * drawn[part]);
+      mesh.visible = drawn[part] > 0;
     });
   }
 

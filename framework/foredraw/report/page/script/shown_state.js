@@ -1,12 +1,12 @@
 // What one state, the input or a pipeline, shows of a subject: typed views onto the decoded buffer. Nothing is copied.
 
 /**
- * Its parts are drawn in their sequence; several states may have the same ones.
+ * Its parts are drawn in their sequence, unless a table has others; several states may have the same parts.
  * Triangles are numbered over all parts: those of part p begin at first_triangle[p].
  */
 export class ShownState {
-  constructor(geometry, { orders, table }, buffer) {
-    Object.assign(this, { parts: geometry.parts, note: geometry.note ?? '', orders, table, buffer });
+  constructor(geometry, { orders, sequences, table }, buffer) {
+    Object.assign(this, { parts: geometry.parts, note: geometry.note ?? '', orders, sequences, table, buffer });
     this.whole = { centre: geometry.centre, radius: geometry.radius > 0 ? geometry.radius : 1 };
     this.spheres = new Map();
     this.triangles = 0;
@@ -40,16 +40,34 @@ export class ShownState {
     return this.orders.some((parts) => parts.some((part) => part['cluster-count'] > 0));
   }
 
-  /** How many of the first `drawn` triangles of all parts in sequence are of this part. */
-  drawn_of(part, drawn) {
-    return Math.max(0, Math.min(this.parts[part].triangles, drawn - this.first_triangle[part]));
+  /** [place] -> the part that is drawn there */
+  sequence(k) {
+    return this.sequences?.[k] ?? this.parts.map((_, part) => part);
+  }
+
+  /** [part] -> how many triangles of other parts are drawn before it */
+  triangles_before(k) {
+    const before = [];
+    let triangles = 0;
+    for (const part of this.sequence(k)) {
+      before[part] = triangles;
+      triangles += this.parts[part].triangles;
+    }
+    return before;
+  }
+
+  /** [part] -> how many of the first `drawn` triangles are of this part */
+  drawn_of_parts(k, drawn) {
+    const before = this.triangles_before(k);
+    return this.parts.map(({ triangles }, part) => Math.max(0, Math.min(triangles, drawn - before[part])));
   }
 
   /** The numbers of the first `drawn` triangles in the sequence of drawing. */
   drawn_triangles(k, drawn) {
-    return this.parts.flatMap((_, part) =>
+    const of_parts = this.drawn_of_parts(k, drawn);
+    return this.sequence(k).flatMap((part) =>
       Array.from(
-        this.order(k, part).subarray(0, this.drawn_of(part, drawn)),
+        this.order(k, part).subarray(0, of_parts[part]),
         (triangle) => this.first_triangle[part] + triangle,
       ),
     );
