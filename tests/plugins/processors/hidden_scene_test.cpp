@@ -156,6 +156,19 @@ TEST(HiddenScene, PartsOfACharacterHideWhatFollowsTheSameJointAlone) {
   EXPECT_EQ(hidden_of(character({0, 1}, {0, 1})), all_stay);
   EXPECT_EQ(hidden_of(character({0, 0}, {0, 1})), all_stay);
   EXPECT_EQ(hidden_of(character({0, 1}, {0, 0})), all_stay);
+  // Corners of the inner one's triangles, or of the shell's, follow joints by turns.
+  for (const DrawId by_turns : {0, 1}) {
+    Scene scene = character({0, 0}, {0, 0});
+    VertexStreams streams = *scene.draws[by_turns].full().vertices;
+    for (VertexStream& stream : streams.base) {
+      if (stream.semantic != "JOINTS_0") continue;
+      std::vector<std::byte> joints(stream.bytes.view().begin(), stream.bytes.view().end());
+      for (std::size_t v = 1; v < streams.count; v += 2) joints[4 * v] = std::byte{1};
+      stream.bytes = Shared(std::move(joints));
+    }
+    scene.draws[by_turns].full().vertices = std::make_shared<const VertexStreams>(streams);
+    EXPECT_EQ(hidden_of(scene), all_stay);
+  }
 }
 
 TEST(HiddenScene, WithClipsACharacterIsSeenInAllKeys) {

@@ -2,6 +2,7 @@
 
 #include "hidden_shapes.h"
 #include "plugins/processors/hidden/connected.h"
+#include "plugins/processors/hidden/contained.h"
 #include "plugins/processors/hidden/cut_draw.h"
 
 #include <gtest/gtest.h>
@@ -175,14 +176,40 @@ TEST(HiddenProof, NotWhatLooksSoToSamplesAlone) {
   const TestMesh in_hull = testing::joined(hull, box(0.5f));
   EXPECT_EQ(hidden_of(in_hull), 12u);
   EXPECT_EQ(proved_of(in_hull), 0u);
-  // An edge of the outer one passes through the inner one, whose vertices are all within.
+}
+
+/// Asked about everything, whether anybody sees it or not.
+std::size_t contained_in(const TestMesh& mesh) {
+  hidden::Sight sight;
+  sight.parts = {{mesh.positions, mesh.indices}};
+  sight.hides = {1};
+  for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) sight.triangles.push_back(t);
+  const hidden::Connected connected(sight.parts);
+  const hidden::Flags proved = hidden::inside_closed(sight, connected, hidden::Flags(sight.triangles.size(), 1));
+  return static_cast<std::size_t>(std::ranges::count(proved, 1));
+}
+
+/// A box of which the top, +Z, is pressed in to a point in the middle.
+TestMesh dented_box() {
   TestMesh dented = box();
   dented.positions.push_back({0, 0, 0});
   dented.indices.erase(dented.indices.begin() + 30, dented.indices.end());
   dented.indices.insert(dented.indices.end(), {4, 5, 8, 5, 7, 8, 7, 6, 8, 6, 4, 8});
-  EXPECT_EQ(proved_of(dented), 0u);
-  TestMesh plate{{{-0.7f, 0, 0.2f}, {0.7f, 0, 0.2f}, {0, 0.1f, -0.5f}}, {0, 1, 2, 0, 2, 1}};
-  EXPECT_EQ(proved_of(testing::joined(dented, plate)), 0u);
+  return dented;
+}
+
+TEST(HiddenProof, AsksEdgesOfBoth) {
+  EXPECT_EQ(contained_in(testing::joined(box(), box(0.5f))), 12u);
+  EXPECT_EQ(contained_in(testing::joined(dented_box(), box(0.1f, {0, 0, -0.5f}))), 12u);
+  // Its vertices are within, an edge of it runs through the dent.
+  const TestMesh rod{{{-0.8f, 0, 0.5f}, {0.8f, 0, 0.5f}, {0.8f, 0.1f, 0.5f}}, {0, 1, 2, 0, 2, 1}};
+  EXPECT_EQ(contained_in(testing::joined(dented_box(), rod)), 0u);
+  // The tip of the dent pricks through the middle of it, and no edge of it touches the dent.
+  const TestMesh plate{{{-0.9f, -0.6f, 0.05f}, {0.9f, -0.6f, 0.05f}, {0, 0.9f, 0.05f}}, {0, 1, 2, 0, 2, 1}};
+  EXPECT_EQ(contained_in(testing::joined(dented_box(), plate)), 0u);
+  TestMesh below = plate;
+  for (glm::vec3& p : below.positions) p.z = -0.05f;
+  EXPECT_EQ(contained_in(testing::joined(dented_box(), below)), 2u);
 }
 
 TEST(HiddenConnected, ComponentsAndRings) {
