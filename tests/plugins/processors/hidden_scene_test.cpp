@@ -1,6 +1,7 @@
 // What is hidden of scenes: materials, nodes, skins and poses.
 
 #include "hidden_in_scene.h"
+#include "plugins/processors/hidden/bodies.h"
 
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -168,6 +169,8 @@ TEST(HiddenScene, PartsOfACharacterHideWhatFollowsTheSameJointAlone) {
     }
     scene.draws[by_turns].full().vertices = std::make_shared<const VertexStreams>(streams);
     EXPECT_EQ(hidden_of(scene), all_stay);
+    const auto bodies = hidden::bodies_of(scene, {by_turns, 0}, hidden::carriers(scene));
+    EXPECT_EQ(std::ranges::count(bodies, hidden::bends), 8);  // not the four at -X and +X
   }
 }
 
