@@ -101,7 +101,10 @@ Indices occlusion_ordered(const TestMesh& mesh, const Indices& base, double acmr
   const Views views = make_views({.views = setting.views, .count = setting.count, .rotation = 1, .size = 128});
   const RasterPart part{mesh.positions, base};
   SubjectLayers subject;
-  const Clusters atoms = cut_atoms(base, mesh.positions.size(), 16, atom_size(setting.quality, base.size() / 3));
+  KOrdersOptions options;
+  options.quality = setting.quality;
+  options.acmr_budget = acmr_budget;
+  const Clusters atoms = cut_atoms(base, mesh.positions.size(), 16, atom_size(options, base.size() / 3));
   static_cast<Layers&>(subject.layers) =
       cluster_layers(fragment_layers({&part, 1}, views, executor).value(), atoms, executor);
   for (std::uint32_t atom = 0; atom < atoms.count(); ++atom) subject.owners.push_back({0, 0, atom});
@@ -110,9 +113,6 @@ Indices occlusion_ordered(const TestMesh& mesh, const Indices& base, double acmr
     subject.weights.push_back(view.weight);
   }
   subject.draws.push_back({base, mesh.positions.size(), atoms});
-  KOrdersOptions options;
-  options.quality = setting.quality;
-  options.acmr_budget = acmr_budget;
   const KOrders found = k_orders(subject, options, executor);
   Indices result;
   for (const std::uint32_t atom : found.orders[0][0]) {

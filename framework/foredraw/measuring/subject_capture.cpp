@@ -70,17 +70,18 @@ struct Looks {
 
 /// Every pose from all views; or, where the poses share them, so that all pictures have twice the pixels of those of
 /// one pose. They are small then: a look from another side, or at another time, tells more than pixels do.
-Looks looks_at(const Views& views, std::size_t poses, bool share) {
+Looks looks_at(const Views& views, std::size_t poses, bool share, std::size_t most) {
   constexpr int small = 96;
   const std::size_t all = poses * views.views.size();
-  if (!share || poses == 1) return {shared_views(views.views, poses, all), views.size};
+  if (poses == 1) return {shared_views(views.views, poses, all), views.size};
+  if (!share) return {shared_views(views.views, poses, std::min(all, std::max(most, poses))), views.size};
   const int size = std::min(views.size, small);
   const double pixels = static_cast<double>(views.views.size()) * views.size * views.size;
   return {shared_views(views.views, poses, static_cast<std::size_t>(2 * pixels / (size * size))), size};
 }
 
 void add_looks(SubjectCapture& captured, const SubjectView& view, const SubjectGeometry& drawn, const Views& views,
-               double weight, Run& run) {
+               std::uint32_t pose, double weight, Run& run) {
   SubjectLayers& seen = captured.seen;
   seen.owners.clear();
   const Clusters atoms = atoms_of_parts(captured, view, drawn, seen.owners);
@@ -96,6 +97,7 @@ void add_looks(SubjectCapture& captured, const SubjectView& view, const SubjectG
     seen.layers.views.push_back(std::move(layers.views[v]));
     seen.directions.push_back(views.views[v].direction);
     seen.weights.push_back(views.views[v].weight * weight);
+    seen.poses.push_back(pose);
   }
 }
 
@@ -115,12 +117,13 @@ std::vector<std::uint8_t> SubjectCapture::by_pose(std::span<const std::uint8_t> 
 
 SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
                                const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
-                               const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see) {
+                               const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see,
+                               std::size_t most_looks) {
   SubjectCapture captured;
   add_draws(captured, view, atoms_of);
   const DistinctPoses distinct = distinct_poses(view.scene, {&view.subject, 1}, poses, run.executor).front();
   const std::size_t different = count_different({&distinct, 1});
-  const Looks looks = looks_at(run.views, different, poses.share_views);
+  const Looks looks = looks_at(run.views, different, poses.share_views, most_looks);
   std::size_t number = 0;  // among those that look different
   for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
     if (run.cancelled()) throw std::runtime_error("cancelled");
@@ -136,8 +139,7 @@ SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
     const PosedNodes nodes = view.subject.is_placed() ? posed_nodes(view.scene, poses.poses[pose]) : PosedNodes();
     const SubjectGeometry drawn =
         subject_geometry(view.scene, view.subject, run.overdraw->faces(), nodes, run.analyses);
-    add_looks(captured, view, drawn, views, distinct.weights[pose], run);
-    captured.seen.poses.resize(captured.seen.layers.views.size(), static_cast<std::uint32_t>(number - 1));
+    add_looks(captured, view, drawn, views, static_cast<std::uint32_t>(pose), distinct.weights[pose], run);
     if (see) see(captured.seen, drawn);
   }
   if (different > 1) {

@@ -25,14 +25,18 @@ struct SubjectCapture {
   std::vector<std::uint8_t> by_pose(std::span<const std::uint8_t> serving) const;
 };
 
+inline constexpr std::size_t every_look = ~std::size_t{0};
+
 /// Captures the subject in the poses and from the run's views, by the run's overdraw service. `atoms_of`: what of the
 /// view's draws is moved as one, a partition of the draw's triangles; the subject's other draws are one atom each.
 /// `see`, where there is one, is called for every pose that looks different, in their sequence, with what is captured
-/// up to it and the subject as it is drawn there. Positions are made for one pose at a time. std::runtime_error where
-/// the service can not capture and where the run is cancelled.
+/// up to it and the subject as it is drawn there. `most_looks`: where there are more, the poses share the views so that
+/// there are so many, but one of each pose at least. Positions are made for one pose at a time. std::runtime_error
+/// where the service can not capture and where the run is cancelled.
 SubjectCapture capture_subject(const SubjectView& view, const Poses& poses,
                                const std::function<Clusters(const Draw&)>& atoms_of, Run& run,
-                               const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see = {});
+                               const std::function<void(const SubjectLayers&, const SubjectGeometry&)>& see = {},
+                               std::size_t most_looks = every_look);
 
 /// Whether some order of a subject that stands still may overdraw more than `least_overdraw`, as overdraw_bound() knows
 /// without drawing it. Else tells the run that nothing can be gained. True of subjects that move: each pose has its own

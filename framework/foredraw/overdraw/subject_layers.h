@@ -35,7 +35,7 @@ struct SubjectLayers {
   Layers layers;                       ///< [look] in place of views
   std::vector<glm::dvec3> directions;  ///< [look] to the camera
   std::vector<double> weights;         ///< [look]
-  std::vector<std::uint32_t> poses;    ///< [look] which of the poses that look different
+  std::vector<std::uint32_t> poses;    ///< [look] rising numbers; empty: all show the same pose
 };
 
 /// [draw][rank] = atom: the order that there is.

@@ -11,7 +11,7 @@ namespace foredraw {
 
 struct AtomSize {
   std::uint32_t least = 16;  ///< triangles
-  std::uint32_t most = 48;   ///< at least twice the least
+  std::uint32_t most = 48;   ///< at least twice the least, or both 1
 };
 
 /// Cuts the order of the triangles into atoms. Every vertex that was shaded before a cut and is used behind it, still

@@ -1,5 +1,7 @@
 #include "k_orders.h"
 
+#include "near_looks.h"
+
 #include <foredraw/viewing/view_directions.h>
 
 #include <glm/geometric.hpp>
@@ -16,7 +18,7 @@ using Sequences = std::vector<std::vector<std::uint32_t>>;  // [draw][rank] = at
 
 /// Of a pixel of each look: every picture counts alike but for its weight, however much of it is covered.
 std::vector<std::int64_t> weights_of_pixels(const SubjectLayers& subject) {
-  constexpr double picture = 0x1p32;  // of the heaviest look: sums over all of them stay far below 2^63
+  constexpr double picture = 0x1p32;  // of the heaviest look: sums over all of them, 256 times each, stay below 2^63
   const double heaviest = subject.weights.empty() ? 1 : *std::ranges::max_element(subject.weights);
   std::vector<std::int64_t> weights;
   for (std::size_t look = 0; look < subject.weights.size(); ++look) {
@@ -27,14 +29,29 @@ std::vector<std::int64_t> weights_of_pixels(const SubjectLayers& subject) {
   return weights;
 }
 
-/// So many an order is made for: of a character, four times as many lower its overdraw by less than a hundredth more.
-std::size_t most_nodes(OcclusionQuality quality) {
-  switch (quality) {
-    case OcclusionQuality::fast: return 512;
-    case OcclusionQuality::balanced: return 1024;
-    case OcclusionQuality::high: break;
+/// Those of every so-many-th pose, so that there are so many looks at most, but one pose at least.
+std::vector<std::size_t> looks_of_some_poses(const SubjectLayers& subject, std::size_t most) {
+  const std::size_t looks = subject.layers.views.size();
+  const std::size_t step = (looks + most - 1) / most;
+  std::vector<std::size_t> some;
+  std::size_t pose = 0;
+  for (std::size_t look = 0; look < looks; ++look) {
+    if (look > 0 && subject.poses[look] != subject.poses[look - 1]) ++pose;
+    if (pose % step == 0) some.push_back(look);
   }
-  return 4096;
+  return some;
+}
+
+SubjectLayers with_looks(const SubjectLayers& subject, std::span<const std::size_t> looks) {
+  SubjectLayers some{subject.draws, subject.owners, {}, {}, {}, {}};
+  some.layers.owners = subject.layers.owners;
+  for (const std::size_t look : looks) {
+    some.layers.views.push_back(subject.layers.views[look]);
+    some.directions.push_back(subject.directions[look]);
+    some.weights.push_back(subject.weights[look]);
+    some.poses.push_back(subject.poses[look]);
+  }
+  return some;
 }
 
 class Alternation {
@@ -46,13 +63,16 @@ class Alternation {
         options_(options),
         executor_(executor),
         k_(static_cast<std::size_t>(options.k)),
-        weights_(weights_of_pixels(subject)) {}
+        weights_(weights_of_pixels(subject)),
+        near_(subject) {}
 
   KOrders run() {
-    part_by_direction(0);
-    if (k_ > 1) serving_ = best_of_all_starts();
+    if (sequences_ != nullptr) first_serving_ = sequences_->serving;
+    begin(0);
+    if (k_ > 1) find_who_serves_what();
     KOrders result;
-    result.orders = made(most_nodes(options_.quality), options_.acmr_budget);
+    result.orders =
+        made(k_ == 1 ? most_looks(options_.quality) : most_looks(options_.quality) / 2, options_.acmr_budget);
     serve(result.orders);
     result.serving = serving_;
     result.counts = counts_;
@@ -64,11 +84,28 @@ class Alternation {
  private:
   std::size_t looks() const { return subject_.layers.views.size(); }
 
+  /// Poses are much like their neighbours: of many, some tell it of all.
+  void find_who_serves_what() {
+    const std::size_t most = 2 * most_looks(options_.quality);
+    if (looks() <= most || subject_.poses.empty()) {
+      serving_ = best_of_all_starts();
+      return;
+    }
+    const std::vector<std::size_t> chosen = looks_of_some_poses(subject_, most);
+    const SubjectLayers some = with_looks(subject_, chosen);
+    Alternation of_some(some, options_, executor_, sequences_);
+    for (const std::size_t look : chosen) {
+      if (!first_serving_.empty()) of_some.first_serving_.push_back(first_serving_[look]);
+    }
+    of_some.serving_ = of_some.best_of_all_starts();
+    serve(of_some.made_without_budget());
+  }
+
   std::vector<std::uint8_t> best_of_all_starts() {
     std::vector<std::uint8_t> best;
     std::uint64_t least = ~std::uint64_t{0};
     for (int start = 0; start <= options_.restarts; ++start) {
-      part_by_direction(static_cast<std::uint64_t>(start));
+      begin(static_cast<std::uint64_t>(start));
       const std::uint64_t cost = alternate();
       if (cost >= least && !best.empty()) continue;
       least = cost;
@@ -77,12 +114,16 @@ class Alternation {
     return best;
   }
 
-  /// Until the cost falls no further; returns the last. While looks move, orders are made of fewer of them and without
-  /// a budget: it is enough to tell who serves what.
+  /// While looks move, orders are made of fewer of them and without a budget: it is enough to tell who serves what.
+  std::vector<Sequences> made_without_budget() const {
+    return made(most_looks(options_.quality) / 4, std::numeric_limits<double>::infinity());
+  }
+
+  /// Until the cost falls no further; returns the last.
   std::uint64_t alternate() {
     std::uint64_t least = ~std::uint64_t{0};
     for (int round = 0; round < options_.rounds; ++round) {
-      serve(made(most_nodes(options_.quality) / 8, std::numeric_limits<double>::infinity()));
+      serve(made_without_budget());
       const std::uint64_t cost = cost_of(counts_);
       if (cost + cost / 100 >= least) return cost;
       least = cost;
@@ -96,9 +137,10 @@ class Alternation {
     return sequences_ == nullptr ? std::span<const std::uint32_t>() : sequences_->sequences[j];
   }
 
-  void part_by_direction(std::uint64_t start) {
-    if (sequences_ != nullptr && start == 0) {
-      serving_ = sequences_->serving;
+  /// With what is known of who serves what; else with looks parted by direction.
+  void begin(std::uint64_t start) {
+    if (start == 0 && !first_serving_.empty()) {
+      serving_ = first_serving_;
       return;
     }
     const Directions middles = turned_at_random(fibonacci_directions(k_), options_.seed + start);
@@ -149,11 +191,24 @@ class Alternation {
     return sum;
   }
 
+  /// How much of a look's surroundings an order serves: nothing, or 1 to 256.
+  std::int64_t share_of(std::size_t order, std::size_t look) const {
+    constexpr std::int64_t all = 256, least = 16;
+    std::int64_t served = 0, sum = 0;
+    for (const auto& [near, weight] : near_.of(look)) {
+      sum += weight;
+      served += serving_[near] == order ? weight : 0;
+    }
+    const std::int64_t share = served * all / sum;
+    return share < least ? 0 : share;
+  }
+
   /// Looks are much like their neighbours: of many, some spread evenly over them say as much.
   std::vector<WeightedLayers> some_served_by(std::size_t order, std::size_t most) const {
     std::vector<WeightedLayers> served;
     for (std::size_t look = 0; look < looks(); ++look) {
-      if (serving_[look] == order) served.push_back({&subject_.layers.views[look], weights_[look]});
+      const std::int64_t share = share_of(order, look);
+      if (share > 0) served.push_back({&subject_.layers.views[look], weights_[look] * share});
     }
     if (served.size() <= most) return served;
     constexpr std::uint32_t golden = 2654435769u;  // 2^32 / golden ratio: multiples of it are spread evenly
@@ -163,7 +218,7 @@ class Alternation {
     return served;
   }
 
-  /// Gives every look to the order that draws least there.
+  /// Gives every look to the order that draws least there and around it.
   void serve(const std::vector<Sequences>& orders) {
     std::vector<std::vector<OverdrawCount>> counts(orders.size());
     executor_.for_each(orders.size(), [&](std::size_t j) { counts[j] = counts_of(subject_, orders[j], sequence(j)); });
@@ -172,8 +227,15 @@ class Alternation {
     counts_.resize(looks());
     for (std::size_t look = 0; look < looks(); ++look) {
       std::size_t best = 0;
-      for (std::size_t j = 1; j < counts.size(); ++j) {
-        if (counts[j][look].shaded < counts[best][look].shaded) best = j;
+      std::uint64_t least = ~std::uint64_t{0};
+      for (std::size_t j = 0; j < counts.size(); ++j) {
+        std::uint64_t cost = 0;
+        for (const auto& [near, weight] : near_.of(look)) {
+          cost += static_cast<std::uint64_t>(weight) * cost_of_look(near, counts[j][near]);
+        }
+        if (cost >= least) continue;
+        least = cost;
+        best = j;
       }
       serving_[look] = static_cast<std::uint8_t>(best);
       counts_[look] = counts[best][look];
@@ -219,16 +281,27 @@ class Alternation {
 
   const SubjectLayers& subject_;
   const KSequences* sequences_;
+  std::vector<std::uint8_t> first_serving_;  // [look] none: nothing is known to begin with
   const KOrdersOptions& options_;
   const Executor& executor_;
   std::size_t k_;
   std::vector<std::int64_t> weights_;  // [look] of a pixel
+  NearLooks near_;
   std::vector<std::uint8_t> serving_;
   std::vector<OverdrawCount> counts_;  // [look] in the order that serves it
   std::vector<std::uint64_t> costs_;   // [order] if it served all looks
 };
 
 }  // namespace
+
+std::size_t most_looks(OcclusionQuality quality) {
+  switch (quality) {
+    case OcclusionQuality::fast: return 512;
+    case OcclusionQuality::balanced: return 1024;
+    case OcclusionQuality::high: break;
+  }
+  return 4096;
+}
 
 KOrders k_orders(const SubjectLayers& subject, const KOrdersOptions& options, const Executor& executor,
                  const KSequences* sequences) {

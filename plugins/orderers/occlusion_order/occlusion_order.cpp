@@ -1,6 +1,6 @@
 #include "occlusion_order.h"
 
-#include "piece_order.h"
+#include "pieces.h"
 
 #include <foredraw/analysis/vertex_cache.h>
 
@@ -15,17 +15,18 @@ namespace {
 
 struct Effort {
   std::uint32_t finest, coarsest;  // atoms, by the most triangles that they may have
-  int sweeps;                      // of the search, at most
+  std::size_t plenty;              // atoms of a draw: with fewer, what hides what is blurred
+  int sweeps, sweeps_of_joined;    // of the search, at most
   std::size_t joined;              // one of so many joints is made before the search goes on
 };
 
-Effort effort_of(OcclusionQuality quality) {
+Effort effort_of(OcclusionQuality quality, bool fine_atoms) {
   switch (quality) {
-    case OcclusionQuality::fast: return {24, 48, 1, 2};
-    case OcclusionQuality::balanced: return {12, 24, 2, 3};
+    case OcclusionQuality::fast: return {24, 48, 512, 1, 1, 2};
+    case OcclusionQuality::balanced: return fine_atoms ? Effort{1, 24, 4096, 2, 1, 8} : Effort{12, 24, 512, 2, 2, 3};
     case OcclusionQuality::high: break;
   }
-  return {8, 8, 8, 4};
+  return fine_atoms ? Effort{1, 8, 8192, 8, 2, 12} : Effort{8, 8, 512, 8, 8, 4};
 }
 
 std::vector<std::uint32_t> as_numbered(std::size_t count) {
@@ -34,64 +35,12 @@ std::vector<std::uint32_t> as_numbered(std::size_t count) {
   return order;
 }
 
-/// Two pieces that came in one behind the other made one, at the place of either.
-struct Joint {
-  double price;  // overdraw for each vertex that need not be shaded again
-  std::uint32_t second;
-  bool at_first;
-};
-
-/// All that save something, the cheapest first.
-std::vector<Joint> joints_of(PieceOrder& order, std::span<const std::uint32_t> saved) {
-  std::vector<Joint> joints;
-  std::int64_t moving_first = order.cost_of_joining(0).before_next;
-  for (std::uint32_t second = 1; second < saved.size(); ++second) {
-    const auto [moving_second, before_next] = order.cost_of_joining(second);
-    const std::int64_t cost = std::min(moving_first, moving_second);
-    if (saved[second] > 0) {
-      joints.push_back({static_cast<double>(cost) / saved[second], second, moving_second <= moving_first});
-    }
-    moving_first = before_next;
+/// Those that were joined may move, and what they have to do with. `joined`: [old] = new piece.
+void unsettle_joined(PieceOrder& search, std::span<const std::uint32_t> joined) {
+  for (std::size_t piece = 1; piece < joined.size(); ++piece) {
+    if (joined[piece] == joined[piece - 1]) search.unsettle(joined[piece]);
   }
-  std::ranges::sort(joints, {}, [](const Joint& joint) { return std::pair(joint.price, joint.second); });
-  return joints;
 }
-
-/// Pieces that joining makes larger.
-struct Pieces {
-  Clusters ranges;                   // of triangles
-  std::vector<std::uint32_t> saved;  // [piece] misses that it is spared behind the one before it
-  std::vector<double> ranks;         // [piece] in the order
-
-  /// Makes joints, each piece in one at most, until they save `wanted` misses or there are `most`. [old] = new piece.
-  std::vector<std::uint32_t> join(std::span<const Joint> joints, double wanted, std::size_t most) {
-    std::vector<bool> is_taken(ranks.size(), false), is_joined(ranks.size(), false);
-    double saving = 0;
-    for (const auto& [price, second, at_first] : joints) {
-      if (saving >= wanted || most == 0) break;
-      if (is_taken[second - 1] || is_taken[second]) continue;
-      is_taken[second - 1] = is_taken[second] = is_joined[second] = true;
-      if (!at_first) ranks[second - 1] = ranks[second];
-      saving += saved[second];
-      --most;
-    }
-    std::vector<std::uint32_t> joined;
-    std::uint32_t count = 0;
-    for (std::uint32_t piece = 0; piece < ranks.size(); ++piece) {
-      if (!is_joined[piece]) {
-        ranges.offsets[count] = ranges.offsets[piece];
-        ranks[count] = ranks[piece];
-        saved[count++] = saved[piece];
-      }
-      joined.push_back(count - 1);
-    }
-    ranges.offsets[count] = ranges.offsets.back();
-    ranges.offsets.resize(count + 1);
-    ranks.resize(count);
-    saved.resize(count);
-    return joined;
-  }
-};
 
 std::vector<std::uint32_t> atoms_of(const Clusters& atoms, const Clusters& pieces,
                                     std::span<const std::uint32_t> order) {
@@ -119,27 +68,29 @@ std::uint64_t shaded_vertices(const AtomicDraw& draw, const Clusters& ranges, st
   return sum;
 }
 
-AtomSize atom_size(OcclusionQuality quality, std::size_t triangles) {
-  constexpr std::size_t plenty = 512;  // atoms of a draw: with fewer, what hides what is blurred
-  const Effort effort = effort_of(quality);
+AtomSize atom_size(const OcclusionOrderOptions& options, std::size_t triangles) {
+  const Effort effort = effort_of(options.quality, options.fine_atoms);
   const auto most =
-      static_cast<std::uint32_t>(std::clamp<std::size_t>(triangles / plenty, effort.finest, effort.coarsest));
-  return {most / 3, most};
+      static_cast<std::uint32_t>(std::clamp<std::size_t>(triangles / effort.plenty, effort.finest, effort.coarsest));
+  return {std::max(1u, most / 3), most};
 }
 
 std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions occlusions,
                                            const OcclusionOrderOptions& options) {
   if (draw.atoms.count() < 2) return as_numbered(draw.atoms.count());
-  const Effort effort = effort_of(options.quality);
+  const Effort effort = effort_of(options.quality, options.fine_atoms);
   std::vector<std::uint32_t> order = as_numbered(draw.atoms.count());
   const double budget =
       options.acmr_budget * static_cast<double>(shaded_vertices(draw, draw.atoms, order, options.cache_size));
   Pieces pieces{draw.atoms, misses_of_cuts(draw.indices, draw.vertex_count, options.cache_size, draw.atoms),
-                std::vector<double>(order.begin(), order.end())};
+                PiecePlaces::as_numbered(draw.atoms.count())};
+  std::vector<std::uint32_t> joined;
   for (;;) {
-    PieceOrder search(occlusions, std::move(pieces.ranks));
-    search.improve(effort.sweeps);
+    PieceOrder search(occlusions, pieces.places);
+    unsettle_joined(search, joined);
+    search.improve(joined.empty() ? effort.sweeps : effort.sweeps_of_joined);
     order = search.order();
+    if (options.acmr_budget == std::numeric_limits<double>::infinity()) break;
     const std::uint64_t shaded = shaded_vertices(draw, pieces.ranges, order, options.cache_size);
     std::vector<Joint> joints = joints_of(search, pieces.saved);
     double wanted = static_cast<double>(shaded) - budget;
@@ -148,8 +99,8 @@ std::vector<std::uint32_t> occlusion_order(const AtomicDraw& draw, Occlusions oc
       wanted = std::numeric_limits<double>::infinity();
     }
     if (joints.empty()) break;
-    pieces.ranks = search.ranks();
-    occlusions = with_joined_pieces(occlusions, pieces.join(joints, wanted, joints.size() / effort.joined + 1));
+    joined = pieces.join(joints, wanted, joints.size() / effort.joined + 1);
+    occlusions = with_joined_pieces(occlusions, joined);
   }
   return atoms_of(draw.atoms, pieces.ranges, order);
 }

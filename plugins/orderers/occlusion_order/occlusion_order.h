@@ -19,7 +19,9 @@ enum class OcclusionQuality { fast, balanced, high };
 
 struct OcclusionOrderOptions {
   OcclusionQuality quality = OcclusionQuality::balanced;
-  double acmr_budget = 1.05;  ///< ACMR of the answer at most so many times that of the order that came in; 1 at least
+  bool fine_atoms = false;    ///< atoms of one triangle, but for large draws and `fast`: less overdraw, more time
+  double acmr_budget = 1.05;  ///< ACMR of the answer at most so many times that of the order that came in; 1 at least.
+                              ///< Infinity: vertices are not looked at
   std::uint32_t cache_size = 16;  ///< entries of the FIFO cache that the budget is reckoned for
   double vertex_cost = 0;         ///< of a vertex that is shaded again, in the occlusions' weights: what saves less is
                                   ///< not bought, whatever the budget
@@ -29,8 +31,8 @@ struct OcclusionOrderOptions {
 std::uint64_t shaded_vertices(const AtomicDraw& draw, const Clusters& ranges, std::span<const std::uint32_t> order,
                               std::uint32_t cache_size);
 
-/// The size of atoms that suits the quality and a draw of so many triangles: of a small one they may be finer.
-AtomSize atom_size(OcclusionQuality quality, std::size_t triangles);
+/// The size of atoms that suits the options and a draw of so many triangles: of a small one they may be finer.
+AtomSize atom_size(const OcclusionOrderOptions& options, std::size_t triangles);
 
 /// The sequence of the draw's atoms ([rank] = atom) that draws least of what does not stay, as far as a local search
 /// finds it. Atoms move one at a time to where they cost least; then those that came in one behind the other are joined

@@ -28,7 +28,14 @@ Clusters atoms_of(const Draw& draw, const Options& options) {
   const IndexStream& stream = draw.full().stream();
   if (stream.clusters) return *stream.clusters;
   return cut_atoms(stream.indices.view(), draw.full().vertices->count, cache_size_of(stream, options),
-                   atom_size(options.quality, stream.triangle_count()));
+                   atom_size(options, stream.triangle_count()));
+}
+
+/// The capture of many looks takes most of the time: then a better search for orders is cheap beside it.
+bool has_many_looks(const SubjectView& view, const Run& run) {
+  constexpr std::size_t many = 1000;
+  const bool moves = view.subject.is_placed() && !run.poses.share_views;
+  return moves && run.poses.poses.size() * run.views.views.size() > many;
 }
 
 /// A sequence of the parts for each order, where the looks that decided nothing agree that they are better.
@@ -55,7 +62,8 @@ struct Found {
 std::optional<Found> search(const SubjectView& view, const Options& options, Run& run) {
   Found found;
   found.captured = capture_subject(
-      view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run);
+      view, run.poses, [&](const Draw& draw) { return atoms_of(draw, options); }, run, {},
+      options.k == 1 ? most_looks(options.quality) : every_look);
   const SubjectLayers& subject = found.captured.seen;
   found.before = tally_of(subject, counts_of(subject, as_it_came(subject)));
   if (!has_overdraw(found.before, run)) return std::nullopt;
@@ -74,6 +82,7 @@ class OcclusionOrder final : public SubjectOrderer {
     Options options = options_;
     options.seed = run.seed + static_cast<std::uint64_t>(options_.start);
     options.cache_size = cache_size_of(view.scene.draws[view.draws[0]].full().stream(), options_);
+    options.fine_atoms = options.k > 1 || has_many_looks(view, run);
     std::optional<Found> found = search(view, options, run);
     if (!found) return {};
     if (options.quality == OcclusionQuality::high) {  // finer atoms mostly find the better order, but not always

@@ -1,36 +1,44 @@
 #include "piece_order.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace foredraw {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-PieceOrder::PieceOrder(const Occlusions& occlusions, std::vector<double> ranks)
-    : occlusions_(occlusions),
-      ranks_(std::move(ranks)),
-      may_move_(ranks_.size(), true),
-      change_(ranks_.size(), 0),
-      is_step_(ranks_.size(), false) {}
+PiecePlaces PiecePlaces::as_numbered(std::size_t pieces) {
+  PiecePlaces places{std::vector<double>(pieces), std::vector<bool>(pieces, true), std::vector<CostOfJoining>(pieces),
+                     std::vector<bool>(pieces, true)};
+  std::iota(places.ranks.begin(), places.ranks.end(), 0);
+  return places;
+}
 
-void PieceOrder::add_step(std::uint32_t other, std::int64_t change) {
-  if (!is_step_[other]) {
-    is_step_[other] = true;
-    change_[other] = 0;
-    steps_.push_back(other);
+PieceOrder::PieceOrder(const Occlusions& occlusions, PiecePlaces& places)
+    : occlusions_(occlusions), places_(places), step_of_(places.ranks.size(), 0) {}
+
+void PieceOrder::add_step_of_list(std::uint32_t other, std::int64_t change) {
+  std::uint32_t& number = step_of_[other];
+  if (number == 0) {
+    steps_.push_back({places_.ranks[other], other, true, change});
+    number = static_cast<std::uint32_t>(steps_.size());
+    return;
   }
-  change_[other] += change;
+  Step& step = steps_[number - 1];
+  step.change += change;
+  step.is_of_list = true;
 }
 
 void PieceOrder::find_steps(std::uint32_t piece) {
   const Occlusions& all = occlusions_;
-  for (const std::uint32_t other : steps_) is_step_[other] = false;
+  const std::vector<double>& ranks = places_.ranks;
   steps_.clear();
   for (std::uint32_t i = all.first_pair[piece]; i < all.first_pair[piece + 1]; ++i) {
-    add_step(all.pairs[i].other, all.pairs[i].net);
+    const auto& [other, net] = all.pairs[i];
+    steps_.push_back({ranks[other], other, false, net});
   }
+  if (all.first_list[piece] == all.first_list[piece + 1]) return;
+  for (std::uint32_t i = 0; i < steps_.size(); ++i) step_of_[steps_[i].piece] = i + 1;
   for (std::uint32_t i = all.first_list[piece]; i < all.first_list[piece + 1]; ++i) {
     const std::uint32_t list = all.lists[i];
     const std::int64_t weight = all.weights[list];
@@ -39,34 +47,50 @@ void PieceOrder::find_steps(std::uint32_t piece) {
     for (std::uint32_t layer = all.first_layer[list]; layer < all.first_layer[list + 1]; ++layer) {
       const std::uint32_t other = all.layers[layer];
       if (other == piece) {
-        if (earliest != none) add_step(earliest, -weight);  // drawn after that one, it is hidden
+        if (earliest != none) add_step_of_list(earliest, -weight);  // drawn after that one, it is hidden
         is_nearer = true;
-      } else if (earliest == none || ranks_[other] <= ranks_[earliest]) {
+      } else if (earliest == none || ranks[other] <= ranks[earliest]) {
         earliest = other;
-        if (is_nearer) add_step(other, weight);  // drawn after it, the piece does not hide it
+        if (is_nearer) add_step_of_list(other, weight);  // drawn after it, the piece does not hide it
       }
     }
   }
+  for (const Step& step : steps_) step_of_[step.piece] = 0;
+}
+
+void PieceOrder::costs_may_differ_around(std::uint32_t piece) {
+  places_.may_differ[piece] = true;
+  if (piece > 0) places_.may_differ[piece - 1] = true;
+  if (piece + 1 < places_.ranks.size()) places_.may_differ[piece + 1] = true;
+  for (const Step& step : steps_) places_.may_differ[step.piece] = true;
 }
 
 std::int64_t PieceOrder::improve_piece(std::uint32_t piece) {
   find_steps(piece);
-  std::ranges::sort(steps_, {}, [&](std::uint32_t other) { return std::pair(ranks_[other], other); });
+  std::ranges::sort(steps_, {}, [](const Step& step) { return std::pair(step.rank, step.piece); });
+  const double from = places_.ranks[piece];
   std::int64_t cost = 0, least = 0, now = 0;  // relative to before all steps
   std::size_t best = 0;                       // steps before the cheapest gap
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    cost += change_[steps_[i]];
-    if (ranks_[steps_[i]] < ranks_[piece]) now = cost;
+    cost += steps_[i].change;
+    if (steps_[i].rank < from) now = cost;
     if (cost < least) {
       least = cost;
       best = i + 1;
     }
   }
   if (least == now) return 0;
-  const double before = best == 0 ? ranks_[steps_[0]] - 2 : ranks_[steps_[best - 1]];
-  const double behind = best == steps_.size() ? before + 2 : ranks_[steps_[best]];
-  ranks_[piece] = (before + behind) / 2;
-  for (const std::uint32_t other : steps_) may_move_[other] = true;
+  const double before = best == 0 ? steps_[0].rank - 2 : steps_[best - 1].rank;
+  const double behind = best == steps_.size() ? before + 2 : steps_[best].rank;
+  const double to = places_.ranks[piece] = (before + behind) / 2;
+  costs_may_differ_around(piece);
+  for (const Step& step : steps_) {
+    // What lies between the two places costs the other one more by this, or less where it is drawn now before the
+    // piece.
+    const std::int64_t more = from < to ? step.change : -step.change;
+    const bool is_between = (step.rank < from) != (step.rank < to);
+    if (step.is_of_list || (is_between ? more > 0 : more < 0)) places_.may_move[step.piece] = true;
+  }
   return now - least;
 }
 
@@ -74,41 +98,51 @@ void PieceOrder::improve(int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const std::vector<std::uint32_t> pieces = order();
     // Places come close together where many pieces moved.
-    for (std::size_t rank = 0; rank < pieces.size(); ++rank) ranks_[pieces[rank]] = static_cast<double>(rank);
+    for (std::size_t rank = 0; rank < pieces.size(); ++rank) places_.ranks[pieces[rank]] = static_cast<double>(rank);
     std::int64_t saved = 0;
     for (const std::uint32_t piece : pieces) {
-      if (!may_move_[piece]) continue;
-      may_move_[piece] = false;
+      if (!places_.may_move[piece]) continue;
+      places_.may_move[piece] = false;
       saved += improve_piece(piece);
     }
     if (saved == 0) break;
   }
 }
 
-PieceOrder::CostOfJoining PieceOrder::cost_of_joining(std::uint32_t piece) {
+void PieceOrder::unsettle(std::uint32_t piece) {
   find_steps(piece);
-  const double from = ranks_[piece];
-  const double last = piece == 0 ? from : ranks_[piece - 1];
-  const double next = piece + 1 == ranks_.size() ? from : ranks_[piece + 1];
-  CostOfJoining cost;
-  for (const std::uint32_t other : steps_) {
-    const double at = ranks_[other];
-    const std::int64_t change = change_[other];
-    if (at < from) {
-      cost.behind_last -= at > last ? change : 0;
-      cost.before_next -= at >= next ? change : 0;
+  costs_may_differ_around(piece);
+  places_.may_move[piece] = true;
+  for (const Step& step : steps_) places_.may_move[step.piece] = true;
+}
+
+const CostOfJoining& PieceOrder::cost_of_joining(std::uint32_t piece) {
+  CostOfJoining& cost = places_.costs[piece];
+  if (!places_.may_differ[piece]) return cost;
+  places_.may_differ[piece] = false;
+  find_steps(piece);
+  const std::vector<double>& ranks = places_.ranks;
+  const double from = ranks[piece];
+  const double last = piece == 0 ? from : ranks[piece - 1];
+  const double next = piece + 1 == ranks.size() ? from : ranks[piece + 1];
+  cost = {};
+  for (const Step& step : steps_) {
+    if (step.rank < from) {
+      cost.behind_last -= step.rank > last ? step.change : 0;
+      cost.before_next -= step.rank >= next ? step.change : 0;
     } else {
-      cost.behind_last += at <= last ? change : 0;
-      cost.before_next += at < next ? change : 0;
+      cost.behind_last += step.rank <= last ? step.change : 0;
+      cost.before_next += step.rank < next ? step.change : 0;
     }
   }
   return cost;
 }
 
 std::vector<std::uint32_t> PieceOrder::order() const {
-  std::vector<std::uint32_t> pieces(ranks_.size());
+  const std::vector<double>& ranks = places_.ranks;
+  std::vector<std::uint32_t> pieces(ranks.size());
   std::iota(pieces.begin(), pieces.end(), 0u);
-  std::ranges::sort(pieces, {}, [&](std::uint32_t piece) { return std::pair(ranks_[piece], piece); });
+  std::ranges::sort(pieces, {}, [&](std::uint32_t piece) { return std::pair(ranks[piece], piece); });
   return pieces;
 }
 

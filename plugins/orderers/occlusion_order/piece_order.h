@@ -9,39 +9,58 @@
 
 namespace foredraw {
 
+/// What it costs to draw a piece directly behind the one before it by number, and directly before the one after it.
+struct CostOfJoining {
+  std::int64_t behind_last = 0;
+  std::int64_t before_next = 0;
+};
+
+/// Where the pieces are, and what is known of them; kept from one search to the next.
+struct PiecePlaces {
+  std::vector<double> ranks;         ///< [piece] its place, in any numbers that differ
+  std::vector<bool> may_move;        ///< [piece] whether anything it has to do with was moved since it was looked at
+  std::vector<CostOfJoining> costs;  ///< [piece] as they were when last asked
+  std::vector<bool> may_differ;      ///< [piece] whether they may have changed since
+
+  /// Each at its number, and nothing known.
+  static PiecePlaces as_numbered(std::size_t pieces);
+};
+
 class PieceOrder {
  public:
-  /// Each piece at its place: [piece], in any numbers that differ. The occlusions are only referred to.
-  PieceOrder(const Occlusions& occlusions, std::vector<double> ranks);
-
-  const std::vector<double>& ranks() const { return ranks_; }
+  /// Both are only referred to, and the places are changed.
+  PieceOrder(const Occlusions& occlusions, PiecePlaces& places);
 
   /// Moves every piece to where it costs least, everything else left where it is, again and again until nothing falls
-  /// or it was done so many times.
+  /// or it was done so many times. Pieces that may not move are left.
   void improve(int sweeps);
 
-  /// What it costs to draw the piece directly behind the one before it by number, and directly before the one after it.
-  struct CostOfJoining {
-    std::int64_t behind_last = 0;
-    std::int64_t before_next = 0;
-  };
-  CostOfJoining cost_of_joining(std::uint32_t piece);
+  /// To be called of pieces that are not what they were: they may move, and so may all that they have to do with.
+  void unsettle(std::uint32_t piece);
+
+  const CostOfJoining& cost_of_joining(std::uint32_t piece);
 
   /// The pieces as they are drawn.
   std::vector<std::uint32_t> order() const;
 
  private:
-  void add_step(std::uint32_t other, std::int64_t change);
+  /// As a piece moves backwards past another one, what it costs changes.
+  struct Step {
+    double rank;
+    std::uint32_t piece;
+    bool is_of_list;  ///< what it costs the other one depends on more pieces
+    std::int64_t change;
+  };
+
+  void add_step_of_list(std::uint32_t other, std::int64_t change);
   void find_steps(std::uint32_t piece);
   std::int64_t improve_piece(std::uint32_t piece);
+  void costs_may_differ_around(std::uint32_t piece);
 
   const Occlusions& occlusions_;
-  std::vector<double> ranks_;
-  std::vector<bool> may_move_;  // [piece] whether anything it has to do with was moved since it was looked at
-  // As a piece moves backwards past one of `steps_`, what it costs changes by change_[that].
-  std::vector<std::uint32_t> steps_;
-  std::vector<std::int64_t> change_;
-  std::vector<bool> is_step_;
+  PiecePlaces& places_;
+  std::vector<Step> steps_;
+  std::vector<std::uint32_t> step_of_;  // [piece] 1 + its number among the steps while they are found, else 0
 };
 
 }  // namespace foredraw

@@ -101,7 +101,8 @@ TEST(PieceOrder, EndsWhereNoPieceMovedAloneCostsLess) {
   const Seen seen(thicket(7), testing::all_sides(48));
   const auto pieces = static_cast<std::uint32_t>(seen.subject.draws[0].atoms.count());
   const Occlusions occlusions = occlusions_of(unweighted(seen.subject.layers), seen.subject.owners, {&pieces, 1})[0];
-  PieceOrder search(occlusions, as_places(rising(pieces)));
+  PiecePlaces places = PiecePlaces::as_numbered(pieces);
+  PieceOrder search(occlusions, places);
   search.improve(1000);
   const std::vector<std::uint32_t> order = search.order();
   ASSERT_TRUE(is_permutation_of(order, pieces));
@@ -123,7 +124,9 @@ TEST(PieceOrder, KnowsWhatJoiningCosts) {
   const auto pieces = static_cast<std::uint32_t>(seen.subject.draws[0].atoms.count());
   const Occlusions occlusions = occlusions_of(unweighted(seen.subject.layers), seen.subject.owners, {&pieces, 1})[0];
   const std::vector<std::uint32_t> order = testing::random_order(pieces, 1);
-  PieceOrder search(occlusions, as_places(order));
+  PiecePlaces places = PiecePlaces::as_numbered(pieces);
+  places.ranks = as_places(order);
+  PieceOrder search(occlusions, places);
   const auto with_moved = [&](std::uint32_t piece, std::uint32_t other, bool behind) {
     std::vector<std::uint32_t> moved = order;
     moved.erase(std::ranges::find(moved, piece));

@@ -86,6 +86,22 @@ TEST(OcclusionOrder, BuysNoVerticesForMoreThanTheyAreWorth) {
   EXPECT_LT(seen.excess(some), 0.9 * seen.excess(thrifty));
 }
 
+TEST(OcclusionOrder, LeavesLessOfAtomsOfOneTriangleWithinTheSameBudget) {
+  const TestMesh mesh = rings();
+  OcclusionOrderOptions fine = with_budget(1.2), coarse = with_budget(1.2);
+  fine.fine_atoms = true;
+  const auto left = [&](const OcclusionOrderOptions& options) {
+    const AtomSize size = atom_size(options, mesh.indices.size() / 3);
+    const Seen seen(mesh, testing::all_sides(64), cut_atoms(mesh.indices, mesh.positions.size(), 16, size));
+    const auto order = ordered(seen, options);
+    EXPECT_LE(seen.acmr(order), 1.2 * acmr(mesh));
+    return seen.excess(order);
+  };
+  EXPECT_EQ(atom_size(fine, 4000).most, 1u);
+  EXPECT_EQ(atom_size(coarse, 4000).most, 12u);
+  EXPECT_LT(left(fine), 0.85 * left(coarse));
+}
+
 TEST(OcclusionOrder, OfNothingIsNothing) { EXPECT_TRUE(occlusion_order({{}, 0, {{0}}}, {}).empty()); }
 
 }  // namespace
