@@ -71,8 +71,7 @@ class Alternation {
     begin(0);
     if (k_ > 1) find_who_serves_what();
     KOrders result;
-    result.orders =
-        made(k_ == 1 ? most_looks(options_.quality) : most_looks(options_.quality) / 2, options_.acmr_budget);
+    result.orders = made(most_looks(options_.quality), options_.acmr_budget);
     serve(result.orders);
     result.serving = serving_;
     result.counts = counts_;
