@@ -180,11 +180,12 @@ Plugin hidden_plugin() {
       .breaks = {traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered, traits::clustered,
                  traits::welded},
       .pays_if = "something lies where no camera sees it",
-      .metrics = {{"hidden", "of the triangles", "Triangles removed, as no camera sees them", false},
-                  {"proved", "of the triangles", "Triangles removed that lie inside a closed part, by proof", false},
+      .metrics = {{"hidden", "per triangle", "Triangles removed, as no camera sees them", false},
+                  {"proved", "per triangle", "Triangles removed that lie inside a closed part, by proof", false},
                   {"poses", "poses", "Poses that the subjects were looked at in", false, false, true},
-                  {"contradicted", "of the pixels", "Pixels of the last check that showed something hidden, put back"},
-                  {"samples", "pixels", "Pixels of the last check, from views that decided nothing", false}},
+                  {"contradicted", "per pixel checked",
+                   "Pixels of the last check that showed something hidden, which was put back"},
+                  {"samples", "pixels", "Pixels of the last check, from held-out views", false}},
   };
   bind_options(plugin, std::move(table),
                [](const Options& options) { return std::make_unique<RemoveHidden>(options); });
