@@ -14,6 +14,7 @@ AllSides::AllSides(std::span<const RasterPart> parts) {
     first_.push_back(first_.back() + static_cast<std::uint32_t>(indices.size() / 3));
   };
   for (std::size_t part = 0; part < parts.size(); ++part) add(part, front, parts[part].indices);
+  fronts_ = parts.size();
   for (std::size_t part = 0; part < parts.size(); ++part) {
     if (parts[part].culls_back_faces) continue;
     std::vector<std::uint32_t>& turned = reversed_.emplace_back(parts[part].indices.begin(), parts[part].indices.end());

@@ -29,12 +29,14 @@ class AllSides {
     Side side = front;
   };
   Place place_of(std::uint32_t number) const;
-  std::size_t count() const { return first_.back(); }  ///< of all sides
+  std::size_t count() const { return first_.back(); }           ///< of all sides
+  std::uint32_t first_back() const { return first_[fronts_]; }  ///< those from there on are backs
 
  private:
   std::deque<std::vector<std::uint32_t>> reversed_;
   std::vector<RasterPart> sided_;
   std::vector<std::pair<std::size_t, Side>> what_;  ///< [part of parts()]
+  std::size_t fronts_ = 0;                          ///< parts of parts() that show fronts
   std::vector<std::uint32_t> first_{0};             ///< [part of parts()] its first number; and the end
 };
 

@@ -1,7 +1,8 @@
 #include "side_search.h"
 
-#include <foredraw/analysis/closed_surfaces.h>
-#include <foredraw/analysis/welded_positions.h>
+#include "side_rays.h"
+#include "surface.h"
+
 #include <foredraw/base/random.h>
 #include <foredraw/viewing/distinct_poses.h>
 #include <foredraw/viewing/pose_set.h>
@@ -11,25 +12,23 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 
 namespace foredraw::sides {
 
 namespace {
 
 constexpr std::size_t fewest_rays = 2;  // in each pose
-constexpr std::size_t first_rays = 4;   // of every side, over all poses
 constexpr int most_checks = 6;
-constexpr int check_size = 256;  // pixels
+constexpr int check_size = 256;   // pixels
+constexpr int fewest_checks = 4;  // the first check is of so many times fewer pictures
 
 /// A subject in one of its poses, and the views that this pose is looked at from.
 using LookAt = std::function<void(const SubjectGeometry&, const Views&)>;
 
-struct Surface {
-  std::vector<std::uint32_t> indices;  ///< of welded vertices
-  std::size_t vertices = 0;            ///< that there are, welded or not
-  std::vector<bool> is_closed;         ///< [triangle]
-};
 using Surfaces = std::map<DrawId, Surface>;  ///< of the draws asked for
+
+void add(Side& sides, Side more) { sides = static_cast<Side>(sides | more); }
 
 class SubjectSides {
  public:
@@ -44,20 +43,22 @@ class SubjectSides {
         analyses_(analyses),
         executor_(executor) {}
 
-  void search() {
-    auto before = found_.wanted;
-    for_each_pose(options_.poses, options_.views,
-                  [&](const SubjectGeometry& drawn, const Views& views) { add_by_pictures(drawn, views); });
-    add_by_rays(back);
-    add_ring(before);
-    if (leave_out_fronts()) {
-      before = found_.wanted;
-      for_each_pose(options_.poses, options_.views,
-                    [&](const SubjectGeometry& drawn, const Views& views) { add_by_pictures(drawn, views); });
-      add_by_rays(front);
-      add_ring(before);
+  /// `progress`: the part done, 0 to 1.
+  void search(const std::function<void(double)>& progress) {
+    look_at_all(back);
+    progress(0.3);
+    if (leave_out_fronts()) look_at_all(front);
+    progress(0.4);
+    grow();
+    check([&](double part) { progress(0.4 + 0.6 * part); });
+    grow();
+    if (!moves()) return;
+    for (const DrawId id : asked()) {
+      std::vector<Side>& wanted = found_.wanted.at(id);
+      if (std::ranges::any_of(wanted, [](Side sides) { return (sides & back) != 0; })) {
+        add_rims(surfaces_.at(id), wanted);
+      }
     }
-    check();
   }
 
  private:
@@ -71,7 +72,7 @@ class SubjectSides {
     const auto shares = shared_views(views.views, different, looks);
     std::size_t number = 0;
     for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
-      if (distinct.first_alike[pose] != pose) continue;
+      if (distinct.first_alike[pose] != pose || is_cancelled()) continue;
       Views share{{}, views.size};
       for (const std::size_t v : shares[number++]) share.views.push_back(views.views[v]);
       const PosedNodes nodes = subject_.is_placed() ? posed_nodes(scene_, poses.poses[pose]) : PosedNodes();
@@ -99,58 +100,51 @@ class SubjectSides {
     for (std::size_t part = 0; part < kept.size(); ++part) {
       if (!is_asked(part)) continue;
       std::vector<Side>& wanted = found_.wanted.at(subject_.parts[part].draw);
-      for (std::size_t t = 0; t < kept[part].size(); ++t) wanted[t] = static_cast<Side>(wanted[t] | kept[part][t]);
+      for (std::size_t t = 0; t < kept[part].size(); ++t) add(wanted[t], kept[part][t]);
     }
   }
 
-  Needed add_by_pictures(const SubjectGeometry& drawn, const Views& views) {
-    SidesOfParts sides = kept(drawn);
-    const Needed needed = add_needed_by_pictures(AllSides(drawn.parts), sides, views, executor_);
-    if (needed.pixels > 0) want(sides);
-    return needed;
-  }
-
-  /// Asks for what is not known to be seen.
-  void add_by_rays(Side side) {
+  void look_at_all(Side side) {
     std::size_t poses = 0;
     for_each_pose(options_.poses, {{View{}}, 1}, [&](const SubjectGeometry&, const Views&) { ++poses; });
-    const auto in_a_pose = [&](std::size_t rays) { return std::max(fewest_rays, rays / poses); };
+    const auto rays = std::max(fewest_rays, static_cast<std::size_t>(options_.rays) / std::max<std::size_t>(1, poses));
     std::uint64_t pose = 0;
-    for_each_pose(options_.poses, {{View{}}, 1}, [&](const SubjectGeometry& drawn, const Views&) {
-      const RayTree tree = tree_of(drawn.parts);
+    for_each_pose(options_.poses, options_.views, [&](const SubjectGeometry& drawn, const Views& views) {
       const std::uint64_t seed = derive_seed(seed_, side, pose++);
-      SidesOfParts open = unknown(drawn, side);
-      ask(drawn, tree, open, {in_a_pose(first_rays), seed});
-      for (;;) {
-        const SidesOfParts near = next_to_seen(drawn, open, side);
-        if (!ask(drawn, tree, near, {in_a_pose(static_cast<std::size_t>(options_.rays)), seed})) break;
-        for (std::size_t part = 0; part < near.size(); ++part) {
-          for (std::size_t t = 0; t < near[part].size(); ++t) {
-            if (near[part][t] != neither) open[part][t] = neither;
-          }
-        }
-      }
+      SidesOfParts sides = kept(drawn);
+      const Needed needed = add_needed_by_pictures(AllSides(drawn.parts), sides, views, executor_);
+      const SideRays cast(drawn.parts, surfaces_of_parts(), executor_);
+      cast.beside(needed.seen, sides, derive_seed(seed, 1, 0));
+      const std::vector<Seen> through = cast.through_openings(unknown(sides, side), rays, derive_seed(seed, 2, 0));
+      for (const Seen& one : through) add(sides[one.part][one.triangle], one.side);
+      cast.beside(through, sides, derive_seed(seed, 3, 0));
+      want(sides);
     });
   }
 
-  /// What touches a side that was found since `before` counts as seen too: samples find the rest of what is seen
-  /// through a gap last.
-  void add_ring(const std::map<DrawId, std::vector<Side>>& before) {
-    for (const auto& [id, surface] : surfaces_) {
-      std::vector<Side>& wanted = found_.wanted.at(id);
-      std::vector<std::uint8_t> touched(surface.vertices, neither);
-      for (std::size_t i = 0; i < surface.indices.size(); ++i) {
-        touched[surface.indices[i]] |= static_cast<std::uint8_t>(wanted[i / 3] & ~before.at(id)[i / 3]);
-      }
-      for (std::size_t i = 0; i < surface.indices.size(); ++i) {
-        wanted[i / 3] = static_cast<Side>(wanted[i / 3] | touched[surface.indices[i]]);
-      }
+  std::vector<const Surface*> surfaces_of_parts() const {
+    std::vector<const Surface*> result;
+    for (std::size_t part = 0; part < subject_.parts.size(); ++part) {
+      result.push_back(is_asked(part) ? &surface(part) : nullptr);
     }
+    return result;
+  }
+
+  /// Those of the subject.
+  std::set<DrawId> asked() const {
+    std::set<DrawId> ids;
+    for (std::size_t part = 0; part < subject_.parts.size(); ++part) {
+      if (is_asked(part)) ids.insert(subject_.parts[part].draw);
+    }
+    return ids;
+  }
+
+  void grow() {
+    for (const DrawId id : asked()) add_neighbours(surfaces_.at(id), found_.wanted.at(id));
   }
 
   /// The sides that are not known to be seen: of backs those of open components.
-  SidesOfParts unknown(const SubjectGeometry& drawn, Side side) const {
-    SidesOfParts sides = kept(drawn);
+  SidesOfParts unknown(SidesOfParts sides, Side side) const {
     for (std::size_t part = 0; part < sides.size(); ++part) {
       for (std::size_t t = 0; t < sides[part].size(); ++t) {
         const bool is_open = is_asked(part) && (side == front || !surface(part).is_closed[t]);
@@ -161,34 +155,6 @@ class SubjectSides {
   }
 
   const Surface& surface(std::size_t part) const { return surfaces_.at(subject_.parts[part].draw); }
-
-  /// Whether any was added.
-  bool ask(const SubjectGeometry& drawn, const RayTree& tree, const SidesOfParts& about, const RayOptions& rays) {
-    SidesOfParts sides = kept(drawn);
-    if (add_needed_by_rays(tree, drawn.parts, about, sides, rays, executor_) == 0) return false;
-    want(sides);
-    return true;
-  }
-
-  /// Of open sides those of triangles that share a vertex with one of which that side is seen.
-  SidesOfParts next_to_seen(const SubjectGeometry& drawn, const SidesOfParts& open, Side side) const {
-    const SidesOfParts sides = kept(drawn);
-    SidesOfParts result;
-    for (std::size_t part = 0; part < sides.size(); ++part) {
-      result.emplace_back(sides[part].size(), neither);
-      if (!is_asked(part)) continue;
-      const std::vector<std::uint32_t>& indices = surface(part).indices;
-      std::vector<bool> is_touched(drawn.parts[part].positions.size(), false);
-      for (std::size_t i = 0; i < 3 * sides[part].size(); ++i) {
-        if ((sides[part][i / 3] & side) != 0) is_touched[indices[i]] = true;
-      }
-      for (std::size_t i = 0; i < 3 * sides[part].size(); ++i) {
-        const bool may_be_seen = open[part][i / 3] != neither && (sides[part][i / 3] & side) == 0;
-        if (may_be_seen && is_touched[indices[i]]) result[part][i / 3] = side;
-      }
-    }
-    return result;
-  }
 
   /// Of triangles whose back is seen, the front may not be: it is asked for anew.
   bool leave_out_fronts() {
@@ -204,35 +170,64 @@ class SubjectSides {
     return any;
   }
 
-  void check() {
-    const bool moves = subject_.is_placed() && !scene_.animations.empty();
+  bool moves() const { return subject_.is_placed() && !scene_.animations.empty(); }
+  bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed); }
+
+  void check(const std::function<void(double)>& progress) {
     Needed last;
-    for (int round = 0; round < most_checks; ++round) {
-      const Poses poses = moves ? make_poses(scene_, {.poses = std::to_string(40 + 7 * round)}) : rest_pose;
-      Views views{{}, check_size};
-      for (const glm::dvec3& direction :
-           turned_at_random(fibonacci_directions(static_cast<std::size_t>(options_.checks)),
-                            derive_seed(seed_, 2, static_cast<std::uint64_t>(round)))) {
-        views.views.push_back({direction});
-      }
-      Needed needed;
+    int pictures = std::max(1, options_.checks / fewest_checks);
+    for (int round = 0; round < most_checks && !is_cancelled(); ++round) {
       const auto before = found_.wanted;
-      const auto shares = shared_views(views.views, poses.poses.size(), views.views.size());
-      for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
-        Views share{{}, check_size};
-        for (const std::size_t v : shares[pose]) share.views.push_back(views.views[v]);
-        const PosedNodes nodes = subject_.is_placed() ? posed_nodes(scene_, poses.poses[pose]) : PosedNodes();
-        const Needed more =
-            add_by_pictures(subject_geometry(scene_, subject_, Faces::material, nodes, analyses_), share);
-        needed.pixels += more.pixels;
-        needed.shown += more.shown;
+      last = checked(round, pictures);
+      if (last.pixels == 0 && pictures == options_.checks) break;
+      pictures = last.pixels == 0 ? options_.checks : std::min(2 * pictures, options_.checks);
+      for (const DrawId id : asked()) {
+        std::vector<Side>& wanted = found_.wanted.at(id);
+        if (wanted == before.at(id)) continue;
+        add_neighbours(surfaces_.at(id), wanted);
+        add_rims(surfaces_.at(id), wanted);
       }
-      last = needed;
-      if (needed.pixels == 0) break;
-      add_ring(before);
+      progress((round + 1.0) / most_checks);
     }
-    found_.last_check.pixels += last.pixels;
-    found_.last_check.shown += last.shown;
+    found_.wrong += last.pixels;
+    found_.shown += last.shown;
+  }
+
+  /// What so many pictures need from other views, and at other times in each round, is added.
+  Needed checked(int round, int pictures) {
+    const Poses poses = moves() ? make_poses(scene_, {.poses = std::to_string(40 + 7 * round)}) : rest_pose;
+    std::vector<View> views;
+    for (const glm::dvec3& direction : turned_at_random(fibonacci_directions(static_cast<std::size_t>(pictures)),
+                                                        derive_seed(seed_, 4, static_cast<std::uint64_t>(round)))) {
+      views.push_back({direction});
+    }
+    const auto shares = shared_views(views, poses.poses.size(), views.size());
+    struct OfPose {
+      Needed needed;
+      SidesOfParts sides;  // none where nothing was added
+    };
+    std::vector<OfPose> of_poses(poses.poses.size());
+    executor_.for_each(of_poses.size(), [&](std::size_t pose) {
+      if (shares[pose].empty()) return;
+      Views share{{}, check_size};
+      for (const std::size_t v : shares[pose]) share.views.push_back(views[v]);
+      const PosedNodes nodes = subject_.is_placed() ? posed_nodes(scene_, poses.poses[pose]) : PosedNodes();
+      const SubjectGeometry drawn = subject_geometry(scene_, subject_, Faces::material, nodes, analyses_);
+      SidesOfParts sides = kept(drawn);
+      Needed& needed = of_poses[pose].needed;
+      needed = add_needed_by_pictures(AllSides(drawn.parts), sides, share, executor_);
+      if (needed.pixels == 0) return;
+      SideRays(drawn.parts, surfaces_of_parts(), executor_)
+          .beside(needed.seen, sides, derive_seed(seed_, 5, static_cast<std::uint64_t>(round)));
+      of_poses[pose].sides = std::move(sides);
+    });
+    Needed sum;
+    for (const OfPose& one : of_poses) {
+      sum.shown += one.needed.shown;
+      sum.pixels += one.needed.pixels;
+      want(one.sides);
+    }
+    return sum;
   }
 
   const Scene& scene_;
@@ -254,21 +249,36 @@ FoundSides find_sides(const Scene& scene, std::span<const DrawId> asked, const S
   for (const DrawId id : asked) {
     const Level& level = scene.draws[id].full();
     const std::vector<glm::vec3> positions = decode_vec3(*level.vertices->find("POSITION"));
-    const std::vector<std::uint32_t> at = welded(positions);
-    Surface& surface = surfaces[id];
-    for (const std::uint32_t index : level.stream().indices.view()) surface.indices.push_back(at[index]);
-    surface.vertices = positions.size();
-    surface.is_closed = closed_outwards(positions, level.stream().indices.view());
+    const Surface& surface = surfaces[id] = surface_of(positions, level.stream().indices.view());
     found.wanted[id].assign(level.stream().triangle_count(), front);
     found.is_closed[id] = std::ranges::all_of(surface.is_closed, [](bool is) { return is; });
   }
   const std::vector<Subject> subjects = subjects_of(scene, options.subjects);
-  for (std::size_t s = 0; s < subjects.size(); ++s) {
-    const bool any = std::ranges::any_of(subjects[s].parts,
-                                         [&](const SubjectPart& part) { return found.wanted.contains(part.draw); });
-    if (!any) continue;
-    SubjectSides(scene, subjects[s], surfaces, found, options, derive_seed(options.seed, 0, s), analyses, executor)
-        .search();
+  const auto triangles_of = [&](const Subject& subject) {
+    const bool any =
+        std::ranges::any_of(subject.parts, [&](const SubjectPart& part) { return found.wanted.contains(part.draw); });
+    return any ? static_cast<double>(count_triangles(scene, subject)) : 0;
+  };
+  double all = 0, done = 0;
+  for (const Subject& subject : subjects) all += triangles_of(subject);
+  const auto is_cancelled = [&] {
+    return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
+  };
+  const Executor until_cancelled(executor.threads(),
+                                 [&](std::size_t count, const std::function<void(std::size_t)>& task) {
+                                   executor.for_each(count, [&](std::size_t i) {
+                                     if (!is_cancelled()) task(i);
+                                   });
+                                 });
+  for (std::size_t s = 0; s < subjects.size() && !is_cancelled(); ++s) {
+    const double triangles = triangles_of(subjects[s]);
+    if (triangles == 0) continue;
+    SubjectSides(scene, subjects[s], surfaces, found, options, derive_seed(options.seed, 0, s), analyses,
+                 until_cancelled)
+        .search([&](double part) {
+          if (options.progress) options.progress((done + part * triangles) / all);
+        });
+    done += triangles;
   }
   return found;
 }

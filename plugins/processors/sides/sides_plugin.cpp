@@ -1,10 +1,12 @@
 #include "applied_sides.h"
+#include "side_choices.h"
 #include "side_search.h"
 #include "sides.h"
 #include "surrounding.h"
 
 #include <foredraw/technique/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/draw_mask.h>
 
 #include <fmt/format.h>
 
@@ -19,15 +21,14 @@ using sides::Side;
 
 enum class SeenFrom { anywhere, outside };
 
-struct Options : sides::SideSearchOptions {
+using sides::Choice, sides::Counted;
+
+struct Options : sides::SideSearchOptions, sides::ChoiceOptions {
   SeenFrom seen_from = SeenFrom::anywhere;
-  double most_added = 0.1;     // triangles, times the scene's
-  double vertex_weight = 0.1;  // of a vertex beside a fragment, as occlusion-order has it
-  bool split = true;           // a draw of which too much would be added may become two
 };
 
 /// Why the sides that are drawn of a double-sided draw have to stay, or nothing. `given`: [draw]
-std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& given) {
+std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& given, Analyses& analyses) {
   const Draw& draw = scene.draws[id];
   const Material& material = *scene.material_of(draw);
   if (material.alpha_mode == AlphaMode::blend) return "it is blended";
@@ -35,6 +36,9 @@ std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& giv
   if (draw.levels.size() != 1) return "it has several levels of detail";
   if (draw.full().orders.size() != 1) return "it has several orders";
   if (draw.full().vertices->find("POSITION") == nullptr) return "it has no positions";
+  if (const auto mask = mask_of(analyses, scene, draw); std::holds_alternative<std::string>(mask)) {
+    return "it is not known where its holes are: " + std::get<std::string>(mask);
+  }
   for (DrawId other = 0; other < scene.draws.size(); ++other) {
     if (given[other]) continue;
     for (const Level& level : scene.draws[other].levels) {
@@ -46,30 +50,19 @@ std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& giv
   return "";
 }
 
-/// What was found about a draw.
-struct Counted {
-  std::size_t triangles = 0, added = 0, turned = 0;
-};
-
-Counted counted(std::span<const Side> wanted) {
-  Counted count{wanted.size()};
-  for (const Side sides : wanted) {
-    count.added += sides == sides::both;
-    count.turned += sides == sides::back;
-  }
-  return count;
-}
-
-/// [draw] fragments shaded, and of all: visible; of subjects with one of some draws, over a few poses, from the run's
-/// views.
+/// [draw] fragments shaded, and of all: visible; of subjects with one of some draws, over a few poses, from a few of
+/// the run's views: a price need not be known to the hundredth.
 struct Shaded {
   std::map<DrawId, double> of;
   double visible = 0;
 };
 
 Shaded shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
-  constexpr std::size_t most_poses = 4;
+  constexpr std::size_t most_poses = 4, most_views = 20;
   Shaded result;
+  Views views{{}, run.views.size};
+  const std::size_t every = (run.views.views.size() + most_views - 1) / most_views;
+  for (std::size_t v = 0; v < run.views.views.size(); v += every) views.views.push_back(run.views.views[v]);
   const std::size_t step = (run.poses.poses.size() + most_poses - 1) / most_poses;
   for (const Subject& subject : subjects_of(scene, run.subjects)) {
     const bool is_asked = std::ranges::any_of(
@@ -79,7 +72,7 @@ Shaded shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
     for (std::size_t pose = 0; pose < (moves ? run.poses.poses.size() : 1); pose += step) {
       const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene, run.poses.poses[pose]) : PosedNodes();
       const auto drawn = subject_geometry(scene, subject, run.overdraw->faces(), nodes, run.analyses);
-      const OverdrawCounts counts = run.overdraw->draw(drawn.parts, run.views, run);
+      const OverdrawCounts counts = run.overdraw->draw(drawn.parts, views, run);
       for (std::size_t part = 0; part < counts.size(); ++part) {
         for (const OverdrawCount& count : counts[part]) {
           result.of[subject.parts[part].draw] += static_cast<double>(count.shaded);
@@ -90,9 +83,6 @@ Shaded shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
   }
   return result;
 }
-
-/// What is done with a draw.
-enum class Choice { left, single_sided, copies, two_draws };
 
 class Sides final : public Processor {
  public:
@@ -110,15 +100,20 @@ class Sides final : public Processor {
     search.poses = run.poses;
     search.subjects = run.subjects;
     search.seed = run.seed;
+    search.cancel = run.cancel;
+    if (run.progress) search.progress = [&](double part) { run.progress(0.9 * part); };
     const sides::FoundSides found = sides::find_sides(scene, asked, search, run.analyses, run.executor);
+    if (run.cancelled()) return {};
     const Shaded before = shaded(scene, asked, run);
-    std::map<DrawId, Choice> choices = first_choices(scene, found);
+    std::map<DrawId, Counted> counts;
+    for (const auto& [id, wanted] : found.wanted) counts[id] = sides::counted(wanted);
+    std::map<DrawId, Choice> choices = chosen(scene, counts);
     for (;;) {
       Scene changed = scene;
       const std::map<DrawId, DrawId> added = apply(changed, found, choices);
       const Shaded after = shaded(changed, asked, run);
-      if (!leave_what_does_not_pay(scene, found, before, after, added, choices, run)) {
-        tell(scene, found, before, after, choices, run);
+      if (!leave_what_does_not_pay(scene, counts, before, after, added, choices, run)) {
+        tell(scene, found, counts, before, after, choices, run);
         scene = std::move(changed);
         break;
       }
@@ -139,7 +134,7 @@ class Sides final : public Processor {
     for (const DrawId id : draws) {
       const Material* material = scene.material_of(scene.draws[id]);
       if (material == nullptr || !material->double_sided || scene.draws[id].full().stream().indices.empty()) continue;
-      const std::string why = why_kept(scene, id, given);
+      const std::string why = why_kept(scene, id, given, run.analyses);
       if (!why.empty()) {
         run.note_at({id}, "stays-double-sided", "stays double-sided: " + why);
         continue;
@@ -158,27 +153,12 @@ class Sides final : public Processor {
     return result;
   }
 
-  /// Copies for as many draws as the scene may grow by, those that add least first; the others become two.
-  std::map<DrawId, Choice> first_choices(const Scene& scene, const sides::FoundSides& found) const {
-    double allowed = 0;
-    for (const Draw& draw : scene.draws)
-      allowed += options_.most_added * static_cast<double>(draw.full().stream().triangle_count());
-    std::vector<std::pair<std::size_t, DrawId>> by_added;
-    for (const auto& [id, wanted] : found.wanted) by_added.emplace_back(counted(wanted).added, id);
-    std::ranges::sort(by_added);
-    std::map<DrawId, Choice> choices;
-    for (const auto& [added, id] : by_added) {
-      const Counted count = counted(found.wanted.at(id));
-      if (count.added + count.turned == 0) {
-        choices[id] = Choice::single_sided;
-        continue;
-      }
-      allowed -= static_cast<double>(added);
-      // Two draws have other numbers than one, which no product must mind.
-      const bool may_split = options_.split && scene.products.empty() && added + count.turned < count.triangles;
-      choices[id] = allowed >= 0 ? Choice::copies : may_split ? Choice::two_draws : Choice::left;
-    }
-    return choices;
+  std::map<DrawId, Choice> chosen(const Scene& scene, const std::map<DrawId, Counted>& counts) const {
+    std::size_t triangles = 0;
+    for (const Draw& draw : scene.draws) triangles += draw.full().stream().triangle_count();
+    sides::ChoiceOptions options = options_;
+    options.split &= scene.products.empty();  // two draws have other numbers than one, which no product must mind
+    return sides::first_choices(counts, triangles, options);
   }
 
   /// [draw] the draw that was made beside it.
@@ -199,30 +179,24 @@ class Sides final : public Processor {
   }
 
   /// Leaves those alone that save less than they cost; whether there are any.
-  bool leave_what_does_not_pay(const Scene& scene, const sides::FoundSides& found, const Shaded& before,
+  bool leave_what_does_not_pay(const Scene& scene, const std::map<DrawId, Counted>& counts, const Shaded& before,
                                const Shaded& after, const std::map<DrawId, DrawId>& added,
                                std::map<DrawId, Choice>& choices, Run& run) const {
     double vertices = 0;
     for (const Draw& draw : scene.draws) vertices += static_cast<double>(draw.full().vertices->count);
     bool any = false;
     for (auto& [id, choice] : choices) {
-      if (choice == Choice::left || choice == Choice::single_sided) continue;
+      const Counted& count = counts.at(id);
       const auto second = added.find(id);
       double saved = value(before.of, id) - value(after.of, id);
       if (second != added.end()) saved -= value(after.of, second->second);
-      const Counted count = counted(found.wanted.at(id));
-      // A triangle of a good order has about .7 vertices shaded. A draw is worth doing from a hundredth of what is
-      // seen.
-      const double cost = choice == Choice::two_draws
-                              ? 0.01
-                              : options_.vertex_weight * 0.7 * static_cast<double>(count.added) / vertices;
-      if (saved > 0 && saved >= cost * before.visible) continue;
-      run.note_at({id}, "stays-double-sided",
-                  fmt::format("stays double-sided: {} of its {} triangles show their back, and {} would save {:.2f} "
-                              "per cent of the fragments",
-                              count.added + count.turned, count.triangles,
-                              choice == Choice::two_draws ? "two draws" : "copies of these",
-                              100 * std::max(0.0, saved) / std::max(1.0, before.visible)));
+      if (sides::pays(choice, count, saved, before.visible, vertices, options_)) continue;
+      run.note_at(
+          {id}, "stays-double-sided",
+          fmt::format("stays double-sided: {} of its {} triangles show their back, and {} would save {:.2f} "
+                      "per cent of the fragments",
+                      count.backs(), count.triangles, choice == Choice::two_draws ? "two draws" : "copies of these",
+                      100 * std::max(0.0, saved) / std::max(1.0, before.visible)));
       choice = Choice::left;
       any = true;
     }
@@ -234,12 +208,12 @@ class Sides final : public Processor {
     return found == of.end() ? 0 : found->second;
   }
 
-  static void tell(const Scene& scene, const sides::FoundSides& found, const Shaded& before, const Shaded& after,
-                   const std::map<DrawId, Choice>& choices, Run& run) {
+  static void tell(const Scene& scene, const sides::FoundSides& found, const std::map<DrawId, Counted>& counts,
+                   const Shaded& before, const Shaded& after, const std::map<DrawId, Choice>& choices, Run& run) {
     double single = 0, two = 0, added = 0, turned = 0, triangles = 0;
     for (const Draw& draw : scene.draws) triangles += static_cast<double>(draw.full().stream().triangle_count());
     for (const auto& [id, choice] : choices) {
-      const Counted count = counted(found.wanted.at(id));
+      const Counted& count = counts.at(id);
       if (choice == Choice::left) continue;
       (choice == Choice::two_draws ? two : single) += 1;
       if (choice == Choice::single_sided) {
@@ -267,9 +241,8 @@ class Sides final : public Processor {
     run.measure_at({}, "added", added, triangles);
     run.measure_at({}, "turned", turned, triangles);
     if (shaded_before > 0) run.measure_at({}, "fragments", shaded_after, shaded_before);
-    if (found.last_check.shown > 0) {
-      run.measure_at({}, "contradicted", static_cast<double>(found.last_check.pixels),
-                     static_cast<double>(found.last_check.shown));
+    if (found.shown > 0) {
+      run.measure_at({}, "contradicted", static_cast<double>(found.wrong), static_cast<double>(found.shown));
     }
   }
 
@@ -284,19 +257,19 @@ Plugin sides_plugin() {
                "Where cameras may be. anywhere: draws that surround other things, such as a sky dome or a room, stay "
                "double-sided; outside: cameras never stand inside anything",
                {{"anywhere", SeenFrom::anywhere}, {"outside", SeenFrom::outside}});
-  table.row(&Options::most_added, "most-added",
+  table.row(&sides::ChoiceOptions::most_added, "most-added",
             "Most triangles that may be added to the scene as reversed copies, as a share of its triangles",
             {0, 1, ""});
-  table.row(&Options::split, "split",
+  table.row(&sides::ChoiceOptions::split, "split",
             "Split a draw in two, one of them double-sided, where too many triangles would be added");
-  table.row(&Options::vertex_weight, "vertex-weight",
+  table.row(&sides::ChoiceOptions::vertex_weight, "vertex-weight",
             "What a shaded vertex weighs beside a fragment: copies must save more than they add", {0, 1000, ""});
-  table.row(
-      &sides::SideSearchOptions::rays, "rays",
-      "Rays cast from a side that no picture shows, next to one that is seen; more find smaller gaps and take longer",
-      {0, 65536, "rays"});
+  table.row(&sides::SideSearchOptions::rays, "rays",
+            "Rays cast from each side that no picture shows, half of them into an opening; more find smaller gaps and "
+            "take longer",
+            {0, 65536, "rays"});
   table.row(&sides::SideSearchOptions::checks, "checks",
-            "Pictures, from views and in poses not used before, that the result is checked with",
+            "Pictures, from views and in poses not used before, that the last check of the result takes",
             {1, 100000, "pictures"});
 
   Plugin plugin;
