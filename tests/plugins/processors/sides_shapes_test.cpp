@@ -1,12 +1,12 @@
 // Shapes that look alike and are not: what is seen of each, and that it looks the same before and after.
 
 #include "plugins/processors/sides/applied_sides.h"
-#include "plugins/processors/sides/closed.h"
 #include "plugins/processors/sides/side_search.h"
 #include "plugins/processors/sides/surface.h"
 #include "support/meshes.h"
 #include "support/same_look.h"
 
+#include <foredraw/analysis/closed_surfaces.h>
 #include <foredraw/image/found_traits.h>
 #include <foredraw/viewing/view_directions.h>
 
