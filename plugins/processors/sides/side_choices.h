@@ -30,7 +30,7 @@ struct Counted {
 Counted counted(std::span<const Side> wanted);
 
 struct ChoiceOptions {
-  double most_added = 0.2;     ///< triangles, times the scene's
+  double most_added = 0.1;     ///< triangles, times the scene's
   double vertex_weight = 0.1;  ///< of a shaded vertex beside a fragment, as occlusion-order has it
   bool split = true;           ///< a draw of which too much would be added may become two
 };

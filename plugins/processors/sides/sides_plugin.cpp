@@ -32,7 +32,7 @@ std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& giv
   const Draw& draw = scene.draws[id];
   const Material& material = *scene.material_of(draw);
   if (material.alpha_mode == AlphaMode::blend) return "it is blended";
-  if (material.keeps_sides) return "light passes through its material, or an animation changes the material";
+  if (material.keeps_sides) return "light passes through its material, or an animation or a variant changes it";
   if (draw.levels.size() != 1) return "it has several levels of detail";
   if (draw.full().orders.size() != 1) return "it has several orders";
   if (draw.full().vertices->find("POSITION") == nullptr) return "it has no positions";
@@ -48,6 +48,17 @@ std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& giv
     }
   }
   return "";
+}
+
+std::string copies_text(const Counted& count) {
+  std::string text;
+  if (count.added > 0) {
+    text = fmt::format("{} of its {} triangles are seen from both sides and were copied", count.added, count.triangles);
+  }
+  if (count.turned > 0) {
+    text += fmt::format("{}{} are seen only from behind and were flipped", text.empty() ? "" : "; ", count.turned);
+  }
+  return text;
 }
 
 /// [draw] fragments shaded, and of all: visible; of subjects with one of some draws, over a few poses, from a few of
@@ -92,7 +103,7 @@ class Sides final : public Processor {
     const std::vector<DrawId> asked = candidates(scene, draws, run);
     if (asked.empty()) {
       run.keep(run.findings.notes.empty() ? "no draw is double-sided"
-                                          : "no double-sided draw is free to change; the notes say why");
+                                          : "no double-sided draw can be changed; the notes say why");
       return draws;
     }
     sides::SideSearchOptions search = options_;
@@ -122,7 +133,7 @@ class Sides final : public Processor {
     for (const auto& [id, choice] : choices) {
       if (choice != Choice::left) changed.push_back(id);
     }
-    if (changed.empty()) run.keep("of no double-sided draw it pays to draw fewer sides; the notes say why");
+    if (changed.empty()) run.keep("no change of a double-sided draw pays; the notes say why");
     return changed;
   }
 
@@ -218,15 +229,12 @@ class Sides final : public Processor {
       (choice == Choice::two_draws ? two : single) += 1;
       if (choice == Choice::single_sided) {
         run.note_at({id}, "single-sided",
-                    found.is_closed.at(id) ? "drawn single-sided: it is closed and faces outwards, and pictures agree"
+                    found.is_closed.at(id) ? "drawn single-sided: closed and facing outwards, confirmed by pictures"
                                            : "drawn single-sided: no picture and no ray shows a back of it");
       } else if (choice == Choice::copies) {
         added += static_cast<double>(count.added);
         turned += static_cast<double>(count.turned);
-        run.note_at({id}, "single-sided",
-                    fmt::format("drawn single-sided: {} of its {} triangles are seen from both sides and are there "
-                                "twice, {} are seen from behind alone and are turned",
-                                count.added, count.triangles, count.turned));
+        run.note_at({id}, "single-sided", fmt::format("drawn single-sided: {}", copies_text(count)));
       } else {
         run.note_at({id}, "two-draws",
                     fmt::format("drawn as two draws: {} of its {} triangles show their back and stay double-sided",
@@ -276,7 +284,7 @@ Plugin sides_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "sides",
-      .summary = "Draws double-sided meshes single-sided, without the back sides that are never seen",
+      .summary = "Draws double-sided meshes single-sided and leaves out back sides that are never seen",
       .reference = "own",
       .acts_on = {traits::triangles},
       .breaks = {traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},
@@ -284,10 +292,11 @@ Plugin sides_plugin() {
       .uses_overdraw = true,
       .metrics = {{"single-sided", "draws", "Double-sided draws that became single-sided", false},
                   {"two-draws", "draws", "Double-sided draws that became two, one of them single-sided", false},
-                  {"added", "of the triangles", "Triangles added as reversed copies"},
-                  {"turned", "of the triangles", "Triangles of which only the back is seen, now turned", false},
-                  {"fragments", "of those before", "Fragments shaded, in the order there is"},
-                  {"contradicted", "of the pixels", "Pixels of the last check that still needed a side put back"}},
+                  {"added", "per triangle", "Triangles added as reversed copies"},
+                  {"turned", "per triangle", "Triangles of which only the back is seen, now flipped", false},
+                  {"fragments", "per fragment before", "Fragments shaded after the stage, with triangles as they came"},
+                  {"contradicted", "per pixel checked",
+                   "Pixels of the last check that lacked a side, which was put back"}},
   };
   bind_options(plugin, std::move(table), [](const Options& options) { return std::make_unique<Sides>(options); });
   return plugin;
