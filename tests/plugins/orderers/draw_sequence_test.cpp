@@ -142,7 +142,7 @@ TEST(DrawSequencePlugin, RootsOfASceneThatIsOneThingComeInAnotherSequence) {
   EXPECT_EQ(write(read(after)), after);
   built.json["scenes"].push_back({{"nodes", {2}}});
   const Result shared = run(read(built), 2, whole);
-  EXPECT_EQ(shared.scene.roots, (std::vector<NodeId>{1, 3, 2})) << "another scene shows the outermost, which stays";
+  EXPECT_EQ(shared.scene.roots, (std::vector<NodeId>{3, 1, 2})) << "the outermost stays: another scene shows it";
 }
 
 TEST(DrawSequencePlugin, NothingPassesWhatIsBlended) {

@@ -2,6 +2,7 @@
 // the mesh that they had. Nothing else of the structure may change, and whoever changes it is told.
 #include <foredraw/io/gltf/private/instances.h>
 #include <foredraw/io/gltf/private/write.h>
+#include <foredraw/scene/walk.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -215,9 +216,11 @@ class StructurePatch {
 
   /// They may come in another sequence.
   bool old_roots() {
-    if (scene_.roots == was_.roots) return true;
-    if (sorted(scene_.roots) != sorted(was_.roots)) return fail("the scene's roots", "some were added or removed");
-    json_["scenes"][json_.value("scene", std::size_t{0})]["nodes"] = scene_.roots;
+    std::vector<NodeId> now = scene_.roots;
+    std::erase_if(now, [&](NodeId root) { return root >= was_.nodes.size(); });
+    if (now == was_.roots) return true;
+    if (sorted(now) != sorted(was_.roots)) return fail("the scene's roots", "some were added or removed");
+    json_["scenes"][json_.value("scene", std::size_t{0})]["nodes"] = now;
     return true;
   }
 
@@ -238,10 +241,6 @@ class StructurePatch {
   }
 
   void add_nodes() {
-    std::vector<bool> has_parent(scene_.nodes.size(), false);
-    for (const Node& node : scene_.nodes) {
-      for (NodeId child : node.children) has_parent[child] = true;
-    }
     for (std::size_t i = was_.nodes.size(); i < scene_.nodes.size(); ++i) {
       json_["nodes"][i] = json_of(scene_.nodes[i]);
       if (const auto instances = scene_.nodes[i].instances.view(); !instances.empty()) {
@@ -249,9 +248,11 @@ class StructurePatch {
         // Who does not know it would show one where there are many, also in a file that could do without it so far.
         for (const char* list : {"extensionsUsed", "extensionsRequired"}) listed(json_[list], mesh_gpu_instancing);
       }
-      if (has_parent[i] || !scene_.nodes[i].is_shown) continue;  // a coarser node is in no scene
+    }
+    for (const NodeId root : roots_of(scene_)) {
+      if (root < was_.nodes.size() || !scene_.nodes[root].is_shown) continue;  // a coarser node is in no scene
       if (!json_.contains("scene")) json_["scene"] = 0;
-      json_["scenes"][json_["scene"].get<std::size_t>()]["nodes"].push_back(i);
+      json_["scenes"][json_["scene"].get<std::size_t>()]["nodes"].push_back(root);
     }
   }
 
