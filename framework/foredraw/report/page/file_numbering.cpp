@@ -47,7 +47,7 @@ CornerPlaces corners_at(const IndexStream& stream, std::uint32_t triangle, const
   CornerPlaces corners;
   for (std::size_t i = 0; i < 3; ++i)
     corners[i] = places.of_vertex[stream.indices.view()[3 * std::size_t{triangle} + i]];
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   return corners;
 }
 
