@@ -62,10 +62,12 @@ Figures occlusion_ordered(Lab& lab, const Scene& scene, int k, double most_acmr,
   const std::string base = fmt::format(R"({{ use = "lookahead", cache-size = {} }})", cache_size);
   const Scene cached = lab.run(scene, base, keyframes).scene;
   const double budget = std::max(1.0, most_acmr / lab.measured(cached, motion, 1).acmr);
-  return ordered(lab, scene,
-                 fmt::format(R"({}, {{ use = "occlusion-order", k = {}, acmr-budget = {:.4f}, vertex-weight = 0 }})",
-                             base, k, budget),
-                 motion, keyframes);
+  return ordered(
+      lab, scene,
+      fmt::format(
+          R"({}, {{ use = "occlusion-order", k = {}, acmr-budget = {:.4f}, vertex-weight = 0, sequences = false }})",
+          base, k, budget),
+      motion, keyframes);
 }
 
 // --- models and motions ----------------------------------------------------------------------------------------------

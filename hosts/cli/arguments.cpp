@@ -179,7 +179,8 @@ class CommandLine {
                  fmt::join(commands(), ", "), help);
     } else if (const std::string unknown = unknown_option(asked, words); !unknown.empty()) {
       const std::vector<std::string> names = options_of(asked);
-      const std::string_view near = nearest(unknown, names);
+      const bool is_a_letter = !unknown.starts_with("--");  // of which all others are near
+      const std::string_view near = is_a_letter ? std::string_view() : nearest(unknown, names);
       fmt::print(stderr, "foredraw: error: there is no option '{}'\n    hint: {}\n", unknown,
                  near.empty() ? help + " lists all options" : fmt::format("did you mean '{}'?", near));
     } else if (const CLI::Option* input = asked.get_option_no_throw("input");
