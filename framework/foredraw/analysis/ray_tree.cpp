@@ -1,5 +1,7 @@
 #include <foredraw/analysis/ray_tree.h>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,8 +1,6 @@
 #include <foredraw/overdraw/k_sequences.h>
 
 #include <foredraw/overdraw/judging_looks.h>
-#include <foredraw/viewing/view_directions.h>
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -39,7 +37,8 @@ class SequenceAlternation {
     KSequences result;
     std::int64_t least = std::numeric_limits<std::int64_t>::max();
     for (int start = 0; start < options_.starts; ++start) {
-      std::vector<std::uint8_t> serving = parted_by_direction(static_cast<std::uint64_t>(start));
+      std::vector<std::uint8_t> serving =
+          parted_by_direction(seen_, k_, options_.seed + static_cast<std::uint64_t>(start));
       std::vector<Sequence> sequences;
       const std::int64_t cost = alternate(serving, sequences);
       if (cost >= least && start > 0) continue;
@@ -53,19 +52,6 @@ class SequenceAlternation {
 
  private:
   std::size_t looks() const { return seen_.layers.views.size(); }
-
-  std::vector<std::uint8_t> parted_by_direction(std::uint64_t start) const {
-    const Directions middles = turned_at_random(fibonacci_directions(k_), options_.seed + start);
-    std::vector<std::uint8_t> serving;
-    for (const glm::dvec3& direction : seen_.directions) {
-      std::size_t nearest = 0;
-      for (std::size_t j = 1; j < k_; ++j) {
-        if (glm::dot(middles[j], direction) > glm::dot(middles[nearest], direction)) nearest = j;
-      }
-      serving.push_back(static_cast<std::uint8_t>(nearest));
-    }
-    return serving;
-  }
 
   /// Until what looks that decide shade falls no further; returns it. The sequences are those that serve the looks.
   std::int64_t alternate(std::vector<std::uint8_t>& serving, std::vector<Sequence>& sequences) const {

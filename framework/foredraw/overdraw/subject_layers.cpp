@@ -1,5 +1,9 @@
 #include <foredraw/overdraw/subject_layers.h>
 
+#include <foredraw/viewing/view_directions.h>
+
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <numeric>
 
@@ -41,6 +45,19 @@ std::vector<LayerOwner> owners_in(const SubjectLayers& subject, std::span<const 
   for (std::uint32_t rank = 0; rank < sequence.size(); ++rank) ranks[sequence[rank]] = rank;
   for (LayerOwner& owner : owners) owner.part = ranks[owner.part];
   return owners;
+}
+
+std::vector<std::uint8_t> parted_by_direction(const SubjectLayers& subject, std::size_t k, std::uint64_t seed) {
+  const Directions middles = turned_at_random(fibonacci_directions(k), seed);
+  std::vector<std::uint8_t> group;
+  for (const glm::dvec3& direction : subject.directions) {
+    std::size_t nearest = 0;
+    for (std::size_t j = 1; j < k; ++j) {
+      if (glm::dot(middles[j], direction) > glm::dot(middles[nearest], direction)) nearest = j;
+    }
+    group.push_back(static_cast<std::uint8_t>(nearest));
+  }
+  return group;
 }
 
 ViewTally tally_of(const SubjectLayers& subject, std::span<const OverdrawCount> counts) {

@@ -48,6 +48,9 @@ std::vector<OverdrawCount> counts_of(const SubjectLayers& subject, std::span<con
 /// The owners with their parts numbered as they are drawn in the sequence; none: as they came.
 std::vector<LayerOwner> owners_in(const SubjectLayers& subject, std::span<const std::uint32_t> sequence);
 
+/// [look] which of k groups it is in to begin with: that of the nearest of k even directions, turned at random.
+std::vector<std::uint8_t> parted_by_direction(const SubjectLayers& subject, std::size_t k, std::uint64_t seed);
+
 /// The sum over all looks, each as heavy as it is.
 ViewTally tally_of(const SubjectLayers& subject, std::span<const OverdrawCount> counts);
 

@@ -2,10 +2,6 @@
 
 #include "near_looks.h"
 
-#include <foredraw/viewing/view_directions.h>
-
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -142,15 +138,7 @@ class Alternation {
       serving_ = first_serving_;
       return;
     }
-    const Directions middles = turned_at_random(fibonacci_directions(k_), options_.seed + start);
-    serving_.clear();
-    for (const glm::dvec3& direction : subject_.directions) {
-      std::size_t nearest = 0;
-      for (std::size_t j = 1; j < k_; ++j) {
-        if (glm::dot(middles[j], direction) > glm::dot(middles[nearest], direction)) nearest = j;
-      }
-      serving_.push_back(static_cast<std::uint8_t>(nearest));
-    }
+    serving_ = parted_by_direction(subject_, k_, options_.seed + start);
   }
 
   /// Orders for the looks that each serves, made of so many of these.

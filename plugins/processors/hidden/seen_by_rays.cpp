@@ -1,6 +1,6 @@
 #include "seen_by_rays.h"
 
-#include <foredraw/base/random.h>
+#include <foredraw/analysis/ray_samples.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -37,27 +37,6 @@ BoundingSphere sphere_of(const Sight& sight) {
   return bounding_sphere(drawn);
 }
 
-/// Uniform over the sphere, of a length from 0.1 to 1.
-glm::dvec3 ray_direction(Random& random) {
-  for (;;) {
-    const double x = 2 * random.unit() - 1, y = 2 * random.unit() - 1, z = 2 * random.unit() - 1;
-    const double squared = x * x + y * y + z * z;
-    if (squared <= 1 && squared >= 0.01) return {x, y, z};
-  }
-}
-
-/// Pulled inwards by a fiftieth, so that no ray begins on an edge.
-glm::dvec3 ray_point(const std::array<glm::dvec3, 3>& corners, Random& random) {
-  double u = random.unit(), v = random.unit();
-  if (u + v > 1) {
-    u = 1 - u;
-    v = 1 - v;
-  }
-  const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-  const glm::dvec3 point = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
-  return middle + 0.98 * (point - middle);
-}
-
 glm::dvec3 camera_in(std::span<const glm::dmat4> boxes, Random& random) {
   const glm::dmat4& box = boxes[random.below(boxes.size())];
   const double x = random.unit(), y = random.unit(), z = random.unit();
@@ -86,9 +65,9 @@ struct Facing {
 /// Three directions at right angles, of any turn.
 std::array<glm::dvec3, 3> any_axes(Random& random) {
   const auto unit = [](const glm::dvec3& v) { return v / std::sqrt(glm::dot(v, v)); };
-  const glm::dvec3 x = unit(ray_direction(random));
+  const glm::dvec3 x = unit(random_direction(random));
   for (;;) {
-    const glm::dvec3 y = glm::cross(x, ray_direction(random));
+    const glm::dvec3 y = glm::cross(x, random_direction(random));
     if (glm::dot(y, y) < 0.001) continue;
     return {x, unit(y), glm::cross(x, unit(y))};
   }
@@ -156,8 +135,8 @@ std::optional<glm::dvec3> Rays::way_out(std::uint32_t number, const RayRange& ra
   const Cameras& cameras = sight_.cameras;
   const bool is_inside = !cameras.boxes.empty();
   for (std::size_t i = 0; i < rays.count; ++i) {
-    const glm::dvec3 from = ray_point(triangle.corners, random);
-    glm::dvec3 direction = is_inside ? camera_in(cameras.boxes, random) - from : ray_direction(random);
+    const glm::dvec3 from = random_point(triangle.corners, random);
+    glm::dvec3 direction = is_inside ? camera_in(cameras.boxes, random) - from : random_direction(random);
     if (!triangle.shows(direction)) {
       if (is_inside) continue;
       direction = -direction;
@@ -178,8 +157,8 @@ std::optional<glm::dvec3> Rays::way_out_along(const WayOut& way, std::uint64_t s
   if (!triangle.is_finite() || !(triangle.size > 0) || !(length > 0)) return std::nullopt;
   Random random(derive_seed(seed, way.number, 0));
   for (int i = 0; i < tries; ++i) {
-    const glm::dvec3 from = ray_point(triangle.corners, random);
-    const glm::dvec3 direction = way.direction + (i % 2 == 0 ? 0 : aside * length) * ray_direction(random);
+    const glm::dvec3 from = random_point(triangle.corners, random);
+    const glm::dvec3 direction = way.direction + (i % 2 == 0 ? 0 : aside * length) * random_direction(random);
     if (!triangle.shows(direction)) continue;
     if (gets_out({from, direction, triangle.nearest(length), way.number})) return direction;
   }

@@ -1,6 +1,6 @@
 #include "side_rays.h"
 
-#include <foredraw/base/random.h>
+#include <foredraw/analysis/ray_samples.h>
 
 #include <glm/geometric.hpp>
 
@@ -29,15 +29,6 @@ RayTree tree_of(std::span<const RasterPart> parts) {
     blocks.resize(indices.size() / 3, of_part);
   }
   return {positions, indices, blocks};
-}
-
-/// Uniform in the ball of radius 1, but for its middle.
-glm::dvec3 any_direction(Random& random) {
-  for (;;) {
-    const double x = 2 * random.unit() - 1, y = 2 * random.unit() - 1, z = 2 * random.unit() - 1;
-    const double squared = x * x + y * y + z * z;
-    if (squared <= 1 && squared >= 0.01) return {x, y, z};
-  }
 }
 
 /// 1 / 1024 to 1, small ones as likely as large ones: openings have any size.
@@ -70,18 +61,6 @@ struct SideRays::Question {
     if ((about.side == back) != part.is_mirrored) question.outwards = -question.outwards;
     question.nearest = 1e-4 * std::sqrt(std::sqrt(area));
     return question;
-  }
-
-  /// Pulled inwards by a fiftieth, so that no ray begins on an edge.
-  glm::dvec3 any_point(Random& random) const {
-    double u = random.unit(), v = random.unit();
-    if (u + v > 1) {
-      u = 1 - u;
-      v = 1 - v;
-    }
-    const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-    const glm::dvec3 point = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
-    return middle + 0.98 * (point - middle);
   }
 };
 
@@ -118,8 +97,8 @@ std::vector<Seen> SideRays::through_openings(const SidesOfParts& asked, std::siz
     const auto rims = surface.rims_of(surface.component[question.about.triangle]);
     Random random(derive_seed(seed, question.number, question.about.side));
     for (std::size_t i = 0; i < rays && is_seen[q] == 0; ++i) {
-      const glm::dvec3 from = question.any_point(random);
-      glm::dvec3 direction = any_direction(random);
+      const glm::dvec3 from = random_point(question.corners, random);
+      glm::dvec3 direction = random_direction(random);
       if (i % 2 == 0 || rims.empty()) {
         if (glm::dot(direction, question.outwards) < 0) direction = -direction;
       } else {
@@ -184,8 +163,8 @@ std::vector<Seen> SideRays::beside(std::vector<Seen> seen, SidesOfParts& kept, s
         const double length = std::sqrt(glm::dot(direction, direction));
         for (std::size_t k = 0; k < most_apart; ++k) {
           const double apart = k == 0 ? 0 : 0.5 * any_scale(random);
-          const glm::dvec3 turned = direction + apart * length * any_direction(random);
-          if (!escapes(*question, question->any_point(random), turned)) continue;
+          const glm::dvec3 turned = direction + apart * length * random_direction(random);
+          if (!escapes(*question, random_point(question->corners, random), turned)) continue;
           is_seen[q] = 1;
           about.direction = turned;
           return;
