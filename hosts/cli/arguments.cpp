@@ -277,6 +277,11 @@ class CommandLine {
                        extensions_that_hold(Holds::frame_list)))
         ->required()
         ->expected(1);
+    app.add_flag("--strict", arguments_.strict,
+                 "Refuse a file with any fault, instead of mending what has one meaning only and warning of it");
+    app.add_option("--root", arguments_.root,
+                   "Let a scene name files outside of its folder, such as \"../shared.bin\", if they lie in this one")
+        ->type_name("FOLDER");
     memory_limit(app);
   }
   void pipeline(CLI::App& app, const std::string& more = "") {

@@ -38,6 +38,8 @@ struct Arguments {
   int repeat = 1;
   std::uint64_t memory_limit = 0;  ///< in bytes; 0: none
   bool json = false;
+  bool strict = false;  ///< refuse files with faults that would be mended
+  std::string root;     ///< folder that files named by `..` may lie in
 };
 
 Exit optimize(const Arguments& arguments, const Registry& registry);

@@ -40,6 +40,7 @@ std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>
 /// Pipelines to be compared, and how.
 struct Contest {
   const std::vector<NamedPipeline>& pipelines;
+  const SceneInput& how;
   const Lender& lender;
   int rounds = 1;
   const std::vector<std::pair<std::string, std::string>>& fronts;
@@ -105,7 +106,7 @@ ComparedFile compared(const std::string& input, const Contest& contest, const Re
   ComparedFile made{{{input, 0}, {}, contest.fronts, {}}, {}, {}};
   Comparison& comparison = made.comparison;
   Diagnostics diagnostics;
-  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, registry.products()); });
+  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, contest.how); });
   comparison.diagnostics = diagnostics.all();
   if (!file) {
     worst = std::max(worst, refuse_file(diagnostics));
@@ -259,12 +260,14 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   if (!have_folders({arguments.report, arguments.csv, arguments.html}, diagnostics)) return refuse_file(diagnostics);
 
   const Executor executor(arguments.threads);
-  const FileLender lender(registry.products());
+  const SceneInput how = input_of(arguments, registry);
+  const FileLender lender(how);
   std::vector<Comparison> comparisons;
   std::vector<Display> displays;
   Exit worst = done;
   for (const std::string& input : *inputs) {
-    ComparedFile file = compared(input, {*pipelines, lender, arguments.repeat, *fronts}, registry, executor, worst);
+    ComparedFile file =
+        compared(input, {*pipelines, how, lender, arguments.repeat, *fronts}, registry, executor, worst);
     if (!arguments.html.empty() && displays.size() < most_displays && !file.scenes.empty()) {
       displays.push_back(with_memory(input, "show it", [&] {
         return display(file.input, file.scenes, comparisons.size(), pipelines->front().pipeline.subjects.subject);

@@ -53,7 +53,8 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
     run.is_lost = true;
     return run;
   };
-  auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, job.registry.products()); });
+  auto file = with_memory(input, "read it",
+                          [&] { return read_scene(input, diagnostics, input_of(job.arguments, job.registry)); });
   if (!file) return lost(exit_for_file(diagnostics));
   const auto plan = with_memory(input, "plan for it", [&] {
     return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics, &job.lender);

@@ -43,7 +43,7 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   const std::vector<Output> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
   if (outputs_clash(arguments, outputs, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  const FileLender lender(registry.products());
+  const FileLender lender(input_of(arguments, registry));
   if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor, lender});
   std::vector<std::string> written = {arguments.report, arguments.html};
   for (const Output& output : outputs) {
@@ -72,9 +72,10 @@ Exit plan(const Arguments& arguments, const Registry& registry) {
   const auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return refuse(diagnostics);
   const std::string& input = arguments.inputs[0];
-  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, registry.products()); });
+  const auto file =
+      with_memory(input, "read it", [&] { return read_scene(input, diagnostics, input_of(arguments, registry)); });
   if (!file) return refuse_file(diagnostics);
-  const FileLender lender(registry.products());
+  const FileLender lender(input_of(arguments, registry));
   const auto planned = with_memory(
       input, "plan for it", [&] { return foredraw::plan(*pipeline, registry, file->scene, diagnostics, &lender); });
   if (!planned) return refuse(diagnostics);
@@ -87,7 +88,7 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
   const auto pipelines = pipelines_for(arguments, registry, {""}, diagnostics);
   if (!pipelines) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  const FileLender lender(registry.products());
+  const FileLender lender(input_of(arguments, registry));
   const std::string& input = arguments.inputs[0];
   if (is_folder(input)) return measure_folder({arguments, pipelines->front().pipeline, registry, executor, lender});
 

@@ -41,6 +41,10 @@ Exit print(const std::string& text) {
   return write_standard_output(std::as_bytes(std::span(text)), diagnostics) ? done : refuse_file(diagnostics);
 }
 
+SceneInput input_of(const Arguments& arguments, const Registry& registry) {
+  return {registry.products(), arguments.strict, arguments.root};
+}
+
 namespace {
 
 bool set_wherever_it_is(std::vector<NamedPipeline>& pipelines, const std::string& assignment,

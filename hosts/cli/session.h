@@ -47,6 +47,9 @@ auto with_memory(const std::string& file, const char* doing, Step step) {
   }
 }
 
+/// How the inputs of a command are read.
+SceneInput input_of(const Arguments& arguments, const Registry& registry);
+
 /// Progress on a terminal, nothing elsewhere.
 std::function<void(std::string_view, double)> progress_line();
 void end_progress();

@@ -17,7 +17,8 @@ Exit inspect(const Arguments& arguments, const Registry& registry) {
   const ProductRows rows = registry.products();
   Diagnostics diagnostics;
   const std::string& input = arguments.inputs[0];
-  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, rows); });
+  const auto file =
+      with_memory(input, "read it", [&] { return read_scene(input, diagnostics, input_of(arguments, registry)); });
   if (!file) return refuse_file(diagnostics);
   tell(diagnostics);
   Analyses analyses;

@@ -25,7 +25,7 @@ Scene through_file(const Scene& scene) {
   Diagnostics diagnostics;
   const ProductRows rows = testing::built_in_products();
   const auto files = encode_gltf(scene, "made.glb", diagnostics, {.products = rows});
-  auto read = files ? read_gltf(files->front().bytes, "made.glb", {}, diagnostics, rows) : std::nullopt;
+  auto read = files ? read_gltf(files->front().bytes, "made.glb", {}, diagnostics, {.products = rows}) : std::nullopt;
   if (!read) throw std::runtime_error(to_text(diagnostics));
   return *read;
 }

@@ -11,13 +11,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const ProductRows rows = testing::built_in_products();
   Diagnostics diagnostics;
   const auto bytes = std::as_bytes(std::span(data, size));
-  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "input", {}, diagnostics, rows);
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "input", {}, diagnostics, {.products = rows});
   claim(scene.has_value() != diagnostics.has_errors(), "read and not read at once: " + to_text(diagnostics));
   if (!scene) return 0;
 
   const auto files = encode_gltf(*scene, "again.glb", diagnostics);
   claim(files && files->size() == 1, "what was read can not be written: " + to_text(diagnostics));
-  const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics, rows);
+  const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics, {.products = rows});
   claim(again.has_value(), "what was written can not be read: " + to_text(diagnostics));
   claim(again->draws.size() == scene->draws.size(), "draws were lost");
   for (const auto& row : rows) {

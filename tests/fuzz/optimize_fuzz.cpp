@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const ProductRows rows = testing::built_in_products();
   Diagnostics diagnostics;
   const auto bytes = std::as_bytes(std::span(data, size));
-  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "input", {}, diagnostics, rows);
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "input", {}, diagnostics, {.products = rows});
   if (scene) make_round_trip(*scene, "weld, tipsify, linear-clusters, dot-rule(check=false), vertex-fetch");
   return 0;
 }

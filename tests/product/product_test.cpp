@@ -196,7 +196,7 @@ TEST(Product, ComesBackFromAFileAndIsAForeignExtensionToWhoHasNoRow) {
   Diagnostics diagnostics;
   const auto files = encode_gltf(scene, "out.glb", diagnostics, {.products = rows});
   ASSERT_TRUE(files) << to_text(diagnostics);
-  const auto again = read_gltf(files->front().bytes, "again", {}, diagnostics, rows);
+  const auto again = read_gltf(files->front().bytes, "again", {}, diagnostics, {.products = rows});
   ASSERT_TRUE(again) << to_text(diagnostics);
   EXPECT_TRUE(again->products.same(Landmarks::product, scene.products));
   const auto unchanged = encode_gltf(*again, "out.glb", diagnostics);
@@ -219,7 +219,7 @@ TEST(Product, ThatDoesNotHoldIsLeftOutWhenReadAndWhenWritten) {
   const auto files = encode_gltf(scene, "out.glb", diagnostics, {.products = rows});
   ASSERT_EQ(diagnostics.all().size(), 1u);
   EXPECT_EQ(diagnostics.all()[0].code, "landmarks-left-out");
-  const auto again = read_gltf(files->front().bytes, "again", {}, diagnostics, rows);
+  const auto again = read_gltf(files->front().bytes, "again", {}, diagnostics, {.products = rows});
   EXPECT_FALSE(again->products.has(Landmarks::product));
 }
 

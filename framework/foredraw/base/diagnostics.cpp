@@ -42,6 +42,7 @@ std::string to_text(const Diagnostic& diagnostic) {
   text += std::string(to_text(diagnostic.severity)) + ": ";
   if (!diagnostic.where.inside.empty()) text += printable(diagnostic.where.inside) + ": ";
   text += printable(diagnostic.message, "\n");
+  if (diagnostic.places > 1) text += " (and " + std::to_string(diagnostic.places - 1) + " more like it)";
   if (!diagnostic.hint.empty()) text += "\n    hint: " + diagnostic.hint;
   return text;
 }

@@ -24,6 +24,7 @@ struct Diagnostic {
   std::string code;     ///< stable, for programs: "unknown-option"
   std::string message;  ///< what was found and what was expected
   std::string hint;     ///< what to do about it; may be empty
+  std::size_t places = 1;  ///< that are like this one, the first
 };
 
 class Diagnostics {

@@ -8,14 +8,13 @@ namespace foredraw {
 
 namespace {
 
-std::optional<Loan<Scene>> read_lent_scene(const std::string& path, const ProductRows& products,
-                                           Diagnostics& diagnostics) {
+std::optional<Loan<Scene>> read_lent_scene(const std::string& path, const SceneInput& how, Diagnostics& diagnostics) {
   if (path == "-") {
     diagnostics.error({}, "no-such-file", "an option must name a file, but '-' is standard input",
                       "give the path of a scene");
     return std::nullopt;
   }
-  auto file = read_scene(path, diagnostics, products);
+  auto file = read_scene(path, diagnostics, how);
   if (!file) return std::nullopt;
   return Loan<Scene>{std::make_shared<const Scene>(std::move(file->scene)), file->bytes, file->stamp};
 }
@@ -44,7 +43,7 @@ std::optional<Loan<Content>> kept(std::map<std::string, Loan<Content>>& read_bef
 
 std::optional<Loan<Scene>> FileLender::scene(const std::string& path, Diagnostics& diagnostics) const {
   const std::lock_guard lock(mutex_);
-  return kept(read_.scenes, path, [&] { return read_lent_scene(path, products_, diagnostics); });
+  return kept(read_.scenes, path, [&] { return read_lent_scene(path, how_, diagnostics); });
 }
 
 std::optional<Loan<Image>> FileLender::image(const std::string& path, Diagnostics& diagnostics) const {

@@ -1,8 +1,8 @@
 #pragma once
 // Scenes and images for options that name them, read through the same gate as all others.
 
+#include <foredraw/io/scene_input.h>
 #include <foredraw/scene/lender.h>
-#include <foredraw/scene/product_row.h>
 
 #include <mutex>
 
@@ -11,13 +11,13 @@ namespace foredraw {
 /// Reads each file once, and keeps it: for one run of a program, in which files do not change.
 class FileLender final : public Lender {
  public:
-  explicit FileLender(ProductRows products = {}) : products_(std::move(products)) {}
+  explicit FileLender(SceneInput how = {}) : how_(std::move(how)) {}
 
   std::optional<Loan<Scene>> scene(const std::string& path, Diagnostics& diagnostics) const override;
   std::optional<Loan<Image>> image(const std::string& path, Diagnostics& diagnostics) const override;
 
  private:
-  ProductRows products_;
+  SceneInput how_;
   mutable std::mutex mutex_;
   mutable Loans read_;
 };

@@ -61,7 +61,7 @@ bool is_scene_file(const fs::path& path) {
   return kind != nullptr && kind->holds == Holds::meshes;
 }
 
-std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics, const ProductRows& products) {
+std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics, const SceneInput& how) {
   if (path.empty()) {
     diagnostics.error({}, "no-such-file", "the input's name is empty",
                       "give the path of a scene, an image or a frame list, or -");
@@ -74,7 +74,7 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
   const Stamp stamp = content_hash(*bytes);
   SceneBytes file{std::move(*bytes), is_standard ? "standard input" : path, is_standard ? fs::path() : folder_of(path)};
   const SceneKind* kind = is_standard ? nullptr : scene_kind_of(path);
-  auto scene = (kind == nullptr ? scene_kinds().front() : *kind).read(std::move(file), diagnostics, products);
+  auto scene = (kind == nullptr ? scene_kinds().front() : *kind).read(std::move(file), diagnostics, how);
   if (!scene) return std::nullopt;
   const Stamp whole = stamp_of(stamp, *scene);
   const std::uint64_t with_buffers = std::max<std::uint64_t>(length, scene->source ? scene->source->bytes() : 0);

@@ -23,9 +23,8 @@ struct SceneFile {
 bool is_scene_file(const std::filesystem::path& path);
 bool is_gltf_file(const std::filesystem::path& path);
 
-/// What no row of `products` knows of a glTF file is a foreign extension, which stays as it is.
-std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics,
-                                    const ProductRows& products = {});
+/// nullopt, with a diagnostic that names file and place, where the file can not be read whole and right.
+std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagnostics, const SceneInput& how = {});
 
 /// Whether scenes can be written to a path of this kind; a diagnostic says why not. `input`: where the scene is to come
 /// from, for an OBJ, PLY, OFF or STL is written only from a file of its own kind, and files of sprites only from images

@@ -11,19 +11,19 @@ namespace foredraw {
 
 namespace {
 
-std::optional<Scene> gltf_scene(SceneBytes file, Diagnostics& diagnostics, const ProductRows& products) {
-  return read_gltf(std::move(file.bytes), file.name, file.folder, diagnostics, products);
+std::optional<Scene> gltf_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput& how) {
+  return read_gltf(std::move(file.bytes), file.name, file.folder, diagnostics, how);
 }
 
-std::optional<Scene> mesh_scene(SceneBytes file, Diagnostics& diagnostics, const ProductRows&) {
+std::optional<Scene> mesh_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput&) {
   return read_mesh_file(file.bytes, mesh_kind_of(file.name).value(), file.name, file.folder, diagnostics);
 }
 
-std::optional<Scene> image_scene(SceneBytes file, Diagnostics& diagnostics, const ProductRows&) {
+std::optional<Scene> image_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput&) {
   return read_sprite_image(std::move(file.bytes), file.name, diagnostics);
 }
 
-std::optional<Scene> list_scene(SceneBytes file, Diagnostics& diagnostics, const ProductRows&) {
+std::optional<Scene> list_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput&) {
   return read_sprite_list(file.bytes, file.name, file.folder, diagnostics);
 }
 

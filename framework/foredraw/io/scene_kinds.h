@@ -2,7 +2,7 @@
 // The kinds of files that scenes are read from: one table, which reading, help and messages follow.
 
 #include <foredraw/base/diagnostics.h>
-#include <foredraw/scene/product_row.h>
+#include <foredraw/io/scene_input.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -25,7 +25,7 @@ enum class Holds { meshes, image, frame_list };
 struct SceneKind {
   std::vector<std::string_view> extensions;  ///< in small letters, ".glb"
   Holds holds = Holds::meshes;
-  std::optional<Scene> (*read)(SceneBytes, Diagnostics&, const ProductRows&) = nullptr;
+  std::optional<Scene> (*read)(SceneBytes, Diagnostics&, const SceneInput&) = nullptr;
 };
 
 /// By the extension, in any case; what no kind has is read as the first one, glTF.

@@ -68,7 +68,7 @@ character* character_load(const char* path) {
   return said([&]() -> character* {
     foredraw::Diagnostics diagnostics;
     std::optional<foredraw::SceneFile> file =
-        foredraw::read_scene(path, diagnostics, {foredraw::draw_orders_product()});
+        foredraw::read_scene(path, diagnostics, {.products = {foredraw::draw_orders_product()}});
     std::fprintf(stderr, "%s", foredraw::to_text(diagnostics).c_str());
     if (!file) return nullptr;
     character* hero = new character{std::move(file->scene)};

@@ -161,7 +161,7 @@ TEST_P(WrongDrawOrders, are_left_out_with_a_warning) {
   ASSERT_TRUE(read(builder).draws[0].levels[0].orders.size() == 3);
   GetParam().make(builder, primitive["extensions"][name], builder.json["extensions"][name]["tables"][0]);
   Diagnostics diagnostics;
-  auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, built_in_products());
+  auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, {.products = built_in_products()});
   ASSERT_TRUE(scene) << to_text(diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
   EXPECT_EQ(diagnostics.all()[0].code, "draw-orders-left-out");
@@ -253,7 +253,7 @@ TEST(GltfDrawOrders, few_bytes_may_not_claim_many_indices) {
   const GltfJson one = primitives[0];
   for (int i = 0; i < 200; ++i) primitives.push_back(one);
   Diagnostics diagnostics;
-  const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, built_in_products());
+  const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, {.products = built_in_products()});
   ASSERT_TRUE(scene);
   ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
   EXPECT_EQ(diagnostics.all()[0].code, "draw-orders-left-out");

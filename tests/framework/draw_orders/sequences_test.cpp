@@ -82,7 +82,7 @@ TEST_P(WrongSequences, are_left_out_with_a_warning) {
   ASSERT_EQ(tables_of(read(builder)).size(), 1u);
   GetParam().make(builder, table);
   Diagnostics diagnostics;
-  const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, built_in_products());
+  const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, {.products = built_in_products()});
   ASSERT_TRUE(scene) << to_text(diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
   EXPECT_EQ(diagnostics.all()[0].code, "draw-orders-left-out");

@@ -34,7 +34,7 @@ TEST_P(WrongMergedInstances, are_left_out_with_a_warning) {
   GetParam().make(builder, builder.json["extensions"][merge_instances]["sets"][0]);
   Diagnostics diagnostics;
   const auto begin = std::chrono::steady_clock::now();
-  auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, built_in_products());
+  auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, {.products = built_in_products()});
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
   ASSERT_TRUE(scene) << to_text(diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
@@ -257,7 +257,7 @@ TEST(DamagedMergedInstances, the_warning_names_the_place) {
   GltfBuilder builder = merged_file();
   builder.json["extensions"][merge_instances]["sets"][0]["groups"][1]["draws"][1]["frequency"] = 4;
   Diagnostics diagnostics;
-  ASSERT_TRUE(read_gltf(builder.glb(), "yard.glb", {}, diagnostics, built_in_products()));
+  ASSERT_TRUE(read_gltf(builder.glb(), "yard.glb", {}, diagnostics, {.products = built_in_products()}));
   EXPECT_EQ(diagnostics.all()[0].where.file, "yard.glb");
   EXPECT_EQ(diagnostics.all()[0].message,
             "the merged draws are left out: sets[0] draw 3 has slots of 4 entries, which are not whole triangles");
@@ -288,7 +288,7 @@ TEST(DamagedMergedInstances, padding_takes_bounded_time) {
   }
   Diagnostics diagnostics;
   const auto begin = std::chrono::steady_clock::now();
-  const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, built_in_products());
+  const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics, {.products = built_in_products()});
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
   ASSERT_TRUE(scene);
   EXPECT_TRUE(merged_of(*scene).empty());

@@ -107,7 +107,7 @@ TEST(GltfMergedInstances, come_back_from_a_gltf_with_its_buffer) {
     std::ofstream(file.path, std::ios::binary)
         .write(reinterpret_cast<const char*>(file.bytes.data()), static_cast<std::streamsize>(file.bytes.size()));
   }
-  const auto again = read_gltf(files->front().path, diagnostics, built_in_products());
+  const auto again = read_gltf(files->front().path, diagnostics, {.products = built_in_products()});
   ASSERT_TRUE(again) << to_text(diagnostics);
   EXPECT_EQ(merged_of(*again), merged_of(scene));
 }

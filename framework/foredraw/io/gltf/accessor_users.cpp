@@ -27,6 +27,12 @@ void collect_extension_users(const Json& value, const Document& document, std::s
 
 }  // namespace
 
+std::set<std::size_t> named_by_unknown_extensions(const Document& document) {
+  std::set<std::size_t> numbers;
+  collect_extension_users(document.json, document, numbers);
+  return numbers;
+}
+
 std::set<std::size_t> used_elsewhere(const Document& document) {
   const Json& json = document.json;
   std::set<std::size_t> numbers;

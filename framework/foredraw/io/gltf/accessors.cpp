@@ -39,11 +39,10 @@ std::optional<Rows> rows_in_view(Gate& gate, const Json& json, const Claim& clai
     return std::nullopt;
   }
   if (from % claim.component != 0 || (view.offset + from) % claim.component != 0 || stride % claim.component != 0) {
-    gate.error(
-        in(place, "byteOffset"), "accessor-alignment",
+    gate.fault(
+        "alignment", in(place, "byteOffset"),
         fmt::format("elements at byte {} of the buffer, every {} bytes, are not aligned to their {}-byte components",
                     view.offset + from, stride, claim.component));
-    return std::nullopt;
   }
   const bool first_fits = from <= view.length && claim.element <= view.length - from;
   if (!first_fits || (view.length - from - claim.element) / stride < claim.count - 1) {
@@ -104,22 +103,14 @@ std::optional<Accessor> accessor_of(Gate& gate, const Json& json, const std::str
   const bool normalized = gate.boolean(json, "normalized", place).value_or(false);
   if (!component || !type || !count) return std::nullopt;
   const auto format = format_of(*type, *component, normalized);
-  if (!format && !json.contains("bufferView") && !json.contains("sparse")) {
-    gate.warning(
-        place, "accessor-type",
-        fmt::format(
-            "glTF has no type '{}' of component type {}; nothing refers to the accessor, so it is kept as it is", *type,
-            *component));
-    gate.unknown_accessors.insert(gate.accessors.size());
-    return Accessor{};
-  }
   if (!format) {
     gate.error(place, "accessor-type", fmt::format("glTF has no type '{}' of component type {}", *type, *component),
                "types are SCALAR, VEC2..4, MAT2..4; component types 5120 to 5123, 5125 and 5126");
     return std::nullopt;
   }
   for (const char* key : {"min", "max"}) {
-    if (json.contains(key)) gate.numbers(json, key, place, format->components);
+    if (!json.contains(key)) continue;
+    gate.leave_out_if_wrong("bounds", in(place, key), [&] { gate.numbers(json, key, place, format->components); });
   }
   if (*count > std::numeric_limits<std::uint32_t>::max()) {
     gate.error(in(place, "count"), "accessor-range",
@@ -154,7 +145,8 @@ void check_accessors(Gate& gate) {
   std::uint64_t claimed = 0;
   std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> known;  // the same bytes are kept once
   for (std::size_t i = 0; i < accessors.size(); ++i) {
-    gate.accessors.push_back(accessor_of(gate, accessors[i], at("accessors", i), zeros));
+    gate.accessors.push_back(
+        gate.only_if_used("accessors", i, [&] { return accessor_of(gate, accessors[i], at("accessors", i), zeros); }));
     const Accessor* made = gate.accessor(i);
     if (made == nullptr || !made->rows) continue;
     const Rows& rows = *made->rows;

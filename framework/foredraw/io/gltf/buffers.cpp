@@ -17,15 +17,18 @@ namespace fs = std::filesystem;
 /// The buffers that were read from files, by where these lie: a thousand may name the same.
 using FileBuffers = std::map<fs::path, Bytes>;
 
-/// The first `length` bytes of a file; what may follow is not read.
+/// The first `length` bytes of a file, or all where it has fewer; what may follow is not read.
 std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64_t length, const std::string& place,
                                  FileBuffers& files) {
   const fs::path& folder = gate.document().folder;
   const auto path = percent_decoded(uri);
-  const std::string why = path ? why_not_beside(*path) : "is not well-formed";
+  const fs::path& root = gate.how().root.empty() ? folder : gate.how().root;
+  const std::string why = path ? why_not_beside(*path, !gate.how().root.empty()) : "is not well-formed";
   if (!why.empty()) {
     gate.error(place, "buffer-uri", fmt::format("'{}' {}; expected a file in the folder of the glTF", uri, why),
-               "put the file beside the glTF and name it by a relative path, or pack both into a .glb");
+               why == leads_out
+                   ? "allow it with --root FOLDER, a folder that holds both"
+                   : "put the file beside the glTF and name it by a relative path, or pack both into a .glb");
     return std::nullopt;
   }
   if (folder.empty()) {
@@ -41,17 +44,13 @@ std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64
                "copy it there, or export as .glb, which holds everything");
     return std::nullopt;
   }
-  if (!lies_within(file, folder)) {
-    gate.error(place, "buffer-uri", fmt::format("'{}' is a link that leads out of the folder of the glTF", uri),
-               "copy the file into the folder");
+  if (!lies_within(file, root)) {
+    gate.error(place, "buffer-uri", fmt::format("'{}' leads out of '{}'", uri, root.string()),
+               "copy the file into that folder, or allow a larger one with --root FOLDER");
     return std::nullopt;
   }
   const std::uint64_t size = fs::file_size(file, error);
-  if (error || size < length) {
-    gate.error(place, "buffer-too-short",
-               fmt::format("the file '{}' has {} bytes, but byteLength is {}", *path, error ? 0 : size, length));
-    return std::nullopt;
-  }
+  length = std::min(length, error ? 0 : size);
   Bytes& known = files[fs::canonical(file, error)];
   if (known.size() >= length) return known.first(length);
   Diagnostics reading;
@@ -86,6 +85,17 @@ bool may_be_beside(const Gate& gate, const std::string& uri) {
   return !folder.empty() && fs::exists(folder / fs::path(std::u8string(path->begin(), path->end())), error);
 }
 
+/// A buffer that has fewer bytes than it states.
+std::optional<Buffer> shortened(Gate& gate, Bytes there, std::string message, const std::string& place) {
+  if (there.empty()) {
+    gate.error(in(place, "byteLength"), "buffer-too-short", std::move(message));
+    return std::nullopt;
+  }
+  gate.fault("buffer-length", in(place, "byteLength"), std::move(message));
+  gate.mend_at(in(place, "byteLength")) = there.size();
+  return Buffer{there, there.size(), false};
+}
+
 std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std::optional<Bytes> bin,
                                 FileBuffers& files) {
   const std::string place = at("buffers", i);
@@ -101,8 +111,7 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
     if (i == 0 && bin && bin->size() >= *length) return Buffer{bin->first(*length), absent.length, fallback};
     if (fallback) return absent;
     if (i == 0 && bin) {
-      gate.error(in(place, "byteLength"), "buffer-too-short",
-                 fmt::format("is {}, but the BIN chunk has {} bytes", *length, bin->size()));
+      return shortened(gate, *bin, fmt::format("is {}, but the BIN chunk has {} bytes", *length, bin->size()), place);
     } else {
       gate.error(place, "buffer-missing", "has no uri, and there is no BIN chunk for it",
                  "pack the file into a .glb, or name the file that holds the bytes");
@@ -115,12 +124,11 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
       gate.error(in(place, "uri"), "buffer-uri", "the data URI is not well-formed");
       return std::nullopt;
     }
-    if (data->bytes.size() < *length) {
-      gate.error(in(place, "uri"), "buffer-too-short",
-                 fmt::format("holds {} bytes, but byteLength is {}", data->bytes.size(), *length));
-      return std::nullopt;
-    }
     gate.document().kept.push_back(std::move(data->bytes));
+    const Bytes there = gate.document().kept.back();
+    if (there.size() < *length) {
+      return shortened(gate, there, fmt::format("is {}, but the uri holds {} bytes", *length, there.size()), place);
+    }
     return Buffer{Bytes(gate.document().kept.back()).first(*length), absent.length, fallback};
   }
   if (fallback && !may_be_beside(gate, *uri)) {
@@ -129,7 +137,11 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
     return absent;
   }
   const auto bytes = file_beside(gate, *uri, *length, in(place, "uri"), files);
-  return bytes ? std::optional(Buffer{*bytes, absent.length, fallback}) : std::nullopt;
+  if (!bytes) return std::nullopt;
+  if (bytes->size() < *length) {
+    return shortened(gate, *bytes, fmt::format("is {}, but '{}' has {} bytes", *length, *uri, bytes->size()), place);
+  }
+  return Buffer{*bytes, absent.length, fallback};
 }
 
 }  // namespace
@@ -148,43 +160,51 @@ std::uint64_t most_claimed(const Gate& gate) {
   return (std::uint64_t{64} << 20) + 16 * there;
 }
 
+namespace {
+
+BufferView view_of(Gate& gate, const Json& json, const std::string& place) {
+  for (const char* key : {"buffer", "byteLength"}) gate.required(json, key, place);
+  const auto number = gate.reference(json, "buffer", "buffers", place);
+  const auto length = gate.whole(json, "byteLength", place, 1);
+  const auto offset = gate.whole(json, "byteOffset", place);
+  const auto stride = gate.whole(json, "byteStride", place, 4, 252);
+  gate.leave_out_if_wrong("view-target", in(place, "target"), [&] { gate.whole(json, "target", place, 34962, 34963); });
+  if (stride && *stride % 4 != 0) {
+    gate.error(in(place, "byteStride"), "view-stride", fmt::format("is {}, but must be a multiple of 4", *stride));
+  }
+  if (!number || !length) return {};
+  // A buffer that was refused is told of once, not again for each view of it.
+  const Buffer& buffer = gate.document().buffers[*number];
+  const std::size_t size = buffer.length;
+  if (size == 0) return {};
+  if (offset.value_or(0) > size || *length > size - offset.value_or(0)) {
+    gate.error(in(place, "byteLength"), "view-range",
+               fmt::format("{} bytes from byte {} do not fit in buffer {} of {} bytes", *length, offset.value_or(0),
+                           *number, size));
+    return {};
+  }
+  BufferView view{*number, offset.value_or(0), *length, stride.value_or(0), {}, std::nullopt};
+  if (!buffer.bytes.empty()) view.bytes = buffer.bytes.subspan(view.offset, view.length);
+  return view;
+}
+
+}  // namespace
+
 void check_views(Gate& gate) {
   const Json& views = gate.all("bufferViews");
-  gate.document().views.resize(views.size());
   const std::uint64_t most = most_claimed(gate);
   std::uint64_t claimed = 0;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::string place = at("bufferViews", i);
-    for (const char* key : {"buffer", "byteLength"}) gate.required(views[i], key, place);
-    const auto number = gate.reference(views[i], "buffer", "buffers", place);
-    const auto length = gate.whole(views[i], "byteLength", place, 1);
-    const auto offset = gate.whole(views[i], "byteOffset", place);
-    const auto stride = gate.whole(views[i], "byteStride", place, 4, 252);
-    gate.whole(views[i], "target", place, 34962, 34963);
-    if (stride && *stride % 4 != 0) {
-      gate.error(in(place, "byteStride"), "view-stride", fmt::format("is {}, but must be a multiple of 4", *stride));
-    }
-    if (!number || !length) continue;
-    // A buffer that was refused is told of once, not again for each view of it.
-    const Buffer& buffer = gate.document().buffers[*number];
-    const std::size_t size = buffer.length;
-    if (size == 0) continue;
-    if (offset.value_or(0) > size || *length > size - offset.value_or(0)) {
-      gate.error(in(place, "byteLength"), "view-range",
-                 fmt::format("{} bytes from byte {} do not fit in buffer {} of {} bytes", *length, offset.value_or(0),
-                             *number, size));
-      continue;
-    }
-    if (!buffer.bytes.empty()) claimed += *length;
+    BufferView view = gate.only_if_used("bufferViews", i, [&] { return view_of(gate, views[i], place); });
+    claimed += view.bytes.size();
     if (claimed > most) {
       gate.error(place, "overlap",
                  fmt::format("the buffer views up to this one claim {} bytes, because they overlap", claimed),
                  "let no two buffer views share bytes");
-      return;
+      view = {};
     }
-    BufferView view{*number, offset.value_or(0), *length, stride.value_or(0), {}, std::nullopt};
-    if (!buffer.bytes.empty()) view.bytes = buffer.bytes.subspan(view.offset, view.length);
-    gate.document().views[i] = std::move(view);
+    gate.document().views.push_back(std::move(view));
   }
 }
 
@@ -195,11 +215,14 @@ void check_images(Gate& gate) {
     const auto uri = gate.text(images[i], "uri", place);
     gate.reference(images[i], "bufferView", "bufferViews", place);
     gate.text(images[i], "mimeType", place);
-    if (images[i].contains("uri") == images[i].contains("bufferView")) {
-      gate.error(place, "image-source", "must have either a uri or a bufferView");
+    const bool has_uri = images[i].contains("uri");
+    if (has_uri && images[i].contains("bufferView")) {
+      gate.error(place, "image-source", "must have a uri or a bufferView, but has both");
+    } else if (!has_uri && !images[i].contains("bufferView")) {
+      gate.fault("texture", place, "has neither a uri nor a bufferView");
     }
     if (uri && is_data_uri(*uri) && !decode_data_uri(*uri)) {
-      gate.error(in(place, "uri"), "image-source", "the data URI is not well-formed");
+      gate.leave_out("texture", in(place, "uri"), "the data URI is not well-formed");
     }
   }
 }

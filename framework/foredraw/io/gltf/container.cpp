@@ -16,6 +16,7 @@ std::uint32_t word(Bytes bytes, std::size_t at) {
 
 std::string_view text_of(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 const char* const make_again = "export the file again; it was cut off or damaged on its way";
 
 /// The chunks of a GLB; nullopt where header and lengths do not agree with the bytes.
@@ -29,6 +30,12 @@ std::optional<std::vector<Chunk>> chunks_of(Gate& gate, Bytes file) {
     gate.error("header.version", "gltf-version", fmt::format("GLB version is {}, but must be 2", word(file, 4)),
                "convert the file to glTF 2.0 first");
     return std::nullopt;
+  }
+  if (word(file, 8) >= 12 && word(file, 8) < file.size()) {
+    gate.fault("trailing-bytes", "header.length",
+               fmt::format("the header says {} bytes, but the file has {}", word(file, 8), file.size()));
+    gate.mend();
+    file = file.first(word(file, 8));
   }
   if (word(file, 8) != file.size()) {
     gate.error("header.length", "glb-length",
@@ -48,8 +55,8 @@ std::optional<std::vector<Chunk>> chunks_of(Gate& gate, Bytes file) {
     }
     const std::size_t length = word(file, at);
     if (length % 4 != 0) {
-      gate.error(place, "glb-chunk", fmt::format("its length {} is not a multiple of 4", length), make_again);
-      return std::nullopt;
+      gate.fault("chunk-length", place, fmt::format("its length {} is not a multiple of 4", length));
+      gate.mend();
     }
     chunks.push_back({word(file, at + 4), file.subspan(at + 8, length)});
     at += 8 + length;
@@ -93,7 +100,7 @@ std::optional<Container> open_container(Gate& gate) {
     gate.document().binary = true;
     return open_glb(gate, file);
   }
-  if (text.substr(0, 3) != "\xEF\xBB\xBF") {
+  if (text.substr(0, byte_order_mark.size()) != byte_order_mark) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || text[first] != '{') {
       gate.error({}, "not-gltf", "not glTF: it starts neither with 'glTF' (.glb) nor with '{' (.gltf)",
@@ -105,10 +112,10 @@ std::optional<Container> open_container(Gate& gate) {
 }
 
 bool parse_json(Gate& gate, std::string_view text) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") {
-    gate.error_at(0, text, "json-bom", "the JSON starts with a byte order mark, which glTF forbids",
-                  "save it as UTF-8 without byte order mark");
-    return false;
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) {
+    gate.fault("byte-order-mark", {}, "the JSON starts with a byte order mark, which glTF forbids");
+    gate.mend();
+    text.remove_prefix(byte_order_mark.size());
   }
   auto parsed = parse_json_text(text);
   if (const JsonFault* fault = std::get_if<JsonFault>(&parsed)) {

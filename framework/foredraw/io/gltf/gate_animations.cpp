@@ -18,9 +18,14 @@ void check_times(Gate& gate, const Accessor& accessor, std::size_t number, const
   }
   const std::vector<float> times = decoded_elements(gate.document(), accessor);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!std::isfinite(times[i]) || times[i] < 0 || (i > 0 && times[i] <= times[i - 1])) {
+    if (!std::isfinite(times[i])) {
       gate.error(place, "animation-times",
-                 fmt::format("accessor {}: time {} is {}; times must be finite, not negative and rise strictly", number,
+                 fmt::format("accessor {}: time {} is {}, but must be finite", number, i, times[i]));
+      return;
+    }
+    if (times[i] < 0 || (i > 0 && times[i] <= times[i - 1])) {
+      gate.fault("key-times", place,
+                 fmt::format("accessor {}: time {} is {}; times must not be negative, and must rise strictly", number,
                              i, times[i]));
       return;
     }
@@ -68,11 +73,13 @@ class AnimationCheck {
     const auto input = gate_.reference(sampler, "input", "accessors", place);
     gate_.reference(sampler, "output", "accessors", place);
     if (const Accessor* times = gate_.accessor(input)) check_times(gate_, *times, *input, in(place, "input"));
-    const auto between = gate_.text(sampler, "interpolation", place);
-    if (between && *between != "LINEAR" && *between != "STEP" && *between != "CUBICSPLINE") {
-      gate_.error(in(place, "interpolation"), "out-of-range",
-                  fmt::format("is '{}', but must be LINEAR, STEP or CUBICSPLINE", *between));
-    }
+    gate_.leave_out_if_wrong("interpolation", in(place, "interpolation"), [&] {
+      const auto between = gate_.text(sampler, "interpolation", place);
+      if (between && *between != "LINEAR" && *between != "STEP" && *between != "CUBICSPLINE") {
+        gate_.error(in(place, "interpolation"), "out-of-range",
+                    fmt::format("is '{}', but must be LINEAR, STEP or CUBICSPLINE", *between));
+      }
+    });
   }
 
   void channel(const Json& channel, const Json& samplers, const std::string& place) {
@@ -108,7 +115,8 @@ class AnimationCheck {
                               components_of(path)));
       return;
     }
-    const std::size_t tangents = sampler.value("interpolation", "LINEAR") == "CUBICSPLINE" ? 3 : 1;
+    const auto between = sampler.find("interpolation");
+    const std::size_t tangents = between != sampler.end() && *between == "CUBICSPLINE" ? 3 : 1;
     const std::size_t wanted = input.count * tangents * outputs_for_a_key(gate_, channel);
     if (output.count == wanted) return;
     gate_.error(place, "animation-count",

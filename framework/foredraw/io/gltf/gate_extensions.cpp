@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace foredraw::gltf {
@@ -47,6 +48,15 @@ void refuse_draco(Gate& gate, const std::string& place) {
              fmt::format("{}: the data is compressed and has no uncompressed copy", draco), decode);
 }
 
+/// Whether something that is drawn, or its bytes, has the extension.
+bool shapes_what_is_drawn(const Gate& gate, const std::string& name) {
+  constexpr const char* drawn[] = {"accessors", "animations", "buffers", "bufferViews", "meshes", "nodes", "skins"};
+  return std::ranges::any_of(drawn, [&](const char* kind) {
+    const std::vector<std::string> held = extensions_in({{kind, gate.all(kind)}});
+    return std::ranges::binary_search(held, name);
+  });
+}
+
 void check_draco(Gate& gate) {
   const Json& meshes = gate.all("meshes");
   for (std::size_t m = 0; m < meshes.size(); ++m) {
@@ -68,7 +78,11 @@ void check_extensions(Gate& gate) {
   for (const std::string& name : required) {
     if (name == draco) {
       refuse_draco(gate, "extensionsRequired");
-    } else if (!gate.document().knows_extension(name)) {
+    } else if (gate.document().knows_extension(name)) {
+      continue;
+    } else if (!shapes_what_is_drawn(gate, name)) {
+      gate.fault("required-extension", "extensionsRequired", fmt::format("the extension '{}' is not known", name));
+    } else {
       gate.error("extensionsRequired", "unsupported-extension",
                  fmt::format("the file requires the extension '{}', which is not supported", name),
                  "export the file without that extension");

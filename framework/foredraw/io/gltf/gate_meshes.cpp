@@ -76,7 +76,7 @@ class MeshCheck {
     gate_.reference(primitive, "material", "materials", place);
     const auto mode = gate_.whole(primitive, "mode", place, 0, 6);
     std::optional<std::size_t> drawn = vertices;
-    if (primitive.contains("indices")) drawn = indices(primitive, vertices, place);
+    if (primitive.contains("indices")) drawn = indices(primitive, vertices, is_list(mode.value_or(4)), place);
     if (drawn && (mode || !primitive.contains("mode"))) index_count(*drawn, mode.value_or(4), place);
     return targets == nullptr ? 0 : targets->size();
   }
@@ -113,7 +113,10 @@ class MeshCheck {
     }
   }
 
-  std::optional<std::size_t> indices(const Json& primitive, std::optional<std::size_t> vertices,
+  /// Points, lines and triangles, of which each has corners of its own.
+  static bool is_list(std::uint64_t mode) { return mode == 0 || mode == 1 || mode == 4; }
+
+  std::optional<std::size_t> indices(const Json& primitive, std::optional<std::size_t> vertices, bool is_list,
                                      const std::string& place) {
     const auto number = gate_.reference(primitive, "indices", "accessors", place);
     const Accessor* accessor = gate_.accessor(number);
@@ -130,7 +133,11 @@ class MeshCheck {
       return std::nullopt;
     }
     const IndexRange& range = range_of(*number, *accessor);
-    if (range.most == range.restart) {
+    if (range.most == range.restart && is_list && vertices && range.most < *vertices) {
+      gate_.fault(
+          "restart-index", in(place, "indices"),
+          fmt::format("accessor {} holds {}, which restarts strips, so that glTF forbids it", *number, range.restart));
+    } else if (range.most == range.restart) {
       gate_.error(
           in(place, "indices"), "primitive-restart",
           fmt::format("accessor {} holds {}, which restarts primitives; glTF forbids it", *number, range.restart));
@@ -163,7 +170,7 @@ class MeshCheck {
                                      {3, 1, "a triangle fan"}};
     const Need& need = needs[mode];
     if (count < need.least) {
-      gate_.error(place, "index-count", fmt::format("{} corners are too few for {}", count, need.of));
+      gate_.fault("nothing-to-draw", place, fmt::format("{} corners are too few for {}", count, need.of));
     } else if (count % need.multiple != 0) {
       gate_.warning(
           place, "index-count",
@@ -183,33 +190,50 @@ void check_meshes(Gate& gate) {
   for (std::size_t m = 0; m < meshes.size(); ++m) check.mesh(meshes[m], at("meshes", m));
 }
 
+namespace {
+
+/// Who names a texture that is not there has none.
+void check_texture(Gate& gate, const Json& holder, const char* key, const std::string& place) {
+  gate.leave_out_if_wrong("texture", in(place, key), [&] {
+    if (const Json* texture = gate.object(holder, key, place)) {
+      gate.required(*texture, "index", in(place, key));
+      gate.reference(*texture, "index", "textures", in(place, key));
+    }
+  });
+}
+
+}  // namespace
+
 void check_materials(Gate& gate) {
   const Json& textures = gate.all("textures");
   for (std::size_t i = 0; i < textures.size(); ++i) {
-    gate.reference(textures[i], "source", "images", at("textures", i));
-    gate.reference(textures[i], "sampler", "samplers", at("textures", i));
+    for (const auto& [key, kind] : {std::pair{"source", "images"}, {"sampler", "samplers"}}) {
+      gate.leave_out_if_wrong("texture", in(at("textures", i), key),
+                              [&] { gate.reference(textures[i], key, kind, at("textures", i)); });
+    }
   }
   const Json& materials = gate.all("materials");
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const std::string place = at("materials", i);
-    const auto mode = gate.text(materials[i], "alphaMode", place);
-    if (mode && *mode != "OPAQUE" && *mode != "MASK" && *mode != "BLEND") {
-      gate.error(in(place, "alphaMode"), "out-of-range",
-                 fmt::format("is '{}', but must be OPAQUE, MASK or BLEND", *mode));
-    }
-    gate.number(materials[i], "alphaCutoff", place);
-    gate.boolean(materials[i], "doubleSided", place);
-    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
-      if (const Json* texture = gate.object(materials[i], key, place)) {
-        gate.reference(*texture, "index", "textures", in(place, key));
+    gate.leave_out_if_wrong("material", in(place, "alphaMode"), [&] {
+      const auto mode = gate.text(materials[i], "alphaMode", place);
+      if (mode && *mode != "OPAQUE" && *mode != "MASK" && *mode != "BLEND") {
+        gate.error(in(place, "alphaMode"), "out-of-range",
+                   fmt::format("is '{}', but must be OPAQUE, MASK or BLEND", *mode));
       }
-    }
-    const Json* surface = gate.object(materials[i], "pbrMetallicRoughness", place);
-    for (const char* key : {"baseColorTexture", "metallicRoughnessTexture"}) {
-      const Json* texture =
-          surface == nullptr ? nullptr : gate.object(*surface, key, in(place, "pbrMetallicRoughness"));
-      if (texture != nullptr) gate.reference(*texture, "index", "textures", in(in(place, "pbrMetallicRoughness"), key));
-    }
+    });
+    gate.leave_out_if_wrong("material", in(place, "alphaCutoff"),
+                            [&] { gate.number(materials[i], "alphaCutoff", place); });
+    gate.leave_out_if_wrong("material", in(place, "doubleSided"),
+                            [&] { gate.boolean(materials[i], "doubleSided", place); });
+    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"})
+      check_texture(gate, materials[i], key, place);
+    const Json* surface = nullptr;
+    gate.leave_out_if_wrong("material", in(place, "pbrMetallicRoughness"),
+                            [&] { surface = gate.object(materials[i], "pbrMetallicRoughness", place); });
+    if (surface == nullptr) continue;
+    for (const char* key : {"baseColorTexture", "metallicRoughnessTexture"})
+      check_texture(gate, *surface, key, in(place, "pbrMetallicRoughness"));
   }
 }
 

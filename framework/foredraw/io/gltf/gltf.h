@@ -3,7 +3,7 @@
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/platform/files.h>
-#include <foredraw/scene/product_row.h>
+#include <foredraw/io/scene_input.h>
 
 #include <filesystem>
 #include <optional>
@@ -11,16 +11,15 @@
 
 namespace foredraw {
 
-/// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right. What
-/// no row of `products` knows is a foreign extension, which stays as it is.
+/// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right.
 std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
-                               const ProductRows& products = {});
+                               const SceneInput& how = {});
 
 /// Reads bytes of either kind; `name` is what diagnostics call them, and files beside are looked for in `folder`
 /// (empty: there are none).
 std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& name,
                                const std::filesystem::path& folder, Diagnostics& diagnostics,
-                               const ProductRows& products = {});
+                               const SceneInput& how = {});
 
 /// What becomes of data that came in compressed (EXT_meshopt_compression, KHR_meshopt_compression).
 enum class Compression {

@@ -11,8 +11,8 @@ namespace foredraw {
 namespace {
 
 std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const std::filesystem::path& folder,
-                          Diagnostics& diagnostics, const ProductRows& products) {
-  auto document = gltf::open_document(std::move(file), name, folder, products, diagnostics);
+                          Diagnostics& diagnostics, const SceneInput& how) {
+  auto document = gltf::open_document(std::move(file), name, folder, how, diagnostics);
   if (!document) return std::nullopt;
   auto scene = gltf::scene_of(*document, diagnostics);
   if (!scene) return std::nullopt;
@@ -28,17 +28,17 @@ std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const
 }  // namespace
 
 std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
-                               const ProductRows& products) {
+                               const SceneInput& how) {
   auto bytes = read_file(path, diagnostics);
   if (!bytes) return std::nullopt;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  return read(Shared<std::byte>(std::move(*bytes)), path.string(), folder, diagnostics, products);
+  return read(Shared<std::byte>(std::move(*bytes)), path.string(), folder, diagnostics, how);
 }
 
 std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& name,
                                const std::filesystem::path& folder, Diagnostics& diagnostics,
-                               const ProductRows& products) {
-  return read(Shared<std::byte>(std::move(bytes)), name, folder, diagnostics, products);
+                               const SceneInput& how) {
+  return read(Shared<std::byte>(std::move(bytes)), name, folder, diagnostics, how);
 }
 
 }  // namespace foredraw

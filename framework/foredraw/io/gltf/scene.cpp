@@ -15,6 +15,7 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 
@@ -227,6 +228,14 @@ Skin skin_of(const tinygltf::Skin& from, Streams& streams) {
   return skin;
 }
 
+/// Key times that never fall: one that would is that of the key before.
+Shared<float> never_falling(const Shared<float>& times) {
+  if (std::ranges::is_sorted(times.view())) return times;
+  std::vector<float> risen(times.view().begin(), times.view().end());
+  for (std::size_t i = 1; i < risen.size(); ++i) risen[i] = std::max(risen[i], risen[i - 1]);
+  return Shared<float>(std::move(risen));
+}
+
 Animation animation_of(const tinygltf::Animation& from, Streams& streams) {
   static const std::map<std::string, AnimatedPath> paths = {{"translation", AnimatedPath::translation},
                                                             {"rotation", AnimatedPath::rotation},
@@ -242,7 +251,7 @@ Animation animation_of(const tinygltf::Animation& from, Streams& streams) {
     made.interpolation = sampler.interpolation == "STEP"          ? Interpolation::step
                          : sampler.interpolation == "CUBICSPLINE" ? Interpolation::cubic_spline
                                                                   : Interpolation::linear;
-    made.times = streams.decoded(sampler.input);
+    made.times = never_falling(streams.decoded(sampler.input));
     made.values = streams.decoded(sampler.output);
     animation.channels.push_back(std::move(made));
   }

@@ -117,7 +117,7 @@ std::string percent_encoded(std::string_view path) {
   return result;
 }
 
-std::string why_not_beside(std::string_view path) {
+std::string why_not_beside(std::string_view path, bool may_climb) {
   if (path.empty()) return "is empty";
   if (path.find('\0') != std::string_view::npos) return "holds a zero byte";
   if (path.front() == '/') return "is an absolute path";
@@ -128,7 +128,7 @@ std::string why_not_beside(std::string_view path) {
   }
   for (std::size_t from = 0; from <= path.size();) {
     const std::size_t to = std::min(path.find('/', from), path.size());
-    if (path.substr(from, to - from) == "..") return "leads out of the file's folder";
+    if (path.substr(from, to - from) == ".." && !may_climb) return std::string(leads_out);
     from = to + 1;
   }
   return {};

@@ -19,7 +19,7 @@ using Indices = std::vector<std::uint32_t>;
 
 inline Scene read(const Bytes& file) {
   Diagnostics diagnostics;
-  auto scene = read_gltf(file, "test", {}, diagnostics, built_in_products());
+  auto scene = read_gltf(file, "test", {}, diagnostics, {.products = built_in_products()});
   if (!scene) throw std::runtime_error(to_text(diagnostics));
   return *scene;
 }

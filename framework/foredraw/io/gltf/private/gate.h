@@ -3,33 +3,72 @@
 // in the file claims is held against what is there. Private to io.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/faults.h>
 #include <foredraw/io/gltf/private/document.h>
+#include <foredraw/io/scene_input.h>
 
 #include <limits>
+#include <map>
 #include <set>
 
 namespace foredraw::gltf {
 
-/// The document, or nullopt with an error for each mistake (the first twenty).
+/// The document, or nullopt with an error for each kind of mistake (the first twenty). What has one meaning only, or is
+/// not used, is mended in the document with a warning for each kind, or refused where `how` is strict.
 std::optional<Document> open_document(Shared<std::byte> file, const std::string& name,
-                                      const std::filesystem::path& folder, const ProductRows& products,
+                                      const std::filesystem::path& folder, const SceneInput& how,
                                       Diagnostics& diagnostics);
 
 /// What the checks share: the document as far as it was found sound, and where mistakes go.
 class Gate {
  public:
-  Gate(Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
+  Gate(Document& document, Diagnostics& diagnostics, const SceneInput& how)
+      : document_(document), diagnostics_(diagnostics), how_(how), faults_(diagnostics, how.strict) {}
 
   Document& document() { return document_; }
   const Document& document() const { return document_; }
   const Json& json() const { return document_.json; }
-  bool sound() const { return mistakes_ == 0; }
+  const SceneInput& how() const { return how_; }
+  bool sound() const { return errors_.empty() && not_kept_ == 0; }
 
   void error(const std::string& place, std::string code, std::string message, std::string hint = {});
+
+  /// One of the kinds of faults.h, which does not keep the file from being read.
+  void fault(std::string_view code, const std::string& place, std::string message);
+
+  /// As above, and the member at `place` is left out of the document when all checks are done.
+  void leave_out(std::string_view code, const std::string& place, std::string message);
+
+  /// Errors that `check` finds are such a fault of the member at `place`.
+  template <class Check>
+  void leave_out_if_wrong(std::string_view code, const std::string& place, Check check) {
+    const std::size_t before = errors_.size();
+    check();
+    if (errors_.size() > before) leave_out(code, place, take_errors(before).front().message);
+  }
+
+  /// Errors that `check` finds count only where somebody refers to the element; else they are the fault `unused-data`.
+  template <class Check>
+  auto only_if_used(const char* kind, std::size_t number, Check check) {
+    const std::size_t before = errors_.size();
+    auto made = check();
+    if (errors_.size() > before) held_back_[{kind, number}] = take_errors(before);
+    return made;
+  }
+
+  /// The document, to be mended: it will not stay as it came. References to members that are not changed stay valid
+  /// where none is added or erased.
+  Json& mend();
+  Json& mend_at(const std::string& place);
+
+  /// What was held back, and nobody referred to, falls to a fault.
+  void let_go_of_unused();
   void warning(const std::string& place, std::string code, std::string message);
   void error_at(std::size_t byte, std::string_view text, std::string code, std::string message, std::string hint = {});
   void note(const std::string& place, std::string code, std::string message);
-  void finish();
+
+  /// Tells what was found, and mends the document. False where it is refused.
+  bool finish();
 
   /// The top-level array of that name; an empty one where there is none.
   const Json& all(const char* kind) const;
@@ -50,6 +89,8 @@ class Gate {
   /// A reference into the top-level array `kind`.
   std::optional<std::size_t> reference(const Json& parent, const char* key, const char* kind, const std::string& place);
   std::optional<std::size_t> reference(const Json& value, const char* kind, const std::string& place);
+  /// Those of an array; wrong ones are left out.
+  std::vector<std::size_t> references(const Json& parent, const char* key, const char* kind, const std::string& place);
   void required(const Json& parent, const char* key, const std::string& place);
 
   /// The accessor's layout; nothing where it was found wrong.
@@ -60,14 +101,21 @@ class Gate {
 
   std::vector<std::optional<Accessor>> accessors;
 
-  /// Accessors of a type that glTF does not know. Whoever refers to one is refused.
-  std::set<std::size_t> unknown_accessors;
-
  private:
+  std::vector<Diagnostic> take_errors(std::size_t from);
+
+  /// What was held back of it counts now.
+  bool is_held_back(std::string_view kind, std::size_t number);
+
   Document& document_;
   Diagnostics& diagnostics_;
-  std::size_t mistakes_ = 0;
-  std::size_t warnings_ = 0;
+  const SceneInput& how_;
+  Faults faults_;
+  std::vector<Diagnostic> errors_;
+  std::size_t not_kept_ = 0;  ///< errors beyond those
+  std::vector<Diagnostic> warnings_;
+  std::map<std::pair<std::string_view, std::size_t>, std::vector<Diagnostic>> held_back_;
+  std::vector<std::string> left_out_;  ///< places of members
 };
 
 /// How many bytes buffer views, or accessors, may claim together. Some overlap is common, as primitives view one

@@ -45,6 +45,9 @@ std::set<std::size_t> used_by_primitives(const Json& json);
 /// that it holds.
 std::set<std::size_t> used_elsewhere(const Document& document);
 
+/// Numbers that extensions which we do not know hold: any may mean an accessor, a view or whatever else.
+std::set<std::size_t> named_by_unknown_extensions(const Document& document);
+
 /// Images by uri still mean the same files when the document lies in another folder.
 void relocate_images(Json& json, const Document& document, const std::filesystem::path& target,
                      Diagnostics& diagnostics);

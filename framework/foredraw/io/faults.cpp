@@ -1,0 +1,84 @@
+#include <foredraw/io/faults.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+constexpr FaultKind kinds[] = {
+    {"trailing-bytes", "glTF", "A GLB has bytes behind the length that its header states.", "They are left out.",
+     "Every reader stops at that length."},
+    {"chunk-length", "glTF", "A chunk's length is not a multiple of 4.",
+     "The next chunk is looked for right behind it. The output has whole words.", "The length says where it ends."},
+    {"byte-order-mark", "glTF", "The JSON starts with a byte order mark.", "It is left out.",
+     "It has no meaning in UTF-8."},
+    {"version-number", "glTF", "`asset.version` is a number, not a string.", "It is read as a string.",
+     "2.0 and \"2.0\" can mean only one version."},
+    {"required-extension", "glTF",
+     "The file requires an extension that is not known, and that no mesh, accessor, view, node, skin or animation has.",
+     "Its members are kept as they are.", "It cannot change which triangles are drawn where."},
+    {"buffer-length", "glTF", "A buffer states more bytes than there are.", "It is as long as its bytes.",
+     "What refers to missing bytes is refused."},
+    {"unused-data", "glTF", "An accessor or buffer view is wrong, and nothing refers to it.",
+     "It keeps its number, without its bytes.", "Nothing can be drawn with it."},
+    {"view-target", "glTF", "A buffer view's `target` is neither 34962 nor 34963.", "It is left out.",
+     "It is a hint; accessors tell what the bytes are."},
+    {"alignment", "glTF", "Elements do not start at a multiple of their component's size.",
+     "They are read and kept where they lie.", "Offsets and strides say where they are."},
+    {"bounds", "glTF", "`min` or `max` is not a list of 32-bit floats, one for each component.", "It is left out.",
+     "No stage reads them; new positions get new ones."},
+    {"texture", "glTF",
+     "A material names a texture, or a texture an image or sampler, that is not there; or an image has no bytes.",
+     "The reference is left out, and the surface has no such texture.", "Triangles do not depend on it."},
+    {"material", "glTF",
+     "A material's `alphaMode`, `alphaCutoff`, `doubleSided` or `pbrMetallicRoughness` has a value that glTF does not "
+     "know.",
+     "It is left out; the default counts.", "Viewers take the default, too."},
+    {"camera", "glTF", "A node names a camera that is not there.", "The reference is left out.",
+     "The node shows the same without it."},
+    {"scene", "glTF", "`scene` names a scene that is not there.", "It is left out: the first scene is shown.",
+     "Nothing else says which scene is meant."},
+    {"nothing-to-draw", "glTF", "A primitive has too few corners for one triangle, line or point.",
+     "It is kept as it is.", "It draws nothing."},
+    {"restart-index", "glTF",
+     "Indices of a list of triangles, lines or points hold the greatest number of their type, and there is such a "
+     "vertex.",
+     "They are read as that vertex. Indices that are written anew are wider.",
+     "glTF forbids restarts, so that the vertex is the only meaning left."},
+    {"quaternion", "glTF", "A node's rotation is not a unit quaternion.", "It is kept as it is.",
+     "Viewers use the four numbers in the same way."},
+    {"joint-twice", "glTF", "A skin names a node twice.", "It is kept as it is.", "Each entry is a joint of its own."},
+    {"unused-joint", "glTF", "Vertices name joints that the skin does not have, with a weight of zero.",
+     "They are kept as they are.", "A weight of zero moves nothing."},
+    {"key-times", "glTF", "Key times are equal, fall, or are negative.",
+     "The file keeps them. Poses are taken as if a time that falls were that of the key before.",
+     "Poses decide only how triangles are ordered."},
+    {"interpolation", "glTF", "An animation's `interpolation` is not one that glTF knows.",
+     "It is left out: keys are interpolated linearly.", "Viewers do the same."},
+};
+
+}  // namespace
+
+std::span<const FaultKind> fault_kinds() { return kinds; }
+
+const FaultKind& fault_kind(std::string_view code) { return *std::ranges::find(kinds, code, &FaultKind::code); }
+
+void Faults::found(std::string_view code, Where where, std::string message) {
+  const FaultKind& kind = fault_kind(code);
+  const auto [first, is_new] = first_.try_emplace(kind.code);
+  if (!is_new) {
+    ++first->second.places;
+    return;
+  }
+  first->second = {strict_ ? Severity::error : Severity::warning, std::move(where), std::string(code),
+                   std::move(message),
+                   strict_ ? "without --strict: " + std::string(kind.done) : std::string(kind.done)};
+}
+
+bool Faults::tell() {
+  for (const auto& [code, diagnostic] : first_) diagnostics_.add(diagnostic);
+  return !strict_ || first_.empty();
+}
+
+}  // namespace foredraw
