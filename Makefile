@@ -5,7 +5,7 @@ SEED ?= 1
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test long-test clang bench city vertex-orders overdraw-error han-sander-2016 particle-trim merge-instances asan tsan fuzz clean
+.PHONY: help demo build test long-test clang bench real-files city vertex-orders overdraw-error han-sander-2016 particle-trim merge-instances asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
@@ -19,6 +19,7 @@ help:
 	@echo 'make han-sander-2016  the experiment of that paper on our animated models, and docs/han-sander-2016.md of it'
 	@echo 'make particle-trim  how small trimmed sprites are, and in which time, and docs/particle-trim.md of it'
 	@echo 'make merge-instances  draw calls, bytes and times of merged instances beside other ways, for 10,000 to 1,000,000 of them'
+	@echo 'make real-files  what becomes of the models below some folders: FILES="folder folder"'
 	@echo 'make city     a city of about 10,000 placed primitives: build/city.glb (INSTANCES=100000 SEED=2 for another one)'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
@@ -73,6 +74,10 @@ particle-trim: bench
 merge-instances: INSTANCES = 10000,100000,1000000
 merge-instances: bench
 	build/release/benchmarks/merge_instances/merge-instances-bench --instances=$(INSTANCES) --tsv=benchmarks/merge_instances/figures.tsv
+
+real-files: build
+	benchmarks/real_files/real_files.py $(FOREDRAW) $(FILES) --list build/real-files.tsv \
+	  $(addprefix --validator ,$(wildcard build/release/tests/validator))
 
 city:
 	packages/install build bench

@@ -228,7 +228,8 @@ class CommandLine {
       arguments_.threads = arguments_.threads == 0 ? most : std::min(arguments_.threads, most);
     }
     try {
-      return command_();
+      // Steps of their own say what they lacked it for.
+      return with_memory(arguments_.inputs.empty() ? "foredraw" : arguments_.inputs[0], "begin", command_);
     } catch (const OutOfMemory& lack) {
       end_progress();
       fmt::print(stderr, "{}: error: there is not enough memory to {}", lack.file, lack.doing);
@@ -280,7 +281,7 @@ class CommandLine {
     app.add_flag("--strict", arguments_.strict,
                  "Refuse a file with any fault, instead of mending what has one meaning only and warning of it");
     app.add_option("--root", arguments_.root,
-                   "Let a scene name files outside of its folder, such as \"../shared.bin\", if they lie in this one")
+                   "Let a scene name files outside of its folder, such as \"../meshes.bin\", if they lie in this one")
         ->type_name("FOLDER");
     memory_limit(app);
   }

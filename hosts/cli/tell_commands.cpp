@@ -24,7 +24,7 @@ Exit inspect(const Arguments& arguments, const Registry& registry) {
   Analyses analyses;
   const Executor executor(0);
   return print(with_memory(input, "inspect it", [&] {
-    return arguments.json ? inspection_json(file->scene, rows, analyses, executor)
+    return arguments.json ? inspection_json(file->scene, rows, diagnostics, analyses, executor)
                           : inspection_text(file->scene, rows, analyses, executor);
   }));
 }

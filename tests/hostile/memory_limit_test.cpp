@@ -55,7 +55,7 @@ TEST_F(MemoryLimit, holds_for_every_command_that_reads) {
     const testing::Ended ended =
         testing::run_program(folder_, std::string(command) + " '" + model_ + "' --memory-limit 1M");
     EXPECT_EQ(ended.code, 2) << command;
-    EXPECT_NE(ended.err.find("not enough memory to read it"), std::string::npos) << command << '\n' << ended.err;
+    EXPECT_NE(ended.err.find("not enough memory to "), std::string::npos) << command << '\n' << ended.err;
   }
 }
 

@@ -45,7 +45,7 @@ void expect_optimised_and_written(const Scene& scene) {
   EXPECT_FALSE(result.failed) << to_text(result.report);
   const auto files = encode_gltf(result.scene, "out.glb", diagnostics, {.products = products()});
   ASSERT_TRUE(files) << to_text(diagnostics);
-  const auto again = read_gltf(files->front().bytes, "out.glb", {}, diagnostics, products());
+  const auto again = read_gltf(files->front().bytes, "out.glb", {}, diagnostics, {.products = products()});
   ASSERT_TRUE(again) << to_text(diagnostics);
   ASSERT_EQ(again->draws.size(), scene.draws.size());
   for (std::size_t i = 0; i < scene.draws.size(); ++i) {
@@ -58,7 +58,7 @@ void expect_optimised_and_written(const Scene& scene) {
 
 std::vector<std::string> go_the_whole_way(std::span<const std::byte> bytes, const std::filesystem::path& folder) {
   Diagnostics diagnostics;
-  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "file", folder, diagnostics, products());
+  const auto scene = read_gltf({bytes.begin(), bytes.end()}, "file", folder, diagnostics, {.products = products()});
   EXPECT_EQ(scene.has_value(), !diagnostics.has_errors()) << to_text(diagnostics);
   expect_clear_lines(diagnostics);
   if (scene) expect_optimised_and_written(*scene);

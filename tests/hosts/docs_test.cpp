@@ -1,6 +1,8 @@
 // Lists in docs/ that follow from the program stand between two marks, and are what the program says of itself.
 // FOREDRAW_UPDATE_GOLDEN=1 writes them anew.
 
+#include <foredraw/io/reading/faults.h>
+
 #include "support/meshes.h"
 #include "support/program.h"
 
@@ -66,6 +68,15 @@ TEST_F(Docs, ThePresetsAreThoseThatTravelInTheProgram) {
   }
   expect_section("pipelines.md", "presets", table);
   expect_section("for-artists.md", "presets", table);
+}
+
+TEST_F(Docs, TheFaultsOfRealFilesAreThoseOfTheTable) {
+  std::string table = "| code | files | fault | what becomes of it | why that is safe |\n|---|---|---|---|---|\n";
+  for (const FaultKind& kind : fault_kinds()) {
+    table += "| `" + std::string(kind.code) + "` | " + std::string(kind.files) + " | " + std::string(kind.what) +
+             " | " + std::string(kind.done) + " | " + std::string(kind.why) + " |\n";
+  }
+  expect_section("real-files.md", "faults", table);
 }
 
 /// Folders of the sources of plugins and evaluators, by the plugins' names.

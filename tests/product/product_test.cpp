@@ -230,9 +230,9 @@ TEST(Product, IsInspectedAndWrittenBesideByItsRow) {
   EXPECT_NE(
       inspection_text(scene, rows, analyses, Executor(1)).find("landmarks (known places):\n  field: 2 vertices\n"),
       std::string::npos);
-  EXPECT_EQ(
-      nlohmann::json::parse(inspection_json(scene, rows, analyses, Executor(1)))["products"]["landmarks"][0]["draw"],
-      "field");
+  EXPECT_EQ(nlohmann::json::parse(
+                inspection_json(scene, rows, {}, analyses, Executor(1)))["products"]["landmarks"][0]["draw"],
+            "field");
   const auto row = *std::ranges::find_if(rows, [](const auto& one) { return one->card().name == "landmarks"; });
   Diagnostics diagnostics;
   const auto files = encode_side_file(scene, *row, "folder/x.json", diagnostics);

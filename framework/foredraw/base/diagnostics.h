@@ -21,9 +21,9 @@ struct Where {
 struct Diagnostic {
   Severity severity = Severity::error;
   Where where;
-  std::string code;     ///< stable, for programs: "unknown-option"
-  std::string message;  ///< what was found and what was expected
-  std::string hint;     ///< what to do about it; may be empty
+  std::string code;        ///< stable, for programs: "unknown-option"
+  std::string message;     ///< what was found and what was expected
+  std::string hint;        ///< what to do about it; may be empty
   std::size_t places = 1;  ///< that are like this one, the first
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // Scenes and images for options that name them, read through the same gate as all others.
 
-#include <foredraw/io/scene_input.h>
+#include <foredraw/io/reading/scene_input.h>
 #include <foredraw/scene/lender.h>
 
 #include <mutex>

@@ -2,7 +2,7 @@
 // The kinds of files that scenes are read from: one table, which reading, help and messages follow.
 
 #include <foredraw/base/diagnostics.h>
-#include <foredraw/io/scene_input.h>
+#include <foredraw/io/reading/scene_input.h>
 
 #include <cstddef>
 #include <filesystem>

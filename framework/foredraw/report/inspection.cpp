@@ -1,4 +1,5 @@
 #include <foredraw/report/inspection.h>
+#include <foredraw/report/private/json_values.h>
 
 #include <foredraw/analysis/scene_facts.h>
 #include <foredraw/base/counted.h>
@@ -14,8 +15,6 @@
 namespace foredraw {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view text_of_one(Topology topology) {
   switch (topology) {
@@ -161,7 +160,8 @@ std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyse
   return text;
 }
 
-std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyses& analyses, const Executor& executor) {
+std::string inspection_json(const Scene& scene, const ProductRows& rows, const Diagnostics& told, Analyses& analyses,
+                            const Executor& executor) {
   Json json{{"inspection", 1},
             {"file", scene.name},
             {"meshes", scene.meshes.size()},
@@ -198,6 +198,8 @@ std::string inspection_json(const Scene& scene, const ProductRows& rows, Analyse
   json["products"] = Json::object();
   for (const auto& [name, product] : products_of(scene, rows))
     json["products"][name] = Json::parse(json_text(product.value));
+  json["diagnostics"] = Json::array();
+  for (const Diagnostic& diagnostic : told.all()) json["diagnostics"].push_back(json_of(diagnostic));
   json["subjects"] = Json::array();
   for (const Subject& subject : subjects_of(scene)) {
     Json draws = Json::array();

@@ -136,17 +136,6 @@ Json to_json(const std::vector<StageRecord>& stages) {
   return json;
 }
 
-Json to_json(const Diagnostic& diagnostic) {
-  return {{"severity", to_text(diagnostic.severity)},
-          {"code", diagnostic.code},
-          {"message", diagnostic.message},
-          {"hint", diagnostic.hint},
-          {"file", diagnostic.where.file},
-          {"line", diagnostic.where.line},
-          {"column", diagnostic.where.column},
-          {"inside", diagnostic.where.inside}};
-}
-
 Json to_json(const FileRecord& file) {
   Json json{{"path", file.path}, {"bytes", file.bytes}};
   if (!file.hash.empty()) json["hash"] = file.hash;
@@ -183,7 +172,7 @@ void write_json(const Report& report, const std::function<void(std::string_view)
   out.key("stages").tree(to_json(report.stages));
   out.key("measures").tree(to_json(report.measures));
   out.key("diagnostics").begin('[');
-  for (const Diagnostic& diagnostic : report.diagnostics) out.tree(to_json(diagnostic));
+  for (const Diagnostic& diagnostic : report.diagnostics) out.tree(json_of(diagnostic));
   out.end(']');
   out.end('}');
   out.finish();

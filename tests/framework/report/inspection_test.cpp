@@ -22,7 +22,7 @@ TEST(Inspection, TellsOfLevels) {
                       "  body (level 2): 2 triangles, 4 vertices; error 0\n"),
             std::string::npos)
       << text;
-  const auto json = nlohmann::json::parse(inspection_json(scene, {}, analyses, Executor(1)));
+  const auto json = nlohmann::json::parse(inspection_json(scene, {}, {}, analyses, Executor(1)));
   ASSERT_EQ(json["draws"][0]["levels"].size(), 2u);
   EXPECT_EQ(json["draws"][0]["levels"][0],
             (nlohmann::json{{"elements", 1}, {"vertices", 6}, {"shares-vertices", true}, {"error", 0.25}}));

@@ -122,11 +122,11 @@ std::optional<Accessor> accessor_of(Gate& gate, const Json& json, const std::str
     accessor.rows = rows_in_view(gate, json, {*count, format->bytes, bytes_of(format->component)}, true, place);
     if (!accessor.rows) return std::nullopt;
   } else {
-    zeros += *count * format->bytes;
-    if (zeros > most_zeros) {
+    if (zeros + *count * format->bytes > most_zeros) {
       gate.error(in(place, "count"), "accessor-range", "accessors without bytes claim more than 256 MiB of zeros");
       return std::nullopt;
     }
+    zeros += *count * format->bytes;
   }
   if (const Json* sparse = gate.object(json, "sparse", place)) {
     accessor.sparse = sparse_elements(gate, *sparse, accessor, in(place, "sparse"));

@@ -219,10 +219,10 @@ void check_images(Gate& gate) {
     if (has_uri && images[i].contains("bufferView")) {
       gate.error(place, "image-source", "must have a uri or a bufferView, but has both");
     } else if (!has_uri && !images[i].contains("bufferView")) {
-      gate.fault("texture", place, "has neither a uri nor a bufferView");
+      gate.fault("image", place, "has neither a uri nor a bufferView");
     }
     if (uri && is_data_uri(*uri) && !decode_data_uri(*uri)) {
-      gate.leave_out("texture", in(place, "uri"), "the data URI is not well-formed");
+      gate.leave_out("image", in(place, "uri"), "the data URI is not well-formed");
     }
   }
 }

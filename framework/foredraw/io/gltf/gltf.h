@@ -2,8 +2,8 @@
 // glTF 2.0, read and written: .gltf with its files, .glb. The only user of tinygltf.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/reading/scene_input.h>
 #include <foredraw/platform/files.h>
-#include <foredraw/io/scene_input.h>
 
 #include <filesystem>
 #include <optional>
@@ -12,8 +12,7 @@
 namespace foredraw {
 
 /// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right.
-std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
-                               const SceneInput& how = {});
+std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics, const SceneInput& how = {});
 
 /// Reads bytes of either kind; `name` is what diagnostics call them, and files beside are looked for in `folder`
 /// (empty: there are none).

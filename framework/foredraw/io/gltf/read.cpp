@@ -27,8 +27,7 @@ std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const
 
 }  // namespace
 
-std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
-                               const SceneInput& how) {
+std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics, const SceneInput& how) {
   auto bytes = read_file(path, diagnostics);
   if (!bytes) return std::nullopt;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
@@ -36,8 +35,7 @@ std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& d
 }
 
 std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& name,
-                               const std::filesystem::path& folder, Diagnostics& diagnostics,
-                               const SceneInput& how) {
+                               const std::filesystem::path& folder, Diagnostics& diagnostics, const SceneInput& how) {
   return read(Shared<std::byte>(std::move(bytes)), name, folder, diagnostics, how);
 }
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <numeric>
 
 namespace foredraw::gltf {
@@ -157,9 +158,9 @@ Draw draw_of(const tinygltf::Primitive& primitive, Streams& streams) {
   Level level;
   level.vertices = streams.vertices(primitive);
   IndexStream order;
-  // Without positions nothing is drawn, whatever the indices say: no points, for one.
-  const bool is_drawn = primitive.attributes.contains("POSITION");
-  if (is_drawn) order.indices = streams.indices(primitive);
+  // Without positions nothing is drawn, whatever the indices say: no points, for one. Nor with too few corners.
+  if (primitive.attributes.contains("POSITION")) order.indices = streams.indices(primitive);
+  const bool is_drawn = order.indices.size() > 0;
   level.orders.push_back(std::move(order));
   draw.levels.push_back(std::move(level));
   draw.topology = is_drawn ? topology_of(primitive.mode) : Topology::points;
@@ -305,6 +306,7 @@ std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics
   std::string errors, warnings;
   const std::string text = checked_structure(document.json);
   if (!reader.LoadASCIIFromString(&model, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), "")) {
+    if (errors.find("bad_alloc") != std::string::npos) throw std::bad_alloc();  // which it has caught
     diagnostics.error({.file = document.name}, "cannot-read", "tinygltf cannot read the file: " + errors);
     return std::nullopt;
   }

@@ -1,6 +1,7 @@
 #pragma once
 // How single values stand in every JSON form.
 
+#include <foredraw/base/diagnostics.h>
 #include <foredraw/technique/options.h>
 
 #include <nlohmann/json.hpp>
@@ -21,6 +22,18 @@ inline Json json_of(const OptionValue& value) {
   if (const auto* real = std::get_if<double>(&value)) return json_of(*real);
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return nullptr;
+}
+
+inline Json json_of(const Diagnostic& diagnostic) {
+  return {{"severity", to_text(diagnostic.severity)},
+          {"code", diagnostic.code},
+          {"message", diagnostic.message},
+          {"hint", diagnostic.hint},
+          {"file", diagnostic.where.file},
+          {"line", diagnostic.where.line},
+          {"column", diagnostic.where.column},
+          {"inside", diagnostic.where.inside},
+          {"places", diagnostic.places}};
 }
 
 }  // namespace foredraw

@@ -62,19 +62,12 @@ const Rule rules[] = {
     {"node_is_no_object", [](auto& b) { b.json["nodes"][1] = 7; }, "wrong-type", "nodes[1]"},
     {"required_draco", [](auto& b) { b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
      "unsupported-extension", "extensionsRequired"},
-    {"required_unknown", [](auto& b) { b.json["extensionsRequired"] = {"ACME_teapots"}; }, "unsupported-extension",
-     "extensionsRequired"},
     {"draco_alone",
      [](auto& b) {
        primitive(b)["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
        item(b, "accessors", 0).erase("bufferView");
      },
      "unsupported-extension", "meshes[0].primitives[0]"},
-    {"buffer_shorter_than_said",
-     [](auto& b) {
-       b.json["buffers"] = {{{"byteLength", 100000}}};
-     },
-     "buffer-too-short", "buffers[0].byteLength"},
     {"buffer_without_length", [](auto& b) { b.json["buffers"] = {GltfJson::object()}; }, "missing-member",
      "buffers[0]"},
     {"buffer_negative",
@@ -117,11 +110,10 @@ const Rule rules[] = {
     {"accessor_empty", [](auto& b) { item(b, "accessors", 0)["count"] = 0; }, "out-of-range", "accessors[0].count"},
     {"accessor_offset_outside", [](auto& b) { item(b, "accessors", 0)["byteOffset"] = 4000; }, "accessor-range",
      "accessors[0].count"},
-    {"accessor_misaligned", [](auto& b) { item(b, "accessors", 0)["byteOffset"] = 2; }, "accessor-alignment",
-     "accessors[0].byteOffset"},
     {"zeros_without_end",
      [](auto& b) {
-       b.add("accessors", {{"componentType", 5126}, {"type", "MAT4"}, {"count", 100'000'000}});
+       item(b, "skins", 0)["inverseBindMatrices"] =
+           b.add("accessors", {{"componentType", 5126}, {"type", "MAT4"}, {"count", 100'000'000}});
      },
      "accessor-range", "accessors[10].count"},
     {"sparse_not_rising",
@@ -138,13 +130,6 @@ const Rule rules[] = {
      "accessors[5].sparse.count"},
     {"image_view", [](auto& b) { item(b, "images", 0)["bufferView"] = 99; }, "bad-reference", "images[0].bufferView"},
     {"image_two_sources", [](auto& b) { item(b, "images", 0)["uri"] = "a.png"; }, "image-source", "images[0]"},
-    {"texture_image", [](auto& b) { item(b, "textures", 0)["source"] = 1; }, "bad-reference", "textures[0].source"},
-    {"texture_sampler", [](auto& b) { item(b, "textures", 0)["sampler"] = 1; }, "bad-reference", "textures[0].sampler"},
-    {"material_texture",
-     [](auto& b) { item(b, "materials", 0)["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1; }, "bad-reference",
-     "materials[0].pbrMetallicRoughness.baseColorTexture.index"},
-    {"material_alpha_mode", [](auto& b) { item(b, "materials", 0)["alphaMode"] = "SOME"; }, "out-of-range",
-     "materials[0].alphaMode"},
     {"primitive_without_attributes", [](auto& b) { primitive(b)["attributes"] = GltfJson::object(); }, "out-of-range",
      "meshes[0].primitives[0].attributes"},
     {"attribute_accessor", [](auto& b) { primitive(b)["attributes"]["TEXCOORD_0"] = 99; }, "bad-reference",
@@ -170,20 +155,12 @@ const Rule rules[] = {
     {"index_restarts", [](auto& b) { poke<std::uint16_t>(b, 2, 5, 0xffff); }, "primitive-restart",
      "meshes[0].primitives[0].indices"},
     {"mode_7", [](auto& b) { primitive(b)["mode"] = 7; }, "out-of-range", "meshes[0].primitives[0].mode"},
-    {"half_a_triangle", [](auto& b) { item(b, "accessors", 2)["count"] = 2; }, "index-count",
-     "meshes[0].primitives[0]"},
     {"attribute_of_unknown_type",
      [](auto& b) {
        primitive(b)["attributes"]["TEXCOORD_1"] =
            b.add("accessors", {{"componentType", 5126}, {"type", "VEC5"}, {"count", 10}});
      },
-     "accessor-type", "meshes[0].primitives[0].attributes.TEXCOORD_1"},
-    {"strip_of_two",
-     [](auto& b) {
-       item(b, "accessors", 2)["count"] = 2;
-       primitive(b)["mode"] = 5;
-     },
-     "index-count", "meshes[0].primitives[0]"},
+     "accessor-type", "accessors[10]"},
     {"primitive_material", [](auto& b) { primitive(b)["material"] = 1; }, "bad-reference",
      "meshes[0].primitives[0].material"},
     {"node_mesh", [](auto& b) { item(b, "nodes", 0)["mesh"] = 1; }, "bad-reference", "nodes[0].mesh"},
@@ -230,7 +207,6 @@ const Rule rules[] = {
        instancing(b)["attributes"] = {{"_ID", 0}, {"_OTHER", 7}};
      },
      "unequal-counts", "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes._OTHER"},
-    {"times_fall", [](auto& b) { poke<float>(b, 7, 2, 0.25f); }, "animation-times", "animations[0].samplers[0].input"},
     {"times_are_nan", [](auto& b) { poke<float>(b, 7, 1, std::numeric_limits<float>::quiet_NaN()); }, "animation-times",
      "animations[0].samplers[0].input"},
     {"values_are_infinite", [](auto& b) { poke<float>(b, 8, 1, std::numeric_limits<float>::infinity()); }, "non-finite",
@@ -270,17 +246,29 @@ TEST(GltfGate, draco_is_refused_with_the_remedy) {
   EXPECT_NE(to_text(refusal(builder.glb())).find("gltf-transform copy"), std::string::npos);
 }
 
-TEST(GltfGate, all_mistakes_are_told_but_twenty_at_most) {
+TEST(GltfGate, all_mistakes_are_told_each_kind_once) {
   GltfBuilder builder = testing::puppet();
   builder.json["accessors"][1]["bufferView"] = 99;
-  builder.json["materials"][0]["alphaMode"] = "SOME";
+  builder.json["skins"][0]["joints"] = {1, 900};
   builder.json["nodes"][0]["mesh"] = 5;
   EXPECT_EQ(refusal(builder.glb()).all().size(), 3u);
   for (int i = 0; i < 50; ++i) builder.add("nodes", {{"mesh", 7}});
   const Diagnostics many = refusal(builder.glb());
+  ASSERT_EQ(many.all().size(), 3u) << to_text(many);
+  EXPECT_NE(to_text(many).find("nodes[0].mesh: is 5, but the file has 1 meshes (and 50 more like it)"),
+            std::string::npos)
+      << to_text(many);
+}
+
+TEST(GltfGate, a_file_that_is_all_mistakes_is_refused_in_a_few_lines) {
+  GltfBuilder builder = testing::puppet();
+  GltfJson attributes = {{"POSITION", 0}};
+  for (int i = 0; i < 30; ++i) attributes["_" + std::string(1, static_cast<char>('A' + i))] = 99;
+  primitive(builder)["attributes"] = attributes;
+  const Diagnostics many = refusal(builder.glb());
   ASSERT_EQ(many.all().size(), 21u);
   EXPECT_EQ(many.all().back().code, "more-mistakes");
-  EXPECT_NE(many.all().back().message.find("33 more"), std::string::npos);
+  EXPECT_NE(many.all().back().message.find("10 more kinds"), std::string::npos);
 }
 
 TEST(GltfGate, vertex_data_may_hold_what_is_no_number) {
@@ -317,23 +305,18 @@ TEST_P(HarmlessOddity, is_told_and_kept) {
   EXPECT_EQ(json["accessors"].size(), builder.json["accessors"].size());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Gltf, HarmlessOddity,
-    ::testing::Values(Harmless{"unknown_type_of_an_unused_accessor",
-                               [](auto& b) {
-                                 b.add("accessors", {{"componentType", 7}, {"type", "VEC5"}, {"count", 10}});
-                               },
-                               "accessor-type"},
-                      Harmless{"primitive_without_positions",
-                               [](auto& b) {
-                                 GltfJson other = primitive(b);
-                                 other["attributes"].erase("POSITION");
-                                 b.json["meshes"][0]["primitives"].push_back(other);
-                               },
-                               "no-position"},
-                      Harmless{"corners_left_over", [](auto& b) { item(b, "accessors", 2)["count"] = 23; },
-                               "index-count"}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Gltf, HarmlessOddity,
+                         ::testing::Values(Harmless{"primitive_without_positions",
+                                                    [](auto& b) {
+                                                      GltfJson other = primitive(b);
+                                                      other["attributes"].erase("POSITION");
+                                                      b.json["meshes"][0]["primitives"].push_back(other);
+                                                    },
+                                                    "no-position"},
+                                           Harmless{"corners_left_over",
+                                                    [](auto& b) { item(b, "accessors", 2)["count"] = 23; },
+                                                    "index-count"}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST(GltfGate, corners_left_over_are_not_drawn) {
   GltfBuilder builder = testing::puppet();

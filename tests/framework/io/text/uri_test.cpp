@@ -62,8 +62,8 @@ class GltfFiles : public ::testing::Test {
     Diagnostics diagnostics;
     const auto scene =
         read_gltf(testing::bytes_of(builder.json.dump()), "ribbon.gltf", folder_ / "inside", diagnostics);
-    EXPECT_EQ(scene.has_value(), diagnostics.empty());
-    return scene ? "" : diagnostics.all().front().code;
+    EXPECT_EQ(scene.has_value(), !diagnostics.has_errors());
+    return diagnostics.empty() ? "" : diagnostics.all().front().code;
   }
 
   fs::path folder_;
@@ -88,10 +88,27 @@ TEST_F(GltfFiles, buffers_elsewhere_are_refused) {
   }
 }
 
+TEST_F(GltfFiles, buffers_elsewhere_are_read_within_the_root) {
+  const auto read_within = [&](const std::string& uri, const fs::path& root) {
+    GltfBuilder builder = testing::ribbon(3);
+    builder.json["buffers"][0] = {{"uri", uri}, {"byteLength", builder.buffer.size()}};
+    Diagnostics diagnostics;
+    return read_gltf(testing::bytes_of(builder.json.dump()), "ribbon.gltf", folder_ / "inside", diagnostics,
+                     {.root = root})
+        .has_value();
+  };
+  EXPECT_TRUE(read_within("../secret.bin", folder_));
+  EXPECT_TRUE(read_within("way_out.bin", folder_));
+  EXPECT_TRUE(read_within("deeper/mesh.bin", folder_));
+  EXPECT_FALSE(read_within("../secret.bin", folder_ / "inside"));
+  EXPECT_FALSE(read_within("../secret.bin", folder_ / "inside" / "deeper"));
+  EXPECT_FALSE(read_within((folder_ / "secret.bin").string(), folder_));
+}
+
 TEST_F(GltfFiles, buffers_must_be_there_and_long_enough) {
   EXPECT_EQ(code_for("gone.bin"), "buffer-missing");
   EXPECT_EQ(code_for("deeper"), "buffer-missing");
-  EXPECT_EQ(code_for("my%20mesh.bin", 1), "buffer-too-short");
+  EXPECT_EQ(code_for("my%20mesh.bin", 1), "buffer-length");
 }
 
 TEST_F(GltfFiles, images_need_not_be_there_and_keep_pointing_at_the_same_file) {

@@ -3,9 +3,9 @@
 // in the file claims is held against what is there. Private to io.
 
 #include <foredraw/base/diagnostics.h>
-#include <foredraw/io/faults.h>
 #include <foredraw/io/gltf/private/document.h>
-#include <foredraw/io/scene_input.h>
+#include <foredraw/io/reading/faults.h>
+#include <foredraw/io/reading/scene_input.h>
 
 #include <limits>
 #include <map>

@@ -1,4 +1,4 @@
-#include <foredraw/io/faults.h>
+#include <foredraw/io/reading/faults.h>
 
 #include <algorithm>
 
@@ -28,17 +28,18 @@ constexpr FaultKind kinds[] = {
      "They are read and kept where they lie.", "Offsets and strides say where they are."},
     {"bounds", "glTF", "`min` or `max` is not a list of 32-bit floats, one for each component.", "It is left out.",
      "No stage reads them; new positions get new ones."},
-    {"texture", "glTF",
-     "A material names a texture, or a texture an image or sampler, that is not there; or an image has no bytes.",
-     "The reference is left out, and the surface has no such texture.", "Triangles do not depend on it."},
+    {"texture", "glTF", "A material names a texture, or a texture an image or sampler, that is not there.",
+     "The reference is left out.", "Triangles do not depend on it."},
+    {"image", "glTF", "An image has neither a `uri` nor a `bufferView`, or a data URI that is not well-formed.",
+     "It is kept without a picture.", "A stage that needs the picture says so."},
     {"material", "glTF",
      "A material's `alphaMode`, `alphaCutoff`, `doubleSided` or `pbrMetallicRoughness` has a value that glTF does not "
      "know.",
      "It is left out; the default counts.", "Viewers take the default, too."},
     {"camera", "glTF", "A node names a camera that is not there.", "The reference is left out.",
      "The node shows the same without it."},
-    {"scene", "glTF", "`scene` names a scene that is not there.", "It is left out: the first scene is shown.",
-     "Nothing else says which scene is meant."},
+    {"scene", "glTF", "`scene` names a scene that is not there.",
+     "It is left out: what a file without it shows is shown.", "Nothing else says which scene is meant."},
     {"nothing-to-draw", "glTF", "A primitive has too few corners for one triangle, line or point.",
      "It is kept as it is.", "It draws nothing."},
     {"restart-index", "glTF",
