@@ -21,5 +21,13 @@ TEST(MovedNodes, AreThoseThatAnimationsMoveAndJointsWithAllBelow) {
   EXPECT_EQ(moved_nodes(scene), (std::vector<bool>{false, false, true, true, true, true, false}));
 }
 
+TEST(MovedNodes, NodesThatAreNotThereDoNotMove) {
+  Scene scene;
+  Skin skin;
+  skin.joints = {0, 1};
+  scene.skins = {skin};
+  EXPECT_EQ(moved_nodes(scene), std::vector<bool>{});
+}
+
 }  // namespace
 }  // namespace foredraw

@@ -108,6 +108,17 @@ TEST(DrawSequence, MovesNothingForNothing) {
   EXPECT_EQ(draw_sequence(lists_of(4, {{{3, 2}, 1}}), {}, {}, executor), as_numbered(4)) << "nothing is free";
 }
 
+TEST(DrawSequence, WhatHidesNothingStaysBehind) {
+  const Executor executor(2);
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    PartLists lists = random_lists(8, 60, seed);
+    lists.parts = 11;  // the last three are in no list
+    const std::vector<PartGroup> groups = {all_free(11)};
+    const auto found = draw_sequence(lists, groups, {.seed = seed}, executor);
+    EXPECT_EQ(std::vector(found.end() - 3, found.end()), (std::vector<std::uint32_t>{8, 9, 10})) << seed;
+  }
+}
+
 TEST(PartLists, CountWhatDrawingCounts) {
   // Spheres in one another, each a part, and each convex: it hides nothing of itself.
   TestMesh all;

@@ -1,4 +1,5 @@
 #include <foredraw/overdraw/fragments.h>
+#include <foredraw/viewing/mask.h>
 
 #include "support/exact_fragments.h"
 #include "support/painter.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 namespace foredraw {
 namespace {
@@ -126,6 +128,33 @@ TEST(Rasteriser, draws_the_largest_picture_as_defined) {
     EXPECT_GT(expected.size(), 100'000u);
     testing::at_every_width([&] { EXPECT_TRUE(drawn({&part, 1}, view, 4096) == expected); });
   }
+}
+
+/// A chequer of holes, laid over each triangle anyhow.
+std::shared_ptr<const Mask> random_mask(const TestMesh& mesh) {
+  auto mask = std::make_shared<Mask>();
+  mask->image = std::make_shared<const AlphaImage>(AlphaImage{2, 2, {0, 65535, 65535, 0}});
+  mask->sampling.is_nearest = true;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) mask->uv.emplace_back(random_place());
+  mask->alphas.assign(mesh.positions.size(), 1);
+  return mask;
+}
+
+RC_GTEST_PROP(Rasteriser, a_mask_parts_the_fragments_of_each_triangle_and_loses_none, ()) {
+  const TestMesh mesh = random_mesh(*rc::gen::inRange(0, 40));
+  RasterPart part = part_of(mesh, false);
+  const int size = *rc::gen::element(1, 16, 61);
+  const View view = random_view(0);
+  const std::vector<Fragment> whole = drawn({&part, 1}, view, size);
+  part.mask = random_mask(mesh);
+  std::vector<Fragment> parted;
+  const TakeFragments take = [&](const Fragments& some) {
+    for (std::size_t i = 0; i < some.count; ++i) parted.push_back({some.triangles[i], some.pixels[i], some.depths[i]});
+  };
+  Rasteriser().draw(prepared({&part, 1})[0], Camera(view, size), take, take);
+  RC_ASSERT(std::ranges::is_sorted(parted, {}, &Fragment::triangle));
+  std::ranges::sort(parted);
+  RC_ASSERT(parted == whole);
 }
 
 void expect_exact(std::span<const RasterPart> parts, const View& view, int size) {

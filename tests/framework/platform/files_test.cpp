@@ -137,6 +137,16 @@ TEST_F(Files, OverwritingReplacesTheWhole) {
   EXPECT_EQ(get(folder_ / "a"), "short");
 }
 
+TEST_F(Files, WhoMightReadTheOldMayReadTheNew) {
+  put(folder_ / "secret", "old");
+  fs::permissions(folder_ / "secret", fs::perms::owner_read | fs::perms::owner_write);
+  put(folder_ / "usual", "x");
+  ASSERT_TRUE(write({{folder_ / "secret", bytes_of("new")}, {folder_ / "made", bytes_of("new")}}));
+  const auto permissions = [&](const char* name) { return fs::status(folder_ / name).permissions(); };
+  EXPECT_EQ(permissions("secret"), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(permissions("made"), permissions("usual")) << "as any program makes them";
+}
+
 TEST_F(Files, WhoReadsWhileItIsOverwrittenReadsOneOrTheOther) {
   put(folder_ / "a", std::string(1 << 20, 'o'));
   std::ifstream reader(folder_ / "a", std::ios::binary);

@@ -223,8 +223,9 @@ TEST(LostBranch, KeepsItsNumberAndLosesNoOther) {
 TEST(ComparisonText, ManyBranchesAreARowEach) {
   Comparison comparison = two_branches();
   for (int i = 0; i < 5; ++i) comparison.branches.push_back(branch("more", ratio(4 + i, 1), 0.1));
+  for (Branch& one : comparison.branches) one.report.after.metrics.set("cache", "draws", {3, std::nullopt, 0, "draws"});
   const std::string text = to_text({comparison});
-  EXPECT_EQ(line_with(text, "cache acmr"), "       cache acmr        time");
+  EXPECT_EQ(line_with(text, "cache acmr"), "       cache acmr        time") << "counts are left out";
   EXPECT_EQ(line_with(text, "input "), "input  3.0000");
   EXPECT_EQ(line_with(text, "[2]    "), "[2]    1.0000 -50.0 % *  1000.0 ms");
   EXPECT_EQ(line_with(text, "[7]    "), "[7]    8.0000 +300.0 %   200.0 ms");

@@ -1,6 +1,7 @@
 // Where cameras are: around a room and in it, above, and beside what moves.
 
 #include "hidden_in_scene.h"
+#include "plugins/processors/hidden/seen_by_rays.h"
 
 #include <gtest/gtest.h>
 
@@ -41,6 +42,39 @@ TEST(HiddenCameras, SeeWhatTheyMayComeTo) {
   EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{before, before}})), inner_goes);
   EXPECT_EQ(hidden_of(scene, from(SeenFrom::points, {{before, before}, {beside, beside}})), all_stay);
   EXPECT_EQ(hidden_of(scene, from(SeenFrom::box, {{before, beside}})), all_stay);
+}
+
+TEST(HiddenCameras, RaysEndAtWhatIsNearest) {
+  hidden::Sight sight;
+  const TestMesh near = grid(1, 1);
+  TestMesh far = near;
+  for (glm::vec3& p : far.positions) p.z = -0.1f;
+  sight.parts = {{near.positions, near.indices}, {far.positions, far.indices}};
+  sight.hides = {1, 1};
+  sight.triangles = {0, 1, 2, 3};
+  glm::dmat4 camera(0);
+  camera[3] = {0.5, 0.5, 1000, 1};
+  sight.cameras.boxes = {camera};
+  hidden::Flags seen(4, 0);
+  hidden::Rays(sight).add_seen({0, 16, 1}, hidden::Flags(4, 1), seen, Executor(1));
+  EXPECT_EQ(seen, (hidden::Flags{1, 1, 0, 0})) << "what lies behind does not hide";
+}
+
+TEST(HiddenCameras, PicturesShowAllSidesOfWhoIsInside) {
+  const TestMesh walls = testing::turned(sphere(16, 9));
+  const std::size_t count = walls.indices.size() / 3;
+  hidden::Sight sight;
+  sight.parts = {{walls.positions, walls.indices}};
+  sight.hides = {1};
+  for (std::uint32_t t = 0; t < count; ++t) sight.triangles.push_back(t);
+  glm::dmat4 camera(0);
+  camera[3].w = 1;
+  sight.cameras.boxes = {camera};
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    hidden::Flags seen(count, 0);
+    hidden::Rays(sight).add_seen_around(1, 64, seed, hidden::Flags(count, 1), seen, Executor(1));
+    EXPECT_EQ(std::ranges::count(seen, 1), 2 * 16 * (9 - 1)) << "at the poles half of them cover nothing; " << seed;
+  }
 }
 
 TEST(HiddenCameras, AreInTheSpaceOfTheScene) {

@@ -55,7 +55,7 @@ TEST(MergeFrequency, OneClassIsAsBruteForceFindsIt) {
     const std::vector<MeshSize> meshes = random_sizes(random, 1 + random.below(12), 1 + random.below(400));
     FrequencyOptions options;
     options.multiple = random.below(3) == 0 ? 12 : 3;
-    options.padded_cost = static_cast<double>(random.below(30));
+    options.padded_cost = static_cast<double>(random.below(30)) / 4;
     options.slot_byte_cost = static_cast<double>(random.below(5));
     const FrequencyChoice choice = best_frequencies(meshes, options);
     double least = std::numeric_limits<double>::infinity();

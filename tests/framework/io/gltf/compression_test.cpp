@@ -25,6 +25,12 @@ using testing::extension;
 using testing::GltfBuilder;
 using testing::GltfJson;
 using Plain = CompressionChoice::Plain;
+namespace fs = std::filesystem;
+
+void put(const fs::path& path, const Bytes& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
 
 Bytes stream(const Bytes& glb, std::size_t view) {
   const GltfJson json = testing::json_of(glb);
@@ -236,19 +242,32 @@ TEST(GltfCompression, unknown_extensions_keep_old_buffers_whole_and_streams_in_p
   expect_same(testing::read(file), scene);
 }
 
+TEST(GltfCompression, beside_unknown_extensions_plain_copies_stay_too) {
+  CompressionChoice choice;
+  choice.plain = Plain::data_uri;
+  GltfBuilder builder = testing::compressed(testing::puppet(), choice);
+  builder.json["extensionsUsed"].push_back("ACME_secrets");
+  builder.json["extensions"]["ACME_secrets"] = {{"bufferView", 6}};
+  Scene scene = testing::read(builder);
+  testing::reverse(scene.draws[0]);
+  const fs::path folder = fs::temp_directory_path() / "foredraw-compression-unknown";
+  fs::create_directories(folder);
+  for (const OutputFile& one : encode(scene).files) put(folder / one.path, one.bytes);
+  Diagnostics quiet;
+  const auto again = read_gltf(folder / "out.glb", quiet);
+  ASSERT_TRUE(again && quiet.empty()) << to_text(quiet);
+  expect_same(*again, scene);
+  fs::remove_all(folder);
+}
+
 TEST(GltfCompression, a_plain_copy_that_is_a_file_is_written_beside_and_may_be_missing) {
-  namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / "foredraw-compression-fallback";
   fs::remove_all(folder);
   fs::create_directories(folder);
   GltfBuilder builder = testing::compressed(testing::puppet());
   builder.json["buffers"][1]["uri"] = "plain%20copy.bin";
   const Bytes file = builder.glb();
-  const auto put = [&](const char* name, const Bytes& bytes) {
-    std::ofstream(folder / name, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  };
-  put("in.glb", file);
+  put(folder / "in.glb", file);
   Diagnostics diagnostics;
   auto scene = read_gltf(folder / "in.glb", diagnostics);
   ASSERT_TRUE(scene) << to_text(diagnostics);
@@ -258,7 +277,7 @@ TEST(GltfCompression, a_plain_copy_that_is_a_file_is_written_beside_and_may_be_m
   EXPECT_FALSE(encode(*scene).json["buffers"][1].contains("uri"));
 
   // The same, with the copy there: streams and copy are both what was changed.
-  put("plain copy.bin", Bytes(builder.json["buffers"][1]["byteLength"].get<std::size_t>(), std::byte{1}));
+  put(folder / "plain copy.bin", Bytes(builder.json["buffers"][1]["byteLength"].get<std::size_t>(), std::byte{1}));
   Diagnostics differing;
   scene = read_gltf(folder / "in.glb", differing);
   ASSERT_TRUE(scene) << to_text(differing);
@@ -267,7 +286,7 @@ TEST(GltfCompression, a_plain_copy_that_is_a_file_is_written_beside_and_may_be_m
   Written written = encode(*scene, Compression::keep, "out.gltf");
   ASSERT_EQ(written.files.size(), 3u);
   EXPECT_EQ(written.files[2].path, "out.fallback.bin");
-  for (const OutputFile& one : written.files) put(one.path.c_str(), one.bytes);
+  for (const OutputFile& one : written.files) put(folder / one.path, one.bytes);
   Diagnostics quiet;
   const auto again = read_gltf(folder / "out.gltf", quiet);
   ASSERT_TRUE(again && quiet.empty()) << to_text(quiet);

@@ -151,6 +151,15 @@ TEST(GltfRead, structure_of_the_puppet) {
                                            traits::animated, traits::masked, traits::double_sided}));
 }
 
+TEST(GltfRead, morph_weights_at_rest_are_those_of_mesh_and_node) {
+  GltfBuilder builder = testing::puppet();
+  builder.json["meshes"][0]["weights"] = {0.75};
+  EXPECT_EQ(read(builder).meshes[0].weights, std::vector<float>{0.75f});
+  EXPECT_EQ(read(builder).nodes[0].weights, std::vector<float>{});
+  builder.json["nodes"][0]["weights"] = {0.5};
+  EXPECT_EQ(read(builder).nodes[0].weights, std::vector<float>{0.5f});
+}
+
 TEST(GltfRead, the_texture_that_masks) {
   GltfBuilder builder = testing::puppet();
   const Texture plain = *read(builder).materials[0].base_colour;

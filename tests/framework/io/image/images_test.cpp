@@ -2,13 +2,17 @@
 #include <foredraw/base/random.h>
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/image/images.h>
+#include <foredraw/io/image/picture.h>
+#include <foredraw/io/image/private/encode.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numeric>
 
 #include "support/gltf_builder.h"
 #include "support/image_builder.h"
@@ -276,6 +280,40 @@ TEST(Images, are_decoded_for_analyses_from_the_scene_or_from_beside_it) {
   image.uri.clear();
   EXPECT_EQ(why_not(folder / "scene.gltf"),
             "the image 'leaf' is not an image of a supported kind, or its header is damaged");
+}
+
+TEST(Images, a_file_beside_the_scene_that_cannot_be_read_is_told) {
+  Image image;
+  image.uri = "mem";  // opens, but nobody may read what lies at 0
+  if (!std::filesystem::exists("/proc/self/mem")) GTEST_SKIP() << "this system has no such file";
+  const auto texels = image_decoder("/proc/self/scene.gltf")(image);
+  EXPECT_EQ(std::get<std::string>(texels).rfind("cannot be read: ", 0), 0u) << std::get<std::string>(texels);
+}
+
+TEST(Images, of_16_bits_become_the_nearest_of_8) {
+  const ImageFacts facts{256, 256, 1, 16};
+  Values values(std::size_t{256} * 256);
+  std::iota(values.begin(), values.end(), std::uint16_t{0});
+  Image image;
+  image.bytes = Shared<std::byte>(testing::png_of(facts, values));
+  const auto rgba = images::rgba_of(image);
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto nearest = static_cast<std::uint8_t>(std::lround(values[i] / 65535.0 * 255));
+    differing += std::get<images::Rgba>(rgba).values[4 * i] == nearest ? 0 : 1;
+  }
+  EXPECT_EQ(differing, 0u);
+}
+
+TEST(Images, pictures_have_letters_for_all_of_ascii) {
+  const auto written = [](const std::string& text) {
+    images::Picture picture(20, 20, {0, 0, 0});
+    picture.write(4, 4, text, {255, 255, 255});
+    return picture.as_png();
+  };
+  for (char c = ' '; c <= '~'; ++c) EXPECT_EQ(written({c}) == written("?"), c == '?') << c;
+  EXPECT_EQ(written("\t"), written("?"));
+  EXPECT_EQ(written("\x7f"), written("?"));
 }
 
 }  // namespace

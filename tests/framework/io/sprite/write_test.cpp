@@ -7,6 +7,10 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <set>
+
 #include "support/meshes.h"
 #include "support/program.h"
 #include "support/sprites.h"
@@ -134,6 +138,28 @@ TEST_F(SpriteWrite, PartsOfASpriteAreFramesOfTheirOwn) {
   EXPECT_TRUE(frames.contains("a & <b>\"?"));
 }
 
+TEST_F(SpriteWrite, DrawsThatNoFrameStandsForAreNewFramesBehindTheOthers) {
+  Scene scene = read("list.json");
+  Draw made = scene.draws[0];
+  made.name = "made";
+  made.origin.reset();
+  scene.draws.insert(scene.draws.begin(), made);
+  const Json frames = Json::parse(text(scene, "out.json"))["frames"];
+  ASSERT_EQ(frames.size(), 3u);
+  ASSERT_EQ(frames.get_ref<const Json::object_t&>().back().first, "made");
+  EXPECT_EQ(frames["made"]["frame"], box(0, 0, 32, 32));
+  EXPECT_FALSE(frames["made"].contains("pivot")) << "which is that of the frame it was made of";
+}
+
+TEST_F(SpriteWrite, WithoutItsFileASceneNamesItsImages) {
+  Scene scene = read("list.json");
+  scene.source = nullptr;
+  scene.images[0].name = "painted.png";
+  const Json list = Json::parse(text(scene, "out.json"));
+  EXPECT_EQ(list["meta"]["image"], "painted.png");
+  EXPECT_EQ(list["frames"][0]["filename"], scene.draws[0].name);
+}
+
 TEST_F(SpriteWrite, SeveralScenesAreATextureForEachImage) {
   testing::put_bytes(folder_ / "other.png", testing::disc_png(16, 16));
   const std::vector<Scene> scenes = {read("other.png"), trimmed("list.json"), read("atlas.png"), read("atlas.png")};
@@ -180,8 +206,35 @@ TEST_F(SpriteWrite, PicturesAndPagesAreMade) {
     const std::string uri = "data:image/png;base64,";
     ASSERT_THAT(made, HasSubstr(uri)) << name;
     EXPECT_EQ(made.find(uri), made.rfind(uri)) << name;  // once
+    const std::string polygon = "class=\"polygon\" d=\"";
+    const std::size_t at = made.find(polygon) + polygon.size();
+    ASSERT_GT(at, polygon.size()) << name;
+    EXPECT_EQ(std::count(made.begin() + at, made.begin() + made.find('"', at), 'L'), 5) << name << ": six corners";
   }
   EXPECT_THAT(text(scene, "out.svg"), HasSubstr("-41.4 %"));
+}
+
+/// The image's last column alone is opaque, and red. The polygon goes beyond the image on all sides.
+TEST_F(SpriteWrite, PicturesShowNothingBeyondTheImage) {
+  std::vector<std::uint16_t> values;
+  for (int i = 0; i < 8 * 8; ++i)
+    values.insert(values.end(), {255, 0, 0, i % 8 == 7 ? std::uint16_t{255} : std::uint16_t{0}});
+  testing::put_bytes(folder_ / "edge.png", testing::png_of({8, 8, 4, 8}, values));
+  Scene scene = read("edge.png");
+  testing::trim(scene.draws[0], 8, 2);
+  const auto files = encode_scene(scene, (folder_ / "sheet.png").string(), told_);
+  ASSERT_TRUE(files) << to_text(told_);
+  const auto sheet = decode_image(files->front().bytes, {}, told_);
+  ASSERT_TRUE(sheet && sheet->facts.channels == 3);
+  std::set<std::size_t> columns;
+  for (std::size_t i = 0; i < sheet->bytes.size(); i += 3) {
+    if (std::equal(&sheet->bytes[i], &sheet->bytes[i] + 3,
+                   std::array{std::byte{255}, std::byte{0}, std::byte{0}}.begin()))
+      columns.insert(i / 3 % sheet->facts.width);
+  }
+  ASSERT_FALSE(columns.empty());
+  EXPECT_EQ(columns.size(), *columns.rbegin() - *columns.begin() + 1) << "one column of texels";
+  EXPECT_LE(columns.size(), 16u) << "240 pixels of 16 texels";
 }
 
 TEST_F(SpriteWrite, ImagesOfOtherKindsBecomePng) {
