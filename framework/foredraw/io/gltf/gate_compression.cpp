@@ -124,7 +124,8 @@ class CompressionCheck {
     Compressed result{{}, *number, static_cast<std::size_t>(offset.value_or(0)), {}, {}, true};
     result.stream = buffer.bytes.subspan(result.offset, static_cast<std::size_t>(*length));
     result.coding = {mode_of(*mode), filter_of(filter.value_or("NONE")), static_cast<std::size_t>(*count),
-                     static_cast<std::size_t>(*stride)};
+                     static_cast<std::size_t>(*stride),
+                     meshopt::vertex_version(result.stream).value_or(meshopt::VertexVersion::v0)};
     return result;
   }
 
@@ -148,13 +149,15 @@ class CompressionCheck {
                   fmt::format("{} indices are not a whole number of triangles", coding.count));
       return false;
     }
-    const bool octahedral = coding.filter == Filter::octahedral && coding.stride != 4 && coding.stride != 8;
+    const bool four = coding.filter == Filter::octahedral || coding.filter == Filter::color;
     const bool quaternion = coding.filter == Filter::quaternion && coding.stride != 8;
-    if (octahedral || quaternion || (!attributes && coding.filter != Filter::none)) {
-      gate_.error(in(place, "filter"), "compressed-filter",
-                  fmt::format("{} cannot be used in mode {} with a byteStride of {}", name_of(coding.filter),
-                              name_of(coding.mode), coding.stride),
-                  "OCTAHEDRAL takes 4 or 8 bytes, QUATERNION 8, EXPONENTIAL a multiple of 4; each in mode ATTRIBUTES");
+    if ((four && coding.stride != 4 && coding.stride != 8) || quaternion ||
+        (!attributes && coding.filter != Filter::none)) {
+      gate_.error(
+          in(place, "filter"), "compressed-filter",
+          fmt::format("{} cannot be used in mode {} with a byteStride of {}", name_of(coding.filter),
+                      name_of(coding.mode), coding.stride),
+          "OCTAHEDRAL and COLOR take 4 or 8 bytes, QUATERNION 8, EXPONENTIAL a multiple of 4; each in mode ATTRIBUTES");
       return false;
     }
     const std::size_t least = least_stream_bytes(coding);

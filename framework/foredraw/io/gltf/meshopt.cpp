@@ -18,29 +18,20 @@ constexpr std::pair<Mode, const char*> modes[] = {
 constexpr std::pair<Filter, const char*> filters[] = {{Filter::none, "NONE"},
                                                       {Filter::octahedral, "OCTAHEDRAL"},
                                                       {Filter::quaternion, "QUATERNION"},
-                                                      {Filter::exponential, "EXPONENTIAL"}};
+                                                      {Filter::exponential, "EXPONENTIAL"},
+                                                      {Filter::color, "COLOR"}};
 
 /// A stream's first byte: the codec in its high half, the version in the low one.
 struct Codec {
   const char* name;
   unsigned byte;
-  unsigned newest;  ///< version that the library knows
+  unsigned newest;  ///< version that there is a decoder for
 };
 
 Codec codec_of(Mode mode) {
-  if (mode == Mode::attributes) return {"vertex codec", 0xa0, 0};
+  if (mode == Mode::attributes) return {"vertex codec", 0xa0, 1};
   if (mode == Mode::triangles) return {"triangle codec", 0xe0, 1};
   return {"index codec", 0xd0, 1};
-}
-
-std::size_t rounded_up(std::size_t value, std::size_t to) { return (value + to - 1) / to; }
-
-/// Appendix A, mode 0: blocks of vertices; in each, for every byte of a vertex, a header of 2 bits for each group
-/// of 16. The stream ends with a first vertex, padded to 32 bytes.
-std::size_t least_vertex_bytes(std::size_t count, std::size_t stride) {
-  const std::size_t block = std::min<std::size_t>(256, 8192 / stride / 16 * 16);
-  const auto headers = [&](std::size_t vertices) { return stride * rounded_up(rounded_up(vertices, 16), 4); };
-  return 1 + count / block * headers(block) + headers(count % block) + std::max<std::size_t>(32, stride);
 }
 
 }  // namespace
@@ -73,7 +64,7 @@ std::string unknown_codec(Mode mode, std::span<const std::byte> stream) {
 
 std::size_t least_stream_bytes(const Coding& coding) {
   switch (coding.mode) {
-    case Mode::attributes: return least_vertex_bytes(coding.count, coding.stride);
+    case Mode::attributes: return meshopt::least_vertex_bytes(coding.count, coding.stride, coding.version);
     case Mode::triangles: return 1 + coding.count / 3 + 16;  // a byte a triangle, and a table of 16
     case Mode::indices: return 1 + coding.count + 4;         // a byte an index, and 4 of padding
     case Mode::unknown: break;
@@ -85,15 +76,13 @@ std::optional<std::vector<std::byte>> unfiltered(const Coding& coding, std::span
   std::vector<std::byte> result(coding.bytes());
   const auto* from = reinterpret_cast<const unsigned char*>(stream.data());
   const auto decode = [&] {
-    if (coding.mode == Mode::attributes) {
-      return meshopt_decodeVertexBuffer(result.data(), coding.count, coding.stride, from, stream.size());
-    }
+    if (coding.mode == Mode::attributes) return meshopt::decode_vertices(stream, coding.stride, result);
     if (coding.mode == Mode::triangles) {
-      return meshopt_decodeIndexBuffer(result.data(), coding.count, coding.stride, from, stream.size());
+      return meshopt_decodeIndexBuffer(result.data(), coding.count, coding.stride, from, stream.size()) == 0;
     }
-    return meshopt_decodeIndexSequence(result.data(), coding.count, coding.stride, from, stream.size());
+    return meshopt_decodeIndexSequence(result.data(), coding.count, coding.stride, from, stream.size()) == 0;
   };
-  return decode() == 0 ? std::optional(std::move(result)) : std::nullopt;
+  return decode() ? std::optional(std::move(result)) : std::nullopt;
 }
 
 std::optional<std::vector<std::byte>> decompressed(const Coding& coding, std::span<const std::byte> stream) {

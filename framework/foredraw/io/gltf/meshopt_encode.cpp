@@ -22,10 +22,7 @@ using Bytes = std::span<const std::byte>;
 unsigned char* raw(std::vector<std::byte>& bytes) { return reinterpret_cast<unsigned char*>(bytes.data()); }
 
 Stream vertex_stream(const Coding& coding, Bytes elements) {
-  Stream stream{coding, std::vector<std::byte>(meshopt_encodeVertexBufferBound(coding.count, coding.stride))};
-  stream.bytes.resize(
-      meshopt_encodeVertexBuffer(raw(stream.bytes), stream.bytes.size(), elements.data(), coding.count, coding.stride));
-  return stream;
+  return {coding, meshopt::encode_vertices(elements, coding.stride, coding.version)};
 }
 
 Stream index_stream(const Coding& coding, const std::vector<std::uint32_t>& indices) {
@@ -113,7 +110,7 @@ bool same_elements(const Coding& coding, Bytes a, Bytes b) {
 std::optional<Stream> compressed(Bytes elements, std::size_t stride, const Coding& like, Bytes like_stream) {
   if (like.mode == Mode::unknown || stride == 0 || elements.empty() || elements.size() % stride != 0)
     return std::nullopt;
-  const Coding coding{like.mode, Filter::none, elements.size() / stride, stride};
+  const Coding coding{like.mode, Filter::none, elements.size() / stride, stride, like.version};
   auto stream = like.mode == Mode::attributes ? compressed_attributes(elements, coding, like, like_stream)
                                               : compressed_indices(elements, coding);
   // What a stream does not give back is not written: the plain bytes are.

@@ -2,10 +2,12 @@
 #include <foredraw/io/gltf/private/meshopt.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace foredraw::gltf {
 
@@ -16,7 +18,7 @@ template <class T>
 T rounded(float value) {
   constexpr auto most = static_cast<float>(std::numeric_limits<T>::max());
   const float away = value + (value < 0 ? -0.5f : 0.5f);
-  return std::isnan(away) ? T{0} : static_cast<T>(std::clamp(away, -most, most));
+  return std::isnan(away) ? T{0} : static_cast<T>(std::clamp(away, std::is_signed_v<T> ? -most : 0.0f, most));
 }
 
 template <class T>
@@ -73,6 +75,22 @@ void exponential(std::byte* component) {
   store(component, std::ldexp(static_cast<float>(number), exponent));
 }
 
+/// Luma and two differences of colour, signed, then alpha: all of as many bits as alpha says by its highest one, which
+/// stands above its value. To red, green, blue and alpha.
+template <class T>
+void color(std::byte* element) {
+  using Signed = std::make_signed_t<T>;
+  const int luma = load<T>(element), orange = load<Signed>(element + sizeof(T));
+  const int green = load<Signed>(element + 2 * sizeof(T));
+  const unsigned alpha = load<T>(element + 3 * sizeof(T));
+  const unsigned most = (1u << std::bit_width(alpha)) - 1;
+  const unsigned half = alpha & most >> 1;
+  const int parts[4] = {luma + orange - green, luma + green, luma - orange - green,
+                        static_cast<int>(half << 1 | (half & 1))};
+  const float scale = static_cast<float>(std::numeric_limits<T>::max()) / static_cast<float>(most);
+  for (std::size_t i = 0; i < 4; ++i) store(element + i * sizeof(T), rounded<T>(static_cast<float>(parts[i]) * scale));
+}
+
 }  // namespace
 
 void apply_filter(const Coding& coding, std::span<std::byte> elements) {
@@ -85,6 +103,9 @@ void apply_filter(const Coding& coding, std::span<std::byte> elements) {
         break;
       case Coding::Filter::quaternion: quaternion(element); break;
       case Coding::Filter::exponential: exponential(element); break;
+      case Coding::Filter::color:
+        coding.stride == 4 ? color<std::uint8_t>(element) : color<std::uint16_t>(element);
+        break;
       case Coding::Filter::none:
       case Coding::Filter::unknown: return;
     }

@@ -2,6 +2,8 @@
 // How EXT_meshopt_compression and KHR_meshopt_compression compress the bytes of a buffer view. Knows nothing of
 // documents. Source: the extensions' appendices A (bitstreams) and B (filters). Private to io.
 
+#include <foredraw/io/meshopt/vertex_codec.h>
+
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -16,12 +18,13 @@ inline constexpr const char* meshopt_extensions[] = {"EXT_meshopt_compression", 
 /// `count` elements of `stride` bytes each, and how they were compressed.
 struct Coding {
   enum class Mode { unknown, attributes, triangles, indices };
-  enum class Filter { unknown, none, octahedral, quaternion, exponential };
+  enum class Filter { unknown, none, octahedral, quaternion, exponential, color };
 
   Mode mode = Mode::unknown;
   Filter filter = Filter::none;
   std::size_t count = 0;
   std::size_t stride = 0;
+  meshopt::VertexVersion version = meshopt::VertexVersion::v0;  ///< of mode attributes
 
   std::size_t bytes() const { return count * stride; }
 };
@@ -31,13 +34,14 @@ Coding::Filter filter_of(std::string_view name);
 const char* name_of(Coding::Mode mode);
 const char* name_of(Coding::Filter filter);
 
-/// "vertex codec version 1" where the stream needs a decoder that there is not; empty where there is one. A stream that
+/// "vertex codec version 2" where the stream needs a decoder that there is not; empty where there is one. A stream that
 /// does not even name its codec is no such case: it is malformed.
 std::string unknown_codec(Coding::Mode mode, std::span<const std::byte> stream);
 
 /// The least number of bytes that a stream of this coding can have, so that a count can be held against the bytes there
-/// are before memory is asked for. Follows from the bitstreams: the vertex codec keeps 2 bits for each 16 equal bytes,
-/// the index codecs a byte for each triangle or index.
+/// are before memory is asked for. Follows from the bitstreams: version 0 of the vertex codec keeps 2 bits for each 16
+/// equal bytes, version 1 a byte for each block's 4 bytes of an element, the index codecs a byte for each triangle or
+/// index.
 std::size_t least_stream_bytes(const Coding& coding);
 
 /// The elements; nullopt where the stream is malformed. Mode and filter must be known, count and stride as the
