@@ -16,7 +16,7 @@ using Mode = Coding::Mode;
 using Filter = Coding::Filter;
 
 constexpr const char* compress_again =
-    "compress it again for EXT_meshopt_compression, for instance with `gltfpack -cc -ce ext`, or decompress it first";
+    "compress it again for KHR_meshopt_compression, for instance with `gltfpack -cz`, or decompress it first";
 
 class CompressionCheck {
  public:

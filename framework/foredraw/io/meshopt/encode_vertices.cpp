@@ -32,7 +32,7 @@ HWY_INLINE Sizes sizes_from(std::size_t more_than_0, std::size_t more_than_2, st
 #if HWY_TARGET == HWY_SCALAR
 
 void make_planes(const std::uint32_t* words, std::size_t count, unsigned mode, Planes& planes) {
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < rounded_up(count, group_size); ++i) {
     const std::uint32_t was = words[i], is = words[i + 1];
     std::uint32_t difference = 0;
     if (mode > 1) difference = std::rotl(is ^ was, static_cast<int>(mode >> 4));

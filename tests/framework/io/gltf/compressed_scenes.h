@@ -70,7 +70,7 @@ inline GltfBuilder with_filters(CompressionChoice choice = {}) {
 
 /// A stream of a codec that is not known here, if with a first byte alone.
 inline void make_unknown(GltfBuilder& builder, std::size_t view) {
-  builder.buffer[extension(builder.json, view)["byteOffset"].get<std::size_t>()] = std::byte{0xa1};
+  builder.buffer[extension(builder.json, view)["byteOffset"].get<std::size_t>()] = std::byte{0xa2};
 }
 
 }  // namespace foredraw::testing

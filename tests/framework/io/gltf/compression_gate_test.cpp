@@ -21,8 +21,8 @@ TEST(GltfCompressionGate, a_codec_that_is_not_known_is_refused_by_name_with_the_
   EXPECT_FALSE(read_gltf(builder.glb(), "new", {}, diagnostics));
   EXPECT_EQ(diagnostics.all().at(0).code, "unsupported-extension");
   EXPECT_EQ(diagnostics.all()[0].where.inside, "bufferViews[0].extensions.EXT_meshopt_compression");
-  EXPECT_EQ(diagnostics.all()[0].message, "EXT_meshopt_compression: vertex codec version 1 is not supported");
-  EXPECT_NE(diagnostics.all()[0].hint.find("gltfpack -cc -ce ext"), std::string::npos);
+  EXPECT_EQ(diagnostics.all()[0].message, "EXT_meshopt_compression: vertex codec version 2 is not supported");
+  EXPECT_NE(diagnostics.all()[0].hint.find("gltfpack -cz"), std::string::npos);
 }
 
 struct Broken {
@@ -48,7 +48,7 @@ const Broken all_broken[] = {
     {"no_mode", [](auto& b) { ext(b).erase("mode"); }, "missing-member", EXT},
     {"mode_is_a_number", [](auto& b) { ext(b)["mode"] = 7; }, "wrong-type", EXT ".mode"},
     {"unknown_mode", [](auto& b) { ext(b)["mode"] = "MESHLETS"; }, "unsupported-extension", EXT},
-    {"unknown_filter", [](auto& b) { ext(b)["filter"] = "COLOR"; }, "unsupported-extension", EXT},
+    {"unknown_filter", [](auto& b) { ext(b)["filter"] = "WAVELET"; }, "unsupported-extension", EXT},
     {"no_such_buffer", [](auto& b) { ext(b)["buffer"] = 7; }, "bad-reference", EXT ".buffer"},
     {"stream_in_the_fallback", [](auto& b) { ext(b)["buffer"] = 1; }, "view-range", EXT ".byteLength"},
     {"stream_too_long", [](auto& b) { ext(b)["byteLength"] = 100000; }, "view-range", EXT ".byteLength"},
@@ -89,6 +89,7 @@ const Broken all_broken[] = {
     {"filter_of_indices", [](auto& b) { ext(b, 2)["filter"] = "EXPONENTIAL"; }, "compressed-filter",
      INDEX_EXT ".filter"},
     {"octahedral_of_12", [](auto& b) { ext(b)["filter"] = "OCTAHEDRAL"; }, "compressed-filter", EXT ".filter"},
+    {"color_of_12", [](auto& b) { ext(b)["filter"] = "COLOR"; }, "compressed-filter", EXT ".filter"},
     {"quaternion_of_12", [](auto& b) { ext(b)["filter"] = "QUATERNION"; }, "compressed-filter", EXT ".filter"},
     {"cut_short", [](auto& b) { ext(b)["byteLength"] = ext(b)["byteLength"].template get<int>() - 1; },
      "compressed-data", EXT},
