@@ -77,8 +77,10 @@ class CommandLine {
         ->check(CLI::IsMember({"keep", "msft-lod"}));
     optimize_app
         .add_option("--compression", arguments_.compression,
-                    "keep: what was read compressed is written compressed; none: nothing is (default: keep)")
-        ->check(CLI::IsMember({"keep", "none"}));
+                    "keep: what was read compressed is written compressed; none: nothing is; ext-meshopt: all is, by "
+                    "EXT_meshopt_compression, which most readers know; khr-meshopt: by KHR_meshopt_compression, which "
+                    "is shorter and newer (default: keep)")
+        ->check(CLI::IsMember({"keep", "none", "ext-meshopt", "khr-meshopt"}));
     optimize_app
         .add_option("--products", arguments_.products,
                     "keep: what stages made besides triangles and vertices is written with the scene, as optional "

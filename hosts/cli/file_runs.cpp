@@ -99,6 +99,12 @@ std::uint64_t bytes_of(std::span<const OutputFile> files) {
                          [](std::uint64_t sum, const OutputFile& file) { return sum + file.bytes.size(); });
 }
 
+Compression compression_of(const std::string& word) {
+  if (word == "none") return Compression::none;
+  if (word == "ext-meshopt") return Compression::ext;
+  return word == "khr-meshopt" ? Compression::khr : Compression::keep;
+}
+
 Scene without_products(Scene scene, const ProductRows& rows) {
   for (const auto& row : rows) {
     if (scene.products.has(row->card().name)) row->leave_out(scene);
@@ -116,7 +122,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     std::vector<std::vector<OutputFile>> scenes;
     std::vector<std::byte> standard;
     const ProductRows rows = job.registry.products();
-    const GltfOutput as{arguments.compression == "none" ? Compression::none : Compression::keep,
+    const GltfOutput as{compression_of(arguments.compression),
                         arguments.levels == "msft-lod" ? LevelsAs::lod_nodes : LevelsAs::extension, rows};
     const bool is_bare = arguments.products == "none" && !result.scene.products.empty();
     const std::optional<Scene> bare = is_bare ? std::optional(without_products(result.scene, rows)) : std::nullopt;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <set>
 
@@ -17,6 +18,11 @@ using Filter = Coding::Filter;
 
 constexpr const char* compress_again =
     "compress it again for KHR_meshopt_compression, for instance with `gltfpack -cz`, or decompress it first";
+
+/// What all streams together may stand for: so many times the bytes of all buffers, and what fits in any case. Version
+/// 1 of the vertex codec can say a thousand times its bytes where all elements are equal.
+constexpr std::uint64_t most_of_a_byte = 64;
+constexpr std::uint64_t most_in_any_case = std::uint64_t{256} << 20;
 
 class CompressionCheck {
  public:
@@ -169,16 +175,26 @@ class CompressionCheck {
     }
     // Streams may lie over each other, but a short file must not ask for the same one again and again.
     taken_ += compressed.stream.size();
-    if (taken_ <= bytes_there_) return true;
-    gate_.error(
-        in(place, "byteLength"), "view-range",
-        fmt::format("the compressed bytes of the views so far are more than the {} of all buffers", bytes_there_));
+    if (taken_ > bytes_there_) {
+      gate_.error(
+          in(place, "byteLength"), "view-range",
+          fmt::format("the compressed bytes of the views so far are more than the {} of all buffers", bytes_there_));
+      return false;
+    }
+    made_ += coding.bytes();
+    if (made_ <= most_of_a_byte * bytes_there_ + most_in_any_case) return true;
+    gate_.error(in(place, "count"), "compressed-count",
+                fmt::format("the compressed views up to this one stand for {} bytes, which is too much for the {} of "
+                            "all buffers",
+                            made_, bytes_there_),
+                "export the file without compression, if it is right");
     return false;
   }
 
   Gate& gate_;
   std::size_t bytes_there_ = 0;
   std::size_t taken_ = 0;
+  std::uint64_t made_ = 0;
   std::set<std::string> refused_;  ///< a file is mostly all of one kind, and one word of it is enough
 };
 

@@ -20,10 +20,12 @@ std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& 
                                const std::filesystem::path& folder, Diagnostics& diagnostics,
                                const SceneInput& how = {});
 
-/// What becomes of data that came in compressed (EXT_meshopt_compression, KHR_meshopt_compression).
+/// How data goes out that came in compressed (EXT_meshopt_compression, KHR_meshopt_compression), or plain.
 enum class Compression {
-  keep,  ///< it goes out compressed, as its parts allow: what no stage touched as it came, the rest compressed again
-  none,  ///< nothing goes out compressed
+  keep,  ///< as it came, as its parts allow: what no stage touched as it was, the rest compressed again
+  none,  ///< plain
+  ext,   ///< compressed for EXT_meshopt_compression, which most readers know
+  khr,   ///< compressed for KHR_meshopt_compression, its successor, whose vertices are shorter
 };
 
 /// How levels of detail that did not come as MSFT_lod go out.

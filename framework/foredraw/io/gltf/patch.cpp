@@ -1,4 +1,5 @@
 #include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/io/gltf/private/layout.h>
 #include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/write.h>
@@ -80,7 +81,8 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   const Document& document = source.document;
   const LevelScene told(of_levels, source, as.levels, diagnostics);
   const Scene& scene = told.flat();
-  const bool compress = as.compression == Compression::keep;
+  const bool compress = as.compression != Compression::none;
+  const bool all_compressed = compress && as.compression != Compression::keep;
   Written written;
   written.json = copy_with_room(document.json);
   written.further_chunks = document.further_chunks;
@@ -94,7 +96,7 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   patch_products(scene, source, as.products, written.json, store, diagnostics);
   relocate_images(written.json, document, target, diagnostics);
   written.changed = !may_stay || document.left_out || store.changed() || written.json != document.json ||
-                    !told.same_errors() || (!compress && is_compressed(document));
+                    !told.same_errors() || (!compress && is_compressed(document)) || all_compressed;
   if (!written.changed) return written;
   if (document.buffers.size() > 1 && !may_join_buffers(document.json, document)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
@@ -104,6 +106,12 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   }
   drop_draco(written.json, store, document, diagnostics);
   written.laid_out = store.lay_out(compress);
+  if (all_compressed && document.knows_all_extensions()) {
+    compress_views(written.json, written.laid_out, as.compression == Compression::khr ? khr_meshopt : ext_meshopt);
+  } else if (all_compressed) {
+    diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "not-compressed",
+                     "an unknown extension may refer to buffer views, which stay as they are");
+  }
   unlist_what_is_not_used(written.json);
   told.enclose(written.json);
   return written;

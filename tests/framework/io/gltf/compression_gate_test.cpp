@@ -144,6 +144,31 @@ TEST(GltfCompressionGate, a_stream_is_not_asked_for_again_and_again) {
   EXPECT_EQ(diagnostics.all().at(0).code, "view-range");
 }
 
+/// Equal elements take a byte for a thousand in version 1 of the vertex codec.
+TEST(GltfCompressionGate, a_small_stream_does_not_stand_for_much) {
+  constexpr std::size_t blocks = 300'000, stride = 4;
+  GltfBuilder builder = testing::compressed(testing::puppet());
+  Bytes stream(1 + blocks, std::byte{0xaa});  // all planes are zeros
+  stream[0] = std::byte{0xa1};
+  stream.resize(stream.size() + 24);
+  GltfJson view{{"buffer", 1}, {"byteLength", blocks * 256 * stride}};
+  GltfJson& coded = view["extensions"]["EXT_meshopt_compression"];
+  coded = {{"buffer", 0},
+           {"byteOffset", builder.buffer.size()},
+           {"byteLength", stream.size()},
+           {"byteStride", stride},
+           {"count", blocks * 256},
+           {"mode", "ATTRIBUTES"}};
+  builder.buffer.insert(builder.buffer.end(), stream.begin(), stream.end());
+  builder.json["buffers"][0]["byteLength"] = builder.buffer.size();
+  builder.json["buffers"][1]["byteLength"] = 2 * blocks * 256 * stride;
+  builder.json["bufferViews"].push_back(view);
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_gltf(builder.glb(), "bomb", {}, diagnostics));
+  EXPECT_EQ(diagnostics.all().at(0).code, "compressed-count");
+  EXPECT_NE(diagnostics.all()[0].message.find("stand for"), std::string::npos) << diagnostics.all()[0].message;
+}
+
 /// Whatever one byte says, the file is refused or read, and what is read can be written and read again.
 TEST(GltfCompressionGate, every_byte_flipped_is_refused_or_read) {
   for (const GltfBuilder& builder : {testing::with_filters(), testing::compressed(testing::puppet())}) {

@@ -147,10 +147,27 @@ TEST(Meshopt, filters_agree_with_the_library) {
   EXPECT_EQ(ours, theirs);
 }
 
+/// What `meshopt_decodeFilterColor` of meshoptimizer 1.2 gives.
+TEST(Meshopt, colors_are_those_of_another_decoder) {
+  const auto filtered = [](auto values, std::size_t stride) {
+    const auto bytes = std::as_writable_bytes(std::span(values));
+    apply_filter({Mode::attributes, Filter::color, 4, stride}, bytes);
+    return values;
+  };
+  const std::vector<std::uint8_t> eight{100, 20, 10, 255, 100, 236, 10, 160, 30, 251, 249, 127, 3, 1, 1, 7};
+  const std::vector<std::uint8_t> eight_out{110, 110, 70, 255, 70, 110, 110, 64, 64, 46, 84, 255, 109, 146, 36, 255};
+  EXPECT_EQ(filtered(eight, 4), eight_out);
+  const std::vector<std::uint16_t> sixteen{500,   65516, 30,  0x3ff,  500, 65516, 30, 0x300,
+                                           40000, 100,   200, 0xffff, 4,   1,     0,  9};
+  const std::vector<std::uint16_t> sixteen_out{28828, 33953, 31390, 65535, 28828, 33953, 31390, 32800,
+                                               39900, 40200, 39700, 65535, 21845, 17476, 13107, 13107};
+  EXPECT_EQ(filtered(sixteen, 8), sixteen_out);
+}
+
 RC_GTEST_PROP(Meshopt, filters_take_any_bytes, (std::vector<std::uint32_t> words)) {
   words.resize(words.size() / 2 * 2 + 2);
   Bytes bytes(std::as_bytes(std::span(words)).begin(), std::as_bytes(std::span(words)).end());
-  for (const Filter filter : {Filter::octahedral, Filter::quaternion, Filter::exponential}) {
+  for (const Filter filter : {Filter::octahedral, Filter::quaternion, Filter::exponential, Filter::color}) {
     Bytes some = bytes;
     apply_filter({Mode::attributes, filter, words.size() / 2, 8}, some);
     RC_ASSERT(some.size() == bytes.size());

@@ -34,7 +34,7 @@ Bytes from_hex(std::string_view digits) {
   return bytes;
 }
 
-// Of the data below by `meshopt_encodeVertexBufferLevel`, level 3, of meshoptimizer 1.0.
+// Of the data below by `meshopt_encodeVertexBufferLevel`, level 3, of meshoptimizer 1.2.
 constexpr std::string_view halves_v0 =
     "a01f000e2a46627e9ab6d2eef5d9bda185694d311506223e5a7692aecae6fde1c5a9ffdf00008d7155391d1a36290802222a022222422242"
     "424424444444000000001f0057575757575757575757575757575757575757575757575757575757575757ffff0000575757575757575715"

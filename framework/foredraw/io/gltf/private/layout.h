@@ -4,6 +4,7 @@
 #include <foredraw/io/gltf/private/accessor_store.h>
 
 #include <algorithm>
+#include <string>
 
 namespace foredraw::gltf {
 
@@ -83,5 +84,11 @@ LaidOut laid_out(const Document& document, Json& json, const Changes& changes, b
 /// The views, sorted by number, put into buffers. `keep`: the old buffers stay whole, and so do views in them that are
 /// untouched.
 LaidOut placed(const Document& document, Json& json, const std::vector<NewView>& views, bool keep, bool compress);
+
+/// Compresses the plain views of a document that is laid out, where that is shorter, and moves those that are
+/// compressed to this extension, one of meshopt_extensions: with version 1 of the vertex codec for KHR's, version 0 for
+/// EXT's. Every byte comes out again, and triangles keep their corners: they go into mode INDICES. Nobody but accessors
+/// and images may refer to the views.
+void compress_views(Json& json, LaidOut& laid_out, const std::string& extension);
 
 }  // namespace foredraw::gltf

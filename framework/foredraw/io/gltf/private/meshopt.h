@@ -13,7 +13,9 @@
 
 namespace foredraw::gltf {
 
-inline constexpr const char* meshopt_extensions[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
+inline constexpr const char* ext_meshopt = "EXT_meshopt_compression";
+inline constexpr const char* khr_meshopt = "KHR_meshopt_compression";
+inline constexpr const char* meshopt_extensions[] = {ext_meshopt, khr_meshopt};
 
 /// `count` elements of `stride` bytes each, and how they were compressed.
 struct Coding {
