@@ -14,9 +14,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
-#include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <random>
@@ -38,10 +37,11 @@ double median(Figures figures) {
   return figures[rounds / 2];
 }
 
+/// Of the processor.
 double seconds(const std::function<void()>& work, std::size_t times) {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   for (std::size_t i = 0; i < times; ++i) work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return static_cast<double>(std::clock() - begin + 1) / CLOCKS_PER_SEC;
 }
 
 int number_of(VertexVersion version) { return version == VertexVersion::v0 ? 0 : 1; }
