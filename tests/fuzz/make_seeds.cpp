@@ -5,9 +5,13 @@
 #include "support/image_builder.h"
 #include "support/merged_scenes.h"
 
+#include <foredraw/io/meshopt/vertex_codec.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -51,6 +55,19 @@ int main(int argc, char** argv) {
   write(folder / "image_fuzz" / "a.tga", testing::tga_of(eight, values));
   for (const char* compression : {"none", "rle", "zip", "zips", "piz"}) {
     write(folder / "image_fuzz" / (std::string(compression) + ".exr"), testing::exr_of(halves, floats, compression));
+  }
+
+  for (const std::size_t stride : {4u, 12u, 20u}) {
+    std::vector<std::byte> elements(40 * stride);
+    for (std::size_t i = 0; i < elements.size(); ++i) elements[i] = static_cast<std::byte>(i * i / 7);
+    for (const auto version : {meshopt::VertexVersion::v0, meshopt::VertexVersion::v1}) {
+      std::vector<std::byte> input{static_cast<std::byte>(stride / 4 - 1), std::byte{40}, std::byte{0}};
+      const auto stream = meshopt::encode_vertices(elements, stride, version);
+      input.insert(input.end(), stream.begin(), stream.end());
+      write(folder / "vertex_codec_fuzz" /
+                (std::to_string(stride) + "_" + std::to_string(input[3] == std::byte{0xa0} ? 0 : 1)),
+            input);
+    }
   }
 
   write(folder / "pipeline_fuzz" / "line",
