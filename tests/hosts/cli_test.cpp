@@ -153,6 +153,10 @@ TEST_F(Cli, KeepsCompressionUnlessAskedOtherwise) {
   EXPECT_NE(plain.err.find("plain.glb: note: the output has "), std::string::npos) << plain.err;
   EXPECT_NE(plain.err.find("hint: data written uncompressed: "), std::string::npos) << plain.err;
   EXPECT_EQ(content(folder_ / "plain.glb").find("meshopt"), std::string::npos);
+  const Ended newer = run("optimize " + rover + " -o newer.glb -p tipsify --compression khr-meshopt");
+  ASSERT_EQ(newer.code, 0) << newer.err;
+  EXPECT_NE(content(folder_ / "newer.glb").find("KHR_meshopt_compression"), std::string::npos);
+  EXPECT_EQ(content(folder_ / "newer.glb").find("EXT_meshopt_compression"), std::string::npos);
   EXPECT_EQ(run("optimize " + rover + " -o other.glb --compression zip").code, 1);
   EXPECT_EQ(run("optimize " + rover + " -o other.glb --levels zip").code, 1);
 
