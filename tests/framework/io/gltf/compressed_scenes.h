@@ -43,6 +43,21 @@ inline const GltfJson& extension(const GltfJson& json, std::size_t view, const c
   return json["bufferViews"][view]["extensions"][name];
 }
 
+struct Written {
+  std::vector<OutputFile> files;
+  Diagnostics diagnostics;
+  GltfJson json;
+};
+
+inline Written encode(const Scene& scene, Compression compression = Compression::keep, const char* target = "out.glb") {
+  Written written;
+  auto files = encode_gltf(scene, target, written.diagnostics, {.compression = compression});
+  if (!files) throw std::runtime_error(to_text(written.diagnostics));
+  written.files = std::move(*files);
+  written.json = json_of(written.files.front().bytes);
+  return written;
+}
+
 /// Views: 0 positions as floats, 1 uvs, 2 indices, 3 normals of 8 bits, 4 a tangent-like stream of 16.
 inline GltfBuilder with_filters(CompressionChoice choice = {}) {
   GltfBuilder plain = ribbon(40);
