@@ -19,12 +19,6 @@ struct Use {
   bool other = false;  ///< images and others need the bytes themselves
 };
 
-void set_range(Json& json, std::size_t buffer, std::size_t offset, std::size_t length) {
-  json["buffer"] = buffer;
-  if (offset != 0 || json.contains("byteOffset")) json["byteOffset"] = offset;
-  json["byteLength"] = length;
-}
-
 class Compressing {
  public:
   Compressing(Json& json, LaidOut& laid_out, const std::string& extension)
@@ -45,7 +39,7 @@ class Compressing {
       const Bytes plain = bytes_of(view);
       set_range(view, 0, append(plain, 8), plain.size());
     }
-    laid_out_.bytes.resize((laid_out_.bytes.size() + 3) / 4 * 4);
+    laid_out_.bytes.resize(aligned(laid_out_.bytes.size(), 4));
     for (Fallback& fallback : laid_out_.fallbacks) {
       Json said = take_extension(fallback.json, other_);
       if (!said.is_null()) fallback.json["extensions"][extension_] = std::move(said);
@@ -63,7 +57,7 @@ class Compressing {
 
   std::size_t append(Bytes bytes, std::size_t alignment) {
     std::vector<std::byte>& to = laid_out_.bytes;
-    to.resize((to.size() + alignment - 1) / alignment * alignment);
+    to.resize(aligned(to.size(), alignment));
     const std::size_t at = to.size();
     to.insert(to.end(), bytes.begin(), bytes.end());
     return at;
@@ -122,7 +116,7 @@ class Compressing {
     extension["count"] = stream->coding.count;
     extension["mode"] = name_of(stream->coding.mode);
     set_range(view, 1 + laid_out_.fallbacks.size(), made_, plain.size());
-    made_ += (plain.size() + 7) / 8 * 8;
+    made_ += aligned(plain.size(), 8);
     return true;
   }
 

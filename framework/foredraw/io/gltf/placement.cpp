@@ -155,12 +155,6 @@ class Placement {
     return true;
   }
 
-  static void set_range(Json& json, std::size_t buffer, std::size_t offset, std::size_t length) {
-    json["buffer"] = buffer;
-    if (offset != 0 || json.contains("byteOffset")) json["byteOffset"] = offset;
-    json["byteLength"] = length;
-  }
-
   void finish(const NewView& view, const Plain& plain, Json json) {
     if (view.stride != 0) {
       json["byteStride"] = view.stride;
@@ -224,7 +218,6 @@ class Placement {
     return at;
   }
 
-  static std::size_t aligned(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
   static void align(std::vector<std::byte>& bytes, std::size_t to) { bytes.resize(aligned(bytes.size(), to)); }
 
   const Document& document_;
@@ -238,6 +231,12 @@ class Placement {
 };
 
 }  // namespace
+
+void set_range(Json& json, std::size_t buffer, std::size_t offset, std::size_t length) {
+  json["buffer"] = buffer;
+  if (offset != 0 || json.contains("byteOffset")) json["byteOffset"] = offset;
+  json["byteLength"] = length;
+}
 
 LaidOut placed(const Document& document, Json& json, const std::vector<NewView>& views, bool keep, bool compress) {
   return Placement(document, json, keep, compress).run(views);

@@ -30,33 +30,32 @@ HWY_INLINE Sizes sizes_from(std::size_t more_than_0, std::size_t more_than_2, st
 
 #if HWY_TARGET == HWY_SCALAR
 
+/// The differences of each `width` bits.
+std::uint32_t zigzag_difference(std::uint32_t is, std::uint32_t was, std::uint32_t width) {
+  const std::uint32_t mask = (1u << width) - 1;
+  std::uint32_t all = 0;
+  for (std::uint32_t at = 0; at < 32; at += width) {
+    const std::uint32_t difference = ((is >> at) - (was >> at)) & mask;
+    const std::uint32_t below_zero = difference >> (width - 1) == 0 ? 0 : mask;
+    all |= ((difference << 1 ^ below_zero) & mask) << at;
+  }
+  return all;
+}
+
 void make_planes(const std::uint32_t* words, std::size_t count, unsigned mode, Planes& planes) {
   for (std::size_t i = 0; i < rounded_up(count, group_size); ++i) {
     const std::uint32_t was = words[i], is = words[i + 1];
-    std::uint32_t difference = 0;
-    if (mode > 1) difference = std::rotl(is ^ was, static_cast<int>(mode >> 4));
-    if (mode == 0) {
-      for (std::uint32_t at = 0; at < 32; at += 8) {
-        const auto d = static_cast<std::int8_t>((is >> at) - (was >> at));
-        difference |= (static_cast<std::uint32_t>(d * 2 ^ (d < 0 ? -1 : 0)) & 0xff) << at;
-      }
-    }
-    if (mode == 1) {
-      for (std::uint32_t at = 0; at < 32; at += 16) {
-        const auto d = static_cast<std::int16_t>((is >> at) - (was >> at));
-        difference |= (static_cast<std::uint32_t>(d * 2 ^ (d < 0 ? -1 : 0)) & 0xffff) << at;
-      }
-    }
+    const std::uint32_t difference =
+        mode > 1 ? std::rotl(is ^ was, static_cast<int>(mode >> 4)) : zigzag_difference(is, was, 8 * (mode + 1));
     for (std::size_t p = 0; p < channel_bytes; ++p) planes[p][i] = static_cast<Byte>(difference >> (8 * p));
   }
 }
 
 Sizes sizes_of(const Byte* group) {
-  const auto more_than = [&](Byte most) {
-    return std::count_if(group, group + group_size, [=](Byte v) { return v >= most; });
+  const auto at_least = [&](Byte least) {
+    return static_cast<std::size_t>(std::count_if(group, group + group_size, [=](Byte v) { return v >= least; }));
   };
-  return sizes_from(static_cast<std::size_t>(more_than(1)), static_cast<std::size_t>(more_than(3)),
-                    static_cast<std::size_t>(more_than(15)));
+  return sizes_from(at_least(1), at_least(3), at_least(15));
 }
 
 Byte* put_large(const Byte* group, Byte least, Byte* to) {
@@ -117,11 +116,11 @@ HWY_INLINE hn::Mask<Sixteen> is_at_least(hn::Vec<Sixteen> v, Byte least) {
 HWY_INLINE Sizes sizes_of(const Byte* group) {
   const Sixteen d;
   const auto v = hn::Load(d, group);
-  const auto more_than = [&](Byte most) HWY_ATTR { return hn::CountTrue(d, is_at_least(v, most)); };
-  return sizes_from(more_than(1), more_than(3), more_than(15));
+  const auto at_least = [&](Byte least) HWY_ATTR { return hn::CountTrue(d, is_at_least(v, least)); };
+  return sizes_from(at_least(1), at_least(3), at_least(15));
 }
 
-/// The values of a group that are no less than this, and what lies behind them is overwritten.
+/// The values of a group that are no less than this; up to 8 bytes behind them are overwritten.
 HWY_INLINE Byte* put_large(const Byte* group, Byte least, Byte* to) {
   const Sixteen d;
   Byte mask[8];

@@ -85,6 +85,11 @@ LaidOut laid_out(const Document& document, Json& json, const Changes& changes, b
 /// untouched.
 LaidOut placed(const Document& document, Json& json, const std::vector<NewView>& views, bool keep, bool compress);
 
+/// Where the bytes of a view or a stream lie.
+void set_range(Json& json, std::size_t buffer, std::size_t offset, std::size_t length);
+
+inline std::size_t aligned(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
+
 /// Compresses the plain views of a document that is laid out, where that is shorter, and moves those that are
 /// compressed to this extension, one of meshopt_extensions: with version 1 of the vertex codec for KHR's, version 0 for
 /// EXT's. Every byte comes out again, and triangles keep their corners: they go into mode INDICES. Nobody but accessors
