@@ -37,7 +37,7 @@ class Compressing {
       const bool is_coded = put_stream(view, other_) || put_stream(view, extension_);
       if (view["buffer"] != 0 || (!is_coded && compress(view, uses[v]))) continue;
       const Bytes plain = bytes_of(view);
-      set_range(view, 0, append(plain, 8), plain.size());
+      set_place(view, 0, append(plain, 8), plain.size());
     }
     laid_out_.bytes.resize(aligned(laid_out_.bytes.size(), 4));
     for (Fallback& fallback : laid_out_.fallbacks) {
@@ -111,11 +111,11 @@ class Compressing {
     const auto stream = compressed(plain, stride, coding, {});
     if (!stream || stream->bytes.size() >= plain.size()) return false;
     Json& extension = view["extensions"][extension_];
-    set_range(extension, 0, append(stream->bytes, 4), stream->bytes.size());
+    set_place(extension, 0, append(stream->bytes, 4), stream->bytes.size());
     extension["byteStride"] = stride;
     extension["count"] = stream->coding.count;
     extension["mode"] = name_of(stream->coding.mode);
-    set_range(view, 1 + laid_out_.fallbacks.size(), made_, plain.size());
+    set_place(view, 1 + laid_out_.fallbacks.size(), made_, plain.size());
     made_ += aligned(plain.size(), 8);
     return true;
   }
@@ -128,7 +128,7 @@ class Compressing {
     std::vector<std::byte> made;
     const bool moves = from == extension_ || recode(stream, bytes, made);
     if (!made.empty()) bytes = made;
-    set_range(stream, 0, append(bytes, 4), bytes.size());
+    set_place(stream, 0, append(bytes, 4), bytes.size());
     view["extensions"][moves ? extension_ : from] = std::move(stream);
     return true;
   }

@@ -88,11 +88,11 @@ class Placement {
       const std::size_t at = fallback_at(like->buffer);
       const std::size_t offset =
           keeps_place ? was->offset : append_copy(out_.fallbacks[at], plain.bytes, alignment(was));
-      set_range(json, at + 1, offset, plain.bytes.size());
+      set_place(json, at + 1, offset, plain.bytes.size());
     } else if (keeps_place && !stays_fallback(was->buffer)) {
-      set_range(json, 0, kept_at_[was->buffer] + was->offset, was->length);
+      set_place(json, 0, kept_at_[was->buffer] + was->offset, was->length);
     } else {
-      set_range(json, 0, append(plain.bytes, alignment(was)), plain.bytes.size());
+      set_place(json, 0, append(plain.bytes, alignment(was)), plain.bytes.size());
     }
     count(view, plain.bytes.size(), coded ? json : Json());
     finish(view, plain, std::move(json));
@@ -139,13 +139,13 @@ class Placement {
     if (view.untouched && (like.understood || keep_)) {
       const bool stays = keep_ && !stays_fallback(like.buffer);
       const std::size_t at = stays ? kept_at_[like.buffer] + like.offset : append(like.stream, 4);
-      set_range(extension, 0, at, like.stream.size());
+      set_place(extension, 0, at, like.stream.size());
       return true;
     }
     const auto stream =
         compressed(plain.bytes, view.untouched ? like.coding.stride : row_of(view), like.coding, like.stream);
     if (!stream) return false;
-    set_range(extension, 0, append(stream->bytes, 4), stream->bytes.size());
+    set_place(extension, 0, append(stream->bytes, 4), stream->bytes.size());
     extension["byteStride"] = stream->coding.stride;
     extension["count"] = stream->coding.count;
     extension["mode"] = name_of(stream->coding.mode);
@@ -232,7 +232,7 @@ class Placement {
 
 }  // namespace
 
-void set_range(Json& json, std::size_t buffer, std::size_t offset, std::size_t length) {
+void set_place(Json& json, std::size_t buffer, std::size_t offset, std::size_t length) {
   json["buffer"] = buffer;
   if (offset != 0 || json.contains("byteOffset")) json["byteOffset"] = offset;
   json["byteLength"] = length;

@@ -86,7 +86,7 @@ LaidOut laid_out(const Document& document, Json& json, const Changes& changes, b
 LaidOut placed(const Document& document, Json& json, const std::vector<NewView>& views, bool keep, bool compress);
 
 /// Where the bytes of a view or a stream lie.
-void set_range(Json& json, std::size_t buffer, std::size_t offset, std::size_t length);
+void set_place(Json& json, std::size_t buffer, std::size_t offset, std::size_t length);
 
 inline std::size_t aligned(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
 
