@@ -42,7 +42,7 @@ Exit print(const std::string& text) {
 }
 
 SceneInput input_of(const Arguments& arguments, const Registry& registry) {
-  return {registry.products(), arguments.strict, arguments.root};
+  return {registry.products(), arguments.strict, arguments.root, Executor(arguments.threads)};
 }
 
 namespace {

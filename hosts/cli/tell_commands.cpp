@@ -22,7 +22,7 @@ Exit inspect(const Arguments& arguments, const Registry& registry) {
   if (!file) return refuse_file(diagnostics);
   tell(diagnostics);
   Analyses analyses;
-  const Executor executor(0);
+  const Executor executor(arguments.threads);
   return print(with_memory(input, "inspect it", [&] {
     return arguments.json ? inspection_json(file->scene, rows, diagnostics, analyses, executor)
                           : inspection_text(file->scene, rows, analyses, executor);

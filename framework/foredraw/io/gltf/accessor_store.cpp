@@ -84,6 +84,13 @@ void AccessorStore::redefine(std::size_t accessor, const Content& content) {
   contents_.insert_or_assign(accessor, content);
 }
 
+void AccessorStore::correct_range(std::size_t accessor) {
+  Json& json = json_["accessors"][accessor];
+  if (contents_.contains(accessor) || (!json.contains("min") && !json.contains("max"))) return;
+  const Accessor& was = document_.accessors[accessor];
+  set_range(json, {Content::Kind::other, was.format, was.count, Shared<std::byte>(elements(document_, was))});
+}
+
 AccessorStore::Key AccessorStore::key_of(const Content& content) {
   const Format& format = content.format;
   return {content.bytes.stamp(), content.kind,      format.component,

@@ -154,10 +154,10 @@ void check_buffers(Gate& gate, std::optional<Bytes> bin) {
   }
 }
 
-std::uint64_t most_claimed(const Gate& gate) {
+std::uint64_t most_claimed(const Gate& gate, std::uint64_t times) {
   std::uint64_t there = gate.document().file.size();
   for (const auto& bytes : gate.document().kept) there += bytes.size();
-  return (std::uint64_t{64} << 20) + 16 * there;
+  return (std::uint64_t{64} << 20) + times * there;
 }
 
 namespace {

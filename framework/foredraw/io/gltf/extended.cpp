@@ -10,7 +10,7 @@ namespace {
 /// Of a primitive: whether it says nothing about triangles or vertices, or the writer makes it anew, takes it along or
 /// leaves it out. Products hold on to draws themselves.
 bool is_harmless(std::string_view name, const ProductRows& products) {
-  return name == "KHR_materials_variants" || name == "KHR_draco_mesh_compression" ||
+  return name == "KHR_materials_variants" ||
          std::ranges::any_of(products, [&](const auto& row) { return row->card().extension == name; });
 }
 

@@ -19,9 +19,8 @@ bool is_plain(const Json& primitive) {
   const auto extensions = primitive.find("extensions");
   if (extensions == primitive.end()) return true;
   if (!extensions->is_object()) return false;
-  return std::ranges::all_of(extensions->items(), [](const auto& one) {
-    return one.key() == "KHR_materials_variants" || one.key() == "KHR_draco_mesh_compression";
-  });
+  return std::ranges::all_of(extensions->items(),
+                             [](const auto& one) { return one.key() == "KHR_materials_variants"; });
 }
 
 class LodNodes {

@@ -1,8 +1,11 @@
+#include <foredraw/base/counted.h>
 #include <foredraw/io/gltf/private/accessor_store.h>
 #include <foredraw/io/gltf/private/layout.h>
 #include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/write.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -10,25 +13,16 @@ namespace foredraw::gltf {
 
 namespace {
 
-constexpr const char* draco = "KHR_draco_mesh_compression";
-
-/// A Draco stream holds a whole primitive beside its plain data, and would go on showing what was before. Views that
-/// only the extension knew of go with it.
-void drop_draco(Json& json, AccessorStore& store, const Document& document, Diagnostics& diagnostics) {
-  bool dropped = false;
-  for (std::size_t m = 0; json.contains("meshes") && m < json["meshes"].size(); ++m) {
-    for (Json& primitive : json["meshes"][m]["primitives"]) {
-      const Json value = take_extension(primitive, draco);
-      const auto view = value.find("bufferView");
-      if (view != value.end() && view->is_number_unsigned()) store.forget_view(view->get<std::size_t>());
-      dropped = !value.is_null() || dropped;
-    }
-  }
-  unlist_extension(json, draco);
-  if (!dropped) return;
-  diagnostics.note(
-      {.file = document.name, .inside = "extensionsUsed"}, "compressed-copy-dropped",
-      "the Draco copy of the geometry is left out, because it no longer matches; the uncompressed data is written");
+/// What came compressed by Draco goes out plain: its buffers and the plain copies beside them are left out, unless
+/// somebody else names them.
+void leave_draco(const Document& document, AccessorStore& store, Diagnostics& diagnostics) {
+  const FromDraco& from = *document.from_draco;
+  for (const std::size_t view : from.views) store.forget_view(view);
+  for (const std::size_t accessor : freed(from.copies, document.products, document)) store.release(accessor);
+  for (const std::size_t accessor : from.accessors) store.correct_range(accessor);
+  diagnostics.note({.file = document.name}, "draco-decompressed",
+                   fmt::format("the file was compressed by Draco: {} bytes of geometry become {}", counted(from.coded),
+                               counted(from.plain)));
 }
 
 void unlist_what_is_not_used(Json& json) {
@@ -42,9 +36,8 @@ void unlist_what_is_not_used(Json& json) {
 }
 
 bool is_compressed(const Document& document) {
-  const std::vector<std::string> names = extensions_in(document.json);
-  return std::any_of(document.views.begin(), document.views.end(), [](const auto& v) { return v.compressed; }) ||
-         std::find(names.begin(), names.end(), draco) != names.end();
+  return document.from_draco ||
+         std::any_of(document.views.begin(), document.views.end(), [](const auto& v) { return v.compressed; });
 }
 
 bool names_a_buffer(const Json& value) {
@@ -104,13 +97,17 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
                       "pack the file into one .glb first");
     return std::nullopt;
   }
-  drop_draco(written.json, store, document, diagnostics);
+  if (document.from_draco) leave_draco(document, store, diagnostics);
   written.laid_out = store.lay_out(compress);
   if (all_compressed && document.knows_all_extensions()) {
     compress_views(written.json, written.laid_out, as.compression == Compression::khr ? khr_meshopt : ext_meshopt);
   } else if (all_compressed) {
     diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "not-compressed",
                      "an unknown extension may refer to buffer views, which stay as they are");
+    }
+  if (document.from_draco) {
+    written.laid_out.sizes.push_back(
+        {"geometry that Draco had compressed", document.from_draco->coded, document.from_draco->plain});
   }
   unlist_what_is_not_used(written.json);
   told.enclose(written.json);

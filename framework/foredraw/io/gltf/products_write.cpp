@@ -118,7 +118,8 @@ bool stays(const ProductRow& row, const Scene& scene, const Scene& was) {
          std::ranges::equal(scene.meshes, was.meshes, {}, draws_of, draws_of) && row.is_written_alike(scene, was);
 }
 
-/// Those of `gone` that nobody else names.
+}  // namespace
+
 std::set<std::size_t> freed(const std::set<std::size_t>& gone, const ProductRows& others, const Document& document) {
   if (gone.empty()) return {};
   std::set<std::size_t> used = used_elsewhere(document);
@@ -131,8 +132,6 @@ std::set<std::size_t> freed(const std::set<std::size_t>& gone, const ProductRows
   }
   return free;
 }
-
-}  // namespace
 
 void patch_products(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,
                     Diagnostics& diagnostics) {

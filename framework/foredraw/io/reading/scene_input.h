@@ -1,6 +1,7 @@
 #pragma once
 // How scenes are read: what every reader of a file is told beside its bytes.
 
+#include <foredraw/base/parallel.h>
 #include <foredraw/scene/product_row.h>
 
 #include <filesystem>
@@ -18,6 +19,9 @@ struct SceneInput {
   /// Files that the scene names by a path with `..` may lie anywhere below this folder. Empty: only below the scene's
   /// own.
   std::filesystem::path root = {};
+
+  /// Whose threads decompress what takes long.
+  Executor executor = Executor(1);
 };
 
 }  // namespace foredraw

@@ -59,6 +59,8 @@ class AccessorStore {
   AccessorStore(const Document& document, Json& json);
 
   void redefine(std::size_t accessor, const Content& content);
+  /// Where the accessor keeps its elements, its min and max become exact, if it has them.
+  void correct_range(std::size_t accessor);
   /// The number of a new accessor, or of one that was appended before with the same content. `like`: the accessor whose
   /// type it keeps, and whose min and max where these are the same.
   std::size_t append(const Content& content, std::optional<std::size_t> like = std::nullopt);

@@ -83,6 +83,17 @@ struct Ladder {
   std::vector<float> errors;  ///< of each, or empty
 };
 
+inline constexpr const char* draco_extension = "KHR_draco_mesh_compression";
+
+/// What came compressed by Draco, and is decoded now.
+struct FromDraco {
+  std::set<std::size_t> views;      ///< that hold Draco's buffers
+  std::set<std::size_t> accessors;  ///< that were decoded; their ranges in the JSON are perhaps not exact
+  std::set<std::size_t> copies;     ///< accessors with plain copies, which nobody may need any more
+  std::uint64_t coded = 0;          ///< bytes
+  std::uint64_t plain = 0;          ///< bytes that they became
+};
+
 /// Movable only: the spans lead into `file` and `kept`.
 struct Document {
   std::string name;
@@ -99,7 +110,8 @@ struct Document {
   std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed
   std::vector<BufferView> views;
   std::vector<Accessor> accessors;
-  ProductRows products;  ///< whose extensions are known
+  std::optional<FromDraco> from_draco;  ///< then `json` and `views` are as though the file had come without Draco
+  ProductRows products;                 ///< whose extensions are known
 
   /// Whether we know of the extension which members refer to what, so that nothing it points at is lost or moved
   /// unseen.

@@ -3,6 +3,7 @@
 // in the file claims is held against what is there. Private to io.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/base/parallel.h>
 #include <foredraw/io/gltf/private/document.h>
 #include <foredraw/io/reading/faults.h>
 #include <foredraw/io/reading/scene_input.h>
@@ -118,9 +119,10 @@ class Gate {
   std::vector<std::string> left_out_;  ///< places of members
 };
 
-/// How many bytes buffer views, or accessors, may claim together. Some overlap is common, as primitives view one
-/// stream; but a small file whose parts all lie over one another must not fill the memory.
-std::uint64_t most_claimed(const Gate& gate);
+/// How many bytes buffer views, or accessors, may claim together: 64 MB, and `times` those that are there. Some overlap
+/// is common, as primitives view one stream; but a small file whose parts all lie over one another must not fill the
+/// memory.
+std::uint64_t most_claimed(const Gate& gate, std::uint64_t times = 16);
 
 std::string at(const std::string& place, std::size_t i);
 std::string in(const std::string& place, std::string_view key);
@@ -137,6 +139,8 @@ void check_extensions(Gate& gate);
 void check_buffers(Gate& gate, std::optional<Bytes> bin);
 void check_views(Gate& gate);
 void check_compression(Gate& gate);
+/// False, with an error, where what Draco compressed could not be decoded. No other check can then say more.
+bool check_draco(Gate& gate, const Executor& executor);
 void check_accessors(Gate& gate);
 void check_images(Gate& gate);
 void check_materials(Gate& gate);

@@ -21,4 +21,7 @@ void patch_products(const Scene& scene, const Source& source, const ProductRows&
 std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row);
 std::set<std::size_t> used_by_products(const Json& json, const ProductRows& rows);
 
+/// Those of `gone` that are in the document and that nobody names; of products, these are asked.
+std::set<std::size_t> freed(const std::set<std::size_t>& gone, const ProductRows& others, const Document& document);
+
 }  // namespace foredraw::gltf

@@ -1,0 +1,45 @@
+#pragma once
+// Buffers of the Draco codec (bitstream 2.2) to plain arrays. Private to io.
+
+#include <foredraw/scene/vertex_streams.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace foredraw::gltf {
+
+/// What a buffer shall hold, as the accessors that it stands for say.
+struct DracoClaim {
+  struct Attribute {
+    std::uint32_t id = 0;  ///< the buffer's unique id of it
+    Format format;         ///< whether it is normalized does not matter here
+  };
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  bool triangles_at_most = false;     ///< else exactly so many
+  std::vector<Attribute> attributes;  ///< that are wanted; the buffer may have others
+
+  /// Of everything that comes out, with indices of 32 bits.
+  std::uint64_t bytes() const;
+};
+
+struct DracoMesh {
+  std::vector<std::uint32_t> indices;              ///< three for each triangle, each below `points`
+  std::vector<std::vector<std::byte>> attributes;  ///< as claimed: `points` elements each, without gaps
+};
+
+/// Why a buffer is refused.
+struct DracoFault {
+  std::string code;
+  std::string message;
+};
+
+/// Decodes a buffer that holds what is claimed. Before memory is asked for, what the buffer itself claims is held
+/// against the claim; decoding takes at most 16 times the claimed bytes, and 64 KiB. So whoever bounds the claim bounds
+/// memory and time. Throws std::bad_alloc, and nothing else.
+std::variant<DracoMesh, DracoFault> draco_decoded(std::span<const std::byte> buffer, const DracoClaim& claim);
+
+}  // namespace foredraw::gltf
