@@ -1,11 +1,14 @@
 // Writes small files for the fuzz targets to begin with: make_seeds FOLDER makes FOLDER/gltf_fuzz/puppet.glb and
 // others.
 
+#include "support/draco_gltf.h"
 #include "support/gltf_builder.h"
 #include "support/image_builder.h"
 #include "support/merged_scenes.h"
 
 #include <foredraw/io/meshopt/vertex_codec.h>
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
@@ -45,6 +48,19 @@ int main(int argc, char** argv) {
     write(folder / target / "merged.glb", testing::write(testing::merged_yard(testing::read(testing::yard()), how)));
   }
   write(folder / "gltf_fuzz" / "puppet.gltf", testing::puppet().gltf());
+  write(folder / "gltf_fuzz" / "draco.glb", testing::draco_compressed(testing::puppet(), {.sequential = true}).glb());
+  for (const bool sequential : {false, true}) {
+    for (const int bits : {0, 11}) {
+      for (const int speed : {0, 5, 10}) {
+        const testing::GltfBuilder coded = testing::draco_compressed(testing::ribbon(9), {sequential, bits, speed});
+        const auto& told = coded.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"];
+        const auto buffer = testing::view_bytes(coded, told["bufferView"]);
+        std::vector<std::byte> seed{std::byte{1}};  // claims positions of floats
+        seed.insert(seed.end(), buffer.begin(), buffer.end());
+        write(folder / "draco_fuzz" / fmt::format("{}_{}_{}", sequential, bits, speed), seed);
+      }
+    }
+  }
 
   const ImageFacts eight{9, 7, 3, 8}, sixteen{9, 7, 4, 16}, halves{9, 7, 3, 16, true};
   const std::vector<std::uint16_t> values(9 * 7 * 4, 77);

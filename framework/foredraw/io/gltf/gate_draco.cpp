@@ -2,6 +2,7 @@
 // follows sees accessors with bytes, and no trace of the extension. What accessors and buffers claim is held against
 // each other, and against the bytes that there are.
 #include <foredraw/base/counted.h>
+#include <foredraw/io/gltf/private/decoded_views.h>
 #include <foredraw/io/gltf/private/draco.h>
 #include <foredraw/io/gltf/private/gate.h>
 #include <foredraw/io/gltf/private/rows.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace foredraw::gltf {
 
@@ -35,72 +37,11 @@ struct DracoUse {
   std::size_t mesh = 0, primitive = 0;
   std::string place;
   std::size_t buffer = 0;
-  std::size_t indices = 0;      ///< accessor
-  std::size_t index_bytes = 0;  ///< of one, in that accessor
+  std::size_t indices = 0;                ///< accessor
+  std::size_t index_bytes = 0;            ///< of one, in that accessor
+  std::size_t points = 0, triangles = 0;  ///< that the accessors claim
+  bool is_strip = false;
   std::vector<Attribute> attributes;
-};
-
-/// Where decoded elements lie.
-struct Lies {
-  std::size_t view = 0;
-  std::size_t offset = 0;
-  friend bool operator==(const Lies&, const Lies&) = default;
-  friend auto operator<=>(const Lies&, const Lies&) = default;
-};
-
-/// The views that decoded elements go into: those with the same distance from one to the next together.
-class DecodedViews {
- public:
-  /// `first`: the number that the first of them gets.
-  explicit DecodedViews(std::size_t first) : first_(first) {}
-
-  Lies add_vertices(Bytes elements, std::size_t element) {
-    const std::size_t stride = (element + 3) / 4 * 4;
-    const Lies lies = grow(stride, elements.size() / element * stride);
-    copy_rows(views_[lies.view - first_].bytes.data() + lies.offset, stride, elements.data(), element, element,
-              elements.size() / element);
-    return lies;
-  }
-
-  Lies add_indices(const std::vector<std::byte>& indices) {
-    const Lies lies = grow(0, (indices.size() + 3) / 4 * 4);
-    std::copy(indices.begin(), indices.end(),
-              views_[lies.view - first_].bytes.begin() + static_cast<std::ptrdiff_t>(lies.offset));
-    return lies;
-  }
-
-  /// Into the document, as views of `buffer`, in which they do not lie: they are written where there is room.
-  std::uint64_t put(Document& document, std::size_t buffer) && {
-    std::uint64_t bytes = 0;
-    for (View& view : views_) {
-      bytes += view.bytes.size();
-      Json json{{"buffer", buffer}, {"byteLength", view.bytes.size()}};
-      if (view.stride != 0) json["byteStride"] = view.stride;
-      json["target"] = view.stride != 0 ? 34962 : 34963;
-      document.json["bufferViews"].push_back(std::move(json));
-      document.kept.push_back(std::move(view.bytes));
-      const Bytes kept = document.kept.back();
-      document.views.push_back({buffer, 0, kept.size(), view.stride, kept, std::nullopt});
-    }
-    return bytes;
-  }
-
- private:
-  struct View {
-    std::size_t stride = 0;  ///< 0: indices
-    std::vector<std::byte> bytes;
-  };
-
-  Lies grow(std::size_t stride, std::size_t bytes) {
-    auto found = std::find_if(views_.begin(), views_.end(), [&](const View& view) { return view.stride == stride; });
-    if (found == views_.end()) found = views_.insert(views_.end(), View{stride, {}});
-    const Lies lies{first_ + static_cast<std::size_t>(found - views_.begin()), found->bytes.size()};
-    found->bytes.resize(lies.offset + bytes);
-    return lies;
-  }
-
-  std::size_t first_;
-  std::vector<View> views_;
 };
 
 class DracoCheck {
@@ -132,7 +73,7 @@ class DracoCheck {
         if (!primitive.is_object() || extension_of(primitive, draco_extension) == nullptr) continue;
         is_used = true;
         const std::string place = at(in(at("meshes", m), "primitives"), p);
-        DracoUse use{m, p, in(in(place, "extensions"), draco_extension), 0, 0, 0, {}};
+        DracoUse use{.mesh = m, .primitive = p, .place = in(in(place, "extensions"), draco_extension)};
         if (find_use(primitive, place, use)) uses_.push_back(std::move(use));
       }
     }
@@ -151,8 +92,12 @@ class DracoCheck {
     if (gate_.view(view) == nullptr || ids == nullptr || attributes == nullptr || !primitive.contains("indices"))
       return false;
     DracoClaim claim;
-    return claim_triangles(primitive, place, use, claim) && claim_attributes(*ids, *attributes, place, use, claim) &&
-           join(*view, use, std::move(claim));
+    if (!claim_triangles(primitive, place, use, claim)) return false;
+    if (!claim_attributes(*ids, *attributes, place, use, claim)) return false;
+    use.points = claim.points;
+    use.triangles = claim.triangles;
+    join(*view, use, std::move(claim));
+    return true;
   }
 
   bool claim_triangles(const Json& primitive, const std::string& place, DracoUse& use, DracoClaim& claim) {
@@ -175,14 +120,10 @@ class DracoCheck {
     }
     use.indices = accessor->number;
     use.index_bytes = accessor->format.bytes;
-    // A strip is unpacked as a list, and how long a strip would show that list is not known.
-    claim.triangles_at_most = strip;
+    // A strip is unpacked as a list, which has two corners less than triangles at most.
+    use.is_strip = strip;
     claim.triangles = strip ? std::max<std::size_t>(accessor->count, 2) - 2 : accessor->count / 3;
-    if (strip || accessor->count % 3 == 0) return true;
-    gate_.error(in(place, "indices"), "compressed-count",
-                fmt::format("accessor {} has {} indices, which are no whole number of triangles", accessor->number,
-                            accessor->count));
-    return false;
+    return true;
   }
 
   bool claim_attributes(const Json& ids, const Json& attributes, const std::string& primitive, DracoUse& use,
@@ -212,27 +153,17 @@ class DracoCheck {
     return !ids.empty();
   }
 
-  /// To the other primitives of the same buffer, which must not claim it to hold anything else.
-  bool join(std::size_t view, DracoUse& use, DracoClaim claim) {
+  /// To the other primitives of the same buffer.
+  void join(std::size_t view, DracoUse& use, DracoClaim claim) {
     const auto [known, is_new] = buffer_of_view_.try_emplace(view, buffers_.size());
     use.buffer = known->second;
     if (is_new) {
       buffers_.push_back({view, use.place, std::move(claim), {}});
-      return true;
+      return;
     }
     DracoClaim& all = buffers_[use.buffer].claim;
-    const bool exact = !claim.triangles_at_most && !all.triangles_at_most;
-    if (claim.points != all.points || (exact && claim.triangles != all.triangles)) {
-      gate_.error(use.place, "compressed-count",
-                  fmt::format("the accessors claim {} vertices and {} triangles, but those of {}, which has the same "
-                              "buffer view, {} and {}",
-                              claim.points, claim.triangles, buffers_[use.buffer].place, all.points, all.triangles));
-      return false;
-    }
-    if (all.triangles_at_most) {
-      all.triangles = claim.triangles_at_most ? std::max(all.triangles, claim.triangles) : claim.triangles;
-      all.triangles_at_most = claim.triangles_at_most;
-    }
+    all.points = std::max(all.points, claim.points);
+    all.triangles = std::max(all.triangles, claim.triangles);
     for (DracoUse::Attribute& attribute : use.attributes) {
       const DracoClaim::Attribute& wanted = claim.attributes[attribute.claimed];
       const auto same = std::find_if(all.attributes.begin(), all.attributes.end(), [&](const auto& one) {
@@ -242,7 +173,6 @@ class DracoCheck {
       attribute.claimed = static_cast<std::size_t>(same - all.attributes.begin());
       if (same == all.attributes.end()) all.attributes.push_back(wanted);
     }
-    return true;
   }
 
   struct Claimed {
@@ -274,11 +204,10 @@ class DracoCheck {
     for (const DracoBuffer& buffer : buffers_) {
       claimed += buffer.claim.bytes();
       if (claimed <= most) continue;
-      gate_.error(buffer.place, "compressed-count",
-                  fmt::format("the accessors of compressed data up to these claim {} bytes, but {} at most come out of "
-                              "so few",
-                              counted(claimed), counted(most)),
-                  export_again);
+      gate_.error(
+          buffer.place, "compressed-count",
+          fmt::format("the accessors up to these claim {} bytes, which no so small a file holds", counted(claimed)),
+          export_again);
       return false;
     }
     return true;
@@ -300,21 +229,14 @@ class DracoCheck {
     DecodedViews views(document.views.size());
     for (const DracoUse& use : uses_) {
       const DracoMesh& mesh = std::get<DracoMesh>(buffers_[use.buffer].held);
-      const std::size_t width = use.index_bytes;
-      const std::uint32_t greatest =
-          mesh.indices.empty() ? 0 : *std::max_element(mesh.indices.begin(), mesh.indices.end());
-      if (width < 4 && greatest >> (8 * width) != 0) {
-        gate_.error(use.place, "index-range",
-                    fmt::format("the Draco buffer names vertex {}, which the indices of accessor {}, of {} bytes each, "
-                                "cannot say",
-                                greatest, use.indices, width));
-        return;
-      }
+      if (use.points != mesh.points || (!use.is_strip && use.triangles != mesh.indices.size() / 3)) tell_odd(use, mesh);
+      Json& primitive = json_["meshes"][use.mesh]["primitives"][use.primitive];
+      const std::size_t width = std::max(use.index_bytes, index_bytes_for(mesh.indices));
       const auto [indices, new_indices] = indices_lie_.try_emplace({use.buffer, width});
       if (new_indices) indices->second = views.add_indices(narrowed(mesh.indices, width));
-      Json& primitive = json_["meshes"][use.mesh]["primitives"][use.primitive];
-      primitive["indices"] = placed(use.indices, indices->second);
-      json_["accessors"][primitive["indices"].get<std::size_t>()]["count"] = mesh.indices.size();
+      primitive["indices"] = placed(use.indices, indices->second, mesh.indices.size());
+      if (width != use.index_bytes)
+        json_["accessors"][primitive["indices"].get<std::size_t>()]["componentType"] = width == 2 ? 5123 : 5125;
       if (primitive.contains("mode")) primitive["mode"] = 4;
       take_extension(primitive, draco_extension);
       for (const DracoUse::Attribute& attribute : use.attributes) {
@@ -323,7 +245,7 @@ class DracoCheck {
           lies->second = views.add_vertices(mesh.attributes[attribute.claimed],
                                             buffers_[use.buffer].claim.attributes[attribute.claimed].format.bytes);
         }
-        primitive["attributes"][attribute.semantic] = placed(attribute.accessor, lies->second);
+        primitive["attributes"][attribute.semantic] = placed(attribute.accessor, lies->second, mesh.points);
       }
     }
     FromDraco& told = document.from_draco.emplace();
@@ -336,11 +258,28 @@ class DracoCheck {
     told.plain = std::move(views).put(document, document.views[buffers_.front().view].buffer);
   }
 
+  /// What the buffer holds is read, whatever its accessors say; a file is mostly all of one exporter.
+  void tell_odd(const DracoUse& use, const DracoMesh& mesh) {
+    if (std::exchange(is_odd_, true)) return;
+    gate_.warning(
+        use.place, "compressed-count",
+        fmt::format("the accessors claim {} vertices and {} triangles, but the Draco buffer holds {} and {}; it is "
+                    "believed, here and wherever else they differ",
+                    use.points, use.triangles, mesh.points, mesh.indices.size() / 3));
+  }
+
+  /// So that the greatest number of the type stays free, as glTF wants.
+  static std::size_t index_bytes_for(const std::vector<std::uint32_t>& indices) {
+    const std::uint32_t greatest = *std::max_element(indices.begin(), indices.end());
+    return greatest < 0xff ? 1 : greatest < 0xffff ? 2 : 4;
+  }
+
   /// The accessor with its elements there: itself, or, where it has others already, a new one like it.
-  std::size_t placed(std::size_t accessor, const Lies& lies) {
+  std::size_t placed(std::size_t accessor, const Lies& lies, std::size_t count) {
     const auto [known, is_new] = placed_.try_emplace({accessor, lies}, accessor);
     if (!is_new) return known->second;
-    const bool has_plain_copy = json_["accessors"][accessor].contains("bufferView");
+    const bool has_plain_copy =
+        json_["accessors"][accessor].contains("bufferView") || json_["accessors"][accessor].contains("sparse");
     if (has_plain_copy) copies_.insert(accessor);
     if (has_plain_copy || filled_.contains(accessor)) {
       known->second = json_["accessors"].size();
@@ -349,8 +288,9 @@ class DracoCheck {
     }
     filled_.insert(known->second);
     Json& json = json_["accessors"][known->second];
+    json["count"] = count;
     json["bufferView"] = lies.view;
-    json.erase("byteOffset");
+    for (const char* key : {"byteOffset", "sparse"}) json.erase(key);
     if (lies.offset != 0) json["byteOffset"] = lies.offset;
     return known->second;
   }
@@ -365,6 +305,7 @@ class DracoCheck {
   std::map<std::pair<std::size_t, Lies>, std::size_t> placed_;          ///< accessors with those elements
   std::set<std::size_t> filled_;                                        ///< accessors that have elements now
   std::set<std::size_t> copies_;
+  bool is_odd_ = false;
 };
 
 }  // namespace

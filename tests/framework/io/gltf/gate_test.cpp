@@ -60,14 +60,6 @@ const Rule rules[] = {
     {"no_asset", [](auto& b) { b.json.erase("asset"); }, "missing-member", "the file"},
     {"kind_is_no_array", [](auto& b) { b.json["nodes"] = 7; }, "wrong-type", "nodes"},
     {"node_is_no_object", [](auto& b) { b.json["nodes"][1] = 7; }, "wrong-type", "nodes[1]"},
-    {"required_draco", [](auto& b) { b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
-     "unsupported-extension", "extensionsRequired"},
-    {"draco_alone",
-     [](auto& b) {
-       primitive(b)["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
-       item(b, "accessors", 0).erase("bufferView");
-     },
-     "unsupported-extension", "meshes[0].primitives[0]"},
     {"buffer_without_length", [](auto& b) { b.json["buffers"] = {GltfJson::object()}; }, "missing-member",
      "buffers[0]"},
     {"buffer_negative",
@@ -238,12 +230,6 @@ TEST(GltfGate, sound_puppet_is_read) {
   EXPECT_TRUE(read_gltf(testing::puppet().glb(), "puppet", {}, diagnostics)) << to_text(diagnostics);
   EXPECT_TRUE(read_gltf(testing::puppet().gltf(), "puppet", {}, diagnostics)) << to_text(diagnostics);
   EXPECT_TRUE(diagnostics.empty());
-}
-
-TEST(GltfGate, draco_is_refused_with_the_remedy) {
-  GltfBuilder builder = testing::puppet();
-  builder.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-  EXPECT_NE(to_text(refusal(builder.glb())).find("gltf-transform copy"), std::string::npos);
 }
 
 TEST(GltfGate, all_mistakes_are_told_each_kind_once) {

@@ -186,24 +186,6 @@ TEST(GltfLayout, unknown_extensions_and_extras_stay_and_so_does_all_they_may_poi
   EXPECT_EQ(read(file).draws[0].levels[0].vertices->stamp(), scene.draws[0].levels[0].vertices->stamp());
 }
 
-TEST(GltfLayout, compressed_copies_are_dropped_when_the_plain_data_changes) {
-  GltfBuilder builder = ribbon(2);
-  builder.json["extensionsUsed"] = {"KHR_draco_mesh_compression", "KHR_materials_unlit"};
-  const std::size_t coded = builder.add_view(std::as_bytes(std::span("compressed")));
-  builder.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", coded}};
-  Scene scene = read(builder);
-  EXPECT_EQ(write(scene), builder.glb());
-  reverse(scene.draws[0]);
-  Diagnostics diagnostics;
-  const auto files = encode_gltf(scene, "out.glb", diagnostics);
-  ASSERT_EQ(diagnostics.all().size(), 1u);
-  EXPECT_EQ(diagnostics.all()[0].code, "compressed-copy-dropped");
-  const GltfJson json = json_of(files->front().bytes);
-  EXPECT_EQ(json["extensionsUsed"], GltfJson::array({"KHR_materials_unlit"}));
-  EXPECT_FALSE(json["meshes"][0]["primitives"][0].contains("extensions"));
-  EXPECT_EQ(json["bufferViews"].size(), 3u);
-}
-
 TEST(GltfLayout, instancing_attributes_are_users_too) {
   GltfBuilder builder = ribbon(2);
   builder.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};

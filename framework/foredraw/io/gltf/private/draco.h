@@ -11,7 +11,8 @@
 
 namespace foredraw::gltf {
 
-/// What a buffer shall hold, as the accessors that it stands for say.
+/// What a buffer should hold, as the accessors that it stands for say. Some exporters count before they encode, and the
+/// encoder leaves out triangles without area and parts vertices: the counts are a measure of what may come out.
 struct DracoClaim {
   struct Attribute {
     std::uint32_t id = 0;  ///< the buffer's unique id of it
@@ -19,7 +20,6 @@ struct DracoClaim {
   };
   std::size_t points = 0;
   std::size_t triangles = 0;
-  bool triangles_at_most = false;     ///< else exactly so many
   std::vector<Attribute> attributes;  ///< that are wanted; the buffer may have others
 
   /// Of everything that comes out, with indices of 32 bits.
@@ -27,6 +27,7 @@ struct DracoClaim {
 };
 
 struct DracoMesh {
+  std::size_t points = 0;
   std::vector<std::uint32_t> indices;              ///< three for each triangle, each below `points`
   std::vector<std::vector<std::byte>> attributes;  ///< as claimed: `points` elements each, without gaps
 };
@@ -37,9 +38,9 @@ struct DracoFault {
   std::string message;
 };
 
-/// Decodes a buffer that holds what is claimed. Before memory is asked for, what the buffer itself claims is held
-/// against the claim; decoding takes at most 16 times the claimed bytes, and 64 KiB. So whoever bounds the claim bounds
-/// memory and time. Throws std::bad_alloc, and nothing else.
+/// Decodes a buffer. Before memory is asked for, what the buffer says of itself is held against the claim: decoding
+/// takes at most 16 times the claimed bytes, and 64 KiB. So whoever bounds the claim bounds memory and time. Throws
+/// std::bad_alloc, and nothing else.
 std::variant<DracoMesh, DracoFault> draco_decoded(std::span<const std::byte> buffer, const DracoClaim& claim);
 
 }  // namespace foredraw::gltf
