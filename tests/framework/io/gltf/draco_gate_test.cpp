@@ -125,8 +125,7 @@ std::vector<std::byte> buffer_of(int method, std::initializer_list<int> rest) {
 TEST(GltfDracoGate, a_bomb_is_refused_before_memory_is_asked_for) {
   const auto begin = std::chrono::steady_clock::now();
   const auto edgebreaker = buffer_of(1, {0, 0x80, 0x80, 0x80, 0x80, 0x08, 0x80, 0x80, 0x80, 0x80, 0x04, 0xff});
-  auto sequential = buffer_of(0, {0x80, 0x80, 0x80, 0x80, 0x04, 0x80, 0x80, 0x80, 0x80, 0x08});
-  sequential.erase(sequential.begin() + 10);
+  const auto sequential = buffer_of(0, {0x80, 0x80, 0x80, 0x80, 0x04, 0x80, 0x80, 0x80, 0x80, 0x08});
   for (const auto& bytes : {edgebreaker, sequential}) {
     const auto result = gltf::draco_decoded(bytes, claim_of(1000, 2000));
     ASSERT_NE(fault_of(result), nullptr);
@@ -212,7 +211,7 @@ TEST(GltfDracoGate, an_index_beyond_the_vertices_is_refused) {
   std::vector<std::byte> bad(bytes.begin(), bytes.end());
   // 11 bytes of header, triangles, vertices, method; then a byte each
   ASSERT_EQ(bad[13], std::byte{1});
-  ASSERT_EQ(bad[14 + 2], std::byte{2});
+  ASSERT_EQ(bad[14], std::byte{0});
   bad[14 + 2] = std::byte{10};
   const auto result = gltf::draco_decoded(bad, claim_of(10, 8));
   ASSERT_NE(fault_of(result), nullptr);
