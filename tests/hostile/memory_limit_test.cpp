@@ -1,5 +1,6 @@
 // --memory-limit: where it is not enough, one line says so, and what was there stays.
 #ifdef FOREDRAW_PROGRAM
+#include "support/draco_gltf.h"
 #include "support/meshes.h"
 #include "support/program.h"
 
@@ -57,6 +58,23 @@ TEST_F(MemoryLimit, holds_for_every_command_that_reads) {
     EXPECT_EQ(ended.code, 2) << command;
     EXPECT_NE(ended.err.find("not enough memory to "), std::string::npos) << command << '\n' << ended.err;
   }
+}
+
+TEST_F(MemoryLimit, holds_while_draco_is_decoded) {
+  if (testing::is_sanitized) GTEST_SKIP();
+  const auto file = testing::draco_compressed(testing::ribbon(30000), {.bits = 12}).glb();
+  testing::put(folder_ / "coded.glb", std::string(reinterpret_cast<const char*>(file.data()), file.size()));
+  int refused = 0;
+  for (int megabytes = 2; megabytes <= 66; megabytes += 8) {
+    const testing::Ended ended =
+        testing::run_program(folder_, "inspect coded.glb --memory-limit " + std::to_string(megabytes) + "M");
+    if (ended.code == 0) continue;
+    ++refused;
+    EXPECT_EQ(ended.code, 2) << megabytes;
+    EXPECT_NE(ended.err.find("not enough memory to "), std::string::npos) << megabytes << '\n' << ended.err;
+  }
+  EXPECT_GT(refused, 1);
+  EXPECT_LT(refused, 9);
 }
 
 TEST_F(MemoryLimit, is_known_before_a_huge_file_is_read) {

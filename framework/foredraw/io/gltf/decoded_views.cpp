@@ -12,6 +12,10 @@ std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
 }  // namespace
 
+void DecodedViews::expect_vertices(std::size_t count, std::size_t element) {
+  view_of(padded_to_4(element)).expected += count * padded_to_4(element);
+}
+
 Lies DecodedViews::add_vertices(Bytes elements, std::size_t element) {
   const std::size_t stride = padded_to_4(element), count = elements.size() / element;
   Lies lies;
@@ -40,12 +44,17 @@ std::uint64_t DecodedViews::put(Document& document, std::size_t buffer) && {
   return bytes;
 }
 
+DecodedViews::View& DecodedViews::view_of(std::size_t stride) {
+  const auto found = std::ranges::find(views_, stride, &View::stride);
+  return found != views_.end() ? *found : views_.emplace_back(View{stride, 0, {}});
+}
+
 std::byte* DecodedViews::grow(std::size_t stride, std::size_t bytes, Lies& lies) {
-  auto found = std::ranges::find(views_, stride, &View::stride);
-  if (found == views_.end()) found = views_.insert(views_.end(), View{stride, {}});
-  lies = {first_ + static_cast<std::size_t>(found - views_.begin()), found->bytes.size()};
-  found->bytes.resize(lies.offset + bytes);
-  return found->bytes.data() + lies.offset;
+  View& view = view_of(stride);
+  lies = {first_ + static_cast<std::size_t>(&view - views_.data()), view.bytes.size()};
+  view.bytes.reserve(view.expected);
+  view.bytes.resize(lies.offset + bytes);
+  return view.bytes.data() + lies.offset;
 }
 
 }  // namespace foredraw::gltf

@@ -227,6 +227,10 @@ class DracoCheck {
   void put() {
     Document& document = gate_.document();
     DecodedViews views(document.views.size());
+    for (const DracoBuffer& buffer : buffers_) {
+      for (const DracoClaim::Attribute& attribute : buffer.claim.attributes)
+        views.expect_vertices(std::get<DracoMesh>(buffer.held).points, attribute.format.bytes);
+    }
     for (const DracoUse& use : uses_) {
       const DracoMesh& mesh = std::get<DracoMesh>(buffers_[use.buffer].held);
       if (use.points != mesh.points || (!use.is_strip && use.triangles != mesh.indices.size() / 3)) tell_odd(use, mesh);

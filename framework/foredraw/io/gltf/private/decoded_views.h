@@ -20,6 +20,9 @@ class DecodedViews {
   /// `first`: the number that the first of them gets.
   explicit DecodedViews(std::size_t first) : first_(first) {}
 
+  /// Makes room for what will be added, so that what is there need not move.
+  void expect_vertices(std::size_t count, std::size_t element);
+
   /// Elements without gaps, of so many bytes each; in the view they begin at multiples of 4, as glTF wants.
   Lies add_vertices(Bytes elements, std::size_t element);
   Lies add_indices(Bytes indices);
@@ -30,10 +33,12 @@ class DecodedViews {
 
  private:
   struct View {
-    std::size_t stride = 0;  ///< 0: indices
+    std::size_t stride = 0;    ///< 0: indices
+    std::size_t expected = 0;  ///< bytes
     std::vector<std::byte> bytes;
   };
 
+  View& view_of(std::size_t stride);
   std::byte* grow(std::size_t stride, std::size_t bytes, Lies& lies);
 
   std::size_t first_;
