@@ -233,16 +233,22 @@ class CommandLine {
       // Steps of their own say what they lacked it for.
       return with_memory(arguments_.inputs.empty() ? "foredraw" : arguments_.inputs[0], "begin", command_);
     } catch (const OutOfMemory& lack) {
-      end_progress();
-      fmt::print(stderr, "{}: error: there is not enough memory to {}", lack.file, lack.doing);
-      if (arguments_.memory_limit == 0) {
-        fmt::print(stderr, "\n    hint: close other programs, or use a machine with more\n");
-      } else {
-        fmt::print(stderr, ": --memory-limit is {}\n    hint: raise --memory-limit\n",
-                   counted(arguments_.memory_limit, "byte"));
-      }
-      return something_failed;
+      return tell(lack);
+    } catch (const std::bad_alloc&) {  // before any file was looked at
+      return tell({arguments_.inputs.empty() ? "foredraw" : arguments_.inputs.front(), "begin"});
     }
+  }
+
+  Exit tell(const OutOfMemory& lack) const {
+    end_progress();
+    fmt::print(stderr, "{}: error: there is not enough memory to {}", lack.file, lack.doing);
+    if (arguments_.memory_limit == 0) {
+      fmt::print(stderr, "\n    hint: close other programs, or use a machine with more\n");
+    } else {
+      fmt::print(stderr, ": --memory-limit is {}\n    hint: raise --memory-limit\n",
+                 counted(arguments_.memory_limit, "byte"));
+    }
+    return something_failed;
   }
 
   std::vector<std::string> commands() const {

@@ -54,7 +54,7 @@ TEST_F(MemoryLimit, holds_for_every_command_that_reads) {
   if (testing::is_sanitized) GTEST_SKIP();
   for (const char* command : {"plan", "measure", "inspect", "compare"}) {
     const testing::Ended ended =
-        testing::run_program(folder_, std::string(command) + " '" + model_ + "' --memory-limit 1M");
+        testing::run_program(folder_, std::string(command) + " '" + model_ + "' --memory-limit 2M");
     EXPECT_EQ(ended.code, 2) << command;
     EXPECT_NE(ended.err.find("not enough memory to "), std::string::npos) << command << '\n' << ended.err;
   }
