@@ -12,8 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <ctime>
 #include <functional>
+#include <optional>
+#include <stdexcept>
 
 namespace foredraw::bench {
 namespace {
