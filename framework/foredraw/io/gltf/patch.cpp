@@ -104,7 +104,7 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   } else if (all_compressed) {
     diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "not-compressed",
                      "an unknown extension may refer to buffer views, which stay as they are");
-    }
+  }
   if (document.from_draco) {
     written.laid_out.sizes.push_back(
         {"geometry that Draco had compressed", document.from_draco->coded, document.from_draco->plain});

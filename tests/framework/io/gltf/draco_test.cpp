@@ -113,8 +113,8 @@ TEST(GltfDraco, threads_change_nothing) {
   for (int i = 0; i < 9; ++i) many.json["meshes"][0]["primitives"].push_back(primitive(many));
   const auto file = draco_compressed(many, {.bits = 11}).glb();
   Diagnostics diagnostics;
-  const auto one = read_gltf(file, "test", {}, diagnostics, {}, Executor(1));
-  const auto two = read_gltf(file, "test", {}, diagnostics, {}, Executor(2));
+  const auto one = read_gltf(file, "test", {}, diagnostics, {.executor = Executor(1)});
+  const auto two = read_gltf(file, "test", {}, diagnostics, {.executor = Executor(2)});
   ASSERT_TRUE(one && two) << to_text(diagnostics);
   testing::expect_same(*one, *two, true);
   const auto as_gltf = [](const Scene& scene) {
