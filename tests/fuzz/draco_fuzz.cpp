@@ -13,19 +13,19 @@ using foredraw::testing::GltfJson;
 
 GltfBuilder around(std::span<const std::byte> buffer, unsigned claim) {
   GltfBuilder builder;
-  GltfJson primitive;
-  GltfJson& extension = primitive["extensions"]["KHR_draco_mesh_compression"];
-  extension["bufferView"] = builder.add_view(buffer);
+  GltfJson attributes, ids;
   const auto add = [&](const char* semantic, unsigned id, int component, const char* type) {
-    primitive["attributes"][semantic] =
-        builder.add("accessors", {{"componentType", component}, {"count", 2000}, {"type", type}});
-    extension["attributes"][semantic] = id;
+    attributes[semantic] = builder.add("accessors", {{"componentType", component}, {"count", 2000}, {"type", type}});
+    ids[semantic] = id;
   };
   if ((claim & 1u) != 0) add("POSITION", claim >> 4 & 1u, 5126, "VEC3");
   if ((claim & 2u) != 0) add("TEXCOORD_0", claim >> 5 & 1u, 5126, "VEC2");
   if ((claim & 4u) != 0) add("COLOR_0", claim >> 6 & 1u, 5121, "VEC4");
   if ((claim & 7u) == 0) add("_ID", claim >> 7 & 1u, 5123, "SCALAR");
-  primitive["indices"] = builder.add("accessors", {{"componentType", 5123}, {"count", 12000}, {"type", "SCALAR"}});
+  const std::size_t indices = builder.add("accessors", {{"componentType", 5123}, {"count", 12000}, {"type", "SCALAR"}});
+  GltfJson primitive{{"attributes", attributes}, {"indices", indices}};
+  primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", builder.add_view(buffer)},
+                                                           {"attributes", ids}};
   if ((claim & 8u) != 0) primitive["mode"] = 5;
   builder.add_mesh(primitive);
   return builder;
