@@ -129,9 +129,11 @@ class Streams {
       case TINYGLTF_MODE_TRIANGLE_FAN:
         for (std::size_t i = 0; i + 2 < n; ++i) list.insert(list.end(), {corners[i + 1], corners[i + 2], corners[0]});
         return list;
-      default:
-        corners.resize(n - n % (mode == TINYGLTF_MODE_LINE ? 2 : mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1));
+      default: {
+        const std::size_t each = mode == TINYGLTF_MODE_LINE ? 2 : mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
+        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(n - n % each), corners.end());
         return corners;
+      }
     }
   }
 
