@@ -16,7 +16,7 @@ namespace foredraw {
 enum class Blocks : std::uint8_t { neither, front, back, both };
 
 /// Triangles that block rays, in a tree of boxes. Only + - * / and comparisons of doubles, so that answers are the same
-/// on every machine. O(n log n) to make, some 120 bytes a triangle; a question takes about O(log n).
+/// on every machine. O(n log n) to make, some 100 bytes a triangle; a question takes about O(log n).
 class RayTree {
  public:
   /// Three indices a triangle, each below the number of positions; `blocks`: [triangle]. Triangles that are not finite,
@@ -49,23 +49,24 @@ class RayTree {
   std::optional<Hit> first(const Ray& ray) const;
 
  private:
-  struct Box {
-    float low[3], high[3];
-  };
+  static constexpr std::size_t width = 4;
+  static constexpr std::size_t most_waiting =
+      (width - 1) * 64;  ///< children, where the tree is less than 64 nodes deep
+  /// Its children side by side: inner nodes, and leaves.
   struct Node {
-    Box box;
-    std::uint32_t first = 0;  ///< triangle; of an inner node the second child, where the first is the next node
-    std::uint32_t count = 0;  ///< 0: an inner node
-    std::uint32_t axis = 0;   ///< of an inner node: the second child lies farther along it
+    float planes[2][3][width];   ///< [low, high][axis][child] of its box; low above high where there is no child
+    std::uint32_t first[width];  ///< number of a node; of a leaf its first triangle
+    std::uint32_t count[width];  ///< triangles of a leaf, else 0
   };
   struct Triangle {
     glm::vec3 corners[3];
     std::uint32_t number;
     Blocks blocks;
   };
+  class Builder;
 
-  void split(std::size_t first, std::size_t count);
-  /// Calls visit(triangle, faces the beginning, way) for all that the ray meets, until it answers false.
+  /// Calls visit(triangle, faces the beginning, way) for what the ray meets; the answer is the way from which on
+  /// nothing matters any more, below 0 to end.
   template <class Visit>
   void for_each_met(const Ray& ray, Visit visit) const;
 
