@@ -3,9 +3,8 @@
 
 #include "sides.h"
 
-#include <foredraw/viewing/subject_geometry.h>
+#include <foredraw/viewing/raster_part.h>
 
-#include <deque>
 #include <span>
 #include <vector>
 
@@ -15,13 +14,14 @@ namespace foredraw::sides {
 using SidesOfParts = std::vector<std::vector<Side>>;
 
 /// A subject in a pose. Fronts come first, part by part; then the backs of those parts that draw them. The geometry
-/// must outlive it.
+/// need not
+/// outlive it.
 class AllSides {
  public:
   explicit AllSides(std::span<const RasterPart> parts);
 
   /// Single-sided ones, in which triangles are numbered through.
-  std::span<const RasterPart> parts() const { return sided_; }
+  std::span<const PreparedPart> parts() const { return prepared_; }
 
   struct Place {
     std::size_t part = 0;  ///< of the subject
@@ -33,8 +33,7 @@ class AllSides {
   std::uint32_t first_back() const { return first_[fronts_]; }  ///< those from there on are backs
 
  private:
-  std::deque<std::vector<std::uint32_t>> reversed_;
-  std::vector<RasterPart> sided_;
+  std::vector<PreparedPart> prepared_;
   std::vector<std::pair<std::size_t, Side>> what_;  ///< [part of parts()]
   std::size_t fronts_ = 0;                          ///< parts of parts() that show fronts
   std::vector<std::uint32_t> first_{0};             ///< [part of parts()] its first number; and the end

@@ -45,14 +45,13 @@ Needed add_needed_by_pictures(const AllSides& all, SidesOfParts& kept, const Vie
     const AllSides::Place place = all.place_of(number);
     is_kept[number] = (kept[place.part][place.triangle] & place.side) != 0;
   }
-  const std::vector<PreparedPart> parts = prepared(all.parts());
   struct OfView {
     Needed needed;
     std::vector<std::uint32_t> sides, backs;
   };
   std::vector<OfView> of_views(views.views.size());
   executor.for_each(views.views.size(), [&](std::size_t v) {
-    const TwoPictures pictures = draw_both(parts, is_kept, views.views[v], views.size);
+    const TwoPictures pictures = draw_both(all.parts(), is_kept, views.views[v], views.size);
     OfView& of_view = of_views[v];
     for (std::size_t pixel = 0; pixel < pictures.whole.size(); ++pixel) {
       if (pictures.whole[pixel] == nothing) continue;

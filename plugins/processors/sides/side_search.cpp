@@ -7,11 +7,14 @@
 #include <foredraw/viewing/distinct_poses.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/shared_views.h>
+#include <foredraw/viewing/subject_geometry.h>
 #include <foredraw/viewing/view_directions.h>
 
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 
 namespace foredraw::sides {
@@ -23,10 +26,19 @@ constexpr int most_checks = 6;
 constexpr int check_size = 256;   // pixels
 constexpr int fewest_checks = 4;  // the first check is of so many times fewer pictures
 
-/// A subject in one of its poses, and the views that this pose is looked at from.
-using LookAt = std::function<void(const SubjectGeometry&, const Views&)>;
-
 using Surfaces = std::map<DrawId, Surface>;  ///< of the draws asked for
+
+/// A subject in a pose.
+struct Posed {
+  explicit Posed(SubjectGeometry geometry) : drawn(std::move(geometry)), all(drawn.parts) {}
+
+  SubjectGeometry drawn;
+  AllSides all;
+  std::optional<SideRays> rays;  ///< once they are needed
+};
+
+/// A subject in one of its poses, and the views that this pose is looked at from.
+using LookAt = std::function<void(Posed&, const Views&)>;
 
 void add(Side& sides, Side more) { sides = static_cast<Side>(sides | more); }
 
@@ -41,7 +53,8 @@ class SubjectSides {
         options_(options),
         seed_(seed),
         analyses_(analyses),
-        executor_(executor) {}
+        executor_(executor),
+        poses_(different_poses()) {}
 
   /// `progress`: the part done, 0 to 1.
   void search(const std::function<void(double)>& progress) {
@@ -64,20 +77,38 @@ class SubjectSides {
  private:
   /// Poses that look alike are looked at once. Several poses share the views, so that each view is looked at four times
   /// in all.
-  void for_each_pose(const Poses& poses, const Views& views, const LookAt& look) {
-    const DistinctPoses distinct = distinct_poses(scene_, {&subject_, 1}, poses, executor_).front();
-    const auto different =
-        static_cast<std::size_t>(std::ranges::count_if(distinct.weights, [](double w) { return w > 0; }));
-    const std::size_t looks = std::min(different, std::size_t{4}) * views.views.size();
-    const auto shares = shared_views(views.views, different, looks);
-    std::size_t number = 0;
-    for (std::size_t pose = 0; pose < poses.poses.size(); ++pose) {
-      if (distinct.first_alike[pose] != pose || is_cancelled()) continue;
+  void for_each_pose(const LookAt& look) {
+    const Views& views = options_.views;
+    const std::size_t looks = std::min(poses_.size(), std::size_t{4}) * views.views.size();
+    const auto shares = shared_views(views.views, poses_.size(), looks);
+    for (std::size_t i = 0; i < poses_.size() && !is_cancelled(); ++i) {
       Views share{{}, views.size};
-      for (const std::size_t v : shares[number++]) share.views.push_back(views.views[v]);
-      const PosedNodes nodes = subject_.is_placed() ? posed_nodes(scene_, poses.poses[pose]) : PosedNodes();
-      look(subject_geometry(scene_, subject_, Faces::material, nodes, analyses_), share);
+      for (const std::size_t v : shares[i]) share.views.push_back(views.views[v]);
+      look(*posed(options_.poses.poses[poses_[i]]), share);
     }
+  }
+
+  /// Numbers of those poses in which the subject looks as in none before.
+  std::vector<std::size_t> different_poses() const {
+    const DistinctPoses distinct = distinct_poses(scene_, {&subject_, 1}, options_.poses, executor_).front();
+    std::vector<std::size_t> result;
+    for (std::size_t pose = 0; pose < options_.poses.poses.size(); ++pose) {
+      if (distinct.first_alike[pose] == pose) result.push_back(pose);
+    }
+    return result;
+  }
+
+  std::shared_ptr<Posed> posed(const Pose& pose) {
+    if (still_) return still_;
+    const PosedNodes nodes = subject_.is_placed() ? posed_nodes(scene_, pose) : PosedNodes();
+    const auto made = std::make_shared<Posed>(subject_geometry(scene_, subject_, Faces::material, nodes, analyses_));
+    if (!moves()) still_ = made;
+    return made;
+  }
+
+  const SideRays& rays_of(Posed& posed) const {
+    if (!posed.rays) posed.rays.emplace(posed.drawn.parts, surfaces_of_parts(), executor_);
+    return *posed.rays;
   }
 
   bool is_asked(std::size_t part) const { return found_.wanted.contains(subject_.parts[part].draw); }
@@ -105,15 +136,13 @@ class SubjectSides {
   }
 
   void look_at_all(Side side) {
-    std::size_t poses = 0;
-    for_each_pose(options_.poses, {{View{}}, 1}, [&](const SubjectGeometry&, const Views&) { ++poses; });
-    const auto rays = std::max(fewest_rays, static_cast<std::size_t>(options_.rays) / std::max<std::size_t>(1, poses));
+    const auto rays = std::max(fewest_rays, static_cast<std::size_t>(options_.rays) / poses_.size());
     std::uint64_t pose = 0;
-    for_each_pose(options_.poses, options_.views, [&](const SubjectGeometry& drawn, const Views& views) {
+    for_each_pose([&](Posed& posed, const Views& views) {
       const std::uint64_t seed = derive_seed(seed_, side, pose++);
-      SidesOfParts sides = kept(drawn);
-      const Needed needed = add_needed_by_pictures(AllSides(drawn.parts), sides, views, executor_);
-      const SideRays cast(drawn.parts, surfaces_of_parts(), executor_);
+      SidesOfParts sides = kept(posed.drawn);
+      const Needed needed = add_needed_by_pictures(posed.all, sides, views, executor_);
+      const SideRays& cast = rays_of(posed);
       cast.beside(needed.seen, sides, derive_seed(seed, 1, 0));
       const std::vector<Seen> through = cast.through_openings(unknown(sides, side), rays, derive_seed(seed, 2, 0));
       for (const Seen& one : through) add(sides[one.part][one.triangle], one.side);
@@ -211,14 +240,12 @@ class SubjectSides {
       if (shares[pose].empty()) return;
       Views share{{}, check_size};
       for (const std::size_t v : shares[pose]) share.views.push_back(views[v]);
-      const PosedNodes nodes = subject_.is_placed() ? posed_nodes(scene_, poses.poses[pose]) : PosedNodes();
-      const SubjectGeometry drawn = subject_geometry(scene_, subject_, Faces::material, nodes, analyses_);
-      SidesOfParts sides = kept(drawn);
+      const auto posed = this->posed(poses.poses[pose]);
+      SidesOfParts sides = kept(posed->drawn);
       Needed& needed = of_poses[pose].needed;
-      needed = add_needed_by_pictures(AllSides(drawn.parts), sides, share, executor_);
+      needed = add_needed_by_pictures(posed->all, sides, share, executor_);
       if (needed.pixels == 0) return;
-      SideRays(drawn.parts, surfaces_of_parts(), executor_)
-          .beside(needed.seen, sides, derive_seed(seed_, 5, static_cast<std::uint64_t>(round)));
+      rays_of(*posed).beside(needed.seen, sides, derive_seed(seed_, 5, static_cast<std::uint64_t>(round)));
       of_poses[pose].sides = std::move(sides);
     });
     Needed sum;
@@ -238,6 +265,8 @@ class SubjectSides {
   std::uint64_t seed_;
   Analyses& analyses_;
   const Executor& executor_;
+  std::vector<std::size_t> poses_;  ///< of the options, those that look different
+  std::shared_ptr<Posed> still_;    ///< of a subject that does not move: made once
 };
 
 }  // namespace

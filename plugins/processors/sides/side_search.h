@@ -5,6 +5,7 @@
 
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/scene/poses.h>
+#include <foredraw/scene/subject.h>
 
 #include <atomic>
 #include <functional>
