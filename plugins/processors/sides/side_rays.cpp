@@ -130,7 +130,7 @@ std::vector<Seen> SideRays::through_openings(const SidesOfParts& asked, std::siz
 }
 
 std::vector<Seen> SideRays::beside(std::vector<Seen> seen, SidesOfParts& kept, std::uint64_t seed) const {
-  constexpr std::size_t most_directions = 8, most_apart = 4;
+  constexpr std::size_t most_directions = 8, most_apart = 2;
   std::vector<Seen> added;
   for (std::uint64_t round = 0; !seen.empty(); ++round) {
     std::vector<Seen> near;  // what touches them, with the direction that they are seen from

@@ -11,6 +11,7 @@
 #include <foredraw/viewing/view_directions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,8 +24,8 @@ namespace {
 
 constexpr std::size_t fewest_rays = 2;  // in each pose
 constexpr int most_checks = 6;
-constexpr int check_size = 256;   // pixels
-constexpr int fewest_checks = 4;  // the first check is of so many times fewer pictures
+constexpr int least_check_size = 256;  // pixels
+constexpr int fewest_checks = 4;       // the first check is of so many times fewer pictures
 
 using Surfaces = std::map<DrawId, Surface>;  ///< of the draws asked for
 
@@ -144,9 +145,13 @@ class SubjectSides {
       const Needed needed = add_needed_by_pictures(posed.all, sides, views, executor_);
       const SideRays& cast = rays_of(posed);
       cast.beside(needed.seen, sides, derive_seed(seed, 1, 0));
-      const std::vector<Seen> through = cast.through_openings(unknown(sides, side), rays, derive_seed(seed, 2, 0));
-      for (const Seen& one : through) add(sides[one.part][one.triangle], one.side);
-      cast.beside(through, sides, derive_seed(seed, 3, 0));
+      // Few rays at first: most of what more would find lies beside what these find.
+      for (std::size_t done = 0, some; done < rays; done += some) {
+        some = std::min(std::max(fewest_rays, done), rays - done);
+        const std::vector<Seen> through = cast.through_openings(unknown(sides, side), some, derive_seed(seed, 2, done));
+        for (const Seen& one : through) add(sides[one.part][one.triangle], one.side);
+        cast.beside(through, sides, derive_seed(seed, 3, done));
+      }
       want(sides);
     });
   }
@@ -172,9 +177,10 @@ class SubjectSides {
     for (const DrawId id : asked()) add_neighbours(surfaces_.at(id), found_.wanted.at(id));
   }
 
-  /// The sides that are not known to be seen: of backs those of open components.
+  /// The sides that will not be kept by what is known: of backs those of open components.
   SidesOfParts unknown(SidesOfParts sides, Side side) const {
     for (std::size_t part = 0; part < sides.size(); ++part) {
+      if (is_asked(part) && !sides[part].empty()) add_neighbours(surface(part), sides[part]);
       for (std::size_t t = 0; t < sides[part].size(); ++t) {
         const bool is_open = is_asked(part) && (side == front || !surface(part).is_closed[t]);
         sides[part][t] = is_open && (sides[part][t] & side) == 0 ? side : neither;
@@ -222,11 +228,19 @@ class SubjectSides {
     found_.shown += last.shown;
   }
 
+  /// A picture of many triangles has a pixel for each of their sides, as it costs no more then; and there are fewer.
+  int check_size() const {
+    const auto sides = 2 * static_cast<double>(count_triangles(scene_, subject_));
+    return std::max(least_check_size, static_cast<int>(std::sqrt(sides)));
+  }
+
   /// What so many pictures need from other views, and at other times in each round, is added.
   Needed checked(int round, int pictures) {
     const Poses poses = moves() ? make_poses(scene_, {.poses = std::to_string(40 + 7 * round)}) : rest_pose;
+    const int size = check_size();
+    const int fewer = std::max(1, pictures * least_check_size * least_check_size / (size * size));
     std::vector<View> views;
-    for (const glm::dvec3& direction : turned_at_random(fibonacci_directions(static_cast<std::size_t>(pictures)),
+    for (const glm::dvec3& direction : turned_at_random(fibonacci_directions(static_cast<std::size_t>(fewer)),
                                                         derive_seed(seed_, 4, static_cast<std::uint64_t>(round)))) {
       views.push_back({direction});
     }
@@ -238,7 +252,7 @@ class SubjectSides {
     std::vector<OfPose> of_poses(poses.poses.size());
     executor_.for_each(of_poses.size(), [&](std::size_t pose) {
       if (shares[pose].empty()) return;
-      Views share{{}, check_size};
+      Views share{{}, size};
       for (const std::size_t v : shares[pose]) share.views.push_back(views[v]);
       const auto posed = this->posed(poses.poses[pose]);
       SidesOfParts sides = kept(posed->drawn);

@@ -276,9 +276,11 @@ Plugin sides_plugin() {
             "Rays cast from each side that no picture shows, half of them into an opening; more find smaller gaps and "
             "take longer",
             {0, 65536, "rays"});
-  table.row(&sides::SideSearchOptions::checks, "checks",
-            "Pictures, from views and in poses not used before, that the last check of the result takes",
-            {1, 100000, "pictures"});
+  table.row(
+      &sides::SideSearchOptions::checks, "checks",
+      "Pictures of 256 x 256, from views and in poses not used before, that the last check of the result takes; of "
+      "large meshes fewer and larger ones",
+      {1, 100000, "pictures"});
 
   Plugin plugin;
   plugin.kind = Kind::processor;
