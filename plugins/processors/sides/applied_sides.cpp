@@ -41,28 +41,27 @@ void make_single_sided(Scene& scene, DrawId id, std::span<const Side> wanted, Si
   draw.traits.remove(traits::double_sided);
 }
 
-void split(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials) {
-  Draw whole = scene.draws[id];
-  const IndexStream& stream = whole.full().stream();
+void split(Scene& scene, DrawId id, std::span<const Side> wanted, const std::vector<bool>& stays,
+           SingleSidedMaterials& materials) {
+  const IndexStream stream = scene.draws[id].full().stream();
   std::vector<std::uint32_t> triangles[2], indices[2];
+  std::vector<Side> wanted_of_rest;
   for (std::uint32_t t = 0; t < wanted.size(); ++t) {
-    const std::size_t is_two_sided = (wanted[t] & sides::back) != 0;
-    triangles[is_two_sided].push_back(t);
-    for (std::size_t c = 0; c < 3; ++c) indices[is_two_sided].push_back(stream.indices.view()[3 * std::size_t{t} + c]);
+    if (!stays[t]) wanted_of_rest.push_back(wanted[t]);
+    triangles[stays[t]].push_back(t);
+    for (std::size_t c = 0; c < 3; ++c) indices[stays[t]].push_back(stream.indices.view()[3 * std::size_t{t} + c]);
   }
-  Draw one_sided = whole, two_sided = whole;
-  one_sided.full().stream() = stream_of(stream, std::move(indices[0]), triangles[0]);
+  Draw two_sided = scene.draws[id];
   two_sided.full().stream() = stream_of(stream, std::move(indices[1]), triangles[1]);
   two_sided.name += " (both sides)";
-  one_sided.material = materials.of(*whole.material);
-  one_sided.traits.remove(traits::double_sided);
   const auto added = static_cast<DrawId>(scene.draws.size());
-  scene.draws[id] = std::move(one_sided);
   scene.draws.push_back(std::move(two_sided));
   for (Mesh& mesh : scene.meshes) {
     const auto at = std::ranges::find(mesh.draws, id);
     if (at != mesh.draws.end()) mesh.draws.insert(at + 1, added);
   }
+  scene.draws[id].full().stream() = stream_of(stream, std::move(indices[0]), triangles[0]);
+  make_single_sided(scene, id, wanted_of_rest, materials);
 }
 
 }  // namespace foredraw::sides

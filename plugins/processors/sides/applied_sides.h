@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 #include <span>
+#include <vector>
 
 namespace foredraw::sides {
 
@@ -38,8 +39,9 @@ class SingleSidedMaterials {
 /// `wanted`: [triangle] the sides that are drawn from now on, by copies where both are.
 void make_single_sided(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials);
 
-/// Two draws of one: what is seen from both sides stays double-sided, the rest does not. The new draw is the scene's
-/// last, and comes behind the old one in its meshes.
-void split(Scene& scene, DrawId id, std::span<const Side> wanted, SingleSidedMaterials& materials);
+/// Two draws of one: what `stays` ([triangle]) stays double-sided, of the rest the sides in `wanted` are drawn. The new
+/// draw is the double-sided one; it is the scene's last, and comes behind the old one in its meshes.
+void split(Scene& scene, DrawId id, std::span<const Side> wanted, const std::vector<bool>& stays,
+           SingleSidedMaterials& materials);
 
 }  // namespace foredraw::sides

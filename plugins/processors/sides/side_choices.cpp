@@ -1,53 +1,64 @@
 #include "side_choices.h"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace foredraw::sides {
 
-Counted counted(std::span<const Side> wanted) {
-  Counted count{wanted.size()};
-  for (const Side sides : wanted) {
-    count.added += sides == both;
-    count.turned += sides == back;
+Plan cheapest_plan(const Sided& draw, double price, double call_price, bool may_split) {
+  double all_gains = 0, lost = 0;
+  std::size_t both_sides = 0, copied = 0;
+  bool shows_backs = false;
+  for (std::size_t t = 0; t < draw.wanted.size(); ++t) {
+    all_gains += draw.gains[t];
+    shows_backs |= (draw.wanted[t] & back) != 0;
+    if (draw.wanted[t] != both) continue;
+    ++both_sides;
+    if (draw.gains[t] > price)
+      ++copied;
+    else
+      lost += draw.gains[t];
   }
-  return count;
+  if (!shows_backs) return {Choice::single_sided, {}, 0, all_gains};
+  const double by_copies = price * static_cast<double>(both_sides);
+  const double by_two = lost + price * static_cast<double>(copied) + call_price;
+  if (by_copies < all_gains && (!may_split || by_copies <= by_two)) return {Choice::copies, {}, both_sides, all_gains};
+  if (!may_split || by_two >= all_gains) return {Choice::left, {}, 0, 0};
+  Plan plan{Choice::two_draws, std::vector<bool>(draw.wanted.size()), copied, all_gains - lost};
+  for (std::size_t t = 0; t < draw.wanted.size(); ++t) {
+    plan.stays[t] = draw.wanted[t] == both && !(draw.gains[t] > price);
+  }
+  return plan;
 }
 
-/// What shows both sides of so many of its triangles, such as a sail, gains nothing by copies.
-constexpr double sheet = 0.9;
-
-std::map<DrawId, Choice> first_choices(const std::map<DrawId, Counted>& counts, std::size_t triangles,
-                                       const ChoiceOptions& options) {
-  double allowed = options.most_added * static_cast<double>(triangles);
-  std::vector<std::pair<std::size_t, DrawId>> by_added;
-  for (const auto& [id, count] : counts) by_added.emplace_back(count.added, id);
-  std::ranges::sort(by_added);
-  std::map<DrawId, Choice> choices;
-  for (const auto& [added, id] : by_added) {
-    const Counted& count = counts.at(id);
-    if (count.backs() == 0) {
-      choices[id] = Choice::single_sided;
-      continue;
-    }
-    const bool is_sheet = static_cast<double>(added) > sheet * static_cast<double>(count.triangles);
-    if (!is_sheet) allowed -= static_cast<double>(added);
-    const bool may_split = options.split && count.backs() < count.triangles;
-    choices[id] = allowed >= 0 && !is_sheet ? Choice::copies : may_split ? Choice::two_draws : Choice::left;
-  }
-  return choices;
-}
-
-bool pays(Choice choice, const Counted& count, double saved, double visible, double vertices,
-          const ChoiceOptions& options) {
+std::map<DrawId, Plan> plans(const std::map<DrawId, Sided>& draws, const Sizes& scene, const ChoiceOptions& options) {
   constexpr double misses = 0.7;            // of a triangle in a good order: vertices shaded
   constexpr double least_of_a_draw = 0.01;  // of what is seen: a draw call is worth it from there on
-  if (choice == Choice::left || choice == Choice::single_sided) return true;
-  const double cost = choice == Choice::two_draws
-                          ? least_of_a_draw
-                          : options.vertex_weight * misses * static_cast<double>(count.added) / vertices;
-  return saved > 0 && saved >= cost * visible;
+  const auto at_price = [&](double price) {
+    std::map<DrawId, Plan> result;
+    for (const auto& [id, draw] : draws) {
+      result[id] = cheapest_plan(draw, price, least_of_a_draw * scene.visible, options.split);
+    }
+    return result;
+  };
+  const auto fits = [&](const std::map<DrawId, Plan>& all) {
+    double added = 0;
+    for (const auto& [id, plan] : all) added += static_cast<double>(plan.added);
+    return added <= options.most_added * scene.triangles;
+  };
+  double low = options.vertex_weight * misses * scene.visible / std::max(1.0, scene.vertices);
+  std::map<DrawId, Plan> best = at_price(low);
+  if (fits(best)) return best;
+  double high = scene.visible + 1;  // no triangle gains more
+  best = at_price(high);
+  constexpr int halvings = 40;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = low + (high - low) / 2;
+    std::map<DrawId, Plan> more = at_price(middle);
+    const bool does_fit = fits(more);
+    (does_fit ? high : low) = middle;
+    if (does_fit) best = std::move(more);
+  }
+  return best;
 }
 
 }  // namespace foredraw::sides

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <vector>
 
 namespace foredraw::sides {
 
@@ -15,19 +16,21 @@ enum class Choice {
   left,          ///< it stays double-sided
   single_sided,  ///< no back of it is seen
   copies,        ///< single-sided; what is seen from both sides is there twice
-  two_draws,     ///< one single-sided, one double-sided
+  two_draws,     ///< one single-sided, with copies; one double-sided
 };
 
-/// What is seen of a draw.
-struct Counted {
-  std::size_t triangles = 0;
-  std::size_t added = 0;   ///< seen from both sides
-  std::size_t turned = 0;  ///< seen from behind alone
-
-  std::size_t backs() const { return added + turned; }
+/// A double-sided draw.
+struct Sided {
+  std::span<const Side> wanted;   ///< [triangle]
+  std::span<const double> gains;  ///< [triangle] fragments saved where its sides are drawn apart, or one not at all
 };
 
-Counted counted(std::span<const Side> wanted);
+struct Plan {
+  Choice choice = Choice::left;
+  std::vector<bool> stays;  ///< [triangle] of two draws: it stays double-sided
+  std::size_t added = 0;    ///< triangles
+  double saved = 0;         ///< fragments
+};
 
 struct ChoiceOptions {
   double most_added = 0.1;     ///< triangles, times the scene's
@@ -35,13 +38,19 @@ struct ChoiceOptions {
   bool split = true;           ///< a draw of which too much would be added may become two
 };
 
-/// Copies for as many draws as the scene of so many triangles may grow by, those that add least first, of equal ones
-/// the lower number; the others become two, or stay as they are where they may not, or where all their backs are seen.
-std::map<DrawId, Choice> first_choices(const std::map<DrawId, Counted>& counts, std::size_t triangles,
-                                       const ChoiceOptions& options);
+/// The scene that the draws are of.
+struct Sizes {
+  double triangles = 0, vertices = 0;
+  double visible = 0;  ///< fragments, in the pictures that gains are of
+};
 
-/// Whether a choice costs no more than it saves: `saved` of `visible` fragments, in a scene of so many vertices.
-bool pays(Choice choice, const Counted& count, double saved, double visible, double vertices,
-          const ChoiceOptions& options);
+/// What costs a draw least where each added triangle costs as many fragments as `price`, and a draw call `call_price`:
+/// a copy of all that is seen from both sides; two draws, in which what gains more than the price is copied and the
+/// rest stays double-sided; or nothing. Of equal ones the last. O(triangles).
+Plan cheapest_plan(const Sided& draw, double price, double call_price, bool may_split);
+
+/// Plans for draws of a scene. An added triangle has the price of its vertices, or more: as much as it takes for all
+/// draws together to add no more than they may. So what is copied gains most for its triangles.
+std::map<DrawId, Plan> plans(const std::map<DrawId, Sided>& draws, const Sizes& scene, const ChoiceOptions& options);
 
 }  // namespace foredraw::sides

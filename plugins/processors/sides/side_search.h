@@ -17,7 +17,7 @@ struct SideSearchOptions {
   int rays = 16;     ///< from each side that no picture shows; shared out over the poses, two in each at least
   int checks = 150;  ///< pictures that have the last word, from sides and at times that decided nothing; of large
                      ///< meshes fewer and larger ones
-  Views views;  ///< that the first pictures are drawn from; several poses share them
+  Views views;       ///< that the first pictures are drawn from; several poses share them
   Poses poses = rest_pose;
   SubjectUnit subjects = SubjectUnit::character;  ///< what hides what: parts of one subject
   std::uint64_t seed = 0;

@@ -1,5 +1,6 @@
 #include "applied_sides.h"
 #include "side_choices.h"
+#include "side_gains.h"
 #include "side_search.h"
 #include "sides.h"
 #include "surrounding.h"
@@ -21,7 +22,7 @@ using sides::Side;
 
 enum class SeenFrom { anywhere, outside };
 
-using sides::Choice, sides::Counted;
+using sides::Choice, sides::Plan;
 
 struct Options : sides::SideSearchOptions, sides::ChoiceOptions {
   SeenFrom seen_from = SeenFrom::anywhere;
@@ -50,10 +51,20 @@ std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& giv
   return "";
 }
 
+/// Of a draw: triangles seen from both sides, and from behind alone.
+struct Counted {
+  explicit Counted(std::span<const Side> wanted)
+      : triangles(wanted.size()),
+        both(static_cast<std::size_t>(std::ranges::count(wanted, sides::both))),
+        turned(static_cast<std::size_t>(std::ranges::count(wanted, sides::back))) {}
+
+  std::size_t triangles, both, turned;
+};
+
 std::string copies_text(const Counted& count) {
   std::string text;
-  if (count.added > 0) {
-    text = fmt::format("{} of its {} triangles are seen from both sides and were copied", count.added, count.triangles);
+  if (count.both > 0) {
+    text = fmt::format("{} of its {} triangles are seen from both sides and were copied", count.both, count.triangles);
   }
   if (count.turned > 0) {
     text += fmt::format("{}{} are seen only from behind and were flipped", text.empty() ? "" : "; ", count.turned);
@@ -61,16 +72,11 @@ std::string copies_text(const Counted& count) {
   return text;
 }
 
-/// [draw] fragments shaded, and of all: visible; of subjects with one of some draws, over a few poses, from a few of
-/// the run's views: a price need not be known to the hundredth.
-struct Shaded {
-  std::map<DrawId, double> of;
-  double visible = 0;
-};
-
-Shaded shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
+/// Fragments shaded of subjects with one of some draws, over a few poses, from a few of the run's views: this is told,
+/// and decides nothing.
+double shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
   constexpr std::size_t most_poses = 4, most_views = 20;
-  Shaded result;
+  double result = 0;
   Views views{{}, run.views.size};
   const std::size_t every = (run.views.views.size() + most_views - 1) / most_views;
   for (std::size_t v = 0; v < run.views.views.size(); v += every) views.views.push_back(run.views.views[v]);
@@ -83,12 +89,8 @@ Shaded shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
     for (std::size_t pose = 0; pose < (moves ? run.poses.poses.size() : 1); pose += step) {
       const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene, run.poses.poses[pose]) : PosedNodes();
       const auto drawn = subject_geometry(scene, subject, run.overdraw->faces(), nodes, run.analyses);
-      const OverdrawCounts counts = run.overdraw->draw(drawn.parts, views, run);
-      for (std::size_t part = 0; part < counts.size(); ++part) {
-        for (const OverdrawCount& count : counts[part]) {
-          result.of[subject.parts[part].draw] += static_cast<double>(count.shaded);
-          result.visible += static_cast<double>(count.visible);
-        }
+      for (const auto& part : run.overdraw->draw(drawn.parts, views, run)) {
+        for (const OverdrawCount& count : part) result += static_cast<double>(count.shaded);
       }
     }
   }
@@ -115,23 +117,16 @@ class Sides final : public Processor {
     if (run.progress) search.progress = [&](double part) { run.progress(0.9 * part); };
     const sides::FoundSides found = sides::find_sides(scene, asked, search, run.analyses, run.executor);
     if (run.cancelled()) return {};
-    const Shaded before = shaded(scene, asked, run);
-    std::map<DrawId, Counted> counts;
-    for (const auto& [id, wanted] : found.wanted) counts[id] = sides::counted(wanted);
-    std::map<DrawId, Choice> choices = chosen(scene, counts);
-    for (;;) {
-      Scene changed = scene;
-      const std::map<DrawId, DrawId> added = apply(changed, found, choices);
-      const Shaded after = shaded(changed, asked, run);
-      if (!leave_what_does_not_pay(scene, counts, before, after, added, choices, run)) {
-        tell(scene, found, counts, before, after, choices, run);
-        scene = std::move(changed);
-        break;
-      }
-    }
+    const sides::SideGains gains =
+        sides::side_gains(scene, asked, run.views, run.poses, run.subjects, run.analyses, run.executor);
+    const std::map<DrawId, Plan> plans = planned(scene, found, gains);
+    const double before = shaded(scene, asked, run);
+    tell(scene, found, gains, plans, run);
+    apply(scene, found, plans);
+    if (before > 0) run.measure_at({}, "fragments", shaded(scene, asked, run), before);
     std::vector<DrawId> changed;
-    for (const auto& [id, choice] : choices) {
-      if (choice != Choice::left) changed.push_back(id);
+    for (const auto& [id, plan] : plans) {
+      if (plan.choice != Choice::left) changed.push_back(id);
     }
     if (changed.empty()) run.keep("no change of a double-sided draw pays; the notes say why");
     return changed;
@@ -164,91 +159,67 @@ class Sides final : public Processor {
     return result;
   }
 
-  std::map<DrawId, Choice> chosen(const Scene& scene, const std::map<DrawId, Counted>& counts) const {
-    std::size_t triangles = 0;
-    for (const Draw& draw : scene.draws) triangles += draw.full().stream().triangle_count();
+  std::map<DrawId, Plan> planned(const Scene& scene, const sides::FoundSides& found,
+                                 const sides::SideGains& gains) const {
+    sides::Sizes sizes{.visible = gains.visible};
+    for (const Draw& draw : scene.draws) {
+      sizes.triangles += static_cast<double>(draw.full().stream().triangle_count());
+      sizes.vertices += static_cast<double>(draw.full().vertices->count);
+    }
+    std::map<DrawId, sides::Sided> draws;
+    for (const auto& [id, wanted] : found.wanted) draws[id] = {wanted, gains.of.at(id)};
     sides::ChoiceOptions options = options_;
     options.split &= scene.products.empty();  // two draws have other numbers than one, which no product must mind
-    return sides::first_choices(counts, triangles, options);
+    return sides::plans(draws, sizes, options);
   }
 
-  /// [draw] the draw that was made beside it.
-  static std::map<DrawId, DrawId> apply(Scene& scene, const sides::FoundSides& found,
-                                        const std::map<DrawId, Choice>& choices) {
+  static void apply(Scene& scene, const sides::FoundSides& found, const std::map<DrawId, Plan>& plans) {
     sides::SingleSidedMaterials materials(scene);
-    std::map<DrawId, DrawId> added;
-    for (const auto& [id, choice] : choices) {
-      if (choice == Choice::left) continue;
-      if (choice == Choice::two_draws) {
-        added[id] = static_cast<DrawId>(scene.draws.size());
-        sides::split(scene, id, found.wanted.at(id), materials);
+    for (const auto& [id, plan] : plans) {
+      if (plan.choice == Choice::left) continue;
+      if (plan.choice == Choice::two_draws) {
+        sides::split(scene, id, found.wanted.at(id), plan.stays, materials);
       } else {
         sides::make_single_sided(scene, id, found.wanted.at(id), materials);
       }
     }
-    return added;
   }
 
-  /// Leaves those alone that save less than they cost; whether there are any.
-  bool leave_what_does_not_pay(const Scene& scene, const std::map<DrawId, Counted>& counts, const Shaded& before,
-                               const Shaded& after, const std::map<DrawId, DrawId>& added,
-                               std::map<DrawId, Choice>& choices, Run& run) const {
-    double vertices = 0;
-    for (const Draw& draw : scene.draws) vertices += static_cast<double>(draw.full().vertices->count);
-    bool any = false;
-    for (auto& [id, choice] : choices) {
-      const Counted& count = counts.at(id);
-      const auto second = added.find(id);
-      double saved = value(before.of, id) - value(after.of, id);
-      if (second != added.end()) saved -= value(after.of, second->second);
-      if (sides::pays(choice, count, saved, before.visible, vertices, options_)) continue;
-      run.note_at(
-          {id}, "stays-double-sided",
-          fmt::format("stays double-sided: {} of its {} triangles show their back, and {} would save {:.2f} "
-                      "per cent of the fragments",
-                      count.backs(), count.triangles, choice == Choice::two_draws ? "two draws" : "copies of these",
-                      100 * std::max(0.0, saved) / std::max(1.0, before.visible)));
-      choice = Choice::left;
-      any = true;
-    }
-    return any;
-  }
-
-  static double value(const std::map<DrawId, double>& of, DrawId id) {
-    const auto found = of.find(id);
-    return found == of.end() ? 0 : found->second;
-  }
-
-  static void tell(const Scene& scene, const sides::FoundSides& found, const std::map<DrawId, Counted>& counts,
-                   const Shaded& before, const Shaded& after, const std::map<DrawId, Choice>& choices, Run& run) {
+  static void tell(const Scene& scene, const sides::FoundSides& found, const sides::SideGains& gains,
+                   const std::map<DrawId, Plan>& plans, Run& run) {
     double single = 0, two = 0, added = 0, turned = 0, triangles = 0;
     for (const Draw& draw : scene.draws) triangles += static_cast<double>(draw.full().stream().triangle_count());
-    for (const auto& [id, choice] : choices) {
-      const Counted& count = counts.at(id);
-      if (choice == Choice::left) continue;
-      (choice == Choice::two_draws ? two : single) += 1;
-      if (choice == Choice::single_sided) {
+    for (const auto& [id, plan] : plans) {
+      const Counted count(found.wanted.at(id));
+      if (plan.choice == Choice::left) {
+        double gain = 0;
+        for (const double of_triangle : gains.of.at(id)) gain += of_triangle;
+        run.note_at({id}, "stays-double-sided",
+                    fmt::format("stays double-sided: {} of its {} triangles show their back, and at most {:.2f} per "
+                                "cent of the fragments could be saved",
+                                count.both + count.turned, count.triangles, 100 * gain / std::max(1.0, gains.visible)));
+        continue;
+      }
+      (plan.choice == Choice::two_draws ? two : single) += 1;
+      added += static_cast<double>(plan.added);
+      turned += static_cast<double>(count.turned);
+      if (plan.choice == Choice::single_sided) {
         run.note_at({id}, "single-sided",
                     found.is_closed.at(id) ? "drawn single-sided: closed and facing outwards, confirmed by pictures"
                                            : "drawn single-sided: no picture and no ray shows a back of it");
-      } else if (choice == Choice::copies) {
-        added += static_cast<double>(count.added);
-        turned += static_cast<double>(count.turned);
+      } else if (plan.choice == Choice::copies) {
         run.note_at({id}, "single-sided", fmt::format("drawn single-sided: {}", copies_text(count)));
       } else {
         run.note_at({id}, "two-draws",
-                    fmt::format("drawn as two draws: {} of its {} triangles show their back and stay double-sided",
-                                count.added + count.turned, count.triangles));
+                    fmt::format("drawn as two draws: {} of its {} triangles are seen from both sides; {} of these stay "
+                                "double-sided, and {} were copied",
+                                count.both, count.triangles, count.both - plan.added, plan.added));
       }
     }
-    double shaded_before = 0, shaded_after = 0;
-    for (const auto& [id, count] : before.of) shaded_before += count;
-    for (const auto& [id, count] : after.of) shaded_after += count;
     run.count_at({}, "single-sided", single);
     run.count_at({}, "two-draws", two);
     run.measure_at({}, "added", added, triangles);
     run.measure_at({}, "turned", turned, triangles);
-    if (shaded_before > 0) run.measure_at({}, "fragments", shaded_after, shaded_before);
     if (found.shown > 0) {
       run.measure_at({}, "contradicted", static_cast<double>(found.wrong), static_cast<double>(found.shown));
     }

@@ -1,0 +1,29 @@
+#pragma once
+// What is saved where the two sides of a triangle are drawn apart.
+
+#include <foredraw/analysis/analyses.h>
+#include <foredraw/base/parallel.h>
+#include <foredraw/scene/poses.h>
+#include <foredraw/scene/scene.h>
+#include <foredraw/scene/subject.h>
+#include <foredraw/scene/views.h>
+
+#include <map>
+#include <span>
+#include <vector>
+
+namespace foredraw::sides {
+
+struct SideGains {
+  std::map<DrawId, std::vector<double>> of;  ///< [draw asked for][triangle] fragments
+  double visible = 0;                        ///< fragments that are seen in the same pictures
+};
+
+/// Where one side of a triangle lies in front and the other one behind something, no place in the order is right for
+/// both: it should be drawn early for the one's sake, and late for the other's. Of both sides the fragments in front
+/// and those behind are counted, from each view, in the poses by turns; the lesser number is lost, or half of it: in an
+/// order or in its reverse. The same at any number of threads.
+SideGains side_gains(const Scene& scene, std::span<const DrawId> asked, const Views& views, const Poses& poses,
+                     SubjectUnit unit, Analyses& analyses, const Executor& executor);
+
+}  // namespace foredraw::sides
