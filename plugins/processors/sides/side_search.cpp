@@ -27,8 +27,6 @@ constexpr int most_checks = 6;
 constexpr int least_check_size = 256;  // pixels
 constexpr int fewest_checks = 4;       // the first check is of so many times fewer pictures
 
-using Surfaces = std::map<DrawId, Surface>;  ///< of the draws asked for
-
 /// A subject in a pose.
 struct Posed {
   explicit Posed(SubjectGeometry geometry) : drawn(std::move(geometry)), all(drawn.parts) {}
@@ -45,11 +43,10 @@ void add(Side& sides, Side more) { sides = static_cast<Side>(sides | more); }
 
 class SubjectSides {
  public:
-  SubjectSides(const Scene& scene, const Subject& subject, const Surfaces& surfaces, FoundSides& found,
-               const SideSearchOptions& options, std::uint64_t seed, Analyses& analyses, const Executor& executor)
+  SubjectSides(const Scene& scene, const Subject& subject, FoundSides& found, const SideSearchOptions& options,
+               std::uint64_t seed, Analyses& analyses, const Executor& executor)
       : scene_(scene),
         subject_(subject),
-        surfaces_(surfaces),
         found_(found),
         options_(options),
         seed_(seed),
@@ -70,7 +67,7 @@ class SubjectSides {
     for (const DrawId id : asked()) {
       std::vector<Side>& wanted = found_.wanted.at(id);
       if (std::ranges::any_of(wanted, [](Side sides) { return (sides & back) != 0; })) {
-        add_rims(surfaces_.at(id), wanted);
+        add_rims(found_.surfaces.at(id), wanted);
       }
     }
   }
@@ -174,7 +171,7 @@ class SubjectSides {
   }
 
   void grow() {
-    for (const DrawId id : asked()) add_neighbours(surfaces_.at(id), found_.wanted.at(id));
+    for (const DrawId id : asked()) add_neighbours(found_.surfaces.at(id), found_.wanted.at(id));
   }
 
   /// The sides that will not be kept by what is known: of backs those of open components.
@@ -189,7 +186,7 @@ class SubjectSides {
     return sides;
   }
 
-  const Surface& surface(std::size_t part) const { return surfaces_.at(subject_.parts[part].draw); }
+  const Surface& surface(std::size_t part) const { return found_.surfaces.at(subject_.parts[part].draw); }
 
   /// Of triangles whose back is seen, the front may not be: it is asked for anew.
   bool leave_out_fronts() {
@@ -219,8 +216,8 @@ class SubjectSides {
       for (const DrawId id : asked()) {
         std::vector<Side>& wanted = found_.wanted.at(id);
         if (wanted == before.at(id)) continue;
-        add_neighbours(surfaces_.at(id), wanted);
-        add_rims(surfaces_.at(id), wanted);
+        add_neighbours(found_.surfaces.at(id), wanted);
+        add_rims(found_.surfaces.at(id), wanted);
       }
       progress((round + 1.0) / most_checks);
     }
@@ -273,7 +270,6 @@ class SubjectSides {
 
   const Scene& scene_;
   const Subject& subject_;
-  const Surfaces& surfaces_;
   FoundSides& found_;
   const SideSearchOptions& options_;
   std::uint64_t seed_;
@@ -288,13 +284,11 @@ class SubjectSides {
 FoundSides find_sides(const Scene& scene, std::span<const DrawId> asked, const SideSearchOptions& options,
                       Analyses& analyses, const Executor& executor) {
   FoundSides found;
-  Surfaces surfaces;
   for (const DrawId id : asked) {
     const Level& level = scene.draws[id].full();
     const std::vector<glm::vec3> positions = decode_vec3(*level.vertices->find("POSITION"));
-    const Surface& surface = surfaces[id] = surface_of(positions, level.stream().indices.view());
+    found.surfaces[id] = surface_of(positions, level.stream().indices.view());
     found.wanted[id].assign(level.stream().triangle_count(), front);
-    found.is_closed[id] = std::ranges::all_of(surface.is_closed, [](bool is) { return is; });
   }
   const std::vector<Subject> subjects = subjects_of(scene, options.subjects);
   const auto triangles_of = [&](const Subject& subject) {
@@ -316,8 +310,7 @@ FoundSides find_sides(const Scene& scene, std::span<const DrawId> asked, const S
   for (std::size_t s = 0; s < subjects.size() && !is_cancelled(); ++s) {
     const double triangles = triangles_of(subjects[s]);
     if (triangles == 0) continue;
-    SubjectSides(scene, subjects[s], surfaces, found, options, derive_seed(options.seed, 0, s), analyses,
-                 until_cancelled)
+    SubjectSides(scene, subjects[s], found, options, derive_seed(options.seed, 0, s), analyses, until_cancelled)
         .search([&](double part) {
           if (options.progress) options.progress((done + part * triangles) / all);
         });

@@ -2,6 +2,7 @@
 // The sides of a scene's double-sided draws that are seen, in all poses.
 
 #include "needed_sides.h"
+#include "surface.h"
 
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/scene/poses.h>
@@ -27,7 +28,7 @@ struct SideSearchOptions {
 
 struct FoundSides {
   std::map<DrawId, std::vector<Side>> wanted;  ///< [draw asked for][triangle]
-  std::map<DrawId, bool> is_closed;            ///< [draw asked for] every component of it is closed and faces outwards
+  std::map<DrawId, Surface> surfaces;          ///< [draw asked for]
   std::uint64_t wrong = 0;                     ///< pixels that the last check added a side for
   std::uint64_t shown = 0;                     ///< of all that it shows
 };

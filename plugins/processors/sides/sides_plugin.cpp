@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace foredraw {
@@ -117,8 +118,12 @@ class Sides final : public Processor {
     if (run.progress) search.progress = [&](double part) { run.progress(0.9 * part); };
     const sides::FoundSides found = sides::find_sides(scene, asked, search, run.analyses, run.executor);
     if (run.cancelled()) return {};
-    const sides::SideGains gains =
+    sides::SideGains gains =
         sides::side_gains(scene, asked, run.views, run.poses, run.subjects, run.analyses, run.executor);
+    constexpr int rounds = 4;  // what is copied hangs together then, and shares its vertices
+    for (auto& [id, of_triangles] : gains.of) {
+      for (int i = 0; i < rounds; ++i) sides::smooth(found.surfaces.at(id), of_triangles);
+    }
     const std::map<DrawId, Plan> plans = planned(scene, found, gains);
     const double before = shaded(scene, asked, run);
     tell(scene, found, gains, plans, run);
@@ -205,8 +210,9 @@ class Sides final : public Processor {
       turned += static_cast<double>(count.turned);
       if (plan.choice == Choice::single_sided) {
         run.note_at({id}, "single-sided",
-                    found.is_closed.at(id) ? "drawn single-sided: closed and facing outwards, confirmed by pictures"
-                                           : "drawn single-sided: no picture and no ray shows a back of it");
+                    std::ranges::all_of(found.surfaces.at(id).is_closed, std::identity())
+                        ? "drawn single-sided: closed and facing outwards, confirmed by pictures"
+                        : "drawn single-sided: no picture and no ray shows a back of it");
       } else if (plan.choice == Choice::copies) {
         run.note_at({id}, "single-sided", fmt::format("drawn single-sided: {}", copies_text(count)));
       } else {

@@ -107,6 +107,20 @@ void add_neighbours(const Surface& surface, std::span<Side> sides) {
   });
 }
 
+void smooth(const Surface& surface, std::span<double> values) {
+  const std::vector<double> before(values.begin(), values.end());
+  std::vector<double> count(values.size(), 1);
+  for_each_edge(surface, [&](std::span<const Surface::Edge> same, bool) {
+    double sum = 0;
+    for (const Surface::Edge& edge : same) sum += before[edge.triangle];
+    for (const Surface::Edge& edge : same) {
+      values[edge.triangle] += sum - before[edge.triangle];
+      count[edge.triangle] += static_cast<double>(same.size() - 1);
+    }
+  });
+  for (std::size_t t = 0; t < values.size(); ++t) values[t] /= count[t];
+}
+
 void add_rims(const Surface& surface, std::span<Side> sides) {
   for_each_edge(surface, [&](std::span<const Surface::Edge> same, bool ends) {
     for (const Surface::Edge& edge : same) {

@@ -54,6 +54,9 @@ Surface surface_of(std::span<const glm::vec3> positions, std::span<const std::ui
 /// Adds to each triangle's sides ([triangle]) those of its neighbours, which share an edge with it.
 void add_neighbours(const Surface& surface, std::span<Side> sides);
 
+/// Makes each triangle's value ([triangle]) the mean of its own and those of its neighbours.
+void smooth(const Surface& surface, std::span<double> values);
+
 /// Adds both sides of each triangle that has an edge where the surface ends.
 void add_rims(const Surface& surface, std::span<Side> sides);
 

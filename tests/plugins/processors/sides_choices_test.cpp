@@ -4,54 +4,90 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace foredraw {
 namespace {
 
-using sides::Choice, sides::Counted;
-using Choices = std::map<DrawId, Choice>;
+using sides::Choice, sides::Plan, sides::Side, sides::Sided;
+using sides::front, sides::back, sides::both;
 
-TEST(SidesChoices, CountsWhatIsSeen) {
-  const sides::Side wanted[] = {sides::front, sides::both, sides::back, sides::both, sides::front};
-  const Counted count = sides::counted(wanted);
-  EXPECT_EQ(count.triangles, 5u);
-  EXPECT_EQ(count.added, 2u);
-  EXPECT_EQ(count.turned, 1u);
-  EXPECT_EQ(count.backs(), 3u);
+/// Prices of a triangle and of a draw call, in fragments, where nothing else is said.
+Plan plan(const std::vector<Side>& wanted, const std::vector<double>& gains, double price = 1, double call = 10,
+          bool may_split = true) {
+  return sides::cheapest_plan({wanted, gains}, price, call, may_split);
 }
 
 TEST(SidesChoices, WhereNoBackIsSeenNothingIsAdded) {
-  EXPECT_EQ(sides::first_choices({{3, {100, 0, 0}}}, 100, {.most_added = 0}), (Choices{{3, Choice::single_sided}}));
+  const Plan one = plan({front, front}, {0, 0}, 1e9);
+  EXPECT_EQ(one.choice, Choice::single_sided);
+  EXPECT_EQ(one.added, 0u);
 }
 
-TEST(SidesChoices, DrawsThatAddLeastComeFirst) {
-  const std::map<DrawId, Counted> counts{{0, {100, 15, 0}}, {1, {100, 10, 0}}, {2, {100, 4, 9}}};
-  EXPECT_EQ(sides::first_choices(counts, 300, {.most_added = 0.05}),
-            (Choices{{0, Choice::two_draws}, {1, Choice::copies}, {2, Choice::copies}}))
-      << "4 and 10 of the 15 that are allowed";
-  EXPECT_EQ(sides::first_choices(counts, 300, {.most_added = 0.05, .split = false}).at(0), Choice::left);
+TEST(SidesChoices, CopiesMustGainMoreThanTheyCost) {
+  EXPECT_EQ(plan({both, front}, {1.5, 0}).choice, Choice::copies);
+  EXPECT_EQ(plan({both, front}, {0, 1.5}).choice, Choice::copies) << "whose back is not drawn any more, gains too";
+  EXPECT_EQ(plan({both, front}, {0.5, 0.4}).choice, Choice::left);
+  EXPECT_EQ(plan({both, front}, {1.5, 0}).added, 1u);
 }
 
 TEST(SidesChoices, TurnedTrianglesCostNothing) {
-  EXPECT_EQ(sides::first_choices({{0, {100, 0, 100}}}, 100, {.most_added = 0}).at(0), Choice::copies);
+  EXPECT_EQ(plan({back, back}, {0.1, 0}, 1e9).choice, Choice::copies);
+  EXPECT_EQ(plan({back, back}, {0.1, 0}, 1e9).added, 0u);
 }
 
-/// A sail: copies of all of it would only take what other draws could have.
-TEST(SidesChoices, SheetsAreNotCopied) {
-  const std::map<DrawId, Counted> counts{{0, {100, 95, 0}}, {1, {1000, 150, 0}}, {2, {50, 50, 0}}};
-  EXPECT_EQ(sides::first_choices(counts, 1150, {.most_added = 0.2}),
-            (Choices{{0, Choice::two_draws}, {1, Choice::copies}, {2, Choice::left}}));
+/// Some triangles gain much; copies of the many others cost more than a draw call.
+TEST(SidesChoices, WhatGainsLittleStaysDoubleSidedInADrawOfItsOwn) {
+  std::vector<Side> wanted(100, both);
+  std::vector<double> gains(100, 0.1);
+  wanted[0] = front;
+  gains[3] = gains[7] = 50;
+  const Plan two = plan(wanted, gains);
+  EXPECT_EQ(two.choice, Choice::two_draws);
+  EXPECT_EQ(two.added, 2u);
+  EXPECT_EQ(std::ranges::count(two.stays, true), 97);
+  EXPECT_FALSE(two.stays[0] || two.stays[3] || two.stays[7]);
+  EXPECT_NEAR(two.saved, 100.1, 1e-9);
+  EXPECT_EQ(plan(wanted, gains, 1, 10, false).choice, Choice::copies) << "99 triangles cost less than 109.8 fragments";
+  EXPECT_EQ(plan(wanted, gains, 1, 1000).choice, Choice::copies);
+  EXPECT_EQ(plan(wanted, gains, 2, 1000).choice, Choice::left);
 }
 
-TEST(SidesChoices, PayWhereTheySaveMoreThanTheyCost) {
-  const Counted count{1000, 100, 0};
-  // 100 triangles of .7 vertices, each a tenth of a fragment, in a scene of 700: a hundredth of what is seen.
-  EXPECT_TRUE(sides::pays(Choice::copies, count, 101, 10000, 700, {}));
-  EXPECT_FALSE(sides::pays(Choice::copies, count, 99, 10000, 700, {}));
-  EXPECT_TRUE(sides::pays(Choice::copies, count, 99, 10000, 700, {.vertex_weight = 0.01}));
-  EXPECT_FALSE(sides::pays(Choice::copies, count, 0, 10000, 700, {.vertex_weight = 0}));
-  EXPECT_TRUE(sides::pays(Choice::two_draws, count, 101, 10000, 700, {}));
-  EXPECT_FALSE(sides::pays(Choice::two_draws, count, 99, 10000, 700, {}));
-  EXPECT_TRUE(sides::pays(Choice::single_sided, count, 0, 10000, 700, {}));
+/// A sail gains next to nothing: it takes nothing from what other draws may add.
+TEST(SidesChoices, TheScenesTrianglesGoWhereTheyGainMost) {
+  const std::vector<Side> all(100, both);
+  std::vector<double> sail(100, 0.5), hull(100), hose(100);
+  for (std::size_t t = 0; t < 100; ++t) {
+    hull[t] = static_cast<double>(t);
+    hose[t] = 200;
+  }
+  const std::map<DrawId, Sided> draws{{0, {all, sail}}, {1, {all, hull}}, {2, {all, hose}}};
+  const sides::Sizes scene{.triangles = 1000, .vertices = 700, .visible = 10'000};  // a triangle costs one fragment
+  const auto added = [&](double most) {
+    std::vector<std::size_t> result;
+    for (const auto& [id, plan] : sides::plans(draws, scene, {.most_added = most})) result.push_back(plan.added);
+    return result;
+  };
+  EXPECT_EQ(added(1), (std::vector<std::size_t>{0, 100, 100})) << "a call would cost more than copies of all the hull";
+  EXPECT_EQ(added(0.15), (std::vector<std::size_t>{0, 50, 100}));
+  EXPECT_EQ(added(0.1), (std::vector<std::size_t>{0, 0, 100}));
+  EXPECT_EQ(added(0.05), (std::vector<std::size_t>{0, 0, 0}));
+  const auto plans = sides::plans(draws, scene, {.most_added = 0.15});
+  EXPECT_FALSE(plans.at(1).stays[99]);
+  EXPECT_TRUE(plans.at(1).stays[0]);
+  EXPECT_EQ(sides::plans(draws, scene, {.most_added = 0.15, .split = false}).at(1).choice, Choice::left);
+}
+
+TEST(SidesChoices, VerticesHaveTheWeightThatTheyAreGiven) {
+  const std::vector<Side> wanted{both, front};
+  const std::vector<double> gains{1, 0};
+  const std::map<DrawId, Sided> draws{{0, {wanted, gains}}};
+  const sides::Sizes scene{.triangles = 2, .vertices = 7, .visible = 90};
+  const auto choice = [&](double weight) {
+    return sides::plans(draws, scene, {.most_added = 1, .vertex_weight = weight}).at(0).choice;
+  };
+  EXPECT_EQ(choice(0.1), Choice::copies);  // .9 fragments
+  EXPECT_EQ(choice(0.2), Choice::left);
 }
 
 }  // namespace

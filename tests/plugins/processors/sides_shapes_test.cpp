@@ -1,6 +1,7 @@
 // Shapes that look alike and are not: what is seen of each, and that it looks the same before and after.
 
 #include "plugins/processors/sides/applied_sides.h"
+#include "plugins/processors/sides/side_gains.h"
 #include "plugins/processors/sides/side_search.h"
 #include "plugins/processors/sides/surface.h"
 #include "support/meshes.h"
@@ -187,6 +188,36 @@ TEST(SidesShapes, OddTrianglesDoNoHarm) {
   nowhere.positions[40].y = std::numeric_limits<float>::quiet_NaN();
   const Seen holed = seen(nowhere);  // one sees into it
   EXPECT_GT(holed.both, holed.fronts);
+}
+
+sides::SideGains gains(const TestMesh& mesh, int threads) {
+  const DrawId asked[] = {0};
+  Views views{{}, 64};
+  for (const glm::dvec3& direction : fibonacci_directions(30)) views.views.push_back({direction});
+  Analyses analyses;
+  return sides::side_gains(double_sided_scene(mesh), asked, views, rest_pose, SubjectUnit::character, analyses,
+                           Executor(threads));
+}
+
+/// A sheet hides nothing of itself. Of a body, each wall is in front from one side and behind from the other.
+TEST(SidesGains, AreOfTrianglesThatHideAndAreHidden) {
+  const sides::SideGains sheet = gains(testing::grid(4, 4), 1);
+  EXPECT_GT(sheet.visible, 0);
+  EXPECT_EQ(sheet.of.at(0), std::vector<double>(32, 0));
+  const sides::SideGains box = gains(body(), 1);
+  for (const double gain : box.of.at(0)) {
+    EXPECT_GT(gain, 0.02 * box.visible);
+    EXPECT_LT(gain, 0.06 * box.visible) << "half of a twelfth, as backs are as often behind as fronts are in front";
+  }
+  EXPECT_EQ(gains(open_tube(), 1).of, gains(open_tube(), 2).of);
+}
+
+TEST(SidesSurface, SmoothsValuesOverNeighbours) {
+  const TestMesh strip{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}}, {0, 1, 2, 2, 1, 3, 2, 3, 4}};
+  const sides::Surface surface = sides::surface_of(strip.positions, strip.indices);
+  std::vector<double> values{6, 0, 3};
+  sides::smooth(surface, values);
+  EXPECT_EQ(values, (std::vector<double>{3, 3, 1.5}));
 }
 
 TEST(SidesSurface, TellsWhereASurfaceEnds) {
