@@ -22,7 +22,8 @@ struct Material {
   std::optional<Texture> base_colour;  ///< whose alpha is multiplied with it
   std::optional<Stamp> look;           ///< of all that the file says but the name: equal ones look alike
   std::optional<Stamp> kind;  ///< of the same without its numbers: equal ones differ in factors and textures alone
-  /// Which sides are drawn has to stay: light passes through, or the file animates the material. Found by the reader.
+  /// Which sides are drawn has to stay: light passes through, the file animates the material, or a variant of the file
+  /// puts one in its place that shows other sides. Found by the reader.
   bool keeps_sides = false;
   /// A stage made it of this one: the file says of it all that it says of that, but for what differs here.
   std::optional<MaterialId> copy_of = {};
