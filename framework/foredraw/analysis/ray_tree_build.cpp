@@ -22,24 +22,6 @@ constexpr std::size_t deepest_by_area = 24;  // from there on by halves: the tre
 
 bool is_all_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-struct RayBox {
-  glm::vec3 low = glm::vec3(std::numeric_limits<float>::infinity());
-  glm::vec3 high = -low;
-
-  void add(const glm::vec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  void add(const RayBox& box) {
-    low = glm::min(low, box.low);
-    high = glm::max(high, box.high);
-  }
-  double half_area() const {
-    const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
-    return size.x < 0 ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
-  }
-};
-
 }  // namespace
 
 class RayTree::Builder {
@@ -58,19 +40,37 @@ class RayTree::Builder {
   }
 
  private:
+  struct Box {
+    glm::vec3 low = glm::vec3(std::numeric_limits<float>::infinity());
+    glm::vec3 high = -low;
+
+    void add(const glm::vec3& point) {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+    void add(const Box& box) {
+      low = glm::min(low, box.low);
+      high = glm::max(high, box.high);
+    }
+    double half_area() const {
+      const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
+      return size.x < 0 ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
+    }
+  };
+
   struct Leaf {
-    RayBox box;
+    Box box;
     glm::vec3 middle;
     std::uint32_t triangle;
   };
   struct Range {
     std::size_t begin, end;
-    RayBox box;
+    Box box;
     std::size_t count() const { return end - begin; }
   };
 
-  RayBox box_of(std::size_t begin, std::size_t end) const {
-    RayBox box;
+  Box box_of(std::size_t begin, std::size_t end) const {
+    Box box;
     for (std::size_t i = begin; i < end; ++i) box.add(leaves_[i].box);
     return box;
   }
@@ -106,13 +106,13 @@ class RayTree::Builder {
   /// What is no leaf yet is opened first where rays are likeliest.
   static double area(const Range& range) { return range.count() <= most_in_ray_leaf ? -1 : range.box.half_area(); }
 
-  RayBox middles(const Range& range) const {
-    RayBox box;
+  Box middles(const Range& range) const {
+    Box box;
     for (std::size_t i = range.begin; i < range.end; ++i) box.add(leaves_[i].middle);
     return box;
   }
 
-  static int longest_axis(const RayBox& box) {
+  static int longest_axis(const Box& box) {
     const glm::vec3 size = box.high - box.low;
     return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   }
@@ -120,14 +120,14 @@ class RayTree::Builder {
   /// Parts the range by the plane across the longest axis of its middles that makes the sum of area * triangles least.
   /// Where the second part begins.
   std::size_t part_by_area(const Range& range) {
-    const RayBox at = middles(range);
+    const Box at = middles(range);
     const int axis = longest_axis(at);
     const float scale = static_cast<float>(ray_bins) / (at.high[axis] - at.low[axis]);
     if (!std::isfinite(scale)) return halve(range);
     const auto bin_of = [&](const Leaf& leaf) {
       return std::min(ray_bins - 1, static_cast<std::size_t>((leaf.middle[axis] - at.low[axis]) * scale));
     };
-    std::array<RayBox, ray_bins> boxes;
+    std::array<Box, ray_bins> boxes;
     std::array<std::size_t, ray_bins> counts{};
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const std::size_t bin = bin_of(leaves_[i]);
@@ -135,7 +135,7 @@ class RayTree::Builder {
       ++counts[bin];
     }
     std::array<double, ray_bins> behind{};  // [bin] what it and those after it cost
-    RayBox box;
+    Box box;
     std::size_t count = 0;
     for (std::size_t bin = ray_bins; bin-- > 1;) {
       box.add(boxes[bin]);
