@@ -15,8 +15,8 @@ std::optional<Scene> gltf_scene(SceneBytes file, Diagnostics& diagnostics, const
   return read_gltf(std::move(file.bytes), file.name, file.folder, diagnostics, how);
 }
 
-std::optional<Scene> mesh_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput&) {
-  return read_mesh_file(file.bytes, mesh_kind_of(file.name).value(), file.name, file.folder, diagnostics);
+std::optional<Scene> mesh_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput& how) {
+  return read_mesh_file(file.bytes, mesh_kind_of(file.name).value(), file.name, file.folder, diagnostics, how);
 }
 
 std::optional<Scene> image_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput&) {

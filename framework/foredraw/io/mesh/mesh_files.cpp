@@ -6,6 +6,7 @@
 #include <foredraw/io/mesh/private/ply.h>
 #include <foredraw/io/mesh/private/source.h>
 #include <foredraw/io/mesh/private/stl.h>
+#include <foredraw/io/mesh/private/utf16.h>
 #include <foredraw/io/text/private/file_kind.h>
 
 #include <fmt/format.h>
@@ -65,19 +66,32 @@ std::vector<std::string_view> mesh_extensions() {
 }
 
 std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind kind, const std::string& name,
-                                    const std::filesystem::path& folder, Diagnostics& diagnostics) {
+                                    const std::filesystem::path& folder, Diagnostics& diagnostics,
+                                    const SceneInput& how) {
   auto source = std::make_shared<MeshSource>();
   source->kind = kind;
   source->file = Shared<std::byte>({bytes.begin(), bytes.end()});
-  const Reading reading{name, source->text(), diagnostics};
+  Faults faults(diagnostics, how.strict);
+  Reading reading{name, source->text(), diagnostics, &faults};
+  if (kind == MeshKind::obj && is_utf16(reading.text)) {
+    faults.found("utf-16", {.file = name}, "the text is UTF-16");
+    auto text = utf8_of(reading.text);
+    if (!text) {
+      reading.refuse({.file = name}, "the text begins as UTF-16 does, and is none");
+      return std::nullopt;
+    }
+    source->utf8 = std::move(*text);
+    reading.text = source->text();
+  }
   // A corner takes a byte at least, so that no number of anything can leave 32 bits.
-  if (bytes.size() >= none) {
+  if (reading.text.size() >= none) {
     reading.refuse({.file = name}, "the file is longer than 4 GiB");
     return std::nullopt;
   }
   PolygonMesh mesh;
   std::vector<std::string> libraries;
-  if (!read_polygons(kind, reading, mesh, libraries)) return std::nullopt;
+  const bool is_read = read_polygons(kind, reading, mesh, libraries);
+  if (!faults.tell() || !is_read) return std::nullopt;
   MaterialLibrary library = read_libraries(libraries, name, folder, diagnostics);
   auto made = scene_of(mesh, std::move(library.materials), name, diagnostics);
   if (!made) return std::nullopt;
@@ -99,8 +113,9 @@ std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, co
                       "give the output the extension .glb, or that of the input");
     return std::nullopt;
   }
-  const auto text = reordered(scene, *source, diagnostics);
+  auto text = reordered(scene, *source, diagnostics);
   if (!text) return std::nullopt;
+  if (!source->utf8.empty()) text = utf16_like(source->file_text(), *text);
   const auto bytes = std::as_bytes(std::span(*text));
   return OutputFile{target, {bytes.begin(), bytes.end()}};
 }

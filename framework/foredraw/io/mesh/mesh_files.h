@@ -2,6 +2,7 @@
 // Meshes in OBJ, PLY, OFF and STL, read into flat arrays and written back to their own kind.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/scene_input.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/scene/scene.h>
 
@@ -24,9 +25,10 @@ std::vector<std::string_view> mesh_extensions();  ///< of all kinds
 
 /// Reads bytes; `name` is what diagnostics call them, and an OBJ's material libraries are looked for in `folder`
 /// (empty: there are none). nullopt, with an error that names file and line (or byte), where they can not be read whole
-/// and right; what is left out is told by warnings and notes. Safe to call from several threads.
+/// and right; what is mended or left out is told by warnings and notes. Safe to call from several threads.
 std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind kind, const std::string& name,
-                                    const std::filesystem::path& folder, Diagnostics& diagnostics);
+                                    const std::filesystem::path& folder, Diagnostics& diagnostics,
+                                    const SceneInput& how = {});
 
 /// The file that a scene was read from, its faces and vertices in the scene's order and all else as it was: byte for
 /// byte where nothing moved. nullopt, with an error, where the scene did not come from a file of this kind, or where

@@ -60,8 +60,9 @@ class ObjReader {
     return true;
   }
 
-  /// All numbers of a record, `least` at least; false, with an error, where one is none.
-  bool numbers(const ObjLine& line, std::size_t least, std::size_t most) {
+  /// All numbers of a record, `least` at least; false, with an error, where one is none. The first `exact` ones place
+  /// vertices; of others, those that are not finite are 0.
+  bool numbers(const ObjLine& line, std::size_t least, std::size_t most, std::size_t exact) {
     values_.clear();
     std::string_view rest = line.rest;
     for (std::string_view token = take_obj_token(rest); !token.empty(); token = take_obj_token(rest)) {
@@ -69,7 +70,8 @@ class ObjReader {
         return reading_.refuse(reading_.at(token), fmt::format("'{}' takes at most {} numbers", line.keyword, most));
       }
       float value = 0;
-      if (!reading_.read(token, value)) return false;
+      const bool is_exact = values_.size() < exact;
+      if (!(is_exact ? reading_.read(token, value) : reading_.read_attribute(token, value))) return false;
       values_.push_back(value);
     }
     if (values_.size() >= least) return true;
@@ -78,7 +80,7 @@ class ObjReader {
   }
 
   bool position(const ObjLine& line) {
-    if (!numbers(line, 3, 7)) return false;
+    if (!numbers(line, 3, 7, 3)) return false;
     mesh_.positions.emplace_back(values_[0], values_[1], values_[2]);
     ++so_far_.positions;
     if (values_.size() == 5)
@@ -92,14 +94,14 @@ class ObjReader {
   }
 
   bool texcoord(const ObjLine& line) {
-    if (!numbers(line, 1, 3)) return false;
+    if (!numbers(line, 1, 3, 0)) return false;
     mesh_.texcoords.emplace_back(values_[0], 1 - (values_.size() > 1 ? values_[1] : 0));
     ++so_far_.texcoords;
     return true;
   }
 
   bool normal(const ObjLine& line) {
-    if (!numbers(line, 3, 3)) return false;
+    if (!numbers(line, 3, 3, 0)) return false;
     mesh_.normals.emplace_back(values_[0], values_[1], values_[2]);
     ++so_far_.normals;
     return true;
@@ -131,16 +133,22 @@ class ObjReader {
     return true;
   }
 
-  /// Corners may name records that come after them, so all are looked at in the end.
-  bool all_records_exist() const {
-    const auto exists = [&](const char* what, std::uint32_t record, std::size_t count, std::size_t face) {
+  /// Corners may name records that come after them, so all are looked at in the end. Texture coordinates and normals
+  /// that are named where the file has none at all are none.
+  bool all_records_exist() {
+    const auto exists = [&](std::string_view what, std::uint32_t& record, std::size_t count, std::size_t face) {
       if (record == none || record < count) return true;
-      return reading_.refuse(
-          reading_.at(std::string_view(places_[face], 1)),
-          fmt::format("the face names '{}' number {}, but the file has {}", what, std::size_t{record} + 1, count));
+      const std::string_view place(places_[face], 1);
+      std::string message =
+          fmt::format("the face names '{}' number {}, but the file has {}", what, std::size_t{record} + 1, count);
+      if (what == "v" || count > 0) return reading_.refuse(reading_.at(place), std::move(message));
+      reading_.fault("missing-attribute", place, std::move(message));
+      record = none;
+      return true;
     };
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
-      for (const Corner& corner : mesh_.face(f)) {
+      for (std::size_t c = mesh_.first_corner(f); c < mesh_.ends[f]; ++c) {
+        Corner& corner = mesh_.corners[c];
         if (!exists("v", corner.position, mesh_.positions.size(), f) ||
             !exists("vt", corner.texcoord, mesh_.texcoords.size(), f) ||
             !exists("vn", corner.normal, mesh_.normals.size(), f)) {
@@ -213,9 +221,6 @@ class ObjReader {
 
 bool read_obj(const Reading& reading, PolygonMesh& mesh, std::vector<std::string>& libraries) {
   const std::string_view text = reading.text;
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    return reading.refuse({.file = reading.name}, "the text is UTF-16", "save it as UTF-8 or ASCII");
-  }
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     return reading.refuse(reading.at_byte(zero), "found a zero byte: the file is not text");
   }

@@ -182,21 +182,25 @@ class ObjWriting {
       read_obj_corner(token, so_far, corner);
       result.append(done, token.data());
       done = token.data() + token.size();
-      put_number(positions_, corner.position, most.position);
-      const std::size_t first = token.find('/');
+      const std::size_t first = token.find('/'), second = token.find('/', first + 1);
+      put_number(positions_, token.substr(0, first), corner.position, most.position);
       if (first == std::string_view::npos) continue;
       result += '/';
-      put_number(texcoords_, corner.texcoord, most.texcoord);
-      if (token.find('/', first + 1) == std::string_view::npos) continue;
+      put_number(texcoords_, token.substr(first + 1, second - first - 1), corner.texcoord, most.texcoord);
+      if (second == std::string_view::npos) continue;
       result += '/';
-      put_number(normals_, corner.normal, most.normal);
+      put_number(normals_, token.substr(second + 1), corner.normal, most.normal);
     }
     result.append(done, line.whole.data() + line.whole.size());
     return most;
   }
 
-  void put_number(const Records& records, std::uint32_t old, std::uint32_t& most) {
-    if (old == none) return;
+  /// What names nothing stays as it is written.
+  void put_number(const Records& records, std::string_view written, std::uint32_t old, std::uint32_t& most) {
+    if (old >= records.numbers.size()) {
+      result += written;
+      return;
+    }
     const std::uint32_t number = records.numbers[old] + 1;
     most = std::max(most, number);
     result += std::to_string(number);

@@ -65,13 +65,23 @@ class OffReader {
  private:
   bool next(std::string_view& line) {
     line = take_off_line(text_);
-    return !line.empty() ||
-           reading_.refuse(reading_.at(text_), "the file ends before all vertices and faces are there");
+    return !line.empty() || refuse_end();
+  }
+
+  bool refuse_end() const {
+    return reading_.refuse(reading_.at(text_), "the file ends before all vertices and faces are there");
   }
 
   bool numbers(std::string_view& line, float* values, int count) {
     for (int i = 0; i < count; ++i) {
       if (!reading_.read(take_token(line), values[i])) return false;
+    }
+    return true;
+  }
+
+  bool attributes(std::string_view& line, float* values, int count) {
+    for (int i = 0; i < count; ++i) {
+      if (!reading_.read_attribute(take_token(line), values[i])) return false;
     }
     return true;
   }
@@ -82,12 +92,12 @@ class OffReader {
     if (!next(line) || !numbers(line, v.data(), 3)) return false;
     mesh_.positions.emplace_back(v[0], v[1], v[2]);
     if (header_.has_normals) {
-      if (!numbers(line, v.data(), 3)) return false;
+      if (!attributes(line, v.data(), 3)) return false;
       mesh_.normals.emplace_back(v[0], v[1], v[2]);
     }
     if (header_.has_colors && !color(line)) return false;
     if (header_.has_texcoords) {
-      if (!numbers(line, v.data(), 2)) return false;
+      if (!attributes(line, v.data(), 2)) return false;
       mesh_.texcoords.emplace_back(v[0], 1 - v[1]);
     }
     if (!trimmed(line).empty()) ++vertices_with_more_;
@@ -111,7 +121,7 @@ class OffReader {
     for (std::uint8_t i = 0; i < color_size_; ++i) {
       const std::string_view token = take_token(line);
       float value = 0;
-      if (!reading_.read(token, value)) return false;
+      if (!reading_.read_attribute(token, value)) return false;
       colors_.push_back(value);
       are_bytes_ = are_bytes_ && token.find_first_not_of("0123456789") == std::string_view::npos && value <= 255;
     }
@@ -132,16 +142,12 @@ class OffReader {
   }
 
   bool face() {
-    std::string_view line;
-    if (!next(line)) return false;
-    const std::string_view size_token = take_token(line);
-    std::uint64_t size = 0;
-    if (!read_integer(size_token, size) || size > line.size()) {
-      return reading_.refuse(reading_.at(size_token),
-                             fmt::format("a face of {} corners does not fit its line", shown(size_token)));
+    if (!take_off_face(text_, face_)) {
+      if (face_.size.empty()) return refuse_end();
+      return reading_.refuse(reading_.at(face_.size),
+                             fmt::format("a face of {} corners does not fit its lines", shown(face_.size)));
     }
-    for (std::uint64_t i = 0; i < size; ++i) {
-      const std::string_view token = take_token(line);
+    for (const std::string_view token : face_.corners) {
       std::uint32_t vertex = 0;
       if (!read_integer(token, vertex)) {
         return reading_.refuse(reading_.at(token),
@@ -155,7 +161,7 @@ class OffReader {
       mesh_.corners.push_back({vertex, header_.has_texcoords ? vertex : none, header_.has_normals ? vertex : none});
     }
     mesh_.ends.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
-    if (!trimmed(line).empty()) ++faces_with_more_;
+    if (face_.has_more) ++faces_with_more_;
     return true;
   }
 
@@ -171,8 +177,8 @@ class OffReader {
       reading_.diagnostics.note(where, "face-colors-left-out",
                                 fmt::format("the colours of {} faces are left out", faces_with_more_));
     }
-    if (!take_off_line(text_).empty()) {
-      reading_.diagnostics.warning(where, "lines-left-out", "what follows the last face is left out");
+    if (const std::string_view line = take_off_line(text_); !line.empty()) {
+      reading_.fault("lines-left-out", line, "the file goes on behind its last face");
     }
   }
 
@@ -180,6 +186,7 @@ class OffReader {
   const OffHeader& header_;
   PolygonMesh& mesh_;
   std::string_view text_;
+  OffFace face_;
   std::vector<float> colors_;
   std::uint8_t color_size_ = 0;
   bool are_bytes_ = true;
@@ -197,12 +204,41 @@ std::string_view take_off_line(std::string_view& text) {
   return text;
 }
 
+bool take_off_face(std::string_view& text, OffFace& face) {
+  std::string_view line = take_off_line(text);
+  const char* begin = line.data();
+  face.size = take_token(line);
+  face.corners.clear();
+  std::uint64_t size = 0;
+  if (!read_integer(face.size, size)) return false;
+  bool goes_on = false;
+  while (face.corners.size() < size) {
+    const std::string_view token = take_token(line);
+    if (!token.empty()) {
+      face.corners.push_back(token);
+      continue;
+    }
+    line = take_off_line(text);
+    if (line.empty()) return false;
+    goes_on = true;
+  }
+  face.has_more = !trimmed(line).empty();
+  face.whole = {begin, static_cast<std::size_t>(line.data() + line.size() - begin)};
+  return !goes_on || !face.has_more;
+}
+
 std::optional<OffHeader> read_off_header(const Reading& reading) {
   OffHeader header;
   header.body = without_mark(reading.text);
   std::string_view line = take_off_line(header.body);
   std::string_view rest = line;
-  const std::string_view word = take_token(rest);
+  std::string_view word = take_token(rest);
+  const std::string_view letters = word.substr(0, word.find_first_of("0123456789"));
+  if (letters.size() < word.size() && read_keyword(letters, header)) {
+    reading.fault("keyword", word,
+                  fmt::format("there is no space between the keyword and the number of {}", shown(word)));
+    word = letters;
+  }
   if (read_keyword(word, header)) {
     if (const std::string_view next = take_token(rest); next == "BINARY") {
       reading.refuse(reading.at(next), "binary OFF is not read", "save the mesh as ASCII OFF, or as PLY");

@@ -6,28 +6,21 @@ namespace foredraw::mesh_files {
 
 namespace {
 
-std::vector<std::string_view> lines(std::string_view& text, std::uint64_t count) {
-  std::vector<std::string_view> found;
-  for (std::uint64_t i = 0; i < count; ++i) found.push_back(take_off_line(text));
-  return found;
-}
-
-/// The face's line with other numbers.
-std::string renumbered(std::string_view line, const std::vector<std::uint32_t>& numbers) {
+/// The face's line, or lines, with other numbers.
+std::string renumbered(std::string_view whole, const std::vector<std::uint32_t>& numbers) {
   std::string result;
-  std::string_view rest = line;
-  std::uint64_t size = 0;
-  read_integer(take_token(rest), size);
-  const char* done = line.data();
-  for (std::uint64_t i = 0; i < size; ++i) {
-    const std::string_view token = take_token(rest);
+  const char* done = whole.data();
+  std::string_view rest = whole;
+  OffFace face;
+  take_off_face(rest, face);
+  for (const std::string_view token : face.corners) {
     std::uint32_t vertex = 0;
     read_integer(token, vertex);
     result.append(done, token.data());
     result += std::to_string(numbers[vertex]);
     done = token.data() + token.size();
   }
-  return result.append(done, line.data() + line.size());
+  return result.append(done, whole.data() + whole.size());
 }
 
 }  // namespace
@@ -38,8 +31,13 @@ std::optional<std::string> reordered_off(const Scene& scene, const MeshSource& s
   const auto header = read_off_header(reading);
   if (!header) return std::nullopt;
   std::string_view rest = header->body;
-  const auto vertices = lines(rest, header->vertices);
-  const auto faces = lines(rest, header->faces);
+  std::vector<std::string_view> vertices(header->vertices);
+  for (std::string_view& vertex : vertices) vertex = take_off_line(rest);
+  std::vector<std::string_view> faces(header->faces);
+  for (OffFace face; std::string_view & whole : faces) {
+    take_off_face(rest, face);
+    whole = face.whole;
+  }
   const auto order = order_of(scene, source, {faces.size(), vertices.size()}, diagnostics);
   if (!order) return std::nullopt;
 

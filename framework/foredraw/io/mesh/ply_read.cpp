@@ -4,15 +4,33 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace foredraw::mesh_files {
 
 namespace {
 
 /// What a property of a vertex or face means to us.
-enum class Meaning : std::uint8_t { x, y, z, nx, ny, nz, u, v, red, green, blue, alpha, corners, wedges, nothing };
+enum class Meaning : std::uint8_t {
+  x,
+  y,
+  z,
+  nx,
+  ny,
+  nz,
+  u,
+  v,
+  red,
+  green,
+  blue,
+  alpha,
+  corners,
+  wedges,
+  strip,
+  nothing
+};
 
-Meaning meaning_of(bool of_vertex, const PlyProperty& property) {
+Meaning meaning_of(std::string_view element, const PlyProperty& property) {
   struct Row {
     std::string_view name;
     Meaning meaning;
@@ -22,10 +40,12 @@ Meaning meaning_of(bool of_vertex, const PlyProperty& property) {
       {"ny", Meaning::ny},   {"nz", Meaning::nz},       {"u", Meaning::u},         {"v", Meaning::v},
       {"s", Meaning::u},     {"t", Meaning::v},         {"texture_u", Meaning::u}, {"texture_v", Meaning::v},
       {"red", Meaning::red}, {"green", Meaning::green}, {"blue", Meaning::blue},   {"alpha", Meaning::alpha}};
-  if (!of_vertex && names_vertices(property)) return Meaning::corners;
-  if (!of_vertex && property.list && !is_whole(property.type) && property.name == "texcoord") return Meaning::wedges;
+  if (element == strips_name && names_vertices(property)) return Meaning::strip;
+  if (element == "face" && names_vertices(property)) return Meaning::corners;
+  if (element == "face" && property.list && !is_whole(property.type) && property.name == "texcoord")
+    return Meaning::wedges;
   for (const Row& row : rows) {
-    if (of_vertex && !property.list && row.name == property.name) return row.meaning;
+    if (element == "vertex" && !property.list && row.name == property.name) return row.meaning;
   }
   return Meaning::nothing;
 }
@@ -39,9 +59,10 @@ class PlyReader {
     mesh_.whole_vertices = true;
     for (const PlyElement& element : header_.elements) {
       auto& meanings = meanings_.emplace_back();
+      std::set<std::string_view> names;
       for (const PlyProperty& property : element.properties) {
-        const bool ours = element.name == "vertex" || element.name == "face";
-        const Meaning meaning = ours ? meaning_of(element.name == "vertex", property) : Meaning::nothing;
+        const Meaning meaning = meaning_of(element.name, property);
+        if (!names.insert(property.name).second && !may_be_twice(property, meaning)) return false;
         // Of several that mean the same the first counts.
         meanings.push_back(this->property(meaning) == nullptr ? meaning : Meaning::nothing);
       }
@@ -55,7 +76,8 @@ class PlyReader {
     if (!walk.run(*this) || !all_vertices_exist()) return false;
     if (has_wedges_ && mesh_.face_count() > 0) mesh_.whole_vertices = false;
     give_corners_their_attributes();
-    tell(walk.end());
+    if (!look_behind(walk.end())) return false;
+    tell_left_out();
     return true;
   }
 
@@ -64,20 +86,25 @@ class PlyReader {
 
   bool list(std::size_t e, std::size_t p, std::size_t) {
     if (meanings_[e][p] == Meaning::wedges) wedge_.clear();
+    if (meanings_[e][p] == Meaning::strip) strip_.begin();
     return true;
   }
 
   bool value(std::size_t e, std::size_t p, const PlyValue& value) {
     const Meaning meaning = meanings_[e][p];
     if (meaning == Meaning::corners) return corner(value);
-    const auto number = static_cast<float>(value.value);
-    if (!std::isfinite(number)) {
-      return refuse(value, fmt::format("'{}' is not a finite 32-bit float", header_.elements[e].properties[p].name));
+    if (meaning == Meaning::strip) return strip_vertex(value);
+    double number = value.value;
+    if (!std::isfinite(static_cast<float>(number))) {
+      std::string message = fmt::format("'{}' is not a finite 32-bit float", header_.elements[e].properties[p].name);
+      if (meaning <= Meaning::z) return refuse(value, std::move(message));
+      fault("not-finite", value.begin, std::move(message));
+      number = 0;
     }
     if (meaning == Meaning::wedges) {
-      wedge_.push_back(number);
+      wedge_.push_back(static_cast<float>(number));
     } else {
-      row_[static_cast<std::size_t>(meaning)] = value.value;
+      row_[static_cast<std::size_t>(meaning)] = number;
     }
     return true;
   }
@@ -94,16 +121,31 @@ class PlyReader {
                     fmt::format("found {} texture coordinates for {} corners", wedge_.size(), corners));
     }
     wedge_.clear();
-    mesh_.ends.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
-    places_.push_back(begin);
+    end_face(begin);
     return true;
   }
 
  private:
+  bool is_text() const { return header_.encoding == PlyHeader::Encoding::ascii; }
+
   bool refuse(const PlyValue& value, std::string message) const {
-    const bool is_text = header_.encoding == PlyHeader::Encoding::ascii;
-    return reading_.refuse(is_text ? reading_.at(reading_.text.substr(value.begin)) : reading_.at_byte(value.begin),
+    return reading_.refuse(is_text() ? reading_.at(reading_.text.substr(value.begin)) : reading_.at_byte(value.begin),
                            std::move(message));
+  }
+
+  void fault(std::string_view code, std::size_t place, std::string message) const {
+    if (is_text()) {
+      reading_.fault(code, reading_.text.substr(place), std::move(message));
+    } else {
+      reading_.fault_at_byte(code, place, std::move(message));
+    }
+  }
+
+  bool may_be_twice(const PlyProperty& property, Meaning meaning) const {
+    std::string message = fmt::format("the element has two properties {}", shown(property.name));
+    if (meaning != Meaning::nothing) return reading_.refuse(reading_.at(property.type_token), std::move(message));
+    reading_.fault("property-twice", property.type_token, std::move(message));
+    return true;
   }
 
   const PlyProperty* property(Meaning meaning) const {
@@ -113,6 +155,14 @@ class PlyReader {
       }
     }
     return nullptr;
+  }
+
+  /// Where there are such elements, their list of vertices has to be, too.
+  bool has_list(std::string_view name, Meaning list) const {
+    const PlyElement* element = header_.find(name);
+    if (element == nullptr || element->count == 0 || property(list) != nullptr) return true;
+    return reading_.refuse(reading_.at(element->count_token),
+                           fmt::format("the elements '{}' have no list 'vertex_indices'", name));
   }
 
   /// A colour that we can keep has one type; texture coordinates and normals are there whole or not at all.
@@ -126,15 +176,7 @@ class PlyReader {
     has_normals_ = all({Meaning::nx, Meaning::ny, Meaning::nz});
     has_texcoords_ = all({Meaning::u, Meaning::v});
     has_wedges_ = property(Meaning::wedges) != nullptr;
-    const PlyElement* strips = header_.find("tristrips");
-    if (strips != nullptr && strips->count > 0) {
-      return reading_.refuse(reading_.at(strips->count_token), "triangle strips are not read",
-                             "save the mesh with an element 'face'");
-    }
-    const PlyElement* faces = header_.find("face");
-    if (faces != nullptr && faces->count > 0 && property(Meaning::corners) == nullptr) {
-      return reading_.refuse(reading_.at(faces->count_token), "the faces have no list 'vertex_indices'");
-    }
+    if (!has_list("face", Meaning::corners) || !has_list(strips_name, Meaning::strip)) return false;
     if (!all({Meaning::red, Meaning::green, Meaning::blue})) return true;
     const PlyType type = property(Meaning::red)->type;
     const PlyProperty* alpha = property(Meaning::alpha);
@@ -180,12 +222,34 @@ class PlyReader {
     mesh_.colors.insert(mesh_.colors.end(), bytes.begin(), bytes.end());
   }
 
+  bool may_name(const PlyValue& value) const {
+    return (value.value >= 0 && value.value < none) ||
+           refuse(value, fmt::format("the face names vertex {}, which cannot exist", value.value));
+  }
+
   bool corner(const PlyValue& value) {
-    if (value.value < 0 || value.value >= none)
-      return refuse(value, fmt::format("the face names vertex {}, which cannot exist", value.value));
-    const auto vertex = static_cast<std::uint32_t>(value.value);
-    mesh_.corners.push_back({vertex, none, none});
+    if (!may_name(value)) return false;
+    mesh_.corners.push_back({static_cast<std::uint32_t>(value.value), none, none});
     return true;
+  }
+
+  bool strip_vertex(const PlyValue& value) {
+    if (value.value == strip_restart) {
+      strip_.begin();
+      return true;
+    }
+    if (!may_name(value)) return false;
+    const auto triangle = strip_.add(static_cast<std::uint32_t>(value.value));
+    if (!triangle) return true;
+    if (mesh_.corners.size() > none - 3) return refuse(value, "the strips have too many triangles");
+    for (const std::uint32_t vertex : *triangle) mesh_.corners.push_back({vertex, none, none});
+    end_face(value.begin);
+    return true;
+  }
+
+  void end_face(std::size_t place) {
+    mesh_.ends.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+    places_.push_back(place);
   }
 
   /// The number of the wedge's texture coordinate; equal ones are one.
@@ -215,14 +279,25 @@ class PlyReader {
     }
   }
 
-  void tell(std::size_t end) const {
+  /// What follows the last record.
+  bool look_behind(std::size_t end) const {
     std::string_view rest = reading_.text.substr(end);
-    if (header_.encoding != PlyHeader::Encoding::ascii && !rest.empty()) {
-      reading_.diagnostics.warning(reading_.at_byte(end), "bytes-left-out",
-                                   fmt::format("{} bytes after the last record are left out", rest.size()));
-    } else if (const std::string_view token = take_token(rest); !token.empty()) {
-      reading_.diagnostics.warning(reading_.at(token), "lines-left-out", "what follows the last record is left out");
+    const std::size_t size = rest.size();
+    const std::string_view token = take_token(rest);
+    const bool has_more = is_text() ? !token.empty() : size > 0;
+    if (!header_.unknown_word.empty()) {
+      if (has_more) return refuse_unknown_word(reading_, header_);
+      reading_.fault("header-line", header_.unknown_word,
+                     fmt::format("{} is not a keyword of a PLY header", shown(header_.unknown_word)));
+    } else if (has_more && is_text()) {
+      reading_.fault("lines-left-out", token, "the file goes on behind its last record");
+    } else if (has_more) {
+      reading_.fault_at_byte("bytes-left-out", end, fmt::format("{} bytes follow the last record", size));
     }
+    return true;
+  }
+
+  void tell_left_out() const {
     std::string names;
     for (std::size_t e = 0; e < meanings_.size(); ++e) {
       const PlyElement& element = header_.elements[e];
@@ -261,7 +336,8 @@ class PlyReader {
   bool has_normals_ = false, has_texcoords_ = false, has_wedges_ = false;
   std::vector<float> wedge_;
   std::map<std::array<float, 2>, std::uint32_t> wedge_numbers_;
-  std::vector<std::size_t> places_;  // [face] = where its record begins
+  PlyStrip strip_;
+  std::vector<std::size_t> places_;  // [face] = where its record begins, or the last vertex of its part of a strip
 };
 
 }  // namespace

@@ -35,11 +35,14 @@ class HeaderReader {
   explicit HeaderReader(const Reading& reading) : reading_(reading), text_(without_mark(reading.text)) {}
 
   bool run() {
-    std::string_view line = take_line(text_);
+    // Old Macintoshes end a line with a carriage return alone. All lines end as the first.
+    const std::size_t first_end = text_.find_first_of("\r\n");
+    if (first_end != text_.npos && !text_.substr(first_end).starts_with("\r\n")) line_end_ = text_[first_end];
+    std::string_view line = take_line(text_, line_end_);
     if (trimmed(line) != "ply") return reading_.refuse(reading_.at(line), "the first line must be 'ply'");
     bool has_format = false;
     while (!text_.empty()) {
-      line = take_line(text_);
+      line = take_line(text_, line_end_);
       std::string_view rest = line;
       const std::string_view key = take_token(rest);
       if (key == "end_header") {
@@ -47,15 +50,20 @@ class HeaderReader {
         return has_format || reading_.refuse(reading_.at(key), "the header has no line 'format'");
       }
       if (key.empty() || key == "comment" || key == "obj_info") continue;
-      if (key == "format"     ? !format(rest)
-          : key == "element"  ? !element(rest)
-          : key == "property" ? !property(rest)
-                              : true) {
-        if (key == "format" || key == "element" || key == "property") return false;
-        return reading_.refuse(reading_.at(key), fmt::format("{} is not a keyword of a PLY header", shown(key)));
+      if (key == "format") {
+        if (!format(rest)) return false;
+        has_format = true;
+      } else if (key == "element") {
+        if (!element(rest)) return false;
+        declare(line.data());
+      } else if (key == "property") {
+        if (!property(rest)) return false;
+        declare(header.elements.back().lines.data());
+      } else if (header.unknown_word.empty()) {
+        header.unknown_word = key;
       }
-      has_format = has_format || key == "format";
     }
+    if (!header.unknown_word.empty()) return refuse_unknown_word(reading_, header);
     return reading_.refuse(reading_.at(text_), "the file ends inside its header");
   }
 
@@ -80,6 +88,11 @@ class HeaderReader {
            reading_.refuse(reading_.at(version), fmt::format("expected version 1.0, found {}", shown(version)));
   }
 
+  /// The last element's lines go from there to here.
+  void declare(const char* begin) {
+    header.elements.back().lines = {begin, static_cast<std::size_t>(text_.data() - begin)};
+  }
+
   bool element(std::string_view rest) {
     PlyElement made;
     made.name = take_token(rest);
@@ -92,7 +105,6 @@ class HeaderReader {
       return reading_.refuse(reading_.at(made.count_token), fmt::format("there are two elements {}", shown(made.name)));
     }
     header.elements.push_back(std::move(made));
-    property_names_.clear();
     return true;
   }
 
@@ -116,16 +128,15 @@ class HeaderReader {
     made.type = *type;
     made.name = take_token(rest);
     if (made.name.empty()) return reading_.refuse(reading_.at(rest), "the property has no name");
-    if (!property_names_.insert(made.name).second) {
-      return reading_.refuse(reading_.at(word), fmt::format("the element has two properties {}", shown(made.name)));
-    }
+    made.type_token = word;
     header.elements.back().properties.push_back(std::move(made));
     return true;
   }
 
   const Reading& reading_;
   std::string_view text_;
-  std::set<std::string> element_names_, property_names_;  // the latter of the last element
+  char line_end_ = '\n';
+  std::set<std::string> element_names_;
 };
 
 template <class T>
@@ -145,6 +156,11 @@ bool integer_from_text(std::string_view token, double& value) {
 }
 
 }  // namespace
+
+bool refuse_unknown_word(const Reading& reading, const PlyHeader& header) {
+  return reading.refuse(reading.at(header.unknown_word),
+                        fmt::format("{} is not a keyword of a PLY header", shown(header.unknown_word)));
+}
 
 std::size_t bytes_of(PlyType type) {
   constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
@@ -167,6 +183,40 @@ std::optional<PlyHeader> read_ply_header(const Reading& reading) {
   HeaderReader reader(reading);
   if (!reader.run()) return std::nullopt;
   return std::move(reader.header);
+}
+
+bool PlyWalk::has_line_for_each_record() const {
+  // A line that was skipped may have been a misspelt property: then the values themselves have to come out even.
+  if (header_.encoding != PlyHeader::Encoding::ascii || !header_.unknown_word.empty()) return false;
+  std::uint64_t lines = 0;
+  for (std::string_view rest = reading_.text.substr(at_); !rest.empty();) {
+    if (!trimmed(take_line(rest)).empty()) ++lines;
+  }
+  for (const PlyElement& element : header_.elements) {
+    if (element.properties.empty()) continue;
+    if (element.count > lines) return false;
+    lines -= element.count;
+  }
+  return lines == 0;
+}
+
+bool PlyWalk::is_line_over() const {
+  if (!by_lines_ || begin_ == none_yet) return false;
+  std::string_view rest = reading_.text.substr(at_);
+  return trimmed(take_line(rest)).empty();
+}
+
+bool PlyWalk::miss() const {
+  reading_.fault("line-values", reading_.text.substr(begin_), "the record has fewer values than the header says");
+  return true;
+}
+
+void PlyWalk::end_line() {
+  std::string_view rest = reading_.text.substr(at_);
+  const std::string_view more = trimmed(take_line(rest));
+  if (more.empty()) return;
+  reading_.fault("line-values", more, "the record has more values than the header says");
+  at_ = static_cast<std::size_t>(more.data() + more.size() - reading_.text.data());
 }
 
 bool PlyWalk::may_hold(const PlyElement& element) const {
@@ -192,6 +242,7 @@ bool PlyWalk::refuse_list(const PlyValue& value, std::size_t left) const {
 bool PlyWalk::find(PlyType type, PlyValue& value) {
   if (header_.encoding == PlyHeader::Encoding::ascii) {
     std::string_view rest = reading_.text.substr(at_);
+    if (is_line_over()) return reading_.refuse(reading_.at(rest), "the line ends inside its record");
     const std::string_view token = take_token(rest);
     if (token.empty()) return reading_.refuse(reading_.at(rest), "the file ends inside its records");
     value.begin = static_cast<std::size_t>(token.data() - reading_.text.data());
@@ -246,7 +297,8 @@ bool PlyWalk::read_text(PlyType type, PlyValue& value) const {
     case PlyType::uint32: good = integer_from_text<std::uint32_t>(token, value.value); break;
     default: {
       float number = 0;
-      if (!reading_.read(token, number)) return false;
+      const bool is_number = read_float(token, number).empty() || !std::isfinite(number);
+      if (!is_number) return reading_.read(token, number);  // which refuses
       value.value = number;
       return true;
     }

@@ -21,9 +21,23 @@ struct PlyPlaces {
   };
 
   // The visitor of the walk.
-  bool wants(std::size_t e, std::size_t p) const { return &header.elements[e].properties[p] == corner_list; }
-  bool list(std::size_t, std::size_t, std::size_t) { return true; }
-  bool value(std::size_t, std::size_t, const PlyValue& value) {
+  bool wants(std::size_t e, std::size_t p) const {
+    const PlyProperty* property = &header.elements[e].properties[p];
+    return property == corner_list || (header.elements[e].name == strips_name && names_vertices(*property));
+  }
+  bool list(std::size_t, std::size_t, std::size_t) {
+    strip.begin();
+    return true;
+  }
+  bool value(std::size_t e, std::size_t, const PlyValue& value) {
+    if (header.elements[e].name == strips_name) {
+      if (value.value == strip_restart) {
+        strip.begin();
+      } else if (strip.add(static_cast<std::uint32_t>(value.value))) {
+        ++strip_triangles;
+      }
+      return true;
+    }
     corners.push_back({text.substr(value.begin, value.end - value.begin), static_cast<std::uint32_t>(value.value)});
     return true;
   }
@@ -42,6 +56,8 @@ struct PlyPlaces {
   std::vector<std::string_view> vertices;
   std::vector<Face> faces;
   std::vector<Vertex> corners;
+  PlyStrip strip;
+  std::size_t strip_triangles = 0;
 };
 
 /// Whether every vertex has a number that the type of the corners can hold.
@@ -109,16 +125,23 @@ class PlyWriting {
 }  // namespace
 
 std::optional<std::string> reordered_ply(const Scene& scene, const MeshSource& source, Diagnostics& diagnostics) {
-  const Reading reading{source.as_read.name, source.text(), diagnostics};
-  const auto header = read_ply_header(reading);
+  Reading reading{source.as_read.name, source.text(), diagnostics};
+  auto header = read_ply_header(reading);
   if (!header) return std::nullopt;
-  PlyPlaces places(*header, source.text());
+  const std::string listed = ply_with_faces_for_strips(reading, *header);
+  if (!listed.empty()) {
+    reading.text = listed;
+    header = read_ply_header(reading);
+  }
+  PlyPlaces places(*header, reading.text);
   if (!PlyWalk(reading, *header).run(places)) return std::nullopt;
-  const auto order = order_of(scene, source, {places.faces.size(), places.vertices.size()}, diagnostics);
+  const std::size_t faces = places.faces.size() + places.strip_triangles;
+  const auto order = order_of(scene, source, {faces, places.vertices.size()}, diagnostics);
   if (!order) return std::nullopt;
+  if (!order->moved) return std::string(source.text());
   for (const PlyElement& element : header->elements) {
     const bool is_ours = element.name == "vertex" || element.name == "face";
-    if (!order->moved || is_ours || element.count == 0) continue;
+    if (is_ours || element.count == 0) continue;
     diagnostics.error(
         reading.at(element.count_token), "cannot-express",
         "element '" + element.name + "' may refer to vertices or faces by number, and the numbers would become wrong",

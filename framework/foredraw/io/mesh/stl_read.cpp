@@ -80,8 +80,7 @@ bool read_binary(const Reading& reading, PolygonMesh& mesh) {
         fmt::format("the attribute bytes of {} triangles (colours, in some programs) are left out", with_attributes));
   }
   if (const std::size_t more = left - count * stl_record; more > 0) {
-    reading.diagnostics.warning(reading.at_byte(text.size() - more), "bytes-left-out",
-                                fmt::format("{} bytes after the last triangle are left out", more));
+    reading.fault_at_byte("bytes-left-out", text.size() - more, fmt::format("{} bytes follow the last triangle", more));
   }
   return true;
 }

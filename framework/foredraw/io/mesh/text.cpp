@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foredraw::mesh_files {
 
@@ -69,8 +70,8 @@ std::string_view take_token(std::string_view& text) {
   return token;
 }
 
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
+std::string_view take_line(std::string_view& text, char line_end) {
+  const std::size_t end = std::min(text.find(line_end), text.size());
   const std::string_view line = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
   return line;
@@ -78,6 +79,10 @@ std::string_view take_line(std::string_view& text) {
 
 std::string_view read_float(std::string_view token, float& value) {
   if (token.size() > 1 && token.front() == '+' && token[1] != '-') token.remove_prefix(1);
+  if (token.starts_with("1.#") || token.starts_with("-1.#")) {
+    value = std::numeric_limits<float>::quiet_NaN();
+    return "is not finite";
+  }
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (end != token.data() + token.size() || error == std::errc::invalid_argument) return "is not a number";
   if (error == std::errc::result_out_of_range) {
@@ -86,7 +91,10 @@ std::string_view read_float(std::string_view token, float& value) {
     double wide = 0;
     const bool fits = std::from_chars(token.data(), token.data() + token.size(), wide).ec == std::errc();
     const bool is_small = fits ? std::abs(wide) < 1 : token.find("e-") != token.npos || token.find("E-") != token.npos;
-    if (!is_small) return "does not fit into a 32-bit float";
+    if (!is_small) {
+      value = std::numeric_limits<float>::infinity();
+      return "does not fit into a 32-bit float";
+    }
     value = token.front() == '-' ? -0.0f : 0.0f;
   }
   return std::isfinite(value) ? "" : "is not finite";
@@ -121,6 +129,26 @@ bool Reading::read(std::string_view token, float& value) const {
   if (why_not.empty()) return true;
   if (token.empty()) return refuse(at(token), "a number is missing here");
   return refuse(at(token), fmt::format("{} {}", shown(token), why_not));
+}
+
+bool Reading::read_attribute(std::string_view token, float& value) const {
+  value = 0;
+  const std::string_view why_not = read_float(token, value);
+  if (why_not.empty()) return true;
+  if (std::isfinite(value)) return read(token, value);  // which refuses
+  fault("not-finite", token, fmt::format("{} {}", shown(token), why_not));
+  value = 0;
+  return true;
+}
+
+void Reading::fault(std::string_view code, std::string_view part, std::string message) const {
+  if (faults == nullptr || faults->found_again(code)) return;
+  faults->found(code, at(part), std::move(message));
+}
+
+void Reading::fault_at_byte(std::string_view code, std::size_t offset, std::string message) const {
+  if (faults == nullptr || faults->found_again(code)) return;
+  faults->found(code, at_byte(offset), std::move(message));
 }
 
 }  // namespace foredraw::mesh_files

@@ -57,6 +57,25 @@ constexpr FaultKind kinds[] = {
      "Poses decide only how triangles are ordered."},
     {"interpolation", "glTF", "An animation's `interpolation` is not one that glTF knows.",
      "It is left out: keys are interpolated linearly.", "Viewers do the same."},
+    {"header-line", "PLY", "A line of the header begins with a word that PLY does not know.", "It is skipped.",
+     "The other lines account for every value that follows."},
+    {"property-twice", "PLY", "An element has two properties of one name, which Foredraw does not read.",
+     "They are kept as they are.", "No triangle depends on them."},
+    {"line-values", "PLY",
+     "A line of an ASCII file holds more values than its record has, or lacks some that Foredraw does not read.",
+     "What is too many is left out.", "The file has just as many lines as records, so each record begins a line."},
+    {"bytes-left-out", "PLY, STL", "A binary file goes on behind its last record.", "The rest is left out.",
+     "The header says how many records there are."},
+    {"lines-left-out", "PLY, OFF", "A text goes on behind its last record.", "The rest is left out.",
+     "The header says how many records there are."},
+    {"not-finite", "OBJ, PLY, OFF", "A number of a normal, texture coordinate or colour is not finite.",
+     "It is read as 0.", "Triangles do not depend on it."},
+    {"missing-attribute", "OBJ", "Faces name texture coordinates or normals, and the file has none at all.",
+     "The faces have none.", "There is nothing that could be meant."},
+    {"utf-16", "OBJ", "The text is UTF-16 with a byte order mark.", "It is read, and written, as UTF-16.",
+     "The mark says how two bytes make a character."},
+    {"keyword", "OFF", "No space parts the keyword and the number of vertices (`OFF8`).", "They are read as two words.",
+     "No keyword ends in a digit."},
 };
 
 }  // namespace
@@ -66,15 +85,18 @@ std::span<const FaultKind> fault_kinds() { return kinds; }
 const FaultKind& fault_kind(std::string_view code) { return *std::ranges::find(kinds, code, &FaultKind::code); }
 
 void Faults::found(std::string_view code, Where where, std::string message) {
+  if (found_again(code)) return;
   const FaultKind& kind = fault_kind(code);
-  const auto [first, is_new] = first_.try_emplace(kind.code);
-  if (!is_new) {
-    ++first->second.places;
-    return;
-  }
-  first->second = {strict_ ? Severity::error : Severity::warning, std::move(where), std::string(code),
-                   std::move(message),
-                   strict_ ? "without --strict: " + std::string(kind.done) : std::string(kind.done)};
+  first_[kind.code] = {strict_ ? Severity::error : Severity::warning, std::move(where), std::string(code),
+                       std::move(message),
+                       strict_ ? "without --strict: " + std::string(kind.done) : std::string(kind.done)};
+}
+
+bool Faults::found_again(std::string_view code) {
+  const auto first = first_.find(code);
+  if (first == first_.end()) return false;
+  ++first->second.places;
+  return true;
 }
 
 bool Faults::tell() {

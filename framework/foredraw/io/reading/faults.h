@@ -33,6 +33,9 @@ class Faults {
 
   void found(std::string_view code, Where where, std::string message);
 
+  /// Counts one more of a kind that was found before. False: it is the first, and found() has to say where.
+  bool found_again(std::string_view code);
+
   bool any() const { return !first_.empty(); }
   bool strict() const { return strict_; }
 

@@ -4,6 +4,7 @@
 #include <foredraw/io/mesh/private/polygon_mesh.h>
 #include <foredraw/io/mesh/private/text.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -18,6 +19,7 @@ struct PlyProperty {
   std::string name;
   PlyType type = PlyType::float32;
   std::optional<PlyType> list;  ///< the type of its length, where it is a list
+  std::string_view type_token;  ///< where the header says which type
 };
 
 struct PlyElement {
@@ -25,12 +27,14 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
   std::string_view count_token;  ///< where the header says how many
+  std::string_view lines;        ///< of the header, from its own to that of its last property, their ends included
 };
 
 struct PlyHeader {
   enum class Encoding { ascii, little, big } encoding = Encoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t end = 0;  ///< where the first record begins
+  std::size_t end = 0;            ///< where the first record begins
+  std::string_view unknown_word;  ///< the first that begins a line and is no keyword; the line was skipped
 
   const PlyElement* find(std::string_view name) const;
   /// The list that holds the faces' corners; nullptr: there is none.
@@ -38,6 +42,8 @@ struct PlyHeader {
 };
 
 std::optional<PlyHeader> read_ply_header(const Reading& reading);
+/// False, with the error: a line of the header that was skipped may have said something about the records.
+bool refuse_unknown_word(const Reading& reading, const PlyHeader& header);
 bool read_ply(const Reading& reading, PolygonMesh& mesh);
 
 /// Whether a face's property may be its list of corners: "vertex_indices" or "vertex_index". Of both the first is.
@@ -45,16 +51,41 @@ inline bool names_vertices(const PlyProperty& p) {
   return p.list && is_whole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
+/// An element of triangle strips, as Stanford's and Cyberware's tools write them, beside or instead of the faces.
+inline constexpr std::string_view strips_name = "tristrips";
+inline constexpr double strip_restart = -1;
+
+/// A strip's triangles, vertex by vertex.
+class PlyStrip {
+ public:
+  void begin() { length_ = 0; }
+
+  /// The triangle that ends with this vertex, all of them wound alike; nothing where there are less than three so far,
+  /// and where two corners are one, which only leads from one part of a strip to the next.
+  std::optional<std::array<std::uint32_t, 3>> add(std::uint32_t vertex);
+
+ private:
+  std::uint32_t before_ = 0, last_ = 0;
+  std::size_t length_ = 0;
+};
+
+/// The text with an element of faces for that of strips, so that each triangle is a record; empty where there are no
+/// strips, or faces too, or more about strips than their vertices. The text is one that the reader has read.
+std::string ply_with_faces_for_strips(const Reading& reading, const PlyHeader& header);
+
 /// A value as the walk comes by it.
 struct PlyValue {
   double value = 0;
   std::size_t begin = 0, end = 0;  ///< its bytes in the file
 };
 
-/// Goes through every record of the file. Nothing is believed of counts that the bytes present do not bear out.
+/// Goes through every record of the file. Nothing is believed of counts that the bytes present do not bear out. Where a
+/// text has a line for each record, values that a line has too many, or of those that nobody wants too few, are a
+/// fault.
 class PlyWalk {
  public:
-  PlyWalk(const Reading& reading, const PlyHeader& header) : reading_(reading), header_(header), at_(header.end) {}
+  PlyWalk(const Reading& reading, const PlyHeader& header)
+      : reading_(reading), header_(header), at_(header.end), by_lines_(has_line_for_each_record()) {}
 
   /// Calls visit.value(element, property, value) for each value, visit.list(element, property, length) before those of
   /// a list, visit.record(element, begin, end) after each record; numbers of elements and properties as in the header.
@@ -65,12 +96,13 @@ class PlyWalk {
     for (std::size_t e = 0; e < header_.elements.size(); ++e) {
       const PlyElement& element = header_.elements[e];
       if (element.properties.empty()) continue;
-      if (!may_hold(element)) return false;
+      if (!by_lines_ && !may_hold(element)) return false;
       for (std::uint64_t i = 0; i < element.count; ++i) {
         begin_ = none_yet;
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
           if (!property(visit, e, p)) return false;
         }
+        if (by_lines_) end_line();
         if (!visit.record(e, begin_, at_)) return false;
       }
     }
@@ -88,6 +120,7 @@ class PlyWalk {
     const PlyProperty& property = header_.elements[e].properties[p];
     const bool wanted = visit.wants(e, p);
     PlyValue value;
+    if (!wanted && is_line_over()) return miss();
     if (!property.list && !wanted) return pass_over(property.type, 1);
     if (!property.list) return read(property.type, value) && visit.value(e, p, value);
     if (!read(*property.list, value)) return false;
@@ -103,6 +136,10 @@ class PlyWalk {
     return true;
   }
 
+  bool has_line_for_each_record() const;
+  bool is_line_over() const;  ///< inside a record
+  bool miss() const;
+  void end_line();
   bool may_hold(const PlyElement& element) const;
   bool refuse_list(const PlyValue& value, std::size_t left) const;
   /// Finds the bytes of the next value.
@@ -114,7 +151,8 @@ class PlyWalk {
   const Reading& reading_;
   const PlyHeader& header_;
   std::size_t at_;
-  std::size_t begin_ = none_yet;
+  std::size_t begin_ = none_yet;  ///< of the record
+  bool by_lines_;
 };
 
 /// A value written over its old place in a binary file; only whole numbers.

@@ -2,6 +2,7 @@
 // Bytes that hold text: tokens, numbers, and where in the file they stand. Private to io.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/faults.h>
 
 #include <charconv>
 #include <cstddef>
@@ -26,10 +27,12 @@ std::string name_in(std::string_view text);
 /// The next token of a text, taken off its front; empty at its end.
 std::string_view take_token(std::string_view& text);
 
-/// The next line, taken off the front of a text, without the line feed; a carriage return stays.
-std::string_view take_line(std::string_view& text);
+/// The next line, taken off the front of a text, without the character that ends it; a carriage return before a line
+/// feed stays.
+std::string_view take_line(std::string_view& text, char line_end = '\n');
 
-/// Reads a finite number as a 32-bit float; one that is too small becomes 0. Says why not; empty: done.
+/// Reads a finite number as a 32-bit float; one that is too small becomes 0. Says why not; empty: done. The value is
+/// not finite where the token is a number and yet no such one, as Microsoft's "-1.#IND" is, too.
 std::string_view read_float(std::string_view token, float& value);
 
 /// Reads a whole number that the type can hold, a plus sign allowed.
@@ -48,6 +51,7 @@ struct Reading {
   std::string name;
   std::string_view text;
   Diagnostics& diagnostics;
+  Faults* faults = nullptr;  ///< nullptr: the file is read again, and all is told
 
   /// Line and column of a part of `text`.
   Where at(std::string_view part) const;
@@ -56,6 +60,12 @@ struct Reading {
   /// Tells why the file is refused. False, to be passed on.
   bool refuse(Where where, std::string message, std::string hint = {}) const;
   bool read(std::string_view token, float& value) const;  ///< or refuses
+  /// What triangles do not depend on: 0, with a fault, where it is not finite.
+  bool read_attribute(std::string_view token, float& value) const;
+
+  /// Something wrong that has one meaning; `part` of the text says where.
+  void fault(std::string_view code, std::string_view part, std::string message) const;
+  void fault_at_byte(std::string_view code, std::size_t offset, std::string message) const;
 };
 
 }  // namespace foredraw::mesh_files
