@@ -34,10 +34,11 @@ struct MeshRead {
   }
 };
 
-inline MeshRead read_mesh(MeshKind kind, std::string_view text, const std::filesystem::path& folder = {}) {
+inline MeshRead read_mesh(MeshKind kind, std::string_view text, const std::filesystem::path& folder = {},
+                          const SceneInput& how = {}) {
   MeshRead read;
   read.scene = read_mesh_file(std::as_bytes(std::span(text)), kind, "input" + std::string(extension_of(kind)), folder,
-                              read.diagnostics);
+                              read.diagnostics, how);
   return read;
 }
 

@@ -101,6 +101,12 @@ std::vector<Sample> samples() {
            "f 1/1/1 2/2/1 3/1/1 4/2/1\nf -4//-1 -3//-1 \\\n-2//-1\nl 1 2\n"},
           {MeshKind::ply, "ASCII PLY", ply("ascii") + "0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2 6 0 0 1 0 0 1\n"},
           {MeshKind::ply, "binary PLY", ply("binary_little_endian") + binary},
+          {MeshKind::ply, "PLY of strips",
+           "ply\nformat ascii 1.0\nmade by hand\nelement vertex 4\nproperty float x\nproperty float y\n"
+           "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+           "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 3 1 0\n"},
+          {MeshKind::obj, "UTF-16 OBJ", std::string("\xFF\xFEv\0 \0000\0 \0000\0 \0000\0\n\0", 18)},
+          {MeshKind::off, "OFF of long faces", "OFF4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0\n1\n2\n3 2 1 3 9 9 9\n"},
           {MeshKind::off, "OFF",
            "STCNOFF # a\n3 1 0\n0 0 0 0 0 1 1 2 3 0 0\n1 0 0 0 0 1 1 2 3 1 0\n0 1 0 0 0 1 1 2 3 0 1\n3 0 1 2 9 9 9\n"},
           {MeshKind::stl, "ASCII STL",
@@ -178,6 +184,11 @@ TEST(HostileMeshes, LongLinesAndManyNamesTakeNoLongerThanTheirBytes) {
     joined += "\\\n";
   }
   read_safely(MeshKind::obj, face, "a face of 100,000 corners");
+  std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uint int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1000000";
+  for (int i = 0; i < 1'000'000; ++i) ply += " 0";
+  read_safely(MeshKind::ply, ply, "a line of a million numbers");
   read_safely(MeshKind::obj, names, "20,000 objects");
   read_safely(MeshKind::obj, joined, "100,000 joined lines");
   std::string vertices = "v 0 0 0\nv 1 0 0\nvt 0 0\n";

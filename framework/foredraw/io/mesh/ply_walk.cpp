@@ -202,8 +202,10 @@ bool PlyWalk::has_line_for_each_record() const {
 
 bool PlyWalk::is_line_over() const {
   if (!by_lines_ || begin_ == none_yet) return false;
-  std::string_view rest = reading_.text.substr(at_);
-  return trimmed(take_line(rest)).empty();
+  const std::string_view text = reading_.text;
+  std::size_t at = at_;
+  while (at < text.size() && is_space(text[at]) && text[at] != '\n') ++at;
+  return at == text.size() || text[at] == '\n';
 }
 
 bool PlyWalk::miss() const {

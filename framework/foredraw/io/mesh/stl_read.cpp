@@ -112,14 +112,14 @@ class TextReader {
   }
 
   bool solid() {
-    const std::string name = name_in(take_line(text_));
+    const std::string name = name_in(take_solid_name(text_));
     const auto part = static_cast<std::uint32_t>(mesh_.parts.size());
     mesh_.parts.push_back({name, {}});
     for (;;) {
       const std::string_view word = take();
       const std::string lower = lower_case(word);
       if (lower == "endsolid") {
-        take_line(text_);
+        take_solid_name(text_);
         return true;
       }
       if (word.empty()) return reading_.refuse(reading_.at(text_), "the file ends inside a solid");
@@ -168,6 +168,19 @@ bool is_binary_stl(std::string_view text) {
   const bool says_solid = lower_case(take_token(rest)) == "solid";
   // A text file has no zero bytes; a header padded with them is binary, whatever its first word.
   return !says_solid || text.find('\0') != std::string_view::npos;
+}
+
+std::string_view take_solid_name(std::string_view& text) {
+  std::string_view name = text.substr(0, text.find_first_of("\r\n"));
+  std::string_view rest = name;
+  for (std::string_view word = take_token(rest); !word.empty(); word = take_token(rest)) {
+    std::string_view next = rest;
+    if (lower_case(word) != "facet" || lower_case(take_token(next)) != "normal") continue;
+    name = name.substr(0, static_cast<std::size_t>(word.data() - name.data()));
+    break;
+  }
+  text.remove_prefix(name.size());
+  return name;
 }
 
 bool read_stl(const Reading& reading, PolygonMesh& mesh) {

@@ -13,7 +13,7 @@ std::vector<std::string_view> facets(std::string_view text) {
   const char* begin = nullptr;
   for (std::string_view word = take_token(rest); !word.empty(); word = take_token(rest)) {
     const std::string lower = lower_case(word);
-    if (lower == "solid" || lower == "endsolid") take_line(rest);  // what follows is a name
+    if (lower == "solid" || lower == "endsolid") take_solid_name(rest);
     if (lower == "facet") {
       begin = word.data();
       for (int i = 0; i < 4; ++i) take_token(rest);  // the normal, which is read over, whatever it is

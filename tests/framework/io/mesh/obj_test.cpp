@@ -135,8 +135,8 @@ TEST(MeshObj, RefusalsNameTheLine) {
   EXPECT_EQ(error("v 0 1e39 0\n"), "input.obj:1:5: error: '1e39' does not fit into a 32-bit float");
   EXPECT_EQ(error("v 0 0 zero\n"), "input.obj:1:7: error: 'zero' is not a number");
   EXPECT_EQ(error(square + "f 1 2 5\n"), "input.obj:5:1: error: the face names 'v' number 5, but the file has 4");
-  EXPECT_EQ(error(square + "f 1/1 2/1 3/1\n"),
-            "input.obj:5:1: error: the face names 'vt' number 1, but the file has 0");
+  EXPECT_EQ(error(square + "vt 0 0\nf 1/1 2/2 3/1\n"),
+            "input.obj:6:1: error: the face names 'vt' number 2, but the file has 1");
   EXPECT_EQ(error(square + "f 0 1 2\n"), "input.obj:5:3: error: names record 0, but OBJ counts from 1");
   EXPECT_EQ(error(square + "f 1 2 99999999999999999999\n"),
             "input.obj:5:7: error: '99999999999999999999' is not a whole number");
@@ -145,6 +145,53 @@ TEST(MeshObj, RefusalsNameTheLine) {
   EXPECT_EQ(error(std::string("v 0 0 0\0", 8)), "input.obj: error: byte 7: found a zero byte: the file is not text");
   EXPECT_EQ(error(""), "input.obj: error: the file holds no vertices");
   EXPECT_EQ(error(square + "f 1 2\n"), "input.obj: error: none of the file's faces has three corners");
+}
+
+TEST(MeshObj, AttributesOfWhichThereAreNoneAtAllAreNone) {
+  const std::string text = square + "vn 0 0 1\nf 1/1/1 2/9/1 3/3/1\nf 1/1/1 3/1/1 4/1/1\n";
+  const auto made = read_mesh(MeshKind::obj, text);
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "missing-attribute");
+  EXPECT_EQ(made.diagnostics.all()[0].places, 6u);
+  EXPECT_TRUE(made.scene->draws[0].traits.has(traits::normals));
+  EXPECT_FALSE(made.scene->draws[0].traits.has(traits::uv0));
+  EXPECT_EQ(read_mesh(MeshKind::obj, text, {}, {.strict = true}).error(),
+            "input.obj:6:1: error: the face names 'vt' number 1, but the file has 0 (and 5 more like it)");
+}
+
+TEST(MeshObj, AttributesThatAreNotFiniteAreZero) {
+  const auto made = read_mesh(MeshKind::obj,
+                              "v 0 0 0 nan 1 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\nvt -1.#IND 1\nvn inf 1e99 1\n"
+                              "f 1/1/1 2/1/1 3/1/1\n");
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "not-finite");
+  EXPECT_EQ(made.diagnostics.all()[0].places, 4u);
+  const VertexStreams& streams = vertices(*made.scene);
+  EXPECT_EQ(decode_component(*streams.find("COLOR_0"), 0, 0), 0);
+  EXPECT_EQ(decode_component(*streams.find("TEXCOORD_0"), 0, 0), 0);
+  EXPECT_EQ(decode_vec3(*streams.find("NORMAL"))[0], glm::vec3(0, 0, 1));
+}
+
+TEST(MeshObj, Utf16IsReadByItsByteOrderMark) {
+  const std::u16string text = u"o caf\u00e9 \U0001F600\r\nv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n";
+  for (const bool big : {false, true}) {
+    const auto in_bytes = [&](std::u16string_view units) {
+      std::string bytes = big ? "\xFE\xFF" : "\xFF\xFE";
+      for (const char16_t unit : units) {
+        const char high = static_cast<char>(unit >> 8), low = static_cast<char>(unit & 0xFF);
+        bytes += big ? std::string{high, low} : std::string{low, high};
+      }
+      return bytes;
+    };
+    const auto made = read_mesh(MeshKind::obj, in_bytes(text));
+    ASSERT_TRUE(made.scene) << made.error();
+    EXPECT_EQ(made.told(), "utf-16");
+    EXPECT_EQ(made.scene->meshes[0].name, "caf\xC3\xA9 \xF0\x9F\x98\x80");
+    for (const std::u16string bad : {u"\xD83D", u"\xDE00\xD83D", u"\xD83Dv"}) {
+      EXPECT_EQ(error(in_bytes(text + bad)), "input.obj: error: the text begins as UTF-16 does, and is none");
+    }
+    EXPECT_NE(error(in_bytes(text) + " "), "");
+  }
 }
 
 TEST(MeshObj, WhatIsTooSmallForAFloatIsZero) {

@@ -50,6 +50,31 @@ TEST(MeshOff, WhyAPolygonBecomesAFanIsTold) {
   EXPECT_EQ(comb.told(), "polygons-unfinished");
 }
 
+TEST(MeshOff, AFaceMayGoOverSeveralLines) {
+  const Scene scene = read("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0\n1 # one\n\n 2\n4\n0 1\n2 3\n");
+  const auto indices = scene.draws[0].levels[0].orders[0].indices.view();
+  EXPECT_EQ(std::vector(indices.begin(), indices.end()), (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2, 0, 2, 3}));
+}
+
+TEST(MeshOff, TheFirstNumberMayTouchTheKeyword) {
+  const std::string text = "  COFF3 1 0 # so\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n";
+  const auto made = read_mesh(MeshKind::off, text);
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "keyword");
+  EXPECT_EQ(vertices(*made.scene).count, 3u);
+  EXPECT_EQ(read_mesh(MeshKind::off, text, {}, {.strict = true}).error(),
+            "input.off:1:3: error: there is no space between the keyword and the number of 'COFF3'");
+}
+
+TEST(MeshOff, ColorsAndNormalsThatAreNotFiniteAreZero) {
+  const auto made = read_mesh(
+      MeshKind::off, "CNOFF\n3 1 0\n0 0 0 nan 0 1 0.5 0 0\n1 0 0 0 0 1 1 -inf 0\n0 1 0 0 0 1 1 0 0\n3 0 1 2\n");
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "not-finite");
+  EXPECT_EQ(decode_vec3(*vertices(*made.scene).find("NORMAL"))[0], glm::vec3(0, 0, 1));
+  EXPECT_EQ(decode_component(*vertices(*made.scene).find("COLOR_0"), 1, 1), 0);
+}
+
 TEST(MeshOff, RefusalsNameTheLine) {
   EXPECT_EQ(error("OFF BINARY\n"), "input.off:1:5: error: binary OFF is not read");
   EXPECT_EQ(error("4OFF\n1 0 0\n"),
@@ -63,9 +88,12 @@ TEST(MeshOff, RefusalsNameTheLine) {
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
             "input.off:6:7: error: the face names vertex 7, but there are 3, counted from 0");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
-            "input.off:6:6: error: expected the number of a vertex, found ''");
+            "input.off:6:1: error: a face of '3' corners does not fit its lines");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"),
-            "input.off:6:1: error: a face of '4000000000' corners does not fit its line");
+            "input.off:6:1: error: a face of '4000000000' corners does not fit its lines");
+  EXPECT_EQ(error("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n3 0 1 2\n"),
+            "input.off:6:1: error: a face of '3' corners does not fit its lines")
+      << "the next line is no rest of a face, for it goes on";
   EXPECT_EQ(error("COFF\n3 1 0\n0 0 0 1 2 3 4\n1 0 0 1 2 3\n0 1 0 1 2 3 4\n3 0 1 2\n"),
             "input.off:4:6: error: the colour has 3 numbers, but that of the first vertex has 4");
   EXPECT_EQ(error("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),

@@ -104,6 +104,78 @@ TEST(MeshPly, TextureCoordinatesOfCornersMakeSeams) {
       "input.ply:14:1: error: found 4 texture coordinates for 3 corners");
 }
 
+TEST(MeshPly, StripsAreTrianglesWoundAlike) {
+  // Turned round, begun anew, and led on by corners that stand twice.
+  const std::vector<std::uint32_t> expected{0, 1, 2, 2, 1, 3, 3, 2, 4, 5, 1, 0};
+  const std::initializer_list<std::int32_t> first{0, 1, 2, 3, -1, 3, 2, 4, 4, 5}, second{5, 1, 0, -1, 2, 4};
+  const auto header = [](const std::string& format) {
+    return "ply\nformat " + format +
+           " 1.0\nelement vertex 6\nproperty uchar x\nproperty uchar y\nproperty uchar z\n"
+           "element tristrips 2\nproperty list int int vertex_indices\nend_header\n";
+  };
+  EXPECT_EQ(indices(read(header("ascii") + "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n"
+                                           "10 0 1 2 3 -1\n3 2 4 4 5\n6 5 1 0 -1 2 4\n")),
+            expected);
+  for (const bool big : {false, true}) {
+    Binary body(big);
+    for (std::uint8_t v = 0; v < 6; ++v) body.put<std::uint8_t>({v, static_cast<std::uint8_t>(v * v), 0});
+    body.put<std::int32_t>({10}).put(first).put<std::int32_t>({6}).put(second);
+    EXPECT_EQ(indices(read(header(big ? "binary_big_endian" : "binary_little_endian") + body.bytes)), expected);
+  }
+}
+
+TEST(MeshPly, LinesOfTheHeaderThatAreNoneOfPlysAreSkipped) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nMade by hand\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\n" +
+      face_element + "end_header\n" + places;
+  const auto made = read_mesh(MeshKind::ply, text + "3 0 1 2\n");
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "header-line");
+  EXPECT_EQ(read_mesh(MeshKind::ply, text + "3 0 1 2\n", {}, {.strict = true}).error(),
+            "input.ply:3:1: error: 'Made' is not a keyword of a PLY header");
+  // It could have been a property of the last element.
+  EXPECT_EQ(error(text + "3 0 1 2 7\n"), "input.ply:3:1: error: 'Made' is not a keyword of a PLY header");
+  EXPECT_EQ(error("ply\nformat ascii 1.0\nMade by hand\n"),
+            "input.ply:3:1: error: 'Made' is not a keyword of a PLY header");
+}
+
+TEST(MeshPly, HeadersMayEndTheirLinesAsOldMacintoshes) {
+  std::string header = head + face_element + "end_header\n";
+  header.replace(header.find("ascii"), 5, "binary_little_endian");
+  std::ranges::replace(header, '\n', '\r');
+  Binary body(false);
+  body.bytes = "\n\n\n\n";  // the first number, which is no end of a line
+  body.put<float>({0, 0, 1, 0, 0, 0, 1, 0}).put<std::uint8_t>({3}).put<std::int32_t>({0, 1, 2});
+  EXPECT_EQ(indices(read(header + body.bytes)), (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+TEST(MeshPly, PropertiesThatAreNotReadMayShareAName) {
+  const std::string gaps = "property float gap\nproperty float gap\n";
+  const auto made = read_mesh(MeshKind::ply, head + gaps + "end_header\n0 0 0 1 2\n1 0 0 1 2\n0 1 0 1 2\n");
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "properties-left-out property-twice");
+  EXPECT_EQ(error(head + "property float x\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n"),
+            "input.ply:7:10: error: the element has two properties 'x'");
+}
+
+TEST(MeshPly, LinesTellRecordsApartWhereThereAreJustAsMany) {
+  const std::string text = head + "property list uchar int unused\n" + face_element + "end_header\n";
+  const auto more = read_mesh(MeshKind::ply, text + "0 0 0 1 9 8\n1 0 0 0\n\n0 1 0 0\n3 0 1 2 9 1 1\n");
+  ASSERT_TRUE(more.scene) << more.error();
+  EXPECT_EQ(more.told(), "properties-left-out line-values");
+  EXPECT_EQ(more.diagnostics.all().back().places, 2u);
+  EXPECT_EQ(indices(*more.scene), (std::vector<std::uint32_t>{0, 1, 2}));
+  const auto fewer = read_mesh(MeshKind::ply, text + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  ASSERT_TRUE(fewer.scene) << fewer.error();
+  EXPECT_EQ(fewer.told(), "properties-left-out line-values");
+  EXPECT_EQ(error(text + "0 0 0 0\n1 0\n0 1 0 0\n3 0 1 2\n"), "input.ply:12:4: error: the line ends inside its record");
+  EXPECT_EQ(error(text + "0 0 0 0\n1 0 0 0\n0 1 0 0\n3 0 1\n"),
+            "input.ply:14:6: error: the line ends inside its record");
+  // With a line too many, values alone tell records apart.
+  EXPECT_EQ(indices(read(text + "0 0 0\n0 1 0 0\n0 0 1 0\n0 3 0 1 2\n\n1 1")), (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
 TEST(MeshPly, RefusalsNameThePlace) {
   EXPECT_EQ(error(""), "input.ply:1:1: error: the first line must be 'ply'");
   EXPECT_EQ(error("ply\nformat ascii 2.0\n"), "input.ply:2:14: error: expected version 1.0, found '2.0'");
@@ -117,10 +189,15 @@ TEST(MeshPly, RefusalsNameThePlace) {
             "input.ply:13:7: error: the face names vertex -1, which cannot exist");
   EXPECT_EQ(error(head + face_element + "end_header\n" + places + "200 0 1 2\n"),
             "input.ply:13:1: error: a list of 200 values does not fit in the 7 bytes that are left");
-  EXPECT_EQ(error(head + "end_header\n0 0 0\n0 inf 0\n0 0 0\n"), "input.ply:9:3: error: 'inf' is not finite");
-  EXPECT_EQ(
-      error(head + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + places + "3 0 1 2\n"),
-      "input.ply:7:19: error: triangle strips are not read");
+  EXPECT_EQ(error(head + "end_header\n0 0 0\n0 inf 0\n0 0 0\n"),
+            "input.ply:9:3: error: 'y' is not a finite 32-bit float");
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  EXPECT_EQ(error(head + strips + places + "3 0 1 -2\n"),
+            "input.ply:13:7: error: the face names vertex -2, which cannot exist");
+  EXPECT_EQ(error(head + strips + places + "4 0 1 2 3\n"),
+            "input.ply:13:9: error: the face names vertex 3, but there are 3, counted from 0");
+  EXPECT_EQ(error(head + "element tristrips 1\nproperty int vertex_indices\nend_header\n" + places + "3\n"),
+            "input.ply:7:19: error: the elements 'tristrips' have no list 'vertex_indices'");
   EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n"),
             "input.ply: error: there is no element 'vertex' with x, y and z");
 }
@@ -139,8 +216,13 @@ TEST(MeshPly, WhatIsNotUsedMayHaveAnyValue) {
     EXPECT_EQ(indices(*made.scene), (std::vector<std::uint32_t>{0, 1, 2}));
   }
   EXPECT_TRUE(read_mesh(MeshKind::ply, text("property uchar small\n", "1000")).scene);
-  EXPECT_EQ(error(text("property float red\nproperty float green\nproperty float blue\n", "1 nan 0")),
-            "input.ply:15:9: error: 'nan' is not finite");
+  const std::string colors = "property float red\nproperty float green\nproperty float blue\n";
+  const auto colored = read_mesh(MeshKind::ply, text(colors, "1 nan 1e99"));
+  ASSERT_TRUE(colored.scene) << colored.error();
+  EXPECT_EQ(colored.told(), "properties-left-out not-finite") << "what is used becomes 0";
+  EXPECT_EQ(colored.diagnostics.all().back().places, 6u);
+  EXPECT_EQ(decode_component(*vertices(*colored.scene).find("COLOR_0"), 0, 0), 1.0f);
+  EXPECT_EQ(decode_component(*vertices(*colored.scene).find("COLOR_0"), 0, 1), 0.0f);
 
   Binary vertex(false), face(false);
   for (int i = 0; i < 3; ++i) vertex.put<float>({float(i), float(i * i), 0, std::numeric_limits<float>::infinity()});

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -57,6 +58,22 @@ TEST(MeshStl, TextMayHaveAByteOrderMark) {
   const auto made = read_mesh(MeshKind::stl, "\xEF\xBB\xBFsolid a\n" + triangle + "endsolid\n");
   ASSERT_TRUE(made.scene) << made.error();
   EXPECT_EQ(made.scene->meshes[0].name, "a");
+}
+
+TEST(MeshStl, LinesMayEndAsOnOldMacintoshesOrNotAtAll) {
+  for (const char line_end : {'\r', ' '}) {
+    std::string text = "solid a b\n" + triangle + triangle + "endsolid a b\n";
+    if (line_end == '\r') text += "solid c\n" + triangle + "endsolid c\n";
+    std::ranges::replace(text, '\n', line_end);
+    const auto made = read_mesh(MeshKind::stl, text);
+    ASSERT_TRUE(made.scene) << made.error();
+    EXPECT_EQ(made.scene->meshes.size(), line_end == '\r' ? 2u : 1u);
+    EXPECT_EQ(made.scene->meshes[0].name, "a b");
+    EXPECT_EQ(made.scene->draws[0].levels[0].orders[0].indices.size(), 6u);
+  }
+  EXPECT_EQ(error("solid a " + triangle + "endsolid a solid b " + triangle + "endsolid b"),
+            "input.stl:8:20: error: expected 'solid', found 'facet'")
+      << "nothing tells where a name ends";
 }
 
 TEST(MeshStl, EachSolidIsAMesh) {

@@ -174,6 +174,68 @@ TEST(MeshWrite, ASecondListOfAPlysCornersStaysWhileVerticesDo) {
               ::testing::HasSubstr("'vertex_index' names vertices besides"));
 }
 
+TEST(MeshWrite, PlyStripsBecomeAListOfFaces) {
+  const auto header = [](const std::string& format, const std::string& line_end) {
+    std::string text = "ply\nformat " + format +
+                       " 1.0\nelement vertex 5\nproperty uchar x\nproperty uchar y\nproperty uchar z\n"
+                       "element tristrips 2\nproperty list uchar int vertex_indices\ncomment last\nend_header\n";
+    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + line_end.size()))
+      text.replace(at, 1, line_end);
+    return text;
+  };
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n5 5 5\n";
+  const std::string made =
+      turned_round(MeshKind::ply, header("ascii", "\r\n") + vertices + "6 0 1 2 3 -1 4\n3 4 1 0\nand more\n");
+  EXPECT_THAT(made,
+              ::testing::HasSubstr("z\r\nelement face 3\r\nproperty list uchar int vertex_indices\r\ncomment last\r"));
+  EXPECT_THAT(made, ::testing::EndsWith("\n0 0 0\n3 0 3 4\n3 2 3 1\n3 4 3 2\nand more\n"));
+
+  for (const bool big : {false, true}) {
+    std::string binary = header(big ? "binary_big_endian" : "binary_little_endian", "\n");
+    for (char v = 0; v < 5; ++v) binary += std::string{v, static_cast<char>(v * v), '\0'};
+    const auto strip = [&](const std::vector<char>& numbers) {
+      binary += static_cast<char>(numbers.size());
+      for (const char number : numbers) {
+        const std::string high(3, number < 0 ? '\xFF' : '\0');
+        binary += big ? high + number : number + high;
+      }
+    };
+    strip({0, 1, 2, 3, -1, 4});
+    strip({4, 1, 0});
+    turned_round(MeshKind::ply, binary);
+  }
+
+  std::string both = header("ascii", "\n");
+  both.replace(both.find("element tri"), 0, "element face 1\nproperty list uchar int vertex_indices\n");
+  both += vertices + "3 0 1 4\n4 0 1 2 3\n3 4 1 0\n";
+  EXPECT_EQ(write(read(MeshKind::ply, both), MeshKind::ply).text, both);
+  EXPECT_THAT(write(reversed(read(MeshKind::ply, both)), MeshKind::ply).error,
+              ::testing::HasSubstr("element 'tristrips' may refer"));
+}
+
+TEST(MeshWrite, MendedFilesKeepWhatIsWrongInThem) {
+  EXPECT_EQ(turned_round(MeshKind::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/7/8 2//9 3/1\nf 3/1/1 2/1/1 1/1/1\n"),
+            "v 0 1 0\nv 1 0 0\nv 0 0 0\nf 1/1/1 2/1/1 3/1/1\nf 3/7/8 2//9 1/1\n");
+  const std::string ply =
+      turned_round(MeshKind::ply,
+                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                   "property float q\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0 0 0\n1 0 0 5 6\n0 1 0 7\n3 0 1 2 9 9\n3 2 1 0\n");
+  EXPECT_THAT(ply, ::testing::EndsWith("\n0 1 0 7\n1 0 0 5 6\n0 0 0\n3 0 1 2\n3 2 1 0 9 9\n"));
+  EXPECT_EQ(turned_round(MeshKind::off, "OFF3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0\n1 # one\n2 # two\n3 2 1 0 9\n"),
+            "OFF3 2 0\n0 1 0\n1 0 0\n0 0 0\n3 0 1 2 9 # two\n3 2\n1 # one\n0\n");
+}
+
+TEST(MeshWrite, ObjInUtf16StaysInIt) {
+  for (const bool big : {false, true}) {
+    std::string text = big ? "\xFE\xFF" : "\xFF\xFE";
+    for (const char c : std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n")) {
+      text += big ? std::string{'\0', c} : std::string{c, '\0'};
+    }
+    EXPECT_EQ(turned_round(MeshKind::obj, text).size(), text.size());
+  }
+}
+
 TEST(MeshWrite, OffLinesMoveWithWhatIsOnThem) {
   EXPECT_EQ(
       turned_round(MeshKind::off, "OFF\n# head\n4 2 0\n0 0 0\n1 0 0 # b\n\n1 1 0\n0 1 0\n4 0 1 2 3  1 0 0\n3 0 1 2"),
@@ -202,6 +264,8 @@ TEST(MeshWrite, StlTrianglesMoveWithinTheirSolid) {
   for (const char* note : {"solid", "facet", "endfacet", "endsolid"}) {  // a normal is read over, whatever it is
     turned_round(MeshKind::stl, "solid\n" + facet("1", note) + facet("2", "b") + "endsolid\n");
   }
+
+  turned_round(MeshKind::stl, "solid a " + facet("1", "a") + facet("2", "b") + "endsolid a");
 
   turned_round(MeshKind::stl, "\xEF\xBB\xBFsolid facet\n" + facet("1", "a") + facet("2", "b") + "endsolid\n");
 
