@@ -234,12 +234,8 @@ class PlyReader {
   }
 
   bool strip_vertex(const PlyValue& value) {
-    if (value.value == strip_restart) {
-      strip_.begin();
-      return true;
-    }
-    if (!may_name(value)) return false;
-    const auto triangle = strip_.add(static_cast<std::uint32_t>(value.value));
+    if (value.value != PlyStrip::restart && !may_name(value)) return false;
+    const auto triangle = strip_.add(value.value);
     if (!triangle) return true;
     if (mesh_.corners.size() > none - 3) return refuse(value, "the strips have too many triangles");
     for (const std::uint32_t vertex : *triangle) mesh_.corners.push_back({vertex, none, none});

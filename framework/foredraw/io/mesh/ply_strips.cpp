@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foredraw::mesh_files {
 
 namespace {
@@ -18,11 +20,7 @@ struct FacesOfStrips {
     return true;
   }
   bool value(std::size_t, std::size_t, const PlyValue& value) {
-    if (value.value == strip_restart) {
-      strip.begin();
-    } else if (const auto triangle = strip.add(static_cast<std::uint32_t>(value.value))) {
-      put(*triangle);
-    }
+    if (const auto triangle = strip.add(value.value)) put(*triangle);
     return true;
   }
   bool record(std::size_t e, std::size_t from, std::size_t to) {
@@ -56,7 +54,12 @@ struct FacesOfStrips {
 
 }  // namespace
 
-std::optional<std::array<std::uint32_t, 3>> PlyStrip::add(std::uint32_t vertex) {
+std::optional<std::array<std::uint32_t, 3>> PlyStrip::add(double number) {
+  if (number == restart) {
+    begin();
+    return std::nullopt;
+  }
+  const auto vertex = static_cast<std::uint32_t>(number);
   const bool is_turned = length_ % 2 == 1;
   const std::array<std::uint32_t, 3> triangle{is_turned ? last_ : before_, is_turned ? before_ : last_, vertex};
   before_ = last_;

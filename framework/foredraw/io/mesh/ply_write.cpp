@@ -31,11 +31,7 @@ struct PlyPlaces {
   }
   bool value(std::size_t e, std::size_t, const PlyValue& value) {
     if (header.elements[e].name == strips_name) {
-      if (value.value == strip_restart) {
-        strip.begin();
-      } else if (strip.add(static_cast<std::uint32_t>(value.value))) {
-        ++strip_triangles;
-      }
+      if (strip.add(value.value)) ++strip_triangles;
       return true;
     }
     corners.push_back({text.substr(value.begin, value.end - value.begin), static_cast<std::uint32_t>(value.value)});

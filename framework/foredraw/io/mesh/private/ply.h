@@ -53,16 +53,18 @@ inline bool names_vertices(const PlyProperty& p) {
 
 /// An element of triangle strips, as Stanford's and Cyberware's tools write them, beside or instead of the faces.
 inline constexpr std::string_view strips_name = "tristrips";
-inline constexpr double strip_restart = -1;
 
-/// A strip's triangles, vertex by vertex.
+/// A strip's triangles, number by number.
 class PlyStrip {
  public:
+  static constexpr double restart = -1;  ///< begins a strip anew
+
   void begin() { length_ = 0; }
 
   /// The triangle that ends with this vertex, all of them wound alike; nothing where there are less than three so far,
-  /// and where two corners are one, which only leads from one part of a strip to the next.
-  std::optional<std::array<std::uint32_t, 3>> add(std::uint32_t vertex);
+  /// and where two corners are one, which only leads from one part of a strip to the next. `number`: of a vertex, below
+  /// `none`, or a restart.
+  std::optional<std::array<std::uint32_t, 3>> add(double number);
 
  private:
   std::uint32_t before_ = 0, last_ = 0;
