@@ -2,7 +2,7 @@
 // Meshes in OBJ, PLY, OFF and STL, read into flat arrays and written back to their own kind.
 
 #include <foredraw/base/diagnostics.h>
-#include <foredraw/io/scene_input.h>
+#include <foredraw/io/reading/scene_input.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/scene/scene.h>
 

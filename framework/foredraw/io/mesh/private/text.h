@@ -2,7 +2,7 @@
 // Bytes that hold text: tokens, numbers, and where in the file they stand. Private to io.
 
 #include <foredraw/base/diagnostics.h>
-#include <foredraw/io/faults.h>
+#include <foredraw/io/reading/faults.h>
 
 #include <charconv>
 #include <cstddef>
