@@ -11,8 +11,8 @@
 
 namespace foredraw {
 
-/// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right. What is
-/// compressed by Draco (KHR_draco_mesh_compression) goes out plain, unless nothing changes at all.
+/// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right. What
+/// is compressed by Draco (KHR_draco_mesh_compression) goes out plain, unless nothing changes at all.
 std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics, const SceneInput& how = {});
 
 /// Reads bytes of either kind; `name` is what diagnostics call them, and files beside are looked for in `folder`
