@@ -268,9 +268,9 @@ TEST(GltfGate, the_largest_float_is_one) {
   GltfBuilder builder = testing::puppet();
   item(builder, "materials", 0)["alphaCutoff"] = std::numeric_limits<float>::max();
   Diagnostics diagnostics;
-  EXPECT_TRUE(read_gltf(builder.glb(), "puppet", {}, diagnostics)) << to_text(diagnostics);
+  EXPECT_TRUE(read_gltf(builder.glb(), "puppet", {}, diagnostics, {.strict = true})) << to_text(diagnostics);
   item(builder, "materials", 0)["alphaCutoff"] = 1e39;
-  EXPECT_FALSE(read_gltf(builder.glb(), "puppet", {}, diagnostics));
+  EXPECT_FALSE(read_gltf(builder.glb(), "puppet", {}, diagnostics, {.strict = true}));
 }
 
 /// What is harmless is told and read, and comes out again as it was.
