@@ -207,10 +207,11 @@ void check_texture(Gate& gate, const Json& holder, const char* key, const std::s
 void check_materials(Gate& gate) {
   const Json& textures = gate.all("textures");
   for (std::size_t i = 0; i < textures.size(); ++i) {
-    for (const auto& [key, kind] : {std::pair{"source", "images"}, {"sampler", "samplers"}}) {
-      gate.leave_out_if_wrong("texture", in(at("textures", i), key),
-                              [&] { gate.reference(textures[i], key, kind, at("textures", i)); });
-    }
+    const std::string place = at("textures", i);
+    gate.leave_out_if_wrong("texture", in(place, "source"),
+                            [&] { gate.reference(textures[i], "source", "images", place); });
+    gate.leave_out_if_wrong("texture", in(place, "sampler"),
+                            [&] { gate.reference(textures[i], "sampler", "samplers", place); });
   }
   const Json& materials = gate.all("materials");
   for (std::size_t i = 0; i < materials.size(); ++i) {
