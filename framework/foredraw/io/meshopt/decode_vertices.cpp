@@ -8,7 +8,6 @@
 #include <bit>
 #include <cstring>
 
-#define HWY_WANT_AVX3_DL  // whose registers can be expanded by a mask
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "foredraw/io/meshopt/decode_vertices.cpp"
 #include <hwy/foreach_target.h>
@@ -43,23 +42,6 @@ HWY_INLINE void take_apart(const GroupForm& group, const Byte* from, Byte* to) {
 
 using Sixteen = hn::FixedTag<Byte, 16>;
 
-#if HWY_TARGET == HWY_AVX3_DL
-
-HWY_INLINE void take_apart(const GroupForm& group, const Byte* from, Byte* to) {
-  const Sixteen d;
-  const auto mask = hn::Load(d, group.mask.data());
-  std::uint64_t packed;
-  std::memcpy(&packed, from, 8);
-  const auto both = hn::Set(hn::FixedTag<std::uint64_t, 2>(), packed);
-  const auto values =
-      hn::And(hn::Vec<Sixteen>{_mm_multishift_epi64_epi8(hn::Load(d, group.shift.data()).raw, both.raw)}, mask);
-  const auto is_byte = hn::Eq(values, hn::Load(d, group.full.data()));
-  const auto bytes = hn::LoadU(d, from + group.bytes % 16);
-  hn::StoreU(hn::Vec<Sixteen>{_mm_mask_expand_epi8(values.raw, is_byte.raw, bytes.raw)}, d, to);
-}
-
-#else
-
 HWY_INLINE std::size_t mask_of(hn::Mask<Sixteen> mask) {
   Byte bytes[8];
   hn::StoreMaskBits(Sixteen(), mask, bytes);
@@ -83,8 +65,6 @@ HWY_INLINE void take_apart(const GroupForm& group, const Byte* from, Byte* to) {
   const auto bytes = hn::TableLookupBytesOr0(hn::LoadU(d, from + group.bytes % 16), place);
   hn::Store(hn::IfThenElse(is_byte, bytes, values), d, to);
 }
-
-#endif
 
 #endif
 

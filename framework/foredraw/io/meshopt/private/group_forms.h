@@ -13,10 +13,6 @@ struct GroupForm {
   alignas(16) SixteenBytes source{};  ///< of each value: which byte holds its bits; 128: none does
   alignas(16) SixteenBytes field{};   ///< its bits there; all set: its byte follows
   alignas(16) SixteenBytes value{};   ///< [half a byte]: the value whose bits are set there, wherever these are
-  // By shifts of the first 8 bytes.
-  alignas(16) SixteenBytes shift{};  ///< of each value: where its bits begin
-  alignas(16) SixteenBytes mask{};   ///< its bits, shifted
-  alignas(16) SixteenBytes full{};   ///< what says that its byte follows
   // By counting in the first 8 bytes.
   std::size_t bytes = 0;       ///< of the group, where no value is left to those that follow
   std::array<int, 2> folds{};  ///< after and-ing with itself shifted by these, ...
@@ -36,11 +32,9 @@ inline constexpr std::array<GroupForm, widths.size()> group_forms = [] {
       const std::size_t place = i % in_byte;
       const std::size_t shift = width == 1 ? place : packed ? 8 - width * (place + 1) : 0;
       form.source[i] = packed ? static_cast<Byte>(i / in_byte) : Byte{128};
-      form.mask[i] = packed ? static_cast<Byte>((1 << width) - 1) : Byte{0};
-      form.field[i] = width == 0 ? Byte{255} : static_cast<Byte>(form.mask[i] << shift);
+      const int mask = packed ? (1 << width) - 1 : 0;
+      form.field[i] = width == 0 ? Byte{255} : static_cast<Byte>(mask << shift);
       form.value[i] = static_cast<Byte>(width == 1 ? 0 : width == 2 ? (i < 4 ? i : i / 4) : i);
-      form.shift[i] = packed ? static_cast<Byte>(8 * form.source[i] + shift) : Byte{0};
-      form.full[i] = width == 0 ? Byte{255} : form.mask[i];
       if (packed) form.lanes |= std::uint64_t{1} << (i * width);
     }
   }
