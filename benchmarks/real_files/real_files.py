@@ -104,8 +104,9 @@ def main():
     verdicts = collections.Counter(row["verdict"] for row in rows)
     mended = collections.Counter(code for row in rows for code in row["mended"])
     print(f"{len(rows)} files: " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()))
-    print(f"{sum(bool(row['mended']) for row in rows)} accepted with warnings, "
-          f"{sum(bool(row['new_errors']) for row in rows)} with new errors of the validator")
+    print(f"{sum(bool(row['mended']) for row in rows)} accepted with warnings")
+    if arguments.validator:
+        print(f"{sum(bool(row['new_errors']) for row in rows)} with new errors of the validator")
     slowest = max(rows, key=lambda row: row["seconds"])
     largest = max(rows, key=lambda row: row["megabytes"])
     print(f"{sum(row['seconds'] for row in rows):.0f} seconds; at most {slowest['seconds']:.1f} ({slowest['file']}); "
