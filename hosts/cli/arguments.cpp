@@ -234,8 +234,6 @@ class CommandLine {
       return with_memory(arguments_.inputs.empty() ? "foredraw" : arguments_.inputs[0], "begin", command_);
     } catch (const OutOfMemory& lack) {
       return tell(lack);
-    } catch (const std::bad_alloc&) {  // before any file was looked at
-      return tell({arguments_.inputs.empty() ? "foredraw" : arguments_.inputs.front(), "begin"});
     }
   }
 

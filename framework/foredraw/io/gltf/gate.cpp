@@ -129,7 +129,7 @@ std::optional<std::size_t> Gate::reference(const Json& value, const char* kind, 
     return std::nullopt;
   }
   const auto number = value.get<std::size_t>();
-  return is_held_back(kind, number) ? std::nullopt : std::optional(number);
+  return tell_held_back(kind, number) ? std::nullopt : std::optional(number);
 }
 
 std::optional<std::size_t> Gate::reference(const Json& parent, const char* key, const char* kind,

@@ -106,7 +106,7 @@ std::vector<Diagnostic> Gate::take_errors(std::size_t from) {
   return taken;
 }
 
-bool Gate::is_held_back(std::string_view kind, std::size_t number) {
+bool Gate::tell_held_back(std::string_view kind, std::size_t number) {
   const auto held = held_back_.find({kind, number});
   if (held == held_back_.end()) return false;
   for (const Diagnostic& error : held->second) {
@@ -120,14 +120,16 @@ void Gate::let_go_of_unused() {
   const std::set<std::size_t> named = named_by_unknown_extensions(document_);
   for (const auto& [element, found] : held_back_) {
     const auto& [kind, number] = element;
-    const bool has_stand_in = kind == accessors_kind || !document_.buffers.empty();
+    const bool has_stand_in =
+        kind == accessors_kind || (!document_.buffers.empty() && !document_.buffers[0].bytes.empty());
     if (named.contains(number) || !has_stand_in) {
-      is_held_back(kind, number);
+      tell_held_back(kind, number);
       continue;
     }
     fault("unused-data", found.front().where.inside, found.front().message);
     Json& json = mend()[std::string(kind)][number];
-    for (const char* key : {"bufferView", "byteOffset", "byteStride", "sparse", "min", "max", "normalized"})
+    for (const char* key :
+         {"bufferView", "byteOffset", "byteStride", "sparse", "min", "max", "normalized", "extensions"})
       json.erase(key);
     if (kind == accessors_kind) {
       json.update({{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}});

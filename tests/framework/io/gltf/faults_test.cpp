@@ -248,6 +248,33 @@ TEST(GltfFaults, a_view_that_nobody_uses_goes) {
   EXPECT_TRUE(again.empty()) << to_text(again);
 }
 
+TEST(GltfFaults, a_view_goes_with_what_says_how_it_is_compressed) {
+  GltfBuilder builder = testing::puppet();
+  builder.add("bufferViews",
+              {{"buffer", 0},
+               {"byteOffset", 1 << 20},
+               {"byteLength", 64},
+               {"extensions",
+                {{"EXT_meshopt_compression",
+                  {{"buffer", 0}, {"byteLength", 8}, {"byteStride", 4}, {"count", 16}, {"mode", "ATTRIBUTES"}}}}}});
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(builder.glb(), "view.glb", {}, diagnostics);
+  ASSERT_TRUE(scene) << to_text(diagnostics);
+  const auto files = encode_gltf(*scene, "out.glb", diagnostics);
+  ASSERT_TRUE(files) << to_text(diagnostics);
+  Diagnostics again;
+  EXPECT_TRUE(read_gltf(files->front().bytes, "again.glb", {}, again)) << to_text(again);
+}
+
+TEST(GltfFaults, without_bytes_nothing_stands_for_a_view) {
+  GltfBuilder builder;
+  builder.json["buffers"] = {{{"byteLength", 64}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
+  builder.json["bufferViews"] = {{{"buffer", 0}, {"byteOffset", 60}, {"byteLength", 64}}};
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_gltf(testing::bytes_of(builder.json.dump()), "fallback.gltf", {}, diagnostics));
+  EXPECT_EQ(codes_of(diagnostics, Severity::error), std::set<std::string>{"view-range"});
+}
+
 TEST(GltfFaults, a_time_that_falls_is_that_of_the_key_before) {
   GltfBuilder builder = testing::puppet();
   poke<float>(builder, 7, 2, 0.25f);  // 0, 0.5, 0.25

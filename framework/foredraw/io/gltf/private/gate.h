@@ -105,8 +105,8 @@ class Gate {
  private:
   std::vector<Diagnostic> take_errors(std::size_t from);
 
-  /// What was held back of it counts now.
-  bool is_held_back(std::string_view kind, std::size_t number);
+  /// Errors that were held back of it count now. False: there are none.
+  bool tell_held_back(std::string_view kind, std::size_t number);
 
   Document& document_;
   Diagnostics& diagnostics_;
