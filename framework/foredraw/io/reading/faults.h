@@ -36,9 +36,6 @@ class Faults {
   /// Counts one more of a kind that was found before. False: it is the first, and found() has to say where.
   bool found_again(std::string_view code);
 
-  bool any() const { return !first_.empty(); }
-  bool strict() const { return strict_; }
-
   /// Puts them among the diagnostics. False where the file is refused for them.
   bool tell();
 
