@@ -76,7 +76,7 @@ TEST(OverdrawRasterPlugin, materials_decide_about_back_faces_and_blending) {
   ASSERT_EQ(findings.notes.size(), 2u);
   EXPECT_EQ(findings.notes[0].message, "left out because they are blended: 1 draw (Glass)");
   EXPECT_EQ(findings.notes[1].message,
-            "left out because their holes are unknown: 1 draw (Leaves); its texture is of an unknown kind");
+            "left out because their holes are unknown: 1 draw (Leaves); its texture has no image of a known kind");
 
   Settings front = few_views;
   front["faces"] = std::string("front");

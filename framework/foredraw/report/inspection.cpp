@@ -88,8 +88,11 @@ std::string images_text(const Scene& scene) {
       text += fmt::format("{} x {}, {} of {} bits{}\n", facts->width, facts->height,
                           counted(static_cast<std::uint64_t>(facts->channels), "channel"), facts->bits,
                           facts->is_float ? ", float" : "");
+    } else if (!image.uri.empty()) {
+      text += fmt::format("the file {}\n", image.uri);
     } else {
-      text += image.uri.empty() ? "of an unknown kind, or damaged\n" : fmt::format("the file {}\n", image.uri);
+      text += image.media_type.empty() ? "of an unknown kind, or damaged\n"
+                                       : fmt::format("{}, not looked into\n", image.media_type);
     }
   }
   return text;

@@ -29,7 +29,7 @@ std::variant<std::shared_ptr<const Mask>, std::string> mask_of(Analyses& analyse
   mask->cutoff = material->alpha_cutoff;
   mask->alphas = alphas_of(vertices, material->alpha);
   if (const auto& texture = material->base_colour) {
-    if (!texture->image || *texture->image >= scene.images.size()) return "its texture is of an unknown kind";
+    if (!texture->image || *texture->image >= scene.images.size()) return "its texture has no image of a known kind";
     const VertexStream* texcoords = vertices.find("TEXCOORD_" + std::to_string(texture->texcoord));
     if (texcoords == nullptr || texcoords->count() < vertices.count) {
       return "it has no TEXCOORD_" + std::to_string(texture->texcoord);

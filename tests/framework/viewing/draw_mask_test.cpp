@@ -134,7 +134,7 @@ TEST(DrawMask, says_why_it_is_not_known_where_the_holes_are) {
   scene.materials[0].base_colour->texcoord = 3;
   EXPECT_EQ(why_not(scene, analyses), "it has no TEXCOORD_3");
   scene.materials[0].base_colour->image.reset();
-  EXPECT_EQ(why_not(scene, analyses), "its texture is of an unknown kind");
+  EXPECT_EQ(why_not(scene, analyses), "its texture has no image of a known kind");
 }
 
 }  // namespace

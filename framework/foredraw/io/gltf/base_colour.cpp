@@ -39,10 +39,24 @@ Wrap wrap_of(const Json& sampler, const char* key) {
   return word == 33071 ? Wrap::clamped : word == 33648 ? Wrap::mirrored : Wrap::repeat;
 }
 
+/// That which every viewer can show comes first; without it, the one that an extension names.
+std::optional<ImageId> image_of(const Json& texture, const Json& document) {
+  const Json* holders[] = {&texture, extension_of(texture, "KHR_texture_basisu"),
+                           extension_of(texture, "EXT_texture_webp"), extension_of(texture, "EXT_texture_avif"),
+                           extension_of(texture, "MSFT_texture_dds")};
+  for (const Json* holder : holders) {
+    if (holder == nullptr || !holder->is_object()) continue;
+    const Json& source = member(*holder, "source");
+    if (source.is_number_unsigned() && source.get<std::size_t>() < member(document, "images").size())
+      return source.get<ImageId>();
+  }
+  return std::nullopt;
+}
+
 Texture texture_of(const Json& use, const Json& document) {
   const Json& texture = document["textures"][use["index"].get<std::size_t>()];
   Texture made;
-  if (const Json& source = member(texture, "source"); source.is_number()) made.image = source.get<ImageId>();
+  made.image = image_of(texture, document);
   made.texcoord = texcoord_in(use, 0);
   if (const Json& number = member(texture, "sampler"); number.is_number()) {
     const Json& sampler = document["samplers"][number.get<std::size_t>()];

@@ -129,4 +129,15 @@ std::optional<Header> header_of(Bytes bytes) {
   return header;
 }
 
+std::string_view undecoded_kind(Bytes bytes) {
+  if (begins_with(bytes, "\xabKTX 20\xbb\r\n\x1a\n")) return "KTX2";
+  if (begins_with(bytes, "\xabKTX 11\xbb\r\n\x1a\n")) return "KTX";
+  if (begins_with(bytes, "RIFF") && has(bytes, 8, "WEBP")) return "WebP";
+  if (has(bytes, 4, "ftypavif") || has(bytes, 4, "ftypavis")) return "AVIF";
+  if (begins_with(bytes, "DDS ")) return "DDS";
+  if (begins_with(bytes, "GIF8")) return "GIF";
+  if (begins_with(bytes, "BM")) return "BMP";
+  return {};
+}
+
 }  // namespace foredraw::images

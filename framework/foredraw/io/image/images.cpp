@@ -36,7 +36,10 @@ std::optional<images::Header> checked_header(std::span<const std::byte> bytes, c
                                              Diagnostics& diagnostics, const ImageLimits& limits) {
   const auto header = images::header_of(bytes);
   if (!header) {
-    diagnostics.error(where, "image-kind", "is not an image of a supported kind, or its header is damaged",
+    const std::string_view kind = images::undecoded_kind(bytes);
+    diagnostics.error(where, "image-kind",
+                      kind.empty() ? "is not an image of a supported kind, or its header is damaged"
+                                   : fmt::format("is {}, which cannot be decoded", kind),
                       "PNG, JPEG, TGA and OpenEXR are supported");
     return std::nullopt;
   }

@@ -205,6 +205,42 @@ TEST(GltfWrite, images_and_materials_may_change) {
   EXPECT_EQ(again.draws[0].levels[0].vertices->stamp(), scene.draws[0].levels[0].vertices->stamp());
 }
 
+/// As exporters pack them: a picture that an extension alone names, or with a plain one beside it.
+TEST(GltfWrite, pictures_that_no_decoder_knows_pass_through_and_are_known_to_be_the_texture) {
+  struct Packed {
+    const char* extension;
+    const char* media_type;
+    std::string bytes;
+  };
+  const Packed all[] = {{"KHR_texture_basisu", "image/ktx2", "\xabKTX 20\xbb\r\n\x1a\n and supercompressed texels"},
+                        {"EXT_texture_webp", "image/webp", "RIFF----WEBPVP8L----"},
+                        {"EXT_texture_avif", "image/avif", "----ftypavif----"}};
+  for (const auto& [extension, media_type, bytes] : all) {
+    for (const bool has_plain : {false, true}) {
+      GltfBuilder built = ribbon(3);
+      const auto view = built.add_view(std::as_bytes(std::span(bytes)));
+      GltfJson texture{{"extensions", {{extension, {{"source", has_plain ? 1 : 0}}}}}};
+      if (has_plain) {
+        built.add("images", {{"uri", "plain.png"}});
+        texture["source"] = 0;
+      }
+      built.add("images", {{"bufferView", view}, {"mimeType", media_type}});
+      built.add("textures", texture);
+      built.add("materials", {{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+      built.json["meshes"][0]["primitives"][0]["material"] = 0;
+      built.json["extensionsUsed"] = {extension};
+      if (!has_plain) built.json["extensionsRequired"] = {extension};
+      Scene scene = read(built.glb());
+      EXPECT_EQ(scene.materials[0].base_colour->image, 0u) << "where there are two, the one that all viewers show";
+      reverse(scene.draws[0]);
+      const Scene after = read(write(scene));
+      const auto kept = after.images[has_plain ? 1 : 0].bytes.view();
+      EXPECT_TRUE(std::ranges::equal(kept, std::as_bytes(std::span(bytes)))) << extension;
+      EXPECT_EQ(json_of(write(scene))["textures"], built.json["textures"]);
+    }
+  }
+}
+
 TEST(GltfWrite, what_can_not_be_said_is_an_error) {
   const Scene scene = read(puppet());
   const auto refused = [](const Scene& changed, const std::string& inside) {

@@ -75,6 +75,25 @@ TEST(Images, png_comes_out_as_it_went_in) {
   }
 }
 
+TEST(Images, kinds_that_pass_through_are_named_where_they_would_have_to_be_decoded) {
+  const std::pair<std::string, const char*> kinds[] = {
+      {"\xabKTX 20\xbb\r\n\x1a\n----", "is KTX2, which cannot be decoded"},
+      {"RIFF----WEBPVP8L", "is WebP, which cannot be decoded"},
+      {"----ftypavif----", "is AVIF, which cannot be decoded"},
+      {"DDS ------------", "is DDS, which cannot be decoded"},
+      {"RIFF----WAVEfmt ",
+       "is not an image of a supported kind, or its "
+       "header is damaged"}};
+  for (const auto& [text, message] : kinds) {
+    const auto bytes = std::as_bytes(std::span(text));
+    EXPECT_FALSE(image_facts(bytes));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(decode_image(bytes, {.file = "image"}, diagnostics));
+    EXPECT_EQ(diagnostics.all().at(0).message, message);
+    EXPECT_EQ(diagnostics.all().at(0).hint, "PNG, JPEG, TGA and OpenEXR are supported");
+  }
+}
+
 TEST(Images, jpeg_comes_out_nearly_as_it_went_in) {
   for (const int channels : {1, 3}) {
     const ImageFacts facts{37, 21, channels, 8};

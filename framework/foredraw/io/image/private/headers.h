@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace foredraw::images {
 
@@ -22,6 +23,9 @@ struct Header {
 
 /// nullopt where no header of a kind that we know stands there whole.
 std::optional<Header> header_of(Bytes bytes);
+
+/// The name of a kind that is known, but not decoded: "WebP". Empty for every other.
+std::string_view undecoded_kind(Bytes bytes);
 
 /// What stands between two markers of a JPEG, as far as there are bytes.
 struct Segment {
