@@ -221,7 +221,7 @@ TEST(GltfWrite, pictures_that_no_decoder_knows_pass_through_and_are_known_to_be_
       const auto view = built.add_view(std::as_bytes(std::span(bytes)));
       GltfJson texture{{"extensions", {{extension, {{"source", has_plain ? 1 : 0}}}}}};
       if (has_plain) {
-        built.add("images", {{"uri", "plain.png"}});
+        built.add("images", {{"uri", "data:image/png;base64,AAAA"}});
         texture["source"] = 0;
       }
       built.add("images", {{"bufferView", view}, {"mimeType", media_type}});
