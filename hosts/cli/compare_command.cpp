@@ -121,7 +121,7 @@ ComparedFile compared(const std::string& input, const Contest& contest, const Re
   made.scenes.resize(comparison.branches.size());
   if (plans.empty()) return made;
 
-  Analyses analyses(image_decoder(input));
+  Analyses analyses(image_decoder(input, contest.how.root));
   std::vector<Result> results = with_memory(input, "work on it", [&] {
     return foredraw::compare(plans, file->scene, contest.rounds, {executor, analyses, nullptr, progress_line()});
   });

@@ -64,7 +64,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   if (draws && !are_views(job.arguments.heat_map_view, looks_of(*plan), diagnostics)) return lost(users_mistake);
 
   const Scene before = draws || !job.arguments.html.empty() ? file->scene : Scene();
-  Analyses analyses(image_decoder(input));
+  Analyses analyses(image_decoder(input, job.arguments.root));
   Result result = with_memory(input, "work on it", [&] {
     return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
   });

@@ -23,8 +23,8 @@ std::optional<Scene> image_scene(SceneBytes file, Diagnostics& diagnostics, cons
   return read_sprite_image(std::move(file.bytes), file.name, diagnostics);
 }
 
-std::optional<Scene> list_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput&) {
-  return read_sprite_list(file.bytes, file.name, file.folder, diagnostics);
+std::optional<Scene> list_scene(SceneBytes file, Diagnostics& diagnostics, const SceneInput& how) {
+  return read_sprite_list(file.bytes, file.name, file.folder, diagnostics, how);
 }
 
 }  // namespace

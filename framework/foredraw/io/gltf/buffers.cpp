@@ -1,5 +1,6 @@
 // Checks of buffers, buffer views and images: where the bytes come from, and that there are as many as claimed.
 #include <foredraw/io/gltf/private/gate.h>
+#include <foredraw/io/text/private/file_beside.h>
 #include <foredraw/io/text/private/uri.h>
 #include <foredraw/platform/files.h>
 
@@ -17,38 +18,19 @@ namespace fs = std::filesystem;
 /// The buffers that were read from files, by where these lie: a thousand may name the same.
 using FileBuffers = std::map<fs::path, Bytes>;
 
+Surroundings surroundings(const Gate& gate) { return {gate.document().folder, gate.how().root}; }
+
 /// The first `length` bytes of a file, or all where it has fewer; what may follow is not read.
-std::optional<Bytes> file_beside(Gate& gate, const std::string& uri, std::uint64_t length, const std::string& place,
-                                 FileBuffers& files) {
-  const fs::path& folder = gate.document().folder;
-  const auto path = percent_decoded(uri);
-  const fs::path& root = gate.how().root.empty() ? folder : gate.how().root;
-  const std::string why = path ? why_not_beside(*path, !gate.how().root.empty()) : "is not well-formed";
-  if (!why.empty()) {
-    gate.error(place, "buffer-uri", fmt::format("'{}' {}; expected a file in the folder of the glTF", uri, why),
-               why == leads_out
-                   ? "allow it with --root FOLDER, a folder that holds both"
-                   : "put the file beside the glTF and name it by a relative path, or pack both into a .glb");
+std::optional<Bytes> bytes_beside(Gate& gate, const std::string& uri, std::uint64_t length, const std::string& place,
+                                  FileBuffers& files) {
+  const FileBeside beside = uri_beside(uri, surroundings(gate));
+  if (!beside.why_not.empty()) {
+    gate.error(place, beside.is_missing ? "buffer-missing" : "buffer-uri", fmt::format("'{}' {}", uri, beside.why_not),
+               beside.hint + ", or pack both into a .glb");
     return std::nullopt;
   }
-  if (folder.empty()) {
-    gate.error(place, "buffer-missing",
-               fmt::format("'{}' cannot be found, because the glTF was not read from a folder", uri),
-               "give the path of the .gltf, or pack both into a .glb");
-    return std::nullopt;
-  }
-  const fs::path file = folder / fs::path(std::u8string(path->begin(), path->end()));
+  const fs::path& file = beside.path;
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) {
-    gate.error(place, "buffer-missing", fmt::format("there is no file '{}' in the folder of the glTF", *path),
-               "copy it there, or export as .glb, which holds everything");
-    return std::nullopt;
-  }
-  if (!lies_within(file, root)) {
-    gate.error(place, "buffer-uri", fmt::format("'{}' leads out of '{}'", uri, root.string()),
-               "copy the file into that folder, or allow a larger one with --root FOLDER");
-    return std::nullopt;
-  }
   const std::uint64_t size = fs::file_size(file, error);
   length = std::min(length, error ? 0 : size);
   Bytes& known = files[fs::canonical(file, error)];
@@ -75,14 +57,6 @@ bool is_fallback(Gate& gate, const Json& buffer, const std::string& place) {
     if (gate.boolean(*extension, "fallback", in(in(place, "extensions"), name)).value_or(false)) return true;
   }
   return false;
-}
-
-bool may_be_beside(const Gate& gate, const std::string& uri) {
-  const auto path = percent_decoded(uri);
-  if (!path || !why_not_beside(*path).empty()) return true;  // told of by whoever looks for it
-  std::error_code error;
-  const fs::path& folder = gate.document().folder;
-  return !folder.empty() && fs::exists(folder / fs::path(std::u8string(path->begin(), path->end())), error);
 }
 
 /// A buffer that has fewer bytes than it states.
@@ -131,12 +105,12 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
     }
     return Buffer{Bytes(gate.document().kept.back()).first(*length), absent.length, fallback};
   }
-  if (fallback && !may_be_beside(gate, *uri)) {
+  if (fallback && uri_beside(*uri, surroundings(gate)).is_missing) {
     gate.note(in(place, "uri"), "fallback-missing",
               fmt::format("the uncompressed copy '{}' is missing; the compressed data is used", *uri));
     return absent;
   }
-  const auto bytes = file_beside(gate, *uri, *length, in(place, "uri"), files);
+  const auto bytes = bytes_beside(gate, *uri, *length, in(place, "uri"), files);
   if (!bytes) return std::nullopt;
   if (bytes->size() < *length) {
     return shortened(gate, *bytes, fmt::format("is {}, but '{}' has {} bytes", *length, *uri, bytes->size()), place);

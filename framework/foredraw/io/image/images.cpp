@@ -3,7 +3,7 @@
 #include <foredraw/io/image/private/exr.h>
 #include <foredraw/io/image/private/headers.h>
 #include <foredraw/io/image/private/stb.h>
-#include <foredraw/io/text/private/uri.h>
+#include <foredraw/io/text/private/file_beside.h>
 #include <foredraw/platform/files.h>
 
 #include <fmt/format.h>
@@ -13,20 +13,11 @@ namespace foredraw {
 namespace {
 
 /// Or why it is not read.
-std::variant<std::vector<std::byte>, std::string> file_beside(const std::string& uri,
-                                                              const std::filesystem::path& folder) {
-  const auto path = gltf::percent_decoded(uri);
-  const std::string why = path ? gltf::why_not_beside(*path) : "is not well-formed";
-  if (!why.empty()) return fmt::format("the image's file '{}' {}", uri, why);
-  const std::filesystem::path file = folder / std::filesystem::path(std::u8string(path->begin(), path->end()));
-  std::error_code error;
-  if (folder.empty() || !std::filesystem::is_regular_file(file, error)) {
-    return fmt::format("there is no image '{}' in the folder of the scene", *path);
-  }
-  if (!gltf::lies_within(file, folder))
-    return fmt::format("the image '{}' leads out of the folder of the scene", *path);
+std::variant<std::vector<std::byte>, std::string> bytes_beside(const std::string& uri, const Surroundings& where) {
+  const FileBeside beside = uri_beside(uri, where);
+  if (!beside.why_not.empty()) return fmt::format("the image '{}' {}", uri, beside.why_not);
   Diagnostics reading;
-  auto bytes = read_file(file, reading);
+  auto bytes = read_file(beside.path, reading);
   if (!bytes) return reading.all().front().message;
   return std::move(*bytes);
 }
@@ -89,14 +80,14 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
   return result;
 }
 
-ImageDecoder image_decoder(const std::filesystem::path& scene_file) {
+ImageDecoder image_decoder(const std::filesystem::path& scene_file, const std::filesystem::path& root) {
   const bool has_folder = scene_file.empty() || scene_file.has_parent_path();
-  const std::filesystem::path folder = has_folder ? scene_file.parent_path() : std::filesystem::path(".");
-  return [folder](const Image& image) -> std::variant<Texels, std::string> {
+  const Surroundings where{has_folder ? scene_file.parent_path() : std::filesystem::path("."), root};
+  return [where](const Image& image) -> std::variant<Texels, std::string> {
     std::span<const std::byte> bytes = image.bytes.view();
     std::variant<std::vector<std::byte>, std::string> file;
     if (!image.uri.empty()) {
-      file = file_beside(image.uri, folder);
+      file = bytes_beside(image.uri, where);
       if (std::string* why = std::get_if<std::string>(&file)) return std::move(*why);
       bytes = std::get<std::vector<std::byte>>(file);
     }

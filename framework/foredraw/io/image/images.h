@@ -31,7 +31,7 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
                                    const ImageLimits& limits = {});
 
 /// What analyses of a scene decode its images with: those that it holds, and those beside the file that it was read
-/// from, unless that is empty.
-ImageDecoder image_decoder(const std::filesystem::path& scene_file);
+/// from, unless that is empty, or below the root (SceneInput::root).
+ImageDecoder image_decoder(const std::filesystem::path& scene_file, const std::filesystem::path& root = {});
 
 }  // namespace foredraw

@@ -20,31 +20,24 @@ namespace {
 namespace fs = std::filesystem;
 using gltf::Json;
 
-fs::path utf8_path(const std::string& text) { return fs::path(std::u8string(text.begin(), text.end())); }
-
-/// A path as libraries write it, with either slash, to one that may be opened; empty, with a warning, where it may not.
-std::string path_beside(std::string_view written, const char* what, const std::string& told_of, const fs::path& folder,
-                        Diagnostics& diagnostics) {
+/// A path as libraries write it, with either slash, to one that may be opened; empty, with a fault, where it may not.
+std::string path_beside(std::string_view written, const char* what, const Where& told_at, const Surroundings& where,
+                        Faults& faults) {
   std::string path(written);
   std::ranges::replace(path, '\\', '/');
-  std::string why_not = gltf::why_not_beside(path);
-  std::error_code error;
-  if (why_not.empty() && (folder.empty() || !fs::is_regular_file(folder / utf8_path(path), error)))
-    why_not = "is missing";
-  if (why_not.empty() && !gltf::lies_within(folder / utf8_path(path), folder))
-    why_not = "leads out of the file's folder";
-  if (why_not.empty()) return path;
-  diagnostics.warning({.file = told_of}, "left-out",
-                      fmt::format("the {} {} {}; it is left out", what, shown(written), why_not));
+  const FileBeside beside = file_beside(path, where);
+  if (beside.why_not.empty()) return path;
+  faults.found("missing-file", told_at, fmt::format("the {} {} {}", what, shown(written), beside.why_not));
   return {};
 }
 
 class LibraryReader {
  public:
-  LibraryReader(const fs::path& folder, Diagnostics& diagnostics) : folder_(folder), diagnostics_(diagnostics) {}
+  LibraryReader(const Surroundings& where, Faults& faults, Diagnostics& diagnostics)
+      : where_(where), faults_(faults), diagnostics_(diagnostics) {}
 
   void read(const std::string& path) {
-    const auto bytes = read_file(folder_ / utf8_path(path), diagnostics_);
+    const auto bytes = read_file(where_.folder / utf8_path(path), diagnostics_);
     if (!bytes) return;
     name_ = path;
     std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
@@ -105,7 +98,7 @@ class LibraryReader {
 
   void texture(std::string_view written) {
     if (written.starts_with('-')) written = written.substr(written.find_last_of(" \t") + 1);  // options before the name
-    const std::string path = path_beside(written, "texture", name_, folder_, diagnostics_);
+    const std::string path = path_beside(written, "texture", {.file = name_}, where_, faults_);
     if (path.empty()) return;
     const std::string extension = lower_extension(utf8_path(path));
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
@@ -119,7 +112,8 @@ class LibraryReader {
     library.json.back()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", found->second}};
   }
 
-  const fs::path& folder_;
+  const Surroundings& where_;
+  Faults& faults_;
   Diagnostics& diagnostics_;
   std::string name_;
   std::set<std::string> names_;
@@ -129,29 +123,22 @@ class LibraryReader {
 };
 
 /// A line may name several libraries, and a name may hold spaces: the whole is one where there is such a file.
-std::vector<std::string> names_on(const std::string& line, const fs::path& folder) {
-  std::error_code error;
+std::vector<std::string> names_on(const std::string& line, const Surroundings& where) {
   std::string_view rest = std::string_view(line).substr(0, comment_in(line));
   for (const std::string& whole : {line, std::string(trimmed(rest))}) {
-    const bool may_be = !folder.empty() && gltf::why_not_beside(whole).empty();
-    if (may_be && fs::is_regular_file(folder / utf8_path(whole), error)) return {whole};
+    if (file_beside(whole, where).why_not.empty()) return {whole};
   }
   std::vector<std::string> names;
   for (std::string_view name = take_token(rest); !name.empty(); name = take_token(rest)) names.emplace_back(name);
   return names;
 }
 
-void tell_unknown(std::span<const Material> materials, const std::string& obj, Diagnostics& diagnostics) {
-  if (materials.empty()) return;
-  std::string names;
-  for (const Material& material : materials.first(std::min<std::size_t>(materials.size(), 3))) {
-    names += (names.empty() ? "" : ", ") + shown(material.name);
+void find_unknown(std::span<const Material> materials, const std::string& obj, Faults& faults) {
+  for (const Material& material : materials) {
+    if (faults.found_again("unknown-material")) continue;
+    faults.found("unknown-material", {.file = obj},
+                 fmt::format("{} is in none of the material libraries that were read", shown(material.name)));
   }
-  if (materials.size() > 3) names += ", ...";
-  diagnostics.warning(
-      {.file = obj}, "unknown-materials",
-      fmt::format("{} materials are in none of the libraries that were read, so only their names are kept: {}",
-                  materials.size(), names));
 }
 
 /// glTF allows a texture only where there are coordinates for it: draws without any get the material without it.
@@ -177,14 +164,14 @@ void part_from_textures(Json& materials, Scene& scene) {
 
 }  // namespace
 
-MaterialLibrary read_libraries(const std::vector<std::string>& names, const std::string& obj, const fs::path& folder,
-                               Diagnostics& diagnostics) {
-  LibraryReader reader(folder, diagnostics);
+MaterialLibrary read_libraries(const std::vector<std::string>& names, const std::string& obj, const Surroundings& where,
+                               Faults& faults, Diagnostics& diagnostics) {
+  LibraryReader reader(where, faults, diagnostics);
   std::set<std::string> done;
   for (const std::string& line : names) {
-    for (const std::string& name : names_on(line, folder)) {
+    for (const std::string& name : names_on(line, where)) {
       if (!done.insert(name).second) continue;
-      const std::string path = path_beside(name, "material library", obj, folder, diagnostics);
+      const std::string path = path_beside(name, "material library", {.file = obj}, where, faults);
       if (!path.empty()) reader.read(path);
     }
   }
@@ -192,8 +179,8 @@ MaterialLibrary read_libraries(const std::vector<std::string>& names, const std:
 }
 
 std::shared_ptr<const gltf::Source> gltf_source_of(Json materials, Scene& scene, const fs::path& folder,
-                                                   Diagnostics& diagnostics) {
-  tell_unknown(std::span(scene.materials).subspan(materials.size()), scene.name, diagnostics);
+                                                   Faults& faults) {
+  find_unknown(std::span(scene.materials).subspan(materials.size()), scene.name, faults);
   for (std::size_t i = materials.size(); i < scene.materials.size(); ++i) {
     materials.push_back({{"name", scene.materials[i].name}});
   }

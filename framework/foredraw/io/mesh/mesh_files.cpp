@@ -32,6 +32,39 @@ bool read_polygons(MeshKind kind, const Reading& reading, PolygonMesh& mesh, std
   return false;
 }
 
+std::optional<Scene> scene_from(std::shared_ptr<MeshSource> source, const std::string& name, const Surroundings& where,
+                                Faults& faults, Diagnostics& diagnostics) {
+  Reading reading{name, source->text(), diagnostics, &faults};
+  if (source->kind == MeshKind::obj && is_utf16(reading.text)) {
+    faults.found("utf-16", {.file = name}, "the text is UTF-16");
+    auto text = utf8_of(reading.text);
+    if (!text) {
+      reading.refuse({.file = name}, "the text begins as UTF-16 does, and is none");
+      return std::nullopt;
+    }
+    source->utf8 = std::move(*text);
+    reading.text = source->text();
+  }
+  // A corner takes a byte at least, so that no number of anything can leave 32 bits.
+  if (reading.text.size() >= none) {
+    reading.refuse({.file = name}, "the file is longer than 4 GiB");
+    return std::nullopt;
+  }
+  PolygonMesh mesh;
+  std::vector<std::string> libraries;
+  if (!read_polygons(source->kind, reading, mesh, libraries)) return std::nullopt;
+  MaterialLibrary library = read_libraries(libraries, name, where, faults, diagnostics);
+  auto made = scene_of(mesh, std::move(library.materials), name, diagnostics);
+  if (!made) return std::nullopt;
+  Scene scene = std::move(made->scene);
+  scene.images = std::move(library.images);
+  source->records = std::move(made->draws);
+  source->gltf = gltf_source_of(std::move(library.json), scene, where.folder, faults);
+  source->as_read = scene;
+  scene.source = std::move(source);
+  return scene;
+}
+
 std::optional<std::string> reordered(const Scene& scene, const MeshSource& source, Diagnostics& diagnostics) {
   switch (source.kind) {
     case MeshKind::obj: return reordered_obj(scene, source, diagnostics);
@@ -72,36 +105,8 @@ std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind k
   source->kind = kind;
   source->file = Shared<std::byte>({bytes.begin(), bytes.end()});
   Faults faults(diagnostics, how.strict);
-  Reading reading{name, source->text(), diagnostics, &faults};
-  if (kind == MeshKind::obj && is_utf16(reading.text)) {
-    faults.found("utf-16", {.file = name}, "the text is UTF-16");
-    auto text = utf8_of(reading.text);
-    if (!text) {
-      reading.refuse({.file = name}, "the text begins as UTF-16 does, and is none");
-      return std::nullopt;
-    }
-    source->utf8 = std::move(*text);
-    reading.text = source->text();
-  }
-  // A corner takes a byte at least, so that no number of anything can leave 32 bits.
-  if (reading.text.size() >= none) {
-    reading.refuse({.file = name}, "the file is longer than 4 GiB");
-    return std::nullopt;
-  }
-  PolygonMesh mesh;
-  std::vector<std::string> libraries;
-  const bool is_read = read_polygons(kind, reading, mesh, libraries);
-  if (!faults.tell() || !is_read) return std::nullopt;
-  MaterialLibrary library = read_libraries(libraries, name, folder, diagnostics);
-  auto made = scene_of(mesh, std::move(library.materials), name, diagnostics);
-  if (!made) return std::nullopt;
-  Scene scene = std::move(made->scene);
-  scene.images = std::move(library.images);
-  source->records = std::move(made->draws);
-  source->gltf = gltf_source_of(std::move(library.json), scene, folder, diagnostics);
-  source->as_read = scene;
-  scene.source = std::move(source);
-  return scene;
+  auto scene = scene_from(std::move(source), name, {folder, how.root}, faults, diagnostics);
+  return faults.tell() ? std::move(scene) : std::nullopt;
 }
 
 std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,

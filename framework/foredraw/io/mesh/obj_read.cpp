@@ -55,7 +55,7 @@ class ObjReader {
     } else if (std::ranges::count(left_out_elements, key) > 0) {
       ++elements_left_out_;
     } else if (std::ranges::count(without_faces, key) == 0) {
-      if (unknown_++ == 0) first_unknown_ = key;
+      reading_.fault("unknown-line", key, fmt::format("{} is no keyword of OBJ", shown(key)));
     }
     return true;
   }
@@ -193,11 +193,6 @@ class ObjReader {
     if (weights_ > 0) {
       diagnostics.warning(where, "weights-left-out", fmt::format("the weights of {} vertices are left out", weights_));
     }
-    if (unknown_ > 0) {
-      diagnostics.warning(reading_.at(first_unknown_), "unknown-lines",
-                          fmt::format("{} lines begin with an unknown word, such as {} here; they are skipped",
-                                      unknown_, shown(first_unknown_)));
-    }
   }
 
   using Names = std::array<std::string, 3>;  // object, group, material
@@ -213,8 +208,7 @@ class ObjReader {
   std::optional<std::uint32_t> part_;  // of the names that hold now
   std::vector<Names> parts_;
   std::size_t names_bytes_ = 0;  ///< of all parts: a long name that stays is held anew by each part that has it
-  std::size_t elements_left_out_ = 0, weights_ = 0, unknown_ = 0;
-  std::string_view first_unknown_;
+  std::size_t elements_left_out_ = 0, weights_ = 0;
 };
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <foredraw/io/image/private/headers.h>
 #include <foredraw/io/sprite/private/source.h>
 #include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/io/text/private/file_beside.h>
 #include <foredraw/io/text/private/file_kind.h>
 #include <foredraw/io/text/private/json_text.h>
-#include <foredraw/io/text/private/uri.h>
 
 #include <foredraw/base/printable.h>
 #include <foredraw/scene/triangle_draw.h>
@@ -121,19 +121,13 @@ void fill(Scene& scene, const std::vector<FrameEntry>& entries) {
   find_traits(scene);
 }
 
-fs::path path_of(const std::string& utf8) { return fs::path(std::u8string(utf8.begin(), utf8.end())); }
-
 /// Where a list's image lies; nullopt, with an error, where it may not be opened.
-std::optional<fs::path> image_file(const std::string& image, const std::string& list, const fs::path& folder,
+std::optional<fs::path> image_file(const std::string& image, const std::string& list, const Surroundings& where,
                                    Diagnostics& diagnostics) {
-  std::string why = gltf::why_not_beside(image);
-  const fs::path file = folder / path_of(image);
-  std::error_code error;
-  if (why.empty() && (folder.empty() || !fs::is_regular_file(file, error))) why = "is missing";
-  if (why.empty() && !gltf::lies_within(file, folder)) why = "leads out of the list's folder";
-  if (why.empty()) return file;
-  diagnostics.error({.file = list}, "frame-list-image", fmt::format("its image '{}' {}", printable(image), why),
-                    "put the image into the folder of the list, or below it, and name it by its path from there");
+  FileBeside beside = file_beside(image, where);
+  if (beside.why_not.empty()) return std::move(beside.path);
+  diagnostics.error({.file = list}, "frame-list-image",
+                    fmt::format("its image '{}' {}", printable(image), beside.why_not), std::move(beside.hint));
   return std::nullopt;
 }
 
@@ -193,7 +187,7 @@ std::optional<Scene> read_sprite_image(std::vector<std::byte> bytes, const std::
 }
 
 std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const std::string& name, const fs::path& folder,
-                                      Diagnostics& diagnostics) {
+                                      Diagnostics& diagnostics, const SceneInput& how) {
   auto list = sprites::read_frame_list({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name, diagnostics);
   if (!list) return std::nullopt;
   auto source = std::make_shared<SpriteSource>();
@@ -203,7 +197,7 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
   scene.name = name;
   std::set<fs::path> taken;  // a small list must not make much of a large image
   for (std::size_t i = 0; i < list->images.size(); ++i) {
-    const auto file = image_file(list->images[i], name, folder, diagnostics);
+    const auto file = image_file(list->images[i], name, {folder, how.root}, diagnostics);
     std::error_code error;
     if (file && !taken.insert(fs::canonical(*file, error)).second) {
       diagnostics.error({.file = name, .inside = fmt::format("textures[{}].image", i)}, "frame-list-image",
@@ -254,7 +248,7 @@ std::optional<std::vector<fs::path>> images_of_list(const fs::path& list) {
   std::vector<fs::path> images;
   if (const auto read = sprites::read_frame_list(text, list.string(), ignored)) {
     for (const std::string& image : read->images) {
-      if (gltf::why_not_beside(image).empty()) images.push_back(list.parent_path() / path_of(image));
+      images.push_back(list.parent_path() / utf8_path(image));
     }
   }
   return images;

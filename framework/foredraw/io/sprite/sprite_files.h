@@ -2,6 +2,7 @@
 // Sprites: images and frame lists read as scenes, and what is written of sprites.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/reading/scene_input.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/scene/scene.h>
 
@@ -22,12 +23,14 @@ bool is_sprite_input(const std::filesystem::path& path);
 bool is_frame_list(const std::filesystem::path& path);
 
 /// Reads an image as one sprite, or a frame list and its images as one sprite a frame. `folder`: where the images of a
-/// list lie. Positions are local to the frame's centre: x right, y up, z 0, one unit the longer side of the image; the
-/// node puts the frame where it lies in the image, whose centre is the origin. Images stay encoded; only their headers
-/// are looked at. nullopt, with errors that name file and frame, where something is missing or wrong.
+/// list lie, or below the root that `how` allows. Positions are local to the frame's centre: x right, y up, z 0, one
+/// unit the longer side of the image; the node puts the frame where it lies in the image, whose centre is the origin.
+/// Images stay encoded; only their headers are looked at. nullopt, with errors that name file and frame, where
+/// something is missing or wrong.
 std::optional<Scene> read_sprite_image(std::vector<std::byte> bytes, const std::string& name, Diagnostics& diagnostics);
 std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const std::string& name,
-                                      const std::filesystem::path& folder, Diagnostics& diagnostics);
+                                      const std::filesystem::path& folder, Diagnostics& diagnostics,
+                                      const SceneInput& how = {});
 
 /// The images that a frame list names; nullopt where the file is none, such as other JSON in the same folder. A text
 /// that speaks of frames and can not be read counts as one that names no image.

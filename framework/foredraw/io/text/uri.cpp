@@ -117,31 +117,4 @@ std::string percent_encoded(std::string_view path) {
   return result;
 }
 
-std::string why_not_beside(std::string_view path, bool may_climb) {
-  if (path.empty()) return "is empty";
-  if (path.find('\0') != std::string_view::npos) return "holds a zero byte";
-  if (path.front() == '/') return "is an absolute path";
-  if (path.find('\\') != std::string_view::npos) return "holds a backslash";
-  const std::size_t colon = path.find(':');
-  if (colon != std::string_view::npos && path.substr(0, colon).find('/') == std::string_view::npos) {
-    return "has a scheme or drive of its own";
-  }
-  for (std::size_t from = 0; from <= path.size();) {
-    const std::size_t to = std::min(path.find('/', from), path.size());
-    if (path.substr(from, to - from) == ".." && !may_climb) return std::string(leads_out);
-    from = to + 1;
-  }
-  return {};
-}
-
-bool lies_within(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  std::error_code error;
-  const auto whole = std::filesystem::canonical(file, error);
-  if (error) return false;
-  const auto root = std::filesystem::canonical(folder, error);
-  if (error) return false;
-  const auto [root_end, at] = std::mismatch(root.begin(), root.end(), whole.begin(), whole.end());
-  return root_end == root.end() && at != whole.end();
-}
-
 }  // namespace foredraw::gltf

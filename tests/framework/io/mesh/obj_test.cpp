@@ -118,7 +118,7 @@ TEST(MeshObj, ANumberSignThatStandsAloneEndsAName) {
 
 TEST(MeshObj, WhatIsLeftOutIsTold) {
   const auto small = read_mesh(MeshKind::obj, square + "f 1 2\nf 1 2 3\nf\nl 1 2\nv 0 0 0 2\nnonsense 1\n");
-  EXPECT_EQ(small.told(), "elements-left-out weights-left-out unknown-lines faces-left-out");
+  EXPECT_EQ(small.told(), "elements-left-out weights-left-out faces-left-out unknown-line");
   EXPECT_EQ(read_mesh(MeshKind::obj, square + "f 1 2 3\n").told(), "");
 }
 
@@ -220,7 +220,7 @@ TEST_F(MeshObjMaterials, BlendedOnesAndTexturesAreKnown) {
       "mtllib a b.mtl\n" + square + "vt 0 0\nusemtl glass\nf 1 2 3\nusemtl wood\nf 1/1 3/1 4/1\nusemtl new\nf 2 3 4\n";
   const auto made = read_mesh(MeshKind::obj, text, folder_ / "inner");
   ASSERT_TRUE(made.scene) << made.error();
-  EXPECT_EQ(made.told(), "left-out unknown-materials") << "the texture that leads out of the folder, and 'new'";
+  EXPECT_EQ(made.told(), "missing-file unknown-material") << "the texture that leads out of the folder, and 'new'";
   EXPECT_TRUE(made.scene->draws[0].traits.has(traits::blended));
   EXPECT_EQ(made.scene->material_of(made.scene->draws[1])->name, "wood");
   ASSERT_EQ(made.scene->images.size(), 1u);
@@ -259,10 +259,9 @@ TEST_F(MeshObjMaterials, ThoseThatNoLibraryHoldsAreTold) {
   std::string text = "mtllib m.mtl\n" + square;
   for (const char* name : {"a", "b", "c", "b", "d", "e"}) text += std::string("usemtl ") + name + "\nf 1 2 3\n";
   const auto made = read_mesh(MeshKind::obj, text, folder_);
-  ASSERT_EQ(made.told(), "unknown-materials");
-  EXPECT_EQ(
-      made.diagnostics.all()[0].message,
-      "4 materials are in none of the libraries that were read, so only their names are kept: 'b', 'c', 'd', ...");
+  ASSERT_EQ(made.told(), "unknown-material");
+  EXPECT_EQ(made.diagnostics.all()[0].message, "'b' is in none of the material libraries that were read");
+  EXPECT_EQ(made.diagnostics.all()[0].places, 4u);
 }
 
 TEST(MeshObj, LongNamesAreNotRepeatedWithoutBound) {
@@ -303,8 +302,39 @@ TEST_F(MeshObjMaterials, LibrariesOutsideTheFolderAreNotOpened) {
     const auto made =
         read_mesh(MeshKind::obj, "mtllib " + name + "\n" + square + "usemtl m\nf 1 2 3\n", folder_ / "inner");
     ASSERT_TRUE(made.scene) << name;
-    EXPECT_EQ(made.told(), "left-out unknown-materials") << name;
+    EXPECT_EQ(made.told(), "missing-file unknown-material") << name;
     EXPECT_FALSE(made.scene->draws[0].traits.has(traits::blended)) << name;
+  }
+}
+
+TEST_F(MeshObjMaterials, LibrariesAndTexturesWithinTheRootAre) {
+  put("m.mtl", "newmtl m\nd 0.5\nmap_Kd ../wood.png\n");
+  put("wood.png", "");
+  const auto read_within = [&](const fs::path& root) {
+    return read_mesh(MeshKind::obj, "mtllib ../m.mtl\n" + square + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n",
+                     folder_ / "inner", {.root = root});
+  };
+  const auto made = read_within(folder_);
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "");
+  EXPECT_EQ(made.scene->images.at(0).uri, "../wood.png");
+  EXPECT_EQ(read_within(folder_ / "inner").told(), "missing-file unknown-material");
+}
+
+TEST_F(MeshObjMaterials, FaultsAreRefusedWhereTheReaderIsStrict) {
+  put("m.mtl", "newmtl m\nmap_Kd gone.png\n");
+  const std::string good = "mtllib m.mtl\n" + square + "usemtl m\nf 1 2 3\n";
+  const std::string prefix = "input.obj:";
+  for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
+           {good, "m.mtl: error: the texture 'gone.png' is missing"},
+           {square + "f 1 2 3\nnonsense\n", prefix + "6:1: error: 'nonsense' is no keyword of OBJ"},
+           {"mtllib n.mtl\n" + square + "f 1 2 3\n", prefix + " error: the material library 'n.mtl' is missing"},
+           {square + "usemtl new\nf 1 2 3\n",
+            prefix + " error: 'new' is in none of the material libraries that were read"}}) {
+    EXPECT_TRUE(read_mesh(MeshKind::obj, text, folder_).scene);
+    const auto strict = read_mesh(MeshKind::obj, text, folder_, {.strict = true});
+    EXPECT_FALSE(strict.scene);
+    EXPECT_EQ(strict.error(), why);
   }
 }
 

@@ -192,6 +192,16 @@ TEST_F(SpriteRead, ImagesStayInTheFolder) {
   EXPECT_TRUE(read_list({{"frames", {{"a", {{"frame", box(0, 0, 1, 1)}}}}}, {"meta", {{"image", "in/atlas.png"}}}}));
 }
 
+TEST_F(SpriteRead, ImagesMayLieWithinTheRoot) {
+  const std::string list = R"({"frames":{"a":{"frame":{"x":0,"y":0,"w":1,"h":1}}},"meta":{"image":"../atlas.png"}})";
+  const auto read_within = [&](const std::filesystem::path& root) {
+    return read_sprite_list(std::as_bytes(std::span(list)), "list.json", folder_ / "in", told_, {.root = root});
+  };
+  std::filesystem::create_directories(folder_ / "in");
+  EXPECT_TRUE(read_within(folder_)) << to_text(told_);
+  EXPECT_FALSE(read_within(folder_ / "in"));
+}
+
 TEST_F(SpriteRead, OtherSizesAreToldOf) {
   EXPECT_TRUE(read_list({{"frames", {{"a", {{"frame", box(0, 0, 1, 1)}}}}},
                          {"meta", {{"image", "atlas.png"}, {"size", {{"w", 128}, {"h", 64}}}}}}));
