@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -28,15 +27,6 @@ struct ShearedRay {
     shear_y = direction[y] / direction[z];
   }
 };
-
-/// A register, in the words of gcc and clang.
-using Four = float __attribute__((vector_size(16)));
-
-Four four(const float (&of)[4]) {
-  Four result;
-  std::memcpy(&result, of, sizeof result);
-  return result;
-}
 
 /// The ray as boxes are tested with it: in floats, which round so little that a box that it passes is never missed.
 struct RayPastBoxes {
@@ -64,7 +54,30 @@ struct RayPastBoxes {
   }
 };
 
+constexpr std::size_t most_in_ray_leaf = 4;
+
+bool is_all_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
 }  // namespace
+
+RayTree::RayTree(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                 std::span<const Blocks> blocks) {
+  std::vector<Triangle> triangles;
+  std::vector<BoxTree::Box> boxes;
+  for (std::size_t t = 0; t < blocks.size(); ++t) {
+    if (blocks[t] == Blocks::neither) continue;
+    Triangle triangle{{}, static_cast<std::uint32_t>(t), blocks[t]};
+    for (std::size_t c = 0; c < 3; ++c) triangle.corners[c] = positions[indices[3 * t + c]];
+    if (!std::ranges::all_of(triangle.corners, is_all_finite)) continue;
+    triangles.push_back(triangle);
+    BoxTree::Box& box = boxes.emplace_back();
+    for (const glm::vec3& corner : triangle.corners) box.add(corner);
+  }
+  BoxTree tree = box_tree(boxes, most_in_ray_leaf);
+  nodes_ = std::move(tree.nodes);
+  triangles_.reserve(triangles.size());
+  for (const std::uint32_t number : tree.order) triangles_.push_back(triangles[number]);
+}
 
 template <class Visit>
 void RayTree::for_each_met(const Ray& ray, Visit visit) const {
@@ -96,7 +109,7 @@ void RayTree::for_each_met(const Ray& ray, Visit visit) const {
     std::uint32_t first, count;
     float enters;
   };
-  std::array<Waiting, most_waiting> open;
+  std::array<Waiting, BoxTree::most_waiting> open;
   std::size_t waiting = 0;
   open[waiting++] = {0, 0, 0};
   while (waiting > 0) {
@@ -107,7 +120,7 @@ void RayTree::for_each_met(const Ray& ray, Visit visit) const {
       if (farthest < 0) return;
     }
     if (next.count > 0) continue;
-    const Node& node = nodes_[next.first];
+    const BoxTree::Node& node = nodes_[next.first];
     Four enters = {}, leaves = enters + std::numeric_limits<float>::infinity();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t downwards = past.is_downwards[axis];
@@ -119,7 +132,7 @@ void RayTree::for_each_met(const Ray& ray, Visit visit) const {
     leaves *= RayPastBoxes::slack;
     // The nearer child first: what starts inside a body meets its surface there.
     const std::size_t bottom = waiting;
-    for (std::size_t c = 0; c < width; ++c) {
+    for (std::size_t c = 0; c < BoxTree::width; ++c) {
       if (!(enters[c] <= leaves[c])) continue;
       std::size_t to = waiting++;
       for (; to > bottom && open[to - 1].enters < enters[c]; --to) open[to] = open[to - 1];

@@ -1,6 +1,8 @@
 #pragma once
 // Which way out of a heap of triangles is free: rays against a tree of boxes.
 
+#include <foredraw/analysis/box_tree.h>
+
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -49,29 +51,19 @@ class RayTree {
   std::optional<Hit> first(const Ray& ray) const;
 
  private:
-  static constexpr std::size_t width = 4;
-  static constexpr std::size_t most_waiting =
-      (width - 1) * 64;  ///< children, where the tree is less than 64 nodes deep
-  /// Its children side by side: inner nodes, and leaves.
-  struct Node {
-    float planes[2][3][width];   ///< [low, high][axis][child] of its box; low above high where there is no child
-    std::uint32_t first[width];  ///< number of a node; of a leaf its first triangle
-    std::uint32_t count[width];  ///< triangles of a leaf, else 0
-  };
   struct Triangle {
     glm::vec3 corners[3];
     std::uint32_t number;
     Blocks blocks;
   };
-  class Builder;
 
   /// Calls visit(triangle, faces the beginning, way) for what the ray meets; the answer is the way from which on
   /// nothing matters any more, below 0 to end.
   template <class Visit>
   void for_each_met(const Ray& ray, Visit visit) const;
 
-  std::vector<Triangle> triangles_;
-  std::vector<Node> nodes_;
+  std::vector<BoxTree::Node> nodes_;
+  std::vector<Triangle> triangles_;  ///< in the places of the tree's leaves
 };
 
 }  // namespace foredraw

@@ -1,47 +1,39 @@
 #pragma once
 // How far two surfaces lie apart: the nearest point of one for points all over the other, both ways.
 
+#include <foredraw/analysis/closest_points.h>
+#include <foredraw/analysis/surface_samples.h>
 #include <foredraw/base/parallel.h>
 
-#include <glm/vec3.hpp>
-
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <span>
 
 namespace foredraw {
-
-/// Triangles, three indices each, all below the number of positions. What is not finite is left out.
-struct Surface {
-  std::span<const glm::vec3> positions;
-  std::span<const std::uint32_t> indices;
-};
-
-/// Answers how far a point is from the nearest point of a surface, of which it keeps a copy. O(n log n) to make, some
-/// 120 bytes a triangle.
-class ClosestPoints {
- public:
-  explicit ClosestPoints(const Surface& surface);
-  ~ClosestPoints();
-
-  /// The distance, in the unit of the positions; infinite where the surface has no triangle. For a point that is
-  /// finite.
-  double distance(glm::dvec3 point) const;
-
- private:
-  struct Tree;
-  std::unique_ptr<const Tree> tree_;
-};
 
 struct SurfaceDistanceOptions {
   std::size_t samples = 4096;  ///< on each surface
   std::uint64_t seed = 0;
 };
 
-/// Of points spread evenly by area over both surfaces; vertices that triangles use count towards the largest alone.
+/// A figure of samples, and one standard error of it.
+struct Sampled {
+  double value = 0;
+  double error = 0;
+};
+
+/// From points of one surface to the other. Points are spread evenly by area; vertices that triangles use count towards
+/// the largest alone.
+struct OneWayDistance {
+  double largest = 0;  ///< found: the true one is this or more
+  Sampled mean;
+  Sampled rms;  ///< root of the mean square
+  Sampled p99;  ///< 99 of 100 points are no farther
+};
+
+/// Both ways.
 struct SurfaceDistance {
-  double largest = 0;    ///< found, either way: the true one is this or more
+  OneWayDistance there, back;  ///< from a to b, from b to a
+  double largest = 0;
   double rms = 0;        ///< root of the mean square over both surfaces, each weighing the same
   double rms_error = 0;  ///< one standard error of that
 };
@@ -50,5 +42,15 @@ struct SurfaceDistance {
 /// threads. After Cignoni, Rocchini, Scopigno 1998 (Metro) and Aspert, Santa-Cruz, Ebrahimi 2002.
 std::optional<SurfaceDistance> surface_distance(const Surface& a, const Surface& b,
                                                 const SurfaceDistanceOptions& options, const Executor& executor);
+
+/// The nearest points of `to` for these points, the samples of a surface say. Faster where each is near the one before.
+std::vector<Closest> nearest_points(std::span<const glm::dvec3> points, const ClosestPoints& to,
+                                    const Executor& executor);
+
+/// Of sampled distances; `largest` is theirs alone.
+OneWayDistance summed_up(std::vector<double> distances);
+
+/// Each way weighs the same.
+Sampled rms_of_both(const Sampled& there, const Sampled& back);
 
 }  // namespace foredraw

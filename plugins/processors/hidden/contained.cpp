@@ -2,7 +2,7 @@
 
 #include <foredraw/analysis/closed_surfaces.h>
 #include <foredraw/analysis/ray_tree.h>
-#include <foredraw/analysis/surface_distance.h>
+#include <foredraw/analysis/closest_points.h>
 
 #include <glm/common.hpp>
 

@@ -2,8 +2,6 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/base/random.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,44 +22,6 @@ TestMesh moved(TestMesh mesh, glm::vec3 by) {
 SurfaceDistance between(const TestMesh& a, const TestMesh& b, SurfaceDistanceOptions options = {}, int threads = 2) {
   const Executor executor(threads);
   return *surface_distance(surface_of(a), surface_of(b), options, executor);
-}
-
-/// The distance by trying every triangle, each by many points of its own.
-double by_hand(const TestMesh& mesh, glm::dvec3 point) {
-  double nearest = std::numeric_limits<double>::infinity();
-  constexpr int steps = 60;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.indices[i + c]]); };
-    for (int u = 0; u <= steps; ++u) {
-      for (int v = 0; u + v <= steps; ++v) {
-        const glm::dvec3 at =
-            corner(0) + (corner(1) - corner(0)) * (u / double{steps}) + (corner(2) - corner(0)) * (v / double{steps});
-        nearest = std::min(nearest, glm::length(at - point));
-      }
-    }
-  }
-  return nearest;
-}
-
-TEST(ClosestPoints, FindsWhatTryingAllFinds) {
-  const TestMesh mesh = testing::soup(40, 3);
-  const ClosestPoints closest(surface_of(mesh));
-  Random random(5);
-  for (int i = 0; i < 60; ++i) {
-    const glm::dvec3 point(3 * random.unit() - 1, 3 * random.unit() - 1, 3 * random.unit() - 1);
-    const double found = closest.distance(point);
-    const double tried = by_hand(mesh, point);
-    EXPECT_LE(found, tried + 1e-12);
-    EXPECT_GT(found, tried - 0.06);
-  }
-}
-
-TEST(ClosestPoints, OfTrianglesThatAreALineOrAPoint) {
-  const TestMesh line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 2}};
-  EXPECT_DOUBLE_EQ(ClosestPoints(surface_of(line)).distance({1.5, 2, 0}), 2);
-  EXPECT_DOUBLE_EQ(ClosestPoints(surface_of(line)).distance({3, 0, 0}), 1);
-  const TestMesh point{{{1, 1, 1}}, {0, 0, 0}};
-  EXPECT_DOUBLE_EQ(ClosestPoints(surface_of(point)).distance({1, 1, 4}), 3);
 }
 
 TEST(SurfaceDistance, OfTheSameIsNone) {
@@ -100,6 +60,22 @@ TEST(SurfaceDistance, RmsIsWithinItsErrors) {
     outside += std::abs(found.rms - 1e-3 / std::sqrt(3)) > 3 * found.rms_error ? 1 : 0;
   }
   EXPECT_LE(outside, 1);
+}
+
+/// The distance is that of the ramp at x, which is evenly spread from 0 to 1.
+TEST(SurfaceDistance, MeanAndQuantileAreWithinTheirErrors) {
+  const TestMesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1e6f, 0}, {1, 1e6f, 0}}, {0, 1, 2, 2, 1, 3}};
+  TestMesh ramp = flat;
+  ramp.positions[1].z = ramp.positions[3].z = 1e-3f;
+  int outside = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const OneWayDistance found = between(flat, ramp, {1024, seed}).there;
+    EXPECT_NEAR(found.mean.error, 1e-3 / std::sqrt(12.0 * 1024), 1e-6);
+    EXPECT_GT(found.p99.error, 0);
+    outside += std::abs(found.mean.value - 0.5e-3) > 3 * found.mean.error ? 1 : 0;
+    outside += std::abs(found.p99.value - 0.99e-3) > 3 * found.p99.error ? 1 : 0;
+  }
+  EXPECT_LE(outside, 2);
 }
 
 TEST(SurfaceDistance, SaysNothingOfASurfaceThatIsNone) {

@@ -1,10 +1,8 @@
-// The tree's making: boxes are split where rays are expected to test least.
+// Boxes are split where rays are expected to test least; for what is nearest that serves as well.
 // I. Wald: On fast Construction of SAH-based Bounding Volume Hierarchies, IEEE Symposium on Interactive Ray Tracing,
 // 2007.
 
-#include <foredraw/analysis/ray_tree.h>
-
-#include <glm/common.hpp>
+#include <foredraw/analysis/box_tree.h>
 
 #include <algorithm>
 #include <array>
@@ -16,52 +14,31 @@ namespace foredraw {
 
 namespace {
 
-constexpr std::size_t most_in_ray_leaf = 4;
-constexpr std::size_t ray_bins = 16;
+constexpr std::size_t box_bins = 16;
 constexpr std::size_t deepest_by_area = 24;  // from there on by halves: the tree stays shallow
 
-bool is_all_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-}  // namespace
-
-class RayTree::Builder {
+class BoxTreeBuilder {
  public:
-  explicit Builder(RayTree& tree) : tree_(tree), unsorted_(std::move(tree.triangles_)) {
-    for (std::uint32_t t = 0; t < unsorted_.size(); ++t) {
-      Leaf& leaf = leaves_.emplace_back();
-      leaf.triangle = t;
-      for (const glm::vec3& corner : unsorted_[t].corners) leaf.box.add(corner);
-      leaf.middle = 0.5f * leaf.box.low + 0.5f * leaf.box.high;
+  BoxTreeBuilder(BoxTree& tree, std::span<const BoxTree::Box> boxes, std::size_t most_in_leaf)
+      : tree_(tree), most_in_leaf_(most_in_leaf) {
+    leaves_.reserve(boxes.size());
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      leaves_.push_back({boxes[i], 0.5f * boxes[i].low + 0.5f * boxes[i].high, i});
     }
     if (leaves_.empty()) return;
     add_node({0, leaves_.size(), box_of(0, leaves_.size())}, 0);
-    tree_.triangles_.reserve(leaves_.size());
-    for (const Leaf& leaf : leaves_) tree_.triangles_.push_back(unsorted_[leaf.triangle]);
+    tree_.order.reserve(leaves_.size());
+    for (const Leaf& leaf : leaves_) tree_.order.push_back(leaf.number);
   }
 
  private:
-  struct Box {
-    glm::vec3 low = glm::vec3(std::numeric_limits<float>::infinity());
-    glm::vec3 high = -low;
-
-    void add(const glm::vec3& point) {
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
-    void add(const Box& box) {
-      low = glm::min(low, box.low);
-      high = glm::max(high, box.high);
-    }
-    double half_area() const {
-      const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
-      return size.x < 0 ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
-    }
-  };
+  using Box = BoxTree::Box;
+  static constexpr std::size_t width = BoxTree::width;
 
   struct Leaf {
     Box box;
     glm::vec3 middle;
-    std::uint32_t triangle;
+    std::uint32_t number;
   };
   struct Range {
     std::size_t begin, end;
@@ -80,19 +57,19 @@ class RayTree::Builder {
     std::size_t count = 1;
     for (; count < width; ++count) {
       const auto largest = std::max_element(children.begin(), children.begin() + count,
-                                            [](const Range& a, const Range& b) { return area(a) < area(b); });
-      if (largest->count() <= most_in_ray_leaf) break;
+                                            [&](const Range& a, const Range& b) { return area(a) < area(b); });
+      if (largest->count() <= most_in_leaf_) break;
       const std::size_t at = depth < deepest_by_area ? part_by_area(*largest) : halve(*largest);
       children[count] = {at, largest->end, box_of(at, largest->end)};
       *largest = {largest->begin, at, box_of(largest->begin, at)};
     }
-    const auto number = static_cast<std::uint32_t>(tree_.nodes_.size());
-    tree_.nodes_.emplace_back();
+    const auto number = static_cast<std::uint32_t>(tree_.nodes.size());
+    tree_.nodes.emplace_back();
     for (std::size_t c = 0; c < width; ++c) {
       const Range& child = c < count ? children[c] : Range{0, 0, {}};
-      const bool is_leaf = child.count() <= most_in_ray_leaf;
+      const bool is_leaf = child.count() <= most_in_leaf_;
       const auto first = is_leaf ? static_cast<std::uint32_t>(child.begin) : add_node(child, depth + 1);
-      Node& node = tree_.nodes_[number];
+      BoxTree::Node& node = tree_.nodes[number];
       node.first[c] = first;
       node.count[c] = is_leaf ? static_cast<std::uint32_t>(child.count()) : 0;
       for (int axis = 0; axis < 3; ++axis) {
@@ -104,7 +81,7 @@ class RayTree::Builder {
   }
 
   /// What is no leaf yet is opened first where rays are likeliest.
-  static double area(const Range& range) { return range.count() <= most_in_ray_leaf ? -1 : range.box.half_area(); }
+  double area(const Range& range) const { return range.count() <= most_in_leaf_ ? -1 : range.box.half_area(); }
 
   Box middles(const Range& range) const {
     Box box;
@@ -122,22 +99,22 @@ class RayTree::Builder {
   std::size_t part_by_area(const Range& range) {
     const Box at = middles(range);
     const int axis = longest_axis(at);
-    const float scale = static_cast<float>(ray_bins) / (at.high[axis] - at.low[axis]);
+    const float scale = static_cast<float>(box_bins) / (at.high[axis] - at.low[axis]);
     if (!std::isfinite(scale)) return halve(range);
     const auto bin_of = [&](const Leaf& leaf) {
-      return std::min(ray_bins - 1, static_cast<std::size_t>((leaf.middle[axis] - at.low[axis]) * scale));
+      return std::min(box_bins - 1, static_cast<std::size_t>((leaf.middle[axis] - at.low[axis]) * scale));
     };
-    std::array<Box, ray_bins> boxes;
-    std::array<std::size_t, ray_bins> counts{};
+    std::array<Box, box_bins> boxes;
+    std::array<std::size_t, box_bins> counts{};
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const std::size_t bin = bin_of(leaves_[i]);
       boxes[bin].add(leaves_[i].box);
       ++counts[bin];
     }
-    std::array<double, ray_bins> behind{};  // [bin] what it and those after it cost
+    std::array<double, box_bins> behind{};  // [bin] what it and those after it cost
     Box box;
     std::size_t count = 0;
-    for (std::size_t bin = ray_bins; bin-- > 1;) {
+    for (std::size_t bin = box_bins; bin-- > 1;) {
       box.add(boxes[bin]);
       count += counts[bin];
       behind[bin] = box.half_area() * static_cast<double>(count);
@@ -146,7 +123,7 @@ class RayTree::Builder {
     count = 0;
     double least = std::numeric_limits<double>::infinity();
     std::size_t best = 0;
-    for (std::size_t bin = 1; bin < ray_bins; ++bin) {
+    for (std::size_t bin = 1; bin < box_bins; ++bin) {
       box.add(boxes[bin - 1]);
       count += counts[bin - 1];
       const double cost = box.half_area() * static_cast<double>(count) + behind[bin];
@@ -167,25 +144,22 @@ class RayTree::Builder {
     std::nth_element(leaves_.begin() + static_cast<std::ptrdiff_t>(range.begin),
                      leaves_.begin() + static_cast<std::ptrdiff_t>(half),
                      leaves_.begin() + static_cast<std::ptrdiff_t>(range.end), [&](const Leaf& a, const Leaf& b) {
-                       return std::pair(a.middle[axis], a.triangle) < std::pair(b.middle[axis], b.triangle);
+                       return std::pair(a.middle[axis], a.number) < std::pair(b.middle[axis], b.number);
                      });
     return half;
   }
 
-  RayTree& tree_;
-  std::vector<Triangle> unsorted_;
+  BoxTree& tree_;
+  std::size_t most_in_leaf_;
   std::vector<Leaf> leaves_;
 };
 
-RayTree::RayTree(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                 std::span<const Blocks> blocks) {
-  for (std::size_t t = 0; t < blocks.size(); ++t) {
-    if (blocks[t] == Blocks::neither) continue;
-    Triangle triangle{{}, static_cast<std::uint32_t>(t), blocks[t]};
-    for (std::size_t c = 0; c < 3; ++c) triangle.corners[c] = positions[indices[3 * t + c]];
-    if (std::ranges::all_of(triangle.corners, is_all_finite)) triangles_.push_back(triangle);
-  }
-  Builder{*this};
+}  // namespace
+
+BoxTree box_tree(std::span<const BoxTree::Box> boxes, std::size_t most_in_leaf) {
+  BoxTree tree;
+  BoxTreeBuilder(tree, boxes, most_in_leaf);
+  return tree;
 }
 
 }  // namespace foredraw
