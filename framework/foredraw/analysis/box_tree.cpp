@@ -26,6 +26,7 @@ class BoxTreeBuilder {
       leaves_.push_back({boxes[i], 0.5f * boxes[i].low + 0.5f * boxes[i].high, i});
     }
     if (leaves_.empty()) return;
+    tree_.nodes.reserve(leaves_.size() / (2 * most_in_leaf_) + 1);
     add_node({0, leaves_.size(), box_of(0, leaves_.size())}, 0);
     tree_.order.reserve(leaves_.size());
     for (const Leaf& leaf : leaves_) tree_.order.push_back(leaf.number);

@@ -173,4 +173,13 @@ Closest ClosestPoints::nearest(const glm::dvec3& point, std::uint32_t hint) cons
   return result;
 }
 
+std::shared_ptr<const ClosestPoints> closest_points_of(Analyses& analyses, const VertexStreams& vertices,
+                                                       const Shared<std::uint32_t>& indices) {
+  const auto positions = positions_of(analyses, vertices);
+  const Stamp parts[] = {content_hash(std::span(positions->values)), indices.stamp()};
+  return analyses.get<ClosestPoints>(combine(parts), [&] {
+    return ClosestPoints({positions->values, indices.view()});
+  });
+}
+
 }  // namespace foredraw

@@ -1,14 +1,18 @@
 #pragma once
 // The nearest point of a surface: how far, on which triangle, and where.
 
+#include <foredraw/analysis/analyses.h>
 #include <foredraw/analysis/box_tree.h>
+#include <foredraw/scene/vertex_streams.h>
 
 #include <glm/vec3.hpp>
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace foredraw {
@@ -43,6 +47,8 @@ double squared_distance(const TriangleCorners& corners, const glm::dvec3& point)
 /// triangle. Near the surface a question takes less than a microsecond.
 class ClosestPoints {
  public:
+  static constexpr std::string_view name = "closest-points";
+
   explicit ClosestPoints(const Surface& surface);
 
   /// For a point that is finite; no triangle where the surface has none. Of triangles that are equally near the first
@@ -60,6 +66,10 @@ class ClosestPoints {
   TriangleCorners corners(std::uint32_t triangle) const;
   /// The greatest absolute coordinate.
   double extent() const { return extent_; }
+  /// Of memory.
+  std::size_t bytes() const {
+    return triangles_.capacity() * sizeof(triangles_[0]) + nodes_.capacity() * sizeof(nodes_[0]);
+  }
 
  private:
   std::vector<std::array<glm::vec3, 3>> triangles_;  ///< in the surface's sequence
@@ -67,5 +77,9 @@ class ClosestPoints {
   double extent_ = 0;
   double scale_ = 1;  ///< a power of 2 that brings the extent near 1, so that no square of a float is too large
 };
+
+/// Of a draw's triangles in its own space, kept by what positions and indices hold.
+std::shared_ptr<const ClosestPoints> closest_points_of(Analyses& analyses, const VertexStreams& vertices,
+                                                       const Shared<std::uint32_t>& indices);
 
 }  // namespace foredraw

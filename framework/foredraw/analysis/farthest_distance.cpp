@@ -179,23 +179,22 @@ class FarthestSearch {
     constexpr std::size_t at_a_time = 16;
     const std::uint64_t triangles = starts_.size() + to_.size();
     const std::uint64_t most = options_.most_questions.value_or((std::uint64_t{1} << 22) + 64 * triangles);
-    in_rounds((open.size() + at_a_time - 1) / at_a_time, 1, most,
-              [&](std::size_t task, FarthestShare& share) {
-                const std::size_t end = std::min(open.size(), (task + 1) * at_a_time);
-                std::vector<BoundPiece> pieces;
-                for (std::size_t i = end; i-- > task * at_a_time;) pieces.push_back(whole_triangle(open[i]));
-                while (!pieces.empty()) {
-                  BoundPiece piece = pieces.back();
-                  pieces.pop_back();
-                  const bool is_over = share.result.questions >= share.most_questions ||
-                                       (asked_ && share.result.found > *asked_ + slack());
-                  if (piece.bound <= limit(share.result.found) || is_over) {
-                    share.result.bound = std::max(share.result.bound, piece.bound);
-                  } else {
-                    open_up(std::move(piece), share, pieces);
-                  }
-                }
-              });
+    in_rounds((open.size() + at_a_time - 1) / at_a_time, 1, most, [&](std::size_t task, FarthestShare& share) {
+      const std::size_t end = std::min(open.size(), (task + 1) * at_a_time);
+      std::vector<BoundPiece> pieces;
+      for (std::size_t i = end; i-- > task * at_a_time;) pieces.push_back(whole_triangle(open[i]));
+      while (!pieces.empty()) {
+        BoundPiece piece = pieces.back();
+        pieces.pop_back();
+        const bool is_over =
+            share.result.questions >= share.most_questions || (asked_ && share.result.found > *asked_ + slack());
+        if (piece.bound <= limit(share.result.found) || is_over) {
+          share.result.bound = std::max(share.result.bound, piece.bound);
+        } else {
+          open_up(std::move(piece), share, pieces);
+        }
+      }
+    });
   }
 
   /// Proves more of a piece, or parts it.
@@ -303,12 +302,11 @@ std::optional<Farthest> farthest_distance(const Surface& of, const ClosestPoints
   return search.run();
 }
 
-std::optional<Farthest> hausdorff_distance(const Surface& a, const Surface& b, const FarthestOptions& options,
-                                           const Executor& executor) {
-  const ClosestPoints of_a(a), of_b(b);
-  const auto there = farthest_distance(a, of_b, options, executor);
-  if (!there || of_a.empty() != of_b.empty()) return std::nullopt;
-  FarthestSearch search(b, of_a, options, executor);
+std::optional<Farthest> hausdorff_distance(const SearchedSurface& a, const SearchedSurface& b,
+                                           const FarthestOptions& options, const Executor& executor) {
+  const auto there = farthest_distance(a.surface, b.points, options, executor);
+  if (!there || a.points.empty() != b.points.empty()) return std::nullopt;
+  FarthestSearch search(b.surface, a.points, options, executor);
   search.start_from(*there);
   Farthest both = search.run();
   both.bound = std::max(both.bound, there->bound);

@@ -38,9 +38,15 @@ struct Farthest {
 std::optional<Farthest> farthest_distance(const Surface& of, const ClosestPoints& to, const FarthestOptions& options,
                                           const Executor& executor);
 
+/// A surface, and where it is nearest.
+struct SearchedSurface {
+  Surface surface;
+  const ClosestPoints& points;  ///< of that surface
+};
+
 /// Both ways: the farther one (the Hausdorff distance). 0 where neither surface has a triangle.
-std::optional<Farthest> hausdorff_distance(const Surface& a, const Surface& b, const FarthestOptions& options,
-                                           const Executor& executor);
+std::optional<Farthest> hausdorff_distance(const SearchedSurface& a, const SearchedSurface& b,
+                                           const FarthestOptions& options, const Executor& executor);
 
 /// Whether no point of `of` is farther than `distance`, a float's precision at the greatest coordinate aside. Ends as
 /// soon as either is known; nothing where the questions do not suffice, or `to` alone has no triangle.

@@ -11,27 +11,6 @@ namespace foredraw {
 
 namespace {
 
-/// The mean, and the standard error that it has if the values are independent.
-Sampled mean_of(const std::vector<double>& values) {
-  const auto count = static_cast<double>(values.size());
-  Sampled mean;
-  double squares = 0;
-  for (const double value : values) mean.value += value / count;
-  for (const double value : values) squares += (value - mean.value) * (value - mean.value);
-  if (count > 1) mean.error = std::sqrt(squares / (count * (count - 1)));
-  return mean;
-}
-
-/// By order statistics: as many values are below a quantile as a binomial distribution says.
-Sampled quantile_of(const std::vector<double>& sorted, double part) {
-  const auto count = static_cast<double>(sorted.size());
-  const auto at = [&](double place) {
-    return sorted[static_cast<std::size_t>(std::clamp(std::ceil(place) - 1, 0.0, count - 1))];
-  };
-  const double deviation = std::sqrt(part * (1 - part) * count);
-  return {at(part * count), (at(part * count + deviation) - at(part * count - deviation)) / 2};
-}
-
 /// In the sequence in which triangles use them.
 std::vector<glm::dvec3> used_vertices(const Surface& surface) {
   std::vector<bool> is_used(surface.positions.size(), false);
@@ -58,15 +37,6 @@ std::vector<double> distances(const std::vector<glm::dvec3>& points, const Close
   return result;
 }
 
-OneWayDistance one_way(const Surface& from, const ClosestPoints& to, std::size_t samples, std::uint64_t seed,
-                       const Executor& executor) {
-  std::vector<glm::dvec3> points;
-  for (const SurfacePoint& point : points_on(from, samples, seed)) points.push_back(position_of(from, point));
-  OneWayDistance result = summed_up(distances(points, to, executor));
-  for (const double d : distances(used_vertices(from), to, executor)) result.largest = std::max(result.largest, d);
-  return result;
-}
-
 }  // namespace
 
 std::vector<Closest> nearest_points(std::span<const glm::dvec3> points, const ClosestPoints& to,
@@ -84,25 +54,16 @@ std::vector<Closest> nearest_points(std::span<const glm::dvec3> points, const Cl
   return result;
 }
 
-OneWayDistance summed_up(std::vector<double> distances) {
-  OneWayDistance result;
-  if (distances.empty()) return result;
-  result.mean = mean_of(distances);
-  std::ranges::sort(distances);
-  result.largest = distances.back();
-  result.p99 = quantile_of(distances, 0.99);
-  for (double& d : distances) d *= d;
-  const Sampled square = mean_of(distances);
-  result.rms.value = std::sqrt(square.value);
-  if (result.rms.value > 0) result.rms.error = square.error / (2 * result.rms.value);
+OneWayDistance one_way_distance(const Surface& of, const ClosestPoints& to, std::size_t samples, std::uint64_t seed,
+                                const Executor& executor) {
+  std::vector<glm::dvec3> points;
+  for (const SurfacePoint& point : points_on(of, std::max<std::size_t>(samples, 1), seed)) {
+    points.push_back(position_of(of, point));
+  }
+  const std::vector<double> sampled = distances(points, to, executor);
+  OneWayDistance result{0, mean_of(sampled), rms_of(sampled), quantile_of(sampled, 0.99)};
+  for (const double d : sampled) result.largest = std::max(result.largest, d);
   return result;
-}
-
-Sampled rms_of_both(const Sampled& there, const Sampled& back) {
-  Sampled both{std::sqrt((there.value * there.value + back.value * back.value) / 2)};
-  const double of_there = there.value * there.error, of_back = back.value * back.error;
-  if (both.value > 0) both.error = std::sqrt(of_there * of_there + of_back * of_back) / (2 * both.value);
-  return both;
 }
 
 std::optional<SurfaceDistance> surface_distance(const Surface& a, const Surface& b,
@@ -110,10 +71,15 @@ std::optional<SurfaceDistance> surface_distance(const Surface& a, const Surface&
   const ClosestPoints of_a(a), of_b(b);
   if (of_a.empty() && of_b.empty()) return SurfaceDistance{};
   if (of_a.empty() || of_b.empty()) return std::nullopt;
-  const std::size_t samples = std::max<std::size_t>(options.samples, 1);
   SurfaceDistance result;
-  result.there = one_way(a, of_b, samples, derive_seed(options.seed, 0, 0), executor);
-  result.back = one_way(b, of_a, samples, derive_seed(options.seed, 1, 0), executor);
+  result.there = one_way_distance(a, of_b, options.samples, derive_seed(options.seed, 0, 0), executor);
+  result.back = one_way_distance(b, of_a, options.samples, derive_seed(options.seed, 1, 0), executor);
+  for (const double d : distances(used_vertices(a), of_b, executor)) {
+    result.there.largest = std::max(result.there.largest, d);
+  }
+  for (const double d : distances(used_vertices(b), of_a, executor)) {
+    result.back.largest = std::max(result.back.largest, d);
+  }
   result.largest = std::max(result.there.largest, result.back.largest);
   const Sampled rms = rms_of_both(result.there.rms, result.back.rms);
   result.rms = rms.value;

@@ -2,6 +2,7 @@
 // How far two surfaces lie apart: the nearest point of one for points all over the other, both ways.
 
 #include <foredraw/analysis/closest_points.h>
+#include <foredraw/analysis/sampled.h>
 #include <foredraw/analysis/surface_samples.h>
 #include <foredraw/base/parallel.h>
 
@@ -15,22 +16,19 @@ struct SurfaceDistanceOptions {
   std::uint64_t seed = 0;
 };
 
-/// A figure of samples, and one standard error of it.
-struct Sampled {
-  double value = 0;
-  double error = 0;
-};
-
-/// From points of one surface to the other. Points are spread evenly by area; vertices that triangles use count towards
-/// the largest alone.
+/// From one surface to the other.
 struct OneWayDistance {
   double largest = 0;  ///< found: the true one is this or more
   Sampled mean;
-  Sampled rms;  ///< root of the mean square
+  Sampled rms;
   Sampled p99;  ///< 99 of 100 points are no farther
 };
 
-/// Both ways.
+/// Of points spread evenly by area, at least one. 0 of a surface that has no triangle; infinite to one that has none.
+OneWayDistance one_way_distance(const Surface& of, const ClosestPoints& to, std::size_t samples, std::uint64_t seed,
+                                const Executor& executor);
+
+/// Both ways. Vertices that triangles use count towards the largest, too.
 struct SurfaceDistance {
   OneWayDistance there, back;  ///< from a to b, from b to a
   double largest = 0;
@@ -43,14 +41,8 @@ struct SurfaceDistance {
 std::optional<SurfaceDistance> surface_distance(const Surface& a, const Surface& b,
                                                 const SurfaceDistanceOptions& options, const Executor& executor);
 
-/// The nearest points of `to` for these points, the samples of a surface say. Faster where each is near the one before.
+/// The nearest points for these ones; faster where each is near the one before it.
 std::vector<Closest> nearest_points(std::span<const glm::dvec3> points, const ClosestPoints& to,
                                     const Executor& executor);
-
-/// Of sampled distances; `largest` is theirs alone.
-OneWayDistance summed_up(std::vector<double> distances);
-
-/// Each way weighs the same.
-Sampled rms_of_both(const Sampled& there, const Sampled& back);
 
 }  // namespace foredraw

@@ -1,11 +1,14 @@
 #include <foredraw/measuring/level_processor.h>
 
+#include <foredraw/analysis/farthest_distance.h>
 #include <foredraw/analysis/surface_distance.h>
+#include <foredraw/base/random.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace foredraw {
@@ -98,47 +101,70 @@ class LevelProcessor final : public Processor {
     }
   }
 
-  /// `largest` of each level becomes the greater of what is said and what was found.
+  /// `largest` of each level becomes the greater of what is said and what is proved.
   void measure(std::vector<MadeLevel>& levels, DrawId id, const Scene& scene, Run& run) const {
     const Level& full = scene.draws[id].full();
-    const auto of_full = positions_of(run.analyses, *full.vertices);
     for (std::size_t i = 0; i < levels.size(); ++i) {
       MadeLevel& level = levels[i];
       const About about{.draw = id, .level = i + 1};
-      const auto of_level = positions_of(run.analyses, *level.vertices);
-      const auto found =
-          surface_distance({of_full->values, full.stream().indices.view()}, {of_level->values, level.indices.view()},
-                           {static_cast<std::size_t>(options_.samples), run.seed + i}, run.executor);
-      require(found.has_value(),
+      const SurfaceInMemory of_full(run.analyses, *full.vertices, full.stream().indices);
+      const SurfaceInMemory of_level(run.analyses, *level.vertices, level.indices);
+      const auto farthest = hausdorff_distance(of_full.searched(), of_level.searched(), {}, run.executor);
+      require(farthest.has_value(),
               "one of its levels of " + scene.draws[id].name + " has no triangle with finite positions");
-      run.count_at(about, "error.largest", found->largest);
-      run.measure_at(about, "error.rms", found->rms, 1, found->rms_error);
+      const Sampled rms = rms_between(of_full, of_level, run.seed + i, run.executor);
+      run.count_at(about, "error.largest", farthest->bound);
+      run.count_at(about, "error.found", farthest->found);
+      run.measure_at(about, "error.rms", rms.value, 1, rms.error);
       // Positions are floats, so a distance is known to some parts in ten millions.
       constexpr double slack = 1e-6, errors = 3;
-      const bool is_farther = found->largest > level.largest * (1 + slack) + slack * extent(of_full->values);
-      const bool is_rougher = level.rms && found->rms - errors * found->rms_error > *level.rms * (1 + slack);
+      const bool is_farther = farthest->found > level.largest * (1 + slack) + slack * of_full.points->extent();
+      const bool is_rougher = level.rms && rms.value - errors * rms.error > *level.rms * (1 + slack);
       if (is_farther) {
         run.note_at(about, "error-claim",
                     fmt::format("its claimed distance from full detail is {:.4g}, but the measured one is {:.4g}",
-                                level.largest, found->largest));
+                                level.largest, farthest->found));
       }
       if (is_rougher) {
         run.note_at(about, "error-claim",
                     fmt::format("its claimed rms distance is {:.4g}, but the measured one is {:.4g} ± {:.2g}",
-                                *level.rms, found->rms, found->rms_error));
+                                *level.rms, rms.value, rms.error));
       }
-      level.largest = std::max(level.largest, found->largest);
+      if (!farthest->is_within_tolerance) {
+        run.note_at(about, "error-bound",
+                    fmt::format("its largest distance from full detail is hard to tell: {:.4g} is found, and no more "
+                                "than {:.4g} is proved",
+                                farthest->found, farthest->bound));
+      }
+      level.largest = std::max(level.largest, farthest->bound);
     }
   }
 
-  static double extent(const std::vector<glm::vec3>& positions) {
-    double most = 0;
-    for (const glm::vec3& p : positions) {
-      for (int axis = 0; axis < 3; ++axis) {
-        if (std::isfinite(p[axis])) most = std::max<double>(most, std::abs(p[axis]));
-      }
-    }
-    return most;
+  /// A surface with what finds its nearest points.
+  struct SurfaceInMemory {
+    std::shared_ptr<const Positions> positions;
+    Shared<std::uint32_t> indices;
+    std::shared_ptr<const ClosestPoints> points;
+
+    SurfaceInMemory(Analyses& analyses, const VertexStreams& vertices, const Shared<std::uint32_t>& triangles)
+        : positions(positions_of(analyses, vertices)),
+          indices(triangles),
+          points(closest_points_of(analyses, vertices, triangles)) {}
+
+    Surface surface() const { return {positions->values, indices.view()}; }
+    SearchedSurface searched() const { return {surface(), *points}; }
+  };
+
+  Sampled rms_between(const SurfaceInMemory& a, const SurfaceInMemory& b, std::uint64_t seed,
+                      const Executor& executor) const {
+    const auto samples = static_cast<std::size_t>(options_.samples);
+    return rms_of_both(one_way_distance(a.surface(), *b.points, samples, derive_seed(seed, 0, 0), executor).rms,
+                       one_way_distance(b.surface(), *a.points, samples, derive_seed(seed, 1, 0), executor).rms);
+  }
+
+  static float no_less_than(double distance) {
+    const auto nearest = static_cast<float>(distance);
+    return nearest < distance ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
   }
 
   static void put(std::vector<MadeLevel> levels, Draw& draw) {
@@ -146,7 +172,7 @@ class LevelProcessor final : public Processor {
       Level level;
       level.vertices = std::move(made.vertices);
       level.orders.push_back({.indices = std::move(made.indices)});
-      level.error = static_cast<float>(made.largest);
+      level.error = no_less_than(made.largest);
       draw.levels.push_back(std::move(level));
     }
   }
@@ -168,9 +194,10 @@ std::unique_ptr<Processor> level_processor(std::unique_ptr<const LevelMaker> mak
 }
 
 std::vector<Metric> level_metrics() {
-  return {{"largest", "units", "Largest measured distance between a level and full detail, in either direction", true,
-           true},
-          {"rms", "units", "Root mean square distance between a level and full detail, in both directions"}};
+  return {
+      {"largest", "units", "Proved: no point of a level or of full detail is farther from the other one", true, true},
+      {"found", "units", "Largest distance found between a level and full detail, either way", true, true},
+      {"rms", "units", "Root mean square distance between a level and full detail, in both directions"}};
 }
 
 }  // namespace foredraw

@@ -45,7 +45,7 @@ class PlanRunner {
  public:
   /// `watches_memory`: of every stage; nothing else may run in the process meanwhile.
   PlanRunner(const Plan& plan, Scene scene, const Surroundings& surroundings, bool watches_memory = false)
-      : plan_(&plan), surroundings_(&surroundings), watches_memory_(watches_memory) {
+      : plan_(&plan), surroundings_(&surroundings), original_(scene), watches_memory_(watches_memory) {
     result_.scene = std::move(scene);
   }
 
@@ -179,8 +179,8 @@ class PlanRunner {
     } else {
       std::optional<Scene> coarser;
       if (stage.stage.level > 0) coarser = at_level(result_.scene, static_cast<std::size_t>(stage.stage.level));
-      auto measured =
-          run_stage(stage, number, coarser ? *coarser : result_.scene, *plan_, surroundings, record, diagnostics_);
+      auto measured = run_stage(stage, number, coarser ? *coarser : result_.scene, original_, *plan_, surroundings,
+                                record, diagnostics_);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
       std::stable_partition(measured.begin(), measured.end(),
                             [](const Measured& figure) { return figure.about != About{}; });
@@ -216,6 +216,7 @@ class PlanRunner {
 
   const Plan* plan_;
   const Surroundings* surroundings_;
+  Scene original_;
   Diagnostics diagnostics_;
   Result result_;
   std::size_t steps_ = 0;

@@ -34,11 +34,12 @@ struct Measurement {};  // the answer of who only measures
 
 class StageRunner {
  public:
-  StageRunner(const PlannedStage& stage, std::size_t number, Scene& scene, const Plan& plan,
+  StageRunner(const PlannedStage& stage, std::size_t number, Scene& scene, const Scene& original, const Plan& plan,
               const Surroundings& surroundings, StageRecord& record, Diagnostics& diagnostics)
       : stage_(stage),
         number_(number),
         scene_(scene),
+        original_(original),
         plan_(plan),
         surroundings_(surroundings),
         record_(record),
@@ -223,7 +224,8 @@ class StageRunner {
               .cancel = surroundings_.cancel,
               .progress = count == 1 ? progress_ : nullptr,
               .loans = plan_.loans,
-              .subjects = plan_.pipeline.subjects.subject};
+              .subjects = plan_.pipeline.subjects.subject,
+              .original = stage_.plugin->kind == Kind::evaluator ? &original_ : nullptr};
       try {
         if (run.cancelled()) throw std::runtime_error("cancelled");
         task(i, run, outcome);
@@ -357,6 +359,7 @@ class StageRunner {
   const PlannedStage& stage_;
   std::size_t number_;
   Scene& scene_;
+  const Scene& original_;
   const Plan& plan_;
   const Surroundings& surroundings_;
   StageRecord& record_;
@@ -369,9 +372,10 @@ class StageRunner {
 
 }  // namespace
 
-std::vector<Measured> run_stage(const PlannedStage& stage, std::size_t number, Scene& scene, const Plan& plan,
-                                const Surroundings& surroundings, StageRecord& record, Diagnostics& diagnostics) {
-  return StageRunner(stage, number, scene, plan, surroundings, record, diagnostics).run();
+std::vector<Measured> run_stage(const PlannedStage& stage, std::size_t number, Scene& scene, const Scene& original,
+                                const Plan& plan, const Surroundings& surroundings, StageRecord& record,
+                                Diagnostics& diagnostics) {
+  return StageRunner(stage, number, scene, original, plan, surroundings, record, diagnostics).run();
 }
 
 }  // namespace foredraw

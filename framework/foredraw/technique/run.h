@@ -67,6 +67,10 @@ struct Run {
   std::function<void(double)> progress = {};      ///< may be empty; the part done, 0 to 1; from any thread
   const Loans& loans = no_loans;                  ///< what the stage's options name, as the host read it
   SubjectUnit subjects = SubjectUnit::character;  ///< what is seen as one: the pipeline's [subjects]
+  /// For evaluators: the scene that the run began with, before any stage and with all its levels. What changes geometry
+  /// is measured against it. Draws keep their numbers; stages add theirs behind. Null for those that change a scene:
+  /// what they answer hangs on what they are given alone.
+  const Scene* original = nullptr;
 
   /// What an option names. std::invalid_argument where it names nothing, or nothing that was lent: a plan that exists
   /// has lent all that its options name.

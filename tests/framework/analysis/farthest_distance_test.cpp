@@ -27,9 +27,12 @@ Farthest one_way(const TestMesh& of, const TestMesh& to, const FarthestOptions& 
   return *farthest_distance(surface_of(of), ClosestPoints(surface_of(to)), options, Executor(threads));
 }
 
-Farthest both_ways(const TestMesh& a, const TestMesh& b) {
-  return *hausdorff_distance(surface_of(a), surface_of(b), {}, Executor(2));
+std::optional<Farthest> both_ways(const Surface& a, const Surface& b) {
+  const ClosestPoints of_a(a), of_b(b);
+  return hausdorff_distance({a, of_a}, {b, of_b}, {}, Executor(2));
 }
+
+Farthest both_ways(const TestMesh& a, const TestMesh& b) { return *both_ways(surface_of(a), surface_of(b)); }
 
 std::optional<bool> within(const TestMesh& of, const TestMesh& to, double distance) {
   return is_within(surface_of(of), ClosestPoints(surface_of(to)), distance, {}, Executor(2));
@@ -200,9 +203,9 @@ TEST(FarthestDistance, OfNothing) {
   for (glm::vec3& p : odd.positions) p.x = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(farthest_distance({}, ClosestPoints(surface_of(mesh)), {}, executor)->bound, 0);
   EXPECT_FALSE(farthest_distance(surface_of(mesh), ClosestPoints(surface_of(odd)), {}, executor));
-  EXPECT_FALSE(hausdorff_distance(surface_of(mesh), surface_of(odd), {}, executor));
-  EXPECT_FALSE(hausdorff_distance(surface_of(odd), surface_of(mesh), {}, executor));
-  EXPECT_EQ(hausdorff_distance({}, surface_of(odd), {}, executor)->bound, 0);
+  EXPECT_FALSE(both_ways(surface_of(mesh), surface_of(odd)));
+  EXPECT_FALSE(both_ways(surface_of(odd), surface_of(mesh)));
+  EXPECT_EQ(both_ways(Surface{}, surface_of(odd))->bound, 0);
   EXPECT_FALSE(is_within(surface_of(mesh), ClosestPoints(Surface{}), 1, {}, executor));
 }
 

@@ -119,6 +119,54 @@ TEST_F(Runner, BooksWhatIsMeasuredOfDrawsThatAStageAdded) {
   EXPECT_EQ(result.report.stages[0].notes[0].about, "A again");
 }
 
+/// An evaluator: how many triangles the scene had that the run began with.
+Plugin count_original() {
+  class CountOriginal final : public Evaluator {
+   public:
+    void evaluate(const Scene&, Run& run) const override {
+      std::size_t triangles = 0;
+      for (const Draw& draw : run.original->draws) triangles += draw.full().stream().triangle_count();
+      run.count("triangles", static_cast<double>(triangles));
+    }
+  };
+  Plugin plugin;
+  plugin.kind = Kind::evaluator;
+  plugin.card = {.name = "count-original", .summary = "For tests", .reference = "own"};
+  plugin.card.metrics = {{"triangles", "triangles", "Of the original"}};
+  plugin.create = [](const Settings&) -> Technique { return std::make_unique<CountOriginal>(); };
+  return plugin;
+}
+
+TEST_F(Runner, EvaluatorsSeeTheSceneThatTheRunBeganWith) {
+  registry_.add(count_original());
+  const Result result = run("add-draw, double-triangles", two_, "count-original, count-triangles");
+  ASSERT_FALSE(result.failed);
+  EXPECT_EQ(result.report.after.metrics.find("count-triangles", "triangles")->value(), 20);
+  EXPECT_EQ(result.report.before.metrics.find("count-original", "triangles")->value(), 6);
+  EXPECT_EQ(result.report.after.metrics.find("count-original", "triangles")->value(), 6);
+}
+
+/// A processor that fails where it sees more than what it changes.
+Plugin needs_no_original() {
+  class NeedsNoOriginal final : public DrawProcessor {
+   public:
+    Draw process(const DrawView& draw, Run& run) const override {
+      if (run.original != nullptr) throw std::runtime_error("it sees more than what it is given");
+      return draw.draw();
+    }
+  };
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {.name = "needs-no-original", .summary = "For tests", .reference = "own"};
+  plugin.create = [](const Settings&) -> Technique { return std::make_unique<NeedsNoOriginal>(); };
+  return plugin;
+}
+
+TEST_F(Runner, WhatChangesASceneSeesThatAlone) {
+  registry_.add(needs_no_original());
+  EXPECT_FALSE(run("needs-no-original", two_).failed);
+}
+
 TEST_F(Runner, TotalsAreSumsOfNumeratorsOverSumsOfDenominators) {
   const Result result = run("", two_, "count-triangles");
   const Figure* total = result.report.after.metrics.find("count-triangles", "corners-per-vertex");

@@ -1,0 +1,86 @@
+#include "attribute_error.h"
+
+#include <foredraw/technique/plugin.h>
+
+#include <string>
+#include <vector>
+
+namespace foredraw {
+
+namespace {
+
+/// A level's surface and what its vertices carry, in its own space.
+struct DecodedSurface {
+  std::shared_ptr<const Positions> positions;
+  std::vector<glm::vec3> uvs, normals;
+  Shared<std::uint32_t> indices;
+
+  DecodedSurface(Analyses& analyses, const Level& level)
+      : positions(positions_of(analyses, *level.vertices)),
+        uvs(decoded(*level.vertices, "TEXCOORD_0")),
+        normals(decoded(*level.vertices, "NORMAL")),
+        indices(level.stream().indices) {}
+
+  AttributedSurface view() const { return {{positions->values, indices.view()}, uvs, normals}; }
+
+ private:
+  static std::vector<glm::vec3> decoded(const VertexStreams& vertices, std::string_view semantic) {
+    const VertexStream* stream = vertices.find(semantic);
+    return stream != nullptr ? decode_vec3(*stream) : std::vector<glm::vec3>();
+  }
+};
+
+void measure(const Run& run, const std::string& metric, const std::optional<Sampled>& figure) {
+  if (figure) run.measure(metric, figure->value, 1, figure->error);
+}
+
+class AttributeErrorEvaluator final : public DrawEvaluator {
+ public:
+  explicit AttributeErrorEvaluator(const AttributeErrorOptions& options) : options_(options) {}
+
+  void evaluate(const DrawView& draw, Run& run) const override {
+    const Scene& original = run.original != nullptr ? *run.original : draw.scene;
+    if (draw.id >= original.draws.size() || original.draws[draw.id].topology != Topology::triangles) {
+      return run.note("no-original", "the scene that the run began with has nothing to compare it with");
+    }
+    const DecodedSurface now(run.analyses, draw.draw().full());
+    const DecodedSurface before(run.analyses, original.draws[draw.id].full());
+    const auto error = attribute_error(now.view(), before.view(), options_, run.seed, run.executor);
+    if (!error) return run.note("nothing-left", "of it and its original one alone has triangles with finite positions");
+    measure(run, "uv-rms", error->uv());
+    measure(run, "normal-rms", error->normal());
+    measure(run, "to-original.uv-rms", error->to_original.uv);
+    measure(run, "to-original.normal-rms", error->to_original.normal);
+    measure(run, "from-original.uv-rms", error->from_original.uv);
+    measure(run, "from-original.normal-rms", error->from_original.normal);
+  }
+
+ private:
+  AttributeErrorOptions options_;
+};
+
+}  // namespace
+
+Plugin attribute_error_plugin() {
+  OptionTable<AttributeErrorOptions> table;
+  table.row(&AttributeErrorOptions::samples, "samples", "Points on each surface", {1, 10'000'000, "points"});
+
+  Plugin plugin;
+  plugin.kind = Kind::evaluator;
+  plugin.card = {
+      .name = "attribute-error",
+      .summary = "Measures how far texture coordinates and normals are from those of the scene that the run began with",
+      .reference = "own; nearest points as in Cignoni, Rocchini, Scopigno 1998 (Metro)",
+      .acts_on = {traits::triangles},
+      .metrics =
+          {
+              {"uv-rms", "of the texture", "Root mean square distance of texture coordinates at nearest points"},
+              {"normal-rms", "degrees", "Root mean square angle between normals at nearest points"},
+          },
+  };
+  bind_options(plugin, std::move(table),
+               [](const AttributeErrorOptions& options) { return std::make_unique<AttributeErrorEvaluator>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,45 @@
+#include "surface_error.h"
+
+#include <foredraw/analysis/farthest_distance.h>
+#include <foredraw/base/random.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+OneWayError one_way_error(const Surface& of, const ClosestPoints& to, const SurfaceErrorOptions& options,
+                          std::uint64_t seed, const Executor& executor) {
+  const OneWayDistance sampled = one_way_distance(of, to, static_cast<std::size_t>(options.samples), seed, executor);
+  const Farthest farthest = *farthest_distance(of, to, {.tolerance = options.tolerance}, executor);
+  OneWayError error{sampled.rms, sampled.mean, sampled.p99, std::max(sampled.largest, farthest.found)};
+  error.largest = std::max(error.found, farthest.bound);
+  return error;
+}
+
+}  // namespace
+
+double SurfaceError::found() const { return std::max(to_original.found, from_original.found); }
+
+double SurfaceError::largest() const { return std::max(to_original.largest, from_original.largest); }
+
+Sampled SurfaceError::p99() const {
+  return to_original.p99.value < from_original.p99.value ? from_original.p99 : to_original.p99;
+}
+
+Sampled SurfaceError::mean() const { return mean_of_both(to_original.mean, from_original.mean); }
+
+Sampled SurfaceError::rms() const { return rms_of_both(to_original.rms, from_original.rms); }
+
+std::optional<SurfaceError> surface_error(const Surface& changed, const Surface& original,
+                                          const SurfaceErrorOptions& options, std::uint64_t seed,
+                                          const Executor& executor) {
+  const ClosestPoints of_changed(changed), of_original(original);
+  if (of_changed.empty() != of_original.empty()) return std::nullopt;
+  if (of_changed.empty()) return SurfaceError{};
+  return SurfaceError{one_way_error(changed, of_original, options, derive_seed(seed, 0, 0), executor),
+                      one_way_error(original, of_changed, options, derive_seed(seed, 1, 0), executor)};
+}
+
+}  // namespace foredraw

@@ -1,0 +1,162 @@
+#include "surface_error.h"
+
+#include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/posed_positions.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace foredraw {
+
+namespace {
+
+/// Of the box around what is finite of the triangles; 0 where nothing is.
+double diagonal_of(const Surface& surface) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const std::uint32_t v : surface.indices) {
+    const glm::dvec3 p(surface.positions[v]);
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return low.x <= high.x ? glm::length(high - low) : 0;
+}
+
+/// As the first node shows it.
+std::optional<SubjectPart> shown_part(const Scene& scene, DrawId id) {
+  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (!node.mesh || !node.is_shown) continue;
+    const std::vector<DrawId>& draws = scene.meshes[*node.mesh].draws;
+    if (std::ranges::find(draws, id) != draws.end()) return SubjectPart{id, i};
+  }
+  return std::nullopt;
+}
+
+/// Over poses, each by its weight.
+class PosedError {
+ public:
+  void add(const SurfaceError& error, double weight) {
+    const Sampled rms = error.rms();
+    weight_ += weight;
+    squares_ += weight * rms.value * rms.value;
+    variance_ += weight * weight * rms.value * rms.value * rms.error * rms.error;
+    found_ = std::max(found_, error.found());
+    largest_ = std::max(largest_, error.largest());
+  }
+
+  void measure(const Run& run, double unit) const {
+    const double rms = std::sqrt(squares_ / weight_);
+    run.measure("posed.rms", rms, unit, rms > 0 ? std::sqrt(variance_) / (rms * weight_ * unit) : 0);
+    run.measure("posed.largest", largest_, unit);
+    run.measure("posed.found", found_, unit);
+  }
+
+ private:
+  double weight_ = 0, squares_ = 0, variance_ = 0, found_ = 0, largest_ = 0;
+};
+
+void measure(const Run& run, const std::string& metric, const Sampled& figure, double unit) {
+  run.measure(metric, figure.value, unit, unit > 0 ? figure.error / unit : 0);
+}
+
+void measure(const Run& run, const std::string& way, const OneWayError& error, double unit) {
+  measure(run, way + "rms", error.rms, unit);
+  measure(run, way + "mean", error.mean, unit);
+  measure(run, way + "p99", error.p99, unit);
+  run.measure(way + "largest", error.largest, unit);
+  run.measure(way + "found", error.found, unit);
+}
+
+class SurfaceErrorEvaluator final : public DrawEvaluator {
+ public:
+  explicit SurfaceErrorEvaluator(const SurfaceErrorOptions& options) : options_(options) {}
+
+  void evaluate(const DrawView& draw, Run& run) const override {
+    const Scene& original = run.original != nullptr ? *run.original : draw.scene;
+    if (draw.id >= original.draws.size() || original.draws[draw.id].topology != Topology::triangles) {
+      return run.note("no-original", "the scene that the run began with has nothing to compare it with");
+    }
+    at_rest(draw, original, run);
+    if (draw.draw().traits.has(traits::animated)) in_poses(draw, original, run);
+  }
+
+ private:
+  void at_rest(const DrawView& draw, const Scene& original, Run& run) const {
+    const Level& full = original.draws[draw.id].full();
+    const auto before = positions_of(run.analyses, *full.vertices), now = positions_of(run.analyses, draw.vertices());
+    const Surface from{before->values, full.stream().indices.view()};
+    const auto error = compare({now->values, draw.indices()}, from, run);
+    if (!error) return run.note("nothing-left", "of it and its original one alone has triangles with finite positions");
+    const double unit = diagonal_of(from) / 100;
+    measure(run, "rms", error->rms(), unit);
+    measure(run, "mean", error->mean(), unit);
+    measure(run, "p99", error->p99(), unit);
+    run.measure("largest", error->largest(), unit);
+    run.measure("found", error->found(), unit);
+    measure(run, "to-original.", error->to_original, unit);
+    measure(run, "from-original.", error->from_original, unit);
+  }
+
+  void in_poses(const DrawView& draw, const Scene& original, Run& run) const {
+    const auto now = shown_part(draw.scene, draw.id), before = shown_part(original, draw.id);
+    if (!now || !before) return;
+    const auto indices = original.draws[draw.id].full().stream().indices.view();
+    PosedError over_poses;
+    for (const Pose& pose : run.poses.poses) {
+      if (run.cancelled()) return;
+      const std::vector<glm::vec3> from = posed_positions(original, *before, posed_nodes(original, pose));
+      const std::vector<glm::vec3> to = posed_positions(draw.scene, *now, posed_nodes(draw.scene, pose));
+      const auto error = compare({to, draw.indices()}, {from, indices}, run);
+      if (!error) return;
+      over_poses.add(*error, pose.weight);
+    }
+    const std::vector<glm::vec3> bind = posed_positions(original, *before, posed_nodes(original));
+    over_poses.measure(run, diagonal_of({bind, indices}) / 100);
+  }
+
+  std::optional<SurfaceError> compare(const Surface& changed, const Surface& original, const Run& run) const {
+    return surface_error(changed, original, options_, run.seed, run.executor);
+  }
+
+  SurfaceErrorOptions options_;
+};
+
+}  // namespace
+
+Plugin surface_error_plugin() {
+  OptionTable<SurfaceErrorOptions> table;
+  table.row(&SurfaceErrorOptions::samples, "samples", "Points on each surface that rms, mean and p99 are measured from",
+            {1, 10'000'000, "points"});
+  table.row(&SurfaceErrorOptions::tolerance, "tolerance", "How much largest may exceed found, as a part of it",
+            {0.0001, 1, ""});
+
+  Plugin plugin;
+  plugin.kind = Kind::evaluator;
+  const std::string unit = "% of the diagonal";
+  plugin.card = {
+      .name = "surface-error",
+      .summary = "Measures how far surfaces lie from full detail of the scene that the run began with, level by level",
+      .reference = "Cignoni, Rocchini, Scopigno 1998 (Metro); the bound after Tang, Lee, Kim 2009",
+      .acts_on = {traits::triangles},
+      .metrics =
+          {
+              {"rms", unit, "Root mean square distance, over both surfaces"},
+              {"mean", unit, "Mean distance, over both surfaces"},
+              {"p99", unit, "Distance that 99 of 100 points do not exceed; the larger one of the two ways"},
+              {"largest", unit, "Proved: no point of either surface is farther from the other one", true, true},
+              {"found", unit, "Largest distance that was found, either way; the true one lies between it and largest",
+               true, true},
+          },
+  };
+  bind_options(plugin, std::move(table),
+               [](const SurfaceErrorOptions& options) { return std::make_unique<SurfaceErrorEvaluator>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw
