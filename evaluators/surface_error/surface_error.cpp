@@ -10,12 +10,17 @@ namespace foredraw {
 namespace {
 
 OneWayError one_way_error(const Surface& of, const ClosestPoints& to, const SurfaceErrorOptions& options,
-                          std::uint64_t seed, const Executor& executor) {
+                          std::uint64_t seed, const Executor& executor, const std::atomic<bool>* cancel) {
   const OneWayDistance sampled = one_way_distance(of, to, static_cast<std::size_t>(options.samples), seed, executor);
-  const Farthest farthest = *farthest_distance(of, to, {.tolerance = options.tolerance}, executor);
+  const Farthest farthest = *farthest_distance(of, to, {.tolerance = options.tolerance, .cancel = cancel}, executor);
   OneWayError error{sampled.rms, sampled.mean, sampled.p99, std::max(sampled.largest, farthest.found)};
   error.largest = std::max(error.found, farthest.bound);
   return error;
+}
+
+/// What is not finite equals nothing.
+bool is_same(const Surface& a, const Surface& b) {
+  return std::ranges::equal(a.indices, b.indices) && std::ranges::equal(a.positions, b.positions);
 }
 
 }  // namespace
@@ -34,12 +39,13 @@ Sampled SurfaceError::rms() const { return rms_of_both(to_original.rms, from_ori
 
 std::optional<SurfaceError> surface_error(const Surface& changed, const Surface& original,
                                           const SurfaceErrorOptions& options, std::uint64_t seed,
-                                          const Executor& executor) {
+                                          const Executor& executor, const std::atomic<bool>* cancel) {
+  if (is_same(changed, original)) return SurfaceError{};
   const ClosestPoints of_changed(changed), of_original(original);
   if (of_changed.empty() != of_original.empty()) return std::nullopt;
   if (of_changed.empty()) return SurfaceError{};
-  return SurfaceError{one_way_error(changed, of_original, options, derive_seed(seed, 0, 0), executor),
-                      one_way_error(original, of_changed, options, derive_seed(seed, 1, 0), executor)};
+  return SurfaceError{one_way_error(changed, of_original, options, derive_seed(seed, 0, 0), executor, cancel),
+                      one_way_error(original, of_changed, options, derive_seed(seed, 1, 0), executor, cancel)};
 }
 
 }  // namespace foredraw

@@ -3,6 +3,7 @@
 
 #include <foredraw/analysis/surface_distance.h>
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -33,10 +34,10 @@ struct SurfaceError {
 };
 
 /// Nothing where one of them, and not the other, has no triangle with finite positions. The same at any number of
-/// threads.
+/// threads. Once `cancel` is true, the largest distances are no longer proved: they may be infinite.
 std::optional<SurfaceError> surface_error(const Surface& changed, const Surface& original,
                                           const SurfaceErrorOptions& options, std::uint64_t seed,
-                                          const Executor& executor);
+                                          const Executor& executor, const std::atomic<bool>* cancel = nullptr);
 
 struct Plugin;
 Plugin surface_error_plugin();

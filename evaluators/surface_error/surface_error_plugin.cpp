@@ -121,7 +121,7 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
   }
 
   std::optional<SurfaceError> compare(const Surface& changed, const Surface& original, const Run& run) const {
-    return surface_error(changed, original, options_, run.seed, run.executor);
+    return surface_error(changed, original, options_, run.seed, run.executor, run.cancel);
   }
 
   SurfaceErrorOptions options_;

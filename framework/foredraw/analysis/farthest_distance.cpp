@@ -1,11 +1,10 @@
 #include <foredraw/analysis/farthest_distance.h>
 
-#include <foredraw/analysis/convex_piece.h>
-
-#include <glm/geometric.hpp>
+#include <foredraw/analysis/piece_proof.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -15,40 +14,23 @@ namespace {
 
 constexpr double precision_of_floats = 0x1p-23;
 
-/// A piece that lies within the bound of the surface.
-struct BoundPiece {
-  ConvexPiece shape;
-  double bound = 0;
-  std::uint32_t by = no_triangle;  ///< the triangle that proves it
-};
-
-/// What a task found out. Tasks of a round know what the rounds before found, and nothing of each other.
-struct FarthestShare {
-  Farthest result;
-  std::uint64_t most_questions = 0;
-
-  void find(double distance, const glm::dvec3& at) {
-    if (distance <= result.found) return;
-    result.found = distance;
-    result.at = at;
-  }
-};
-
 class FarthestSearch {
  public:
   FarthestSearch(const Surface& of, const ClosestPoints& to, const FarthestOptions& options, const Executor& executor)
       : of_(of), to_(to), options_(options), executor_(executor), nearest_(of.positions.size()) {
-    for (std::size_t i = 0; i + 3 <= of.indices.size(); i += 3) {
-      const TriangleCorners corners = corners_at(i);
+    double extent = to.extent();
+    for (std::uint32_t i = 0; i + 3 <= of.indices.size(); i += 3) {
+      double most = 0;
       bool is_finite = true;
-      for (const glm::dvec3& p : corners) {
-        const double most = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        is_finite = is_finite && std::isfinite(p.x + p.y + p.z);
-        if (std::isfinite(most)) extent_ = std::max(extent_, most);
+      for (const glm::dvec3& p : corners_at(i)) {
+        is_finite = is_finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+        most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
       }
-      if (is_finite) starts_.push_back(static_cast<std::uint32_t>(i));
+      if (!is_finite) continue;
+      starts_.push_back(i);
+      extent = std::max(extent, most);
     }
-    extent_ = std::max(extent_, to.extent());
+    goal_ = {options.tolerance, extent * precision_of_floats};
   }
 
   bool empty() const { return starts_.empty(); }
@@ -59,18 +41,22 @@ class FarthestSearch {
     whole_.questions = known.questions;
   }
   /// Nothing but whether it is farther than that is asked.
-  void ask_for(double distance) { asked_ = distance; }
+  void ask_for(double distance) { goal_.asked = distance; }
 
   Farthest run() {
     if (starts_.empty()) return whole_;
     ask_for_vertices();
-    if (!is_answered()) prove(bound_all());
+    if (is_cancelled()) {
+      whole_.bound = std::numeric_limits<double>::infinity();
+    } else if (!is_answered()) {
+      prove(bound_all());
+    }
     whole_.bound = std::max(whole_.bound, whole_.found);
-    whole_.is_within_tolerance = whole_.bound <= limit(whole_.found);
+    whole_.is_within_tolerance = whole_.bound <= goal_.limit(whole_.found);
     return whole_;
   }
 
-  double slack() const { return extent_ * precision_of_floats; }
+  const FarthestGoal& goal() const { return goal_; }
 
  private:
   TriangleCorners corners_at(std::size_t start) const {
@@ -79,9 +65,8 @@ class FarthestSearch {
     return corners;
   }
 
-  /// What a piece needs to be within to be of no more interest.
-  double limit(double found) const { return (asked_ ? *asked_ : found * (1 + options_.tolerance)) + slack(); }
-  bool is_answered() const { return asked_ && whole_.found > *asked_ + slack(); }
+  bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed); }
+  bool is_answered() const { return goal_.is_beyond(whole_.found); }
 
   /// Calls task(i, share) for each i below `count`, in rounds that grow, so that all but the first tasks know of a
   /// large distance. Ends early where the answer is known; then a bound that is not proved stands for the rest.
@@ -121,7 +106,8 @@ class FarthestSearch {
       }
     }
     const std::size_t tasks = (used.size() + at_a_time - 1) / at_a_time;
-    in_rounds(tasks, asked_ ? 4 : tasks, 0, [&](std::size_t task, FarthestShare& share) {
+    in_rounds(tasks, goal_.asked ? 4 : tasks, 0, [&](std::size_t task, FarthestShare& share) {
+      if (is_cancelled()) return;
       std::uint32_t hint = no_triangle;
       const std::size_t end = std::min(used.size(), (task + 1) * at_a_time);
       for (std::size_t i = task * at_a_time; i < end; ++i) {
@@ -134,25 +120,9 @@ class FarthestSearch {
     });
   }
 
-  /// The largest distance of the piece's corners from that triangle: no point of the piece is farther.
-  double bound_by(std::uint32_t triangle, const ConvexPiece& piece) const {
-    const TriangleCorners corners = to_.corners(triangle);
-    double most = 0;
-    for (const glm::dvec3& corner : piece.corners()) most = std::max(most, squared_distance(corners, corner));
-    return std::sqrt(most);
-  }
-
-  void tighten(BoundPiece& piece, std::uint32_t by) const {
-    if (by == piece.by) return;
-    const double bound = bound_by(by, piece.shape);
-    if (bound >= piece.bound) return;
-    piece.bound = bound;
-    piece.by = by;
-  }
-
   BoundPiece whole_triangle(std::uint32_t start) const {
-    BoundPiece piece{ConvexPiece(corners_at(start)), std::numeric_limits<double>::infinity()};
-    for (const std::uint32_t v : of_.indices.subspan(start, 3)) tighten(piece, nearest_[v]);
+    BoundPiece piece{ConvexPiece(corners_at(start))};
+    for (const std::uint32_t v : of_.indices.subspan(start, 3)) proof_.tighten(piece, nearest_[v]);
     return piece;
   }
 
@@ -165,7 +135,7 @@ class FarthestSearch {
       for (std::size_t i = part * at_a_time; i < end; ++i) bounds[i] = whole_triangle(starts_[i]).bound;
     });
     std::vector<std::uint32_t> open;
-    const double enough = limit(whole_.found);
+    const double enough = goal_.limit(whole_.found);
     for (std::uint32_t i = 0; i < starts_.size(); ++i) {
       if (bounds[i] > enough) open.push_back(i);
       if (bounds[i] <= enough) whole_.bound = std::max(whole_.bound, bounds[i]);
@@ -186,101 +156,16 @@ class FarthestSearch {
       while (!pieces.empty()) {
         BoundPiece piece = pieces.back();
         pieces.pop_back();
-        const bool is_over =
-            share.result.questions >= share.most_questions || (asked_ && share.result.found > *asked_ + slack());
-        if (piece.bound <= limit(share.result.found) || is_over) {
+        const Farthest& known = share.result;
+        const bool is_over = known.questions >= share.most_questions || goal_.is_beyond(known.found) || is_cancelled();
+        if (piece.bound <= goal_.limit(known.found) || is_over) {
           share.result.bound = std::max(share.result.bound, piece.bound);
         } else {
-          open_up(std::move(piece), share, pieces);
+          proof_.open_up(std::move(piece), share, pieces);
         }
       }
     });
   }
-
-  /// Proves more of a piece, or parts it.
-  void open_up(BoundPiece piece, FarthestShare& share, std::vector<BoundPiece>& pieces) const {
-    const glm::dvec3 middle = piece.shape.middle();
-    const Closest closest = ask(middle, piece.by, share);
-    tighten(piece, closest.triangle);
-    // No point is farther than the middle by more than its way from there, so what is small enough is always proved.
-    piece.bound = std::min(piece.bound, closest.distance + piece.shape.reach_from(middle));
-    if (piece.bound <= limit(share.result.found)) return pieces.push_back(std::move(piece));
-    if (piece.shape.size() + 3 > ConvexPiece::most_corners) return fan_out(piece, pieces);
-    if (!cut_out(piece, closest.triangle, share, pieces)) halve(piece, closest.triangle, middle, pieces);
-  }
-
-  Closest ask(const glm::dvec3& point, std::uint32_t hint, FarthestShare& share) const {
-    const Closest closest = to_.nearest(point, hint);
-    ++share.result.questions;
-    share.find(closest.distance, point);
-    return closest;
-  }
-
-  /// Cuts along the triangle's outline, at right angles to it, where the piece is not much larger.
-  bool cut_out(const BoundPiece& piece, std::uint32_t near, FarthestShare& share,
-               std::vector<BoundPiece>& pieces) const {
-    constexpr double much_larger = 16;
-    const TriangleCorners t = to_.corners(near);
-    const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-    if (piece.shape.area() > much_larger * glm::length(normal)) return false;
-    std::array<ConvexPiece, 3> outside;
-    ConvexPiece inside = piece.shape;
-    for (std::size_t e = 0; e < 3; ++e) {
-      const glm::dvec3 outwards = glm::cross(t[(e + 1) % 3] - t[e], normal);
-      CutPiece parts = cut(inside, outwards, glm::dot(outwards, t[e]), slack_of_cuts());
-      if (parts.behind.size() == 0) return false;
-      inside = parts.behind;
-      outside[e] = parts.before;
-    }
-    bool is_cut = false;
-    for (const ConvexPiece& part : outside) {
-      if (part.size() == 0) continue;
-      is_cut = true;
-      pieces.push_back(part_of(piece, part, near));
-    }
-    if (!is_cut) return false;
-    BoundPiece rest = part_of(piece, inside, near);
-    if (rest.bound > limit(share.result.found)) {
-      // Whether it is the triangle that is nearest to its farthest corner is then known.
-      const TriangleCorners by = to_.corners(rest.by);
-      const auto corners = rest.shape.corners();
-      const auto farthest =
-          std::ranges::max_element(corners, {}, [&](const glm::dvec3& corner) { return squared_distance(by, corner); });
-      tighten(rest, ask(*farthest, rest.by, share).triangle);
-      if (rest.bound > limit(share.result.found)) {
-        halve(rest, near, rest.shape.middle(), pieces);
-        return true;
-      }
-    }
-    pieces.push_back(std::move(rest));
-    return true;
-  }
-
-  void halve(const BoundPiece& piece, std::uint32_t near, const glm::dvec3& middle,
-             std::vector<BoundPiece>& pieces) const {
-    const glm::dvec3 across = piece.shape.longest();
-    const CutPiece halves = cut(piece.shape, across, glm::dot(across, middle), slack_of_cuts());
-    if (halves.behind.size() == 0 || halves.before.size() == 0) return fan_out(piece, pieces);
-    for (const ConvexPiece& half : {halves.before, halves.behind}) pieces.push_back(part_of(piece, half, near));
-  }
-
-  void fan_out(const BoundPiece& piece, std::vector<BoundPiece>& pieces) const {
-    const auto corners = piece.shape.corners();
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      const TriangleCorners part{corners[0], corners[i - 1], corners[i]};
-      pieces.push_back(part_of(piece, ConvexPiece(part), piece.by));
-    }
-  }
-
-  BoundPiece part_of(const BoundPiece& piece, const ConvexPiece& shape, std::uint32_t near) const {
-    BoundPiece part{shape, piece.bound, no_triangle};
-    tighten(part, piece.by);
-    tighten(part, near);
-    if (part.by == no_triangle) part.by = piece.by;
-    return part;
-  }
-
-  double slack_of_cuts() const { return extent_ * 0x1p-44; }
 
   const Surface& of_;
   const ClosestPoints& to_;
@@ -288,8 +173,8 @@ class FarthestSearch {
   const Executor& executor_;
   std::vector<std::uint32_t> starts_;   ///< in the indices, of triangles that are finite
   std::vector<std::uint32_t> nearest_;  ///< [vertex] the triangle nearest to it
-  std::optional<double> asked_;
-  double extent_ = 0;
+  FarthestGoal goal_;
+  PieceProof proof_{to_, goal_};
   Farthest whole_;
 };
 
@@ -320,8 +205,8 @@ std::optional<bool> is_within(const Surface& of, const ClosestPoints& to, double
   if (to.empty() && !search.empty()) return std::nullopt;
   search.ask_for(distance);
   const Farthest answer = search.run();
-  if (answer.found > distance + search.slack()) return false;
-  if (answer.bound <= distance + search.slack()) return true;
+  if (search.goal().is_beyond(answer.found)) return false;
+  if (answer.bound <= search.goal().limit(answer.found)) return true;
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <foredraw/analysis/closest_points.h>
 #include <foredraw/base/parallel.h>
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -14,6 +15,7 @@ struct FarthestOptions {
   /// For nearest points, each way, beside those for the vertices: where they do not suffice, the interval stays wider.
   /// Unless it is set, some 64 for each triangle, of which a few are usually needed.
   std::optional<std::uint64_t> most_questions = std::nullopt;
+  const std::atomic<bool>* cancel = nullptr;  ///< once it is true the search ends, with the interval known by then
 };
 
 /// An interval that holds the true distance, in the unit of the positions.

@@ -109,7 +109,8 @@ class LevelProcessor final : public Processor {
       const About about{.draw = id, .level = i + 1};
       const SurfaceInMemory of_full(run.analyses, *full.vertices, full.stream().indices);
       const SurfaceInMemory of_level(run.analyses, *level.vertices, level.indices);
-      const auto farthest = hausdorff_distance(of_full.searched(), of_level.searched(), {}, run.executor);
+      const auto farthest =
+          hausdorff_distance(of_full.searched(), of_level.searched(), {.cancel = run.cancel}, run.executor);
       require(farthest.has_value(),
               "one of its levels of " + scene.draws[id].name + " has no triangle with finite positions");
       const Sampled rms = rms_between(of_full, of_level, run.seed + i, run.executor);

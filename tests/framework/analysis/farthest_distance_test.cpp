@@ -170,6 +170,15 @@ TEST(FarthestDistance, TellsWhereTheQuestionsDidNotSuffice) {
             std::nullopt);
 }
 
+TEST(FarthestDistance, EndsWhenItIsCancelled) {
+  const std::atomic<bool> cancel = true;
+  const TestMesh a = testing::torus(12, 8), b = testing::torus(50, 30);
+  const Farthest nothing_known = one_way(a, b, {.cancel = &cancel});
+  EXPECT_FALSE(nothing_known.is_within_tolerance);
+  EXPECT_EQ(nothing_known.bound, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nothing_known.questions, 0u);
+}
+
 TEST(FarthestDistance, OfTrianglesThatAreALineOrAPoint) {
   const TestMesh plate = testing::grid(4, 4);
   const TestMesh needle{{{1, 1, 0}, {1, 1, 3}, {1, 1, 2}}, {0, 1, 2, 0, 0, 1}};
