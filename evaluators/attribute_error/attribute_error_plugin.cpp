@@ -63,7 +63,7 @@ class AttributeErrorEvaluator final : public DrawEvaluator {
 
 Plugin attribute_error_plugin() {
   OptionTable<AttributeErrorOptions> table;
-  table.row(&AttributeErrorOptions::samples, "samples", "Points on each surface", {1, 10'000'000, "points"});
+  table.row(&AttributeErrorOptions::samples, "samples", "Points on each surface", {1, 1'000'000, "points"});
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;

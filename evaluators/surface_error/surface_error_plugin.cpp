@@ -132,7 +132,7 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
 Plugin surface_error_plugin() {
   OptionTable<SurfaceErrorOptions> table;
   table.row(&SurfaceErrorOptions::samples, "samples", "Points on each surface that rms, mean and p99 are measured from",
-            {1, 10'000'000, "points"});
+            {1, 1'000'000, "points"});
   table.row(&SurfaceErrorOptions::tolerance, "tolerance", "How much largest may exceed found, as a part of it",
             {0.0001, 1, ""});
 

@@ -110,17 +110,18 @@ std::vector<double> figures(const Result& result) {
   return values;
 }
 
-/// How far pictures go: a hundred thousand views show no more than a thousand, but take a device minutes.
+/// How far pictures and samples go: a hundred thousand views show no more than a thousand, but take a device minutes.
 struct Pictures {
-  double views, pixels;
+  double views, pixels, points;
 };
-constexpr Pictures some_pictures{100, 512};
-constexpr Pictures largest_pictures{1000, 4096};
+constexpr Pictures some_pictures{100, 512, 2000};
+constexpr Pictures largest_pictures{1000, 4096, 100'000};
 
 bool is_size(const OptionSpec& option) { return option.name == "size" && option.unit == "pixels"; }
 
 double most_of(const OptionSpec& option, const Pictures& pictures) {
   if (option.unit == "views") return std::min(option.most, pictures.views);
+  if (option.unit == "points") return std::min(option.most, pictures.points);
   return is_size(option) ? std::min(option.most, pictures.pixels) : option.most;
 }
 
@@ -147,12 +148,13 @@ Settings what_must_be_said(const Plugin& plugin) {
   return said;
 }
 
-/// The defaults, but for pictures: a few small ones are made by the same code as many large ones, in a hundredth of the
-/// time.
+/// The defaults, but for pictures and samples: a few small ones are made by the same code as many large ones, in a
+/// hundredth of the time.
 Settings few_pictures(const Plugin& plugin) {
   Settings settings = what_must_be_said(plugin);
   for (const OptionSpec& option : plugin.options) {
     if (option.unit == "views") settings[option.name] = std::int64_t{12};
+    if (option.unit == "points") settings[option.name] = std::int64_t{100};
     if (is_size(option)) settings[option.name] = std::int64_t{48};
   }
   return settings;
