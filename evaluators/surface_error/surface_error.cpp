@@ -1,6 +1,6 @@
 #include "surface_error.h"
 
-#include <foredraw/analysis/farthest_distance.h>
+#include <foredraw/analysis/surface_distance.h>
 #include <foredraw/base/random.h>
 
 #include <algorithm>
@@ -37,15 +37,22 @@ Sampled SurfaceError::mean() const { return mean_of_both(to_original.mean, from_
 
 Sampled SurfaceError::rms() const { return rms_of_both(to_original.rms, from_original.rms); }
 
+std::optional<SurfaceError> surface_error(const SearchedSurface& changed, const SearchedSurface& original,
+                                          const SurfaceErrorOptions& options, std::uint64_t seed,
+                                          const Executor& executor, const std::atomic<bool>* cancel) {
+  if (changed.points.empty() != original.points.empty()) return std::nullopt;
+  if (changed.points.empty() || is_same(changed.surface, original.surface)) return SurfaceError{};
+  return SurfaceError{
+      one_way_error(changed.surface, original.points, options, derive_seed(seed, 0, 0), executor, cancel),
+      one_way_error(original.surface, changed.points, options, derive_seed(seed, 1, 0), executor, cancel)};
+}
+
 std::optional<SurfaceError> surface_error(const Surface& changed, const Surface& original,
                                           const SurfaceErrorOptions& options, std::uint64_t seed,
                                           const Executor& executor, const std::atomic<bool>* cancel) {
   if (is_same(changed, original)) return SurfaceError{};
   const ClosestPoints of_changed(changed), of_original(original);
-  if (of_changed.empty() != of_original.empty()) return std::nullopt;
-  if (of_changed.empty()) return SurfaceError{};
-  return SurfaceError{one_way_error(changed, of_original, options, derive_seed(seed, 0, 0), executor, cancel),
-                      one_way_error(original, of_changed, options, derive_seed(seed, 1, 0), executor, cancel)};
+  return surface_error({changed, of_changed}, {original, of_original}, options, seed, executor, cancel);
 }
 
 }  // namespace foredraw

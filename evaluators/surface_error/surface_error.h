@@ -1,7 +1,8 @@
 #pragma once
 // How far a surface lies from another one that it stands for.
 
-#include <foredraw/analysis/surface_distance.h>
+#include <foredraw/analysis/farthest_distance.h>
+#include <foredraw/analysis/sampled.h>
 
 #include <atomic>
 #include <cstdint>
@@ -36,6 +37,11 @@ struct SurfaceError {
 /// Nothing where one of them, and not the other, has no triangle with finite positions. The same at any number of
 /// threads. Once `cancel` is true, the largest distances are no longer proved: they may be infinite.
 std::optional<SurfaceError> surface_error(const Surface& changed, const Surface& original,
+                                          const SurfaceErrorOptions& options, std::uint64_t seed,
+                                          const Executor& executor, const std::atomic<bool>* cancel = nullptr);
+
+/// The same of surfaces whose nearest points are at hand.
+std::optional<SurfaceError> surface_error(const SearchedSurface& changed, const SearchedSurface& original,
                                           const SurfaceErrorOptions& options, std::uint64_t seed,
                                           const Executor& executor, const std::atomic<bool>* cancel = nullptr);
 

@@ -91,7 +91,10 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
     const Level& full = original.draws[draw.id].full();
     const auto before = positions_of(run.analyses, *full.vertices), now = positions_of(run.analyses, draw.vertices());
     const Surface from{before->values, full.stream().indices.view()};
-    const auto error = compare({now->values, draw.indices()}, from, run);
+    const auto of_original = closest_points_of(run.analyses, *full.vertices, full.stream().indices);
+    const auto of_draw = closest_points_of(run.analyses, draw.vertices(), draw.stream().indices);
+    const auto error = surface_error({{now->values, draw.indices()}, *of_draw}, {from, *of_original}, options_,
+                                     run.seed, run.executor, run.cancel);
     if (!error) return run.note("nothing-left", "of it and its original one alone has triangles with finite positions");
     const double unit = diagonal_of(from) / 100;
     measure(run, "rms", error->rms(), unit);
@@ -112,16 +115,13 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
       if (run.cancelled()) return;
       const std::vector<glm::vec3> from = posed_positions(original, *before, posed_nodes(original, pose));
       const std::vector<glm::vec3> to = posed_positions(draw.scene, *now, posed_nodes(draw.scene, pose));
-      const auto error = compare({to, draw.indices()}, {from, indices}, run);
+      const auto error = surface_error(Surface{to, draw.indices()}, Surface{from, indices}, options_, run.seed,
+                                       run.executor, run.cancel);
       if (!error) return;
       over_poses.add(*error, pose.weight);
     }
     const std::vector<glm::vec3> bind = posed_positions(original, *before, posed_nodes(original));
     over_poses.measure(run, diagonal_of({bind, indices}) / 100);
-  }
-
-  std::optional<SurfaceError> compare(const Surface& changed, const Surface& original, const Run& run) const {
-    return surface_error(changed, original, options_, run.seed, run.executor, run.cancel);
   }
 
   SurfaceErrorOptions options_;

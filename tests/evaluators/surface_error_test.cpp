@@ -78,9 +78,9 @@ TEST(SurfaceError, TellsTheTwoWaysApart) {
 
 TEST(SurfaceError, OfNothing) {
   const Executor executor(1);
-  EXPECT_FALSE(surface_error({}, surface_of(square(1)), {}, 1, executor));
-  EXPECT_FALSE(surface_error(surface_of(square(1)), {}, {}, 1, executor));
-  EXPECT_EQ(surface_error({}, {}, {}, 1, executor)->largest(), 0);
+  EXPECT_FALSE(surface_error(Surface{}, surface_of(square(1)), {}, 1, executor));
+  EXPECT_FALSE(surface_error(surface_of(square(1)), Surface{}, {}, 1, executor));
+  EXPECT_EQ(surface_error(Surface{}, Surface{}, {}, 1, executor)->largest(), 0);
 }
 
 TEST(SurfaceError, IsTheSameAtAnyThreadCount) {

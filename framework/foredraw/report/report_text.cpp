@@ -101,7 +101,9 @@ std::string losses_text(const Report& report) {
       const Figure* before = report.before.metrics.find(plugin, metric);
       if (before == nullptr || !figure.denominator || metric.find('.') != std::string::npos) continue;
       if (!is_loss(*before, figure)) continue;
-      losses += fmt::format("{}{} {} ({})", losses.empty() ? "" : ", ", plugin, metric, change_text(before, figure));
+      const std::string change = change_text(before, figure);
+      if (change.empty()) continue;  // an error against what was there before is 0 before, and meant to grow
+      losses += fmt::format("{}{} {} ({})", losses.empty() ? "" : ", ", plugin, metric, change);
     }
   }
   if (losses.empty()) return "";

@@ -125,6 +125,14 @@ TEST(ReportText, NotesThatSayTheSameAreOneLine) {
                                          "  tipsify on B: not merged: it is blended\n"));
 }
 
+/// As that of surfaces, which is measured against what was there before.
+TEST(ReportText, AnErrorThatWasNoneIsNoLoss) {
+  Report report = optimized();
+  report.before.metrics.set("surface-error", "rms", {0, 0.02});
+  report.after.metrics.set("surface-error", "rms", {0.1, 0.02});
+  EXPECT_THAT(to_text(report), Not(HasSubstr("worse than before")));
+}
+
 TEST(ReportText, ARatioOfLessWorkIsNoLoss) {
   Report report = optimized();
   Metrics& before = report.before.metrics;
