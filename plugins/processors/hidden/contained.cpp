@@ -1,8 +1,8 @@
 #include "contained.h"
 
 #include <foredraw/analysis/closed_surfaces.h>
-#include <foredraw/analysis/ray_tree.h>
 #include <foredraw/analysis/closest_points.h>
+#include <foredraw/analysis/ray_tree.h>
 
 #include <glm/common.hpp>
 
