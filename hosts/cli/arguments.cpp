@@ -1,27 +1,21 @@
 // CLI11 is slow to compile, so it is included here alone.
+#include "arguments.h"
 #include "outputs.h"
 #include "session.h"
 
-#include <foredraw/base/counted.h>
-#include <foredraw/base/diagnostics.h>
 #include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/sprite/sprite_files.h>
 #include <foredraw/pipeline/presets.h>
-#include <foredraw/platform/memory.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
-#include <stdexcept>
 
 namespace foredraw::cli {
 
 namespace {
-
-using Command = std::function<Exit()>;
 
 std::string presets_text() {
   std::string text = "Presets:";
@@ -43,7 +37,7 @@ std::optional<std::uint64_t> size_of(std::string_view text) {
 
 class CommandLine {
  public:
-  explicit CommandLine(const Registry& registry) : registry_(registry) {
+  explicit CommandLine(const Registry& registry) {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", program_name());
     app_.footer(
@@ -51,8 +45,7 @@ class CommandLine {
         "out of the bounds of --fail-if.\n"
         "A first try: foredraw optimize in.glb -o out.glb");
 
-    auto& optimize_app =
-        add("optimize", "Make a scene cheaper to draw", [this] { return optimize(arguments_, registry_); });
+    auto& optimize_app = add("optimize", "Make a scene cheaper to draw", optimize);
     input(optimize_app);
     optimize_app
         .add_option(
@@ -90,21 +83,19 @@ class CommandLine {
     json(optimize_app, "Print the record of the run, as JSON, to standard output");
     threads(optimize_app);
 
-    auto& plan_app = add("plan", "Show what would run, what would be skipped and why",
-                         [this] { return plan(arguments_, registry_); });
+    auto& plan_app = add("plan", "Show what would run, what would be skipped and why", plan);
     input(plan_app);
     pipeline(plan_app);
     json(plan_app);
 
-    auto& measure_app = add("measure", "Measure a scene as it is", [this] { return measure(arguments_, registry_); });
+    auto& measure_app = add("measure", "Measure a scene as it is", measure);
     input(measure_app);
     with(measure_app, "those of @default");
     heat_maps(measure_app, "");
     json(measure_app);
     threads(measure_app);
 
-    auto& compare_app = add("compare", "Run several pipelines on the same scenes and compare them",
-                            [this] { return compare(arguments_, registry_); });
+    auto& compare_app = add("compare", "Run several pipelines on the same scenes and compare them", compare);
     compare_app.add_option("inputs", arguments_.inputs, "Scenes, images or frame lists, or folders of them")
         ->required();
     pipeline(compare_app, "; may be given several times");
@@ -138,63 +129,54 @@ class CommandLine {
     threads(compare_app);
     memory_limit(compare_app);
 
-    auto& inspect_app = add("inspect", "Show what a scene holds", [this] { return inspect(arguments_, registry_); });
+    auto& inspect_app = add("inspect", "Show what a scene holds", inspect);
     input(inspect_app);
     json(inspect_app);
 
-    auto& list_app = add("list", "List the plugins", [this] { return list(arguments_, registry_); });
+    auto& list_app = add("list", "List the plugins", list);
     list_app.add_option("--kind", arguments_.kind, "Only orderer, clusterer, processor or evaluator");
     json(list_app);
 
-    auto& show_app =
-        add("show", "Show a plugin's options, or a preset's text", [this] { return show(arguments_, registry_); });
+    auto& show_app = add("show", "Show a plugin's options, or a preset's text", show);
     show_app.add_option("name", arguments_.name, "A plugin's name, or @preset")->required();
     json(show_app);
 
-    auto& schema_app = add("schema", "Print a JSON Schema of the pipeline format, for editors",
-                           [this] { return schema(arguments_, registry_); });
+    auto& schema_app = add("schema", "Print a JSON Schema of the pipeline format, for editors", schema);
     schema_app.add_option("product", arguments_.name,
                           "Print the schemas of this product's glTF extension instead, by file name");
   }
 
-  int run(int argc, char** argv) {
-    if (argc > 1 && argv[1][0] != '-' && !is_command(argv[1])) return no_such_command(argv[1]);
+  std::variant<Asked, Misunderstood> run(int argc, char** argv) {
+    Misunderstood no{.words = {argv + 1, argv + argc}, .commands = commands()};
+    const bool begins_with_command = argc > 1 && argv[1][0] != '-';
+    if (begins_with_command && std::ranges::find(no.commands, argv[1]) == no.commands.end()) {
+      no.unknown_command = argv[1];
+      return no;
+    }
     try {
       app_.parse(argc, argv);
-    } catch (const CLI::Success& asked) {  // --help, --version
-      app_.exit(asked);
-      return done;
+    } catch (const CLI::Success& printed) {  // --help, --version
+      app_.exit(printed);
+      return Asked{};
     } catch (const CLI::ParseError& mistake) {
-      refuse(mistake, {argv + 1, argv + argc});
-      return users_mistake;
+      no.why = mistake.what();
+      const std::vector<CLI::App*> named = app_.get_subcommands();
+      const CLI::App& of = named.empty() ? app_ : *named.front();
+      if (!named.empty()) no.command = of.get_name();
+      no.options = options_of(of);
+      const CLI::Option* input = of.get_option_no_throw("input");
+      const bool takes_one = input != nullptr && input->get_items_expected_max() == 1;
+      if (takes_one && input->count() > 1) no.input_too_many = input->results()[1];
+      return no;
     }
-    return run_command();
+    return std::move(asked_);
   }
 
  private:
-  void refuse(const CLI::ParseError& mistake, const std::vector<std::string>& words) const {
-    const bool has_command = !app_.get_subcommands().empty();
-    const CLI::App& asked = has_command ? *app_.get_subcommands().front() : app_;
-    const std::string help = fmt::format("foredraw {}--help", has_command ? asked.get_name() + ' ' : "");
-    if (words.empty()) {
-      fmt::print(stderr, "foredraw: error: a command is missing\n    hint: there are {}; {} explains them\n",
-                 fmt::join(commands(), ", "), help);
-    } else if (const std::string unknown = unknown_option(asked, words); !unknown.empty()) {
-      const std::vector<std::string> names = options_of(asked);
-      const bool is_a_letter = !unknown.starts_with("--");  // of which all others are near
-      const std::string_view near = is_a_letter ? std::string_view() : nearest(unknown, names);
-      fmt::print(stderr, "foredraw: error: there is no option '{}'\n    hint: {}\n", unknown,
-                 near.empty() ? help + " lists all options" : fmt::format("did you mean '{}'?", near));
-    } else if (const CLI::Option* input = asked.get_option_no_throw("input");
-               input != nullptr && input->get_items_expected_max() == 1 && input->count() > 1) {
-      fmt::print(
-          stderr,
-          "foredraw: error: there is one input too many: '{}'\n    hint: name the output with -o, or put several "
-          "inputs into a folder\n",
-          input->results()[1]);
-    } else {
-      fmt::print(stderr, "foredraw: error: {}\n    hint: {} lists commands and options\n", mistake.what(), help);
-    }
+  std::vector<std::string> commands() const {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
+    return names;
   }
 
   static std::vector<std::string> options_of(const CLI::App& app) {
@@ -206,72 +188,9 @@ class CommandLine {
     return names;
   }
 
-  /// The first word that looks like an option and is none; or nothing.
-  static std::string unknown_option(const CLI::App& app, const std::vector<std::string>& words) {
-    const std::vector<std::string> names = options_of(app);
-    for (const std::string& word : words) {
-      if (word == "--") break;
-      const std::string name = word.substr(0, word.find('='));
-      const bool looks_like_one = word.size() > 1 && word[0] == '-' && std::isdigit(word[1]) == 0;
-      if (looks_like_one && std::ranges::find(names, name) == names.end()) return name;
-    }
-    return {};
-  }
-
-  int run_command() {
-    if (arguments_.memory_limit != 0 && !limit_memory(arguments_.memory_limit)) {
-      fmt::print(stderr, "foredraw: error: --memory-limit: this system cannot limit memory\n");
-      return something_failed;
-    }
-    if (arguments_.memory_limit != 0) {
-      // Each thread has a stack and a heap of its own, which must not be what the limit goes on.
-      constexpr std::uint64_t for_a_thread = std::uint64_t{64} << 20;
-      const auto most = static_cast<int>(std::clamp<std::uint64_t>(arguments_.memory_limit / for_a_thread, 1, 1024));
-      arguments_.threads = arguments_.threads == 0 ? most : std::min(arguments_.threads, most);
-    }
-    try {
-      // Steps of their own say what they lacked it for.
-      return with_memory(arguments_.inputs.empty() ? "foredraw" : arguments_.inputs[0], "begin", command_);
-    } catch (const OutOfMemory& lack) {
-      return tell(lack);
-    }
-  }
-
-  Exit tell(const OutOfMemory& lack) const {
-    end_progress();
-    fmt::print(stderr, "{}: error: there is not enough memory to {}", lack.file, lack.doing);
-    if (arguments_.memory_limit == 0) {
-      fmt::print(stderr, "\n    hint: close other programs, or use a machine with more\n");
-    } else {
-      fmt::print(stderr, ": --memory-limit is {}\n    hint: raise --memory-limit\n",
-                 counted(arguments_.memory_limit, "byte"));
-    }
-    return something_failed;
-  }
-
-  std::vector<std::string> commands() const {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
-    return names;
-  }
-
-  bool is_command(const std::string& word) const {
-    const std::vector<std::string> names = commands();
-    return std::find(names.begin(), names.end(), word) != names.end();
-  }
-
-  int no_such_command(const std::string& word) const {
-    const std::vector<std::string> names = commands();
-    const std::string_view near = nearest(word, names);
-    fmt::print(
-        stderr, "foredraw: error: there is no command '{}'\n    hint: {}\n", word,
-        near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
-    return users_mistake;
-  }
-
   CLI::App& add(const std::string& name, const std::string& what, Command command) {
     CLI::App* app = app_.add_subcommand(name, what);
-    app->callback([this, command = std::move(command)] { command_ = command; });
+    app->callback([this, command] { asked_.command = command; });
     return *app;
   }
 
@@ -338,21 +257,15 @@ class CommandLine {
         ->type_name("SIZE");
   }
 
-  const Registry& registry_;
-  Arguments arguments_;
-  Command command_;
+  Asked asked_;
+  Arguments& arguments_ = asked_.arguments;
   CLI::App app_{"Foredraw makes real-time scenes cheaper to draw before they are drawn.", "foredraw"};
 };
 
 }  // namespace
 
-int main(int argc, char** argv, const Registry& registry) {
-  try {
-    return CommandLine(registry).run(argc, argv);
-  } catch (const std::exception& problem) {  // no memory, most likely
-    fmt::print(stderr, "foredraw: error: {}\n", problem.what());
-    return something_failed;
-  }
+std::variant<Asked, Misunderstood> asked(int argc, char** argv, const Registry& registry) {
+  return CommandLine(registry).run(argc, argv);
 }
 
 }  // namespace foredraw::cli
