@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace foredraw {
 namespace {
 
@@ -48,12 +50,18 @@ class Qualities : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Qualities, AHigherOneIsNoWorse) { expect_monotone(GetParam()); }
 
+std::string model_of(const ::testing::TestParamInfo<const char*>& info) {
+  return std::filesystem::path(info.param).stem().string();
+}
+
 INSTANTIATE_TEST_SUITE_P(Small, Qualities,
-                         ::testing::Values("static/spot.glb", "scenes/house.glb", "scenes/kenney_space_kit/rover.glb"));
+                         ::testing::Values("static/spot.glb", "scenes/house.glb", "scenes/kenney_space_kit/rover.glb"),
+                         model_of);
 INSTANTIATE_TEST_SUITE_P(LargeModels, Qualities,
                          ::testing::Values("static/chess_board_notex.glb", "static/dispersion_test.glb",
                                            "static/dutch_ship_medium_notex.glb", "static/flight_helmet_notex.glb",
-                                           "static/head.glb"));
+                                           "static/head.glb"),
+                         model_of);
 
 }  // namespace
 }  // namespace foredraw

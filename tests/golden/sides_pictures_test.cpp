@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace foredraw {
 namespace {
 
@@ -34,7 +36,8 @@ INSTANTIATE_TEST_SUITE_P(LargeModels, SidesPictures,
                                            Case{"static/dutch_ship_medium_notex.glb", 0.3},
                                            Case{"static/chess_board_notex.glb", 0.1},
                                            Case{"animated/kaykit_knight.glb", 0.1},
-                                           Case{"animated/mannequiny.glb", 1.5}));
+                                           Case{"animated/mannequiny.glb", 1.5}),
+                         [](const auto& info) { return std::filesystem::path(info.param.model).stem().string(); });
 
 TEST(SidesPicturesOfFew, ShowTheSame) { expect_the_same_look({"animated/mannequiny.glb", 1}, 30, 256, "(checks=60)"); }
 

@@ -245,7 +245,12 @@ TEST_P(Fault, KeepsTheDrawAsItWasAndGoesOn) {
   EXPECT_EQ(result.report.diagnostics[0].where.inside, "A");
   EXPECT_EQ(result.report.stages[0].changed, 1u);
 }
-INSTANTIATE_TEST_SUITE_P(EveryKind, Fault, ::testing::Values("throw", "odd-throw", "short", "repeat"));
+INSTANTIATE_TEST_SUITE_P(EveryKind, Fault, ::testing::Values("throw", "odd-throw", "short", "repeat"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
 
 TEST_F(Runner, AsksTheServiceThatThePipelineNames) {
   const Result result = run("ask-overdraw", two_);

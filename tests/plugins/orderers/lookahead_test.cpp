@@ -124,7 +124,10 @@ TEST_P(LookaheadAtQuality, IsNoWorseThanTipsifyForOtherCaches) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Qualities, LookaheadAtQuality,
-                         ::testing::Values(LookaheadQuality::fast, LookaheadQuality::balanced, LookaheadQuality::high));
+                         ::testing::Values(LookaheadQuality::fast, LookaheadQuality::balanced, LookaheadQuality::high),
+                         [](const auto& info) {
+                           return std::array{"fast", "balanced", "high"}[info.index];
+                         });
 
 /// On a grid every strip is as wide as every other, and what one of them loses where a batch ends all of them lose:
 /// strips that fill the cache to the last entry miss a quarter more there than tipsify's.

@@ -111,7 +111,15 @@ INSTANTIATE_TEST_SUITE_P(Gltf, EveryKind,
                                            Case{"KHR_meshopt_compression", Plain::none, true},
                                            Case{"EXT_meshopt_compression", Plain::none, false},
                                            Case{"EXT_meshopt_compression", Plain::data_uri, true},
-                                           Case{"KHR_meshopt_compression", Plain::beside, true}));
+                                           Case{"KHR_meshopt_compression", Plain::beside, true}),
+                         [](const auto& info) {
+                           const auto& [extension, plain, triangles] = info.param;
+                           return extension.substr(0, 3) +
+                                  (plain == Plain::none     ? ""
+                                   : plain == Plain::beside ? "_beside_plain"
+                                                            : "_in_data_uri") +
+                                  (triangles ? "" : "_as_indices");
+                         });
 
 TEST(GltfCompression, streams_that_nobody_changed_keep_their_bytes) {
   const Bytes file = testing::compressed(testing::puppet()).glb();

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 namespace foredraw {
@@ -114,7 +115,11 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Ladder{"benchmarks/corpus/static/spot.glb", LevelsAs::lod_nodes},
                       Ladder{"benchmarks/corpus/static/spot.glb", LevelsAs::extension},
                       Ladder{"benchmarks/corpus/animated/cesium_man_notex.glb", LevelsAs::lod_nodes},
-                      Ladder{"benchmarks/corpus/animated/cesium_man_notex.glb", LevelsAs::extension}));
+                      Ladder{"benchmarks/corpus/animated/cesium_man_notex.glb", LevelsAs::extension}),
+    [](const auto& info) {
+      const std::string as = info.param.as == LevelsAs::lod_nodes ? "_as_lod_nodes" : "_as_extension";
+      return std::filesystem::path(info.param.file).stem().string() + as;
+    });
 
 }  // namespace
 }  // namespace foredraw
