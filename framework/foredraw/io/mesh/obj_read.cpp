@@ -53,7 +53,7 @@ class ObjReader {
     if (key == "mtllib") {
       libraries_.emplace_back(trimmed(line.rest));
     } else if (std::ranges::count(left_out_elements, key) > 0) {
-      ++elements_left_out_;
+      reading_.fault("elements-left-out", key, fmt::format("'{}' makes no faces, and only faces are read", key));
     } else if (std::ranges::count(without_faces, key) == 0) {
       reading_.fault("unknown-line", key, fmt::format("{} is no keyword of OBJ", shown(key)));
     }
@@ -185,11 +185,6 @@ class ObjReader {
   void tell() const {
     Diagnostics& diagnostics = reading_.diagnostics;
     const Where where{.file = reading_.name};
-    if (elements_left_out_ > 0) {
-      diagnostics.warning(
-          where, "elements-left-out",
-          fmt::format("{} lines, points, curves or surfaces are left out: only faces are read", elements_left_out_));
-    }
     if (weights_ > 0) {
       diagnostics.warning(where, "weights-left-out", fmt::format("the weights of {} vertices are left out", weights_));
     }
@@ -208,7 +203,7 @@ class ObjReader {
   std::optional<std::uint32_t> part_;  // of the names that hold now
   std::vector<Names> parts_;
   std::size_t names_bytes_ = 0;  ///< of all parts: a long name that stays is held anew by each part that has it
-  std::size_t elements_left_out_ = 0, weights_ = 0;
+  std::size_t weights_ = 0;
 };
 
 }  // namespace

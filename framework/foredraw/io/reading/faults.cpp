@@ -72,6 +72,8 @@ constexpr FaultKind kinds[] = {
      "It is read as 0.", "Triangles do not depend on it."},
     {"missing-attribute", "OBJ", "Faces name texture coordinates or normals, and the file has none at all.",
      "The faces have none.", "There is nothing that could be meant."},
+    {"elements-left-out", "OBJ", "There are lines, points, curves or surfaces beside the faces.",
+     "They are left out. An OBJ keeps them.", "Triangles do not depend on them."},
     {"unknown-line", "OBJ", "A line begins with a word that OBJ does not know.", "It is skipped.",
      "No other line depends on it."},
     {"missing-file", "OBJ", "A material library, or a texture that one names, is not there or must not be opened.",

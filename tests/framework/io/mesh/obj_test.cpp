@@ -118,7 +118,7 @@ TEST(MeshObj, ANumberSignThatStandsAloneEndsAName) {
 
 TEST(MeshObj, WhatIsLeftOutIsTold) {
   const auto small = read_mesh(MeshKind::obj, square + "f 1 2\nf 1 2 3\nf\nl 1 2\nv 0 0 0 2\nnonsense 1\n");
-  EXPECT_EQ(small.told(), "elements-left-out weights-left-out faces-left-out unknown-line");
+  EXPECT_EQ(small.told(), "weights-left-out faces-left-out elements-left-out unknown-line");
   EXPECT_EQ(read_mesh(MeshKind::obj, square + "f 1 2 3\n").told(), "");
 }
 
@@ -328,6 +328,8 @@ TEST_F(MeshObjMaterials, FaultsAreRefusedWhereTheReaderIsStrict) {
   for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
            {good, "m.mtl: error: the texture 'gone.png' is missing"},
            {square + "f 1 2 3\nnonsense\n", prefix + "6:1: error: 'nonsense' is no keyword of OBJ"},
+           {square + "f 1 2 3\nl 1 2\np 3\n",
+            prefix + "6:1: error: 'l' makes no faces, and only faces are read (and 1 more like it)"},
            {"mtllib n.mtl\n" + square + "f 1 2 3\n", prefix + " error: the material library 'n.mtl' is missing"},
            {square + "usemtl new\nf 1 2 3\n",
             prefix + " error: 'new' is in none of the material libraries that were read"}}) {
