@@ -79,7 +79,7 @@ struct Include {
   bool is_standard() const { return is_c() || is_cpp_standard(); }
   bool is_posix() const { return is_one_of(posix_headers, target) || target.starts_with("sys/"); }
   bool is_glm() const { return target.starts_with("glm/"); }
-  bool is_tinygltf() const { return target.find("tiny_gltf") != std::string::npos; }
+  bool is_draco() const { return target.starts_with("draco/"); }
   bool is_vulkan() const { return target.starts_with("vulkan/"); }
   bool is_private() const { return target.find("/private/") != std::string::npos; }
   bool is_own_folder() const { return quoted && target.find("..") == std::string::npos; }
@@ -156,7 +156,7 @@ std::string refused(const std::vector<std::string>& place, const Include& includ
   const bool in_framework = place.size() > 3 && place[0] == "framework" && place[1] == "foredraw";
   const std::string room = in_framework ? room_of({place.begin() + 2, place.end()}) : std::string();
   if (include.is_posix() && room != "platform") return "POSIX calls live in platform/ alone";
-  if (include.is_tinygltf() && room != "io_gltf") return "tinygltf is used by io/gltf/ alone";
+  if (include.is_draco() && room != "io_gltf") return "Draco is used by io/gltf/ alone";
   if (include.is_vulkan() && room != "gpu") return "Vulkan is called through gpu/ alone";
   if (include.is_private() && !(in_framework && place[2] == parts_of(include.target).at(1))) {
     return "private/ is for its own room, and in io for the rooms of io";

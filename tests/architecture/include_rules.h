@@ -16,7 +16,7 @@ const std::vector<Room>& rooms();                      ///< this tree's
 /// What the file at `path` includes and may not:
 /// - framework/foredraw: a room includes itself and what it links; runtime is C and includes only C's own headers.
 /// - Headers of the framework show no third-party type but GLM's, unless they lie in a private/ folder, which no other
-///   room includes (those of io share theirs); those of gpu show Vulkan's, which is gpu's alone, as tinygltf is
+///   room includes (those of io share theirs); those of gpu show Vulkan's, which is gpu's alone, as Draco is
 ///   io/gltf's and POSIX platform's.
 /// - Plugins and evaluators include the framework up to measuring, their own folder and packages. All of their files
 ///   but the _plugin and _product ones are plain: the standard library, GLM, their own folder, the framework up to

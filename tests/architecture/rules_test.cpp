@@ -52,10 +52,10 @@ TEST(IncludeRules, framework_headers_show_glm_alone) {
   EXPECT_TRUE(may_include("framework/foredraw/report/report.cpp", "<nlohmann/json.hpp>"));
   EXPECT_FALSE(may_include("framework/foredraw/report/report.h", "<nlohmann/json.hpp>"));
   EXPECT_FALSE(may_include("framework/foredraw/base/parallel.h", "<tbb/parallel_for.h>"));
-  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/read.cpp", "<tiny_gltf.h>"));
-  EXPECT_FALSE(may_include("framework/foredraw/io/gltf/gltf.h", "<tiny_gltf.h>"));
-  EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<tiny_gltf.h>"));
-  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/private/document.h", "<tiny_gltf.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/read.cpp", "<draco/core/decoder_buffer.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf/gltf.h", "<draco/core/decoder_buffer.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<draco/core/decoder_buffer.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/private/document.h", "<draco/core/decoder_buffer.h>"));
   EXPECT_FALSE(may_include("hosts/cli/main.cpp", "<foredraw/io/gltf/private/document.h>"));
 }
 

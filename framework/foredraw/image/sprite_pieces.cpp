@@ -46,6 +46,40 @@ std::vector<std::uint32_t> first_at(const std::vector<Place>& places) {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// Vertices that hang together.
+class Groups {
+ public:
+  explicit Groups(std::size_t vertices) : parent_(vertices) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+  std::uint32_t root(std::uint32_t v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+  void join(std::uint32_t root, std::uint32_t to_root) { parent_[root] = to_root; }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Whether more than so many triangles hang together by the numbers of their vertices alone. Then they are of one
+/// piece, wherever vertices lie; most meshes show it at once.
+bool has_larger_piece(const Level& level, std::size_t most) {
+  Groups groups(level.vertices->count);
+  std::vector<std::size_t> triangles(level.vertices->count, 0);  // of the group of a root
+  const auto indices = level.orders[0].indices.view();
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    const std::uint32_t root = groups.root(indices[i]);
+    for (std::size_t c = 1; c < 3; ++c) {
+      const std::uint32_t other = groups.root(indices[i + c]);
+      if (other == root) continue;
+      groups.join(other, root);
+      triangles[root] += triangles[other];
+    }
+    if (++triangles[root] > most) return true;
+  }
+  return false;
+}
+
 /// The edges that one triangle alone has, chained; empty where they make no single chain.
 std::vector<std::uint32_t> outline_of(const std::vector<Triangle>& triangles) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
@@ -94,9 +128,10 @@ bool is_quad(const std::vector<Place>& places, const SpritePiece& piece) {
   return upright(3, 4) || upright(4, 3);
 }
 
+constexpr std::size_t most_vertices = 16;  // of a piece, so that it has two triangles less
+
 /// Whether positions run evenly with texture coordinates: those of three corners say where all others are.
 bool is_even(const std::vector<Place>& places, const SpritePiece& piece) {
-  constexpr std::size_t most_vertices = 16;
   if (piece.outline.size() < 3 || piece.outline.size() > most_vertices ||
       piece.triangles.size() + 2 != piece.outline.size()) {
     return false;
@@ -132,7 +167,8 @@ bool is_even(const std::vector<Place>& places, const SpritePiece& piece) {
 }
 
 template <class Holds>
-bool are_all(const Draw& draw, std::uint32_t texcoord, Holds&& holds) {
+bool are_all(const Draw& draw, std::uint32_t texcoord, std::size_t most_triangles, Holds&& holds) {
+  if (draw.topology != Topology::triangles || has_larger_piece(draw.full(), most_triangles)) return false;
   const std::vector<SpritePiece> pieces = sprite_pieces(draw, texcoord);
   if (pieces.empty()) return false;
   const std::vector<Place> places = places_of(*draw.full().vertices, texcoord);
@@ -150,23 +186,18 @@ std::vector<SpritePiece> sprite_pieces(const Draw& draw, std::uint32_t texcoord)
   const auto indices = level.orders[0].indices.view();
   const std::size_t count = indices.size() / 3;
 
-  std::vector<std::uint32_t> parent(places.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  Groups groups(places.size());
   const auto triangle = [&](std::size_t t) -> Triangle {
     return {first[indices[3 * t]], first[indices[3 * t + 1]], first[indices[3 * t + 2]]};
   };
   for (std::size_t t = 0; t < count; ++t) {
     const Triangle corners = triangle(t);
-    for (std::size_t i = 1; i < 3; ++i) parent[root(corners[i])] = root(corners[0]);
+    for (std::size_t i = 1; i < 3; ++i) groups.join(groups.root(corners[i]), groups.root(corners[0]));
   }
   std::vector<SpritePiece> pieces;
   std::vector<std::uint32_t> piece_of(places.size(), ~std::uint32_t{0});
   for (std::size_t t = 0; t < count; ++t) {
-    std::uint32_t& number = piece_of[root(triangle(t)[0])];
+    std::uint32_t& number = piece_of[groups.root(triangle(t)[0])];
     if (number == ~std::uint32_t{0}) {
       number = static_cast<std::uint32_t>(pieces.size());
       pieces.emplace_back();
@@ -181,8 +212,10 @@ std::vector<SpritePiece> sprite_pieces(const Draw& draw, std::uint32_t texcoord)
   return pieces;
 }
 
-bool is_made_of_quads(const Draw& draw, std::uint32_t texcoord) { return are_all(draw, texcoord, is_quad); }
+bool is_made_of_quads(const Draw& draw, std::uint32_t texcoord) { return are_all(draw, texcoord, 2, is_quad); }
 
-bool is_made_of_sprites(const Draw& draw, std::uint32_t texcoord) { return are_all(draw, texcoord, is_even); }
+bool is_made_of_sprites(const Draw& draw, std::uint32_t texcoord) {
+  return are_all(draw, texcoord, most_vertices - 2, is_even);
+}
 
 }  // namespace foredraw

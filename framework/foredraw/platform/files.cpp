@@ -34,10 +34,19 @@ class Descriptor {
 
 constexpr std::size_t step = std::size_t{1} << 20;
 
+/// How many bytes a regular file has at the moment; 0 of what is none, such as a pipe.
+std::size_t size_now(int descriptor) {
+  struct stat facts {};
+  const bool is_file = ::fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode);
+  return is_file ? static_cast<std::size_t>(facts.st_size) : 0;
+}
+
 bool read_all(int descriptor, std::vector<std::byte>& bytes, std::size_t at_most) {
+  bytes.reserve(std::min(size_now(descriptor) + 1, at_most));  // one more, to see the end without growing
   while (bytes.size() < at_most) {
     const std::size_t old = bytes.size();
-    const std::size_t wanted = std::min(step, at_most - old);
+    const std::size_t room = bytes.capacity() > old ? bytes.capacity() - old : step;
+    const std::size_t wanted = std::min({step, room, at_most - old});
     bytes.resize(old + wanted);
     const ssize_t got = ::read(descriptor, bytes.data() + old, wanted);
     bytes.resize(old + (got > 0 ? static_cast<std::size_t>(got) : 0));

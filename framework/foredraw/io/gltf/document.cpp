@@ -32,6 +32,7 @@ std::uint32_t load_index(const std::byte* from, std::size_t bytes) {
 }  // namespace
 
 std::vector<std::byte> elements(const Document& document, const Accessor& accessor) {
+  if (const auto bytes = tight_bytes(document, accessor)) return {bytes->begin(), bytes->end()};
   const std::size_t element = accessor.format.bytes;
   std::vector<std::byte> result(accessor.bytes());
   if (accessor.rows) {
@@ -51,8 +52,14 @@ std::vector<std::byte> elements(const Document& document, const Accessor& access
 }
 
 std::vector<float> decoded_elements(const Document& document, const Accessor& accessor) {
-  const VertexStream stream{"", accessor.format, Shared<std::byte>(elements(document, accessor))};
+  std::vector<std::byte> bytes = elements(document, accessor);
   std::vector<float> values;
+  if (accessor.format.component == Component::float32) {
+    values.resize(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+  }
+  const VertexStream stream{"", accessor.format, Shared<std::byte>(std::move(bytes))};
   values.reserve(accessor.count * accessor.format.components);
   for (std::size_t i = 0; i < accessor.count; ++i) {
     for (std::size_t c = 0; c < accessor.format.components; ++c) values.push_back(decode_component(stream, i, c));

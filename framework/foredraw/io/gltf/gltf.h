@@ -1,5 +1,5 @@
 #pragma once
-// glTF 2.0, read and written: .gltf with its files, .glb. The only user of tinygltf.
+// glTF 2.0, read and written: .gltf with its files, .glb.
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/reading/scene_input.h>

@@ -14,14 +14,13 @@ std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const
                           Diagnostics& diagnostics, const SceneInput& how) {
   auto document = gltf::open_document(std::move(file), name, folder, how, diagnostics);
   if (!document) return std::nullopt;
-  auto scene = gltf::scene_of(*document, diagnostics);
-  if (!scene) return std::nullopt;
-  std::vector<gltf::Ladder> ladders = gltf::lod_ladders(*scene, *document, diagnostics);
+  Scene scene = gltf::scene_of(*document);
+  std::vector<gltf::Ladder> ladders = gltf::lod_ladders(scene, *document, diagnostics);
   ladders.insert(ladders.end(), document->ladders.begin(), document->ladders.end());
-  gltf::fold_levels(*scene, ladders);
-  gltf::find_kept_meshes(*scene, *document);
-  gltf::read_products(*document, *scene, diagnostics);
-  scene->source = std::make_shared<const gltf::Source>(std::move(*document), gltf::unfolded(*scene));
+  gltf::fold_levels(scene, ladders);
+  gltf::find_kept_meshes(scene, *document);
+  gltf::read_products(*document, scene, diagnostics);
+  scene.source = std::make_shared<const gltf::Source>(std::move(*document), gltf::unfolded(scene));
   return scene;
 }
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-// A copy of its own with only what is needed, whose names nobody else sees: tinygltf's library brings another.
+// A copy of its own with only what is needed, whose names nobody else sees: a program may bring another.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG

@@ -18,12 +18,7 @@ class Source final : public SceneSource {
 };
 
 /// The scene that a document holds, its source left out.
-std::optional<Scene> scene_of(const Document& document, Diagnostics& diagnostics);
-
-/// A JSON text for tinygltf: the members that the gate has looked at, and no others, for what it never sees can not
-/// upset it. Buffers and images stay out, so that it neither copies bytes nor opens files, and nodes, of which there
-/// are many: each would take a kilobyte there.
-std::string checked_structure(const Json& json);
+Scene scene_of(const Document& document);
 
 /// Which nodes the scene that the file shows holds: the default one, or the first. A file without scenes shows all.
 /// Those that KHR_node_visibility hides, with all below them, are not shown.
