@@ -27,7 +27,7 @@ std::string unknown_option(const Misunderstood& no) {
   return {};
 }
 
-void tell(const Misunderstood& no) {
+void tell_mistake(const Misunderstood& no) {
   const auto say = [](const std::string& mistake, const std::string& hint) {
     fmt::print(stderr, "foredraw: error: {}\n    hint: {}\n", mistake, hint);
   };
@@ -53,7 +53,7 @@ void tell(const Misunderstood& no) {
   }
 }
 
-void tell(const OutOfMemory& lack, std::uint64_t limit) {
+void tell_lack_of_memory(const OutOfMemory& lack, std::uint64_t limit) {
   end_progress();
   fmt::print(stderr, "{}: error: there is not enough memory to {}", lack.file, lack.doing);
   if (limit == 0) {
@@ -79,7 +79,7 @@ Exit run(Command command, Arguments arguments, const Registry& registry) {
     return with_memory(arguments.inputs.empty() ? "foredraw" : arguments.inputs[0], "begin",
                        [&] { return command(arguments, registry); });
   } catch (const OutOfMemory& lack) {
-    tell(lack, arguments.memory_limit);
+    tell_lack_of_memory(lack, arguments.memory_limit);
     return something_failed;
   }
 }
@@ -90,7 +90,7 @@ int main(int argc, char** argv, const Registry& registry) {
   try {
     const auto words = asked(argc, argv, registry);
     if (const auto* no = std::get_if<Misunderstood>(&words)) {
-      tell(*no);
+      tell_mistake(*no);
       return users_mistake;
     }
     const Asked& what = std::get<Asked>(words);

@@ -123,11 +123,13 @@ TEST_P(LookaheadAtQuality, IsNoWorseThanTipsifyForOtherCaches) {
   EXPECT_LE(mean(ours, lru), mean(plain, lru));
 }
 
+std::string quality_name(const ::testing::TestParamInfo<LookaheadQuality>& info) {
+  return info.param == LookaheadQuality::fast ? "fast" : info.param == LookaheadQuality::balanced ? "balanced" : "high";
+}
+
 INSTANTIATE_TEST_SUITE_P(Qualities, LookaheadAtQuality,
                          ::testing::Values(LookaheadQuality::fast, LookaheadQuality::balanced, LookaheadQuality::high),
-                         [](const auto& info) {
-                           return std::array{"fast", "balanced", "high"}[info.index];
-                         });
+                         quality_name);
 
 /// On a grid every strip is as wide as every other, and what one of them loses where a batch ends all of them lose:
 /// strips that fill the cache to the last entry miss a quarter more there than tipsify's.

@@ -106,20 +106,19 @@ TEST_P(EveryKind, is_compressed_again_where_it_changed_and_else_stays) {
   }
 }
 
+std::string case_name(const ::testing::TestParamInfo<Case>& info) {
+  const Plain plain = info.param.plain;
+  const char* copy = plain == Plain::none ? "" : plain == Plain::beside ? "_beside_plain" : "_in_data_uri";
+  return info.param.extension.substr(0, 3) + copy + (info.param.triangles ? "" : "_as_indices");
+}
+
 INSTANTIATE_TEST_SUITE_P(Gltf, EveryKind,
                          ::testing::Values(Case{"EXT_meshopt_compression", Plain::none, true},
                                            Case{"KHR_meshopt_compression", Plain::none, true},
                                            Case{"EXT_meshopt_compression", Plain::none, false},
                                            Case{"EXT_meshopt_compression", Plain::data_uri, true},
                                            Case{"KHR_meshopt_compression", Plain::beside, true}),
-                         [](const auto& info) {
-                           const auto& [extension, plain, triangles] = info.param;
-                           return extension.substr(0, 3) +
-                                  (plain == Plain::none     ? ""
-                                   : plain == Plain::beside ? "_beside_plain"
-                                                            : "_in_data_uri") +
-                                  (triangles ? "" : "_as_indices");
-                         });
+                         case_name);
 
 TEST(GltfCompression, streams_that_nobody_changed_keep_their_bytes) {
   const Bytes file = testing::compressed(testing::puppet()).glb();
