@@ -23,6 +23,7 @@ std::span<const TraitRow> known_traits() {
       {traits::cache_ordered, "triangles are ordered for the vertex cache"},
       {traits::overdraw_ordered, "triangles are ordered for low overdraw"},
       {traits::fetch_ordered, "vertices are numbered by first use"},
+      {traits::progressive, "a sequence of edge collapses makes it coarser"},
   };
   return rows;
 }

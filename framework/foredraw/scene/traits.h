@@ -40,6 +40,7 @@ inline constexpr Trait clustered = "clustered";
 inline constexpr Trait cache_ordered = "cache-ordered";
 inline constexpr Trait overdraw_ordered = "overdraw-ordered";
 inline constexpr Trait fetch_ordered = "fetch-ordered";
+inline constexpr Trait progressive = "progressive";
 }  // namespace traits
 
 class Traits {

@@ -1,0 +1,188 @@
+#include <foredraw/collapses/collapse_product.h>
+
+#include <foredraw/collapses/collapse_sequences.h>
+#include <foredraw/collapses/joined_mesh.h>
+#include <foredraw/collapses/replay.h>
+#include <foredraw/scene/moves.h>
+
+#include "schemas.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+using Members = ExtensionValue::Members;
+
+template <class T>
+bool read_rows(ExtensionReader& from, const ExtensionValue& of, const char* name, Component component,
+               std::uint8_t components, std::vector<T>& to) {
+  const ExtensionValue* value = of.member(name);
+  const auto data = value != nullptr && value->whole() ? from.accessor(*value->whole()) : std::nullopt;
+  const bool fits = data && data->format.component == component && data->format.components == components &&
+                    data->bytes.size() % sizeof(T) == 0;
+  if (!fits) return false;
+  to.resize(data->bytes.size() / sizeof(T));
+  std::memcpy(to.data(), data->bytes.view().data(), data->bytes.size());
+  return true;
+}
+
+std::optional<std::vector<DrawId>> read_draws(const ExtensionValue& of, const Scene& scene) {
+  const ExtensionValue* list = of.member("primitives");
+  if (list == nullptr || list->list() == nullptr) return std::nullopt;
+  std::vector<DrawId> draws;
+  for (const ExtensionValue& one : *list->list()) {
+    if (one.list() == nullptr || one.list()->size() != 2) return std::nullopt;
+    const auto mesh = one.list()->front().whole(), primitive = one.list()->back().whole();
+    if (!mesh || !primitive) return std::nullopt;
+    const auto found = std::ranges::find(scene.draws, std::optional(DrawOrigin{*mesh, *primitive}), &Draw::origin);
+    if (found == scene.draws.end()) return std::nullopt;
+    draws.push_back(static_cast<DrawId>(found - scene.draws.begin()));
+  }
+  return draws;
+}
+
+/// As the rest of a sentence; empty: its sequence runs on what the draws are.
+std::string why_not(const DrawsCollapse& mesh, const Scene& scene) {
+  Analyses analyses;
+  const auto joined = joined_mesh(scene, mesh.draws, analyses);
+  if (!joined) return "a draw of theirs is gone";
+  const Replay run = replay(*mesh.sequence, joined->positions, joined->indices, joined->part);
+  return run.mistake.empty() ? std::string() : fmt::format("{}: {}", scene.draws[mesh.draws.front()].name, run.mistake);
+}
+
+class CollapseRow final : public ProductRow {
+ public:
+  CollapseRow()
+      : ProductRow({.name = std::string(CollapseSequences::product),
+                    .title = "sequences of collapses",
+                    .extension = "FOREDRAW_progressive_mesh",
+                    .remedy = "simplify the file again",
+                    .accessors_of_file = {"meshes/*/collapses", "meshes/*/amounts", "meshes/*/pairs",
+                                          "meshes/*/firstPairs", "meshes/*/places"},
+                    .schemas = schemas()}) {}
+
+  std::string read(ExtensionReader& from, Scene& scene) const override {
+    const ExtensionValue* file = from.of_file();
+    const ExtensionValue* meshes = file == nullptr ? nullptr : file->member("meshes");
+    if (meshes == nullptr || meshes->list() == nullptr) return "it has no array 'meshes'";
+    CollapseSequences all;
+    for (const ExtensionValue& one : *meshes->list()) {
+      auto draws = read_draws(one, scene);
+      if (!draws) return "it names a primitive that is not there";
+      CollapseSequence sequence;
+      std::vector<std::array<std::uint32_t, 2>> points;
+      std::vector<std::array<float, 2>> amounts;
+      const bool reads = read_rows(from, one, "collapses", Component::uint32, 2, points) &&
+                         read_rows(from, one, "amounts", Component::float32, 2, amounts) &&
+                         read_rows(from, one, "pairs", Component::uint32, 2, sequence.pairs) &&
+                         read_rows(from, one, "firstPairs", Component::uint32, 1, sequence.first_pair);
+      if (!reads || points.size() != amounts.size()) return "an accessor is missing, or of another type";
+      if (one.member("places") != nullptr && !read_rows(from, one, "places", Component::float32, 3, sequence.places)) {
+        return "its places are not floats";
+      }
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        sequence.collapses.push_back({points[i][0], points[i][1], amounts[i][0], amounts[i][1]});
+      }
+      all.meshes.push_back({std::move(*draws), std::make_shared<const CollapseSequence>(std::move(sequence))});
+    }
+    scene.products.set(std::move(all));
+    return {};
+  }
+
+  void write(const Scene& scene, ExtensionWriter& to) const override {
+    to.put_on_file(Members{{"meshes", listed(scene.products.find<CollapseSequences>()->meshes,
+                                             [&](const DrawsCollapse& mesh) { return written(mesh, scene, to); })}});
+  }
+
+  std::string difference(const Scene& scene) const override {
+    std::vector<bool> is_named(scene.draws.size(), false);
+    for (const DrawsCollapse& mesh : scene.products.find<CollapseSequences>()->meshes) {
+      if (mesh.draws.empty()) return "one is of no draw";
+      for (const DrawId id : mesh.draws) {
+        if (id >= scene.draws.size() || is_named[id]) return "a draw is in two of them, or in none";
+        is_named[id] = true;
+      }
+      if (std::string why = why_not(mesh, scene); !why.empty()) return why;
+    }
+    return {};
+  }
+
+  /// Triangles may be in any sequence. Vertices are named by number, so that those of a draw that were renumbered are
+  /// looked up; what made others of them ends the sequence.
+  std::vector<std::string> follow(const Scene& before, Scene& after) const override {
+    CollapseSequences left;
+    std::vector<std::string> told;
+    for (const DrawsCollapse& mesh : after.products.find<CollapseSequences>()->meshes) {
+      const auto is_changed = [&](DrawId id) {
+        return id >= before.draws.size() || id >= after.draws.size() ||
+               before.draws[id].full().vertices != after.draws[id].full().vertices;
+      };
+      if (std::ranges::none_of(mesh.draws, is_changed)) {
+        left.meshes.push_back(mesh);
+        continue;
+      }
+      told.push_back(fmt::format("the sequence of collapses of {} is left out: its vertices were changed",
+                                 before.draws[mesh.draws.front()].name));
+    }
+    if (told.empty()) return told;
+    if (left.meshes.empty()) {
+      leave_out(after);
+    } else {
+      after.products.set(std::move(left));
+    }
+    return told;
+  }
+
+  ProductText told(const Scene& scene) const override {
+    ProductText text{.heading = "sequences of collapses (from full detail to the coarsest level)",
+                     .value = ExtensionValue::List()};
+    for (const DrawsCollapse& mesh : scene.products.find<CollapseSequences>()->meshes) {
+      std::vector<std::string> names;
+      for (const DrawId id : mesh.draws) names.push_back(scene.draws[id].name);
+      text.lines.push_back(fmt::format("{}: {} collapses", fmt::join(names, ", "), mesh.sequence->collapses.size()));
+      text.value.push(Members{{"draws", ExtensionValue::List(names.begin(), names.end())},
+                              {"collapses", mesh.sequence->collapses.size()}});
+    }
+    return text;
+  }
+
+ private:
+  static ExtensionValue written(const DrawsCollapse& mesh, const Scene& scene, ExtensionWriter& to) {
+    const CollapseSequence& sequence = *mesh.sequence;
+    std::vector<std::uint32_t> points, pairs;
+    std::vector<float> amounts;
+    for (const Collapse& collapse : sequence.collapses) {
+      points.insert(points.end(), {collapse.removed, collapse.kept});
+      amounts.insert(amounts.end(), {collapse.blend, collapse.error});
+    }
+    for (const VertexPair& pair : sequence.pairs) pairs.insert(pairs.end(), {pair.removed, pair.kept});
+    const auto whole = [&](const std::vector<std::uint32_t>& values, std::uint8_t components) {
+      return to.accessor(accessor_data(std::span(values), Component::uint32, components));
+    };
+    const auto real = [&](const std::vector<float>& values, std::uint8_t components) {
+      return to.accessor(accessor_data(std::span(values), Component::float32, components));
+    };
+    Members members{{"primitives", listed(mesh.draws,
+                                          [&](DrawId id) {
+                                            const DrawOrigin origin = scene.draws[id].origin.value_or(DrawOrigin{});
+                                            return ExtensionValue::List{origin.mesh, origin.primitive};
+                                          })},
+                    {"collapses", whole(points, 2)},
+                    {"amounts", real(amounts, 2)},
+                    {"pairs", whole(pairs, 2)},
+                    {"firstPairs", whole(sequence.first_pair, 1)}};
+    if (!sequence.places.empty()) members.emplace_back("places", real(sequence.places, 3));
+    return members;
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const ProductRow> collapse_product() { return std::make_shared<const CollapseRow>(); }
+
+}  // namespace foredraw

@@ -1,0 +1,177 @@
+#include <foredraw/collapses/component.h>
+#include <foredraw/collapses/level_vertices.h>
+#include <foredraw/collapses/skin_weights.h>
+
+namespace foredraw {
+
+namespace {
+
+bool begins(const std::string& semantic, std::string_view word) { return semantic.starts_with(word); }
+
+/// What lies between two values of the stream is a value, too.
+bool is_amount(const VertexStream& stream) {
+  if (begins(stream.semantic, "JOINTS_")) return false;
+  if (stream.format.component == Component::float32 || stream.format.normalized) return true;
+  for (const std::string_view word : {"POSITION", "NORMAL", "TANGENT", "TEXCOORD_", "COLOR_"}) {
+    if (begins(stream.semantic, word)) return true;
+  }
+  return false;
+}
+
+bool is_direction(const VertexStream& stream) { return stream.semantic == "NORMAL" || stream.semantic == "TANGENT"; }
+
+/// One stream's values while vertices are blended.
+class BlendedStream {
+ public:
+  explicit BlendedStream(const VertexStream& stream) : stream_(stream), is_amount_(is_amount(stream)) {
+    const std::size_t count = stream.count();
+    if (is_amount_) {
+      values_.resize(count * width());
+      for (std::size_t v = 0; v < count; ++v) {
+        for (std::size_t c = 0; c < width(); ++c) values_[v * width() + c] = decode_component(stream, v, c);
+      }
+    } else {
+      source_.resize(count);
+      for (std::uint32_t v = 0; v < count; ++v) source_[v] = v;
+    }
+  }
+
+  void blend(std::uint32_t vertex, std::uint32_t other, float t) {
+    if (!is_amount_) {
+      if (t > 0.5f) source_[vertex] = source_[other];
+      return;
+    }
+    float* to = values_.data() + vertex * width();
+    const float* from = values_.data() + other * width();
+    for (std::size_t c = 0; c < width(); ++c) to[c] += (from[c] - to[c]) * t;
+  }
+
+  /// `is_unit`: the base's directions are of length 1; those of morph targets are differences.
+  void write(std::uint32_t vertex, bool is_unit, std::vector<std::byte>& bytes) const {
+    const Format& format = stream_.format;
+    std::byte* to = bytes.data() + std::size_t{vertex} * format.bytes;
+    if (!is_amount_) {
+      std::copy_n(stream_.bytes.view().data() + std::size_t{source_[vertex]} * format.bytes, format.bytes, to);
+      return;
+    }
+    const float* value = values_.data() + vertex * width();
+    double length = 1;
+    if (is_unit && width() >= 3 && is_direction(stream_)) {
+      length = std::sqrt(double{value[0]} * value[0] + double{value[1]} * value[1] + double{value[2]} * value[2]);
+    }
+    for (std::size_t c = 0; c < width(); ++c) {
+      const bool is_scaled = c < 3 && length > 0;
+      const float turned = c == 3 && is_unit && is_direction(stream_) ? (value[c] < 0 ? -1.0f : 1.0f) : value[c];
+      encode_component(to + c * bytes_of(format.component), format,
+                       is_scaled ? static_cast<float>(value[c] / length) : turned);
+    }
+  }
+
+ private:
+  std::size_t width() const { return stream_.format.components; }
+
+  const VertexStream& stream_;
+  bool is_amount_;
+  std::vector<float> values_;
+  std::vector<std::uint32_t> source_;  ///< [vertex] = whose value it has
+};
+
+class Blender {
+ public:
+  explicit Blender(const VertexStreams& vertices) : vertices_(vertices), skin_(vertices) {
+    for (const VertexStream* stream : vertices.all()) {
+      streams_.emplace_back(*stream);
+      bytes_.emplace_back(stream->bytes.view().begin(), stream->bytes.view().end());
+    }
+    is_changed_.resize(vertices.count, false);
+  }
+
+  void blend(std::uint32_t vertex, std::uint32_t other, float t) {
+    is_changed_[vertex] = true;
+    for (BlendedStream& stream : streams_) stream.blend(vertex, other, t);
+    skin_.blend(vertex, other, t);
+  }
+
+  void place(std::uint32_t vertex, glm::vec3 place) {
+    for (std::size_t s = 0; s < vertices_.base.size(); ++s) {
+      const VertexStream& stream = vertices_.base[s];
+      if (stream.semantic != "POSITION") continue;
+      for (std::size_t c = 0; c < 3 && c < stream.format.components; ++c) {
+        encode_component(bytes_[s].data() + vertex * stream.format.bytes + c * bytes_of(stream.format.component),
+                         stream.format, place[static_cast<int>(c)]);
+      }
+    }
+  }
+
+  /// The vertices for which is_used holds.
+  LevelVertices finish(const std::vector<bool>& is_used) {
+    for (std::uint32_t v = 0; v < vertices_.count; ++v) {
+      if (is_used[v] && is_changed_[v]) write(v);
+    }
+    LevelVertices level;
+    level.number.resize(vertices_.count, no_vertex);
+    auto left = std::make_shared<VertexStreams>(vertices_);
+    left->count = 0;
+    for (std::uint32_t v = 0; v < vertices_.count; ++v) {
+      if (is_used[v]) level.number[v] = left->count++;
+    }
+    std::size_t s = 0;
+    const auto keep = [&](VertexStream& stream) {
+      std::vector<std::byte> kept;
+      kept.reserve(std::size_t{left->count} * stream.format.bytes);
+      for (std::uint32_t v = 0; v < vertices_.count; ++v) {
+        const auto row = bytes_[s].begin() + static_cast<std::ptrdiff_t>(std::size_t{v} * stream.format.bytes);
+        if (is_used[v]) kept.insert(kept.end(), row, row + stream.format.bytes);
+      }
+      stream.bytes = Shared<std::byte>(std::move(kept));
+      ++s;
+    };
+    for (VertexStream& stream : left->base) keep(stream);
+    for (auto& target : left->morph_targets) {
+      for (VertexStream& stream : target) keep(stream);
+    }
+    level.vertices = std::move(left);
+    return level;
+  }
+
+ private:
+  void write(std::uint32_t vertex) {
+    for (std::size_t s = 0; s < streams_.size(); ++s) {
+      const bool is_base = s < vertices_.base.size();
+      if (is_base && vertices_.base[s].semantic == "POSITION") continue;  // place() wrote it
+      streams_[s].write(vertex, is_base, bytes_[s]);
+    }
+    skin_.write(vertex, vertices_.base, bytes_);
+  }
+
+  const VertexStreams& vertices_;
+  SkinWeights skin_;
+  std::vector<BlendedStream> streams_;         ///< the base's, then each target's
+  std::vector<std::vector<std::byte>> bytes_;  ///< the same
+  std::vector<bool> is_changed_;
+};
+
+}  // namespace
+
+LevelVertices level_vertices(const CollapseSequence& sequence, std::size_t collapses, const Collapsed& after,
+                             const JoinedMesh& mesh, std::size_t stream) {
+  const std::uint32_t first = mesh.first_vertex[stream], end = mesh.first_vertex[stream + 1];
+  const auto is_here = [&](std::uint32_t vertex) { return vertex >= first && vertex < end; };
+  Blender blender(*mesh.streams[stream]);
+  for (std::size_t k = 0; k < collapses; ++k) {
+    for (std::uint32_t i = sequence.first_pair[k]; i < sequence.first_pair[k + 1]; ++i) {
+      const VertexPair& pair = sequence.pairs[i];
+      if (is_here(pair.kept)) blender.blend(pair.kept - first, pair.removed - first, sequence.collapses[k].blend);
+    }
+  }
+  std::vector<bool> is_used(end - first, false);
+  for (const std::uint32_t index : after.indices) {
+    if (is_here(index)) is_used[index - first] = true;
+  }
+  for (std::uint32_t v = first; v < end; ++v) {
+    if (is_used[v - first] && after.places[v] != mesh.positions[v]) blender.place(v - first, after.places[v]);
+  }
+  return blender.finish(is_used);
+}
+
+}  // namespace foredraw

@@ -1,0 +1,78 @@
+#include <foredraw/collapses/component.h>
+#include <foredraw/collapses/skin_weights.h>
+
+#include <string>
+
+namespace foredraw {
+
+SkinWeights::SkinWeights(const VertexStreams& vertices) {
+  const auto find = [&](const std::string& semantic) {
+    const auto found = std::ranges::find(vertices.base, semantic, &VertexStream::semantic);
+    return static_cast<std::size_t>(found - vertices.base.begin());
+  };
+  for (int set = 0;; ++set) {
+    const std::size_t joints = find("JOINTS_" + std::to_string(set)), weights = find("WEIGHTS_" + std::to_string(set));
+    if (joints == vertices.base.size() || weights == vertices.base.size()) break;
+    sets_.push_back({joints, weights});
+  }
+  slots_ = 4 * sets_.size();
+  rows_.resize(slots_ * vertices.count);
+  for (std::uint32_t v = 0; v < vertices.count; ++v) {
+    Slot* row = of(v);
+    for (const Set& set : sets_) {
+      for (std::size_t c = 0; c < 4; ++c, ++row) {
+        const float weight = decode_component(vertices.base[set.weights], v, c);
+        *row = {static_cast<std::uint32_t>(decode_component(vertices.base[set.joints], v, c)),
+                std::isfinite(weight) ? weight : 0};
+      }
+    }
+  }
+}
+
+void SkinWeights::blend(std::uint32_t vertex, std::uint32_t other, float t) {
+  if (empty()) return;
+  std::vector<Slot> sum;
+  const auto add = [&](const Slot* row, float share) {
+    for (std::size_t i = 0; i < slots_; ++i) {
+      if (!(row[i].weight * share > 0)) continue;
+      const auto known = std::ranges::find(sum, row[i].joint, &Slot::joint);
+      if (known == sum.end()) {
+        sum.push_back({row[i].joint, row[i].weight * share});
+      } else {
+        known->weight += row[i].weight * share;
+      }
+    }
+  };
+  add(of(vertex), 1 - t);
+  add(of(other), t);
+  std::ranges::sort(
+      sum, [](const Slot& a, const Slot& b) { return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint; });
+  sum.resize(slots_);
+  float whole = 0;
+  for (const Slot& slot : sum) whole += slot.weight;
+  for (Slot& slot : sum) slot.weight = whole > 0 ? slot.weight / whole : 0;
+  std::ranges::copy(sum, of(vertex));
+}
+
+void SkinWeights::write(std::uint32_t vertex, const std::vector<VertexStream>& base,
+                        std::vector<std::vector<std::byte>>& bytes) const {
+  const Slot* row = rows_.data() + vertex * slots_;
+  for (const Set& set : sets_) {
+    const Format joints = base[set.joints].format, weights = base[set.weights].format;
+    // What rounding takes from the sum is given to the largest, as a sum below 1 shrinks the vertex towards the origin.
+    const double unit = weights.component == Component::uint8    ? 255
+                        : weights.component == Component::uint16 ? 65535
+                                                                 : 0;
+    double left = 0;
+    for (std::size_t c = 0; c < 4 && unit > 0; ++c) left += row[c].weight * unit - std::round(row[c].weight * unit);
+    for (std::size_t c = 0; c < 4; ++c, ++row) {
+      const std::size_t joint = vertex * joints.bytes + c * bytes_of(joints.component);
+      const std::size_t weight = vertex * weights.bytes + c * bytes_of(weights.component);
+      encode_component(bytes[set.joints].data() + joint, joints, static_cast<float>(row->joint));
+      const double given = c == 0 && unit > 0 ? std::round(left) / unit : 0;
+      encode_component(bytes[set.weights].data() + weight, weights, static_cast<float>(row->weight + given));
+    }
+  }
+}
+
+}  // namespace foredraw

@@ -1,0 +1,30 @@
+#pragma once
+// Simplifiers answer with a sequence of collapses; the framework runs it to see that it may, and keeps it as a product.
+
+#include <foredraw/collapses/joined_mesh.h>
+#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/technique/plugin.h>
+
+namespace foredraw {
+
+class Simplifier {
+ public:
+  virtual ~Simplifier() = default;
+  /// Of draws that lie in one space, until no more than `least` triangles are left. Called for many meshes at once.
+  virtual CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const = 0;
+};
+
+struct CollapseProcessorOptions {
+  double until = 0.01;  ///< share of a mesh's triangles that simplifiers may stop at
+};
+
+/// The processor that a simplifier is: asks it for each mesh, and fails where what it answers does not run cleanly.
+/// Draws that have levels, and meshes of few triangles, stay as they are.
+std::unique_ptr<Processor> collapse_processor(std::unique_ptr<const Simplifier> simplifier,
+                                              CollapseProcessorOptions options = {});
+
+/// What cards of simplifiers have in common: what they act on, make and measure; the name, summary and reference are
+/// theirs.
+Plugin simplifier_plugin(std::string name, std::string summary, std::string reference);
+
+}  // namespace foredraw

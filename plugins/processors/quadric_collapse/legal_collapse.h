@@ -1,0 +1,33 @@
+#pragma once
+// Which edges may be collapsed: those that leave a surface of the same shape, with the same seams, and no triangle
+// turned over.
+
+#include "collapsing_mesh.h"
+
+#include <foredraw/scene/collapse_sequence.h>
+
+namespace foredraw::collapsing {
+
+class LegalCollapses {
+ public:
+  explicit LegalCollapses(CollapsingMesh& mesh) : mesh_(mesh) {}
+
+  /// Whether the surface has the same topology when the edge is gone: what both points neighbour are the third corners
+  /// of the faces between them, and nothing else.
+  bool keeps_topology(std::uint32_t p, std::uint32_t q);
+  /// Which vertex of `kept` each vertex of `removed` becomes. False: the faces between them do not say it, or not one
+  /// to one, so that a seam would open, close or jump.
+  bool pair_vertices(std::uint32_t removed, std::uint32_t kept, std::vector<VertexPair>& pairs);
+  /// Whether every face that stays keeps its side when both points go to that place.
+  bool keeps_sides(std::uint32_t p, std::uint32_t q, glm::vec3 place) const;
+
+ private:
+  bool keeps_sides_around(std::uint32_t p, std::uint32_t q, const glm::dvec3& place) const;
+  bool has_face(std::uint32_t p, std::uint32_t a, std::uint32_t b) const;
+  bool is_border(std::uint32_t p) const;
+
+  CollapsingMesh& mesh_;
+  std::vector<std::uint32_t> shared_, seen_;
+};
+
+}  // namespace foredraw::collapsing

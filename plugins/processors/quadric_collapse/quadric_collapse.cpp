@@ -1,0 +1,169 @@
+#include "quadric_collapse.h"
+
+#include "cost_queue.h"
+#include "edge_cost.h"
+#include "legal_collapse.h"
+#include "local_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+using namespace collapsing;
+
+/// How far the place lies from the one that is kept towards the one that goes.
+float blend_of(glm::vec3 kept, glm::vec3 removed, glm::vec3 place) {
+  const glm::dvec3 edge = glm::dvec3(removed) - glm::dvec3(kept), to = glm::dvec3(place) - glm::dvec3(kept);
+  const double length = dot(edge, edge);
+  return length > 0 ? static_cast<float>(std::clamp(dot(to, edge) / length, 0.0, 1.0)) : 0.0f;
+}
+
+class Collapser {
+ public:
+  Collapser(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+            const QuadricCollapseOptions& options)
+      : options_(options),
+        mesh_(positions, indices),
+        costs_(mesh_, {options.memory, options.border, options.seam}),
+        legal_(mesh_) {}
+
+  CollapseSequence run() {
+    costs_.begin();
+    for (std::size_t before = ~std::size_t{0}; mesh_.face_count() > options_.least && mesh_.face_count() < before;) {
+      before = mesh_.face_count();
+      enter_all();
+      while (mesh_.face_count() > options_.least && !is_cancelled()) {
+        const auto edge = queue_.pop();
+        if (!edge) break;
+        look_ahead();
+        if (!is_current(*edge)) continue;
+        consider(*edge);
+      }
+    }
+    sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
+    return std::move(sequence_);
+  }
+
+ private:
+  bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed); }
+
+  void enter_all() {
+    for (std::uint32_t p = 0; p < mesh_.points().size(); ++p) {
+      if (mesh_.point(p).is_gone) continue;
+      const auto around = mesh_.neighbours(p);
+      neighbours_.assign(around.begin(), around.end());
+      for (const std::uint32_t q : neighbours_) {
+        if (p < q) enter(p, q);
+      }
+    }
+  }
+
+  EdgeCost cost_of(std::uint32_t p, std::uint32_t q) {
+    if (options_.placement == CollapsePlacement::optimal) return costs_.optimal(p, q);
+    const double at_p = costs_.at(p, q), at_q = costs_.at(q, p);
+    return at_p <= at_q ? EdgeCost{at_p, mesh_.point(p).place} : EdgeCost{at_q, mesh_.point(q).place};
+  }
+
+  /// Edges of which a point has very many faces wait until there are fewer: each look at one is a look at all of them.
+  void enter(std::uint32_t p, std::uint32_t q) {
+    if (mesh_.ring(p).size() + mesh_.ring(q).size() <= EdgeCosts::most_faces) enter(p, q, cost_of(p, q).cost);
+  }
+  void enter(std::uint32_t p, std::uint32_t q, double cost, bool is_checked = false) {
+    const Changes& a = mesh_.changes(p);
+    const Changes& b = mesh_.changes(q);
+    queue_.push(cost, {p, q, a.moves + b.moves, a.faces + b.faces, is_checked});
+  }
+
+  void look_ahead() const {
+    if (const EdgeEntry* far = queue_.later(8); far && is_current(*far)) {
+      mesh_.prefetch(far->p);
+      mesh_.prefetch(far->q);
+    }
+    if (const EdgeEntry* near = queue_.later(3); near && is_current(*near)) {
+      mesh_.prefetch_faces(near->p);
+      mesh_.prefetch_faces(near->q);
+    }
+  }
+
+  bool is_current(const EdgeEntry& edge) const {
+    return mesh_.changes(edge.p).moves + mesh_.changes(edge.q).moves == edge.moves;
+  }
+
+  void consider(const EdgeEntry& edge) {
+    const auto [p, q] = std::pair(edge.p, edge.q);
+    const EdgeCost best = cost_of(p, q);
+    const bool has_changed = mesh_.changes(p).faces + mesh_.changes(q).faces != edge.changes;
+    if (has_changed && CostQueue::rank_of(best.cost) > queue_.lowest()) return enter(p, q, best.cost);
+    if (!legal_.keeps_topology(p, q)) return;
+    if ((has_changed || !edge.is_checked) && is_too_far(p, q, best)) return;
+    const bool stays_at_q = best.place == mesh_.point(q).place;
+    const std::uint32_t first = stays_at_q ? q : p, second = stays_at_q ? p : q;
+    const bool may_turn = options_.placement == CollapsePlacement::optimal;
+    const bool is_first_kept = legal_.pair_vertices(second, first, pairs_);
+    if (!is_first_kept && !(may_turn && legal_.pair_vertices(first, second, pairs_))) return;
+    if (!legal_.keeps_sides(p, q, best.place)) return;
+    collapse(is_first_kept ? second : first, is_first_kept ? first : second, best);
+  }
+
+  /// A quadric does not see where faces end: at a crease the least place may lie far from all of them. Where an edge
+  /// moves the surface farther than its cost says, it waits until that is the cost.
+  bool is_too_far(std::uint32_t p, std::uint32_t q, const EdgeCost& best) {
+    constexpr std::size_t slack = 6;  // ranks; a closer look costs more than it gains
+    const double weight = options_.deviation * area_around(p, q);
+    if (!(weight > 0)) return false;
+    const double enough = (CostQueue::cost_above(queue_.lowest() + slack) - best.cost) / weight;
+    const double cost = best.cost + weight * squared_deviation(mesh_, p, q, best.place, enough);
+    if (CostQueue::rank_of(cost) <= queue_.lowest() + slack) return false;
+    enter(p, q, cost, true);
+    return true;
+  }
+
+  double area_around(std::uint32_t p, std::uint32_t q) const {
+    double area = 0;
+    for (const std::uint32_t one : {p, q}) {
+      for (const std::uint32_t f : mesh_.ring(one)) area += mesh_.face(f).area();
+    }
+    return area;
+  }
+
+  void collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCost& best) {
+    const double area = area_around(removed, kept);
+    if (area > 0) error_ = std::max(error_, std::sqrt(std::max(best.cost, 0.0) / area));
+    const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
+    const Quadric memory = costs_.joined_memory(removed, kept, best.place);
+    Point& point = mesh_.point(kept);
+    point.is_sharp = point.is_sharp || mesh_.point(removed).is_sharp;
+    mesh_.collapse(removed, kept, best.place,
+                   [&](std::uint32_t vertex) { return std::ranges::find(pairs_, vertex, &VertexPair::removed)->kept; });
+    point.memory = memory;
+    sequence_.collapses.push_back({mesh_.name_of(removed), mesh_.name_of(kept), blend, static_cast<float>(error_)});
+    sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
+    sequence_.pairs.insert(sequence_.pairs.end(), pairs_.begin(), pairs_.end());
+    for (int k = 0; k < 3; ++k) sequence_.places.push_back(best.place[k]);
+    const auto around = mesh_.neighbours(kept);
+    neighbours_.assign(around.begin(), around.end());
+    for (const std::uint32_t q : neighbours_) enter(kept, q);
+  }
+
+  QuadricCollapseOptions options_;
+  CollapsingMesh mesh_;
+  EdgeCosts costs_;
+  LegalCollapses legal_;
+  CostQueue queue_;
+  std::vector<VertexPair> pairs_;
+  std::vector<std::uint32_t> neighbours_;
+  CollapseSequence sequence_;
+  double error_ = 0;
+};
+
+}  // namespace
+
+CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                                  const QuadricCollapseOptions& options) {
+  return Collapser(positions, indices, options).run();
+}
+
+}  // namespace foredraw

@@ -1,0 +1,38 @@
+#pragma once
+// Quadric collapse: a mesh made coarser edge by edge, the one that costs least first. Sources: Hoppe, Progressive
+// Meshes, SIGGRAPH 1996 (the sequence); Garland, Heckbert 1997 (quadrics); Lindstrom, Turk 1998 (memoryless cost, the
+// volume kept); Hoppe 1999 (attributes).
+
+#include <foredraw/scene/collapse_sequence.h>
+
+#include <glm/vec3.hpp>
+
+#include <atomic>
+#include <span>
+
+namespace foredraw {
+
+enum class CollapsePlacement {
+  optimal,   ///< where the cost is least
+  endpoint,  ///< at one of the two points, so that all levels share one vertex buffer
+};
+
+struct QuadricCollapseOptions {
+  CollapsePlacement placement = CollapsePlacement::optimal;
+  double memory = 0.1;     ///< weight of the planes of all faces that ever were, beside those of today's faces; 0 to 1
+  double deviation = 0.3;  ///< weight of how far the surface moves, beside distances from planes; 0 to 1
+  double border = 10;      ///< weight of borders: planes upright on the faces beside them
+  double seam = 3;         ///< weight of seams
+  std::size_t least = 0;   ///< triangles to stop at
+  const std::atomic<bool>* cancel = nullptr;  ///< once it is true the sequence ends
+};
+
+/// The collapses, cheapest first, until no more than `least` triangles are left or no edge may go. `indices` holds
+/// three a triangle, each below the number of positions; any triangles will do.
+CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                                  const QuadricCollapseOptions& options = {});
+
+struct Plugin;
+Plugin quadric_collapse_plugin();
+
+}  // namespace foredraw

@@ -1,0 +1,55 @@
+#include "quadric_collapse.h"
+
+#include <foredraw/measuring/collapse_processor.h>
+
+namespace foredraw {
+
+namespace {
+
+struct Options : QuadricCollapseOptions {
+  double until = CollapseProcessorOptions{}.until;
+};
+
+class QuadricCollapse final : public Simplifier {
+ public:
+  explicit QuadricCollapse(const QuadricCollapseOptions& options) : options_(options) {}
+
+  CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const override {
+    QuadricCollapseOptions options = options_;
+    options.least = least;
+    options.cancel = run.cancel;
+    return quadric_collapse(mesh.positions, mesh.indices, options);
+  }
+
+ private:
+  QuadricCollapseOptions options_;
+};
+
+}  // namespace
+
+Plugin quadric_collapse_plugin() {
+  Plugin plugin = simplifier_plugin(
+      "quadric-collapse", "Finds the sequence in which edges collapse at the least error; `simplify` applies it",
+      "Hoppe 1996, section 3; costs after Garland, Heckbert 1997 and Lindstrom, Turk 1998");
+  OptionTable<Options> table;
+  table
+      .choice<CollapsePlacement>(&Options::placement, "placement",
+                                 "Where the joined vertex lies: optimal (where the error is least) or endpoint (at one "
+                                 "of the two vertices, so that all levels can share one vertex buffer)",
+                                 {{"optimal", CollapsePlacement::optimal}, {"endpoint", CollapsePlacement::endpoint}})
+      .row(&Options::until, "until", "Share of a mesh's triangles to stop at", {.least = 0, .most = 1})
+      .row(&Options::memory, "memory", "Weight of the original triangles' planes beside those of the current ones",
+           {.least = 0, .most = 1})
+      .row(&Options::deviation, "deviation",
+           "Weight of how far the surface moves at its farthest point, beside its mean distance",
+           {.least = 0, .most = 1})
+      .row(&Options::border, "border", "Weight of open borders", {.least = 0, .most = 1000})
+      .row(&Options::seam, "seam", "Weight of seams, where normals, texture coordinates or materials break",
+           {.least = 0, .most = 1000});
+  bind_options(plugin, table, [](const Options& options) -> Technique {
+    return collapse_processor(std::make_unique<const QuadricCollapse>(options), {.until = options.until});
+  });
+  return plugin;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,136 @@
+#include "simplify.h"
+
+#include <foredraw/analysis/farthest_distance.h>
+#include <foredraw/collapses/collapse_product.h>
+#include <foredraw/collapses/collapse_sequences.h>
+#include <foredraw/collapses/cut.h>
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+std::string text_of(Simplified::End end) {
+  switch (end) {
+    case Simplified::End::goal: return "the number of triangles is reached";
+    case Simplified::End::error: return "more would exceed the error";
+    case Simplified::End::sequence: break;
+  }
+  return "no other edge can be collapsed";
+}
+
+/// A mesh made coarser.
+struct Made {
+  std::vector<CutDraw> draws;
+  Simplified simplified;
+  std::uint32_t before = 0;  ///< triangles
+  double largest = 0;        ///< proved distance, either way
+};
+
+class SimplifyMeshes final : public Processor {
+ public:
+  explicit SimplifyMeshes(SimplifyOptions options) : options_(options) {}
+
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
+    const CollapseSequences* sequences = scene.products.find<CollapseSequences>();
+    std::vector<DrawsCollapse> meshes, left;
+    for (const DrawsCollapse& mesh : sequences == nullptr ? std::vector<DrawsCollapse>() : sequences->meshes) {
+      const bool may =
+          std::ranges::all_of(mesh.draws, [&](DrawId id) { return std::ranges::binary_search(draws, id); });
+      (may ? meshes : left).push_back(mesh);
+    }
+    std::vector<Made> made(meshes.size());
+    run.executor.for_each(meshes.size(), [&](std::size_t i) { made[i] = made_of(meshes[i], scene, run); });
+    std::vector<DrawId> changed;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      tell(meshes[i], made[i], scene, run);
+      for (std::size_t d = 0; d < made[i].draws.size(); ++d) {
+        put(made[i].draws[d], scene.draws[meshes[i].draws[d]]);
+        changed.push_back(meshes[i].draws[d]);
+      }
+    }
+    if (changed.empty()) {
+      run.keep(meshes.empty() ? "no mesh has a sequence of collapses; put `quadric-collapse` before this stage"
+                              : "no edge may be collapsed within what is asked for");
+      return changed;
+    }
+    scene.products.erase(CollapseSequences::product);
+    if (!left.empty()) scene.products.set(CollapseSequences{std::move(left)});
+    std::ranges::sort(changed);
+    return changed;
+  }
+
+ private:
+  Made made_of(const DrawsCollapse& mesh, const Scene& scene, Run& run) const {
+    Made made;
+    const auto joined = joined_mesh(scene, mesh.draws, run.analyses);
+    if (!joined || run.cancelled()) return made;
+    const Replay all = replay(*mesh.sequence, joined->positions, joined->indices, joined->part);
+    if (!all.mistake.empty()) throw std::runtime_error(all.mistake);
+    made.before = all.triangles.front();
+    made.simplified = simplify(*joined, *mesh.sequence, all, options_, run.executor, run.cancel);
+    if (made.simplified.collapses == 0) return made;
+    made.draws = cut(*mesh.sequence, made.simplified.collapses, *joined);
+    const Collapsed after = collapsed(*mesh.sequence, made.simplified.collapses, joined->positions, joined->indices);
+    const Surface full{joined->positions, joined->indices}, coarse{after.places, after.indices};
+    const auto farthest = hausdorff_distance({full, ClosestPoints(full)}, {coarse, ClosestPoints(coarse)},
+                                             {.cancel = run.cancel}, run.executor);
+    if (farthest) made.largest = farthest->bound;
+    return made;
+  }
+
+  static void tell(const DrawsCollapse& mesh, const Made& made, const Scene& scene, Run& run) {
+    const About about{.draw = mesh.draws.front()};
+    run.count_at(about, "triangles", made.simplified.triangles);
+    run.count_at(about, "largest", made.largest);
+    run.note_at(about, "simplified",
+                fmt::format("{} of {} triangles are left, at most {:.3g} units from full detail: {}",
+                            made.simplified.triangles, made.before, made.largest, text_of(made.simplified.end)));
+  }
+
+  static void put(const CutDraw& cut, Draw& draw) {
+    Level& level = draw.levels.front();
+    level.vertices = cut.vertices;
+    level.orders = {IndexStream{.indices = cut.indices}};
+    level.vertex_destination = {};
+  }
+
+  SimplifyOptions options_;
+};
+
+}  // namespace
+
+Plugin simplify_plugin() {
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {
+      .name = "simplify",
+      .summary = "Leaves fewer triangles: as many as asked for, or as few as an error allows",
+      .reference = "Hoppe 1996, section 3",
+      .acts_on = {traits::triangles},
+      .needs = {traits::progressive},
+      .breaks = {traits::progressive, traits::clustered, traits::cache_ordered, traits::overdraw_ordered,
+                 traits::fetch_ordered},
+      .measured_by = {"surface-error", "attribute-error"},
+      .metrics = {{"triangles", "triangles", "Triangles that are left"},
+                  {"largest", "units", "Proved: no point of either surface is farther from the other", true, true}},
+  };
+  plugin.products = {collapse_product()};
+  OptionTable<SimplifyOptions> table;
+  table
+      .row(&SimplifyOptions::ratio, "ratio",
+           "Share of each mesh's triangles that is left; 0.5 where no other limit is given", {.least = 0, .most = 1})
+      .row(&SimplifyOptions::triangles, "triangles", "Triangles of each mesh that are left", {.least = 0})
+      .row(&SimplifyOptions::error, "error",
+           "Largest distance between the surface before and after, in either direction; no triangle goes that would "
+           "exceed it",
+           {.least = 0, .unit = "units"});
+  bind_options(plugin, table, [](const SimplifyOptions& options) { return std::make_unique<SimplifyMeshes>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw

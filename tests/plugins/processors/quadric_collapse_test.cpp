@@ -1,0 +1,226 @@
+#include "plugins/processors/quadric_collapse/quadric_collapse.h"
+
+#include "support/meshes.h"
+
+#include <foredraw/analysis/farthest_distance.h>
+#include <foredraw/collapses/replay.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace foredraw {
+namespace {
+
+using testing::TestMesh;
+
+TestMesh coarse(const TestMesh& mesh, const CollapseSequence& sequence, std::size_t triangles) {
+  const Replay run = replay(sequence, mesh.positions, mesh.indices);
+  EXPECT_EQ(run.mistake, "");
+  std::size_t n = 0;
+  while (n + 1 < run.triangles.size() && run.triangles[n] > triangles) ++n;
+  const Collapsed after = collapsed(sequence, n, mesh.positions, mesh.indices);
+  EXPECT_EQ(after.indices.size() / 3, run.triangles[n]);
+  return {after.places, after.indices};
+}
+
+TestMesh coarse(const TestMesh& mesh, std::size_t triangles, QuadricCollapseOptions options = {}) {
+  options.least = triangles;
+  return coarse(mesh, quadric_collapse(mesh.positions, mesh.indices, options), triangles);
+}
+
+double distance(const TestMesh& a, const TestMesh& b) {
+  const Surface first{a.positions, a.indices}, second{b.positions, b.indices};
+  const auto farthest =
+      hausdorff_distance({first, ClosestPoints(first)}, {second, ClosestPoints(second)}, {}, Executor(1));
+  return farthest ? farthest->bound : std::numeric_limits<double>::infinity();
+}
+
+double volume(const TestMesh& mesh) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const glm::dvec3 a(mesh.positions[mesh.indices[i]]), b(mesh.positions[mesh.indices[i + 1]]),
+        c(mesh.positions[mesh.indices[i + 2]]);
+    sum += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+  }
+  return sum / 6;
+}
+
+/// Edges by how many triangles have them.
+std::map<int, int> edges(const TestMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    for (int k = 0; k < 3; ++k) {
+      ++count[std::minmax(mesh.indices[i + k], mesh.indices[i + (k + 1) % 3])];
+    }
+  }
+  std::map<int, int> by_count;
+  for (const auto& [edge, faces] : count) ++by_count[faces];
+  return by_count;
+}
+
+/// Points less edges plus triangles.
+int euler(const TestMesh& mesh) {
+  const std::set<std::uint32_t> points(mesh.indices.begin(), mesh.indices.end());
+  int number = 0;
+  for (const auto& [faces, count] : edges(mesh)) number += count;
+  return static_cast<int>(points.size()) - number + static_cast<int>(mesh.indices.size() / 3);
+}
+
+TestMesh moved(TestMesh mesh, glm::vec3 by) {
+  for (glm::vec3& p : mesh.positions) p += by;
+  return mesh;
+}
+
+/// A sphere loses volume where points stay on it, as chords lie below it. Lindstrom and Turk 1998 keep it.
+TEST(QuadricCollapse, KeepsTheVolume) {
+  const TestMesh sphere = testing::sphere(96, 48);
+  const TestMesh tenth = coarse(sphere, sphere.indices.size() / 30);
+  EXPECT_NEAR(volume(tenth) / volume(sphere), 1, 1e-4);
+  const TestMesh endpoints = coarse(sphere, sphere.indices.size() / 30, {.placement = CollapsePlacement::endpoint});
+  EXPECT_LT(volume(endpoints) / volume(sphere), 0.997);
+  EXPECT_LT(distance(sphere, tenth), 0.75 * distance(sphere, endpoints));
+}
+
+TEST(QuadricCollapse, LeavesFlatPiecesForNothingUpToTheirOutline) {
+  const TestMesh plate = testing::grid(60, 60);
+  const TestMesh left = coarse(plate, 2);
+  EXPECT_LE(left.indices.size() / 3, 8u);
+  EXPECT_LT(distance(plate, left), 1e-4);
+}
+
+/// Two plates far apart: what a quadric about a common origin can not tell from rounding.
+TEST(QuadricCollapse, KnowsFlatFromNearlyFlatFarFromTheOrigin) {
+  const TestMesh plates = testing::joined(testing::grid(40, 40), moved(testing::grid(40, 40), {0, 0, 36000}));
+  const TestMesh left = coarse(plates, plates.indices.size() / 300);
+  EXPECT_EQ(left.indices.size() / 3, plates.indices.size() / 300);
+  EXPECT_LT(distance(plates, left), 36000e-6);
+}
+
+TEST(QuadricCollapse, ATorusStaysATorus) {
+  const TestMesh torus = testing::torus(64, 32);
+  const TestMesh left = coarse(torus, 100);
+  EXPECT_LE(left.indices.size() / 3, 100u);
+  EXPECT_EQ(euler(left), 0);
+  EXPECT_EQ(edges(left).size(), 1u);  // all of two triangles
+}
+
+TEST(QuadricCollapse, BothRimsOfARingStay) {
+  TestMesh ring;
+  constexpr std::uint32_t around = 64, across = 8;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    for (std::uint32_t j = 0; j <= across; ++j) {
+      const double angle = 6.283185307179586 * i / around, radius = 1 + double(j) / across;
+      ring.positions.push_back(glm::vec3(radius * std::cos(angle), radius * std::sin(angle), 0));
+      if (j == across) continue;
+      const std::uint32_t a = i * (across + 1) + j, b = (i + 1) % around * (across + 1) + j;
+      ring.indices.insert(ring.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
+    }
+  }
+  const TestMesh left = coarse(ring, 40);
+  EXPECT_EQ(euler(left), 0);
+  EXPECT_LT(distance(ring, left), 0.1);
+}
+
+/// Scaled by a power of two and moved so that no bit is lost, the same edges collapse: costs are made of differences.
+TEST(QuadricCollapse, PlaceAndScaleDoNotMatter) {
+  TestMesh torus = testing::torus(32, 16);
+  for (glm::vec3& p : torus.positions) p = glm::round(p * 1024.0f);
+  TestMesh other = moved(torus, glm::vec3(1 << 14));
+  for (glm::vec3& p : other.positions) p *= 0x1p-20f;
+  const auto pairs_of = [](const TestMesh& mesh) {
+    return quadric_collapse(mesh.positions, mesh.indices, {.placement = CollapsePlacement::endpoint}).pairs;
+  };
+  EXPECT_EQ(pairs_of(torus), pairs_of(other));
+}
+
+/// A box of flat sides, each with vertices of its own: seams along all edges.
+TEST(QuadricCollapse, ABoxWithSeamsComesDownToItsTwelveTriangles) {
+  TestMesh box;
+  const TestMesh side = testing::grid(8, 8);
+  glm::vec3 most(0);
+  for (const glm::vec3& p : side.positions) most = glm::max(most, p);
+  const auto add = [&](auto place) {
+    TestMesh one = side;
+    for (glm::vec3& p : one.positions) p = place(p.x / most.x, p.y / most.y);
+    box = testing::joined(box, one);
+  };
+  add([](float u, float v) { return glm::vec3(u, v, 1); });
+  add([](float u, float v) { return glm::vec3(v, u, 0); });
+  add([](float u, float v) { return glm::vec3(1, u, v); });
+  add([](float u, float v) { return glm::vec3(0, v, u); });
+  add([](float u, float v) { return glm::vec3(v, 1, u); });
+  add([](float u, float v) { return glm::vec3(u, 0, v); });
+  const TestMesh left = coarse(box, 12);
+  EXPECT_EQ(left.indices.size() / 3, 12u);
+  EXPECT_LT(distance(box, left), 1e-5);
+}
+
+TEST(QuadricCollapse, TetrahedraDoNotVanish) {
+  TestMesh many;
+  const TestMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}};
+  for (int i = 0; i < 100; ++i) many = testing::joined(many, moved(one, glm::vec3(3 * i, 0, 0)));
+  EXPECT_EQ(coarse(many, 0).indices.size(), many.indices.size());
+}
+
+TEST(QuadricCollapse, TakesWhateverItIsGiven) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  std::vector<TestMesh> meshes{{},
+                               {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}},
+                               {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 0, 1, 2, 2, 1, 0, 0, 0, 1}},
+                               {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0, 1, 2}},
+                               testing::soup(300, 3)};
+  TestMesh fan;  // of which each triangle shares one edge
+  for (std::uint32_t i = 0; i < 100; ++i) fan.indices.insert(fan.indices.end(), {0, 1, i + 2});
+  for (std::uint32_t i = 0; i < 102; ++i) fan.positions.push_back(glm::vec3(i < 2 ? i : 0.5f, i % 10, i / 10));
+  meshes.push_back(fan);
+  TestMesh broken = testing::torus(16, 8);
+  broken.positions[3] = {nan, 0, 0};
+  broken.positions[70] = {0, infinity, 0};
+  meshes.push_back(broken);
+  for (const float scale : {1e-30f, 1e30f, 1e-38f}) {
+    TestMesh mesh = testing::torus(16, 8);
+    for (glm::vec3& p : mesh.positions) p *= scale;
+    meshes.push_back(mesh);
+  }
+  TestMesh line = testing::grid(10, 10);
+  for (glm::vec3& p : line.positions) p.y = p.z = 0;
+  meshes.push_back(line);
+  for (const TestMesh& mesh : meshes) {
+    for (const CollapsePlacement placement : {CollapsePlacement::optimal, CollapsePlacement::endpoint}) {
+      const CollapseSequence sequence = quadric_collapse(mesh.positions, mesh.indices, {.placement = placement});
+      EXPECT_EQ(replay(sequence, mesh.positions, mesh.indices).mistake, "");
+    }
+  }
+}
+
+/// A point with 20,000 triangles is looked at when it has fewer.
+TEST(QuadricCollapse, AHubIsNoTrap) {
+  TestMesh disc;
+  constexpr std::uint32_t around = 20000;
+  disc.positions.push_back(glm::vec3(0));
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const double angle = 6.283185307179586 * i / around;
+    disc.positions.push_back(glm::vec3(std::cos(angle), std::sin(angle), 0));
+    disc.indices.insert(disc.indices.end(), {0, i + 1, (i + 1) % around + 1});
+  }
+  const TestMesh left = coarse(disc, 100);
+  EXPECT_LE(left.indices.size() / 3, 100u);
+  EXPECT_LT(distance(disc, left), 0.01);
+}
+
+TEST(QuadricCollapse, StopsWhereItIsToldTo) {
+  const TestMesh torus = testing::torus(32, 16);
+  const CollapseSequence sequence = quadric_collapse(torus.positions, torus.indices, {.least = 500});
+  const Replay run = replay(sequence, torus.positions, torus.indices);
+  EXPECT_LE(run.triangles.back(), 500u);
+  EXPECT_GE(run.triangles.back(), 498u);
+  const std::atomic<bool> cancel = true;
+  EXPECT_TRUE(quadric_collapse(torus.positions, torus.indices, {.cancel = &cancel}).collapses.empty());
+}
+
+}  // namespace
+}  // namespace foredraw
