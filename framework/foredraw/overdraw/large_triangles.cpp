@@ -169,8 +169,8 @@ void draw_large(const PreparedPart& part, const Corners& corners, const Camera& 
                 Fragments& fragments, const TakeFragments& take) {
   std::array<Corner, 3> c;
   for (std::size_t i = 0; i < 3; ++i) c[i] = corners[part.corners[i][triangle]];
-  normalise(c);
-  HWY_DYNAMIC_DISPATCH(draw_large)(c, camera, part.numbers[triangle], fragments, take);
+  const std::uint32_t number = part.number(triangle, normalise(c));
+  HWY_DYNAMIC_DISPATCH(draw_large)(c, camera, number, fragments, take);
 }
 
 }  // namespace foredraw

@@ -6,7 +6,7 @@ void MaskedFragments::hand_over(const Fragments& some, const TakeFragments& take
                                 const TakeFragments& take_discarded) {
   for (std::size_t begin = 0; begin < some.count;) {
     const std::uint32_t number = some.triangles[begin];
-    while (part_.numbers[triangle_] != number) ++triangle_;
+    while (part_.number(triangle_, false) != number && part_.number(triangle_, true) != number) ++triangle_;
     const std::array<std::uint32_t, 3> vertices = {part_.corners[0][triangle_], part_.corners[1][triangle_],
                                                    part_.corners[2][triangle_]};
     const MaskedTriangle triangle(*part_.mask, camera_, vertices,

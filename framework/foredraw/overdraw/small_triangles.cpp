@@ -58,6 +58,7 @@ struct Setup {
   alignas(64) std::int32_t tiny_depths[4 * most_lanes];   // of the first two by two pixels
   alignas(64) std::int32_t tiny_covered[most_lanes];      // which of them are covered, bit after bit
   std::uint32_t is_large = 0, is_tiny = 0, is_empty = 0;  // a bit for each triangle
+  std::uint32_t is_behind = 0;                            // drawn from behind
 };
 
 /// OrthographicDepth. Depths are taken from the nearest corner on. Numerators are whole numbers that grow evenly; they
@@ -204,6 +205,7 @@ HWY_INLINE void set_up(const PreparedPart& part, const Corners& corners, const C
     exchange(is_back, y[1], y[2]);
     exchange(is_back, depth[1], depth[2]);
     area = hn::Abs(area);
+    setup.is_behind = bits_of(is_back);
   }
   if (camera.is_perspective()) {
     // The least corner first, so that sums are rounded alike whichever corner the file names first.
@@ -282,7 +284,7 @@ std::size_t draw(const PreparedPart& part, const Corners& corners, const Camera&
     std::uint32_t left = ((1u << some) - 1) & ~setup.is_empty;
     for (; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      const std::uint32_t number = part.numbers[triangles[begin + i]];
+      const std::uint32_t number = part.number(triangles[begin + i], (setup.is_behind >> i & 1) != 0);
       if (setup.is_tiny >> i & 1) {
         const auto bits = static_cast<std::uint32_t>(setup.tiny_covered[i]);
         const auto pixels = hn::Add(hn::Set(four, setup.pixel[i]), pixel_of_four);

@@ -25,13 +25,15 @@ inline std::int64_t doubled_area(const Corner& a, const Corner& b, const Corner&
 }
 
 /// Turns the corners counter-clockwise, the least one first. From there on nothing depends on how they were numbered: a
-/// triangle drawn twice, from its two sides too, has the same depths and ties.
-inline void normalise(std::array<Corner, 3>& corners) {
-  if (doubled_area(corners[0], corners[1], corners[2]) < 0) std::swap(corners[1], corners[2]);
+/// triangle drawn twice, from its two sides too, has the same depths and ties. True where they turned clockwise.
+inline bool normalise(std::array<Corner, 3>& corners) {
+  const bool is_clockwise = doubled_area(corners[0], corners[1], corners[2]) < 0;
+  if (is_clockwise) std::swap(corners[1], corners[2]);
   const auto less = [](const Corner& p, const Corner& q) {
     return std::tie(p.x, p.y, p.depth) < std::tie(q.x, q.y, q.depth);
   };
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), less), corners.end());
+  return is_clockwise;
 }
 
 /// The pixels whose centres lie in the box of three corners; empty where last < first.

@@ -31,9 +31,13 @@ struct PreparedPart {
   std::array<std::vector<std::uint32_t>, 3> corners;  ///< [corner][triangle], front faces counter-clockwise; those left
                                                       ///< that may cover something: three corners, all of them finite
   std::vector<std::uint32_t> numbers;  ///< [triangle], counted through all parts, those that cover nothing too
+  std::uint32_t behind = 0;            ///< added to the number of a triangle that is drawn from behind
   bool culls_back_faces = true;
   std::shared_ptr<const Mask> mask;
 
+  std::uint32_t number(std::size_t triangle, bool from_behind) const {
+    return numbers[triangle] + (from_behind ? behind : 0);
+  }
   glm::dvec3 position(std::size_t vertex) const {
     return {positions[0][vertex], positions[1][vertex], positions[2][vertex]};
   }

@@ -8,29 +8,24 @@ namespace foredraw::sides {
 
 namespace {
 
-constexpr std::uint32_t nothing = ~std::uint32_t{0};
-
 /// One picture, drawn whole and drawn of the kept sides alone.
 struct TwoPictures {
-  std::vector<std::uint32_t> whole, kept;  ///< [pixel] depth
-  std::vector<std::uint32_t> nearest;      ///< [pixel] the side at the depth of `whole`
+  NearestSides whole;
+  std::vector<std::uint32_t> kept;  ///< [pixel] depth
 };
 
 TwoPictures draw_both(std::span<const PreparedPart> parts, const std::vector<std::uint8_t>& is_kept, const View& view,
                       int size) {
   const std::size_t pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-  TwoPictures pictures{std::vector(pixels, nothing), std::vector(pixels, nothing), std::vector(pixels, nothing)};
+  TwoPictures pictures{NearestSides(pixels), std::vector(pixels, NearestSides::nothing)};
   const Camera camera(view, size);
   Rasteriser rasteriser;
   for (const PreparedPart& part : parts) {
     rasteriser.draw(part, camera, [&](const Fragments& some) {
       for (std::size_t i = 0; i < some.count; ++i) {
-        const std::uint32_t pixel = some.pixels[i], depth = some.depths[i];
-        if (depth < pictures.whole[pixel]) {
-          pictures.whole[pixel] = depth;
-          pictures.nearest[pixel] = some.triangles[i];
-        }
-        if (is_kept[some.triangles[i]] != 0) pictures.kept[pixel] = std::min(pictures.kept[pixel], depth);
+        const std::uint32_t pixel = some.pixels[i], depth = some.depths[i], side = some.triangles[i];
+        pictures.whole.add(pixel, depth, side);
+        if (is_kept[side] != 0) pictures.kept[pixel] = std::min(pictures.kept[pixel], depth);
       }
     });
   }
@@ -40,11 +35,7 @@ TwoPictures draw_both(std::span<const PreparedPart> parts, const std::vector<std
 }  // namespace
 
 Needed add_needed_by_pictures(const AllSides& all, SidesOfParts& kept, const Views& views, const Executor& executor) {
-  std::vector<std::uint8_t> is_kept(all.count());
-  for (std::uint32_t number = 0; number < is_kept.size(); ++number) {
-    const AllSides::Place place = all.place_of(number);
-    is_kept[number] = (kept[place.part][place.triangle] & place.side) != 0;
-  }
+  const std::vector<std::uint8_t> is_kept = all.among(kept);
   struct OfView {
     Needed needed;
     std::vector<std::uint32_t> sides, backs;
@@ -53,12 +44,12 @@ Needed add_needed_by_pictures(const AllSides& all, SidesOfParts& kept, const Vie
   executor.for_each(views.views.size(), [&](std::size_t v) {
     const TwoPictures pictures = draw_both(all.parts(), is_kept, views.views[v], views.size);
     OfView& of_view = of_views[v];
-    for (std::size_t pixel = 0; pixel < pictures.whole.size(); ++pixel) {
-      if (pictures.whole[pixel] == nothing) continue;
+    for (std::size_t pixel = 0; pixel < pictures.kept.size(); ++pixel) {
+      const std::uint32_t nearest = pictures.whole.sides[pixel];
+      if (nearest == NearestSides::nothing) continue;
       ++of_view.needed.shown;
-      const std::uint32_t nearest = pictures.nearest[pixel];
       if (nearest >= all.first_back() && is_kept[nearest] != 0) of_view.backs.push_back(nearest);
-      if (pictures.kept[pixel] - pictures.whole[pixel] <= most_steps_apart) continue;
+      if (pictures.kept[pixel] - pictures.whole.depths[pixel] <= most_steps_apart) continue;
       ++of_view.needed.pixels;
       of_view.sides.push_back(nearest);
     }

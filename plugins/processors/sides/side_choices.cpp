@@ -31,12 +31,13 @@ Plan cheapest_plan(const Sided& draw, double price, double call_price, bool may_
 }
 
 std::map<DrawId, Plan> plans(const std::map<DrawId, Sided>& draws, const Sizes& scene, const ChoiceOptions& options) {
-  constexpr double misses = 0.7;            // of a triangle in a good order: vertices shaded
   constexpr double least_of_a_draw = 0.01;  // of what is seen: a draw call is worth it from there on
-  const auto at_price = [&](double price) {
+  const double vertex_price = options.vertex_weight * scene.visible / std::max(1.0, scene.vertices);
+  const auto at_price = [&](double least) {
     std::map<DrawId, Plan> result;
     for (const auto& [id, draw] : draws) {
-      result[id] = cheapest_plan(draw, price, least_of_a_draw * scene.visible, options.split);
+      const double price = vertex_price * draw.vertices / std::max(1.0, static_cast<double>(draw.wanted.size()));
+      result[id] = cheapest_plan(draw, std::max(price, least), least_of_a_draw * scene.visible, options.split);
     }
     return result;
   };
@@ -45,7 +46,7 @@ std::map<DrawId, Plan> plans(const std::map<DrawId, Sided>& draws, const Sizes& 
     for (const auto& [id, plan] : all) added += static_cast<double>(plan.added);
     return added <= options.most_added * scene.triangles;
   };
-  double low = options.vertex_weight * misses * scene.visible / std::max(1.0, scene.vertices);
+  double low = 0;
   std::map<DrawId, Plan> best = at_price(low);
   if (fits(best)) return best;
   double high = scene.visible + 1;  // no triangle gains more

@@ -23,6 +23,7 @@ enum class Choice {
 struct Sided {
   std::span<const Side> wanted;   ///< [triangle]
   std::span<const double> gains;  ///< [triangle] fragments saved where its sides are drawn apart, or one not at all
+  double vertices = 0;            ///< that it uses
 };
 
 struct Plan {
@@ -34,7 +35,7 @@ struct Plan {
 
 struct ChoiceOptions {
   double most_added = 0.1;     ///< triangles, times the scene's
-  double vertex_weight = 0.1;  ///< of a shaded vertex beside a fragment, as occlusion-order has it
+  double vertex_weight = 0.3;  ///< a copied vertex, as a share of all, must save this share of what is seen
   bool split = true;           ///< a draw of which too much would be added may become two
 };
 

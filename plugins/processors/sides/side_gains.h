@@ -1,6 +1,8 @@
 #pragma once
 // What is saved where the two sides of a triangle are drawn apart.
 
+#include "all_sides.h"
+
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/poses.h>
@@ -9,7 +11,6 @@
 #include <foredraw/scene/views.h>
 
 #include <map>
-#include <span>
 #include <vector>
 
 namespace foredraw::sides {
@@ -19,11 +20,13 @@ struct SideGains {
   double visible = 0;                        ///< fragments that are seen in the same pictures
 };
 
-/// Where one side of a triangle lies in front and the other one behind something, no place in the order is right for
-/// both: it should be drawn early for the one's sake, and late for the other's. Of both sides the fragments in front
-/// and those behind are counted, from each view, in the poses by turns; the lesser number is lost, or half of it: in an
-/// order or in its reverse. The same at any number of threads.
-SideGains side_gains(const Scene& scene, std::span<const DrawId> asked, const Views& views, const Poses& poses,
-                     SubjectUnit unit, Analyses& analyses, const Executor& executor);
+/// Where one side of a triangle hides something and the other one is hidden, no place in the order is right for both:
+/// it should be drawn early for the one's sake, and late for the other's. Of both sides the fragments that hide
+/// something and those that are hidden are counted, from each view, in the poses by turns; the lesser number is lost,
+/// or half of it: in an order or in its reverse. Triangles of which both sides are `wanted` ([draw asked
+/// for][triangle]) are counted among what is wanted, as the rest will not be drawn; the others among all sides. The
+/// same at any number of threads.
+SideGains side_gains(const Scene& scene, const std::map<DrawId, std::vector<Side>>& wanted, const Views& views,
+                     const Poses& poses, SubjectUnit unit, Analyses& analyses, const Executor& executor);
 
 }  // namespace foredraw::sides

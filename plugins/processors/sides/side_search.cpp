@@ -111,19 +111,8 @@ class SubjectSides {
 
   bool is_asked(std::size_t part) const { return found_.wanted.contains(subject_.parts[part].draw); }
 
-  /// What is wanted so far, of each part; of parts that are not asked for, all that they draw.
-  SidesOfParts kept(const SubjectGeometry& drawn) const {
-    SidesOfParts result;
-    for (std::size_t part = 0; part < drawn.parts.size(); ++part) {
-      const std::size_t triangles = drawn.parts[part].indices.size() / 3;
-      if (is_asked(part) && triangles > 0) {
-        result.push_back(found_.wanted.at(subject_.parts[part].draw));
-      } else {
-        result.emplace_back(triangles, drawn.parts[part].culls_back_faces ? front : both);
-      }
-    }
-    return result;
-  }
+  /// What is wanted so far.
+  SidesOfParts kept(const SubjectGeometry& drawn) const { return sides_of_parts(subject_, drawn.parts, found_.wanted); }
 
   void want(const SidesOfParts& kept) {
     for (std::size_t part = 0; part < kept.size(); ++part) {

@@ -73,6 +73,13 @@ std::string copies_text(const Counted& count) {
   return text;
 }
 
+/// How many its triangles use.
+double vertices_of(const Draw& draw) {
+  std::vector<bool> is_used(draw.full().vertices->count, false);
+  for (const std::uint32_t index : draw.full().stream().indices.view()) is_used[index] = true;
+  return static_cast<double>(std::ranges::count(is_used, true));
+}
+
 /// Fragments shaded of subjects with one of some draws, over a few poses, from a few of the run's views: this is told,
 /// and decides nothing.
 double shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
@@ -119,7 +126,7 @@ class Sides final : public Processor {
     const sides::FoundSides found = sides::find_sides(scene, asked, search, run.analyses, run.executor);
     if (run.cancelled()) return {};
     sides::SideGains gains =
-        sides::side_gains(scene, asked, run.views, run.poses, run.subjects, run.analyses, run.executor);
+        sides::side_gains(scene, found.wanted, run.views, run.poses, run.subjects, run.analyses, run.executor);
     constexpr int rounds = 4;  // what is copied hangs together then, and shares its vertices
     for (auto& [id, of_triangles] : gains.of) {
       for (int i = 0; i < rounds; ++i) sides::smooth(found.surfaces.at(id), of_triangles);
@@ -169,10 +176,12 @@ class Sides final : public Processor {
     sides::Sizes sizes{.visible = gains.visible};
     for (const Draw& draw : scene.draws) {
       sizes.triangles += static_cast<double>(draw.full().stream().triangle_count());
-      sizes.vertices += static_cast<double>(draw.full().vertices->count);
+      sizes.vertices += vertices_of(draw);
     }
     std::map<DrawId, sides::Sided> draws;
-    for (const auto& [id, wanted] : found.wanted) draws[id] = {wanted, gains.of.at(id)};
+    for (const auto& [id, wanted] : found.wanted) {
+      draws[id] = {wanted, gains.of.at(id), vertices_of(scene.draws[id])};
+    }
     sides::ChoiceOptions options = options_;
     options.split &= scene.products.empty();  // two draws have other numbers than one, which no product must mind
     return sides::plans(draws, sizes, options);
@@ -248,7 +257,8 @@ Plugin sides_plugin() {
   table.row(&sides::ChoiceOptions::split, "split",
             "Split a draw in two, one of them double-sided, where too many triangles would be added");
   table.row(&sides::ChoiceOptions::vertex_weight, "vertex-weight",
-            "What a shaded vertex weighs beside a fragment: copies must save more than they add", {0, 1000, ""});
+            "Where triangles are copied: how many per cent of the fragments one per cent more vertices must save",
+            {0, 1000, ""});
   table.row(&sides::SideSearchOptions::rays, "rays",
             "Rays cast from each side that no picture shows, half of them into an opening; more find smaller gaps and "
             "take longer",

@@ -25,11 +25,10 @@ struct Fragment {
   friend auto operator<=>(const Fragment&, const Fragment&) = default;
 };
 
-/// Sorted inside of each triangle, whose fragments come in any order; fails where triangles do not come in theirs.
-std::vector<Fragment> drawn(std::span<const RasterPart> parts, const View& view, int size) {
+std::vector<Fragment> drawn_in_turn(std::span<const PreparedPart> parts, const View& view, int size) {
   Rasteriser rasteriser;
   std::vector<Fragment> fragments;
-  for (const PreparedPart& part : prepared(parts)) {
+  for (const PreparedPart& part : parts) {
     rasteriser.draw(part, Camera(view, size), [&](const Fragments& some) {
       for (std::size_t i = 0; i < some.count; ++i) {
         EXPECT_TRUE(!some.is_row || some.pixels[i] == some.pixels[0] + i);
@@ -37,6 +36,12 @@ std::vector<Fragment> drawn(std::span<const RasterPart> parts, const View& view,
       }
     });
   }
+  return fragments;
+}
+
+/// Sorted inside of each triangle, whose fragments come in any order; fails where triangles do not come in theirs.
+std::vector<Fragment> drawn(std::span<const RasterPart> parts, const View& view, int size) {
+  std::vector<Fragment> fragments = drawn_in_turn(prepared(parts), view, size);
   EXPECT_TRUE(std::ranges::is_sorted(fragments, {}, &Fragment::triangle));
   std::ranges::sort(fragments);
   return fragments;
@@ -113,6 +118,29 @@ RC_GTEST_PROP(Rasteriser, draws_what_the_definition_says_at_every_width, ()) {
   const View view = random_view(*rc::gen::elementOf(distances));
   const std::vector<Fragment> expected = defined(part, view, size);
   testing::at_every_width([&] { RC_ASSERT(drawn({&part, 1}, view, size) == expected); });
+}
+
+/// One double-sided part shows what its fronts and its turned triangles show, each under a number of its own.
+RC_GTEST_PROP(Rasteriser, tells_what_is_drawn_from_behind, ()) {
+  constexpr std::uint32_t behind = 1000;
+  const TestMesh mesh = random_mesh(*rc::gen::inRange(0, 60));
+  TestMesh turned = mesh;
+  for (std::size_t i = 0; i < turned.indices.size(); i += 3) std::swap(turned.indices[i + 1], turned.indices[i + 2]);
+  const RasterPart fronts = part_of(mesh, true), backs = part_of(turned, true), both = part_of(mesh, false);
+  const int size = *rc::gen::element(1, 16, 61, 256, 700);
+  const View view = random_view(*rc::gen::elementOf(distances));
+  std::vector<PreparedPart> ready = prepared({&both, 1});
+  ready[0].behind = behind;
+  testing::at_every_width([&] {
+    std::vector<Fragment> expected = drawn({&fronts, 1}, view, size);
+    for (Fragment one : drawn({&backs, 1}, view, size)) {
+      one.triangle += behind;
+      expected.push_back(one);
+    }
+    std::vector<Fragment> found = drawn_in_turn(ready, view, size);
+    std::ranges::sort(found);
+    RC_ASSERT(found == expected);
+  });
 }
 
 TEST(Rasteriser, draws_the_largest_picture_as_defined) {

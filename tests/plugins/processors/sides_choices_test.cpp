@@ -15,7 +15,7 @@ using sides::front, sides::back, sides::both;
 /// Prices of a triangle and of a draw call, in fragments, where nothing else is said.
 Plan plan(const std::vector<Side>& wanted, const std::vector<double>& gains, double price = 1, double call = 10,
           bool may_split = true) {
-  return sides::cheapest_plan({wanted, gains}, price, call, may_split);
+  return sides::cheapest_plan({wanted, gains, 0}, price, call, may_split);
 }
 
 TEST(SidesChoices, WhereNoBackIsSeenNothingIsAdded) {
@@ -61,27 +61,29 @@ TEST(SidesChoices, TheScenesTrianglesGoWhereTheyGainMost) {
     hull[t] = static_cast<double>(t);
     hose[t] = 200;
   }
-  const std::map<DrawId, Sided> draws{{0, {all, sail}}, {1, {all, hull}}, {2, {all, hose}}};
+  const std::map<DrawId, Sided> draws{{0, {all, sail, 70}}, {1, {all, hull, 70}}, {2, {all, hose, 70}}};
   const sides::Sizes scene{.triangles = 1000, .vertices = 700, .visible = 10'000};  // a triangle costs one fragment
   const auto added = [&](double most) {
     std::vector<std::size_t> result;
-    for (const auto& [id, plan] : sides::plans(draws, scene, {.most_added = most})) result.push_back(plan.added);
+    for (const auto& [id, plan] : sides::plans(draws, scene, {.most_added = most, .vertex_weight = 0.1}))
+      result.push_back(plan.added);
     return result;
   };
   EXPECT_EQ(added(1), (std::vector<std::size_t>{0, 100, 100})) << "a call would cost more than copies of all the hull";
   EXPECT_EQ(added(0.15), (std::vector<std::size_t>{0, 50, 100}));
   EXPECT_EQ(added(0.1), (std::vector<std::size_t>{0, 0, 100}));
   EXPECT_EQ(added(0.05), (std::vector<std::size_t>{0, 0, 0}));
-  const auto plans = sides::plans(draws, scene, {.most_added = 0.15});
+  const auto plans = sides::plans(draws, scene, {.most_added = 0.15, .vertex_weight = 0.1});
   EXPECT_FALSE(plans.at(1).stays[99]);
   EXPECT_TRUE(plans.at(1).stays[0]);
-  EXPECT_EQ(sides::plans(draws, scene, {.most_added = 0.15, .split = false}).at(1).choice, Choice::left);
+  EXPECT_EQ(sides::plans(draws, scene, {.most_added = 0.15, .vertex_weight = 0.1, .split = false}).at(1).choice,
+            Choice::left);
 }
 
 TEST(SidesChoices, VerticesHaveTheWeightThatTheyAreGiven) {
   const std::vector<Side> wanted{both, front};
   const std::vector<double> gains{1, 0};
-  const std::map<DrawId, Sided> draws{{0, {wanted, gains}}};
+  const std::map<DrawId, Sided> draws{{0, {wanted, gains, 1.4}}};
   const sides::Sizes scene{.triangles = 2, .vertices = 7, .visible = 90};
   const auto choice = [&](double weight) {
     return sides::plans(draws, scene, {.most_added = 1, .vertex_weight = weight}).at(0).choice;

@@ -190,12 +190,12 @@ TEST(SidesShapes, OddTrianglesDoNoHarm) {
   EXPECT_GT(holed.both, holed.fronts);
 }
 
-sides::SideGains gains(const TestMesh& mesh, int threads) {
-  const DrawId asked[] = {0};
+sides::SideGains gains(const TestMesh& mesh, int threads, std::vector<Side> wanted = {}) {
+  wanted.resize(mesh.indices.size() / 3, sides::front);
   Views views{{}, 64};
   for (const glm::dvec3& direction : fibonacci_directions(30)) views.views.push_back({direction});
   Analyses analyses;
-  return sides::side_gains(double_sided_scene(mesh), asked, views, rest_pose, SubjectUnit::character, analyses,
+  return sides::side_gains(double_sided_scene(mesh), {{0, wanted}}, views, rest_pose, SubjectUnit::character, analyses,
                            Executor(threads));
 }
 
@@ -210,6 +210,16 @@ TEST(SidesGains, AreOfTrianglesThatHideAndAreHidden) {
     EXPECT_LT(gain, 0.06 * box.visible) << "half of a twelfth, as backs are as often behind as fronts are in front";
   }
   EXPECT_EQ(gains(open_tube(), 1).of, gains(open_tube(), 2).of);
+}
+
+/// What will not be drawn any more is not hidden, and hides nothing.
+TEST(SidesGains, OfCopiesAreAmongWhatIsWanted) {
+  const double all_sides = gains(body(), 1).of.at(0).front();
+  const std::vector<Side> every(12, sides::both);
+  EXPECT_EQ(gains(body(), 1, every).of.at(0).front(), all_sides);
+  EXPECT_EQ(gains(body(), 1, {sides::both}).of.at(0).front(), 0) << "no other back is behind its front";
+  const std::vector<double> beside = gains(body(), 1, {sides::both}).of.at(0);
+  EXPECT_EQ(beside.back(), gains(body(), 1).of.at(0).back()) << "a back that goes saves what it cost";
 }
 
 TEST(SidesSurface, SmoothsValuesOverNeighbours) {
