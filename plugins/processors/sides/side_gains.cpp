@@ -21,7 +21,7 @@ struct InFront {
   explicit InFront(std::size_t sides) : all(sides), hiding(sides) {}
 
   Counts all;     ///< nothing lies before them
-  Counts hiding;  ///< nor nothing behind
+  Counts hiding;  ///< and something behind
 };
 
 /// A picture of some sides.
