@@ -42,14 +42,14 @@ struct Mesh {
 /// All triangles of the file, in the draws' own spaces.
 Mesh mesh_of(const std::string& path) {
   Diagnostics diagnostics;
-  const auto file = read_scene(path, diagnostics, {});
+  const auto file = read_scene(path, diagnostics);
   if (!file) throw std::runtime_error(to_text(diagnostics));
   std::vector<DrawId> draws;
-  for (DrawId id = 0; id < file->draws.size(); ++id) {
-    if (file->draws[id].topology == Topology::triangles) draws.push_back(id);
+  for (DrawId id = 0; id < file->scene.draws.size(); ++id) {
+    if (file->scene.draws[id].topology == Topology::triangles) draws.push_back(id);
   }
   Analyses analyses;
-  const JoinedMesh joined = joined_mesh(*file, draws, analyses).value();
+  const JoinedMesh joined = joined_mesh(file->scene, draws, analyses).value();
   const std::vector<std::uint32_t> first = welded(joined.positions);
   Mesh mesh;
   std::vector<std::uint32_t> number(first.size(), ~0u);
