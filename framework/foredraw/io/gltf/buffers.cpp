@@ -59,6 +59,22 @@ bool is_fallback(Gate& gate, const Json& buffer, const std::string& place) {
   return false;
 }
 
+/// The extension that compressed all views of the buffer, so that nobody needs its own bytes; nullptr: there is none,
+/// or the buffer has an extension itself, and knows what it is.
+const char* compression_of_all_views(const Gate& gate, std::size_t buffer) {
+  if (gate.all("buffers")[buffer].contains("extensions")) return nullptr;
+  const char* name = nullptr;
+  for (const Json& view : gate.all("bufferViews")) {
+    const auto named = view.find("buffer");
+    if (named == view.end() || *named != buffer) continue;
+    const auto found = std::ranges::find_if(
+        meshopt_extensions, [&](const char* extension) { return extension_of(view, extension) != nullptr; });
+    if (found == std::end(meshopt_extensions)) return nullptr;
+    name = *found;
+  }
+  return name;
+}
+
 /// A buffer that has fewer bytes than it states.
 std::optional<Buffer> shortened(Gate& gate, Bytes there, std::string message, const std::string& place) {
   if (there.empty()) {
@@ -86,6 +102,10 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
     if (fallback) return absent;
     if (i == 0 && bin) {
       return shortened(gate, *bin, fmt::format("is {}, but the BIN chunk has {} bytes", *length, bin->size()), place);
+    } else if (const char* compression = compression_of_all_views(gate, i)) {
+      gate.fault("fallback", place, "has neither a uri nor a BIN chunk, and does not say that it is a fallback");
+      gate.mend_at(place)["extensions"][compression]["fallback"] = true;
+      return Buffer{{}, absent.length, true};
     } else {
       gate.error(place, "buffer-missing", "has no uri, and there is no BIN chunk for it",
                  "pack the file into a .glb, or name the file that holds the bytes");
@@ -162,6 +182,20 @@ BufferView view_of(Gate& gate, const Json& json, const std::string& place) {
   return view;
 }
 
+/// A view without bytes gets one, behind its offset or, at the buffer's end, before it.
+void fill_if_empty(Gate& gate, const Json& json, const std::string& place) {
+  const auto length = json.find("byteLength");
+  if (length == json.end() || !length->is_number_integer() || *length != 0) return;
+  gate.fault("empty-view", in(place, "byteLength"), "is 0, but must be 1 at least");
+  gate.mend_at(in(place, "byteLength")) = 1;
+  const auto number = json.find("buffer"), offset = json.find("byteOffset");
+  if (number == json.end() || offset == json.end() || !number->is_number_unsigned()) return;
+  const auto buffer = number->get<std::size_t>();
+  if (buffer < gate.count("buffers") && *offset > 0 && *offset == gate.document().buffers[buffer].length) {
+    gate.mend_at(in(place, "byteOffset")) = offset->get<std::size_t>() - 1;
+  }
+}
+
 }  // namespace
 
 void check_views(Gate& gate) {
@@ -170,6 +204,7 @@ void check_views(Gate& gate) {
   std::uint64_t claimed = 0;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::string place = at("bufferViews", i);
+    fill_if_empty(gate, views[i], place);
     BufferView view = gate.only_if_used("bufferViews", i, [&] { return view_of(gate, views[i], place); });
     claimed += view.bytes.size();
     if (claimed > most) {

@@ -77,6 +77,10 @@ std::uint32_t greatest_index(const Document& document, const Accessor& accessor)
   return greatest(elements(document, accessor), accessor.format.bytes);
 }
 
+std::uint32_t restart_of(Component indices) {
+  return indices == Component::uint8 ? 0xffu : indices == Component::uint16 ? 0xffffu : 0xffffffffu;
+}
+
 std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized) {
   Format format;
   switch (component_type) {

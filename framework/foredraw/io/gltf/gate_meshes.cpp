@@ -11,8 +11,9 @@ namespace foredraw::gltf {
 namespace {
 
 struct IndexRange {
-  std::uint32_t most = 0;
+  std::uint32_t most = 0;     ///< of those that do not restart
   std::uint32_t restart = 0;  ///< the type's greatest value, which glTF keeps free
+  bool does_restart = false;
 };
 
 /// What glTF lets a semantic hold. Components are not told apart further: quantised assets mix them.
@@ -32,7 +33,8 @@ class MeshCheck {
     const Json* primitives = gate_.array(mesh, "primitives", place);
     if (primitives == nullptr) return;
     if (primitives->empty()) gate_.error(in(place, "primitives"), "out-of-range", "must not be empty");
-    std::optional<std::size_t> targets;
+    std::optional<std::size_t> targets;  // of the first
+    std::size_t most_targets = 0;
     for (std::size_t p = 0; p < primitives->size(); ++p) {
       const std::string inside = at(in(place, "primitives"), p);
       if (!(*primitives)[p].is_object()) {
@@ -41,12 +43,13 @@ class MeshCheck {
       }
       const std::size_t own = primitive((*primitives)[p], inside);
       if (targets && *targets != own) {
-        gate_.error(in(inside, "targets"), "unequal-counts",
+        gate_.fault("morph-targets", in(inside, "targets"),
                     fmt::format("has {} morph targets, but the first primitive has {}", own, *targets));
       }
       if (!targets) targets = own;
+      most_targets = std::max(most_targets, own);
     }
-    if (mesh.contains("weights")) gate_.numbers(mesh, "weights", place, targets.value_or(0));
+    if (mesh.contains("weights")) gate_.numbers(mesh, "weights", place, most_targets);
   }
 
  private:
@@ -133,15 +136,17 @@ class MeshCheck {
       return std::nullopt;
     }
     const IndexRange& range = range_of(*number, *accessor);
-    if (range.most == range.restart && is_list && vertices && range.most < *vertices) {
-      gate_.fault(
-          "restart-index", in(place, "indices"),
-          fmt::format("accessor {} holds {}, which restarts strips, so that glTF forbids it", *number, range.restart));
-    } else if (range.most == range.restart) {
-      gate_.error(
-          in(place, "indices"), "primitive-restart",
-          fmt::format("accessor {} holds {}, which restarts primitives; glTF forbids it", *number, range.restart));
-    } else if (vertices && range.most >= *vertices) {
+    if (range.does_restart && vertices) {
+      const bool is_vertex = range.restart < *vertices;
+      std::string message =
+          fmt::format("accessor {} holds {}, which restarts primitives; glTF forbids it", *number, range.restart);
+      if (is_vertex == is_list) {
+        gate_.fault(is_list ? "restart-index" : "restart", in(place, "indices"), std::move(message));
+      } else {
+        gate_.error(in(place, "indices"), "primitive-restart", std::move(message));
+      }
+    }
+    if (vertices && range.most >= *vertices) {
       gate_.error(
           in(place, "indices"), "index-range",
           fmt::format("accessor {} names vertex {}, but there are {} vertices", *number, range.most, *vertices));
@@ -153,11 +158,16 @@ class MeshCheck {
   const IndexRange& range_of(std::size_t number, const Accessor& accessor) {
     const auto [known, is_new] = ranges_.try_emplace(number);
     if (!is_new) return known->second;
-    known->second.most = greatest_index(gate_.document(), accessor);
-    known->second.restart = accessor.format.component == Component::uint8    ? 0xffu
-                            : accessor.format.component == Component::uint16 ? 0xffffu
-                                                                             : 0xffffffffu;
-    return known->second;
+    IndexRange& range = known->second;
+    range.restart = restart_of(accessor.format.component);
+    range.most = greatest_index(gate_.document(), accessor);
+    range.does_restart = range.most == range.restart;
+    if (!range.does_restart) return range;
+    range.most = 0;
+    for (const std::uint32_t index : index_elements(gate_.document(), accessor)) {
+      if (index != range.restart) range.most = std::max(range.most, index);
+    }
+    return range;
   }
 
   void index_count(std::size_t count, std::uint64_t mode, const std::string& place) {

@@ -1,5 +1,6 @@
 #include <foredraw/io/gltf/private/streams.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace foredraw::gltf {
@@ -12,28 +13,38 @@ Primitive::Attributes attributes_of(const Json& json) {
   return attributes;
 }
 
-std::vector<std::uint32_t> as_list(std::vector<std::uint32_t> corners, Mode mode) {
-  std::vector<std::uint32_t> list;
+/// One strip, loop or fan, taken apart.
+void add_connected(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> corners, Mode mode) {
   const std::size_t n = corners.size();
   switch (mode) {
     case Mode::line_loop:
     case Mode::line_strip:
       for (std::size_t i = 0; i + 1 < n; ++i) list.insert(list.end(), {corners[i], corners[i + 1]});
-      if (mode == Mode::line_loop) list.insert(list.end(), {corners[n - 1], corners[0]});
-      return list;
+      if (mode == Mode::line_loop && n > 1) list.insert(list.end(), {corners[n - 1], corners[0]});
+      return;
     case Mode::triangle_strip:  // every second triangle is turned, so that all wind alike
       for (std::size_t i = 0; i + 2 < n; ++i) {
         list.insert(list.end(), {corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]});
       }
-      return list;
-    case Mode::triangle_fan:
+      return;
+    default:
       for (std::size_t i = 0; i + 2 < n; ++i) list.insert(list.end(), {corners[i + 1], corners[i + 2], corners[0]});
-      return list;
-    default: {
-      const std::size_t each = mode == Mode::lines ? 2 : mode == Mode::triangles ? 3 : 1;
-      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(n - n % each), corners.end());
-      return corners;
-    }
+  }
+}
+
+std::vector<std::uint32_t> as_list(std::vector<std::uint32_t> corners, Mode mode,
+                                   std::optional<std::uint32_t> restart) {
+  if (mode == Mode::points || mode == Mode::lines || mode == Mode::triangles) {
+    const std::size_t each = mode == Mode::lines ? 2 : mode == Mode::triangles ? 3 : 1;
+    corners.resize(corners.size() - corners.size() % each);
+    return corners;
+  }
+  std::vector<std::uint32_t> list;
+  for (auto from = corners.begin();;) {
+    const auto to = restart ? std::find(from, corners.end(), *restart) : corners.end();
+    add_connected(list, {from, to}, mode);
+    if (to == corners.end()) return list;
+    from = to + 1;
   }
 }
 
@@ -83,13 +94,15 @@ Shared<std::uint32_t> Streams::indices(const Primitive& primitive) {
   const auto [made, is_new] = indices_.try_emplace({number, number ? 0 : count, primitive.mode});
   if (!is_new) return made->second;
   std::vector<std::uint32_t> corners;
+  std::optional<std::uint32_t> restart;
   if (number) {
     corners = index_elements(document_, document_.accessors[*number]);
+    restart = restart_of(document_.accessors[*number].format.component);
   } else {
     corners.resize(count);
     std::iota(corners.begin(), corners.end(), 0u);
   }
-  made->second = Shared<std::uint32_t>(as_list(std::move(corners), primitive.mode));
+  made->second = Shared<std::uint32_t>(as_list(std::move(corners), primitive.mode, restart));
   return made->second;
 }
 

@@ -14,17 +14,21 @@ std::size_t joint_length(std::string_view text) {
   return text.starts_with("\\\r\n") ? 3 : 0;
 }
 
-std::string read_index(std::string_view token, std::size_t so_far, std::uint32_t& record) {
+/// What places no vertex may be `absent`.
+std::string read_index(std::string_view token, std::size_t so_far, bool may_be_absent, std::uint32_t& record) {
   std::int64_t number = 0;
   if (!read_integer(token, number)) return fmt::format("{} is not a whole number", shown(token));
+  const bool is_too_far_back = number < 0 && static_cast<std::uint64_t>(-(number + 1)) >= so_far;
+  if (may_be_absent && (number == 0 || is_too_far_back)) {
+    record = absent;
+    return {};
+  }
   if (number == 0) return "names record 0, but OBJ counts from 1";
   if (number < 0) {
-    if (static_cast<std::uint64_t>(-(number + 1)) >= so_far) {
-      return fmt::format("names record {}, but the file has {} so far", number, so_far);
-    }
+    if (is_too_far_back) return fmt::format("names record {}, but the file has {} so far", number, so_far);
     number += static_cast<std::int64_t>(so_far) + 1;
   }
-  if (number >= none) return fmt::format("names record {}, which no file can hold", number);
+  if (number >= absent) return fmt::format("names record {}, which no file can hold", number);
   record = static_cast<std::uint32_t>(number - 1);
   return {};
 }
@@ -88,16 +92,16 @@ bool ObjCounts::count(std::string_view keyword) {
 std::string read_obj_corner(std::string_view token, const ObjCounts& so_far, Corner& corner) {
   corner = {};
   const std::size_t first = token.find('/');
-  std::string wrong = read_index(token.substr(0, first), so_far.positions, corner.position);
+  std::string wrong = read_index(token.substr(0, first), so_far.positions, false, corner.position);
   if (!wrong.empty() || first == std::string_view::npos) return wrong;
   const std::string_view others = token.substr(first + 1);
   const std::size_t second = others.find('/');
   if (const auto texcoord = others.substr(0, second); !texcoord.empty()) {
-    wrong = read_index(texcoord, so_far.texcoords, corner.texcoord);
+    wrong = read_index(texcoord, so_far.texcoords, true, corner.texcoord);
   }
   if (!wrong.empty() || second == std::string_view::npos) return wrong;
   const std::string_view normal = others.substr(second + 1);
-  return normal.empty() ? wrong : read_index(normal, so_far.normals, corner.normal);
+  return normal.empty() ? wrong : read_index(normal, so_far.normals, true, corner.normal);
 }
 
 }  // namespace foredraw::mesh_files

@@ -134,14 +134,15 @@ class ObjReader {
   }
 
   /// Corners may name records that come after them, so all are looked at in the end. Texture coordinates and normals
-  /// that are named where the file has none at all are none.
+  /// that are not there are none.
   bool all_records_exist() {
     const auto exists = [&](std::string_view what, std::uint32_t& record, std::size_t count, std::size_t face) {
       if (record == none || record < count) return true;
       const std::string_view place(places_[face], 1);
-      std::string message =
-          fmt::format("the face names '{}' number {}, but the file has {}", what, std::size_t{record} + 1, count);
-      if (what == "v" || count > 0) return reading_.refuse(reading_.at(place), std::move(message));
+      std::string message = record == absent ? fmt::format("the face names a '{}' before the first", what)
+                                             : fmt::format("the face names '{}' number {}, but the file has {}", what,
+                                                           std::size_t{record} + 1, count);
+      if (what == "v") return reading_.refuse(reading_.at(place), std::move(message));
       reading_.fault("missing-attribute", place, std::move(message));
       record = none;
       return true;
@@ -209,11 +210,16 @@ class ObjReader {
 }  // namespace
 
 bool read_obj(const Reading& reading, PolygonMesh& mesh, std::vector<std::string>& libraries) {
-  const std::string_view text = reading.text;
-  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+  const std::size_t zero = reading.text.find('\0');
+  if (zero == std::string_view::npos) return ObjReader(reading, mesh, libraries).run();
+  const std::string_view rest = reading.text.substr(zero);
+  if (!std::ranges::all_of(rest, [](char c) { return c == '\0' || is_space(c); })) {
     return reading.refuse(reading.at_byte(zero), "found a zero byte: the file is not text");
   }
-  return ObjReader(reading, mesh, libraries).run();
+  reading.fault("zero-bytes", rest, "found zero bytes behind the text");
+  Reading before = reading;
+  before.text = reading.text.substr(0, zero);
+  return ObjReader(before, mesh, libraries).run();
 }
 
 }  // namespace foredraw::mesh_files

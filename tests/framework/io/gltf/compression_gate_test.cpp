@@ -111,7 +111,12 @@ const Broken all_broken[] = {
     {"fallback_is_text",
      [](auto& b) { b.json["buffers"][1]["extensions"]["EXT_meshopt_compression"]["fallback"] = "yes"; }, "wrong-type",
      "buffers[1].extensions.EXT_meshopt_compression.fallback"},
-    {"no_fallback", [](auto& b) { b.json["buffers"][1].erase("extensions"); }, "buffer-missing", "buffers[1]"},
+    {"no_fallback_for_a_plain_view",
+     [](auto& b) {
+       b.json["buffers"][1].erase("extensions");
+       b.json["bufferViews"][0].erase("extensions");
+     },
+     "buffer-missing", "buffers[1]"},
     {"view_beyond_the_fallback", [](auto& b) { b.json["buffers"][1]["byteLength"] = 8; }, "view-range",
      "bufferViews[0].byteLength"},
 };

@@ -8,7 +8,7 @@
 #include <functional>
 #include <set>
 
-#include "support/gltf_builder.h"
+#include "support/compressed_gltf.h"
 
 namespace foredraw {
 namespace {
@@ -39,6 +39,21 @@ Bytes with_json(const Bytes& glb, const std::function<void(std::string&)>& chang
   std::memcpy(made.data() + 8, &whole, 4);
   std::memcpy(made.data() + 12, &part, 4);
   return made;
+}
+
+/// A compressed view in a buffer that has no bytes, and does not say why.
+void add_unmarked_fallback(GltfBuilder& b) {
+  const GltfBuilder from = testing::compressed(testing::ribbon(1));
+  GltfJson view = from.json["bufferViews"][0];
+  view["buffer"] = 1;
+  GltfJson& said = view["extensions"]["EXT_meshopt_compression"];
+  said["byteOffset"] = said.value("byteOffset", std::size_t{0}) + b.buffer.size();
+  b.buffer.insert(b.buffer.end(), from.buffer.begin(), from.buffer.end());
+  if (!b.json.contains("buffers")) b.json["buffers"][0]["byteLength"] = b.buffer.size();
+  b.add("buffers", {{"byteLength", 1000}});
+  b.add("bufferViews", view);
+  b.json["extensionsUsed"].push_back("EXT_meshopt_compression");
+  b.json["extensionsRequired"].push_back("EXT_meshopt_compression");
 }
 
 struct Maker {
@@ -93,6 +108,18 @@ const std::vector<Maker>& makers() {
          const std::size_t indices = b.add_values(std::vector<std::uint8_t>{0, 1, 255}, "SCALAR");
          b.add_mesh({{"attributes", {{"POSITION", places}}}, {"indices", indices}});
        }},
+      {"morph-targets", true,
+       [](auto& b) {
+         GltfJson other = primitive(b);
+         other.erase("targets");
+         b.json["meshes"][0]["primitives"].push_back(other);
+       }},
+      {"restart", true,
+       [](auto& b) {
+         const std::size_t places = b.add_values(std::vector<float>(3 * 4, 1), "VEC3");
+         const std::size_t indices = b.add_values(std::vector<std::uint8_t>{0, 1, 2, 255, 1, 2, 3}, "SCALAR");
+         b.add_mesh({{"attributes", {{"POSITION", places}}}, {"indices", indices}, {"mode", 5}});
+       }},
       {"quaternion", true,
        [](auto& b) {
          b.json["nodes"][1]["rotation"] = {0, 0, 0, 2};
@@ -112,6 +139,11 @@ const std::vector<Maker>& makers() {
        [](auto& b) {
          b.json["buffers"] = {{{"byteLength", b.buffer.size() + 1000}}};
        }},
+      {"empty-view", false,
+       [](auto& b) {
+         b.add("bufferViews", {{"buffer", 0}, {"byteOffset", b.buffer.size()}, {"byteLength", 0}});
+       }},
+      {"fallback", false, add_unmarked_fallback},
       {"byte-order-mark",
        false,
        {},

@@ -135,14 +135,12 @@ TEST(MeshObj, RefusalsNameTheLine) {
   EXPECT_EQ(error("v 0 1e39 0\n"), "input.obj:1:5: error: '1e39' does not fit into a 32-bit float");
   EXPECT_EQ(error("v 0 0 zero\n"), "input.obj:1:7: error: 'zero' is not a number");
   EXPECT_EQ(error(square + "f 1 2 5\n"), "input.obj:5:1: error: the face names 'v' number 5, but the file has 4");
-  EXPECT_EQ(error(square + "vt 0 0\nf 1/1 2/2 3/1\n"),
-            "input.obj:6:1: error: the face names 'vt' number 2, but the file has 1");
   EXPECT_EQ(error(square + "f 0 1 2\n"), "input.obj:5:3: error: names record 0, but OBJ counts from 1");
   EXPECT_EQ(error(square + "f 1 2 99999999999999999999\n"),
             "input.obj:5:7: error: '99999999999999999999' is not a whole number");
   EXPECT_EQ(error(square + "f 1 2 4294967297\n"),
             "input.obj:5:7: error: names record 4294967297, which no file can hold");
-  EXPECT_EQ(error(std::string("v 0 0 0\0", 8)), "input.obj: error: byte 7: found a zero byte: the file is not text");
+  EXPECT_EQ(error(std::string("v 0 0\0 0", 8)), "input.obj: error: byte 5: found a zero byte: the file is not text");
   EXPECT_EQ(error(""), "input.obj: error: the file holds no vertices");
   EXPECT_EQ(error(square + "f 1 2\n"), "input.obj: error: none of the file's faces has three corners");
 }
@@ -157,6 +155,27 @@ TEST(MeshObj, AttributesOfWhichThereAreNoneAtAllAreNone) {
   EXPECT_FALSE(made.scene->draws[0].traits.has(traits::uv0));
   EXPECT_EQ(read_mesh(MeshKind::obj, text, {}, {.strict = true}).error(),
             "input.obj:6:1: error: the face names 'vt' number 1, but the file has 0 (and 5 more like it)");
+}
+
+TEST(MeshObj, AttributesThatAreNotThereAreNone) {
+  for (const std::string wrong : {"2/2/1", "2/0/1", "2/-2/1"}) {
+    const auto made =
+        read_mesh(MeshKind::obj, square + "vn 0 0 1\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\nf 1/1/1 " + wrong + " 3/1/1\n");
+    ASSERT_TRUE(made.scene) << made.error();
+    EXPECT_EQ(made.told(), "missing-attribute");
+    ASSERT_EQ(made.scene->draws.size(), 2u);
+    EXPECT_TRUE(made.scene->draws[0].traits.has(traits::uv0));
+    EXPECT_FALSE(made.scene->draws[1].traits.has(traits::uv0));
+    EXPECT_TRUE(made.scene->draws[1].traits.has(traits::normals));
+  }
+}
+
+TEST(MeshObj, ZeroBytesBehindTheTextAreSkipped) {
+  using namespace std::string_literals;
+  const auto made = read_mesh(MeshKind::obj, square + "f 1 2 3\n\0\n\0"s);
+  ASSERT_TRUE(made.scene) << made.error();
+  EXPECT_EQ(made.told(), "zero-bytes");
+  EXPECT_EQ(indices(*made.scene).size(), 3u);
 }
 
 TEST(MeshObj, AttributesThatAreNotFiniteAreZero) {

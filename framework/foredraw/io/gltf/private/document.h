@@ -134,6 +134,9 @@ std::vector<float> decoded_elements(const Document& document, const Accessor& ac
 std::vector<std::uint32_t> index_elements(const Document& document, const Accessor& accessor);
 std::uint32_t greatest_index(const Document& document, const Accessor& accessor);
 
+/// The greatest number that such indices can hold: it restarts strips, loops and fans.
+std::uint32_t restart_of(Component indices);
+
 /// "VEC3" and its component type to a format; nullopt where there is none such.
 std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized);
 

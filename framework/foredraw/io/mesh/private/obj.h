@@ -34,6 +34,9 @@ struct ObjCounts {
   bool count(std::string_view keyword);
 };
 
+/// A texture coordinate or normal that cannot be there: number 0, or one before the first.
+inline constexpr std::uint32_t absent = none - 1;
+
 /// "3", "3/1", "3//2", "3/1/2" as records from 0 on; what follows the end of the numbers counts from back there.
 /// Says what is wrong; empty: nothing. That a record exists is not checked where its number is positive.
 std::string read_obj_corner(std::string_view token, const ObjCounts& so_far, Corner& corner);
