@@ -75,9 +75,12 @@ merge-instances: INSTANCES = 10000,100000,1000000
 merge-instances: bench
 	build/release/benchmarks/merge_instances/merge-instances-bench --instances=$(INSTANCES) --tsv=benchmarks/merge_instances/figures.tsv
 
+VIEWER = build/real_files_viewer
 real-files: build
-	benchmarks/real_files/real_files.py $(FOREDRAW) $(FILES) --list build/real-files.tsv \
-	  $(addprefix --validator ,$(wildcard build/release/tests/validator))
+	@mkdir -p $(VIEWER) && cp -pu benchmarks/real_files/viewer/* $(VIEWER) && (cd $(VIEWER) && ./install) || true
+	benchmarks/real_files/real_files.py $(FOREDRAW) $(FILES) --list build/real-files.tsv --kept build/real-files \
+	  $(addprefix --validator ,$(wildcard build/release/tests/validator)) \
+	  $$([ ! -d $(VIEWER)/node_modules/three ] || echo --viewer $(VIEWER))
 
 city:
 	packages/install build bench

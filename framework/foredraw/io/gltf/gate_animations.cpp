@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -39,8 +40,11 @@ std::size_t outputs_for_a_key(Gate& gate, const Json& channel) {
   if (!target.contains("node")) return 0;
   const Json& node = gate.all("nodes")[target["node"].get<std::size_t>()];
   if (!node.contains("mesh")) return 0;
-  const Json& primitive = gate.all("meshes")[node["mesh"].get<std::size_t>()]["primitives"][0];
-  return primitive.contains("targets") ? primitive["targets"].size() : 0;
+  std::size_t most = 0;
+  for (const Json& primitive : gate.all("meshes")[node["mesh"].get<std::size_t>()]["primitives"]) {
+    if (primitive.contains("targets")) most = std::max(most, primitive["targets"].size());
+  }
+  return most;
 }
 
 std::size_t components_of(const std::string& path) {

@@ -23,13 +23,28 @@ std::set<std::string> names(Gate& gate, const char* key) {
   return result;
 }
 
-/// Whether something that is drawn, or its bytes, has the extension.
-bool shapes_what_is_drawn(const Gate& gate, const std::string& name) {
-  constexpr const char* drawn[] = {"accessors", "animations", "buffers", "bufferViews", "meshes", "nodes", "skins"};
-  return std::ranges::any_of(drawn, [&](const char* kind) {
-    const std::vector<std::string> held = extensions_in({{kind, gate.all(kind)}});
-    return std::ranges::binary_search(held, name);
-  });
+/// The meshes without their primitives of points and lines, which no stage touches: Gaussian splats are such points.
+Json meshes_of_triangles(const Gate& gate) {
+  Json meshes = gate.all("meshes");
+  for (Json& mesh : meshes) {
+    const auto primitives = mesh.find("primitives");
+    if (primitives == mesh.end() || !primitives->is_array()) continue;
+    for (Json& primitive : *primitives) {
+      const auto mode = primitive.is_object() ? primitive.find("mode") : primitive.end();
+      if (mode != primitive.end() && mode->is_number_unsigned() && *mode < 4) primitive = nullptr;
+    }
+  }
+  return meshes;
+}
+
+/// Whether triangles, or what moves or holds them, have the extension.
+bool shapes_triangles(const Gate& gate, const std::string& name) {
+  constexpr const char* others[] = {"accessors", "animations", "buffers", "bufferViews", "nodes", "skins"};
+  const auto has_it = [&](const Json& held) {
+    return std::ranges::binary_search(extensions_in({{"held", held}}), name);
+  };
+  return has_it(meshes_of_triangles(gate)) ||
+         std::ranges::any_of(others, [&](const char* kind) { return has_it(gate.all(kind)); });
 }
 
 }  // namespace
@@ -39,7 +54,7 @@ void check_extensions(Gate& gate) {
   names(gate, "extensionsUsed");
   for (const std::string& name : required) {
     if (gate.document().knows_extension(name)) continue;
-    if (!shapes_what_is_drawn(gate, name)) {
+    if (!shapes_triangles(gate, name)) {
       gate.fault("required-extension", "extensionsRequired", fmt::format("the extension '{}' is not known", name));
     } else {
       gate.error("extensionsRequired", "unsupported-extension",

@@ -36,7 +36,7 @@ std::vector<std::uint32_t> as_list(std::vector<std::uint32_t> corners, Mode mode
                                    std::optional<std::uint32_t> restart) {
   if (mode == Mode::points || mode == Mode::lines || mode == Mode::triangles) {
     const std::size_t each = mode == Mode::lines ? 2 : mode == Mode::triangles ? 3 : 1;
-    corners.resize(corners.size() - corners.size() % each);
+    corners.erase(corners.end() - static_cast<std::ptrdiff_t>(corners.size() % each), corners.end());
     return corners;
   }
   std::vector<std::uint32_t> list;

@@ -16,7 +16,8 @@ constexpr FaultKind kinds[] = {
     {"version-number", "glTF", "`asset.version` is a number, not a string.", "It is read as a string.",
      "2.0 and \"2.0\" can mean only one version."},
     {"required-extension", "glTF",
-     "The file requires an extension that is not known, and that no mesh, accessor, view, node, skin or animation has.",
+     "The file requires an extension that is not known, and that neither triangles nor an accessor, view, node, skin "
+     "or animation have.",
      "Its members are kept as they are.", "It cannot change which triangles are drawn where."},
     {"buffer-length", "glTF", "A buffer states more bytes than there are.", "It is as long as its bytes.",
      "What refers to missing bytes is refused."},

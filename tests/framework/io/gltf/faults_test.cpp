@@ -325,6 +325,22 @@ TEST(GltfFaults, a_joint_with_a_weight_must_be_there) {
   EXPECT_EQ(codes_of(diagnostics, Severity::error), std::set<std::string>{"joint-range"});
 }
 
+TEST(GltfFaults, an_unknown_extension_of_points_may_be_required) {
+  GltfBuilder builder = testing::puppet();
+  GltfJson splats{{"mode", 0}, {"extensions", {{"KHR_gaussian_splatting", {{"kernel", "ellipse"}}}}}};
+  splats["attributes"]["POSITION"] = builder.add_values(std::vector<float>(6, 1), "VEC3");
+  splats["attributes"]["KHR_gaussian_splatting:ROTATION"] = builder.add_values(std::vector<float>(8, 0.5f), "VEC4");
+  builder.add_mesh(splats);
+  builder.json["extensionsRequired"] = {"KHR_gaussian_splatting"};
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(builder.glb(), "splats.glb", {}, diagnostics);
+  ASSERT_TRUE(scene) << to_text(diagnostics);
+  EXPECT_EQ(codes_of(diagnostics, Severity::warning), std::set<std::string>{"required-extension"});
+  const auto files = encode_gltf(*scene, "out.glb", diagnostics);
+  ASSERT_TRUE(files) << to_text(diagnostics);
+  EXPECT_EQ(files->front().bytes, builder.glb());
+}
+
 TEST(GltfFaults, an_unknown_extension_of_a_mesh_may_not_be_required) {
   GltfBuilder builder = testing::puppet();
   builder.json["extensionsRequired"] = {"ACME_teapots"};
