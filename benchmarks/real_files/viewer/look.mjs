@@ -44,7 +44,7 @@ function shown_file(file) {
   const made = join(own, 'off.stl');
   rmSync(made, { force: true });
   try {
-    execFileSync('assimp', ['export', file, made, '-fstl'], { stdio: 'ignore' });
+    execFileSync('assimp', ['export', file, made, '-fstlb'], { stdio: 'ignore' });
   } catch {
     throw new Error('Assimp does not read it');
   }

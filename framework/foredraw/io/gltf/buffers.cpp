@@ -83,7 +83,7 @@ std::optional<Buffer> shortened(Gate& gate, Bytes there, std::string message, co
   }
   gate.fault("buffer-length", in(place, "byteLength"), std::move(message));
   gate.mend_at(in(place, "byteLength")) = there.size();
-  return Buffer{there, there.size(), false};
+  return Buffer{there, there.size(), false, true};
 }
 
 std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std::optional<Bytes> bin,
@@ -171,13 +171,19 @@ BufferView view_of(Gate& gate, const Json& json, const std::string& place) {
   const Buffer& buffer = gate.document().buffers[*number];
   const std::size_t size = buffer.length;
   if (size == 0) return {};
+  std::uint64_t there = *length;
   if (offset.value_or(0) > size || *length > size - offset.value_or(0)) {
-    gate.error(in(place, "byteLength"), "view-range",
-               fmt::format("{} bytes from byte {} do not fit in buffer {} of {} bytes", *length, offset.value_or(0),
-                           *number, size));
-    return {};
+    const std::string message = fmt::format("{} bytes from byte {} do not fit in buffer {} of {} bytes", *length,
+                                            offset.value_or(0), *number, size);
+    if (buffer.bytes.empty() || buffer.is_cut || offset.value_or(0) >= size) {
+      gate.error(in(place, "byteLength"), "view-range", message);
+      return {};
+    }
+    gate.fault("view-length", in(place, "byteLength"), message);
+    there = size - offset.value_or(0);
+    gate.mend_at(in(place, "byteLength")) = there;
   }
-  BufferView view{*number, offset.value_or(0), *length, stride.value_or(0), {}, std::nullopt};
+  BufferView view{*number, offset.value_or(0), there, stride.value_or(0), {}, std::nullopt};
   if (!buffer.bytes.empty()) view.bytes = buffer.bytes.subspan(view.offset, view.length);
   return view;
 }

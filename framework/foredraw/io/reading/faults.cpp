@@ -25,6 +25,8 @@ constexpr FaultKind kinds[] = {
      "It is marked as a fallback.", "What is compressed comes out of other buffers."},
     {"empty-view", "glTF", "A buffer view has no bytes.", "It gets one byte, the least that glTF allows.",
      "Whoever reads nothing of it still reads nothing."},
+    {"view-length", "glTF", "A buffer view ends behind its buffer, which has all bytes that it states.",
+     "It ends with its buffer.", "No byte is missing, and what refers to some behind the buffer is refused."},
     {"unused-data", "glTF", "An accessor or buffer view is wrong, and nothing refers to it.",
      "It keeps its number, without its bytes.", "Nothing can be drawn with it."},
     {"view-target", "glTF", "A buffer view's `target` is neither 34962 nor 34963.", "It is left out.",

@@ -41,16 +41,28 @@ Bytes with_json(const Bytes& glb, const std::function<void(std::string&)>& chang
   return made;
 }
 
+/// A buffer behind that of the file's own bytes.
+std::size_t add_buffer(GltfBuilder& b, GltfJson buffer) {
+  GltfJson& own = b.json["buffers"][0];
+  own["byteLength"] = std::max(own.value("byteLength", std::size_t{0}), b.buffer.size());
+  return b.add("buffers", std::move(buffer));
+}
+
+void add_view_that_is_too_long(GltfBuilder& b) {
+  const std::string eighty_zeros = "data:application/octet-stream;base64," + std::string(107, 'A') + "=";
+  const std::size_t buffer = add_buffer(b, {{"byteLength", 80}, {"uri", eighty_zeros}});
+  const std::size_t view = b.add("bufferViews", {{"buffer", buffer}, {"byteLength", 1 << 20}});
+  primitive(b)["attributes"]["TEXCOORD_2"] = b.add_accessor(view, 0, 5126, "VEC2", 10);
+}
+
 /// A compressed view in a buffer that has no bytes, and does not say why.
 void add_unmarked_fallback(GltfBuilder& b) {
   const GltfBuilder from = testing::compressed(testing::ribbon(1));
   GltfJson view = from.json["bufferViews"][0];
-  view["buffer"] = 1;
   GltfJson& said = view["extensions"]["EXT_meshopt_compression"];
   said["byteOffset"] = said.value("byteOffset", std::size_t{0}) + b.buffer.size();
   b.buffer.insert(b.buffer.end(), from.buffer.begin(), from.buffer.end());
-  if (!b.json.contains("buffers")) b.json["buffers"][0]["byteLength"] = b.buffer.size();
-  b.add("buffers", {{"byteLength", 1000}});
+  view["buffer"] = add_buffer(b, {{"byteLength", 1000}});
   b.add("bufferViews", view);
   b.json["extensionsUsed"].push_back("EXT_meshopt_compression");
   b.json["extensionsRequired"].push_back("EXT_meshopt_compression");
@@ -143,6 +155,7 @@ const std::vector<Maker>& makers() {
        [](auto& b) {
          b.add("bufferViews", {{"buffer", 0}, {"byteOffset", b.buffer.size()}, {"byteLength", 0}});
        }},
+      {"view-length", false, add_view_that_is_too_long},
       {"fallback", false, add_unmarked_fallback},
       {"byte-order-mark",
        false,

@@ -74,7 +74,7 @@ const Rule rules[] = {
      "buffer-missing", "buffers[1]"},
     {"view_of_no_buffer", [](auto& b) { item(b, "bufferViews", 0)["buffer"] = 3; }, "bad-reference",
      "bufferViews[0].buffer"},
-    {"view_too_long", [](auto& b) { item(b, "bufferViews", 0)["byteLength"] = two_to_40; }, "view-range",
+    {"view_behind_its_buffer", [](auto& b) { item(b, "bufferViews", 0)["byteOffset"] = b.buffer.size(); }, "view-range",
      "bufferViews[0].byteLength"},
     {"view_overflows",
      [](auto& b) {

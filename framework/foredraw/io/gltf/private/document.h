@@ -32,6 +32,7 @@ struct Buffer {
   Bytes bytes;             ///< empty: a fallback that is not there, or, while a document is being checked, refused
   std::size_t length = 0;  ///< that it has, or would have; 0: refused
   bool fallback = false;   ///< holds plain copies of compressed views, for whoever can not decompress
+  bool is_cut = false;     ///< it states more bytes than there are
 };
 
 /// The compressed bytes of a view, which stand for its plain ones.
