@@ -59,20 +59,29 @@ bool is_fallback(Gate& gate, const Json& buffer, const std::string& place) {
   return false;
 }
 
-/// The extension that compressed all views of the buffer, so that nobody needs its own bytes; nullptr: there is none,
-/// or the buffer has an extension itself, and knows what it is.
-const char* compression_of_all_views(const Gate& gate, std::size_t buffer) {
-  if (gate.all("buffers")[buffer].contains("extensions")) return nullptr;
-  const char* name = nullptr;
+/// By buffer, the extension that compressed all views of it, so that nobody needs its own bytes; nullptr: there is
+/// none.
+using Compressions = std::vector<const char*>;
+
+Compressions compressions_of_buffers(const Gate& gate) {
+  Compressions found(gate.count("buffers"), nullptr);
+  std::vector<bool> has_plain_view(found.size(), false);
   for (const Json& view : gate.all("bufferViews")) {
     const auto named = view.find("buffer");
-    if (named == view.end() || *named != buffer) continue;
-    const auto found = std::ranges::find_if(
+    if (named == view.end() || !named->is_number_unsigned() || *named >= found.size()) continue;
+    const auto buffer = named->get<std::size_t>();
+    const auto compression = std::ranges::find_if(
         meshopt_extensions, [&](const char* extension) { return extension_of(view, extension) != nullptr; });
-    if (found == std::end(meshopt_extensions)) return nullptr;
-    name = *found;
+    if (compression == std::end(meshopt_extensions)) {
+      has_plain_view[buffer] = true;
+    } else {
+      found[buffer] = *compression;
+    }
   }
-  return name;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (has_plain_view[i]) found[i] = nullptr;
+  }
+  return found;
 }
 
 /// A buffer that has fewer bytes than it states.
@@ -87,7 +96,7 @@ std::optional<Buffer> shortened(Gate& gate, Bytes there, std::string message, co
 }
 
 std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std::optional<Bytes> bin,
-                                FileBuffers& files) {
+                                const Compressions& compressions, FileBuffers& files) {
   const std::string place = at("buffers", i);
   gate.required(json, "byteLength", place);
   const auto length = gate.whole(json, "byteLength", place, 1);
@@ -102,14 +111,14 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
     if (fallback) return absent;
     if (i == 0 && bin) {
       return shortened(gate, *bin, fmt::format("is {}, but the BIN chunk has {} bytes", *length, bin->size()), place);
-    } else if (const char* compression = compression_of_all_views(gate, i)) {
-      gate.fault("fallback", place, "has neither a uri nor a BIN chunk, and does not say that it is a fallback");
-      gate.mend_at(place)["extensions"][compression]["fallback"] = true;
-      return Buffer{{}, absent.length, true};
-    } else {
-      gate.error(place, "buffer-missing", "has no uri, and there is no BIN chunk for it",
-                 "pack the file into a .glb, or name the file that holds the bytes");
     }
+    if (compressions[i] != nullptr && !json.contains("extensions")) {
+      gate.fault("fallback", place, "has neither a uri nor a BIN chunk, and does not say that it is a fallback");
+      gate.mend_at(place)["extensions"][compressions[i]]["fallback"] = true;
+      return Buffer{{}, absent.length, true};
+    }
+    gate.error(place, "buffer-missing", "has no uri, and there is no BIN chunk for it",
+               "pack the file into a .glb, or name the file that holds the bytes");
     return std::nullopt;
   }
   if (is_data_uri(*uri)) {
@@ -142,9 +151,10 @@ std::optional<Buffer> buffer_of(Gate& gate, std::size_t i, const Json& json, std
 
 void check_buffers(Gate& gate, std::optional<Bytes> bin) {
   const Json& buffers = gate.all("buffers");
+  const Compressions compressions = compressions_of_buffers(gate);
   FileBuffers files;
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    gate.document().buffers.push_back(buffer_of(gate, i, buffers[i], bin, files).value_or(Buffer{}));
+    gate.document().buffers.push_back(buffer_of(gate, i, buffers[i], bin, compressions, files).value_or(Buffer{}));
   }
 }
 

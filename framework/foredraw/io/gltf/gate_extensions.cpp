@@ -37,14 +37,12 @@ Json meshes_of_triangles(const Gate& gate) {
   return meshes;
 }
 
-/// Whether triangles, or what moves or holds them, have the extension.
-bool shapes_triangles(const Gate& gate, const std::string& name) {
-  constexpr const char* others[] = {"accessors", "animations", "buffers", "bufferViews", "nodes", "skins"};
-  const auto has_it = [&](const Json& held) {
-    return std::ranges::binary_search(extensions_in({{"held", held}}), name);
-  };
-  return has_it(meshes_of_triangles(gate)) ||
-         std::ranges::any_of(others, [&](const char* kind) { return has_it(gate.all(kind)); });
+/// The extensions that triangles have, or what moves or holds them; sorted.
+std::vector<std::string> extensions_of_triangles(const Gate& gate) {
+  Json held = {{"meshes", meshes_of_triangles(gate)}};
+  for (const char* kind : {"accessors", "animations", "buffers", "bufferViews", "nodes", "skins"})
+    held[kind] = gate.all(kind);
+  return extensions_in(held);
 }
 
 }  // namespace
@@ -52,9 +50,11 @@ bool shapes_triangles(const Gate& gate, const std::string& name) {
 void check_extensions(Gate& gate) {
   const std::set<std::string> required = names(gate, "extensionsRequired");
   names(gate, "extensionsUsed");
+  std::optional<std::vector<std::string>> shaping;  // where it is asked for
   for (const std::string& name : required) {
     if (gate.document().knows_extension(name)) continue;
-    if (!shapes_triangles(gate, name)) {
+    if (!shaping) shaping = extensions_of_triangles(gate);
+    if (!std::ranges::binary_search(*shaping, name)) {
       gate.fault("required-extension", "extensionsRequired", fmt::format("the extension '{}' is not known", name));
     } else {
       gate.error("extensionsRequired", "unsupported-extension",
