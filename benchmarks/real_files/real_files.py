@@ -30,7 +30,7 @@ import time
 KINDS = {".glb", ".gltf", ".vrm", ".obj", ".ply", ".off", ".stl"}
 GLTF = {".glb", ".gltf", ".vrm"}
 SAME = 0.001  # of the pixels that a view covers, so many may differ
-MISSING = re.compile(r"there is no file '.*' in the folder of the glTF")
+MISSING = re.compile(r"buffers\[\d+\]\.uri: '.*' is missing")
 
 
 def models(folders):

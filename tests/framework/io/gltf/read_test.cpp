@@ -49,10 +49,10 @@ TEST(GltfRead, degenerate_triangles_of_strips_are_kept) {
 }
 
 TEST(GltfRead, the_greatest_index_of_its_type_begins_a_new_strip) {
-  EXPECT_EQ(indices_of(five_points(2, {0, 1, 65535, 2, 3, 4})), (Indices{0, 1, 1, 0, 2, 3, 3, 4, 4, 2}));
-  EXPECT_EQ(indices_of(five_points(3, {65535, 0, 1, 65535, 65535, 3, 4, 65535})), (Indices{0, 1, 3, 4}));
-  EXPECT_EQ(indices_of(five_points(5, {0, 1, 2, 65535, 1, 2, 3, 4})), (Indices{0, 1, 2, 1, 2, 3, 2, 4, 3}));
-  EXPECT_EQ(indices_of(five_points(6, {0, 1, 65535, 2, 3, 4})), (Indices{3, 4, 2}));
+  EXPECT_EQ(indices_of(five_points(2, {0, 1, 255, 2, 3, 4})), (Indices{0, 1, 1, 0, 2, 3, 3, 4, 4, 2}));
+  EXPECT_EQ(indices_of(five_points(3, {255, 0, 1, 255, 255, 3, 4, 255})), (Indices{0, 1, 3, 4}));
+  EXPECT_EQ(indices_of(five_points(5, {0, 1, 2, 255, 1, 2, 3, 4})), (Indices{0, 1, 2, 1, 2, 3, 2, 4, 3}));
+  EXPECT_EQ(indices_of(five_points(6, {0, 1, 255, 2, 3, 4})), (Indices{3, 4, 2}));
 }
 
 TEST(GltfRead, topology_and_its_trait) {
