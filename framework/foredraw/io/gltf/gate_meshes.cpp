@@ -194,10 +194,33 @@ class MeshCheck {
 
 }  // namespace
 
+namespace {
+
+/// Levels of detail are moved by the same weights, and written again by us: they have one number of targets.
+void check_targets_of_levels(Gate& gate) {
+  const Json& meshes = gate.all("meshes");
+  const auto targets_of = [&](const DrawOrigin& origin) {
+    const Json& primitive = meshes[origin.mesh]["primitives"][origin.primitive];
+    return primitive.contains("targets") ? primitive["targets"].size() : 0;
+  };
+  for (const Ladder& ladder : gate.document().ladders) {
+    const std::size_t wanted = targets_of(ladder.full);
+    for (const DrawOrigin& level : ladder.coarser) {
+      const std::size_t own = targets_of(level);
+      if (own == wanted) continue;
+      gate.error(in(at(in(at("meshes", level.mesh), "primitives"), level.primitive), "targets"), "unequal-counts",
+                 fmt::format("has {} morph targets, but the full level has {}", own, wanted));
+    }
+  }
+}
+
+}  // namespace
+
 void check_meshes(Gate& gate) {
   const Json& meshes = gate.all("meshes");
   MeshCheck check(gate);
   for (std::size_t m = 0; m < meshes.size(); ++m) check.mesh(meshes[m], at("meshes", m));
+  if (gate.sound()) check_targets_of_levels(gate);
 }
 
 namespace {

@@ -43,8 +43,9 @@ Bytes with_json(const Bytes& glb, const std::function<void(std::string&)>& chang
 
 /// A buffer behind that of the file's own bytes.
 std::size_t add_buffer(GltfBuilder& b, GltfJson buffer) {
-  GltfJson& own = b.json["buffers"][0];
-  own["byteLength"] = std::max(own.value("byteLength", std::size_t{0}), b.buffer.size());
+  if (!b.json.contains("buffers")) b.json["buffers"] = {{{"byteLength", 0}}};
+  GltfJson& own = b.json["buffers"][0]["byteLength"];
+  own = std::max(own.get<std::size_t>(), b.buffer.size());
   return b.add("buffers", std::move(buffer));
 }
 
