@@ -88,6 +88,7 @@ class CollapseRow final : public ProductRow {
       for (std::size_t i = 0; i < points.size(); ++i) {
         sequence.collapses.push_back({points[i][0], points[i][1], amounts[i][0], amounts[i][1]});
       }
+      for (const DrawId id : *draws) scene.draws[id].traits.add(traits::progressive);
       all.meshes.push_back({std::move(*draws), std::make_shared<const CollapseSequence>(std::move(sequence))});
     }
     scene.products.set(std::move(all));
@@ -136,6 +137,14 @@ class CollapseRow final : public ProductRow {
       after.products.set(std::move(left));
     }
     return told;
+  }
+
+  void leave_out(Scene& scene) const override {
+    scene.products.erase(CollapseSequences::product);
+    for (Draw& draw : scene.draws) {
+      draw.traits.remove(traits::progressive);
+      draw.full().made.remove(traits::progressive);
+    }
   }
 
   ProductText told(const Scene& scene) const override {

@@ -238,6 +238,10 @@ class Planner {
     for (const std::string& trait : card.breaks) {
       const auto made = provider_.find(trait);
       if (made == provider_.end() || made->second == card.name || card.provides.has(trait)) continue;
+      if (card.needs.has(trait)) {  // used up, not undone
+        provider_.erase(made);
+        continue;
+      }
       diagnostics_.warning(planned.stage.where, "undoes",
                            fmt::format("'{}' undoes what '{}' made ({})", card.name, made->second, trait),
                            fmt::format("put '{}' before '{}'", card.name, made->second));

@@ -86,7 +86,7 @@ class SimplifyMeshes final : public Processor {
   static void tell(const DrawsCollapse& mesh, const Made& made, const Scene& scene, Run& run) {
     const About about{.draw = mesh.draws.front()};
     run.count_at(about, "triangles", made.simplified.triangles);
-    run.count_at(about, "largest", made.largest);
+    run.measure_at(about, "largest", made.largest, 1);
     run.note_at(about, "simplified",
                 fmt::format("{} of {} triangles are left, at most {:.3g} units from full detail: {}",
                             made.simplified.triangles, made.before, made.largest, text_of(made.simplified.end)));
