@@ -39,11 +39,20 @@ std::optional<std::vector<DrawId>> read_draws(const ExtensionValue& of, const Sc
     if (one.list() == nullptr || one.list()->size() != 2) return std::nullopt;
     const auto mesh = one.list()->front().whole(), primitive = one.list()->back().whole();
     if (!mesh || !primitive) return std::nullopt;
-    const auto found = std::ranges::find(scene.draws, std::optional(DrawOrigin{*mesh, *primitive}), &Draw::origin);
-    if (found == scene.draws.end()) return std::nullopt;
-    draws.push_back(static_cast<DrawId>(found - scene.draws.begin()));
+    if (*mesh >= scene.meshes.size() || *primitive >= scene.meshes[*mesh].draws.size()) return std::nullopt;
+    draws.push_back(scene.meshes[*mesh].draws[*primitive]);
   }
   return draws;
+}
+
+/// The first mesh that holds the draw, and which of its primitives it is.
+ExtensionValue place_of(const Scene& scene, DrawId id) {
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+    const auto& draws = scene.meshes[m].draws;
+    const auto found = std::ranges::find(draws, id);
+    if (found != draws.end()) return ExtensionValue::List{m, found - draws.begin()};
+  }
+  throw Refusal("no-mesh", scene.draws[id].name + " is not in a mesh", "remove draws that no mesh holds");
 }
 
 /// As the rest of a sentence; empty: its sequence runs on what the draws are.
@@ -176,11 +185,7 @@ class CollapseRow final : public ProductRow {
     const auto real = [&](const std::vector<float>& values, std::uint8_t components) {
       return to.accessor(accessor_data(std::span(values), Component::float32, components));
     };
-    Members members{{"primitives", listed(mesh.draws,
-                                          [&](DrawId id) {
-                                            const DrawOrigin origin = scene.draws[id].origin.value_or(DrawOrigin{});
-                                            return ExtensionValue::List{origin.mesh, origin.primitive};
-                                          })},
+    Members members{{"primitives", listed(mesh.draws, [&](DrawId id) { return place_of(scene, id); })},
                     {"collapses", whole(points, 2)},
                     {"amounts", real(amounts, 2)},
                     {"pairs", whole(pairs, 2)},
