@@ -162,7 +162,8 @@ class CollapseRow final : public ProductRow {
     for (const DrawsCollapse& mesh : scene.products.find<CollapseSequences>()->meshes) {
       std::vector<std::string> names;
       for (const DrawId id : mesh.draws) names.push_back(scene.draws[id].name);
-      text.lines.push_back(fmt::format("{}: {} collapses", fmt::join(names, ", "), mesh.sequence->collapses.size()));
+      text.lines.push_back(
+          fmt::format("{}: edges that collapse: {}", fmt::join(names, ", "), mesh.sequence->collapses.size()));
       text.value.push(Members{{"draws", ExtensionValue::List(names.begin(), names.end())},
                               {"collapses", mesh.sequence->collapses.size()}});
     }

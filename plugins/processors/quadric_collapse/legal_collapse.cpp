@@ -15,6 +15,7 @@ bool LegalCollapses::keeps_topology(std::uint32_t p, std::uint32_t q) {
   const Point& a = mesh_.point(p);
   const Point& b = mesh_.point(q);
   if (shared_.empty() || a.is_fixed || b.is_fixed) return false;
+  if (a.size + b.size == 2 * shared_.size()) return false;  // nothing would be left of it
   // Two borders that an edge of the inside joins would become one point of both.
   const bool is_inner = shared_.size() == 2;
   if (is_inner && is_border(p) && is_border(q)) return false;

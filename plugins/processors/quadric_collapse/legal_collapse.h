@@ -13,7 +13,7 @@ class LegalCollapses {
   explicit LegalCollapses(CollapsingMesh& mesh) : mesh_(mesh) {}
 
   /// Whether the surface has the same topology when the edge is gone: what both points neighbour are the third corners
-  /// of the faces between them, and nothing else.
+  /// of the faces between them, and nothing else; and some face is left.
   bool keeps_topology(std::uint32_t p, std::uint32_t q);
   /// Which vertex of `kept` each vertex of `removed` becomes. False: the faces between them do not say it, or not one
   /// to one, so that a seam would open, close or jump.

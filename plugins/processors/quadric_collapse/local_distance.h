@@ -5,9 +5,6 @@
 
 namespace foredraw::collapsing {
 
-/// Squared distance of a point to a triangle.
-double squared_distance(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
-
 /// The largest distance, squared, that the corners involved come to lie from the other surface when both points go to
 /// that place: the place from the faces that were around, and the points from those that will be. What is not above
 /// `enough` need not be exact: 0 then.

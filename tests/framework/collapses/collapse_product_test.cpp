@@ -56,7 +56,7 @@ TEST_F(CollapseProduct, EndsWhereVerticesAreChanged) {
 TEST_F(CollapseProduct, IsTold) {
   const ProductText text = row_->told(scene_);
   ASSERT_EQ(text.lines.size(), 1u);
-  EXPECT_EQ(text.lines[0], "mesh: 1 collapses");
+  EXPECT_EQ(text.lines[0], "mesh: edges that collapse: 1");
 }
 
 }  // namespace

@@ -166,6 +166,11 @@ TEST(QuadricCollapse, TetrahedraDoNotVanish) {
   EXPECT_EQ(coarse(many, 0).indices.size(), many.indices.size());
 }
 
+TEST(QuadricCollapse, SingleTrianglesDoNotVanish) {
+  const TestMesh soup = testing::soup(100, 5);
+  EXPECT_EQ(coarse(soup, 0).indices.size(), soup.indices.size());
+}
+
 TEST(QuadricCollapse, TakesWhateverItIsGiven) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   std::vector<TestMesh> meshes{{},
