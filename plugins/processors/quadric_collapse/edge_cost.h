@@ -24,7 +24,7 @@ class EdgeCosts {
   EdgeCosts(CollapsingMesh& mesh, const CostWeights& weights) : mesh_(mesh), weights_(weights) {}
 
   /// More around an edge are not looked at.
-  static constexpr std::size_t most_faces = 512;
+  static constexpr std::size_t most_faces = 128;
 
   /// Finds sharp points, and gives every point its planes and memory.
   void begin();

@@ -12,7 +12,7 @@ Symmetric adjugate(const Symmetric& m) {
 
 /// How much the preferred place counts beside the planes. Small enough to cost no accuracy that floats can show, large
 /// enough for a determinant that is more than rounding.
-constexpr double preference = 1e-4;
+constexpr double preference = 1e-6;
 
 }  // namespace
 
