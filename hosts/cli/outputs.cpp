@@ -17,7 +17,9 @@ constexpr const char* sprites = "sprites";
 
 std::vector<std::string> kinds_of(const ProductRows& rows) {
   std::vector<std::string> kinds{remap, sprites};
-  for (const auto& row : rows) kinds.push_back(row->card().name);
+  for (const auto& row : rows) {
+    if (!row->card().side_files.empty()) kinds.push_back(row->card().name);
+  }
   return kinds;
 }
 

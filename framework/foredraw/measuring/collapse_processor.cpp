@@ -48,11 +48,9 @@ class CollapseProcessor final : public Processor {
       if (mesh && !is_small[i] && !run.cancelled()) made[i] = sequence_of(*mesh, scene.draws[meshes[i][0]].name, run);
     });
     CollapseSequences sequences;
-    std::vector<DrawId> changed;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       if (!made[i] || made[i]->collapses.empty()) continue;
       run.count_at({.draw = meshes[i].front()}, "collapses", static_cast<double>(made[i]->collapses.size()));
-      changed.insert(changed.end(), meshes[i].begin(), meshes[i].end());
       sequences.meshes.push_back({meshes[i], std::move(made[i])});
     }
     if (const auto small = std::ranges::count(is_small, 1); small > 0) {
@@ -60,13 +58,12 @@ class CollapseProcessor final : public Processor {
                fmt::format("{} fewer than {} triangles and stay as they are",
                            small == 1 ? "a mesh has" : fmt::format("{} meshes have", small), least_triangles));
     }
-    if (changed.empty()) {
+    if (sequences.meshes.empty()) {
       run.keep("no mesh has an edge that can be collapsed");
     } else {
       scene.products.set(std::move(sequences));
     }
-    std::ranges::sort(changed);
-    return changed;
+    return draws;  // those without a sequence are as coarse as they get
   }
 
  private:

@@ -33,12 +33,16 @@ class Simplify : public ::testing::Test {
   const Replay run_ = replay(sequence_, mesh_.positions, mesh_.indices);
 };
 
+/// An edge inside takes two triangles with it, so that one less than asked for may be left.
 TEST_F(Simplify, LeavesTheShareOfTriangles) {
-  EXPECT_EQ(to({}).triangles, 1152u);  // a half of 2304
-  EXPECT_EQ(to({.ratio = 0.25}).triangles, 576u);
-  EXPECT_EQ(to({.triangles = 100}).triangles, 100u);
+  const std::uint32_t all = run_.triangles.front();
+  const auto is_reached = [](const Simplified& mesh, std::uint32_t triangles) {
+    return mesh.end == Simplified::End::goal && mesh.triangles <= triangles && mesh.triangles + 1 >= triangles;
+  };
+  EXPECT_TRUE(is_reached(to({}), all / 2));
+  EXPECT_TRUE(is_reached(to({.ratio = 0.25}), all / 4));
+  EXPECT_TRUE(is_reached(to({.triangles = 100}), 100));
   EXPECT_EQ(to({.ratio = 1}).collapses, 0u);
-  EXPECT_EQ(to({.ratio = 0.25}).end, Simplified::End::goal);
 }
 
 TEST_F(Simplify, EndsWhereTheSequenceDoes) {
