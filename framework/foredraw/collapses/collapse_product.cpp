@@ -7,9 +7,6 @@
 
 #include "schemas.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 namespace foredraw {
@@ -61,7 +58,7 @@ std::string why_not(const DrawsCollapse& mesh, const Scene& scene) {
   const auto joined = joined_mesh(scene, mesh.draws, analyses);
   if (!joined) return "a draw of theirs is gone";
   const Replay run = replay(*mesh.sequence, joined->positions, joined->indices, joined->part);
-  return run.mistake.empty() ? std::string() : fmt::format("{}: {}", scene.draws[mesh.draws.front()].name, run.mistake);
+  return run.mistake.empty() ? std::string() : scene.draws[mesh.draws.front()].name + ": " + run.mistake;
 }
 
 class CollapseRow final : public ProductRow {
@@ -136,8 +133,8 @@ class CollapseRow final : public ProductRow {
         left.meshes.push_back(mesh);
         continue;
       }
-      told.push_back(fmt::format("the sequence of collapses of {} is left out: its vertices were changed",
-                                 before.draws[mesh.draws.front()].name));
+      told.push_back("the sequence of collapses of " + before.draws[mesh.draws.front()].name +
+                     " is left out: its vertices were changed");
     }
     if (told.empty()) return told;
     if (left.meshes.empty()) {
@@ -162,8 +159,9 @@ class CollapseRow final : public ProductRow {
     for (const DrawsCollapse& mesh : scene.products.find<CollapseSequences>()->meshes) {
       std::vector<std::string> names;
       for (const DrawId id : mesh.draws) names.push_back(scene.draws[id].name);
-      text.lines.push_back(
-          fmt::format("{}: edges that collapse: {}", fmt::join(names, ", "), mesh.sequence->collapses.size()));
+      std::string line;
+      for (const std::string& name : names) line += (line.empty() ? "" : ", ") + name;
+      text.lines.push_back(line + ": edges that collapse: " + std::to_string(mesh.sequence->collapses.size()));
       text.value.push(Members{{"draws", ExtensionValue::List(names.begin(), names.end())},
                               {"collapses", mesh.sequence->collapses.size()}});
     }

@@ -1,8 +1,6 @@
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/replay.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,7 +52,7 @@ class Player {
         budget -= triangles_at_[collapse.removed].size();
         mistake = move_triangles(k);
       }
-      if (!mistake.empty()) return {fmt::format("collapse {} {}", k, mistake), {}};
+      if (!mistake.empty()) return {"collapse " + std::to_string(k) + " " + mistake, {}};
       error = collapse.error;
       answer.triangles.push_back(left_);
     }
