@@ -1,6 +1,7 @@
 // What came out of Draco's buffers becomes accessors with bytes.
 #include <foredraw/io/gltf/private/decoded_views.h>
 #include <foredraw/io/gltf/private/draco_uses.h>
+#include <foredraw/io/gltf/private/rows.h>
 
 #include <fmt/format.h>
 
