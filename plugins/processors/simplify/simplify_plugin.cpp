@@ -47,7 +47,7 @@ class SimplifyMeshes final : public Processor {
     run.executor.for_each(meshes.size(), [&](std::size_t i) { made[i] = made_of(meshes[i], scene, run); });
     std::vector<DrawId> changed;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      tell(meshes[i], made[i], scene, run);
+      tell(meshes[i], made[i], run);
       for (std::size_t d = 0; d < made[i].draws.size(); ++d) {
         put(made[i].draws[d], scene.draws[meshes[i].draws[d]]);
         changed.push_back(meshes[i].draws[d]);
@@ -83,7 +83,7 @@ class SimplifyMeshes final : public Processor {
     return made;
   }
 
-  static void tell(const DrawsCollapse& mesh, const Made& made, const Scene& scene, Run& run) {
+  static void tell(const DrawsCollapse& mesh, const Made& made, Run& run) {
     const About about{.draw = mesh.draws.front()};
     run.count_at(about, "triangles", made.simplified.triangles);
     run.measure_at(about, "largest", made.largest, 1);
