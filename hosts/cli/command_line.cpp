@@ -68,7 +68,9 @@ Exit run(Command command, Arguments arguments, const Registry& registry) {
     fmt::print(stderr, "foredraw: error: --memory-limit: this system cannot limit memory\n");
     return something_failed;
   }
-  if (arguments.memory_limit != 0) {
+  if (arguments.memory_limit == 0) {
+    keep_freed_memory();
+  } else {
     // Each thread has a stack and a heap of its own, which must not be what the limit goes on.
     constexpr std::uint64_t for_a_thread = std::uint64_t{64} << 20;
     const auto most = static_cast<int>(std::clamp<std::uint64_t>(arguments.memory_limit / for_a_thread, 1, 1024));

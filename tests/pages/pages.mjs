@@ -2,8 +2,9 @@
 // Makes pages with the program and looks at them. Pictures of them are left in the folder.
 // Exit 77 where the program was built without the page's script, 1 where a check failed.
 
-import { mkdirSync } from 'node:fs';
+import { mkdirSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { launch, open, settled } from './browser.mjs';
 import { check, check_equal, exit_code, group } from './checks.mjs';
 import { check_colours, check_paper, check_widths, check_without_gl, check_without_script } from './look_checks.mjs';
@@ -229,15 +230,25 @@ await group('time', async () => {
     sizes.map((size) => `tipsify(cache-size=${size})`),
     { more: ['--with', 'vertex-cache'] },
   );
-  const times = [];
-  for (let i = 0; i < 5; ++i) {
-    const { page } = await open(browser, html);
-    times.push(await page.evaluate(() => performance.getEntriesByName('viewer-ready')[0].startTime));
+  // Machines differ, and what else they do. So time counts beside that of a bare page of the same size with a picture.
+  const bare = path.join(folder, 'bare.html');
+  const made_by_hand = "const gl = document.createElement('canvas').getContext('webgl2');" +
+    'gl.clear(gl.COLOR_BUFFER_BIT); gl.finish();' + "performance.mark('viewer-ready');";
+  const text = 'A'.repeat(statSync(html).size);
+  writeFileSync(bare, `<!doctype html><script type="text/plain">${text}</script><script>${made_by_hand}</script>`);
+  const ready = async (file) => {
+    const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
+    await page.goto(pathToFileURL(file).href);
+    await page.waitForFunction(() => performance.getEntriesByName('viewer-ready').length > 0);
+    const time = await page.evaluate(() => performance.getEntriesByName('viewer-ready')[0].startTime);
     await page.close();
-  }
-  console.log(`      ready after ${times.map((time) => time.toFixed(0)).join(', ')} ms`);
-  // The goal is 2 s on a machine at rest (docs/benchmarks.md); on a busy one of two cores it was 3.
-  check('time: 102,400 triangles in 9 states are there within 5 s', Math.min(...times) < 5000, times);
+    return time;
+  };
+  const times = [];
+  for (let i = 0; i < 5; ++i) times.push([await ready(html), await ready(bare)]);
+  console.log(`      ready after ${times.map((pair) => pair.map((time) => time.toFixed(0)).join(' / ')).join(', ')} ms`);
+  const [ours, its] = [0, 1].map((side) => Math.min(...times.map((pair) => pair[side])));
+  check('time: 102,400 triangles in 9 states are there within 2.5 times that of a bare page', ours < 2.5 * its, times);
 });
 
 await browser.close();

@@ -223,8 +223,8 @@ export async function check_table(page, html, scenes) {
   const { geometry, orders, table } = subject.states[1];
   const { parts } = subject.geometries[geometry];
   check('table: the character has several orders', table !== null && orders.length > 1, orders.length);
-  const base64 = readFileSync(html, 'utf8').match(/id="buffer-0">([^<]*)</)[1];
-  const buffer = Buffer.from(base64, 'base64');
+  const pieces = readFileSync(html, 'utf8').matchAll(/class="buffer-0">([^<]*)</g);
+  const buffer = Buffer.from(Array.from(pieces, ([, base64]) => base64).join(''), 'base64');
   const triangles_of = (k) => {
     let first = 0;
     return parts.flatMap((part, i) => {

@@ -52,6 +52,13 @@ std::optional<std::uint64_t> MemoryWatch::growth() const {
   return *peak - std::min(*peak, *at_first_);
 }
 
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  ::mallopt(M_MMAP_THRESHOLD, 8 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
 bool limit_memory(std::uint64_t bytes) {
   struct rlimit limit {};
   if (::getrlimit(RLIMIT_DATA, &limit) != 0) return false;

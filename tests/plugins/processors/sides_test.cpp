@@ -170,6 +170,23 @@ TEST(Sides, CopiesHaveTheirNormalsTurned) {
   EXPECT_EQ(made->morph_targets[0][0].bytes, floats({0, 0, 1, 0, 2, 0, -0.f, -2, -0.f, -0.f, -0.f, -1}));
 }
 
+TEST(Sides, CopiesOfTangentsOfNoLengthGetOne) {
+  const auto floats = [](std::vector<float> values) {
+    std::vector<std::byte> bytes(values.size() * 4);
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return Shared(std::move(bytes));
+  };
+  VertexStreams streams;
+  streams.count = 2;
+  streams.base = {{"NORMAL", {Component::float32, 3, false, 12}, floats({0, 3, 4, 1, 0, 0})},
+                  {"TANGENT", {Component::float32, 4, false, 16}, floats({0, 0, 0, 1, 0, 0, 0, -1})}};
+  const std::uint32_t copies[] = {0, 1};
+  const auto made = sides::with_turned_copies(streams, copies);
+  const float tangents[] = {0, 0, 0, 1, 0, 0, 0, -1, 0, .8f, -.6f, -1, 0, -1, 0, 1};
+  for (std::size_t i = 0; i < std::size(tangents); ++i)
+    EXPECT_EQ(decode_component(made->base[1], i / 4, i % 4), tangents[i]) << i;
+}
+
 Scene placed(std::vector<TestMesh> meshes, std::vector<glm::vec3> at) {
   Scene scene = double_sided(std::move(meshes));
   for (MeshId mesh = 0; mesh < scene.meshes.size(); ++mesh) {

@@ -14,7 +14,8 @@ function bytes_of_base64(text) {
   return bytes;
 }
 
-/** @returns {ArrayBuffer} the decoded bytes of one scene; nothing is kept of it here */
-export function decoded_buffer(id) {
-  return bytes_of_base64(document.getElementById(id).textContent).buffer;
+/** @returns {ArrayBuffer} the decoded bytes of one scene, which elements of one class hold; nothing is kept of it here */
+export function decoded_buffer(name) {
+  const pieces = Array.from(document.getElementsByClassName(name), (holder) => holder.textContent);
+  return bytes_of_base64(pieces.join('')).buffer;
 }
