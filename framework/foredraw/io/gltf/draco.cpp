@@ -235,18 +235,6 @@ std::vector<std::byte> elements_of(const draco::PointAttribute& attribute, std::
   return elements;
 }
 
-/// What Draco quantised may leave 0..1 by its rounding, which glTF forbids colours to do.
-void keep_in_range(std::vector<std::byte>& colours) {
-  constexpr float rounding = 1e-5f;
-  for (std::size_t at = 0; at + sizeof(float) <= colours.size(); at += sizeof(float)) {
-    float value;
-    std::memcpy(&value, colours.data() + at, sizeof value);
-    if (value < -rounding || value > 1 + rounding) continue;
-    value = std::clamp(value, 0.0f, 1.0f);
-    std::memcpy(colours.data() + at, &value, sizeof value);
-  }
-}
-
 template <class Decoder>
 DracoMesh decode(draco::DecoderBuffer& buffer, const DracoClaim& claim) {
   draco::Mesh mesh;
@@ -254,11 +242,9 @@ DracoMesh decode(draco::DecoderBuffer& buffer, const DracoClaim& claim) {
   DracoMesh result{mesh.num_points(), indices_of(mesh), {}};
   if (result.points == 0 || result.indices.empty()) refuse("compressed-count", "the Draco buffer holds no triangles");
   for (const DracoClaim::Attribute& attribute : claim.attributes) {
-    const draco::PointAttribute& from = *mesh.GetAttributeByUniqueId(attribute.id);
-    std::vector<std::byte>& made = result.attributes.emplace_back(elements_of(from, result.points));
-    if (from.attribute_type() == draco::GeometryAttribute::COLOR && attribute.format.component == Component::float32)
-      keep_in_range(made);
+    result.attributes.push_back(elements_of(*mesh.GetAttributeByUniqueId(attribute.id), result.points));
   }
+  undo_rounding(claim, result);
   return result;
 }
 

@@ -100,7 +100,7 @@ class UseFinder {
         return false;
       }
       use.attributes.push_back({accessor->number, semantic, claim.attributes.size()});
-      claim.attributes.push_back({static_cast<std::uint32_t>(*id), accessor->format});
+      claim.attributes.push_back({static_cast<std::uint32_t>(*id), accessor->format, semantic});
     }
     return !ids.empty();
   }
@@ -119,8 +119,8 @@ class UseFinder {
     for (DracoUse::Attribute& attribute : use.attributes) {
       const DracoClaim::Attribute& wanted = claim.attributes[attribute.claimed];
       const auto same = std::find_if(all.attributes.begin(), all.attributes.end(), [&](const auto& one) {
-        return one.id == wanted.id && one.format.component == wanted.format.component &&
-               one.format.components == wanted.format.components;
+        return one.id == wanted.id && one.semantic == wanted.semantic &&
+               one.format.component == wanted.format.component && one.format.components == wanted.format.components;
       });
       attribute.claimed = static_cast<std::size_t>(same - all.attributes.begin());
       if (same == all.attributes.end()) all.attributes.push_back(wanted);

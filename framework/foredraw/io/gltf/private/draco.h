@@ -17,6 +17,7 @@ struct DracoClaim {
   struct Attribute {
     std::uint32_t id = 0;  ///< the buffer's unique id of it
     Format format;         ///< whether it is normalized does not matter here
+    std::string semantic;  ///< glTF's word: "POSITION"
   };
   std::size_t points = 0;
   std::size_t triangles = 0;
@@ -31,6 +32,11 @@ struct DracoMesh {
   std::vector<std::uint32_t> indices;              ///< three for each triangle, each below `points`
   std::vector<std::vector<std::byte>> attributes;  ///< as claimed: `points` elements each, without gaps
 };
+
+/// Draco rounds floats, and may so leave what glTF allows: colours from 0 to 1, normals and tangents of length 1,
+/// weights of a sum of 1 over all their sets. They are put back, as viewers do it when they draw. What is farther away
+/// than rounding explains stays, and so does what has no length.
+void undo_rounding(const DracoClaim& claim, DracoMesh& mesh);
 
 /// Why a buffer is refused.
 struct DracoFault {
