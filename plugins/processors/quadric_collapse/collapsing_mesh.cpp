@@ -21,6 +21,7 @@ CollapsingMesh::CollapsingMesh(std::span<const glm::vec3> positions, std::span<c
   points_.resize(names_.size());
   changes_.resize(names_.size());
   marks_.resize(names_.size(), 0);
+  slots_.resize(names_.size());
   for (std::size_t p = 0; p < points_.size(); ++p) {
     points_[p].place = positions[names_[p]];
     const glm::vec3& at = points_[p].place;
@@ -34,10 +35,11 @@ CollapsingMesh::CollapsingMesh(std::span<const glm::vec3> positions, std::span<c
       face.point[k] = point_of[indices[i + k]];
     }
     if (face.point[0] == face.point[1] || face.point[1] == face.point[2] || face.point[2] == face.point[0]) continue;
-    measure(face);
     for (const std::uint32_t p : face.point) ++points_[p].size;
     faces_.push_back(face);
   }
+  planes_.resize(faces_.size());
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) measure(f);
   alive_ = faces_.size();
   std::uint32_t end = 0;
   for (Point& point : points_) {
@@ -52,13 +54,14 @@ CollapsingMesh::CollapsingMesh(std::span<const glm::vec3> positions, std::span<c
   }
 }
 
-void CollapsingMesh::measure(Face& face) const {
+void CollapsingMesh::measure(std::uint32_t f) {
+  const Face& face = faces_[f];
   const glm::dvec3 a(points_[face.point[0]].place);
-  face.normal = cross(glm::dvec3(points_[face.point[1]].place) - a, glm::dvec3(points_[face.point[2]].place) - a);
-  const double length = std::sqrt(dot(face.normal, face.normal));
+  const glm::dvec3 normal =
+      cross(glm::dvec3(points_[face.point[1]].place) - a, glm::dvec3(points_[face.point[2]].place) - a);
+  const double length = std::sqrt(dot(normal, normal));
   const bool has_area = length > 0 && std::isfinite(length);
-  if (!has_area) face.normal = glm::dvec3(0);
-  face.weight = has_area ? 0.5 / length : 0;
+  planes_[f] = has_area ? FacePlane{normal, 0.5 / length} : FacePlane{};
 }
 
 void CollapsingMesh::drop(std::uint32_t point, std::uint32_t face) {
@@ -69,7 +72,7 @@ void CollapsingMesh::drop(std::uint32_t point, std::uint32_t face) {
     for (++i; i < at.size; ++i) ring[i - 1] = ring[i];
     --at.size;
   }
-  note_change(point);
+  ++changes_[point].faces;
 }
 
 void CollapsingMesh::append(std::uint32_t point, std::uint32_t face) {
@@ -85,18 +88,26 @@ void CollapsingMesh::append(std::uint32_t point, std::uint32_t face) {
   rings_[at.first + at.size++] = face;
 }
 
-std::span<const std::uint32_t> CollapsingMesh::neighbours(std::uint32_t p) {
-  found_.clear();
+std::span<const Neighbour> CollapsingMesh::neighbours(std::uint32_t p) {
   ++mark_;
-  marks_[p] = mark_;
+  std::uint32_t count = 0;
+  found_.resize(std::max<std::size_t>(found_.size(), 2 * ring(p).size()));
   for (const std::uint32_t f : ring(p)) {
-    for (const std::uint32_t q : faces_[f].point) {
-      if (marks_[q] == mark_) continue;
-      marks_[q] = mark_;
-      found_.push_back(q);
+    const Face& face = faces_[f];
+    const int k = face.corner_of(p);
+    for (const int other : {k == 2 ? 0 : k + 1, k == 0 ? 2 : k - 1}) {
+      const std::uint32_t q = face.point[other];
+      if (marks_[q] != mark_) {
+        marks_[q] = mark_;
+        slots_[q] = count;
+        found_[count++] = {q, 0, {}};
+      }
+      Neighbour& one = found_[slots_[q]];
+      if (one.faces < 2) one.shared[one.faces] = f;
+      ++one.faces;
     }
   }
-  return found_;
+  return {found_.data(), count};
 }
 
 void CollapsingMesh::shared_faces(std::uint32_t p, std::uint32_t q, std::vector<std::uint32_t>& shared) const {

@@ -11,35 +11,44 @@
 
 namespace foredraw::collapsing {
 
-/// A cache line.
-struct alignas(64) Face {
+struct Face {
   std::array<std::uint32_t, 3> point{};
   std::array<std::uint32_t, 3> vertex{};
-  glm::dvec3 normal{0};  ///< its length is twice the area
-  double weight = 0;     ///< weight * normal normal^T measures area * distance^2; 0: has no area
 
-  double area() const { return weight > 0 ? 0.25 / weight : 0; }
   /// Which corner the point is.
   int corner_of(std::uint32_t p) const { return point[0] == p ? 0 : point[1] == p ? 1 : 2; }
   bool has(std::uint32_t p) const { return point[0] == p || point[1] == p || point[2] == p; }
 };
 
-struct alignas(64) Point {
+/// Of a face.
+struct FacePlane {
+  glm::dvec3 normal{0};  ///< its length is twice the area
+  double weight = 0;     ///< weight * normal normal^T measures area * distance^2; 0: has no area
+
+  double area() const { return weight > 0 ? 0.25 / weight : 0; }
+};
+
+/// Two cache lines.
+struct alignas(128) Point {
   glm::vec3 place{0};
   std::uint32_t first = 0, size = 0, room = 0;  ///< its faces in the mesh's `rings`
-  glm::dvec3 area{0};                           ///< sum of the faces' normals
   bool is_gone = false;
   bool is_fixed = false;  ///< stays: it is not finite
   bool is_sharp = false;  ///< some edge here is of one face, of more than two, or of unlike vertices
-  bool is_stale = true;   ///< `planes` and `area` are of faces that have changed since
-  Quadric planes;         ///< of all faces here and, by weight, of the memory; about its place
-  Quadric memory;         ///< of all faces that ever were; about its place
+  Quadric memory;         ///< of the planes of all faces that ever were; about its place
 };
 
 /// How often something happened to a point: entries of a queue that are older are known by it.
 struct Changes {
   std::uint32_t moves = 0;  ///< it took another's place, or went
   std::uint32_t faces = 0;  ///< a face here changed
+};
+
+/// A point that another has an edge to, and the faces of that edge.
+struct Neighbour {
+  std::uint32_t point = 0;
+  std::uint32_t faces = 0;                ///< how many
+  std::array<std::uint32_t, 2> shared{};  ///< the first two
 };
 
 class CollapsingMesh {
@@ -52,28 +61,26 @@ class CollapsingMesh {
   Point& point(std::uint32_t p) { return points_[p]; }
   const Point& point(std::uint32_t p) const { return points_[p]; }
   const Face& face(std::uint32_t f) const { return faces_[f]; }
+  const FacePlane& plane(std::uint32_t f) const { return planes_[f]; }
   std::span<const std::uint32_t> ring(std::uint32_t p) const {
     return {rings_.data() + points_[p].first, points_[p].size};
   }
   const Changes& changes(std::uint32_t p) const { return changes_[p]; }
   /// For what is looked at soon.
-  void prefetch(std::uint32_t p) const {
-    __builtin_prefetch(&points_[p]);
-    __builtin_prefetch(&points_[p].planes);
-  }
-  void prefetch_faces(std::uint32_t p) const {
-    for (const std::uint32_t f : ring(p)) __builtin_prefetch(&faces_[f]);
+  void prefetch_planes(std::uint32_t p) const {
+    for (const std::uint32_t f : ring(p)) __builtin_prefetch(&planes_[f]);
   }
   /// The first vertex at that point.
   std::uint32_t name_of(std::uint32_t p) const { return names_[p]; }
 
   /// Each neighbour of the point once, in the order of its faces.
-  std::span<const std::uint32_t> neighbours(std::uint32_t p);
+  std::span<const Neighbour> neighbours(std::uint32_t p);
   /// Faces that have both, into `shared`.
   void shared_faces(std::uint32_t p, std::uint32_t q, std::vector<std::uint32_t>& shared) const;
   /// Marks the points around p; is_marked() holds for them until the next call.
   void mark_neighbours(std::uint32_t p);
   bool is_marked(std::uint32_t p) const { return marks_[p] == mark_; }
+  void unmark(std::uint32_t p) { marks_[p] = mark_ - 1; }
 
   /// `removed` becomes `kept`, which moves to `place`. Faces with both go; `renamed(vertex)` says which vertex of the
   /// kept point a removed one becomes. Faces around are told anew.
@@ -81,18 +88,16 @@ class CollapsingMesh {
   void collapse(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, const Renamed& renamed);
 
  private:
-  void measure(Face& face) const;
+  void measure(std::uint32_t face);
   void drop(std::uint32_t point, std::uint32_t face);
   void append(std::uint32_t point, std::uint32_t face);
-  void note_change(std::uint32_t point) {
-    points_[point].is_stale = true;
-    ++changes_[point].faces;
-  }
 
   std::vector<Point> points_;
   std::vector<Face> faces_;
+  std::vector<FacePlane> planes_;
   std::vector<Changes> changes_;
-  std::vector<std::uint32_t> rings_, names_, marks_, found_;
+  std::vector<std::uint32_t> rings_, names_, marks_, slots_;  // slots_: [marked point] = its place in found_
+  std::vector<Neighbour> found_;
   std::uint32_t mark_ = 0;
   std::size_t alive_ = 0;
 };
@@ -120,8 +125,8 @@ void CollapsingMesh::collapse(std::uint32_t removed, std::uint32_t kept, glm::ve
     append(kept, f);
   }
   for (const std::uint32_t f : ring(kept)) {
-    measure(faces_[f]);
-    for (const std::uint32_t p : faces_[f].point) note_change(p);
+    measure(f);
+    for (const std::uint32_t p : faces_[f].point) ++changes_[p].faces;
   }
 }
 

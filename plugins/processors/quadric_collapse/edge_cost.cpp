@@ -2,7 +2,7 @@
 
 namespace foredraw::collapsing {
 
-/// Calls see(face, neighbour, weight) for each face of each sharp edge at p.
+/// Calls see(number of the face, neighbour, weight) for each face of each sharp edge at p.
 template <class See>
 void EdgeCosts::each_sharp_edge(std::uint32_t p, See see) const {
   const std::span<const std::uint32_t> ring = mesh_.ring(p);
@@ -20,7 +20,7 @@ void EdgeCosts::each_sharp_edge(std::uint32_t p, See see) const {
         alike = alike && beside.vertex[beside.corner_of(p)] == face.vertex[k] &&
                 beside.vertex[beside.corner_of(q)] == face.vertex[other];
       }
-      if (faces != 2 || !alike) see(face, q, faces == 2 ? weights_.seam : weights_.border);
+      if (faces != 2 || !alike) see(f, q, faces == 2 ? weights_.seam : weights_.border);
     }
   }
 }
@@ -28,19 +28,22 @@ void EdgeCosts::each_sharp_edge(std::uint32_t p, See see) const {
 /// Whether each edge at p goes out of one face and into another, of the same vertices.
 bool EdgeCosts::is_smooth(std::uint32_t p) const {
   const std::span<const std::uint32_t> ring = mesh_.ring(p);
-  if (ring.empty()) return true;
-  const Face& first = mesh_.face(ring.front());
-  const std::uint32_t vertex = first.vertex[first.corner_of(p)];
-  for (const std::uint32_t f : ring) {
-    const Face& face = mesh_.face(f);
+  std::array<std::uint32_t, most_faces> next, next_point, previous;
+  std::uint32_t vertex = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Face& face = mesh_.face(ring[i]);
     const int k = face.corner_of(p);
-    if (face.vertex[k] != vertex) return false;
+    if (i > 0 && face.vertex[k] != vertex) return false;
+    vertex = face.vertex[k];
+    next[i] = face.vertex[(k + 1) % 3];
+    next_point[i] = face.point[(k + 1) % 3];
+    previous[i] = face.vertex[(k + 2) % 3];
+  }
+  for (std::size_t i = 0; i < ring.size(); ++i) {
     int into = 0, out_of = 0;
-    for (const std::uint32_t g : ring) {
-      const Face& beside = mesh_.face(g);
-      const int j = beside.corner_of(p);
-      into += beside.vertex[(j + 2) % 3] == face.vertex[(k + 1) % 3];
-      out_of += beside.point[(j + 1) % 3] == face.point[(k + 1) % 3];
+    for (std::size_t j = 0; j < ring.size(); ++j) {
+      into += previous[j] == next[i];
+      out_of += next_point[j] == next_point[i];
     }
     if (into != 1 || out_of != 1) return false;
   }
@@ -48,69 +51,69 @@ bool EdgeCosts::is_smooth(std::uint32_t p) const {
 }
 
 /// The plane through the edge that stands upright on the face; by the edge's length squared.
-void EdgeCosts::add_sharp(const Face& face, std::uint32_t p, std::uint32_t q, double weight, Symmetric& planes) const {
-  const double normal = dot(face.normal, face.normal);
+void EdgeCosts::add_sharp(std::uint32_t f, std::uint32_t p, std::uint32_t q, double weight, Symmetric& planes) const {
+  const glm::dvec3& up = mesh_.plane(f).normal;
+  const double normal = dot(up, up);
   if (!(normal > 0)) return;
   const glm::dvec3 edge = glm::dvec3(mesh_.point(q).place) - glm::dvec3(mesh_.point(p).place);
-  planes.add(cross(edge, face.normal), weight / normal);
+  planes.add(cross(edge, up), weight / normal);
 }
 
-void EdgeCosts::refresh(std::uint32_t p) {
-  Point& point = mesh_.point(p);
-  if (!point.is_stale) return;
-  point.is_stale = false;
-  // It lies on all its planes, so that of a quadric about its place the matrix is all there is.
-  Symmetric planes;
-  glm::dvec3 area(0);
+/// Without the memory. A point lies on all its planes, so that of a quadric about its place the matrix is all there is.
+Around EdgeCosts::faces_around(std::uint32_t p) const {
+  Around sum;
+  Symmetric& matrix = sum.planes.matrix;
   for (const std::uint32_t f : mesh_.ring(p)) {
-    const Face& face = mesh_.face(f);
-    planes.add(face.normal, face.weight);
-    area += face.normal;
+    const FacePlane& plane = mesh_.plane(f);
+    matrix.add(plane.normal, plane.weight);
+    sum.area += plane.normal;
   }
-  if (point.is_sharp) {
-    each_sharp_edge(p,
-                    [&](const Face& face, std::uint32_t q, double weight) { add_sharp(face, p, q, weight, planes); });
+  if (mesh_.point(p).is_sharp) {
+    each_sharp_edge(p, [&](std::uint32_t f, std::uint32_t q, double weight) { add_sharp(f, p, q, weight, matrix); });
   }
-  point.area = area;
-  point.planes = {planes};
-  point.planes.add(point.memory, weights_.memory);
+  return sum;
+}
+
+Around EdgeCosts::around(std::uint32_t p) const {
+  if (!first_.empty()) return first_[p];
+  Around sum = faces_around(p);
+  sum.planes.add(mesh_.point(p).memory, weights_.memory);
+  return sum;
 }
 
 void EdgeCosts::begin() {
-  for (std::uint32_t p = 0; p < mesh_.points().size(); ++p) {
+  first_.resize(mesh_.points().size());
+  for (std::uint32_t p = 0; p < first_.size(); ++p) {
     Point& point = mesh_.point(p);
     const bool is_hub = mesh_.ring(p).size() > most_faces;
     point.is_sharp = is_hub || !is_smooth(p);
     if (is_hub) continue;
-    refresh(p);
-    point.memory = point.planes;
-    point.is_stale = true;
+    first_[p] = faces_around(p);
+    point.memory = first_[p].planes;
+    first_[p].planes.add(point.memory, weights_.memory);
   }
 }
 
 /// About p's place.
 Quadric EdgeCosts::around(std::uint32_t p, std::uint32_t q, Constraint& volume) {
-  refresh(p);
-  refresh(q);
   mesh_.shared_faces(p, q, shared_);
-  const Point& a = mesh_.point(p);
-  const Point& b = mesh_.point(q);
-  const glm::dvec3 there = glm::dvec3(b.place) - glm::dvec3(a.place);
+  const Around a = around(p), b = around(q);
+  const glm::dvec3 there = glm::dvec3(mesh_.point(q).place) - glm::dvec3(mesh_.point(p).place);
   Quadric sum = a.planes;
   sum.add_about(b.planes, there);
   glm::dvec3 area = b.area;
   // What both have counts once. Both lie on it.
   for (const std::uint32_t f : shared_) {
-    const Face& face = mesh_.face(f);
-    sum.matrix.add(face.normal, -face.weight);
-    area -= face.normal;
+    const FacePlane& plane = mesh_.plane(f);
+    sum.matrix.add(plane.normal, -plane.weight);
+    area -= plane.normal;
   }
-  const bool is_sharp = a.is_sharp || b.is_sharp;
-  if (a.is_sharp && b.is_sharp && !is_smooth_between(p, q)) {
+  const bool p_is_sharp = mesh_.point(p).is_sharp, q_is_sharp = mesh_.point(q).is_sharp;
+  if (p_is_sharp && q_is_sharp && !is_smooth_between(p, q)) {
     const double weight = shared_.size() == 2 ? weights_.seam : weights_.border;
-    for (const std::uint32_t f : shared_) add_sharp(mesh_.face(f), p, q, -weight, sum.matrix);
+    for (const std::uint32_t f : shared_) add_sharp(f, p, q, -weight, sum.matrix);
   }
-  volume = is_sharp ? Constraint{} : Constraint{a.area + area, dot(area, there)};
+  volume = p_is_sharp || q_is_sharp ? Constraint{} : Constraint{a.area + area, dot(area, there)};
   return sum;
 }
 
@@ -129,6 +132,30 @@ EdgeCost EdgeCosts::optimal(std::uint32_t p, std::uint32_t q) {
   const glm::dvec3 from(mesh_.point(p).place), there = glm::dvec3(mesh_.point(q).place) - from;
   const glm::vec3 place(from + least(sum, volume, there * 0.5));
   return {sum.at(glm::dvec3(place) - from), place};
+}
+
+void EdgeCosts::optimal(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs) {
+  for (const Neighbour& one : neighbours) mesh_.prefetch_planes(one.point);
+  const Point& point = mesh_.point(p);
+  const Around a = around(p);
+  const auto solve = [&] {
+    const std::span<const EdgeCost> solved = together_.costs();
+    for (std::size_t i = 0; i < solved.size(); ++i) costs[which_[i]] = solved[i];
+    together_.clear();
+  };
+  for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
+    const Neighbour& one = neighbours[i];
+    const Point& other = mesh_.point(one.point);
+    if (point.is_sharp || other.is_sharp || one.faces != 2) {
+      costs[i] = optimal(p, one.point);
+      continue;
+    }
+    which_[together_.size()] = i;
+    together_.add(point.place, a, other.place, around(one.point), mesh_.plane(one.shared[0]),
+                  mesh_.plane(one.shared[1]));
+    if (together_.is_full()) solve();
+  }
+  solve();
 }
 
 double EdgeCosts::at(std::uint32_t p, std::uint32_t q) {

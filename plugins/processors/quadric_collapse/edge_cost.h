@@ -3,7 +3,8 @@
 // volume kept. Memoryless as in Lindstrom, Turk: Fast and Memory Efficient Polygonal Simplification, Visualization
 // 1998; quadrics after Garland, Heckbert 1997.
 
-#include "collapsing_mesh.h"
+#include "local_distance.h"
+#include "smooth_edges.h"
 
 namespace foredraw::collapsing {
 
@@ -13,22 +14,19 @@ struct CostWeights {
   double seam = 3;
 };
 
-/// The cost of joining two points, and the place that is least.
-struct EdgeCost {
-  double cost = 0;
-  glm::vec3 place{0};
-};
-
 class EdgeCosts {
  public:
   EdgeCosts(CollapsingMesh& mesh, const CostWeights& weights) : mesh_(mesh), weights_(weights) {}
 
   /// More around an edge are not looked at.
-  static constexpr std::size_t most_faces = 128;
+  static constexpr std::size_t most_faces = LocalDistance::most_faces;
 
-  /// Finds sharp points, and gives every point its planes and memory.
+  /// Finds sharp points, and gives every point its memory. What is found of points is kept until end_of_first().
   void begin();
+  void end_of_first() { std::vector<Around>().swap(first_); }
   EdgeCost optimal(std::uint32_t p, std::uint32_t q);
+  /// The costs of joining the point to some of its neighbours.
+  void optimal(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs);
   /// The cost with the joined point at p's place.
   double at(std::uint32_t p, std::uint32_t q);
   /// What both remember, about the place where they are joined.
@@ -36,16 +34,20 @@ class EdgeCosts {
 
  private:
   Quadric around(std::uint32_t p, std::uint32_t q, Constraint& volume);
-  void refresh(std::uint32_t p);
+  Around faces_around(std::uint32_t p) const;
+  Around around(std::uint32_t p) const;
   bool is_smooth(std::uint32_t p) const;
   bool is_smooth_between(std::uint32_t p, std::uint32_t q) const;
   template <class See>
   void each_sharp_edge(std::uint32_t p, See see) const;
-  void add_sharp(const Face& face, std::uint32_t p, std::uint32_t q, double weight, Symmetric& planes) const;
+  void add_sharp(std::uint32_t f, std::uint32_t p, std::uint32_t q, double weight, Symmetric& planes) const;
 
   CollapsingMesh& mesh_;
   CostWeights weights_;
   std::vector<std::uint32_t> shared_;
+  std::vector<Around> first_;  ///< [point], while all edges are entered
+  SmoothEdges together_;
+  std::array<std::uint32_t, SmoothEdges::most> which_;  ///< neighbours that are in it
 };
 
 }  // namespace foredraw::collapsing

@@ -19,11 +19,6 @@ bool LegalCollapses::keeps_topology(std::uint32_t p, std::uint32_t q) {
   // Two borders that an edge of the inside joins would become one point of both.
   const bool is_inner = shared_.size() == 2;
   if (is_inner && is_border(p) && is_border(q)) return false;
-  std::uint32_t thirds = 0;
-  const std::span<const std::uint32_t> around_q = mesh_.neighbours(q);
-  seen_.assign(around_q.begin(), around_q.end());
-  mesh_.mark_neighbours(p);
-  for (const std::uint32_t n : seen_) thirds += n != p && mesh_.is_marked(n);
   std::uint32_t wanted = 0;
   for (std::size_t i = 0; i < shared_.size(); ++i) {
     const auto third_of = [&](std::uint32_t f) {
@@ -37,7 +32,7 @@ bool LegalCollapses::keeps_topology(std::uint32_t p, std::uint32_t q) {
     for (std::size_t j = 0; j < i; ++j) is_new = is_new && third_of(shared_[j]) != third;
     wanted += is_new;
   }
-  if (thirds != wanted) return false;
+  mesh_.mark_neighbours(p);
   // A face of q whose other corners p has too, as in a tetrahedron, would lie on one of p.
   for (const std::uint32_t f : mesh_.ring(q)) {
     const Face& face = mesh_.face(f);
@@ -46,7 +41,15 @@ bool LegalCollapses::keeps_topology(std::uint32_t p, std::uint32_t q) {
     const std::uint32_t one = face.point[(k + 1) % 3], two = face.point[(k + 2) % 3];
     if (mesh_.is_marked(one) && mesh_.is_marked(two) && has_face(p, one, two)) return false;
   }
-  return true;
+  std::uint32_t thirds = 0;
+  for (const std::uint32_t f : mesh_.ring(q)) {
+    for (const std::uint32_t n : mesh_.face(f).point) {
+      if (n == p || n == q || !mesh_.is_marked(n)) continue;
+      ++thirds;
+      mesh_.unmark(n);
+    }
+  }
+  return thirds == wanted;
 }
 
 /// Whether some edge at p is of one face, or of more than two.
@@ -64,7 +67,6 @@ bool LegalCollapses::is_border(std::uint32_t p) const {
 
 bool LegalCollapses::pair_vertices(std::uint32_t removed, std::uint32_t kept, std::vector<VertexPair>& pairs) {
   pairs.clear();
-  mesh_.shared_faces(removed, kept, shared_);
   for (const std::uint32_t f : shared_) {
     const Face& face = mesh_.face(f);
     const VertexPair pair{face.vertex[face.corner_of(removed)], face.vertex[face.corner_of(kept)]};
@@ -92,15 +94,16 @@ bool LegalCollapses::keeps_sides_around(std::uint32_t p, std::uint32_t q, const 
   constexpr double least_cosine = 0.2;
   for (const std::uint32_t f : mesh_.ring(p)) {
     const Face& face = mesh_.face(f);
-    if (face.has(q) || !(face.weight > 0)) continue;
+    const FacePlane& plane = mesh_.plane(f);
+    if (face.has(q) || !(plane.weight > 0)) continue;
     const int k = face.corner_of(p);
     const glm::dvec3 one = glm::dvec3(mesh_.point(face.point[(k + 1) % 3]).place) - place;
     const glm::dvec3 two = glm::dvec3(mesh_.point(face.point[(k + 2) % 3]).place) - place;
     const glm::dvec3 normal = cross(one, two);
-    const double along = dot(normal, face.normal);
+    const double along = dot(normal, plane.normal);
     // Both normals' lengths are known by their squares; weight is half of one over the old length.
     if (!(along > 0 &&
-          along * along * 4 * face.weight * face.weight >= least_cosine * least_cosine * dot(normal, normal)))
+          along * along * 4 * plane.weight * plane.weight >= least_cosine * least_cosine * dot(normal, normal)))
       return false;
   }
   return true;

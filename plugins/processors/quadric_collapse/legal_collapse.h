@@ -15,8 +15,8 @@ class LegalCollapses {
   /// Whether the surface has the same topology when the edge is gone: what both points neighbour are the third corners
   /// of the faces between them, and nothing else; and some face is left.
   bool keeps_topology(std::uint32_t p, std::uint32_t q);
-  /// Which vertex of `kept` each vertex of `removed` becomes. False: the faces between them do not say it, or not one
-  /// to one, so that a seam would open, close or jump.
+  /// Which vertex of `kept` each vertex of `removed` becomes, the two being those last asked about. False: the faces
+  /// between them do not say it, or not one to one, so that a seam would open, close or jump.
   bool pair_vertices(std::uint32_t removed, std::uint32_t kept, std::vector<VertexPair>& pairs);
   /// Whether every face that stays keeps its side when both points go to that place.
   bool keeps_sides(std::uint32_t p, std::uint32_t q, glm::vec3 place) const;
@@ -27,7 +27,7 @@ class LegalCollapses {
   bool is_border(std::uint32_t p) const;
 
   CollapsingMesh& mesh_;
-  std::vector<std::uint32_t> shared_, seen_;
+  std::vector<std::uint32_t> shared_;  ///< between the points last asked about
 };
 
 }  // namespace foredraw::collapsing

@@ -38,9 +38,7 @@ class Collapser {
       while (mesh_.face_count() > options_.least && !is_cancelled()) {
         const auto edge = queue_.pop();
         if (!edge) break;
-        look_ahead();
-        if (!is_current(*edge)) continue;
-        consider(*edge);
+        if (moves(edge->p, edge->q) == edge->moves) consider(*edge);
       }
     }
     sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
@@ -53,12 +51,13 @@ class Collapser {
   void enter_all() {
     for (std::uint32_t p = 0; p < mesh_.points().size(); ++p) {
       if (mesh_.point(p).is_gone) continue;
-      const auto around = mesh_.neighbours(p);
-      neighbours_.assign(around.begin(), around.end());
-      for (const std::uint32_t q : neighbours_) {
-        if (p < q) enter(p, q);
-      }
+      const std::span<const Neighbour> around = mesh_.neighbours(p);
+      neighbours_.clear();
+      std::ranges::copy_if(around, std::back_inserter(neighbours_),
+                           [&](const Neighbour& one) { return p < one.point; });
+      enter_neighbours(p);
     }
+    costs_.end_of_first();
   }
 
   EdgeCost cost_of(std::uint32_t p, std::uint32_t q) {
@@ -68,35 +67,35 @@ class Collapser {
   }
 
   /// Edges of which a point has very many faces wait until there are fewer: each look at one is a look at all of them.
-  void enter(std::uint32_t p, std::uint32_t q) {
-    if (mesh_.ring(p).size() + mesh_.ring(q).size() <= EdgeCosts::most_faces) enter(p, q, cost_of(p, q).cost);
+  void enter_neighbours(std::uint32_t p) {
+    std::erase_if(neighbours_, [&](const Neighbour& one) {
+      return mesh_.ring(p).size() + mesh_.ring(one.point).size() > EdgeCosts::most_faces;
+    });
+    found_.resize(neighbours_.size());
+    if (options_.placement == CollapsePlacement::optimal) {
+      costs_.optimal(p, neighbours_, found_);
+    } else {
+      for (std::size_t i = 0; i < found_.size(); ++i) found_[i] = cost_of(p, neighbours_[i].point);
+    }
+    for (std::size_t i = 0; i < found_.size(); ++i) enter(p, neighbours_[i].point, found_[i]);
   }
-  void enter(std::uint32_t p, std::uint32_t q, double cost, bool is_checked = false) {
-    const Changes& a = mesh_.changes(p);
-    const Changes& b = mesh_.changes(q);
-    queue_.push(cost, {p, q, a.moves + b.moves, a.faces + b.faces, is_checked});
+  void enter(std::uint32_t p, std::uint32_t q, const EdgeCost& found) { enter(p, q, found, found.cost, false); }
+  void enter(std::uint32_t p, std::uint32_t q, const EdgeCost& found, double cost, bool is_checked) {
+    queue_.push(cost, {found.cost, found.place, p, q, moves(p, q), changes(p, q), is_checked});
   }
 
-  void look_ahead() const {
-    if (const EdgeEntry* far = queue_.later(8); far && is_current(*far)) {
-      mesh_.prefetch(far->p);
-      mesh_.prefetch(far->q);
-    }
-    if (const EdgeEntry* near = queue_.later(3); near && is_current(*near)) {
-      mesh_.prefetch_faces(near->p);
-      mesh_.prefetch_faces(near->q);
-    }
+  std::uint32_t moves(std::uint32_t p, std::uint32_t q) const {
+    return mesh_.changes(p).moves + mesh_.changes(q).moves;
   }
-
-  bool is_current(const EdgeEntry& edge) const {
-    return mesh_.changes(edge.p).moves + mesh_.changes(edge.q).moves == edge.moves;
+  std::uint32_t changes(std::uint32_t p, std::uint32_t q) const {
+    return (mesh_.changes(p).faces + mesh_.changes(q).faces) & (~std::uint32_t{0} >> 1);
   }
 
   void consider(const EdgeEntry& edge) {
     const auto [p, q] = std::pair(edge.p, edge.q);
-    const EdgeCost best = cost_of(p, q);
-    const bool has_changed = mesh_.changes(p).faces + mesh_.changes(q).faces != edge.changes;
-    if (has_changed && CostQueue::rank_of(best.cost) > queue_.lowest()) return enter(p, q, best.cost);
+    const bool has_changed = changes(p, q) != edge.changes;
+    const EdgeCost best = has_changed ? cost_of(p, q) : EdgeCost{edge.cost, edge.place};
+    if (has_changed && CostQueue::rank_of(best.cost) > queue_.lowest()) return enter(p, q, best);
     if (!legal_.keeps_topology(p, q)) return;
     if ((has_changed || !edge.is_checked) && is_too_far(p, q, best)) return;
     const bool stays_at_q = best.place == mesh_.point(q).place;
@@ -111,20 +110,19 @@ class Collapser {
   /// A quadric does not see where faces end: at a crease the least place may lie far from all of them. Where an edge
   /// moves the surface farther than its cost says, it waits until that is the cost.
   bool is_too_far(std::uint32_t p, std::uint32_t q, const EdgeCost& best) {
-    constexpr std::size_t slack = 6;  // ranks; a closer look costs more than it gains
+    constexpr std::size_t slack = 6;  // ranks; to be stricter gains nothing
     const double weight = options_.deviation * area_around(p, q);
     if (!(weight > 0)) return false;
-    const double enough = (CostQueue::cost_above(queue_.lowest() + slack) - best.cost) / weight;
-    const double cost = best.cost + weight * squared_deviation(mesh_, p, q, best.place, enough);
+    const double cost = best.cost + weight * distance_.squared(mesh_, p, q, best.place);
     if (CostQueue::rank_of(cost) <= queue_.lowest() + slack) return false;
-    enter(p, q, cost, true);
+    enter(p, q, best, cost, true);
     return true;
   }
 
   double area_around(std::uint32_t p, std::uint32_t q) const {
     double area = 0;
     for (const std::uint32_t one : {p, q}) {
-      for (const std::uint32_t f : mesh_.ring(one)) area += mesh_.face(f).area();
+      for (const std::uint32_t f : mesh_.ring(one)) area += mesh_.plane(f).area();
     }
     return area;
   }
@@ -143,18 +141,20 @@ class Collapser {
     sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
     sequence_.pairs.insert(sequence_.pairs.end(), pairs_.begin(), pairs_.end());
     for (int k = 0; k < 3; ++k) sequence_.places.push_back(best.place[k]);
-    const auto around = mesh_.neighbours(kept);
+    const std::span<const Neighbour> around = mesh_.neighbours(kept);
     neighbours_.assign(around.begin(), around.end());
-    for (const std::uint32_t q : neighbours_) enter(kept, q);
+    enter_neighbours(kept);
   }
 
   QuadricCollapseOptions options_;
   CollapsingMesh mesh_;
   EdgeCosts costs_;
   LegalCollapses legal_;
+  LocalDistance distance_;
   CostQueue queue_;
   std::vector<VertexPair> pairs_;
-  std::vector<std::uint32_t> neighbours_;
+  std::vector<Neighbour> neighbours_;
+  std::vector<EdgeCost> found_;
   CollapseSequence sequence_;
   double error_ = 0;
 };

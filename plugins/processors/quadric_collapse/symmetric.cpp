@@ -10,10 +10,6 @@ Symmetric adjugate(const Symmetric& m) {
           m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
 }
 
-/// How much the preferred place counts beside the planes. Small enough to cost no accuracy that floats can show, large
-/// enough for a determinant that is more than rounding.
-constexpr double preference = 1e-6;
-
 }  // namespace
 
 glm::dvec3 least(const Quadric& quadric, const Constraint& constraint, const glm::dvec3& preferred) {

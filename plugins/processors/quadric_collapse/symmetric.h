@@ -58,6 +58,10 @@ struct Constraint {
   double offset = 0;
 };
 
+/// How much a preferred place counts beside the planes, whose trace is 1. Small enough to cost no accuracy that floats
+/// can show, large enough for a determinant that is more than rounding.
+inline constexpr double preference = 1e-6;
+
 /// Where the quadric is least, on the constraint if its normal is not 0. What it leaves open, such as the directions of
 /// a flat piece, is decided by `preferred`.
 glm::dvec3 least(const Quadric& quadric, const Constraint& constraint, const glm::dvec3& preferred);
