@@ -1,6 +1,7 @@
 // The bytes are an odd mesh, and the options of the stages: whatever is ordered, the same is drawn, also when it has
 // been written and read again.
 
+#include "odd_input.h"
 #include "round_trip.h"
 #include "support/gltf_builder.h"
 
@@ -11,52 +12,17 @@ namespace {
 
 using testing::GltfBuilder;
 using testing::GltfJson;
+using testing::OddInput;
 
-/// Gives the input away byte by byte, then zeros.
-class Input {
- public:
-  Input(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-  std::size_t left() const { return size_; }
-  std::uint8_t byte() {
-    if (size_ == 0) return 0;
-    --size_;
-    return *data_++;
-  }
-  std::size_t below(std::size_t n) { return byte() % n; }
-  float number() {
-    static constexpr float odd[] = {0,
-                                    -0.0f,
-                                    1,
-                                    0.5f,
-                                    1e-40f,
-                                    3e38f,
-                                    -3e38f,
-                                    std::numeric_limits<float>::infinity(),
-                                    std::numeric_limits<float>::quiet_NaN()};
-    const std::uint8_t b = byte();
-    return b < std::size(odd) ? odd[b] : static_cast<float>(b % 16);  // few values: equal vertices, flat triangles
-  }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t size_;
-};
-
-std::size_t add_floats(GltfBuilder& builder, Input& input, std::size_t vertices, const char* type,
+std::size_t add_floats(GltfBuilder& builder, OddInput& input, std::size_t vertices, const char* type,
                        std::size_t components) {
   std::vector<float> values(vertices * components);
   for (float& value : values) value = input.number();
   return builder.add_values(values, type);
 }
 
-GltfJson add_indices(GltfBuilder& builder, Input& input, std::size_t vertices, std::size_t count) {
-  std::vector<std::uint32_t> indices(count);
-  std::uint32_t near = 0;
-  for (std::uint32_t& index : indices) {  // mostly neighbours, as in a mesh, else anywhere
-    const std::uint8_t b = input.byte();
-    near = static_cast<std::uint32_t>(b < 200 ? near + b % 5 : b) % static_cast<std::uint32_t>(vertices);
-    index = near;
-  }
+GltfJson add_indices(GltfBuilder& builder, OddInput& input, std::size_t vertices, std::size_t count) {
+  const std::vector<std::uint32_t> indices = testing::odd_indices(input, vertices, count);
   switch (input.below(3)) {
     case 0: return builder.add_values(std::vector<std::uint8_t>(indices.begin(), indices.end()), "SCALAR");
     case 1: return builder.add_values(std::vector<std::uint16_t>(indices.begin(), indices.end()), "SCALAR");
@@ -64,7 +30,7 @@ GltfJson add_indices(GltfBuilder& builder, Input& input, std::size_t vertices, s
   }
 }
 
-std::vector<std::byte> mesh_of(Input& input) {
+std::vector<std::byte> mesh_of(OddInput& input) {
   GltfBuilder builder;
   const std::size_t vertices = 1 + input.below(200);
   GltfJson streams = {{"POSITION", add_floats(builder, input, vertices, "VEC3", 3)}};
@@ -88,7 +54,7 @@ std::vector<std::byte> mesh_of(Input& input) {
   return builder.glb();
 }
 
-std::string line_of(Input& input) {
+std::string line_of(OddInput& input) {
   std::string line = input.below(2) != 0 ? "weld(keep-unused=true)" : "weld";
   static constexpr const char* targets[] = {"robust", "fifo", "nvidia", "amd", "intel"};
   const std::string cache_size = "cache-size=" + std::to_string(3 + input.below(60));
@@ -109,7 +75,7 @@ std::string line_of(Input& input) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace foredraw;
-  Input input(data, size);
+  OddInput input(data, size);
   const std::string line = line_of(input);
   Diagnostics diagnostics;
   const auto scene = read_gltf(mesh_of(input), "input", {}, diagnostics);

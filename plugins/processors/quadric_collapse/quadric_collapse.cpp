@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foredraw {
 
@@ -129,7 +130,8 @@ class Collapser {
 
   void collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCost& best) {
     const double area = area_around(removed, kept);
-    if (area > 0) error_ = std::max(error_, std::sqrt(std::max(best.cost, 0.0) / area));
+    constexpr double most = std::numeric_limits<float>::max();
+    if (area > 0) error_ = std::min(std::max(error_, std::sqrt(std::max(best.cost, 0.0) / area)), most);
     const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
     const Quadric memory = costs_.joined_memory(removed, kept, best.place);
     Point& point = mesh_.point(kept);
