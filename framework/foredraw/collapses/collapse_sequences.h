@@ -2,9 +2,10 @@
 // The product that simplifiers make: how the draws of each mesh become coarser.
 
 #include <foredraw/scene/collapse_sequence.h>
-#include <foredraw/scene/draw.h>
+#include <foredraw/scene/scene.h>
 
 #include <memory>
+#include <span>
 #include <string_view>
 
 namespace foredraw {
@@ -25,5 +26,11 @@ struct CollapseSequences {
   std::vector<DrawsCollapse> meshes;  ///< a draw is in one of them at most
   friend bool operator==(const CollapseSequences&, const CollapseSequences&) = default;
 };
+
+/// The scene's sequences of draws that are all among these, which rise.
+std::vector<DrawsCollapse> sequences_of(const Scene& scene, std::span<const DrawId> draws);
+
+/// Takes these out of the scene: they are used up.
+void remove_sequences(Scene& scene, std::span<const DrawsCollapse> used_up);
 
 }  // namespace foredraw

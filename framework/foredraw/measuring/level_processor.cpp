@@ -21,7 +21,8 @@ void require(bool good, const std::string& mistake) {
 
 void check(const MadeLevel& level, const Draw& draw) {
   const std::string of = "one of its levels of " + draw.name + " ";
-  require(level.vertices != nullptr && !level.indices.empty(), of + "draws nothing");
+  const bool draws = !level.indices.empty() || draw.full().stream().indices.empty();
+  require(level.vertices != nullptr && draws, of + "draws nothing");
   require(level.vertices->layout_stamp() == draw.full().vertices->layout_stamp(), of + "has different attributes");
   const bool of_triangles = draw.topology == Topology::triangles && level.indices.size() % 3 == 0;
   require(of_triangles, of + "is not made of triangles");
@@ -29,7 +30,7 @@ void check(const MadeLevel& level, const Draw& draw) {
       std::ranges::all_of(level.indices.view(), [&](std::uint32_t v) { return v < level.vertices->count; });
   require(in_range, of + "names a vertex that does not exist");
   const auto is_distance = [](double d) { return std::isfinite(d) && d >= 0; };
-  require(is_distance(level.largest) && is_distance(level.rms.value_or(0)),
+  require(is_distance(level.largest.value_or(0)) && is_distance(level.rms.value_or(0)),
           of + "claims an error that is not a distance");
 }
 
@@ -101,9 +102,10 @@ class LevelProcessor final : public Processor {
     }
   }
 
-  /// `largest` of each level becomes the greater of what is said and what is proved.
+  /// `largest` of each level becomes the greatest of what is said, what is proved and that of the level before.
   void measure(std::vector<MadeLevel>& levels, DrawId id, const Scene& scene, Run& run) const {
     const Level& full = scene.draws[id].full();
+    double before = 0;
     for (std::size_t i = 0; i < levels.size(); ++i) {
       MadeLevel& level = levels[i];
       const About about{.draw = id, .level = i + 1};
@@ -119,12 +121,13 @@ class LevelProcessor final : public Processor {
       run.measure_at(about, "error.rms", rms.value, 1, rms.error);
       // Positions are floats, so a distance is known to some parts in ten millions.
       constexpr double slack = 1e-6, errors = 3;
-      const bool is_farther = farthest->found > level.largest * (1 + slack) + slack * of_full.points->extent();
+      const bool is_farther =
+          level.largest && farthest->found > *level.largest * (1 + slack) + slack * of_full.points->extent();
       const bool is_rougher = level.rms && rms.value - errors * rms.error > *level.rms * (1 + slack);
       if (is_farther) {
         run.note_at(about, "error-claim",
                     fmt::format("its claimed distance from full detail is {:.4g}, but the measured one is {:.4g}",
-                                level.largest, farthest->found));
+                                *level.largest, farthest->found));
       }
       if (is_rougher) {
         run.note_at(about, "error-claim",
@@ -137,8 +140,18 @@ class LevelProcessor final : public Processor {
                                 "than {:.4g} is proved",
                                 farthest->found, farthest->bound));
       }
-      level.largest = std::max(level.largest, farthest->bound);
+      // The bound may lie somewhat above the distance, and so above a claim that holds.
+      const bool holds = level.largest && farthest->bound > *level.largest && !is_farther &&
+                         are_within(of_full.searched(), of_level.searched(), *level.largest, run);
+      before = std::max({before, level.largest.value_or(0), holds ? 0 : farthest->bound});
+      level.largest = before;
     }
+  }
+
+  static bool are_within(const SearchedSurface& a, const SearchedSurface& b, double distance, const Run& run) {
+    const FarthestOptions search{.cancel = run.cancel};
+    return is_within(a.surface, b.points, distance, search, run.executor).value_or(false) &&
+           is_within(b.surface, a.points, distance, search, run.executor).value_or(false);
   }
 
   /// A surface with what finds its nearest points.
@@ -173,7 +186,7 @@ class LevelProcessor final : public Processor {
       Level level;
       level.vertices = std::move(made.vertices);
       level.orders.push_back({.indices = std::move(made.indices)});
-      level.error = no_less_than(made.largest);
+      level.error = no_less_than(made.largest.value_or(0));
       draw.levels.push_back(std::move(level));
     }
   }

@@ -6,12 +6,12 @@
 
 namespace foredraw {
 
-/// A level, and how far it is said to lie from full detail, either way, in the draw's units.
+/// A level, and how far it is said to lie from full detail, either way, in the draw's units, where it says so.
 struct MadeLevel {
   std::shared_ptr<const VertexStreams> vertices;  ///< of full detail's layout; full detail's own, where indices will do
   Shared<std::uint32_t> indices;                  ///< three a triangle
-  double largest = 0;
-  std::optional<double> rms;  ///< where it says so: root of the mean square over both surfaces
+  std::optional<double> largest = {};
+  std::optional<double> rms = {};  ///< root of the mean square over both surfaces
 };
 
 /// [i][j]: level j + 1 of the view's draw i. In step: as many levels for each draw, so that a subject changes as one.

@@ -110,6 +110,13 @@ std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionV
       if (const auto* path = std::get_if<std::string>(&value); path != nullptr && !path->empty()) return value;
       return wants(spec, spec.type == OptionType::scene ? "the path of a scene" : "the path of an image", value);
     case OptionType::number_or_text:
+      if (const auto* number = std::get_if<double>(&value); number != nullptr && std::isfinite(*number)) {
+        return OptionValue(to_text(value));
+      }
+      if (!std::holds_alternative<std::int64_t>(value) && !std::holds_alternative<std::string>(value)) {
+        return wants(spec, "a number or a string", value);
+      }
+      [[fallthrough]];
     case OptionType::views:
       if (std::holds_alternative<std::string>(value)) return value;
       if (std::holds_alternative<std::int64_t>(value)) return OptionValue(to_text(value));

@@ -1,9 +1,8 @@
 #include "simplify.h"
 
-#include <foredraw/analysis/farthest_distance.h>
 #include <foredraw/collapses/collapse_product.h>
 #include <foredraw/collapses/collapse_sequences.h>
-#include <foredraw/collapses/cut.h>
+#include <foredraw/collapses/draw_distances.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -36,13 +35,15 @@ class SimplifyMeshes final : public Processor {
   explicit SimplifyMeshes(SimplifyOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
-    const CollapseSequences* sequences = scene.products.find<CollapseSequences>();
-    std::vector<DrawsCollapse> meshes, left;
-    for (const DrawsCollapse& mesh : sequences == nullptr ? std::vector<DrawsCollapse>() : sequences->meshes) {
-      const bool may =
-          std::ranges::all_of(mesh.draws, [&](DrawId id) { return std::ranges::binary_search(draws, id); });
-      (may ? meshes : left).push_back(mesh);
-    }
+    std::vector<DrawsCollapse> meshes = sequences_of(scene, draws);
+    std::erase_if(meshes, [&](const DrawsCollapse& mesh) {
+      const bool has_levels =
+          std::ranges::any_of(mesh.draws, [&](DrawId id) { return scene.draws[id].levels.size() > 1; });
+      if (has_levels) {
+        run.note_at({.draw = mesh.draws.front()}, "has-levels", "not simplified: it already has levels of detail");
+      }
+      return has_levels;
+    });
     std::vector<Made> made(meshes.size());
     run.executor.for_each(meshes.size(), [&](std::size_t i) { made[i] = made_of(meshes[i], scene, run); });
     std::vector<DrawId> changed;
@@ -58,8 +59,7 @@ class SimplifyMeshes final : public Processor {
                               : "no edge may be collapsed within what is asked for");
       return changed;
     }
-    scene.products.erase(CollapseSequences::product);
-    if (!left.empty()) scene.products.set(CollapseSequences{std::move(left)});
+    remove_sequences(scene, meshes);
     std::ranges::sort(changed);
     return changed;
   }
@@ -74,11 +74,9 @@ class SimplifyMeshes final : public Processor {
     made.before = all.triangles.front();
     made.simplified = simplify(*joined, *mesh.sequence, all, options_, run.executor, run.cancel);
     if (made.simplified.collapses == 0) return made;
-    made.draws = cut(*mesh.sequence, made.simplified.collapses, *joined);
-    const Collapsed after = collapsed(*mesh.sequence, made.simplified.collapses, joined->positions, joined->indices);
-    const Surface full{joined->positions, joined->indices}, coarse{after.places, after.indices};
-    const auto farthest = hausdorff_distance({full, ClosestPoints(full)}, {coarse, ClosestPoints(coarse)},
-                                             {.cancel = run.cancel}, run.executor);
+    const Collapsed after = collapsed(*mesh.sequence, made.simplified.collapses, *joined);
+    made.draws = cut(*mesh.sequence, made.simplified.collapses, after, *joined);
+    const auto farthest = DrawDistances(*joined).farthest(after, {.cancel = run.cancel}, run.executor);
     if (farthest) made.largest = farthest->bound;
     return made;
   }

@@ -61,14 +61,14 @@ class Cut : public ::testing::Test {
 };
 
 TEST_F(Cut, NothingCollapsedIsFullDetail) {
-  const std::vector<CutDraw> full = cut(sequence_, 0, mesh_);
+  const std::vector<CutDraw> full = cut(sequence_, 0, collapsed(sequence_, 0, mesh_), mesh_);
   EXPECT_EQ(full[0].vertices->stamp(), scene_.draws[0].full().vertices->stamp());
   EXPECT_EQ(full[0].indices, scene_.draws[0].full().stream().indices);
   EXPECT_EQ(full[1].indices, scene_.draws[1].full().stream().indices);
 }
 
 TEST_F(Cut, DrawsThatSharedVerticesStillDo) {
-  const std::vector<CutDraw> draws = cut(sequence_, 1, mesh_);
+  const std::vector<CutDraw> draws = cut(sequence_, 1, collapsed(sequence_, 1, mesh_), mesh_);
   EXPECT_EQ(draws[0].vertices, draws[1].vertices);
   EXPECT_EQ(draws[0].vertices->count, 4u);
   EXPECT_EQ(draws[0].indices, Shared<std::uint32_t>({1, 0, 2}));
@@ -76,7 +76,7 @@ TEST_F(Cut, DrawsThatSharedVerticesStillDo) {
 }
 
 TEST_F(Cut, AttributesAreBlendedInTheirFormats) {
-  const CutDraw draw = cut(sequence_, 1, mesh_).front();
+  const CutDraw draw = cut(sequence_, 1, collapsed(sequence_, 1, mesh_), mesh_).front();
   EXPECT_EQ(value(draw, "POSITION", 0, 0), 0.75f);
   EXPECT_EQ(value(draw, "POSITION", 0, 2), 0.5f);
   const float x = value(draw, "NORMAL", 0, 0), y = value(draw, "NORMAL", 0, 1);
@@ -91,7 +91,7 @@ TEST_F(Cut, AttributesAreBlendedInTheirFormats) {
 }
 
 TEST_F(Cut, WeightsOfJointsSumUpToOne) {
-  const CutDraw draw = cut(sequence_, 1, mesh_).front();
+  const CutDraw draw = cut(sequence_, 1, collapsed(sequence_, 1, mesh_), mesh_).front();
   EXPECT_EQ(value(draw, "JOINTS_0", 0, 0), 3);  // .75 * 200
   EXPECT_EQ(value(draw, "JOINTS_0", 0, 1), 2);
   EXPECT_EQ(value(draw, "JOINTS_0", 0, 2), 1);
@@ -101,7 +101,7 @@ TEST_F(Cut, WeightsOfJointsSumUpToOne) {
 }
 
 TEST_F(Cut, WhatDidNotChangeKeepsItsBytes) {
-  const CutDraw draw = cut(sequence_, 1, mesh_).front();
+  const CutDraw draw = cut(sequence_, 1, collapsed(sequence_, 1, mesh_), mesh_).front();
   for (std::size_t s = 0; s < draw.vertices->base.size(); ++s) {
     const VertexStream& now = draw.vertices->base[s];
     const VertexStream& was = mesh_.streams[0]->base[s];

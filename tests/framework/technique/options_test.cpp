@@ -147,13 +147,14 @@ TEST(Fit, EachTypeRefusesTheOthers) {
   EXPECT_EQ(refusal("cache-size", text("16")), "'cache-size' must be a whole number, not \"16\"");
   EXPECT_EQ(refusal("quick", whole(1)), "'quick' must be true or false, not 1");
   EXPECT_EQ(refusal("label", whole(1)), "'label' must be a string, not 1");
-  EXPECT_EQ(refusal("views", 1.5), "'views' must be a whole number or a string, not 1.5");
+  EXPECT_EQ(refusal("views", true), "'views' must be a number or a string, not true");
   EXPECT_EQ(refusal("shape", text("oval")), "'shape' is oval, but must be one of round, square");
   EXPECT_EQ(refusal("shape", whole(1)), "'shape' is 1, but must be one of round, square");
 }
 
 TEST(Fit, ABareNumberWillDoWhereTextOrNumberIsWanted) {
   EXPECT_EQ(fitted("views", whole(42)), text("42"));
+  EXPECT_EQ(fitted("views", 0.25), text("0.25"));
   EXPECT_EQ(fitted("views", text("axes")), text("axes"));
 }
 
