@@ -129,6 +129,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     const Scene& scene = bare ? *bare : result.scene;
     for (const Output& output : outputs) {
       auto files = output.row           ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
+                   : output.level       ? encode_level(scene, *output.level, output.path, diagnostics, as)
                    : !output.is_scene() ? std::vector{text_file(output.path, remap_json(result.scene))}
                                         : encode_scene(scene, output.path, diagnostics, as);
       if (!files) return false;

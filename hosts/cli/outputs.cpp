@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace foredraw::cli {
 
@@ -25,9 +26,26 @@ std::vector<std::string> kinds_of(const ProductRows& rows) {
 
 }  // namespace
 
+namespace {
+
+/// "level2"
+std::optional<std::size_t> level_of(std::string_view kind) {
+  constexpr std::string_view word = "level";
+  if (!kind.starts_with(word)) return std::nullopt;
+  kind.remove_prefix(word.size());
+  std::size_t level = 0;
+  const auto [end, mistake] = std::from_chars(kind.data(), kind.data() + kind.size(), level);
+  return mistake == std::errc() && end == kind.data() + kind.size() ? std::optional(level) : std::nullopt;
+}
+
+}  // namespace
+
 Output typed_output(const std::string& word, const ProductRows& rows) {
   const std::size_t colon = word.find(':');
   const std::string kind = word.substr(0, colon);
+  if (const auto level = level_of(kind); level && colon != std::string::npos) {
+    return {kind, word.substr(colon + 1), nullptr, level};
+  }
   if (colon == std::string::npos || !std::ranges::count(kinds_of(rows), kind)) return {{}, word};
   Output output{kind, word.substr(colon + 1)};
   for (const auto& row : rows) {
@@ -40,6 +58,7 @@ namespace {
 
 bool has_kind_for(const Output& kind, const std::filesystem::path& path) {
   if (kind.row) return side_file_kind(*kind.row, path).has_value();
+  if (kind.level) return is_scene_file(path);
   return kind.kind == sprites ? is_sprite_output(path) : path.extension() == ".json";
 }
 
@@ -67,7 +86,7 @@ Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostic
 
 }  // namespace
 
-std::string kinds_text(const ProductRows& rows) { return fmt::format("{}", fmt::join(kinds_of(rows), ", ")); }
+std::string kinds_text(const ProductRows& rows) { return fmt::format("{}, levelN", fmt::join(kinds_of(rows), ", ")); }
 
 std::vector<Output> outputs_of(const std::vector<std::string>& words, const std::string& input, const ProductRows& rows,
                                Diagnostics& diagnostics) {
@@ -91,8 +110,8 @@ std::vector<Output> outputs_of(const std::vector<std::string>& words, const std:
 
 std::vector<std::filesystem::path> paths_written_for(const Output& output) {
   if (output.row) return paths_of_side_file(*output.row, output.path);
-  return output.kind.empty() ? foredraw::paths_written_for(output.path)
-                             : std::vector<std::filesystem::path>{output.path};
+  return output.kind.empty() || output.level ? foredraw::paths_written_for(output.path)
+                                             : std::vector<std::filesystem::path>{output.path};
 }
 
 }  // namespace foredraw::cli

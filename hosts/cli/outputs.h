@@ -5,16 +5,19 @@
 #include <foredraw/scene/product_row.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace foredraw::cli {
 
 struct Output {
-  std::string kind;  ///< "remap", "sprites", or a product's name; empty: the scene, by its path
+  std::string kind;  ///< "remap", "sprites", "level2", or a product's name; empty: the scene, by its path
   std::string path;
   std::shared_ptr<const ProductRow> row = {};  ///< of a product
+  std::optional<std::size_t> level = {};       ///< of detail, alone
 
+  /// As the run leaves it.
   bool is_scene() const { return kind.empty() || kind == "sprites"; }
 };
 
@@ -29,7 +32,7 @@ std::vector<Output> outputs_of(const std::vector<std::string>& words, const std:
 /// Every path that is written to for it.
 std::vector<std::filesystem::path> paths_written_for(const Output& output);
 
-/// "remap, sprites", and the products' names.
+/// "remap, sprites", the products' names, and "levelN".
 std::string kinds_text(const ProductRows& rows);
 
 }  // namespace foredraw::cli

@@ -202,6 +202,40 @@ TEST_F(Cli, WritesTheRemapTables) {
   }
 }
 
+TEST_F(Cli, MakesLevelsAndWritesOneAlone) {
+  const Ended made = run("optimize " + spot() + " -o out.glb -o level2:two.obj -o level0:zero.glb -p @levels");
+  ASSERT_EQ(made.code, 0) << made.err;
+  Diagnostics diagnostics;
+  const auto all = read_gltf(folder_ / "out.glb", diagnostics);
+  const auto full = read_gltf(folder_ / "zero.glb", diagnostics);
+  ASSERT_TRUE(all && full) << to_text(diagnostics);
+  EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+  const std::vector<Level>& levels = all->draws[0].levels;
+  ASSERT_EQ(levels.size(), 4u);
+  for (std::size_t l = 1; l < levels.size(); ++l) {
+    EXPECT_LT(levels[l].stream().triangle_count(), levels[l - 1].stream().triangle_count());
+    EXPECT_GT(levels[l].error, levels[l - 1].error);
+  }
+  EXPECT_EQ(full->draws[0].levels.size(), 1u);
+  EXPECT_EQ(full->draws[0].full().stream().indices, all->draws[0].full().stream().indices);
+  const std::string two = content(folder_ / "two.obj");
+  std::size_t faces = 0;
+  for (std::size_t at = two.find("\nf "); at != std::string::npos; at = two.find("\nf ", at + 1)) ++faces;
+  EXPECT_EQ(faces, levels[2].stream().triangle_count());
+}
+
+TEST_F(Cli, SaysWhichLevelIsNotThere) {
+  const Ended none = run("optimize " + spot() + " -o level1:out.obj -p weld");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("out.obj: error: no draw has a level 1"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("@levels"), std::string::npos) << none.err;
+  const Ended few = run("optimize " + spot() + " -o level9:out.obj -p @levels");
+  EXPECT_EQ(few.code, 2);
+  EXPECT_NE(few.err.find("the coarsest is level 3"), std::string::npos) << few.err;
+  EXPECT_EQ(run("optimize " + spot() + " -o level1:out.png -p @levels").code, 1);
+  EXPECT_TRUE(files().empty());
+}
+
 TEST_F(Cli, TellsThePlanWithoutRunningIt) {
   const Ended plan = run("plan " + model("static/flight_helmet_notex.glb"));
   EXPECT_EQ(plan.code, 0);

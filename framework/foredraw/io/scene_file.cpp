@@ -9,6 +9,7 @@
 #include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/sprite/sprite_files.h>
 #include <foredraw/io/text/private/file_kind.h>
+#include <foredraw/scene/levels.h>
 
 #include <algorithm>
 #include <iterator>
@@ -146,6 +147,31 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   }
   files->front().path = path;
   return files;
+}
+
+std::optional<std::vector<OutputFile>> encode_level(const Scene& scene, std::size_t level, const std::string& path,
+                                                    Diagnostics& diagnostics, const GltfOutput& as) {
+  if (const std::size_t most = most_levels(scene); level >= most) {
+    diagnostics.error({.file = path}, "no-such-level", "no draw has a level " + std::to_string(level),
+                      most < 2 ? "no stage made levels of detail: use a pipeline that does, such as @levels"
+                               : "the coarsest is level " + std::to_string(most - 1));
+    return std::nullopt;
+  }
+  const Scene alone = at_level(scene, level);
+  const auto mesh_kind = mesh_kind_of(path);
+  if (!mesh_kind) {
+    const auto has_nodes = [&](const Draw& draw) {
+      return std::ranges::any_of(draw.levels, [](const Level& one) { return one.origin.has_value(); });
+    };
+    if (std::ranges::none_of(scene.draws, has_nodes)) return encode_scene(alone, path, diagnostics, as);
+    diagnostics.error({.file = path}, "cannot-express",
+                      "the file's levels are nodes of their own (MSFT_lod), which stay in it as they came",
+                      "give this output the extension .obj, .ply, .off or .stl");
+    return std::nullopt;
+  }
+  auto file = encode_new_mesh_file(alone, *mesh_kind, path, diagnostics);
+  if (!file) return std::nullopt;
+  return std::vector<OutputFile>{std::move(*file)};
 }
 
 std::vector<fs::path> paths_written_for(const fs::path& path) {

@@ -36,7 +36,12 @@ bool can_write_scene(const std::string& path, const std::string& input, Diagnost
 std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const std::string& path,
                                                     Diagnostics& diagnostics, const GltfOutput& as = {});
 
-/// Every path that encode_scene may write to for one, that itself first.
+/// The same of one level of detail alone: of draws that have fewer, the coarsest. glTF, or a mesh file, made anew of
+/// what is shown, wherever the scene came from. nullopt, with an error, too, where no draw has that level.
+std::optional<std::vector<OutputFile>> encode_level(const Scene& scene, std::size_t level, const std::string& path,
+                                                    Diagnostics& diagnostics, const GltfOutput& as = {});
+
+/// Every path that encode_scene or encode_level may write to for one, that itself first.
 std::vector<std::filesystem::path> paths_written_for(const std::filesystem::path& path);
 
 /// Writes the files of a scene, the main one first, and whatever others come with them. As write_files does it: all or

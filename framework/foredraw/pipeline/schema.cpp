@@ -31,8 +31,9 @@ Json type_of(OptionType type) {
     case OptionType::boolean: return "boolean";
     case OptionType::integer: return "integer";
     case OptionType::number: return "number";
-    case OptionType::number_or_text: return {"number", "string"};
+    case OptionType::number_or_text:
     case OptionType::views: return {"integer", "string"};
+    case OptionType::numbers: return {"number", "string"};
     case OptionType::scene:
     case OptionType::image:
     case OptionType::text:

@@ -18,8 +18,9 @@ std::string_view text_of(OptionType type) {
     case OptionType::number: return "number";
     case OptionType::text: return "text";
     case OptionType::choice: return "choice";
-    case OptionType::number_or_text: return "text or number";
+    case OptionType::number_or_text:
     case OptionType::views: return "text or whole number";
+    case OptionType::numbers: return "numbers, with commas between them";
     case OptionType::scene: return "path of a scene";
     case OptionType::image: return "path of an image";
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace foredraw {
@@ -77,6 +78,26 @@ std::string wants(const OptionSpec& spec, std::string_view what, const OptionVal
 
 }  // namespace
 
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  const auto skip_spaces = [&] { text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size())); };
+  for (skip_spaces(); !text.empty(); skip_spaces()) {
+    if (!numbers.empty()) {
+      if (text.front() != ',') return std::nullopt;
+      text.remove_prefix(1);
+      skip_spaces();
+    }
+    double number = 0;
+    const auto [end, mistake] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (mistake != std::errc() || !std::isfinite(number)) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::string numbers_text(const std::vector<double>& numbers) { return fmt::format("{}", fmt::join(numbers, ", ")); }
+
 bool names_file(const OptionSpec& spec, const OptionValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   if (text == nullptr || text->empty()) return false;
@@ -105,18 +126,18 @@ std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionV
     case OptionType::text:
       if (std::holds_alternative<std::string>(value)) return value;
       return wants(spec, "a string", value);
+    case OptionType::numbers:
+      if (const auto* text = std::get_if<std::string>(&value); text != nullptr && numbers_in(*text)) return value;
+      if (const auto* whole = std::get_if<std::int64_t>(&value)) return OptionValue(to_text(*whole));
+      if (const auto* number = std::get_if<double>(&value); number != nullptr && std::isfinite(*number)) {
+        return OptionValue(to_text(*number));
+      }
+      return wants(spec, "numbers, such as \"0.5, 0.25\"", value);
     case OptionType::scene:
     case OptionType::image:
       if (const auto* path = std::get_if<std::string>(&value); path != nullptr && !path->empty()) return value;
       return wants(spec, spec.type == OptionType::scene ? "the path of a scene" : "the path of an image", value);
     case OptionType::number_or_text:
-      if (const auto* number = std::get_if<double>(&value); number != nullptr && std::isfinite(*number)) {
-        return OptionValue(to_text(value));
-      }
-      if (!std::holds_alternative<std::int64_t>(value) && !std::holds_alternative<std::string>(value)) {
-        return wants(spec, "a number or a string", value);
-      }
-      [[fallthrough]];
     case OptionType::views:
       if (std::holds_alternative<std::string>(value)) return value;
       if (std::holds_alternative<std::int64_t>(value)) return OptionValue(to_text(value));

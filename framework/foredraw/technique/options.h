@@ -34,8 +34,9 @@ struct ImagePath {
   std::string path;
 };
 
-/// `views` is a view set's word, its number, or a file's path (see ViewSet).
-enum class OptionType { boolean, integer, number, text, choice, number_or_text, views, scene, image };
+/// `views` is a view set's word, its number, or a file's path (see ViewSet). `numbers` are a text with commas between
+/// them; a single one may stand bare.
+enum class OptionType { boolean, integer, number, text, choice, number_or_text, views, scene, image, numbers };
 
 struct OptionSpec {
   std::string name;  ///< "cache-size"
@@ -60,6 +61,10 @@ std::string range_text(const OptionSpec& spec);
 /// or an explanation of why it does not fit: "'cache-size' is 2, but must be 3 to 65535 entries".
 std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionValue& value);
 
+/// "0.5, 0.25" taken apart, and put together. Nothing where it is something else, or one is not finite.
+std::optional<std::vector<double>> numbers_in(std::string_view text);
+std::string numbers_text(const std::vector<double>& numbers);
+
 /// Whether the value is the path of a file, which counts from the folder of the pipeline that names it.
 bool names_file(const OptionSpec& spec, const OptionValue& value);
 
@@ -73,8 +78,8 @@ struct Range {
 template <class Options>
 class OptionTable {
  public:
-  /// A bool, integer, floating-point or string member, or an optional one of these; or the path of a scene or an image,
-  /// which may always be left out.
+  /// A bool, integer, floating-point or string member, or an optional one of these; a list of numbers; or the path of a
+  /// scene or an image, which may always be left out.
   template <class T, class Owner>
   requires std::derived_from<Options, Owner> OptionTable& row(T Owner::*member, std::string name, std::string doc,
                                                               Range range = {}) {
@@ -158,6 +163,8 @@ class OptionTable {
     if constexpr (is_path<Value>) {
       spec.type = std::is_same_v<Value, ScenePath> ? OptionType::scene : OptionType::image;
       spec.optional = true;
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      spec.type = OptionType::numbers;
     } else if constexpr (std::is_same_v<Value, bool>) {
       spec.type = OptionType::boolean;
     } else if constexpr (std::is_integral_v<Value>) {
@@ -176,7 +183,9 @@ class OptionTable {
 
   template <class T>
   static OptionValue to_value(const T& value) {
-    if constexpr (std::is_same_v<T, bool>) {
+    if constexpr (std::is_same_v<T, std::vector<double>>) {
+      return numbers_text(value);
+    } else if constexpr (std::is_same_v<T, bool>) {
       return value;
     } else if constexpr (std::is_integral_v<T>) {
       return static_cast<std::int64_t>(value);
@@ -195,6 +204,8 @@ class OptionTable {
     }
     if constexpr (is_path<Value>) {
       return {std::get<std::string>(value)};
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      return numbers_in(std::get<std::string>(value)).value_or(Value());
     } else if constexpr (std::is_same_v<Value, bool>) {
       return std::get<bool>(value);
     } else if constexpr (std::is_integral_v<Value>) {

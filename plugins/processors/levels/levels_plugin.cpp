@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 namespace foredraw {
@@ -15,34 +14,15 @@ namespace foredraw {
 namespace {
 
 struct LevelsOptions {
-  std::string ratios = "0.5, 0.25, 0.1";
-  std::string errors;
+  std::vector<double> ratios = {0.5, 0.25, 0.1};
+  std::vector<double> errors;
   double saving = 0.2;
   bool keep_sequences = false;
 };
 
-/// "0.5, 0.25"
-std::vector<double> numbers_of(const char* option, std::string_view text) {
-  std::vector<double> numbers;
-  const auto skip_spaces = [&] { text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size())); };
-  for (skip_spaces(); !text.empty(); skip_spaces()) {
-    double number = 0;
-    const auto [end, mistake] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const std::string_view rest = text.substr(static_cast<std::size_t>(end - text.data()));
-    const std::size_t next = rest.find_first_not_of(" \t");
-    if (mistake != std::errc() || (next != std::string_view::npos && rest[next] != ',')) {
-      throw std::invalid_argument(
-          fmt::format("'{}' must be numbers with commas between them, not \"{}\"", option, text));
-    }
-    numbers.push_back(number);
-    text = next == std::string_view::npos ? std::string_view() : rest.substr(next + 1);
-  }
-  return numbers;
-}
-
 LevelGoals goals_of(const LevelsOptions& options) {
-  LevelGoals goals{{}, numbers_of("errors", options.errors)};
-  if (goals.errors.empty()) goals.ratios = numbers_of("ratios", options.ratios);
+  LevelGoals goals{{}, options.errors};
+  if (goals.errors.empty()) goals.ratios = options.ratios;
   check(goals);
   return goals;
 }
@@ -171,12 +151,11 @@ Plugin levels_plugin() {
   plugin.products = {collapse_product()};
   OptionTable<LevelsOptions> table;
   table
-      .number_or_text(
-          &LevelsOptions::ratios, "ratios",
-          "Share of each mesh's triangles that each level has, from fine to coarse: falling, between 0 and 1")
-      .number_or_text(&LevelsOptions::errors, "errors",
-                      "In place of `ratios`: largest distance of each level from full detail, in either direction, in "
-                      "units: rising; each level has the fewest triangles that stay within it")
+      .row(&LevelsOptions::ratios, "ratios",
+           "Share of each mesh's triangles that each level has, from fine to coarse: falling, between 0 and 1")
+      .row(&LevelsOptions::errors, "errors",
+           "In place of `ratios`: largest distance of each level from full detail, in either direction, in "
+           "units: rising; each level has the fewest triangles that stay within it")
       .row(&LevelsOptions::saving, "saving",
            "A level that saves less than this share of the triangles of the level before is left out",
            {.least = 0, .most = 1})

