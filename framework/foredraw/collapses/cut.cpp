@@ -32,7 +32,12 @@ std::vector<CutDraw> draws_of(const Collapsed& after, const JoinedMesh& mesh, co
     for (const std::uint32_t vertex : indices_of(after, mesh, d)) {
       indices.push_back(number(s, vertex - mesh.first_vertex[s]));
     }
-    draws.push_back({vertices(s), Shared<std::uint32_t>(std::move(indices))});
+    CutDraw draw{vertices(s), Shared<std::uint32_t>(std::move(indices)), {}};
+    draw.origin.resize(draw.vertices->count);
+    for (std::uint32_t v = mesh.first_vertex[s]; v < mesh.first_vertex[s + 1]; ++v) {
+      if (const std::uint32_t now = number(s, v - mesh.first_vertex[s]); now != no_vertex) draw.origin[now] = v;
+    }
+    draws.push_back(std::move(draw));
   }
   return draws;
 }

@@ -11,6 +11,7 @@ namespace foredraw {
 struct CutDraw {
   std::shared_ptr<const VertexStreams> vertices;
   Shared<std::uint32_t> indices;
+  std::vector<std::uint32_t> origin;  ///< [vertex] = which of the mesh's it is
 };
 
 /// The mesh after `collapses` of a clean sequence. Where points move, they lie where the draws' formats can store them.
