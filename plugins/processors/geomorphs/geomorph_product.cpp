@@ -2,7 +2,7 @@
 
 #include "schemas.h"
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/analysis/analyses.h>
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/scene/moves.h>
 

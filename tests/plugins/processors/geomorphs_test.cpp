@@ -5,7 +5,7 @@
 #include "plugins/processors/quadric_collapse/quadric_collapse.h"
 #include "support/meshes.h"
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/analysis/analyses.h>
 #include <foredraw/runtime/geomorph.h>
 #include <foredraw/technique/plugin.h>
 

@@ -3,7 +3,7 @@
 #include "plugins/processors/quadric_collapse/quadric_collapse.h"
 #include "support/meshes.h"
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/analysis/analyses.h>
 #include <foredraw/analysis/surface_distance.h>
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/collapse_sequences.h>

@@ -1,7 +1,7 @@
 // Mesh files made anew of scenes that came from elsewhere.
 #include <foredraw/io/mesh/mesh_files.h>
 
-#include <foredraw/analysis/mesh_facts.h>
+#include <foredraw/analysis/analyses.h>
 
 #include <gtest/gtest.h>
 
