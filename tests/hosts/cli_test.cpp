@@ -224,6 +224,24 @@ TEST_F(Cli, MakesLevelsAndWritesOneAlone) {
   EXPECT_EQ(faces, levels[2].stream().triangle_count());
 }
 
+/// Through a file, an order of each level behind it, a file again, and other orders.
+TEST_F(Cli, GeomorphsFollowTheirLevels) {
+  const std::string stages = "weld, quadric-collapse, levels(keep-sequences=true), geomorphs, lookahead, vertex-fetch";
+  const Ended made = run("optimize " + spot() + " -o out.glb -p '" + stages + "' --with vertex-cache");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(made.err.find("warning"), std::string::npos) << made.err;
+  const auto told = [&](const std::string& file) {
+    const Ended ended = run("inspect " + file);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.out;
+  };
+  EXPECT_NE(told("out.glb").find("Spot: levels 3, vertices"), std::string::npos) << told("out.glb");
+  const Ended again = run("optimize out.glb -o again.glb -p 'tipsify, vertex-fetch' --with vertex-cache");
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(again.err.find("left out"), std::string::npos) << again.err;
+  EXPECT_NE(told("again.glb").find("Spot: levels 3, vertices"), std::string::npos);
+}
+
 TEST_F(Cli, SaysWhichLevelIsNotThere) {
   const Ended none = run("optimize " + spot() + " -o level1:out.obj -p weld");
   EXPECT_EQ(none.code, 2);

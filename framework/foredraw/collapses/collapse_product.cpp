@@ -149,7 +149,7 @@ class CollapseRow final : public ProductRow {
     scene.products.erase(CollapseSequences::product);
     for (Draw& draw : scene.draws) {
       draw.traits.remove(traits::progressive);
-      draw.full().made.remove(traits::progressive);
+      for (Level& level : draw.levels) level.made.remove(traits::progressive);
     }
   }
 

@@ -27,7 +27,7 @@ void remove_sequences(Scene& scene, std::span<const DrawsCollapse> used_up) {
     }
     for (const DrawId id : mesh.draws) {
       scene.draws[id].traits.remove(traits::progressive);
-      scene.draws[id].full().made.remove(traits::progressive);
+      for (Level& level : scene.draws[id].levels) level.made.remove(traits::progressive);
     }
   }
   scene.products.erase(CollapseSequences::product);

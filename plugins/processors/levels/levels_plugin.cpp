@@ -3,6 +3,7 @@
 #include <foredraw/collapses/collapse_product.h>
 #include <foredraw/collapses/cut.h>
 #include <foredraw/measuring/level_processor.h>
+#include <foredraw/scene/levels.h>
 
 #include <fmt/format.h>
 
@@ -125,7 +126,12 @@ class LevelsOfMeshes final : public Processor {
       return {};
     }
     std::vector<DrawId> changed = levels_->process(scene, draws, run);
-    if (!run.keeps() && !keeps_sequences_) remove_sequences(scene, sequences);
+    if (run.keeps()) return changed;
+    if (!keeps_sequences_) remove_sequences(scene, sequences);
+    for (const DrawId id : changed) {  // a sequence makes its levels coarser, too
+      if (!traits_of(scene.draws[id]).has(traits::progressive)) continue;
+      for (Level& level : scene.draws[id].levels) level.made.add(traits::progressive);
+    }
     return changed;
   }
 

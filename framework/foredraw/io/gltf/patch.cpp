@@ -86,7 +86,7 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   if (!patch_structure(scene, source, written.json, store, diagnostics)) return std::nullopt;
   told.put_lods(written.json);
   if (!patch_meshes(scene, source, as.products, written.json, store, diagnostics)) return std::nullopt;
-  patch_products(scene, source, as.products, written.json, store, diagnostics);
+  patch_products(scene, of_levels, source, as.products, written.json, store, diagnostics);
   relocate_images(written.json, document, target, diagnostics);
   written.changed = !may_stay || document.left_out || store.changed() || written.json != document.json ||
                     !told.same_errors() || (!compress && is_compressed(document)) || all_compressed;

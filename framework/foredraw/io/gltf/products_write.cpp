@@ -133,8 +133,8 @@ std::set<std::size_t> freed(const std::set<std::size_t>& gone, const ProductRows
   return free;
 }
 
-void patch_products(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,
-                    Diagnostics& diagnostics) {
+void patch_products(const Scene& scene, const Scene& of_levels, const Source& source, const ProductRows& rows,
+                    Json& json, AccessorStore& store, Diagnostics& diagnostics) {
   const Document& document = source.document;
   std::set<std::size_t> gone = document.let_go;
   ProductRows staying, written;
@@ -148,7 +148,7 @@ void patch_products(const Scene& scene, const Source& source, const ProductRows&
     const ProductCard& card = row->card();
     const bool is_same = scene.products.same(card.name, source.as_read.products);
     Writer writer(scene, card.extension, is_same, document, json, store, free);
-    const std::string wrong = scene.products.has(card.name) ? row->difference(scene) : std::string();
+    const std::string wrong = scene.products.has(card.name) ? row->difference(of_levels) : std::string();
     if (!wrong.empty()) {
       diagnostics.warning({.file = scene.name}, card.name + "-left-out",
                           "the " + card.title + " are not written: " + wrong, card.remedy);

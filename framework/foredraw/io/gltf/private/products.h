@@ -14,8 +14,9 @@ namespace foredraw::gltf {
 void read_products(Document& document, Scene& scene, Diagnostics& diagnostics);
 
 /// Puts the scene's products into `json`, once its meshes are there. What the file says of the same products stays.
-void patch_products(const Scene& scene, const Source& source, const ProductRows& rows, Json& json, AccessorStore& store,
-                    Diagnostics& diagnostics);
+/// `of_levels`: the scene with the levels of its draws, which `scene` has as draws of their own behind all others.
+void patch_products(const Scene& scene, const Scene& of_levels, const Source& source, const ProductRows& rows,
+                    Json& json, AccessorStore& store, Diagnostics& diagnostics);
 
 /// Accessors that the extension of a row names; of JSON in which anything may be wrong, too.
 std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row);
