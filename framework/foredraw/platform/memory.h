@@ -19,8 +19,8 @@ class MemoryWatch {
   std::optional<std::uint64_t> at_first_;
 };
 
-/// Pieces of up to 8 MiB that are freed stay with this process, up to 256 MiB, for those who ask next: pictures come and
-/// go by the thousand, and a system that hands out fresh pages for each takes longer than it takes to draw them.
+/// Pieces of up to 8 MiB that are freed stay with this process, up to 256 MiB, for those who ask next: pictures come
+/// and go by the thousand, and a system that hands out fresh pages for each takes longer than it takes to draw them.
 void keep_freed_memory();
 
 /// From here on this process may hold that many bytes of data of its own (heap, stacks of threads and private mappings,
