@@ -46,6 +46,25 @@ void tell_growth(std::uint64_t before, const std::vector<OutputFile>& files, Dia
                    "the input has another format, or writes its numbers with fewer characters");
 }
 
+/// The file that was read, in the scene's order; made anew where a stage made other triangles.
+std::optional<OutputFile> encode_mesh_file_or_new(const Scene& scene, MeshKind kind, const std::string& path,
+                                                  Diagnostics& diagnostics) {
+  Diagnostics told;
+  auto file = encode_mesh_file(scene, kind, path, told);
+  if (!file && std::ranges::find(told.all(), "other-triangles", &Diagnostic::code) != told.all().end()) {
+    file = encode_new_mesh_file(scene, kind, path, diagnostics);
+    if (!file) return std::nullopt;
+    diagnostics.warning(
+        {.file = path}, "made-anew",
+        "more than the order was changed, so the file is made anew: it holds the triangles that are drawn, "
+        "and nothing else of the input",
+        "write a .glb to keep the rest");
+    return file;
+  }
+  for (const Diagnostic& one : told.all()) diagnostics.add(one);
+  return file;
+}
+
 /// As they are put into their places, the very first one last: so that none comes before those that it names, the main
 /// file of each further scene goes behind its others.
 void append(std::vector<OutputFile> files, std::vector<OutputFile>& all) {
@@ -117,7 +136,7 @@ std::optional<std::vector<OutputFile>> encode_scene(const Scene& scene, const st
   const bool is_standard = path == "-";
   const auto mesh_source = std::dynamic_pointer_cast<const mesh_files::MeshSource>(scene.source);
   if (const auto mesh_kind = mesh_kind_of(path)) {
-    auto file = encode_mesh_file(scene, *mesh_kind, path, diagnostics);
+    auto file = encode_mesh_file_or_new(scene, *mesh_kind, path, diagnostics);
     if (!file) return std::nullopt;
     scene.products.each([&](const std::string& name) {
       diagnostics.warning({.file = path}, "product-left-out",

@@ -223,7 +223,7 @@ std::optional<MeshOrder> order_of(const Scene& scene, const MeshSource& source, 
   }
   if (order) return order;
   diagnostics.error(
-      {.file = scene.name}, "cannot-express",
+      {.file = scene.name}, "other-triangles",
       fmt::format("more than the order of triangles and vertices was changed; {} can hold only a new order",
                   extension_of(source.kind)),
       "give the output the extension .glb");
