@@ -52,9 +52,8 @@ Exit show(const Arguments& arguments, const Registry& registry) {
   if (const Plugin* plugin = registry.find(arguments.name)) {
     return print(arguments.json ? reference_json(*plugin) : reference_page(*plugin));
   }
-  const std::string_view near = nearest(arguments.name, names);
   fmt::print(stderr, "foredraw: error: there is no plugin or preset '{}'\n    hint: {}\n", arguments.name,
-             near.empty() ? "foredraw list shows all plugins" : fmt::format("did you mean '{}'?", near));
+             registry.hint_for(arguments.name, names));
   return users_mistake;
 }
 

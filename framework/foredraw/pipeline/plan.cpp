@@ -84,10 +84,8 @@ class Planner {
 
   const Plugin* find(const Stage& stage) {
     if (const Plugin* plugin = registry_.find(stage.use)) return plugin;
-    const std::vector<std::string> names = registry_.names();
-    const std::string_view near = nearest(stage.use, names);
     error(stage.where, "unknown-plugin", fmt::format("there is no plugin '{}'", stage.use),
-          near.empty() ? "foredraw list shows all plugins" : fmt::format("did you mean '{}'?", near));
+          registry_.hint_for(stage.use, registry_.names()));
     return nullptr;
   }
 

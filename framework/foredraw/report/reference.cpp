@@ -125,13 +125,21 @@ std::string list_text(const Registry& registry, std::optional<Kind> kind) {
       table.add({std::string(to_text(each)), plugin->card.name, summary});
     }
   }
-  return table.text();
+  std::string text = table.text();
+  if (kind) return text;
+  for (const auto& [name, reason] : registry.left_out()) {
+    text += fmt::format("\nThis build leaves out {}: {}.\n", name, reason);
+  }
+  return text;
 }
 
 std::string list_json(const Registry& registry, std::optional<Kind> kind) {
   Json json{{"list", 1}, {"plugins", Json::array()}};
   for (const Plugin* plugin : registry.all()) {
     if (!kind || plugin->kind == *kind) json["plugins"].push_back(Json::parse(reference_json(*plugin)));
+  }
+  if (!kind) {
+    for (const auto& [name, reason] : registry.left_out()) json["left-out"][name] = reason;
   }
   return json.dump(2) + '\n';
 }

@@ -1,3 +1,4 @@
+#include <foredraw/base/diagnostics.h>
 #include <foredraw/technique/registry.h>
 
 #include <algorithm>
@@ -61,6 +62,12 @@ ProductRows Registry::products() const {
 const Plugin* Registry::find(std::string_view name) const {
   const auto it = plugins_.find(name);
   return it == plugins_.end() ? nullptr : &it->second;
+}
+
+std::string Registry::hint_for(std::string_view name, const std::vector<std::string>& names) const {
+  if (const auto it = left_out_.find(name); it != left_out_.end()) return "this build leaves it out: " + it->second;
+  const std::string_view near = nearest(name, names);
+  return near.empty() ? "foredraw list shows all plugins" : "did you mean '" + std::string(near) + "'?";
 }
 
 std::vector<const Plugin*> Registry::all() const {

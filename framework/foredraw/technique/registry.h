@@ -13,6 +13,11 @@ class Registry {
   /// does not fit its own row, or two products have one extension: mistakes of whoever wrote the plugin.
   void add(Plugin plugin);
   const Plugin* find(std::string_view name) const;
+  /// A plugin that this build does without, and why: the rest of a sentence.
+  void leave_out(std::string name, std::string reason) { left_out_.emplace(std::move(name), std::move(reason)); }
+  const std::map<std::string, std::string, std::less<>>& left_out() const { return left_out_; }
+  /// For whoever asked for a plugin, or something else of those names, that is not there.
+  std::string hint_for(std::string_view name, const std::vector<std::string>& names) const;
   std::vector<const Plugin*> all() const;  ///< by name
   std::vector<std::string> names() const;
   /// What the plugins make, by name, each once.
@@ -20,6 +25,7 @@ class Registry {
 
  private:
   std::map<std::string, Plugin, std::less<>> plugins_;
+  std::map<std::string, std::string, std::less<>> left_out_;
 };
 
 }  // namespace foredraw

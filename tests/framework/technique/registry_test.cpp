@@ -113,5 +113,15 @@ TEST(Kinds, HaveWords) {
   EXPECT_EQ(to_text(Kind::evaluator), "evaluator");
 }
 
+TEST(Registry, SaysWhyAPluginIsNotThere) {
+  Registry registry;
+  registry.add(named("sample"));
+  registry.leave_out("other", "it needs package x, which was not found");
+  EXPECT_EQ(registry.hint_for("other", registry.names()),
+            "this build leaves it out: it needs package x, which was not found");
+  EXPECT_EQ(registry.hint_for("sampel", registry.names()), "did you mean 'sample'?");
+  EXPECT_EQ(registry.hint_for("nothing-like-it", registry.names()), "foredraw list shows all plugins");
+}
+
 }  // namespace
 }  // namespace foredraw

@@ -1,0 +1,49 @@
+#include "cgal_collapse.h"
+
+#include <foredraw/measuring/collapse_processor.h>
+
+namespace foredraw {
+
+namespace {
+
+struct Options : CgalCollapseOptions {
+  double until = CollapseProcessorOptions{}.until;
+};
+
+class CgalCollapse final : public Simplifier {
+ public:
+  explicit CgalCollapse(const CgalCollapseOptions& options) : options_(options) {}
+
+  CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const override {
+    CgalCollapseOptions options = options_;
+    options.least = least;
+    options.cancel = run.cancel;
+    return cgal_collapse(mesh.positions, mesh.indices, options);
+  }
+
+ private:
+  CgalCollapseOptions options_;
+};
+
+}  // namespace
+
+Plugin cgal_collapse_plugin() {
+  Plugin plugin = simplifier_plugin(
+      "cgal-collapse", "Finds in which sequence edges collapse, by CGAL's edge collapse; `simplify` applies it",
+      "Lindstrom, Turk 1998; Garland, Heckbert 1997");
+  OptionTable<Options> table;
+  table
+      .choice<CgalCost>(
+          &Options::cost, "cost",
+          "What counts: lindstrom-turk (volumes and areas of the current triangles) or garland-heckbert "
+          "(distances from the planes of all triangles that ever were)",
+          {{"lindstrom-turk", CgalCost::lindstrom_turk}, {"garland-heckbert", CgalCost::garland_heckbert}})
+      .row(&Options::until, "until", "Share of a mesh's triangles to stop at", {.least = 0, .most = 1})
+      .row(&Options::keep_sides, "keep-sides", "Whether collapses that turn a triangle over are refused");
+  bind_options(plugin, table, [](const Options& options) -> Technique {
+    return collapse_processor(std::make_unique<const CgalCollapse>(options), {.until = options.until});
+  });
+  return plugin;
+}
+
+}  // namespace foredraw
