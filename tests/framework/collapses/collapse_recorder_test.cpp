@@ -49,8 +49,8 @@ TEST(CollapseRecorder, CountsWhatIsLeft) {
   const TestMesh plate = testing::grid(4, 4);
   CollapseRecorder recorder(plate.positions, plate.indices);
   EXPECT_EQ(recorder.triangle_count(), 32u);
-  ASSERT_TRUE(recorder.keeps_topology(6, 12) && recorder.pairs_up(6, 12));
-  recorder.collapse(6, 12, {});
+  ASSERT_TRUE(recorder.keeps_topology(6, 7) && recorder.pairs_up(6, 7));
+  recorder.collapse(6, 7, {});
   EXPECT_EQ(recorder.triangle_count(), 30u);
   EXPECT_TRUE(recorder.triangles_at(6).empty());
   EXPECT_FALSE(recorder.keeps_topology(0, 24));  // no edge

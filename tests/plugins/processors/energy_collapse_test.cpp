@@ -1,0 +1,134 @@
+#include "plugins/processors/energy_collapse/energy_collapse.h"
+
+#include "support/collapses.h"
+
+#include <foredraw/analysis/closest_points.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace foredraw {
+namespace {
+
+using testing::TestMesh;
+
+TestMesh coarse(const TestMesh& mesh, std::size_t triangles, EnergyCollapseOptions options = {}) {
+  options.least = triangles;
+  return testing::coarse(mesh, energy_collapse(mesh.positions, mesh.indices, {}, options), triangles);
+}
+
+TEST(EnergyCollapse, ASphereStaysClosedAndRound) {
+  const TestMesh sphere = testing::sphere(32, 16);
+  const TestMesh left = coarse(sphere, sphere.indices.size() / 12);
+  EXPECT_LE(left.indices.size(), sphere.indices.size() / 4);
+  EXPECT_LT(testing::distance(sphere, left), 0.05);
+}
+
+TEST(EnergyCollapse, ATorusStaysATorus) {
+  const TestMesh left = coarse(testing::closed_torus(32, 16), 100);
+  EXPECT_LE(left.indices.size() / 3, 100u);
+  EXPECT_EQ(testing::euler(left), 0);
+  EXPECT_EQ(testing::edges(left).size(), 1u);  // all of two triangles
+}
+
+TEST(EnergyCollapse, BothRimsOfARingStay) {
+  const TestMesh ring = testing::flat_ring(48, 4);
+  const TestMesh left = coarse(ring, 60);
+  EXPECT_EQ(testing::euler(left), 0);
+  EXPECT_LT(testing::distance(ring, left), 0.1);
+}
+
+TEST(EnergyCollapse, AFlatPlateKeepsItsOutline) {
+  const TestMesh plate = testing::grid(12, 12);
+  const TestMesh left = coarse(plate, 24);
+  EXPECT_LE(left.indices.size() / 3, 24u);
+  EXPECT_LT(testing::distance(plate, left), 0.2);
+  EXPECT_EQ(testing::euler(left), 1);
+}
+
+/// The topology of sharp edges is kept, and Edisc holds them where they are.
+TEST(EnergyCollapse, SeamsStayClosedAndInPlace) {
+  const TestMesh box = testing::box_of_sides(6);
+  const TestMesh left = coarse(box, 40);
+  EXPECT_LE(left.indices.size() / 3, 40u);
+  EXPECT_EQ(testing::edges(left).size(), 1u);
+  EXPECT_EQ(testing::euler(left), 2);
+  EXPECT_LT(testing::distance(box, left), 0.05);
+}
+
+TEST(EnergyCollapse, TakesWhateverItIsGiven) {
+  for (const TestMesh& mesh : testing::odd_meshes()) {
+    const CollapseSequence sequence = energy_collapse(mesh.positions, mesh.indices, {}, {.samples = 2});
+    EXPECT_EQ(replay(sequence, mesh.positions, mesh.indices).mistake, "");
+  }
+}
+
+/// A flat plate with a step in its colour: without Escalar all places are alike.
+TEST(EnergyCollapse, ScalarsKeepWhatIsPainted) {
+  const TestMesh plate = testing::grid(16, 16);
+  std::vector<float> paint;
+  glm::vec3 most(0);
+  for (const glm::vec3& p : plate.positions) most = glm::max(most, p);
+  for (const glm::vec3& p : plate.positions) paint.push_back(p.x < 0.6f * most.x ? 0.0f : 1.0f);
+  const auto difference = [&](double weight) {
+    const CollapseSequence sequence =
+        energy_collapse(plate.positions, plate.indices, {paint, 1}, {.scalar = weight, .least = 100});
+    std::vector<float> painted = paint;  // as the sequence blends it
+    for (std::size_t k = 0; k < sequence.collapses.size(); ++k) {
+      for (std::uint32_t i = sequence.first_pair[k]; i < sequence.first_pair[k + 1]; ++i) {
+        const VertexPair& pair = sequence.pairs[i];
+        painted[pair.kept] += sequence.collapses[k].blend * (painted[pair.removed] - painted[pair.kept]);
+      }
+    }
+    const Collapsed left = collapsed(sequence, sequence.collapses.size(), plate.positions, plate.indices);
+    const ClosestPoints surface(Surface{left.places, left.indices});
+    double sum = 0;
+    for (std::size_t v = 0; v < plate.positions.size(); ++v) {
+      const Closest at = surface.nearest(plate.positions[v]);
+      double there = 0;
+      for (int k = 0; k < 3; ++k) {
+        there +=
+            at.weights[k] * static_cast<double>(painted[left.indices[3 * at.triangle + static_cast<std::size_t>(k)]]);
+      }
+      sum += (there - static_cast<double>(paint[v])) * (there - static_cast<double>(paint[v]));
+    }
+    return std::sqrt(sum / static_cast<double>(plate.positions.size()));
+  };
+  EXPECT_LT(difference(1e-2), 0.5 * difference(0));
+}
+
+/// More points of the original than ends of edges: places follow the surface between them.
+TEST(EnergyCollapse, RoundsOfTheFitMakeItBetter) {
+  const TestMesh sphere = testing::sphere(24, 12);
+  const auto mean = [&](std::uint32_t rounds) {
+    const TestMesh left = coarse(sphere, 80, {.rounds = rounds});
+    const ClosestPoints surface(Surface{left.positions, left.indices});
+    double sum = 0;
+    for (const glm::vec3& p : sphere.positions) sum += surface.distance(p);
+    return sum / static_cast<double>(sphere.positions.size());
+  };
+  EXPECT_LT(mean(3), 0.8 * mean(0));
+}
+
+TEST(EnergyCollapse, TheSeedDecides) {
+  const TestMesh torus = testing::closed_torus(16, 8);
+  const auto made = [&](std::uint64_t seed) {
+    return energy_collapse(torus.positions, torus.indices, {}, {.seed = seed});
+  };
+  EXPECT_EQ(made(1), made(1));
+  EXPECT_NE(made(1), made(2));
+}
+
+TEST(EnergyCollapse, StopsWhereItIsToldTo) {
+  const TestMesh torus = testing::closed_torus(16, 8);
+  const CollapseSequence sequence = energy_collapse(torus.positions, torus.indices, {}, {.least = 200});
+  const Replay run = replay(sequence, torus.positions, torus.indices);
+  EXPECT_LE(run.triangles.back(), 200u);
+  EXPECT_GE(run.triangles.back(), 198u);
+  const std::atomic<bool> cancel = true;
+  EXPECT_TRUE(energy_collapse(torus.positions, torus.indices, {}, {.cancel = &cancel}).collapses.empty());
+}
+
+}  // namespace
+}  // namespace foredraw
