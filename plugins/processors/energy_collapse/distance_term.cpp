@@ -2,25 +2,66 @@
 
 #include <foredraw/analysis/closest_points.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace foredraw::energy {
 
+namespace {
+
+constexpr double nothing = 1e-30;  // a squared distance in box diagonals that is rounding
+
+struct Box {
+  glm::dvec3 least{0}, most{0};
+};
+
+Box box_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  Box box;
+  for (int k = 0; k < 3; ++k) {
+    box.least[k] = std::min({a[k], b[k], c[k]});
+    box.most[k] = std::max({a[k], b[k], c[k]});
+  }
+  return box;
+}
+
+double squared_distance_of(const Box& box, const glm::dvec3& point) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double off = std::max({box.least[k] - point[k], point[k] - box.most[k], 0.0});
+    sum += off * off;
+  }
+  return sum;
+}
+
+}  // namespace
+
 double distance_term(const Star& star, const glm::dvec3& place, double weight, std::vector<Nearest>& nearest,
                      Fit& fit) {
+  std::vector<Box> boxes;
+  boxes.reserve(star.triangles.size());
+  for (const StarTriangle& triangle : star.triangles) {
+    boxes.push_back(box_of(place, triangle.others[0], triangle.others[1]));
+  }
   nearest.resize(star.sample_at.size());
   double sum = 0;
+  std::uint32_t first = 0;  // what was nearest to the sample before, which is often near
   for (std::size_t i = 0; i < nearest.size(); ++i) {
+    const glm::dvec3& at = star.sample_at[i];
     Nearest best;
     best.squared = std::numeric_limits<double>::infinity();
-    for (std::uint32_t t = 0; t < star.triangles.size(); ++t) {
+    const auto look_at = [&](std::uint32_t t) {
       const auto& [a, b] = star.triangles[t].others;
-      const Closest closest = closest_on({place, a, b}, star.sample_at[i]);
+      const Closest closest = closest_on({place, a, b}, at);
       const double squared = closest.distance * closest.distance;
       if (squared < best.squared) best = {t, closest.weights, squared};
+    };
+    look_at(first);
+    for (std::uint32_t t = 0; t < boxes.size() && best.squared > nothing; ++t) {
+      if (t != first && squared_distance_of(boxes[t], at) < best.squared) look_at(t);
     }
+    first = best.triangle;
     const auto& [a, b] = star.triangles[best.triangle].others;
-    fit.add(weight, best.weights.x, star.sample_at[i] - best.weights.y * a - best.weights.z * b);
+    fit.add(weight, best.weights.x, at - best.weights.y * a - best.weights.z * b);
     sum += best.squared;
     nearest[i] = best;
   }

@@ -15,7 +15,7 @@ namespace foredraw::energy {
 
 namespace {
 
-constexpr std::size_t most_triangles = 128;  // around an edge; it waits until there are fewer
+constexpr std::size_t most_triangles = 64;  // around an edge; it waits until there are fewer
 
 bool has(const CollapseRecorder::Corners& corners, std::uint32_t p) {
   return std::ranges::find(corners, p) != corners.end();
