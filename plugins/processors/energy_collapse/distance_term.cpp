@@ -68,4 +68,16 @@ double distance_term(const Star& star, const glm::dvec3& place, double weight, s
   return weight * sum;
 }
 
+double overshoot_term(const Star& star, const glm::dvec3& place, double weight, double squared, double spacing) {
+  constexpr double slack = 9;  // three times as far
+  double least = std::numeric_limits<double>::infinity();
+  for (const glm::dvec3& at : star.sample_at) {
+    const glm::dvec3 off = at - place;
+    least = std::min(least, off.x * off.x + off.y * off.y + off.z * off.z);
+  }
+  if (star.sample_at.empty()) return 0;
+  const double points = static_cast<double>(star.sample_at.size()) / static_cast<double>(star.triangles.size());
+  return weight * points * std::max(0.0, least - slack * squared - spacing * spacing);
+}
+
 }  // namespace foredraw::energy

@@ -15,7 +15,7 @@ using namespace energy;
 /// An edge, the lower point first, and what it came to when so much had happened to both points.
 struct Entry {
   std::uint32_t p = 0, q = 0;
-  std::uint32_t moves = 0, changes = 0;
+  std::uint32_t changes = 0;
   Joined joined;
 };
 
@@ -29,7 +29,7 @@ class Collapser {
  public:
   Collapser(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices, const VertexScalars& scalars,
             const EnergyCollapseOptions& options)
-      : options_(options), mesh_(positions, indices, scalars, options), moves_(positions.size(), 0) {}
+      : options_(options), mesh_(positions, indices, scalars, options) {}
 
   CollapseSequence run() {
     for (std::size_t before = mesh_.triangle_count() + 1; is_wanted() && mesh_.triangle_count() < before;) {
@@ -53,25 +53,28 @@ class Collapser {
   std::uint32_t changes(std::uint32_t p, std::uint32_t q) const { return mesh_.changes(p) + mesh_.changes(q); }
 
   void enter(std::uint32_t p, std::uint32_t q) {
-    if (p > q) std::swap(p, q);
-    if (const auto joined = mesh_.best(p, q)) queue_.push({p, q, moves_[p] + moves_[q], changes(p, q), *joined});
+    if (const auto joined = mesh_.best(p, q)) queue_.push({p, q, changes(p, q), *joined});
   }
 
-  /// Edges whose point moved were entered anew then. Those with other changes beside them are looked at again now.
+  /// Edges beside which something changed were entered anew then.
   void take_next() {
     const Entry entry = queue_.top();
     queue_.pop();
-    if (entry.moves != moves_[entry.p] + moves_[entry.q] || !mesh_.has_edge(entry.p, entry.q)) return;
-    if (entry.changes != changes(entry.p, entry.q)) return enter(entry.p, entry.q);
+    if (entry.changes != changes(entry.p, entry.q) || !mesh_.has_edge(entry.p, entry.q)) return;
     mesh_.collapse(entry.joined);
-    ++moves_[entry.p];
-    ++moves_[entry.q];
-    for (const std::uint32_t one : mesh_.neighbours(entry.joined.kept)) enter(one, entry.joined.kept);
+    edges_.clear();
+    const std::vector<std::uint32_t> around = mesh_.neighbours(entry.joined.kept);
+    for (const std::uint32_t one : around) {
+      for (const std::uint32_t other : mesh_.neighbours(one)) edges_.push_back(std::minmax(one, other));
+    }
+    std::ranges::sort(edges_);
+    edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
+    for (const auto& [p, q] : edges_) enter(p, q);
   }
 
   EnergyCollapseOptions options_;
   EnergyMesh mesh_;
-  std::vector<std::uint32_t> moves_;  // [point] how often it took another's place, or went
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;
   std::priority_queue<Entry, std::vector<Entry>, IsLater> queue_;
 };
 

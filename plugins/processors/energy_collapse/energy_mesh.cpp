@@ -73,12 +73,12 @@ void EnergyMesh::scatter_curve_samples() {
     const glm::dvec3 normal = glm::cross(places_[b] - places_[a], places_[c] - places_[a]);
     area += 0.5 * std::sqrt(glm::dot(normal, normal));
   }
-  const double apart = samples_.empty() ? 1 : std::sqrt(area / static_cast<double>(samples_.size()));
+  spacing_ = samples_.empty() ? 1 : std::sqrt(area / static_cast<double>(samples_.size()));
   for (std::uint32_t p = 0; p < places_.size(); ++p) {
     for (const std::uint32_t q : rules_.sharp_neighbours(p)) {
       if (q < p || !recorder_.is_finite(p) || !recorder_.is_finite(q)) continue;
       const glm::dvec3 edge = places_[q] - places_[p];
-      const double pieces = apart > 0 ? std::ceil(std::sqrt(glm::dot(edge, edge)) / apart) : 1;
+      const double pieces = spacing_ > 0 ? std::ceil(std::sqrt(glm::dot(edge, edge)) / spacing_) : 1;
       const int count = static_cast<int>(std::clamp(pieces, 1.0, 64.0));
       for (int i = 0; i <= count; ++i) {
         curve_samples_on_[{p, q}].push_back(static_cast<std::uint32_t>(curve_samples_.size()));
@@ -201,8 +201,12 @@ std::optional<Joined> EnergyMesh::best(std::uint32_t p, std::uint32_t q) {
   }
   const Star star = star_of(joined.removed, joined.kept);
   const auto energy_at = [&](const glm::dvec3& place, Fit& fit) {
-    return distance_term(star, place, options_.distance, nearest_, fit) + spring_term(star, place, fit) +
-           discontinuity_term(star, place, options_.discontinuity, curve_nearest_, fit);
+    const double distances = distance_term(star, place, 1, nearest_, fit);
+    fit.matrix *= options_.distance;
+    fit.vector *= options_.distance;
+    const double mean = distances / static_cast<double>(std::max<std::size_t>(1, star.samples.size()));
+    return options_.distance * distances + overshoot_term(star, place, options_.distance, mean, spacing_) +
+           spring_term(star, place, fit) + discontinuity_term(star, place, options_.discontinuity, curve_nearest_, fit);
   };
   double least = std::numeric_limits<double>::infinity();
   glm::dvec3 place(0);

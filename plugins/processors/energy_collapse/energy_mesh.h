@@ -75,6 +75,7 @@ class EnergyMesh {
   std::map<Edge, std::vector<std::uint32_t>> curve_samples_on_;
   std::vector<float> values_, sample_values_;  // [vertex * width], [sample * width]
   std::size_t width_ = 0;
+  double spacing_ = 1;  // of samples, in box diagonals
   std::vector<Nearest> nearest_, curve_nearest_;
 };
 
