@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foredraw {
 
@@ -128,7 +129,9 @@ bool CollapseRecorder::pairs_up(std::uint32_t removed, std::uint32_t kept) {
 
 void CollapseRecorder::collapse(std::uint32_t removed, std::uint32_t kept, const JoinedPoint& joined) {
   const float before = sequence_.collapses.empty() ? 0.0f : sequence_.collapses.back().error;
-  sequence_.collapses.push_back({removed, kept, joined.blend, std::max(before, static_cast<float>(joined.error))});
+  const double most = std::numeric_limits<float>::max();  // an error beyond floats is that
+  const float error = std::max(before, static_cast<float>(std::min(joined.error, most)));
+  sequence_.collapses.push_back({removed, kept, joined.blend, error});
   sequence_.pairs.insert(sequence_.pairs.end(), pairs_.begin(), pairs_.end());
   sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
   if (joined.place) {
