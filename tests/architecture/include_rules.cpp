@@ -63,7 +63,7 @@ bool is_one_of(const std::array<std::string_view, count>& names, std::string_vie
 
 /// Packages that a technique is made of. All its plain files but the header that bears its name may include them, and
 /// its CMakeLists.txt asks for them.
-constexpr std::array<std::string_view, 3> packages_of_techniques = {"embree3/", "CGAL/", "hwy/"};
+constexpr std::array<std::string_view, 4> packages_of_techniques = {"embree3/", "CGAL/", "OpenMesh/", "hwy/"};
 
 bool begins_with_one_of(std::span<const std::string_view> beginnings, std::string_view name) {
   return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view b) { return name.starts_with(b); });

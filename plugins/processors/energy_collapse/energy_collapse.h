@@ -16,8 +16,8 @@ struct EnergyCollapseOptions {
   double spring = 1;                          ///< weight of Espring: squared lengths of edges, by factors that fall
   double scalar = 1e-6;                       ///< weight of Escalar: squared differences of attributes at those points
   double discontinuity = 1;                   ///< weight of Edisc: squared distances of points of borders and seams
-  std::uint32_t samples = 8;                  ///< points for each triangle of the original, 1 to 1000
-  std::uint32_t rounds = 3;                   ///< times that points are projected and the place is solved for, 0 to 100
+  std::uint32_t samples = 8;                  ///< points for each triangle of the original, 1 to 100
+  std::uint32_t rounds = 3;                   ///< times that points are projected and the place is solved for, 0 to 20
   std::uint64_t seed = 0;                     ///< of the points
   std::size_t least = 0;                      ///< triangles to stop at
   const std::atomic<bool>* cancel = nullptr;  ///< once it is true the sequence ends

@@ -76,8 +76,8 @@ Plugin energy_collapse_plugin() {
            {.least = 0, .most = 1e6})
       .row(&Options::discontinuity, "discontinuity", "Weight of the squared distances of points of borders and seams",
            {.least = 0, .most = 1e6})
-      .row(&Options::samples, "samples", "Points on the original surface", {1, 1000, "points per triangle"})
-      .row(&Options::rounds, "rounds", "How often points are projected and the place is solved for", {0, 100});
+      .row(&Options::samples, "samples", "Points on the original surface", {1, 100, "points per triangle"})
+      .row(&Options::rounds, "rounds", "How often points are projected and the place is solved for", {0, 20});
   bind_options(plugin, table, [](const Options& options) -> Technique {
     return collapse_processor(std::make_unique<const EnergyCollapse>(options), {.until = options.until});
   });
