@@ -156,4 +156,43 @@ std::vector<TestMesh> odd_meshes() {
   return meshes;
 }
 
+void expect_topology_stays(const Simplify& simplify) {
+  const auto left_of = [&](const TestMesh& mesh, std::size_t triangles) {
+    const TestMesh left = coarse(mesh, simplify(mesh, triangles), triangles);
+    EXPECT_LE(left.indices.size() / 3, triangles);
+    return left;
+  };
+  const TestMesh torus = left_of(closed_torus(32, 16), 200);
+  EXPECT_EQ(euler(torus), 0);
+  EXPECT_EQ(edges(torus).size(), 1u);  // all of two triangles
+  EXPECT_EQ(euler(left_of(flat_ring(48, 6), 150)), 0);
+  EXPECT_EQ(euler(left_of(grid(20, 20), 200)), 1);
+}
+
+void expect_seams_stay(const Simplify& simplify) {
+  const TestMesh box = box_of_sides(8);
+  const TestMesh left = coarse(box, simplify(box, 100), 100);
+  EXPECT_LE(left.indices.size() / 3, 100u);
+  EXPECT_EQ(edges(left).size(), 1u);
+  EXPECT_EQ(euler(left), 2);
+  const std::size_t of_side = box.positions.size() / 6;
+  for (std::size_t i = 0; i < left.indices.size(); i += 3) {
+    EXPECT_EQ(left.indices[i] / of_side, left.indices[i + 1] / of_side);
+    EXPECT_EQ(left.indices[i] / of_side, left.indices[i + 2] / of_side);
+  }
+}
+
+void expect_odd_meshes_run(const Simplify& simplify) {
+  for (const TestMesh& mesh : odd_meshes()) {
+    EXPECT_EQ(replay(simplify(mesh, 0), mesh.positions, mesh.indices).mistake, "");
+  }
+}
+
+void expect_it_stops(const Simplify& simplify) {
+  const TestMesh mesh = closed_torus(16, 8);
+  const Replay run = replay(simplify(mesh, 200), mesh.positions, mesh.indices);
+  EXPECT_LE(run.triangles.back(), 200u);
+  EXPECT_GE(run.triangles.back(), 198u);
+}
+
 }  // namespace foredraw::testing

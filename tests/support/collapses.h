@@ -5,6 +5,7 @@
 
 #include <foredraw/collapses/replay.h>
 
+#include <functional>
 #include <map>
 
 namespace foredraw::testing {
@@ -30,5 +31,16 @@ TestMesh box_of_sides(std::uint32_t cells);  ///< six flat sides, each with vert
 /// Nothing, single triangles, the same ones again, lines, fans around one edge, soups, points that are not finite,
 /// sizes at the ends of what floats hold, surfaces that only touch, and a Moebius strip.
 std::vector<TestMesh> odd_meshes();
+
+/// What a simplifier makes of a mesh, until no more than so many triangles are left.
+using Simplify = std::function<CollapseSequence(const TestMesh& mesh, std::size_t least)>;
+
+/// A torus stays a torus, both rims of a ring stay, and a plate stays one.
+void expect_topology_stays(const Simplify& simplify);
+/// The seams of a box stay closed, and no triangle takes a vertex of another side.
+void expect_seams_stay(const Simplify& simplify);
+/// What it answers for odd_meshes() runs cleanly.
+void expect_odd_meshes_run(const Simplify& simplify);
+void expect_it_stops(const Simplify& simplify);
 
 }  // namespace foredraw::testing

@@ -13,9 +13,15 @@ namespace {
 
 using testing::TestMesh;
 
-TestMesh coarse(const TestMesh& mesh, std::size_t triangles, EnergyCollapseOptions options = {}) {
-  options.least = triangles;
-  return testing::coarse(mesh, energy_collapse(mesh.positions, mesh.indices, {}, options), triangles);
+testing::Simplify with(EnergyCollapseOptions options) {
+  return [options](const TestMesh& mesh, std::size_t least) mutable {
+    options.least = least;
+    return energy_collapse(mesh.positions, mesh.indices, {}, options);
+  };
+}
+
+TestMesh coarse(const TestMesh& mesh, std::size_t triangles, const EnergyCollapseOptions& options = {}) {
+  return testing::coarse(mesh, with(options)(mesh, triangles), triangles);
 }
 
 TEST(EnergyCollapse, ASphereStaysClosedAndRound) {
@@ -23,28 +29,6 @@ TEST(EnergyCollapse, ASphereStaysClosedAndRound) {
   const TestMesh left = coarse(sphere, sphere.indices.size() / 12);
   EXPECT_LE(left.indices.size(), sphere.indices.size() / 4);
   EXPECT_LT(testing::distance(sphere, left), 0.05);
-}
-
-TEST(EnergyCollapse, ATorusStaysATorus) {
-  const TestMesh left = coarse(testing::closed_torus(32, 16), 100);
-  EXPECT_LE(left.indices.size() / 3, 100u);
-  EXPECT_EQ(testing::euler(left), 0);
-  EXPECT_EQ(testing::edges(left).size(), 1u);  // all of two triangles
-}
-
-TEST(EnergyCollapse, BothRimsOfARingStay) {
-  const TestMesh ring = testing::flat_ring(48, 4);
-  const TestMesh left = coarse(ring, 60);
-  EXPECT_EQ(testing::euler(left), 0);
-  EXPECT_LT(testing::distance(ring, left), 0.1);
-}
-
-TEST(EnergyCollapse, AFlatPlateKeepsItsOutline) {
-  const TestMesh plate = testing::grid(12, 12);
-  const TestMesh left = coarse(plate, 24);
-  EXPECT_LE(left.indices.size() / 3, 24u);
-  EXPECT_LT(testing::distance(plate, left), 0.2);
-  EXPECT_EQ(testing::euler(left), 1);
 }
 
 /// The topology of sharp edges is kept, and Edisc holds them where they are.
@@ -55,13 +39,6 @@ TEST(EnergyCollapse, SeamsStayClosedAndInPlace) {
   EXPECT_EQ(testing::edges(left).size(), 1u);
   EXPECT_EQ(testing::euler(left), 2);
   EXPECT_LT(testing::distance(box, left), 0.05);
-}
-
-TEST(EnergyCollapse, TakesWhateverItIsGiven) {
-  for (const TestMesh& mesh : testing::odd_meshes()) {
-    const CollapseSequence sequence = energy_collapse(mesh.positions, mesh.indices, {}, {.samples = 2});
-    EXPECT_EQ(replay(sequence, mesh.positions, mesh.indices).mistake, "");
-  }
 }
 
 /// A flat plate with a step in its colour: without Escalar all places are alike.
@@ -120,12 +97,15 @@ TEST(EnergyCollapse, TheSeedDecides) {
   EXPECT_NE(made(1), made(2));
 }
 
+TEST(EnergyCollapse, TopologyStays) { testing::expect_topology_stays(with({})); }
+
+TEST(EnergyCollapse, SeamsStay) { testing::expect_seams_stay(with({})); }
+
+TEST(EnergyCollapse, TakesWhateverItIsGiven) { testing::expect_odd_meshes_run(with({.samples = 2})); }
+
 TEST(EnergyCollapse, StopsWhereItIsToldTo) {
+  testing::expect_it_stops(with({}));
   const TestMesh torus = testing::closed_torus(16, 8);
-  const CollapseSequence sequence = energy_collapse(torus.positions, torus.indices, {}, {.least = 200});
-  const Replay run = replay(sequence, torus.positions, torus.indices);
-  EXPECT_LE(run.triangles.back(), 200u);
-  EXPECT_GE(run.triangles.back(), 198u);
   const std::atomic<bool> cancel = true;
   EXPECT_TRUE(energy_collapse(torus.positions, torus.indices, {}, {.cancel = &cancel}).collapses.empty());
 }
