@@ -34,7 +34,7 @@ Run run_of(const CollapseSequence& sequence, const std::vector<std::uint32_t>& p
   }
   Run run{std::vector(point_of.size(), never), std::vector(is_proper.size(), never), {}, {0}};
   for (std::uint32_t c = 0; c < sequence.collapses.size(); ++c) {
-    const auto [removed, kept] = std::pair(sequence.collapses[c].removed, sequence.collapses[c].kept);
+    const std::uint32_t removed = sequence.collapses[c].removed, kept = sequence.collapses[c].kept;
     const auto pairs = std::span(sequence.pairs).first(sequence.first_pair[c + 1]).subspan(sequence.first_pair[c]);
     for (const std::uint32_t t : triangles_at[removed]) {
       if (run.end_of_triangle[t] != never) continue;

@@ -68,7 +68,7 @@ class Collapser {
       for (const std::uint32_t other : mesh_.neighbours(one)) edges_.push_back(std::minmax(one, other));
     }
     std::ranges::sort(edges_);
-    edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
     for (const auto& [p, q] : edges_) enter(p, q);
   }
 

@@ -55,7 +55,7 @@ std::optional<CutLevel> find_cut(const CollapseSequence& sequence, const Replay&
                                  const std::vector<const Level*>& levels) {
   std::uint32_t triangles = 0;
   for (const Level* level : levels) triangles += static_cast<std::uint32_t>(level->stream().triangle_count());
-  const auto [first, end] = std::ranges::equal_range(run.triangles, triangles, std::greater<>());
+  const auto [first, end] = std::equal_range(run.triangles.begin(), run.triangles.end(), triangles, std::greater<>());
   const bool same_vertices = leaves_vertices(sequence, mesh);
   for (auto at = first; at != end; ++at) {
     const auto collapses = static_cast<std::size_t>(at - run.triangles.begin());

@@ -1,6 +1,6 @@
 #include "simplify.h"
 
-#include <foredraw/collapses/limits.h>
+#include <foredraw/collapses/collapse_limits.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <foredraw/collapses/limits.h>
+#include <foredraw/collapses/collapse_limits.h>
 
 #include <algorithm>
 #include <functional>
