@@ -19,7 +19,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Begun at its smallest corner, so that equal ones are equal.
 Triangle turned(Triangle t) {
-  std::ranges::rotate(t, std::ranges::min_element(t));
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
 }
 
