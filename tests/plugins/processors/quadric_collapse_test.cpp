@@ -1,43 +1,26 @@
 #include "plugins/processors/quadric_collapse/quadric_collapse.h"
 
-#include "support/meshes.h"
+#include "support/collapses.h"
 
-#include <foredraw/analysis/farthest_distance.h>
-#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/replay.h>
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <limits>
-#include <map>
-#include <set>
 
 namespace foredraw {
 namespace {
 
+using testing::coarse;
+using testing::distance;
+using testing::edges;
+using testing::euler;
+using testing::moved;
 using testing::TestMesh;
-
-TestMesh coarse(const TestMesh& mesh, const CollapseSequence& sequence, std::size_t triangles) {
-  const Replay run = replay(sequence, mesh.positions, mesh.indices);
-  EXPECT_EQ(run.mistake, "");
-  std::size_t n = 0;
-  while (n + 1 < run.triangles.size() && run.triangles[n] > triangles) ++n;
-  const Collapsed after = collapsed(sequence, n, mesh.positions, mesh.indices);
-  EXPECT_EQ(after.indices.size() / 3, run.triangles[n]);
-  return {after.places, after.indices};
-}
 
 TestMesh coarse(const TestMesh& mesh, std::size_t triangles, QuadricCollapseOptions options = {}) {
   options.least = triangles;
-  return coarse(mesh, quadric_collapse(mesh.positions, mesh.indices, options), triangles);
-}
-
-double distance(const TestMesh& a, const TestMesh& b) {
-  const Surface first{a.positions, a.indices}, second{b.positions, b.indices};
-  const auto farthest =
-      hausdorff_distance({first, ClosestPoints(first)}, {second, ClosestPoints(second)}, {}, Executor(1));
-  return farthest ? farthest->bound : std::numeric_limits<double>::infinity();
+  return testing::coarse(mesh, quadric_collapse(mesh.positions, mesh.indices, options), triangles);
 }
 
 double volume(const TestMesh& mesh) {
@@ -48,35 +31,6 @@ double volume(const TestMesh& mesh) {
     sum += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
   }
   return sum / 6;
-}
-
-/// Edges between places, by how many triangles have them.
-std::map<int, int> edges(const TestMesh& mesh) {
-  const std::vector<std::uint32_t> point = welded(mesh.positions);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    for (int k = 0; k < 3; ++k) {
-      ++count[std::minmax(point[mesh.indices[i + k]], point[mesh.indices[i + (k + 1) % 3]])];
-    }
-  }
-  std::map<int, int> by_count;
-  for (const auto& [edge, faces] : count) ++by_count[faces];
-  return by_count;
-}
-
-/// Points less edges plus triangles.
-int euler(const TestMesh& mesh) {
-  const std::vector<std::uint32_t> point = welded(mesh.positions);
-  std::set<std::uint32_t> points;
-  for (const std::uint32_t v : mesh.indices) points.insert(point[v]);
-  int number = 0;
-  for (const auto& [faces, count] : edges(mesh)) number += count;
-  return static_cast<int>(points.size()) - number + static_cast<int>(mesh.indices.size() / 3);
-}
-
-TestMesh moved(TestMesh mesh, glm::vec3 by) {
-  for (glm::vec3& p : mesh.positions) p += by;
-  return mesh;
 }
 
 /// A sphere loses volume where points stay on it, as chords lie below it. Lindstrom and Turk 1998 keep it.
@@ -104,9 +58,7 @@ TEST(QuadricCollapse, KnowsFlatFromNearlyFlatFarFromTheOrigin) {
 }
 
 TEST(QuadricCollapse, ATorusStaysATorus) {
-  constexpr std::uint32_t slices = 64, sides = 32;
-  TestMesh torus = testing::torus(slices, sides);  // its last row and column lie a rounding beside the first ones
-  for (std::uint32_t& v : torus.indices) v = v / (slices + 1) % sides * (slices + 1) + v % (slices + 1) % slices;
+  const TestMesh torus = testing::closed_torus(64, 32);
   const TestMesh left = coarse(torus, 100);
   EXPECT_LE(left.indices.size() / 3, 100u);
   EXPECT_EQ(euler(left), 0);
