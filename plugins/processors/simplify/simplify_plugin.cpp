@@ -13,6 +13,11 @@ namespace foredraw {
 
 namespace {
 
+struct Options : SimplifyOptions {
+  std::optional<double> pixels;
+  double distance = 10;
+};
+
 std::string text_of(Simplified::End end) {
   switch (end) {
     case Simplified::End::goal: return "the number of triangles is reached";
@@ -118,16 +123,29 @@ Plugin simplify_plugin() {
                   {"largest", "units", "Proved: no point of either surface is farther from the other", true, true}},
   };
   plugin.products = {collapse_product()};
-  OptionTable<SimplifyOptions> table;
+  OptionTable<Options> table;
   table
-      .row(&SimplifyOptions::ratio, "ratio",
-           "Share of each mesh's triangles that is left; 0.5 where no other limit is given", {.least = 0, .most = 1})
-      .row(&SimplifyOptions::triangles, "triangles", "Triangles of each mesh that are left", {.least = 0})
-      .row(&SimplifyOptions::error, "error",
+      .row(&Options::ratio, "ratio", "Share of each mesh's triangles that is left; 0.5 where no other limit is given",
+           {.least = 0, .most = 1})
+      .row(&Options::triangles, "triangles", "Triangles of each mesh that are left", {.least = 0})
+      .row(&Options::error, "error",
            "Largest distance between the surface before and after, in either direction; no triangle goes that would "
            "exceed it",
-           {.least = 0, .unit = "units"});
-  bind_options(plugin, table, [](const SimplifyOptions& options) { return std::make_unique<SimplifyMeshes>(options); });
+           {.least = 0, .unit = "units"})
+      .row(&Options::pixels, "pixels",
+           "The same in pixels of a picture 1080 pixels high with a field of view of 60 degrees, as seen from "
+           "`distance` "
+           "units away",
+           {.least = 0})
+      .row(&Options::distance, "distance", "How near a camera comes, for `pixels`", {.least = 0, .unit = "units"});
+  bind_options(plugin, table, [](const Options& options) {
+    SimplifyOptions limits = options;
+    if (options.pixels) {
+      const double error = distance_of_pixels(*options.pixels, options.distance);
+      limits.error = std::min(error, options.error.value_or(error));
+    }
+    return std::make_unique<SimplifyMeshes>(limits);
+  });
   return plugin;
 }
 
