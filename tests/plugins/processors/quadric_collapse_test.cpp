@@ -1,6 +1,7 @@
 #include "plugins/processors/quadric_collapse/quadric_collapse.h"
 
 #include "support/collapses.h"
+#include "support/vector_widths.h"
 
 #include <foredraw/collapses/replay.h>
 
@@ -156,6 +157,18 @@ TEST(QuadricCollapse, TakesWhateverItIsGiven) {
       const CollapseSequence sequence = quadric_collapse(mesh.positions, mesh.indices, {.placement = placement});
       EXPECT_EQ(replay(sequence, mesh.positions, mesh.indices).mistake, "");
     }
+  }
+}
+
+TEST(QuadricCollapse, IsTheSameAtEveryVectorWidth) {
+  for (const TestMesh& mesh : {testing::closed_torus(40, 24), testing::grid(30, 30), testing::box_of_sides(8)}) {
+    const CollapseSequence want = quadric_collapse(mesh.positions, mesh.indices);
+    std::size_t widths = 0;
+    testing::at_every_width([&] {
+      EXPECT_EQ(quadric_collapse(mesh.positions, mesh.indices), want);
+      ++widths;
+    });
+    EXPECT_GT(widths, 1u);
   }
 }
 
