@@ -144,14 +144,15 @@ TEST(Sides, SingleSidedMeshesDrawEachSideOnce) {
   EXPECT_EQ(made.turned, 1u);
 }
 
+Shared<std::byte> floats(const std::vector<float>& values) {
+  std::vector<std::byte> bytes(values.size() * 4);
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return Shared(std::move(bytes));
+}
+
 TEST(Sides, CopiesHaveTheirNormalsTurned) {
   VertexStreams streams;
   streams.count = 2;
-  const auto floats = [](std::vector<float> values) {
-    std::vector<std::byte> bytes(values.size() * 4);
-    std::memcpy(bytes.data(), values.data(), bytes.size());
-    return Shared(std::move(bytes));
-  };
   streams.base = {{"POSITION", {Component::float32, 3, false, 12}, floats({1, 2, 3, 4, 5, 6})},
                   {"NORMAL",
                    {Component::int8, 3, true, 4},
@@ -171,11 +172,6 @@ TEST(Sides, CopiesHaveTheirNormalsTurned) {
 }
 
 TEST(Sides, CopiesOfTangentsOfNoLengthGetOne) {
-  const auto floats = [](std::vector<float> values) {
-    std::vector<std::byte> bytes(values.size() * 4);
-    std::memcpy(bytes.data(), values.data(), bytes.size());
-    return Shared(std::move(bytes));
-  };
   VertexStreams streams;
   streams.count = 2;
   streams.base = {{"NORMAL", {Component::float32, 3, false, 12}, floats({0, 3, 4, 1, 0, 0})},

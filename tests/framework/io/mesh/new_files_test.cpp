@@ -2,6 +2,7 @@
 #include <foredraw/io/mesh/mesh_files.h>
 
 #include <foredraw/analysis/analyses.h>
+#include <foredraw/io/scene_file.h>
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,20 @@ TEST(NewMeshFiles, AreRefusedWhereNothingIsShown) {
   Diagnostics diagnostics;
   EXPECT_FALSE(encode_new_mesh_file(hidden, MeshKind::stl, "out.stl", diagnostics));
   EXPECT_NE(to_text(diagnostics).find("shows no triangles"), std::string::npos);
+}
+
+TEST(NewMeshFiles, OtherTrianglesMakeAFileAnew) {
+  const std::string text = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n";
+  Diagnostics diagnostics;
+  Scene scene = *read_mesh_file(std::as_bytes(std::span(text)), MeshKind::off, "in.off", {}, diagnostics);
+  scene.draws[0].levels[0].orders[0].indices = Shared<std::uint32_t>({1, 3, 2});
+  const auto files = encode_scene(scene, "out.off", diagnostics);
+  ASSERT_TRUE(files) << to_text(diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
+  EXPECT_EQ(diagnostics.all()[0].code, "made-anew");
+  const auto again = read_mesh_file(files->front().bytes, MeshKind::off, "out.off", {}, diagnostics);
+  ASSERT_TRUE(again) << to_text(diagnostics);
+  EXPECT_EQ(again->draws[0].full().stream().triangle_count(), 1u);
 }
 
 }  // namespace

@@ -316,20 +316,6 @@ TEST(MeshWrite, MoreThanOrderIsRefused) {
   EXPECT_NE(write(scene, MeshKind::stl).error.find("only a scene that was read from .stl"), std::string::npos);
 }
 
-TEST(MeshWrite, OtherTrianglesMakeAFileAnew) {
-  Scene scene = read(MeshKind::off, "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
-  scene.name = "in.off";
-  scene.draws[0].levels[0].orders[0].indices = Shared<std::uint32_t>({1, 3, 2});
-  Diagnostics diagnostics;
-  const auto files = encode_scene(scene, "out.off", diagnostics);
-  ASSERT_TRUE(files) << to_text(diagnostics);
-  ASSERT_EQ(diagnostics.all().size(), 1u) << to_text(diagnostics);
-  EXPECT_EQ(diagnostics.all()[0].code, "made-anew");
-  const auto again = read_mesh_file(files->front().bytes, MeshKind::off, "out.off", {}, diagnostics);
-  ASSERT_TRUE(again) << to_text(diagnostics);
-  EXPECT_EQ(again->draws[0].full().stream().triangle_count(), 1u);
-}
-
 TEST(MeshWrite, AsGltfAMeshKeepsNamesMaterialsAndTriangles) {
   const Scene scene =
       read(MeshKind::obj,

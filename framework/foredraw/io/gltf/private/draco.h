@@ -33,9 +33,9 @@ struct DracoMesh {
   std::vector<std::vector<std::byte>> attributes;  ///< as claimed: `points` elements each, without gaps
 };
 
-/// Draco rounds floats, and may so leave what glTF allows: colours from 0 to 1, normals and tangents of length 1,
-/// weights of a sum of 1 over all their sets. They are put back, as viewers do it when they draw. What is farther away
-/// than rounding explains stays, and so does what has no length.
+/// Draco rounds floats, and may so leave what glTF allows. Normals and tangents become of length 1, whatever length
+/// they have but 0, as shaders make them. Colours are kept from 0 to 1, and weights to a sum of 1 over all their sets,
+/// where they are as near as rounding brings them; what is farther away stays.
 void undo_rounding(const DracoClaim& claim, DracoMesh& mesh);
 
 /// Why a buffer is refused.
