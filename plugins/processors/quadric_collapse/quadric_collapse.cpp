@@ -26,10 +26,11 @@ float blend_of(glm::vec3 kept, glm::vec3 removed, glm::vec3 place) {
 class Collapser {
  public:
   Collapser(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-            const QuadricCollapseOptions& options)
+            const QuadricCollapseOptions& options, AttributeRows attributes)
       : options_(options),
         mesh_(positions, indices),
-        costs_(mesh_, {options.memory, options.border, options.seam}),
+        attributes_(mesh_, std::move(attributes)),
+        costs_(mesh_, {options.memory, options.border, options.seam}, attributes_),
         legal_(mesh_) {}
 
   CollapseSequence run() {
@@ -132,7 +133,8 @@ class Collapser {
   void collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCost& best) {
     const double area = area_around(removed, kept);
     constexpr double most = std::numeric_limits<float>::max();
-    if (area > 0) error_ = std::min(std::max(error_, std::sqrt(std::max(best.cost, 0.0) / area)), most);
+    const double cost = attributes_.empty() ? best.cost : costs_.distances(removed, kept, best.place);
+    if (area > 0) error_ = std::min(std::max(error_, std::sqrt(std::max(cost, 0.0) / area)), most);
     const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
     const Quadric memory = costs_.joined_memory(removed, kept, best.place);
     Point& point = mesh_.point(kept);
@@ -140,6 +142,7 @@ class Collapser {
     mesh_.collapse(removed, kept, best.place,
                    [&](std::uint32_t vertex) { return std::ranges::find(pairs_, vertex, &VertexPair::removed)->kept; });
     point.memory = memory;
+    attributes_.blend(pairs_, blend);
     sequence_.collapses.push_back({mesh_.name_of(removed), mesh_.name_of(kept), blend, static_cast<float>(error_)});
     sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
     sequence_.pairs.insert(sequence_.pairs.end(), pairs_.begin(), pairs_.end());
@@ -151,6 +154,7 @@ class Collapser {
 
   QuadricCollapseOptions options_;
   CollapsingMesh mesh_;
+  AttributeCosts attributes_;
   EdgeCosts costs_;
   LegalCollapses legal_;
   LocalDistance distance_;
@@ -165,8 +169,8 @@ class Collapser {
 }  // namespace
 
 CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                                  const QuadricCollapseOptions& options) {
-  return Collapser(positions, indices, options).run();
+                                  const QuadricCollapseOptions& options, AttributeRows attributes) {
+  return Collapser(positions, indices, options, std::move(attributes)).run();
 }
 
 }  // namespace foredraw

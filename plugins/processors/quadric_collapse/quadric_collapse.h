@@ -3,6 +3,7 @@
 // Meshes, SIGGRAPH 1996 (the sequence); Garland, Heckbert 1997 (quadrics); Lindstrom, Turk 1998 (memoryless cost, the
 // volume kept); Hoppe 1999 (attributes).
 
+#include <foredraw/collapses/attribute_rows.h>
 #include <foredraw/scene/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
@@ -28,9 +29,10 @@ struct QuadricCollapseOptions {
 };
 
 /// The collapses, cheapest first, until no more than `least` triangles are left or no edge may go. `indices` holds
-/// three a triangle, each below the number of positions; any triangles will do.
+/// three a triangle, each below the number of positions; any triangles will do. `attributes` of the vertices count
+/// beside distances.
 CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                                  const QuadricCollapseOptions& options = {});
+                                  const QuadricCollapseOptions& options = {}, AttributeRows attributes = {});
 
 struct Plugin;
 Plugin quadric_collapse_plugin();
