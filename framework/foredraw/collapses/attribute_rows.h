@@ -10,7 +10,7 @@ struct AttributeWeights {
   double normals = 0.004;   ///< one unit, in diagonals of the mesh's box
   double texcoords = 0.03;  ///< as far as a texture slides on the surface, in units of the mesh
   double colors = 0.01;     ///< one unit, in diagonals
-  double joints = 0.01;     ///< a weight of 1 taken from one joint and given to another, in diagonals
+  double joints = 0.02;     ///< a weight of 1 taken from one joint and given to another, in diagonals
   double targets = 0.1;     ///< as far as morph targets move a vertex, in units of the mesh
 };
 

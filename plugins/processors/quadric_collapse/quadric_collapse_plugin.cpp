@@ -19,7 +19,7 @@ class QuadricCollapse final : public Simplifier {
     QuadricCollapseOptions options = options_;
     options.least = least;
     options.cancel = run.cancel;
-    return quadric_collapse(mesh.positions, mesh.indices, options, attribute_rows(mesh, attributes_));
+    return quadric_collapse(mesh.positions, mesh.indices, options, attribute_rows(mesh, attributes_), mesh.part);
   }
 
  private:
@@ -48,6 +48,10 @@ Plugin quadric_collapse_plugin() {
       .row(&Options::border, "border", "Weight of open borders", {.least = 0, .most = 1000})
       .row(&Options::seam, "seam", "Weight of seams, where normals, texture coordinates or materials break",
            {.least = 0, .most = 1000})
+      .row(&Options::parts, "parts",
+           "Size of whole pieces of a mesh that may be removed: their diagonal as a share of the mesh's; 0: none is "
+           "removed",
+           {.least = 0, .most = 1})
       .row(&Options::normals, "normals",
            "Weight of normals: a difference of 1 counts as this share of the mesh's diagonal",
            {.least = 0, .most = 1000})
