@@ -2,8 +2,11 @@
 #include <foredraw/collapses/attribute_rows.h>
 #include <foredraw/collapses/skin_weights.h>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace foredraw {

@@ -1,5 +1,7 @@
 #include "whole_parts.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
