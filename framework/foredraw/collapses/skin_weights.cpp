@@ -18,7 +18,7 @@ SkinWeights::SkinWeights(const VertexStreams& vertices) {
   slots_ = 4 * sets_.size();
   rows_.resize(slots_ * vertices.count);
   for (std::uint32_t v = 0; v < vertices.count; ++v) {
-    Slot* row = of(v);
+    Slot* row = rows_.data() + v * slots_;
     for (const Set& set : sets_) {
       for (std::size_t c = 0; c < 4; ++c, ++row) {
         const float weight = decode_component(vertices.base[set.weights], v, c);
@@ -29,11 +29,12 @@ SkinWeights::SkinWeights(const VertexStreams& vertices) {
   }
 }
 
-void SkinWeights::blend(std::uint32_t vertex, std::uint32_t other, float t) {
+void SkinWeights::blend(std::uint32_t vertex, const SkinWeights& from, std::uint32_t other, float t) {
   if (empty()) return;
   std::vector<Slot> sum;
-  const auto add = [&](const Slot* row, float share) {
-    for (std::size_t i = 0; i < slots_; ++i) {
+  const auto add = [&](const SkinWeights& weights, std::uint32_t of, float share) {
+    const Slot* row = weights.of(of);
+    for (std::size_t i = 0; i < weights.slots_; ++i) {
       if (!(row[i].weight * share > 0)) continue;
       const auto known = std::ranges::find(sum, row[i].joint, &Slot::joint);
       if (known == sum.end()) {
@@ -43,15 +44,15 @@ void SkinWeights::blend(std::uint32_t vertex, std::uint32_t other, float t) {
       }
     }
   };
-  add(of(vertex), 1 - t);
-  add(of(other), t);
+  add(*this, vertex, 1 - t);
+  add(from, other, t);
   std::ranges::sort(
       sum, [](const Slot& a, const Slot& b) { return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint; });
   sum.resize(slots_);
   float whole = 0;
   for (const Slot& slot : sum) whole += slot.weight;
   for (Slot& slot : sum) slot.weight = whole > 0 ? slot.weight / whole : 0;
-  std::ranges::copy(sum, of(vertex));
+  std::ranges::copy(sum, rows_.begin() + static_cast<std::ptrdiff_t>(vertex * slots_));
 }
 
 void SkinWeights::write(std::uint32_t vertex, const std::vector<VertexStream>& base,

@@ -13,9 +13,9 @@ class SkinWeights {
   explicit SkinWeights(const VertexStreams& vertices);
 
   bool empty() const { return slots_ == 0; }
-  /// The vertex gets (1 - t) of its own weights and t of the other's: the largest ones, as many as there are slots,
-  /// that sum up to 1. Equal weights go by the joint's number.
-  void blend(std::uint32_t vertex, std::uint32_t other, float t);
+  /// The vertex gets (1 - t) of its own weights and t of those of another one, of these or others: the largest ones, as
+  /// many as there are slots, that sum up to 1. Equal weights go by the joint's number.
+  void blend(std::uint32_t vertex, const SkinWeights& from, std::uint32_t other, float t);
   /// The vertex's bytes into those of the streams, which are in the sequence of the base.
   void write(std::uint32_t vertex, const std::vector<VertexStream>& base,
              std::vector<std::vector<std::byte>>& bytes) const;
@@ -28,7 +28,7 @@ class SkinWeights {
     std::uint32_t joint = 0;
     float weight = 0;
   };
-  Slot* of(std::uint32_t vertex) { return rows_.data() + vertex * slots_; }
+  const Slot* of(std::uint32_t vertex) const { return rows_.data() + vertex * slots_; }
 
   std::vector<Set> sets_;
   std::size_t slots_ = 0;
