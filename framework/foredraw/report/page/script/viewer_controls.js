@@ -1,12 +1,18 @@
 // What of the viewer can be chosen and pressed, and what its colours mean.
 
 import { heat, ramp } from './colours.js';
-import { button, css_colour, element, fill_select, labelled_select } from './elements.js';
+import { button, css_colour, element, fill_select, labelled_select, length_text } from './elements.js';
 import { short_paths } from './figures.js';
 import { modes } from './viewer.js';
-import { make_drawn_slider, make_pose_slider } from './viewer_sliders.js';
+import { make_drawn_slider, make_level_slider, make_pose_slider } from './viewer_sliders.js';
 
-const mode_names = { heat: 'Overdraw', shaded: 'Shaded', order: 'Triangle order', clusters: 'Clusters' };
+const mode_names = {
+  heat: 'Overdraw',
+  shaded: 'Shaded',
+  order: 'Triangle order',
+  clusters: 'Clusters',
+  deviation: 'Deviation',
+};
 
 function radio_group(label, name, choices, on_choice) {
   const inputs = new Map(
@@ -110,6 +116,16 @@ function make_legend(viewer) {
         ),
       ];
     }
+    if (viewer.mode === 'deviation') {
+      const bounds = viewer.distance_bounds;
+      if (bounds.length === 0) return [element('span', {}, 'no point is away from the surface of the input')];
+      return [
+        element('span', {}, 'distance from the surface of the input, in its units'),
+        ...bounds.map((bound, i) =>
+          swatch(heat[i], i + 1 === heat.length ? `above ${length_text(bounds[i - 1])}` : `to ${length_text(bound)}`),
+        ),
+      ];
+    }
     return [element('span', {}, 'triangles as they are; back faces where the material is double-sided')];
   }
 
@@ -152,6 +168,7 @@ export function add_controls(holder, viewer, panes) {
   const reset = button('Reset view', () => viewer.reset_camera());
   const legend = make_legend(viewer);
   const drawn = make_drawn_slider(viewer);
+  const level = make_level_slider(viewer);
   const pose = make_pose_slider(viewer);
   const note = element('p', { class: 'note' });
 
@@ -171,6 +188,7 @@ export function add_controls(holder, viewer, panes) {
       panes.whole,
       legend.whole,
       drawn.whole,
+      level.whole,
       pose.whole,
       element(
         'p',
@@ -186,7 +204,7 @@ export function add_controls(holder, viewer, panes) {
     const { notes } = viewer;
     note.replaceChildren(...notes.map((text) => element('span', {}, `${text}. `)));
     note.hidden = notes.length === 0;
-    for (const part of [selects, legend, drawn, pose]) part.update();
+    for (const part of [selects, legend, drawn, level, pose]) part.update();
   }
   viewer.on_change(update);
   update();
