@@ -1,8 +1,8 @@
 // Levels of detail: what the slider draws and says, and whether anything pops as a level takes the place of another one.
 
 import { settled } from './browser.mjs';
-import { check, check_equal } from './checks.mjs';
-import { viewer } from './viewer_checks.mjs';
+import { check, check_equal, check_near } from './checks.mjs';
+import { content, viewer } from './viewer_checks.mjs';
 
 /** The slider goes through the levels of the second pane, by hand and by keys. `levels`: [number] {triangles}. */
 export async function check_levels(page, levels, { step }) {
@@ -10,7 +10,6 @@ export async function check_levels(page, levels, { step }) {
   const words = async () => (await page.textContent('#viewer .levels output')).replaceAll(',', '');
   const coarsest = levels.length - 1;
   check_equal('levels: the slider ends at the coarsest', await slider.getAttribute('max'), String(coarsest));
-  check_equal('levels: its steps', await slider.getAttribute('step'), String(step));
   for (const [level, { triangles }] of levels.entries()) {
     await slider.evaluate((input, value) => {
       input.value = value;
@@ -19,8 +18,8 @@ export async function check_levels(page, levels, { step }) {
     check_equal(`levels: triangles of level ${level}`, await viewer(page, 'triangles', 1), triangles);
     const said = await words();
     const place = level === 0 ? 'full detail' : `level ${level} of ${coarsest}`;
-    check(`levels: it says ${place}`, said.startsWith(`${place}: ${triangles} triangles`), said);
-    check(`levels: and how far away that is`, level === 0 || /at most [\d.e-]+ away$/.test(said), said);
+    check(`levels: the slider says ${place}`, said.startsWith(`${place}: ${triangles} triangles`), said);
+    check('levels: and how far away that is', /at most [\d.e-]+ away unposed$/.test(said) === level > 0, said);
   }
   await slider.focus();
   await page.keyboard.press('Home');
@@ -29,15 +28,23 @@ export async function check_levels(page, levels, { step }) {
   check_equal('levels: an arrow is a step', await viewer(page, 'level'), step);
   await page.keyboard.press('End');
   check_equal('levels: End is the coarsest', await viewer(page, 'level'), coarsest);
-  check_equal('levels: it is read out', await slider.getAttribute('aria-valuetext'), await page.textContent('#viewer .levels output'));
+  check('levels: it is read out', (await slider.getAttribute('aria-valuetext')).startsWith(`level ${coarsest} of`));
   await page.click('#viewer .levels button');
-  await page.waitForFunction(() => window.foredraw.viewer.level() > 0);
+  await page.waitForFunction(() => window.foredraw.viewer.level() > 0 && window.foredraw.viewer.level() < 3);
   await page.click('#viewer .levels button');
-  check('levels: it plays', (await viewer(page, 'level')) <= coarsest);
-  await page.selectOption('#viewer label:has-text("Compare with") select', 'nothing');
-  check('levels: no slider where nothing that is shown has any', !(await slider.isVisible()));
-  await page.selectOption('#viewer label:has-text("Compare with") select', '1');
+  const stopped = await viewer(page, 'level');
+  await page.waitForTimeout(200);
+  check_equal('levels: it plays until it is stopped', await viewer(page, 'level'), stopped);
   await viewer(page, 'set_level', 0);
+}
+
+/** No slider where nothing that is shown has levels. */
+export async function check_no_levels(page) {
+  const slider = page.locator('#viewer .levels input');
+  await page.selectOption('#viewer label:has-text("Compare with") select', 'nothing');
+  check('levels: no slider for the input, which has none', !(await slider.isVisible()));
+  await page.selectOption('#viewer label:has-text("Compare with") select', '1');
+  check('levels: a slider for the pipeline that made some', await slider.isVisible());
 }
 
 /**
@@ -65,22 +72,67 @@ export const picture_step = (page, before, after) =>
     [before, after],
   );
 
-const almost = 1 - 2 ** -24; // of the way to the next level: all vertices have arrived, to the bit or the one before
+const almost = 1 - 2 ** -40; // of the way to the next level: as floats, all of it
 
-/** The largest step of a pixel at any switch, over some poses and directions. */
+/** Over all switches of the second pane, in some poses and from two sides: as picture_step() has it, the most of each. */
 export async function largest_pop(page, coarsest) {
   await viewer(page, 'set_mode', 'shaded');
   const poses = (await viewer(page, 'poses')).length;
-  let [largest, share] = [0, 0];
+  const most = { largest: 0, share: 0 };
   for (const pose of [0, Math.floor(poses / 2), poses - 1]) {
     await viewer(page, 'set_pose', pose);
-    for (const direction of [[0.48, 0.36, 0.8], [-0.8, 0.1, -0.6]]) {
+    for (const direction of [
+      [0.48, 0.36, 0.8],
+      [-0.8, 0.1, -0.6],
+    ]) {
       await viewer(page, 'set_direction', direction);
       for (let level = 0; level < coarsest; ++level) {
         const step = await picture_step(page, level + almost, level + 1);
-        [largest, share] = [Math.max(largest, step.largest), Math.max(share, step.share)];
+        most.largest = Math.max(most.largest, step.largest);
+        most.share = Math.max(most.share, step.share);
       }
     }
   }
-  return { largest, share };
+  return most;
+}
+
+const as_text = ({ largest, share }) => `${largest} of 255, ${(100 * share).toFixed(4)} % of the pixels`;
+
+/** State 1 has levels, and state 2 the same and what vertices become. */
+export async function check_pops(page, name, coarsest) {
+  await viewer(page, 'set_state', 1, 1);
+  const without = await largest_pop(page, coarsest);
+  await viewer(page, 'set_state', 1, 2);
+  const smooth = await largest_pop(page, coarsest);
+  console.log(`      ${name}: largest step of a pixel at a switch ${as_text(smooth)}; without geomorphs ${as_text(without)}`);
+  check(`pops: ${name}, none with geomorphs`, smooth.largest <= 2, smooth);
+  check(`pops: ${name}, seen without`, without.largest > 64 && without.share > 0.02, without);
+}
+
+/** What is told in colours is what surface-error measures from the draw to its original: at points, so no more of it. */
+export async function check_deviation(page, comparison) {
+  const { largest, found } = comparison.files[0].branches[0].report.totals.metrics['surface-error']['to-original'];
+  await viewer(page, 'set_state', 1, 1);
+  await viewer(page, 'set_mode', 'deviation');
+  await settled(page);
+  const seen = await viewer(page, 'deviation', 1);
+  check(
+    'deviation: the largest distance is that of surface-error',
+    seen <= largest.numerator * (1 + 1e-6) && seen > 0.8 * found.numerator,
+    [seen, found.numerator, largest.numerator],
+  );
+  check_equal('deviation: none of the input', await viewer(page, 'deviation', 0), 0);
+  const remarks = await page.$$eval('#viewer .order', (all) => all.map(({ textContent }) => textContent));
+  check_equal('deviation: nor in its caption', remarks[0], 'nowhere away from the input');
+  const said = Number(remarks[1].match(/^up to ([\d.e-]+) away from the input$/)?.[1]);
+  check_near('deviation: the caption tells it', said, seen, 0.01);
+  const bounds = await page.$$eval('#viewer .swatch', (all) => all.map((one) => Number(one.textContent.match(/[\d.e-]+$/))));
+  check_equal('deviation: the legend has eight colours', bounds.length, 8);
+  check('deviation: and holds the largest distance', bounds[7] <= seen && seen <= 4 * bounds[7], [bounds, seen]);
+  const [input, state] = [await content(page, 0), await content(page, 1)];
+  check('deviation: the input is blue, and what is away from it yellow and red', input.warm === 0 && state.warm > 0.05 * state.drawn, [input, state]);
+  await viewer(page, 'set_drawn', 0);
+  check_equal('deviation: drawn up to a triangle as well', (await content(page, 1)).drawn, 0);
+  await viewer(page, 'set_drawn', Infinity);
+  await viewer(page, 'set_mode', 'heat');
 }

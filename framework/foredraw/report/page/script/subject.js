@@ -1,6 +1,7 @@
 // One subject of a scene, in all its states.
 
-import { deviation_of } from './deviation.js';
+import { heat } from './colours.js';
+import { deviation_of, distance_bounds } from './deviation.js';
 import { NearestSurface } from './nearest_surface.js';
 import { ShownState } from './shown_state.js';
 
@@ -38,6 +39,11 @@ export class Subject {
     if (this.input_surface) this.input_surface.move(corners);
     else this.input_surface = new NearestSurface(corners);
     return this.input_surface;
+  }
+
+  /** For a legend of these states, whatever their level and pose. */
+  distance_bounds(states) {
+    return distance_bounds(Math.max(...states.map((state) => this.largest_deviation(state))), heat.length);
   }
 
   /** The largest distance from the input that is found on a state at its coarsest, in the first pose. */

@@ -1,8 +1,6 @@
 // The viewer: what is shown, and everything that changes it. Controls, tests and the frame all go through here.
 
 import { Vector3 } from 'three';
-import { heat } from './colours.js';
-import { distance_bounds } from './deviation.js';
 import { colour_of, length_text } from './elements.js';
 import { state_name } from './figures.js';
 import { measuring_camera, Orbit } from './orbit.js';
@@ -80,8 +78,7 @@ export class Viewer {
 
   /** Up to which distance from the input each colour goes, the same at all levels; empty: nothing is away from it. */
   get distance_bounds() {
-    const largest = this.shown_panes().map((pane) => this.subject.largest_deviation(this.states[pane]));
-    return distance_bounds(Math.max(...largest), heat.length);
+    return this.subject.distance_bounds(this.shown_panes().map((pane) => this.states[pane]));
   }
 
   /** How many triangles can be drawn: those of the state that has most of the ones shown. */

@@ -68,7 +68,10 @@ export function make_drawn_slider(viewer) {
   return { whole: row.whole, update };
 }
 
-/** Of one state: where it is among its levels, what it draws there, and how far that is from full detail at most. */
+/**
+ * Of one state: where it is among its levels, what it draws there, and how far that is from full detail at most. What
+ * is proved is the distance of surfaces that no joint or morph target moves.
+ */
 function level_text(viewer, pane) {
   const shown = viewer.shown(pane);
   const { levels } = viewer.subject.states[viewer.states[pane]];
@@ -77,7 +80,8 @@ function level_text(viewer, pane) {
   const way = viewer.way_of(shown);
   const place = way > 0 ? (level + way).toFixed(2) : level;
   const where = level + way === 0 ? 'full detail' : `level ${place} of ${levels - 1}`;
-  const error = way === 0 && shown.error > 0 ? `, at most ${length_text(shown.error)} away` : '';
+  const unposed = viewer.subject.poses.length > 1 ? ' unposed' : '';
+  const error = way === 0 && shown.error > 0 ? `, at most ${length_text(shown.error)} away${unposed}` : '';
   return `${where}: ${number.format(shown.triangles)} triangles${error}`;
 }
 
