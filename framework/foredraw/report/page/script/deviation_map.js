@@ -6,10 +6,11 @@ import { deviation_of } from './deviation.js';
 export class DeviationMap {
   /** @param {import('./drawn_order.js').DrawnOrder} of  as it is posed now */
   constructor(of, surface) {
+    Object.assign(this, { surface, moves: surface.moves });
     const { state, k, frame, pose, way } = of;
     const positions = state.parts.map((_, part) => state.positions_on_way(part, pose, way));
-    const { small, largest, parts } = deviation_of(state, k, positions, surface);
-    Object.assign(this, { small, largest });
+    const { largest, parts } = deviation_of(state, k, positions, surface);
+    Object.assign(this, { largest, parts });
     this.scene = new Scene();
     this.scene.matrixWorldAutoUpdate = false;
     this.meshes = parts.map(({ corners, distances }) => {
@@ -22,6 +23,10 @@ export class DeviationMap {
       return mesh;
     });
     for (const part of state.sequence(k)) this.scene.add(this.meshes[part]);
+  }
+
+  is_from(surface) {
+    return surface === this.surface && surface.moves === this.moves;
   }
 
   dispose() {

@@ -127,7 +127,6 @@ export class Drawing {
    * @param {number[]} background  of the pane, [r, g, b]
    */
   draw_pane(place, mode, order, camera, drawn, background) {
-    if (mode === 'deviation') order.set_deviation(this.subject.surface(order.pose));
     order.set_drawn(drawn);
     if (mode === 'heat') this.count_pane(place, order, camera);
     this.renderer.setRenderTarget(null);
@@ -139,6 +138,9 @@ export class Drawing {
     if (mode === 'heat') {
       this.renderer.render(this.heat_pass, new Camera());
     } else if (mode === 'deviation') {
+      // Between small triangles of different sizes a pixel may be left open: the triangles themselves lie behind it.
+      order.set_materials(this.materials.behind_deviation);
+      this.renderer.render(order.scene, camera);
       order.set_materials(this.materials.deviation);
       this.renderer.render(order.deviation.scene, camera);
     } else {

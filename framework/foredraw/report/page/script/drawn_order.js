@@ -49,9 +49,17 @@ export class DrawnOrder {
     Object.assign(this, { pose, way });
   }
 
-  /** As it is posed now. @param {import('./nearest_surface.js').NearestSurface} surface  the input's */
+  /** As it is posed now, from there. @param {import('./nearest_surface.js').NearestSurface} surface */
   set_deviation(surface) {
-    this.deviation ??= new DeviationMap(this, surface);
+    if (this.deviation?.is_from(surface)) return;
+    this.drop_deviation();
+    this.deviation = new DeviationMap(this, surface);
+    this.meshes.forEach(({ geometry }, part) => {
+      const { of_corners } = this.deviation.parts[part];
+      if (!geometry.attributes.away) geometry.setAttribute('away', dynamic(of_corners, 1, false));
+      geometry.attributes.away.array.set(of_corners);
+      geometry.attributes.away.needsUpdate = true;
+    });
   }
 
   drop_deviation() {
@@ -90,7 +98,7 @@ export class DrawnOrder {
       mesh.visible = triangles > 0;
     };
     this.meshes.forEach((mesh, part) => show(mesh, drawn[part]));
-    this.deviation?.meshes.forEach((mesh, part) => show(mesh, this.deviation.small * drawn[part]));
+    this.deviation?.meshes.forEach((mesh, part) => show(mesh, this.deviation.parts[part].ends[drawn[part]]));
   }
 
   /** @param {(part: object, pose: number) => import('three').Material} material_of */

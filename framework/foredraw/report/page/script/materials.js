@@ -137,14 +137,16 @@ export function make_materials() {
     },
   });
   const first_distance = { value: 1 };
+  const by_distance = {
+    fragmentShader: solid_shader,
+    defines: { AWAY: 1 },
+    uniforms: { first_distance, palette: { value: palette } },
+  };
   return {
     solid: surface({ fragmentShader: solid_shader }),
     tinted: surface({ fragmentShader: solid_shader, defines: { TINTED: 1 } }),
-    deviation: surface({
-      fragmentShader: solid_shader,
-      defines: { AWAY: 1 },
-      uniforms: { first_distance, palette: { value: palette } },
-    }),
+    deviation: surface(by_distance),
+    behind_deviation: surface({ ...by_distance, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
     first_distance,
     counting,
     heat_map,

@@ -16,12 +16,14 @@ export class NearestSurface {
     this.middles = null;
     this.boxes = new Float32Array(6 * this.nodes.length);
     this.hint = 0;
+    this.moves = 0;
     this.fit();
   }
 
   /** The same triangles somewhere else. */
   move(corners) {
     this.corners = corners;
+    ++this.moves;
     this.fit();
   }
 

@@ -1,12 +1,13 @@
 // The viewer: what is shown, and everything that changes it. Controls, tests and the frame all go through here.
 
 import { Vector3 } from 'three';
-import { colour_of, length_text } from './elements.js';
+import { colour_of } from './elements.js';
 import { state_name } from './figures.js';
 import { measuring_camera, Orbit } from './orbit.js';
 import { order_at } from './order_table.js';
 import { decoded_buffer } from './page_data.js';
 import { Subject } from './subject.js';
+import { largest_text, surface_beside } from './viewer_deviation.js';
 import { overdraw_of, worst_view } from './worst_view.js';
 
 export const modes = ['heat', 'shaded', 'order', 'clusters', 'deviation'];
@@ -76,7 +77,7 @@ export class Viewer {
     return this.shown_panes().some((pane) => this.subject.states[this.states[pane]].has_geomorphs);
   }
 
-  /** Up to which distance from the input each colour goes, the same at all levels; empty: nothing is away from it. */
+  /** Up to which distance each colour goes, the same at all levels; empty: nothing is away from the input. */
   get distance_bounds() {
     return this.subject.distance_bounds(this.shown_panes().map((pane) => this.states[pane]));
   }
@@ -203,14 +204,10 @@ export class Viewer {
     for (const pane of this.shown_panes()) {
       const place = this.panes.place(pane);
       if (place.width < 1 || place.height < 1) continue;
-      this.drawing.draw_pane(
-        place,
-        this.mode,
-        this.drawn_order(this.shown(pane), this.order_of(pane)),
-        this.orbit.camera(place.width / place.height),
-        this.drawn,
-        background,
-      );
+      const order = this.drawn_order(this.shown(pane), this.order_of(pane));
+      if (this.mode === 'deviation') order.set_deviation(surface_beside(this, pane));
+      const camera = this.orbit.camera(place.width / place.height);
+      this.drawing.draw_pane(place, this.mode, order, camera, this.drawn, background);
     }
     this.tell();
     this.first_drawn?.();
@@ -277,8 +274,7 @@ export class Viewer {
     const shown = this.shown(pane);
     const k = this.order_of(pane);
     if (this.mode === 'deviation') {
-      const { largest } = this.drawn_order(shown, k).deviation;
-      return largest > 0 ? `up to ${length_text(largest)} away from the input` : 'nowhere away from the input';
+      return largest_text(this, pane, this.drawn_order(shown, k).deviation?.largest ?? 0);
     }
     return shown.orders.length > 1 ? `order ${k + 1} of ${shown.orders.length}, for this view and pose` : '';
   }

@@ -4,6 +4,7 @@ import { heat, ramp } from './colours.js';
 import { button, css_colour, element, fill_select, labelled_select, length_text } from './elements.js';
 import { short_paths } from './figures.js';
 import { modes } from './viewer.js';
+import { distance_text } from './viewer_deviation.js';
 import { make_drawn_slider, make_level_slider, make_pose_slider } from './viewer_sliders.js';
 
 const mode_names = {
@@ -120,7 +121,7 @@ function make_legend(viewer) {
       const bounds = viewer.distance_bounds;
       if (bounds.length === 0) return [element('span', {}, 'no point is away from the surface of the input')];
       return [
-        element('span', {}, 'distance from the surface of the input, in its units'),
+        element('span', {}, distance_text(viewer)),
         ...bounds.map((bound, i) =>
           swatch(heat[i], i + 1 === heat.length ? `above ${length_text(bounds[i - 1])}` : `to ${length_text(bound)}`),
         ),
@@ -130,7 +131,7 @@ function make_legend(viewer) {
   }
 
   function update() {
-    const key = [viewer.mode, viewer.scene, viewer.subject_number, ...viewer.states].join(' ');
+    const key = [viewer.mode, viewer.scene, viewer.subject_number, viewer.level, ...viewer.states].join(' ');
     if (key === shown) return;
     shown = key;
     whole.replaceChildren(...content());
