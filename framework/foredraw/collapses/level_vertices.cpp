@@ -100,7 +100,7 @@ class Blender {
   void blend(std::uint32_t vertex, std::uint32_t other, float t) {
     change_[vertex] = Change::all;
     for (BlendedStream& stream : streams_) stream.blend(vertex, other, t);
-    skin_.blend(vertex, skin_, other, t);
+    skin_.blend(vertex, skin_.of(other), t);
   }
 
   /// Whether joints or morph targets move vertices.
@@ -109,7 +109,7 @@ class Blender {
   /// Only what moves it: the vertex is beside one that is blended with that one of `from`.
   void blend_moves(std::uint32_t vertex, const Blender& from, std::uint32_t other, float t) {
     change_[vertex] = std::max(change_[vertex], Change::moves);
-    skin_.blend(vertex, from.skin_, other, t);
+    skin_.blend(vertex, from.skin_.of(other), t);
     for (std::size_t m = 0; m < std::min(moves_.size(), from.moves_.size()); ++m) {
       streams_[moves_[m]].blend_amount(vertex, from.streams_[from.moves_[m]], other, t);
     }

@@ -1,4 +1,5 @@
 #include <foredraw/io/mesh/private/stl.h>
+#include <foredraw/io/mesh/private/stl_colors.h>
 
 #include <fmt/format.h>
 
@@ -19,24 +20,35 @@ std::uint32_t little_endian(const char* bytes) {
 
 std::uint64_t triangles_announced(std::string_view text) { return little_endian(text.data() + stl_header - 4); }
 
-/// STL has no vertices, only corners; corners at equal places become one.
+/// STL has no vertices, only corners; corners at equal places, of triangles of equal colours, become one.
 class Welding {
  public:
   explicit Welding(PolygonMesh& mesh) : mesh_(mesh) {}
 
-  void corner(glm::vec3 position) {
+  void corner(glm::vec3 position, StlColor color = {}) {
     position += 0.0f;  // -0 is 0
-    const auto [found, is_new] = numbers_.try_emplace(position, static_cast<std::uint32_t>(mesh_.positions.size()));
+    const auto [found, is_new] =
+        numbers_.try_emplace(Vertex{position, color}, static_cast<std::uint32_t>(mesh_.positions.size()));
     if (is_new) mesh_.positions.push_back(position);
+    if (is_new && mesh_.color_format.components > 0) {
+      for (const std::uint8_t channel : color) mesh_.colors.push_back(std::byte{channel});
+    }
     mesh_.corners.push_back({found->second, none, none});
   }
 
   void end_face() { mesh_.ends.push_back(static_cast<std::uint32_t>(mesh_.corners.size())); }
 
  private:
+  struct Vertex {
+    glm::vec3 position;
+    StlColor color;
+    friend bool operator==(const Vertex&, const Vertex&) = default;
+  };
   struct Hash {
-    std::size_t operator()(const glm::vec3& p) const {
-      std::uint64_t h = std::bit_cast<std::uint32_t>(p.x) * 0x9E3779B97F4A7C15u;
+    std::size_t operator()(const Vertex& vertex) const {
+      const auto& [p, color] = vertex;
+      std::uint64_t h = std::uint64_t{color[0]} << 16 | color[1] << 8 | color[2];
+      h = (h ^ std::bit_cast<std::uint32_t>(p.x)) * 0x9E3779B97F4A7C15u;
       h = (h ^ (h >> 29) ^ std::bit_cast<std::uint32_t>(p.y)) * 0xBF58476D1CE4E5B9u;
       h = (h ^ (h >> 32) ^ std::bit_cast<std::uint32_t>(p.z)) * 0x94D049BB133111EBu;
       return h ^ (h >> 31);
@@ -44,7 +56,7 @@ class Welding {
   };
 
   PolygonMesh& mesh_;
-  std::unordered_map<glm::vec3, std::uint32_t, Hash> numbers_;
+  std::unordered_map<Vertex, std::uint32_t, Hash> numbers_;
 };
 
 bool read_binary(const Reading& reading, PolygonMesh& mesh) {
@@ -56,10 +68,12 @@ bool read_binary(const Reading& reading, PolygonMesh& mesh) {
         reading.at_byte(stl_header - 4),
         fmt::format("{} triangles of {} bytes each do not fit in the {} bytes that are left", count, stl_record, left));
   }
+  const StlColors colors(text, count);
+  if (colors.are_there()) mesh.color_format = {Component::uint8, 3, true, 3};
   Welding welding(mesh);
-  std::size_t with_attributes = 0;
   for (std::uint64_t t = 0; t < count; ++t) {
     const std::size_t begin = stl_header + t * stl_record;
+    const StlColor color = colors.of(t);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       glm::vec3 position;
       for (int i = 0; i < 3; ++i) {
@@ -69,15 +83,14 @@ bool read_binary(const Reading& reading, PolygonMesh& mesh) {
           return reading.refuse(reading.at_byte(at), fmt::format("a coordinate of triangle {} is not finite", t));
         }
       }
-      welding.corner(position);
+      welding.corner(position, color);
     }
     welding.end_face();
-    if (text[begin + 48] != 0 || text[begin + 49] != 0) ++with_attributes;
   }
-  if (with_attributes > 0) {
+  if (colors.left_out() > 0) {
     reading.diagnostics.note(
         {.file = reading.name}, "attributes-left-out",
-        fmt::format("the attribute bytes of {} triangles (colours, in some programs) are left out", with_attributes));
+        fmt::format("the attribute bytes of {} triangles are left out; they are no colours", colors.left_out()));
   }
   if (const std::size_t more = left - count * stl_record; more > 0) {
     reading.fault_at_byte("bytes-left-out", text.size() - more, fmt::format("{} bytes follow the last triangle", more));

@@ -15,15 +15,34 @@ using Triangle = std::array<float, 9>;
 constexpr Triangle one{0, 0, 0, 1, 0, 0, 0, 1, 0};
 constexpr Triangle two{1, 0, 0, 1, 1, 0, -0.0f, 1, 0};
 
-std::string binary(std::string header, const std::vector<Triangle>& triangles, std::uint32_t count) {
+/// `attributes`: of the first triangles; those of the others are 0.
+std::string binary(std::string header, const std::vector<Triangle>& triangles, std::uint32_t count,
+                   std::vector<std::uint16_t> attributes = {}) {
+  attributes.resize(triangles.size());
   header.resize(80, ' ');
   header.append(reinterpret_cast<const char*>(&count), 4);
-  for (const Triangle& triangle : triangles) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
     header.append(12, '\0');
-    header.append(reinterpret_cast<const char*>(triangle.data()), 36);
-    header.append(2, '\0');
+    header.append(reinterpret_cast<const char*>(triangles[t].data()), 36);
+    header += static_cast<char>(attributes[t] & 255);
+    header += static_cast<char>(attributes[t] >> 8);
   }
   return header;
+}
+
+/// Of the two triangles, or nothing.
+std::vector<std::array<int, 3>> colors(const std::string& header, const std::vector<std::uint16_t>& attributes) {
+  const auto made = read_mesh(MeshKind::stl, binary(header, {one, two}, 2, attributes));
+  if (!made.scene) throw std::runtime_error(made.error());
+  const Level& level = made.scene->draws[0].levels[0];
+  const VertexStream* stream = level.vertices->find("COLOR_0");
+  std::vector<std::array<int, 3>> found;
+  for (std::size_t corner = 0; stream != nullptr && corner < 6; corner += 3) {
+    const std::uint32_t vertex = level.orders[0].indices.view()[corner];
+    const auto channel = [&](std::size_t c) { return static_cast<int>(stream->bytes.view()[3 * vertex + c]); };
+    found.push_back({channel(0), channel(1), channel(2)});
+  }
+  return found;
 }
 
 std::string facet(const std::string& vertices) {
@@ -38,6 +57,32 @@ TEST(MeshStl, CornersAtOnePlaceAreOneVertex) {
   ASSERT_TRUE(made.scene) << made.error();
   EXPECT_EQ(made.scene->draws[0].levels[0].vertices->count, 4u) << "and -0 is 0";
   EXPECT_EQ(made.scene->draws[0].levels[0].vertices->base.size(), 1u) << "a facet's normal follows from its corners";
+}
+
+TEST(MeshStl, ColorsAreReadByTheConventionThatTheFileFollows) {
+  using Colors = std::vector<std::array<int, 3>>;
+  constexpr std::uint16_t lowest = 31, highest = 31 << 10, marked = 0x8000;
+  const std::string magics = "COLOR=\x10\x20\x30\xff,MATERIAL=";
+  EXPECT_EQ(colors("", {lowest | marked, highest | marked}), (Colors{{0, 0, 255}, {255, 0, 0}}));
+  EXPECT_EQ(colors("", {16 << 5 | marked, highest}), (Colors{{0, 132, 0}, {255, 255, 255}}));
+  EXPECT_EQ(colors(magics, {lowest, highest}), (Colors{{255, 0, 0}, {0, 0, 255}}));
+  EXPECT_EQ(colors(magics, {lowest | marked, 0}), (Colors{{16, 32, 48}, {0, 0, 0}}));
+  EXPECT_EQ(colors(magics, {0, 0}), (Colors{{16, 32, 48}, {16, 32, 48}})) << "a program that writes no attributes";
+}
+
+TEST(MeshStl, VerticesOfTwoColorsAreTwo) {
+  const auto count = [](std::vector<std::uint16_t> attributes) {
+    return read_mesh(MeshKind::stl, binary("", {one, two}, 2, attributes)).scene->draws[0].levels[0].vertices->count;
+  };
+  EXPECT_EQ(count({0x8001, 0x8001}), 4u);
+  EXPECT_EQ(count({0x8001, 0x8002}), 6u);
+}
+
+TEST(MeshStl, AttributesThatFollowNoConventionAreLeftOut) {
+  EXPECT_TRUE(colors("", {0x2020, 0x2020}).empty());
+  EXPECT_TRUE(colors(std::string(72, ' ') + "COLOR=12", {0, 0}).empty()) << "the header ends inside the colour";
+  const auto made = read_mesh(MeshKind::stl, binary("", {one, two}, 2, {0x2020}));
+  EXPECT_EQ(made.told(), "attributes-left-out");
 }
 
 TEST(MeshStl, AHeaderThatSaysSolidIsBelievedInTextAlone) {
