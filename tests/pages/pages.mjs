@@ -7,6 +7,7 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { launch, open, settled } from './browser.mjs';
 import { check, check_equal, exit_code, group } from './checks.mjs';
+import { check_deviation, check_levels, check_no_levels, check_pops } from './level_checks.mjs';
 import { check_colours, check_paper, check_widths, check_without_gl, check_without_script } from './look_checks.mjs';
 import { rectangles, torus, write_gltf } from './models.mjs';
 import {
@@ -141,6 +142,36 @@ await group('a character', async () => {
     await check_poses(page);
     await check_pose_ratios(page, program, fox, scenes[0].subjects[0].poses);
   });
+});
+
+// Levels of detail, and what vertices become from one to the next.
+await group('levels', async () => {
+  const levels = ['weld, quadric-collapse, levels', 'weld, quadric-collapse, levels(keep-sequences=true), geomorphs'];
+  const more = ['--with', 'vertex-cache'];
+  const fox = path.join(corpus, 'animated', 'fox.glb');
+  const { html, comparison } = program.compare('levels', [fox], levels, { more });
+  const [draw] = comparison.files[0].branches[0].report.draws;
+  await on_page('levels of a character', html, async (page) => {
+    await check_no_levels(page);
+    await check_levels(page, [draw, ...draw.levels], { step: 1 });
+    await viewer(page, 'set_state', 1, 2);
+    await check_levels(page, [draw, ...draw.levels], { step: 0.01 });
+    await check_pops(page, 'fox.glb', draw.levels.length);
+    for (const mode of ['shaded', 'deviation']) {
+      await viewer(page, 'set_mode', mode);
+      await viewer(page, 'set_level', 2.5);
+      await settled(page);
+      await page.locator('#viewer .viewer').screenshot({ path: path.join(folder, `levels-${mode}.png`) });
+    }
+  });
+  const knight = path.join(corpus, 'animated', 'kaykit_knight.glb');
+  await on_page('levels of many draws', program.compare('levels-knight', [knight], levels, { more }).html, (page) =>
+    check_pops(page, 'kaykit_knight.glb', 3),
+  );
+  // All vertices that are left lie on the input: what is away from it is between them.
+  const fewer = 'weld, quadric-collapse(placement=endpoint), simplify(ratio=0.1)';
+  const simplified = program.compare('simplified', [spot], [fewer], { more: ['--with', 'surface-error'] });
+  await on_page('a simplified model', simplified.html, (page) => check_deviation(page, simplified.comparison));
 });
 
 await group('many files', async () => {

@@ -14,14 +14,15 @@ export const viewer = (page, name, ...given) =>
     [name, given],
   );
 
-/** How many pixels of a pane differ from its corner, and how many colours it has. */
-const content = (page, pane) =>
+/** How many pixels of a pane differ from its corner, how many are more red than blue, and how many colours it has. */
+export const content = (page, pane) =>
   page.evaluate((number) => {
     const { data } = window.foredraw.viewer.picture(number);
     const words = new Uint32Array(data.buffer);
     return {
       pixels: words.length,
       drawn: words.filter((word) => word !== words[0]).length,
+      warm: words.filter((_, i) => data[4 * i] > data[4 * i + 2]).length,
       colours: new Set(words).size,
     };
   }, pane);
@@ -32,6 +33,7 @@ export async function check_modes(page) {
     ['shaded', 20],
     ['order', 20],
     ['clusters', 20],
+    ['deviation', 20],
   ]) {
     await viewer(page, 'set_mode', mode);
     const { pixels, drawn, colours } = await content(page, 0);

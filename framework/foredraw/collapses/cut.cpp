@@ -65,10 +65,7 @@ std::span<const std::uint32_t> indices_of(const Collapsed& after, const JoinedMe
 
 std::vector<CutDraw> cut(const CollapseSequence& sequence, std::size_t collapses, const Collapsed& after,
                          const JoinedMesh& mesh) {
-  std::vector<LevelVertices> streams;
-  for (std::size_t s = 0; s < mesh.streams.size(); ++s) {
-    streams.push_back(level_vertices(sequence, collapses, after, mesh, s));
-  }
+  const std::vector<LevelVertices> streams = level_vertices(sequence, collapses, after, mesh);
   return draws_of(
       after, mesh, [&](std::uint32_t s, std::uint32_t vertex) { return streams[s].number[vertex]; },
       [&](std::uint32_t s) { return streams[s].vertices; });

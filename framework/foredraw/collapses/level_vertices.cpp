@@ -1,6 +1,9 @@
+#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/component.h>
 #include <foredraw/collapses/level_vertices.h>
 #include <foredraw/collapses/skin_weights.h>
+
+#include <utility>
 
 namespace foredraw {
 
@@ -37,12 +40,13 @@ class BlendedStream {
   }
 
   void blend(std::uint32_t vertex, std::uint32_t other, float t) {
-    if (!is_amount_) {
-      if (t > 0.5f) source_[vertex] = source_[other];
-      return;
-    }
+    if (is_amount_) return blend_amount(vertex, *this, other, t);
+    if (t > 0.5f) source_[vertex] = source_[other];
+  }
+
+  void blend_amount(std::uint32_t vertex, const BlendedStream& of, std::uint32_t other, float t) {
     float* to = values_.data() + vertex * width();
-    const float* from = values_.data() + other * width();
+    const float* from = of.values_.data() + other * of.width();
     for (std::size_t c = 0; c < width(); ++c) to[c] += (from[c] - to[c]) * t;
   }
 
@@ -83,13 +87,32 @@ class Blender {
       streams_.emplace_back(*stream);
       bytes_.emplace_back(stream->bytes.view().begin(), stream->bytes.view().end());
     }
-    is_changed_.resize(vertices.count, false);
+    std::size_t s = vertices.base.size();
+    for (const auto& target : vertices.morph_targets) {
+      for (const VertexStream& stream : target) {
+        if (stream.semantic == "POSITION") moves_.push_back(s);
+        ++s;
+      }
+    }
+    change_.resize(vertices.count, Change::none);
   }
 
   void blend(std::uint32_t vertex, std::uint32_t other, float t) {
-    is_changed_[vertex] = true;
+    change_[vertex] = Change::all;
     for (BlendedStream& stream : streams_) stream.blend(vertex, other, t);
-    skin_.blend(vertex, other, t);
+    skin_.blend(vertex, skin_.of(other), t);
+  }
+
+  /// Whether joints or morph targets move vertices.
+  bool moves() const { return !skin_.empty() || !moves_.empty(); }
+
+  /// Only what moves it: the vertex is beside one that is blended with that one of `from`.
+  void blend_moves(std::uint32_t vertex, const Blender& from, std::uint32_t other, float t) {
+    change_[vertex] = std::max(change_[vertex], Change::moves);
+    skin_.blend(vertex, from.skin_.of(other), t);
+    for (std::size_t m = 0; m < std::min(moves_.size(), from.moves_.size()); ++m) {
+      streams_[moves_[m]].blend_amount(vertex, from.streams_[from.moves_[m]], other, t);
+    }
   }
 
   void place(std::uint32_t vertex, glm::vec3 place) {
@@ -106,7 +129,7 @@ class Blender {
   /// The vertices for which is_used holds.
   LevelVertices finish(const std::vector<bool>& is_used) {
     for (std::uint32_t v = 0; v < vertices_.count; ++v) {
-      if (is_used[v] && is_changed_[v]) write(v);
+      if (is_used[v] && change_[v] != Change::none) write(v);
     }
     LevelVertices level;
     level.number.resize(vertices_.count, no_vertex);
@@ -135,9 +158,12 @@ class Blender {
   }
 
  private:
+  enum class Change : std::uint8_t { none, moves, all };
+
   void write(std::uint32_t vertex) {
     for (std::size_t s = 0; s < streams_.size(); ++s) {
       const bool is_base = s < vertices_.base.size();
+      if (change_[vertex] == Change::moves && std::ranges::find(moves_, s) == moves_.end()) continue;
       if (is_base && vertices_.base[s].semantic == "POSITION") continue;  // place() wrote it
       streams_[s].write(vertex, is_base, bytes_[s]);
     }
@@ -148,30 +174,53 @@ class Blender {
   SkinWeights skin_;
   std::vector<BlendedStream> streams_;         ///< the base's, then each target's
   std::vector<std::vector<std::byte>> bytes_;  ///< the same
-  std::vector<bool> is_changed_;
+  std::vector<std::size_t> moves_;             ///< which are positions of morph targets
+  std::vector<Change> change_;                 ///< [vertex]
 };
+
+/// [vertex] the next one at its position, or no_vertex; from a point on, which is the first of them, all are found.
+std::vector<std::uint32_t> next_at_point(const JoinedMesh& mesh) {
+  const std::vector<std::uint32_t> point = welded(mesh.positions);
+  std::vector<std::uint32_t> next(point.size(), no_vertex);
+  for (auto v = static_cast<std::uint32_t>(point.size()); v-- > 0;) {
+    if (point[v] != v) next[v] = std::exchange(next[point[v]], v);
+  }
+  return next;
+}
 
 }  // namespace
 
-LevelVertices level_vertices(const CollapseSequence& sequence, std::size_t collapses, const Collapsed& after,
-                             const JoinedMesh& mesh, std::size_t stream) {
-  const std::uint32_t first = mesh.first_vertex[stream], end = mesh.first_vertex[stream + 1];
-  const auto is_here = [&](std::uint32_t vertex) { return vertex >= first && vertex < end; };
-  Blender blender(*mesh.streams[stream]);
+std::vector<LevelVertices> level_vertices(const CollapseSequence& sequence, std::size_t collapses,
+                                          const Collapsed& after, const JoinedMesh& mesh) {
+  std::vector<Blender> blenders;
+  for (const auto& stream : mesh.streams) blenders.emplace_back(*stream);
+  const auto blender_of = [&](std::uint32_t vertex) -> Blender& { return blenders[mesh.part[vertex]]; };
+  const auto number = [&](std::uint32_t vertex) { return vertex - mesh.first_vertex[mesh.part[vertex]]; };
+  const bool moves = std::ranges::any_of(blenders, &Blender::moves);
+  const std::vector<std::uint32_t> next = moves ? next_at_point(mesh) : std::vector<std::uint32_t>();
   for (std::size_t k = 0; k < collapses; ++k) {
-    for (std::uint32_t i = sequence.first_pair[k]; i < sequence.first_pair[k + 1]; ++i) {
-      const VertexPair& pair = sequence.pairs[i];
-      if (is_here(pair.kept)) blender.blend(pair.kept - first, pair.removed - first, sequence.collapses[k].blend);
+    const float t = sequence.collapses[k].blend;
+    const auto pairs =
+        std::span(sequence.pairs).subspan(sequence.first_pair[k], sequence.first_pair[k + 1] - sequence.first_pair[k]);
+    for (const VertexPair& pair : pairs) blender_of(pair.kept).blend(number(pair.kept), number(pair.removed), t);
+    if (pairs.empty() || !moves) continue;
+    const std::uint32_t removed = pairs.front().removed;
+    for (std::uint32_t vertex = sequence.collapses[k].kept; vertex != no_vertex; vertex = next[vertex]) {
+      if (std::ranges::find(pairs, vertex, &VertexPair::kept) != pairs.end()) continue;
+      blender_of(vertex).blend_moves(number(vertex), blender_of(removed), number(removed), t);
     }
   }
-  std::vector<bool> is_used(end - first, false);
-  for (const std::uint32_t index : after.indices) {
-    if (is_here(index)) is_used[index - first] = true;
+  std::vector<std::vector<bool>> is_used;
+  for (const auto& stream : mesh.streams) is_used.emplace_back(stream->count, false);
+  for (const std::uint32_t index : after.indices) is_used[mesh.part[index]][number(index)] = true;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    if (is_used[mesh.part[v]][number(v)] && after.places[v] != mesh.positions[v]) {
+      blender_of(v).place(number(v), after.places[v]);
+    }
   }
-  for (std::uint32_t v = first; v < end; ++v) {
-    if (is_used[v - first] && after.places[v] != mesh.positions[v]) blender.place(v - first, after.places[v]);
-  }
-  return blender.finish(is_used);
+  std::vector<LevelVertices> levels;
+  for (std::size_t s = 0; s < blenders.size(); ++s) levels.push_back(blenders[s].finish(is_used[s]));
+  return levels;
 }
 
 }  // namespace foredraw

@@ -11,11 +11,12 @@ struct LevelVertices {
   std::vector<std::uint32_t> number;  ///< [vertex of the stream] = its number in the level, or no_vertex
 };
 
-/// Of one stream of the mesh, those that triangles of `after` use, in their old sequence and formats. A vertex that no
+/// [stream of the mesh] those that triangles of `after` use, in their old sequence and formats. A vertex that no
 /// collapse changed keeps its bytes. Positions are the sequence's. Attributes are blended as Collapse::blend says:
 /// normals and tangents keep their length of 1, weights of joints their sum; numbers that count something else than
-/// an amount, such as identifiers, are those of the nearer vertex.
-LevelVertices level_vertices(const CollapseSequence& sequence, std::size_t collapses, const Collapsed& after,
-                             const JoinedMesh& mesh, std::size_t stream);
+/// an amount, such as identifiers, are those of the nearer vertex. Where joints and morph targets move a vertex is
+/// blended for all vertices of the point alike, so that no seam opens in a pose that was closed.
+std::vector<LevelVertices> level_vertices(const CollapseSequence& sequence, std::size_t collapses,
+                                          const Collapsed& after, const JoinedMesh& mesh);
 
 }  // namespace foredraw

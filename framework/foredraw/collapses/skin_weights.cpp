@@ -29,7 +29,7 @@ SkinWeights::SkinWeights(const VertexStreams& vertices) {
   }
 }
 
-void SkinWeights::blend(std::uint32_t vertex, std::uint32_t other, float t) {
+void SkinWeights::blend(std::uint32_t vertex, std::span<const Slot> other, float t) {
   if (empty()) return;
   std::vector<Slot> sum;
   const auto add = [&](std::span<const Slot> row, float share) {
@@ -44,7 +44,7 @@ void SkinWeights::blend(std::uint32_t vertex, std::uint32_t other, float t) {
     }
   };
   add(of(vertex), 1 - t);
-  add(of(other), t);
+  add(other, t);
   std::ranges::sort(
       sum, [](const Slot& a, const Slot& b) { return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint; });
   sum.resize(slots_);

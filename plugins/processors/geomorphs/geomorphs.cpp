@@ -23,6 +23,17 @@ std::vector<std::uint32_t> ancestors(const CutDraw& fine, const CutDraw& coarse,
     std::uint32_t& first = at_point[point[coarse.origin[v]]];
     first = std::min(first, v);
   }
+  // [point] where one of its vertices has gone: a vertex that no triangle used by then is left behind, and goes there.
+  std::vector<std::uint32_t> gone_to(point.size(), no_vertex);
+  for (std::uint32_t v = 0; v < point.size(); ++v) {
+    const std::uint32_t to = point[at_coarse.vertex[v]];
+    if (to != point[v] && gone_to[point[v]] == no_vertex) gone_to[point[v]] = to;
+  }
+  const auto point_now = [&](std::uint32_t vertex) {
+    std::uint32_t at = point[vertex];
+    while (at_point[at] == no_vertex && gone_to[at] != no_vertex) at = gone_to[at];
+    return at;
+  };
   const auto nearest = [&](glm::vec3 place) {
     const auto distance = [&](std::uint32_t v) {
       const glm::dvec3 apart = glm::dvec3(at_coarse.places[coarse.origin[v]]) - glm::dvec3(place);
@@ -40,10 +51,10 @@ std::vector<std::uint32_t> ancestors(const CutDraw& fine, const CutDraw& coarse,
     const std::uint32_t stands = at_coarse.vertex[origin];
     if (at_vertex[stands] != no_vertex) {
       result.push_back(at_vertex[stands]);
-    } else if (at_point[point[stands]] != no_vertex) {
-      result.push_back(at_point[point[stands]]);
+    } else if (const std::uint32_t at = point_now(stands); at_point[at] != no_vertex) {
+      result.push_back(at_point[at]);
     } else {
-      const auto [known, is_new] = of_lost.try_emplace(point[stands], 0);
+      const auto [known, is_new] = of_lost.try_emplace(at, 0);
       if (is_new) known->second = nearest(at_coarse.places[stands]);
       result.push_back(known->second);
     }

@@ -100,6 +100,29 @@ TEST_F(Cut, WeightsOfJointsSumUpToOne) {
   EXPECT_EQ(sum, 255);
 }
 
+/// A third draw, of its own vertices, has a vertex where vertex 1 is. No pair of the collapse names it.
+TEST_F(Cut, SeamsThatWereClosedStayClosedInPoses) {
+  Draw beside = scene_.draws[0];
+  auto vertices = std::make_shared<VertexStreams>(*beside.full().vertices);
+  for (VertexStream& of : vertices->base) {
+    if (of.semantic != "POSITION") continue;
+    of = stream<float>("POSITION", Component::float32, 3, false, {9, 0, 0, 1, 0, 0, 9, 1, 0, 8, 1, 0, 8, 2, 0});
+  }
+  beside.full().vertices = std::move(vertices);
+  const Scene scene = testing::scene_of({scene_.draws[0], beside});
+  const JoinedMesh mesh = *joined_mesh(scene, std::vector<DrawId>{0, 1}, analyses_);
+  const std::vector<CutDraw> draws = cut(sequence_, 1, collapsed(sequence_, 1, mesh), mesh);
+  for (const char* semantic : {"POSITION", "JOINTS_0", "WEIGHTS_0"}) {
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(value(draws[1], semantic, 1, c), value(draws[0], semantic, 0, c));
+  }
+  EXPECT_EQ(decode_component(draws[1].vertices->morph_targets[0][0], 1, 0), 1);
+  EXPECT_EQ(decode_component(draws[1].vertices->morph_targets[0][0], 1, 1), 3);
+  for (std::size_t c = 0; c < 3; ++c) {  // what does not move it stays
+    EXPECT_EQ(value(draws[1], "NORMAL", 1, c), c == 1 ? 1 : 0);
+  }
+  EXPECT_EQ(value(draws[1], "COLOR_0", 1, 0), 1);
+}
+
 TEST_F(Cut, WhatDidNotChangeKeepsItsBytes) {
   const CutDraw draw = cut(sequence_, 1, collapsed(sequence_, 1, mesh_), mesh_).front();
   for (std::size_t s = 0; s < draw.vertices->base.size(); ++s) {

@@ -6,6 +6,7 @@
 #include "support/meshes.h"
 
 #include <foredraw/analysis/analyses.h>
+#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/runtime/geomorph.h>
 #include <foredraw/technique/plugin.h>
 
@@ -48,6 +49,19 @@ testing::TestMesh seamed() {
     v = twin[v];
   }
   return torus;
+}
+
+/// A torus in small patches, each of its own vertices.
+testing::TestMesh patched() {
+  testing::TestMesh torus = testing::torus(48, 24), apart = torus;
+  apart.positions.clear();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> vertex;  // of a patch and a vertex before
+  for (std::uint32_t i = 0; i < torus.indices.size(); ++i) {
+    const auto [found, is_new] = vertex.try_emplace({i / 36, torus.indices[i]}, apart.positions.size());
+    if (is_new) apart.positions.push_back(torus.positions[torus.indices[i]]);
+    apart.indices[i] = found->second;
+  }
+  return apart;
 }
 
 class GeomorphsTest : public ::testing::TestWithParam<CollapsePlacement> {
@@ -112,6 +126,26 @@ TEST_P(GeomorphsTest, BeginAsTheLevelAndEndAsTheNextOne) {
       const auto indices = draw.levels[l].stream().indices.view();
       EXPECT_EQ(drawn(blended(0), indices), drawn(fine, indices));
       EXPECT_EQ(drawn(blended(1), indices), drawn(coarse, draw.levels[l + 1].stream().indices.view()));
+    }
+  }
+}
+
+/// Else a seam would open on the way, though it is closed at both ends.
+TEST_P(GeomorphsTest, VerticesAtOnePlaceGoToOnePlace) {
+  for (const testing::TestMesh& mesh : {seamed(), patched()}) {
+    const Scene scene = morphing(mesh);
+    const Draw& draw = scene.draws[0];
+    for (std::size_t l = 0; l + 1 < draw.levels.size(); ++l) {
+      Analyses analyses;
+      const auto fine = positions_of(analyses, *draw.levels[l].vertices)->values;
+      const auto coarse = positions_of(analyses, *draw.levels[l + 1].vertices)->values;
+      const auto ancestors = ancestors_of(scene, {0, l});
+      const std::vector<std::uint32_t> point = welded(fine);
+      std::size_t apart = 0;
+      for (const std::uint32_t v : draw.levels[l].stream().indices.view()) {
+        apart += coarse[ancestors[v]] == coarse[ancestors[point[v]]] ? 0 : 1;
+      }
+      EXPECT_EQ(apart, 0u) << "level " << l;
     }
   }
 }

@@ -1,9 +1,8 @@
 #include <foredraw/report/page/display.h>
 
 #include <foredraw/report/page/private/page_buffer.h>
-#include <foredraw/report/page/shown_subject.h>
+#include <foredraw/report/page/private/shown_state.h>
 
-#include <foredraw/base/counted.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/viewing/bounding_sphere.h>
 #include <foredraw/viewing/drawn_orders.h>
@@ -22,62 +21,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_branches = 24;               // each takes four bytes a triangle
 constexpr std::size_t most_poses = 64;                  // of all clips
 constexpr std::size_t most_bytes_of_poses = 6'000'000;  // of a subject, in all its states
-
-/// A scene to show, with its subjects; or why there is none.
-struct ShownScene {
-  const Scene* scene = nullptr;
-  std::vector<Subject> subjects;
-  std::string absent;
-};
-
-std::vector<ShownScene> shown_scenes(const Scene& input, std::span<const std::optional<Scene>> branches,
-                                     SubjectUnit unit) {
-  std::vector<ShownScene> scenes{{&input, subjects_of(input, unit), ""}};
-  for (const auto& branch : branches) {
-    if (scenes.size() > most_branches) {  // the input is the first of them
-      scenes.push_back({nullptr, {}, fmt::format("only the first {} pipelines are", most_branches)});
-    } else if (!branch) {
-      scenes.push_back({nullptr, {}, "could not be planned for this file"});
-    } else if (branch->animations.size() != input.animations.size()) {
-      scenes.push_back({nullptr, {}, "its clips are not those of the input"});
-    } else {
-      scenes.push_back({&*branch, subjects_of(*branch, unit), ""});
-    }
-  }
-  return scenes;
-}
-
-/// What became of a subject of the input: that of the same number where there are as many, else the only one of its
-/// name.
-const Subject* counterpart(std::span<const Subject> subjects, std::span<const Subject> of_input, std::size_t number) {
-  if (subjects.size() == of_input.size()) return &subjects[number];
-  const auto same_name = [&](const Subject& subject) { return subject.name == of_input[number].name; };
-  const auto found = std::ranges::find_if(subjects, same_name);
-  const bool is_only_one = std::ranges::count_if(subjects, same_name) == 1;
-  return is_only_one && std::ranges::count_if(of_input, same_name) == 1 ? &*found : nullptr;
-}
 
 std::span<const float> numbers_of(const std::vector<glm::vec3>& positions) {
   return {positions.empty() ? nullptr : &positions[0].x, 3 * positions.size()};
 }
-
-/// What one scene shows of a subject; or why it shows nothing.
-struct State {
-  const Scene* scene = nullptr;
-  const Subject* subject = nullptr;
-  ShownSubject shown;
-  std::string absent;
-};
 
 class SubjectDisplay {
  public:
   SubjectDisplay(std::span<const ShownScene> scenes, std::size_t number, PageBuffer& buffer)
       : subject_(scenes.front().subjects[number]), buffer_(buffer) {
     ShownTrianglesOnce once;
-    for (const ShownScene& scene : scenes) states_.push_back(state_of(scene, scenes.front().subjects, number, once));
+    for (const ShownScene& scene : scenes) states_.push_back(shown_state(scene, scenes.front().subjects, number, once));
   }
 
   bool empty() const { return !states_.front().absent.empty(); }
@@ -88,41 +44,28 @@ class SubjectDisplay {
     add_poses(json, std::clamp<std::size_t>(room, 1, most_poses));
     json["geometries"] = Json::array();
     json["states"] = Json::array();
-    for (const State& state : states_) {
+    for (const ShownState& state : states_) {
       if (!state.absent.empty()) json["absent"][std::to_string(json["states"].size())] = state.absent;
-      json["states"].push_back(state.absent.empty() ? state_json(state, json["geometries"]) : Json(nullptr));
+      json["states"].push_back(state.absent.empty() ? levelled_json(state, json["geometries"]) : Json(nullptr));
     }
     return json;
   }
 
  private:
-  static State state_of(const ShownScene& scene, std::span<const Subject> of_input, std::size_t number,
-                        ShownTrianglesOnce& once) {
-    if (!scene.absent.empty()) return {nullptr, nullptr, {}, scene.absent};
-    const Subject* subject = counterpart(scene.subjects, of_input, number);
-    if (subject == nullptr) {
-      return {nullptr,
-              nullptr,
-              {},
-              fmt::format("it has {}, the input has {}", counted(scene.subjects.size(), "subject"),
-                          counted(of_input.size(), "subject"))};
-    }
-    State state{scene.scene, subject, shown_subject(*scene.scene, *subject, once), ""};
-    const auto is_empty = [](const ShownPart& part) { return part.triangles() == 0; };
-    if (std::ranges::all_of(state.shown.parts, is_empty)) state.absent = "it draws no triangles of this subject";
-    return state;
-  }
-
   /// As the buffer will hold them: what several states have alike counts once.
   std::size_t different_vertices() const {
     std::map<Stamp, std::size_t> counts;
-    for (const State& state : states_) {
-      if (!state.absent.empty()) continue;
+    const auto count = [&](const ShownState& state) {
       const PosedNodes nodes = posed_nodes(*state.scene);
       for (const ShownPart& part : state.shown.parts) {
         const std::vector<glm::vec3> positions = part.positions(*state.scene, nodes);
         counts.emplace(content_hash(numbers_of(positions)), positions.size());
       }
+    };
+    for (const ShownState& state : states_) {
+      if (!state.absent.empty()) continue;
+      count(state);
+      std::ranges::for_each(state.coarser, count);
     }
     std::size_t sum = 0;
     for (const auto& [stamp, count] : counts) sum += count;
@@ -146,20 +89,32 @@ class SubjectDisplay {
     }
   }
 
+  /// With its coarser levels, each told as a state is.
+  Json levelled_json(const ShownState& state, Json& geometries) {
+    Json json = state_json(state, geometries);
+    for (const ShownState& coarser : state.coarser) json["levels"].push_back(state_json(coarser, geometries));
+    return json;
+  }
+
   /// `geometries`: those of the states before, each once.
-  Json state_json(const State& state, Json& geometries) {
+  Json state_json(const ShownState& state, Json& geometries) {
     Json geometry = geometry_json(state);
     const auto found = std::ranges::find(geometries, geometry);
     const auto number = static_cast<std::size_t>(found - geometries.begin());
     if (found == geometries.end()) geometries.push_back(std::move(geometry));
     const OrderTable* table = table_of(state);
-    return {{"geometry", number},
-            {"orders", orders_json(state, table)},
-            {"sequences", sequences_json(state, table)},
-            {"table", table == nullptr ? Json(nullptr) : table_json(*table)}};
+    Json json{{"geometry", number},
+              {"orders", orders_json(state, table)},
+              {"sequences", sequences_json(state, table)},
+              {"table", table == nullptr ? Json(nullptr) : table_json(*table)}};
+    if (state.error > 0) json["error"] = state.error;
+    for (const auto& of_part : state.ancestors) {
+      json["ancestors"].push_back(of_part.empty() ? Json(nullptr) : Json(buffer_.add(std::span(of_part))));
+    }
+    return json;
   }
 
-  Json geometry_json(const State& state) {
+  Json geometry_json(const ShownState& state) {
     std::vector<Json> parts;
     for (const ShownPart& part : state.shown.parts) parts.push_back(part_json(*state.scene, part));
     std::vector<std::vector<glm::vec3>> all_positions;
@@ -202,7 +157,7 @@ class SubjectDisplay {
     return std::ranges::find(table.draws, part.part.draw) != table.draws.end();
   }
 
-  static const OrderTable* table_of(const State& state) {
+  static const OrderTable* table_of(const ShownState& state) {
     for (const OrderTable& table : order_tables(*state.scene)) {
       if (std::ranges::any_of(state.shown.parts, [&](const ShownPart& part) { return is_in(table, part); }))
         return &table;
@@ -220,7 +175,7 @@ class SubjectDisplay {
   }
 
   /// [order][part]; parts that the table does not choose for stay in the order that stands alone.
-  Json orders_json(const State& state, const OrderTable* table) {
+  Json orders_json(const ShownState& state, const OrderTable* table) {
     const std::vector<ShownPart>& parts = state.shown.parts;
     std::size_t count = 1;
     for (const ShownPart& part : parts) {
@@ -239,7 +194,7 @@ class SubjectDisplay {
   }
 
   /// [order][rank] number of the part; null: every order draws them as the geometry has them.
-  static Json sequences_json(const State& state, const OrderTable* table) {
+  static Json sequences_json(const ShownState& state, const OrderTable* table) {
     if (table == nullptr || table->parts.empty()) return nullptr;
     const std::vector<ShownPart>& parts = state.shown.parts;
     Json sequences = Json::array();
@@ -265,7 +220,7 @@ class SubjectDisplay {
 
   const Subject& subject_;
   PageBuffer& buffer_;
-  std::vector<State> states_;
+  std::vector<ShownState> states_;
   Poses poses_;
 };
 

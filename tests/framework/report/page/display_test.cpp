@@ -5,15 +5,20 @@
 #include <foredraw/io/scene_file.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
+#include <foredraw/scene/levels.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/technique/built_in_plugins.h>
+#include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <set>
 
 namespace foredraw {
 namespace {
@@ -175,6 +180,89 @@ poses.poses = "6")");
   // Poses differ, and each is whole.
   const Json& positions = part["positions"];
   EXPECT_NE(positions[0], positions[1]);
+}
+
+AnimationId clip_named(const Scene& scene, const std::string& name) {
+  const std::vector<std::string> names = clip_names(scene);
+  return static_cast<AnimationId>(std::ranges::find(names, name) - names.begin());
+}
+
+using Corner = std::array<float, 3>;
+using Corners = std::array<Corner, 3>;
+
+/// Those that are no lines, each begun at its least corner. `vertex`: [index] which of the positions.
+std::multiset<Corners> proper_triangles(std::span<const std::uint32_t> indices, std::span<const float> positions,
+                                        const auto& vertex) {
+  std::multiset<Corners> all;
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    Corners corners;
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::copy_n(positions.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{vertex(indices[i + c])}), 3,
+                  corners[c].begin());
+    }
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+    all.insert(corners);
+  }
+  return all;
+}
+
+TEST(Display, HoldsCoarserLevelsPosedAndWhatVerticesBecomeThere) {
+  const Shown shown("animated/fox.glb", R"(pipeline = 1
+stages = ["weld", "quadric-collapse", { use = "levels", keep-sequences = true }, "geomorphs", "vertex-fetch"])");
+  const Json& subject = shown.scene["subjects"][0];
+  EXPECT_FALSE(subject["states"][0].contains("levels"));
+  std::vector<Json> levels{subject["states"][1]};
+  EXPECT_FALSE(levels[0].contains("error"));
+  for (const Json& coarser : levels[0]["levels"]) levels.push_back(coarser);
+  ASSERT_EQ(levels.size(), 4u);
+  const std::size_t last = subject["poses"].size() - 1;
+  const Pose pose{clip_named(shown.output, subject["poses"][last]["clip"]), subject["poses"][last]["time"]};
+  const auto part_of = [&](std::size_t l) {
+    return subject["geometries"][levels[l]["geometry"].get<std::size_t>()]["parts"][0];
+  };
+  const auto positions_of = [&](const Json& part) {
+    return shown.numbers<float>(part["positions"][last], 3 * part["vertices"].get<std::size_t>());
+  };
+  const auto indices_of = [&](const Json& part) {
+    return shown.numbers<std::uint32_t>(part["indices"], 3 * part["triangles"].get<std::size_t>());
+  };
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const Level& level = shown.output.draws[0].levels[l];
+    const Json part = part_of(l);
+    EXPECT_EQ(part["triangles"], level.stream().triangle_count());
+    const Scene alone = at_level(shown.output, l);
+    const std::vector<glm::vec3> posed =
+        posed_positions(alone, {0, subjects_of(alone)[0].parts[0].node}, posed_nodes(alone, pose));
+    const std::vector<float> positions = positions_of(part);
+    const auto as_they_are = [](std::uint32_t v) { return v; };
+    const auto drawn = proper_triangles(indices_of(part), positions, as_they_are);
+    EXPECT_EQ(drawn, proper_triangles(level.stream().indices.view(), {&posed[0].x, 3 * posed.size()}, as_they_are));
+    if (l == 0) continue;
+    EXPECT_NEAR(levels[l]["error"].get<double>(), level.error, 0.001 * level.error);
+    const Json finer = part_of(l - 1);
+    const auto ancestors =
+        shown.numbers<std::uint32_t>(levels[l - 1]["ancestors"][0], finer["vertices"].get<std::size_t>());
+    EXPECT_EQ(proper_triangles(indices_of(finer), positions, [&](std::uint32_t v) { return ancestors[v]; }), drawn);
+  }
+  EXPECT_FALSE(levels[3].contains("ancestors"));
+}
+
+/// A finer and a coarser sheet, the error of which is known.
+TEST(Display, TellsErrorsOfLevelsAsTheyAreShown) {
+  Scene scene = testing::scene_of(testing::grid(4, 4));
+  const Scene coarse = testing::scene_of(testing::grid(2, 2));
+  scene.draws[0].levels.push_back(coarse.draws[0].full());
+  scene.draws[0].levels[1].error = 0.25f;
+  scene.nodes[0].transform.scale = {2, 2, 2};
+  const auto shown = [&](SubjectUnit unit) {
+    return Json::parse(display(scene, {}, 0, unit).scene)["subjects"][0]["states"][0];
+  };
+  EXPECT_EQ(shown(SubjectUnit::mesh)["levels"][0]["error"], 0.25);  // in the mesh's own space
+  EXPECT_EQ(shown(SubjectUnit::scene)["levels"][0]["error"], 0.5);
+  EXPECT_EQ(shown(SubjectUnit::scene)["ancestors"], Json::parse("[null]"));
+  scene.draws[0].levels[1].error = 0;
+  EXPECT_FALSE(shown(SubjectUnit::scene)["levels"][0].contains("error"));
 }
 
 std::vector<std::string> names_of(const Json& geometry) {

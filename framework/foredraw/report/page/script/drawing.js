@@ -78,7 +78,7 @@ export class Drawing {
     this.materials = make_materials();
     this.heat_pass = full_screen(this.materials.heat_map);
     this.counts = counting_target(1, 1);
-    this.orders = new Map(); // by state and order, those drawn last at the end
+    this.orders = new Map(); // by what the state tells of the order, those drawn last at the end
     this.subject = null;
   }
 
@@ -93,10 +93,13 @@ export class Drawing {
     this.renderer.setSize(width, height, false);
   }
 
-  /** The state in its order k, ready to be drawn in this pose; made on the first ask. */
-  order(state, k, pose) {
-    const key = `${state} ${k}`;
-    const order = this.orders.get(key) ?? new DrawnOrder(this.subject.states[state], k, this.subject.frame);
+  /**
+   * A state of the subject, or one of its levels, in its order k, ready to be drawn in this pose and on this way to the
+   * next coarser level; made on the first ask.
+   */
+  order(state, k, pose, way) {
+    const key = state.orders[k];
+    const order = this.orders.get(key) ?? new DrawnOrder(state, k, this.subject.frame);
     this.orders.delete(key);
     this.orders.set(key, order);
     let triangles = [...this.orders.values()].reduce((sum, one) => sum + one.state.triangles, 0);
@@ -106,7 +109,7 @@ export class Drawing {
       old.dispose();
       this.orders.delete(old_key);
     }
-    order.set_pose(pose);
+    order.set_pose(pose, way);
     return order;
   }
 
@@ -120,7 +123,7 @@ export class Drawing {
   /**
    * Draws into a rectangle of the canvas, in CSS pixels from its lower left corner.
    * @param {{x, y, width, height}} place
-   * @param {'shaded'|'heat'|'order'|'clusters'} mode
+   * @param {'shaded'|'heat'|'order'|'clusters'|'deviation'} mode
    * @param {number[]} background  of the pane, [r, g, b]
    */
   draw_pane(place, mode, order, camera, drawn, background) {
@@ -134,12 +137,23 @@ export class Drawing {
     this.renderer.clear();
     if (mode === 'heat') {
       this.renderer.render(this.heat_pass, new Camera());
+    } else if (mode === 'deviation') {
+      // Between small triangles of different sizes a pixel may be left open: the triangles themselves lie behind it.
+      order.set_materials(this.materials.behind_deviation);
+      this.renderer.render(order.scene, camera);
+      order.set_materials(this.materials.deviation);
+      this.renderer.render(order.deviation.scene, camera);
     } else {
       if (mode !== 'shaded') order.set_tints(mode);
       order.set_materials(mode === 'shaded' ? this.materials.solid : this.materials.tinted);
       this.renderer.render(order.scene, camera);
     }
     this.renderer.setScissorTest(false);
+  }
+
+  /** Up to where the first colour of distances goes. */
+  set_first_distance(distance) {
+    this.materials.first_distance.value = distance;
   }
 
   count_pane({ x, y, width, height }, order, camera) {

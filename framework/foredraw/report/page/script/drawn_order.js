@@ -1,6 +1,7 @@
 // A state in one of its orders, on the graphics device: one geometry for each part, drawn with one call each.
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Scene } from 'three';
+import { DeviationMap } from './deviation_map.js';
 import { fill_cluster_colours, fill_corners, fill_order_colours } from './triangles.js';
 
 /** Of a triangle: nine floats and three colours. */
@@ -12,7 +13,7 @@ export class DrawnOrder {
    * @param frame  the sphere that is brought to the origin and to radius 1
    */
   constructor(state, k, frame) {
-    Object.assign(this, { state, k, frame, pose: null, tints: null });
+    Object.assign(this, { state, k, frame, pose: null, way: 0, tints: null, deviation: null });
     this.scene = new Scene();
     this.scene.matrixWorldAutoUpdate = false;
     this.meshes = state.parts.map((part) => {
@@ -25,17 +26,19 @@ export class DrawnOrder {
     for (const part of state.sequence(k)) this.scene.add(this.meshes[part]);
   }
 
-  set_pose(pose) {
-    if (this.pose === pose) return;
+  /** @param {number} way  to the next coarser level, 0 to 1 */
+  set_pose(pose, way) {
+    if (this.pose === pose && this.way === way) return;
+    this.drop_deviation();
     const { state } = this;
     this.meshes.forEach(({ geometry }, part) => {
       const attribute = geometry.attributes.position;
       // Many poses share their positions.
       const { positions } = state.parts[part];
-      if (this.pose !== null && positions[this.pose] === positions[pose]) return;
+      if (this.pose !== null && positions[this.pose] === positions[pose] && this.way === way) return;
       fill_corners(
         attribute.array,
-        state.positions(part, pose),
+        state.positions_on_way(part, pose, way),
         state.indices(part),
         state.order(this.k, part),
         this.frame.centre,
@@ -43,7 +46,25 @@ export class DrawnOrder {
       );
       attribute.needsUpdate = true;
     });
-    this.pose = pose;
+    Object.assign(this, { pose, way });
+  }
+
+  /** As it is posed now, from there. @param {import('./nearest_surface.js').NearestSurface} surface */
+  set_deviation(surface) {
+    if (this.deviation?.is_from(surface)) return;
+    this.drop_deviation();
+    this.deviation = new DeviationMap(this, surface);
+    this.meshes.forEach(({ geometry }, part) => {
+      const { of_corners } = this.deviation.parts[part];
+      if (!geometry.attributes.away) geometry.setAttribute('away', dynamic(of_corners, 1, false));
+      geometry.attributes.away.array.set(of_corners);
+      geometry.attributes.away.needsUpdate = true;
+    });
+  }
+
+  drop_deviation() {
+    this.deviation?.dispose();
+    this.deviation = null;
   }
 
   /** @param {'order'|'clusters'} tints */
@@ -72,20 +93,25 @@ export class DrawnOrder {
   /** Exactly the first n triangles of all parts in sequence. */
   set_drawn(n) {
     const drawn = this.state.drawn_of_parts(this.k, n);
-    this.meshes.forEach((mesh, part) => {
-      mesh.geometry.setDrawRange(0, 3 * drawn[part]);
-      mesh.visible = drawn[part] > 0;
-    });
+    const show = (mesh, triangles) => {
+      mesh.geometry.setDrawRange(0, 3 * triangles);
+      mesh.visible = triangles > 0;
+    };
+    this.meshes.forEach((mesh, part) => show(mesh, drawn[part]));
+    this.deviation?.meshes.forEach((mesh, part) => show(mesh, this.deviation.parts[part].ends[drawn[part]]));
   }
 
   /** @param {(part: object, pose: number) => import('three').Material} material_of */
   set_materials(material_of) {
-    this.meshes.forEach((mesh, part) => {
-      mesh.material = material_of(this.state.parts[part], this.pose);
-    });
+    for (const meshes of [this.meshes, this.deviation?.meshes ?? []]) {
+      meshes.forEach((mesh, part) => {
+        mesh.material = material_of(this.state.parts[part], this.pose);
+      });
+    }
   }
 
   dispose() {
+    this.drop_deviation();
     for (const { geometry } of this.meshes) geometry.dispose();
   }
 }

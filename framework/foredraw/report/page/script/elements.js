@@ -56,5 +56,11 @@ export function colour_of(property) {
     .map(Number);
 }
 
+const number = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
+
+/** A length in the file's units, in three digits. */
+export const length_text = (length) =>
+  length === 0 || (length >= 1e-4 && length < 1e6) ? number.format(length) : length.toExponential(2);
+
 export const css_colour = ([r, g, b], alpha = 1) =>
   `rgba(${Math.round(r)}, ${Math.round(g)}, ${Math.round(b)}, ${alpha})`;

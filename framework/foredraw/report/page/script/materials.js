@@ -24,12 +24,19 @@ in vec3 position;
 in vec4 tint;
 out vec3 base;
 #endif
+#ifdef AWAY
+in float away;
+out float far_off;
+#endif
 out vec3 seen;
 void main() {
   vec4 at = modelViewMatrix * vec4(position, 1.0);
   seen = at.xyz;
 #ifdef TINTED
   base = tint.rgb;
+#endif
+#ifdef AWAY
+  far_off = away;
 #endif
   gl_Position = projectionMatrix * at;
 }`;
@@ -42,15 +49,24 @@ in vec3 seen;
 #ifdef TINTED
 in vec3 base;
 #endif
+#ifdef AWAY
+in float far_off;
+uniform float first_distance;
+uniform vec3 palette[${heat.length}];
+#endif
 out vec4 colour;
 void main() {
+#ifdef AWAY
+  float doublings = far_off <= first_distance ? 0.0 : ceil(log2(far_off / first_distance));
+  vec3 base = palette[int(min(doublings, ${heat.length - 1}.0))];
+#endif
   vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
   vec3 towards = projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : normalize(-seen);
   if (dot(normal, towards) < 0.0) normal = -normal;
   float key = max(0.0, dot(normal, normalize(vec3(-0.45, 0.7, 0.65))));
   float fill = 0.5 + 0.5 * normal.y;
   float rim = pow(1.0 - max(0.0, dot(normal, towards)), 3.0);
-#ifdef TINTED
+#if defined(TINTED) || defined(AWAY)
   colour = vec4(base * (0.72 + 0.36 * key) + 0.06 * rim, 1.0);
 #else
   vec3 light = mix(vec3(0.42, 0.43, 0.48), vec3(0.62, 0.62, 0.63), fill) + key * vec3(0.50, 0.47, 0.42);
@@ -99,6 +115,7 @@ function surface(properties) {
 
 /** Those of parts are asked for by part and pose. */
 export function make_materials() {
+  const palette = heat.map(as_vector);
   // Fragments that pass in the sequence of drawing add one each.
   const counting = surface({
     fragmentShader: counting_shader,
@@ -116,12 +133,21 @@ export function make_materials() {
       counts: { value: null },
       corner: { value: new Vector2() },
       background: { value: as_vector(heat_background) },
-      palette: { value: heat.map(as_vector) },
+      palette: { value: palette },
     },
   });
+  const first_distance = { value: 1 };
+  const by_distance = {
+    fragmentShader: solid_shader,
+    defines: { AWAY: 1 },
+    uniforms: { first_distance, palette: { value: palette } },
+  };
   return {
     solid: surface({ fragmentShader: solid_shader }),
     tinted: surface({ fragmentShader: solid_shader, defines: { TINTED: 1 } }),
+    deviation: surface(by_distance),
+    behind_deviation: surface({ ...by_distance, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
+    first_distance,
     counting,
     heat_map,
   };

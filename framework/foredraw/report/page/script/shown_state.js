@@ -5,8 +5,18 @@
  * Triangles are numbered over all parts: those of part p begin at first_triangle[p].
  */
 export class ShownState {
-  constructor(geometry, { orders, sequences, table }, buffer) {
+  /**
+   * @param {object} description  the state's, or that of one of its levels
+   * @param {object[]} geometries  of the subject
+   * @param {ArrayBuffer} buffer
+   * @param {object[]} levels  those coarser than this one
+   */
+  constructor(description, geometries, buffer, levels = description.levels ?? []) {
+    const { orders, sequences, table, ancestors, error = 0 } = description;
+    const geometry = geometries[description.geometry];
     Object.assign(this, { parts: geometry.parts, note: geometry.note ?? '', orders, sequences, table, buffer });
+    Object.assign(this, { ancestors, error }); // error: the largest distance from full detail; 0: not known
+    this.coarser = levels.length === 0 ? null : new ShownState(levels[0], geometries, buffer, levels.slice(1));
     this.whole = { centre: geometry.centre, radius: geometry.radius > 0 ? geometry.radius : 1 };
     this.spheres = new Map();
     this.triangles = 0;
@@ -16,9 +26,43 @@ export class ShownState {
     });
   }
 
+  // Levels of detail: this one is level 0 of those behind it.
+
+  get levels() {
+    return 1 + (this.coarser?.levels ?? 0);
+  }
+
+  /** The coarsest one, where there are fewer; what lies between two levels is on its way from the finer one. */
+  at(level) {
+    return level < 1 || this.coarser === null ? this : this.coarser.at(level - 1);
+  }
+
+  /** Whether vertices are known to move from this level to the next one. */
+  get moves() {
+    return this.coarser !== null && this.ancestors.some((of_part) => of_part !== null);
+  }
+
+  /** Whether they are from any level on. */
+  get has_geomorphs() {
+    return this.moves || (this.coarser?.has_geomorphs ?? false);
+  }
+
   positions(part, pose) {
     const { positions, vertices } = this.parts[part];
     return new Float32Array(this.buffer, positions[pose], 3 * vertices);
+  }
+
+  /** On the way to the next coarser level, 0 to 1, as foredraw_geomorph() of runtime/geomorph.h has it. */
+  positions_on_way(part, pose, way) {
+    const fine = this.positions(part, pose);
+    const from = way > 0 ? (this.ancestors?.[part] ?? null) : null;
+    if (from === null) return fine;
+    const ancestors = new Uint32Array(this.buffer, from, fine.length / 3);
+    const coarse = this.coarser.positions(part, pose);
+    return fine.map((a, i) => {
+      const b = coarse[3 * ancestors[Math.floor(i / 3)] + (i % 3)];
+      return Math.min(Math.max(a, b), Math.max(Math.min(a, b), a + (b - a) * way));
+    });
   }
 
   indices(part) {

@@ -7,9 +7,10 @@ import { measuring_camera, Orbit } from './orbit.js';
 import { order_at } from './order_table.js';
 import { decoded_buffer } from './page_data.js';
 import { Subject } from './subject.js';
+import { largest_text, surface_beside } from './viewer_deviation.js';
 import { overdraw_of, worst_view } from './worst_view.js';
 
-export const modes = ['heat', 'shaded', 'order', 'clusters'];
+export const modes = ['heat', 'shaded', 'order', 'clusters', 'deviation'];
 const measured_size = 256; // as the evaluators have it
 const worst_view_size = 128;
 const quiet_ms = 120; // after the last change, before counts are read back
@@ -25,6 +26,7 @@ export class Viewer {
     Object.assign(this, { comparison, scenes, drawing, panes });
     this.orbit = new Orbit();
     this.mode = 'heat';
+    this.level = 0;
     this.listeners = [];
     this.frame = null;
     this.counting = null;
@@ -43,7 +45,17 @@ export class Viewer {
 
   /** What the pane shows. @returns {import('./shown_state.js').ShownState} */
   shown(pane) {
-    return this.subject.states[this.states[pane]];
+    return this.state_now(this.states[pane]);
+  }
+
+  /** At the level that is shown. */
+  state_now(state) {
+    return this.subject.states[state].at(this.level);
+  }
+
+  /** How far a state that is shown is on its way to the next coarser level: 0 to 1. */
+  way_of(shown) {
+    return shown.moves ? this.level % 1 : 0;
   }
 
   shown_panes() {
@@ -53,6 +65,21 @@ export class Viewer {
   /** Which of its orders the pane's state is drawn in now. */
   order_of(pane) {
     return order_at(this.shown(pane).table, this.subject.poses[this.pose], this.orbit.direction.toArray());
+  }
+
+  /** The number of the coarsest level that one of the panes can show. */
+  get coarsest_level() {
+    return Math.max(...this.shown_panes().map((pane) => this.subject.states[this.states[pane]].levels - 1));
+  }
+
+  /** Whether what lies between levels can be shown. */
+  get has_geomorphs() {
+    return this.shown_panes().some((pane) => this.subject.states[this.states[pane]].has_geomorphs);
+  }
+
+  /** Up to which distance each colour goes, the same at all levels; empty: nothing is away from the input. */
+  get distance_bounds() {
+    return this.subject.distance_bounds(this.shown_panes().map((pane) => this.states[pane]));
   }
 
   /** How many triangles can be drawn: those of the state that has most of the ones shown. */
@@ -93,6 +120,7 @@ export class Viewer {
     this.subject = new Subject(this.scenes[this.scene].subjects[number], this.buffer);
     this.drawing.set_subject(this.subject);
     this.states = [0, this.most_interesting_state()];
+    this.level = 0;
     this.pose = 0;
     this.limit = Infinity;
     this.changed();
@@ -117,6 +145,13 @@ export class Viewer {
 
   set_mode(mode) {
     this.mode = modes.includes(mode) ? mode : this.mode;
+    this.changed();
+  }
+
+  /** @param {number} level  0: full detail; what lies between two is shown where vertices are known to move there */
+  set_level(level) {
+    const within = Math.max(0, Math.min(this.coarsest_level, level));
+    this.level = this.has_geomorphs ? within : Math.floor(within);
     this.changed();
   }
 
@@ -164,35 +199,36 @@ export class Viewer {
     this.panes.show(this.states.map((state) => state !== null));
     this.panes.fit((width, height, ratio) => this.drawing.set_size(width, height, ratio));
     const background = colour_of('--stage');
+    if (this.mode === 'deviation') this.drawing.set_first_distance(this.distance_bounds[0] ?? Infinity);
     this.drawing.clear();
     for (const pane of this.shown_panes()) {
       const place = this.panes.place(pane);
       if (place.width < 1 || place.height < 1) continue;
-      this.drawing.draw_pane(
-        place,
-        this.mode,
-        this.drawing.order(this.states[pane], this.order_of(pane), this.pose),
-        this.orbit.camera(place.width / place.height),
-        this.drawn,
-        background,
-      );
+      const order = this.drawn_order(this.shown(pane), this.order_of(pane));
+      if (this.mode === 'deviation') order.set_deviation(surface_beside(this, pane));
+      const camera = this.orbit.camera(place.width / place.height);
+      this.drawing.draw_pane(place, this.mode, order, camera, this.drawn, background);
     }
     this.tell();
     this.first_drawn?.();
   }
 
+  drawn_order(shown, k) {
+    return this.drawing.order(shown, k, this.pose, this.way_of(shown));
+  }
+
   // Counts.
 
-  /** Pictures of one state in the pose and up to the triangle that are shown, from several directions. */
+  /** Pictures of one state at the level, in the pose and up to the triangle that are shown, from several directions. */
   counted(state, directions, size) {
+    const shown = this.state_now(state);
     const pose = this.subject.poses[this.pose];
     const { frame } = this.subject;
-    const { table } = this.subject.states[state];
-    const { centre, radius } = this.subject.states[state].sphere(this.pose);
+    const { centre, radius } = shown.sphere(this.pose);
     const middle = new Vector3(...centre.map((c, axis) => (c - frame.centre[axis]) / frame.radius));
     return this.drawing.counted(
       directions.map((direction) => ({
-        order: () => this.drawing.order(state, order_at(table, pose, direction), this.pose),
+        order: () => this.drawn_order(shown, order_at(shown.table, pose, direction)),
         camera: () => measuring_camera(new Vector3(...direction), middle, radius / frame.radius),
       })),
       size,
@@ -228,11 +264,19 @@ export class Viewer {
   /** Captions: at once what is known, the ratios when nothing has changed for a moment. */
   tell() {
     for (const pane of this.shown_panes()) {
-      const state = this.states[pane];
-      this.panes.tell(pane, this.state_name(state), this.order_of(pane) + 1, this.shown(pane).orders.length);
+      this.panes.tell(pane, this.state_name(this.states[pane]), this.remark_on(pane));
     }
     clearTimeout(this.counting);
     this.counting = setTimeout(() => this.tell_ratios(), quiet_ms);
+  }
+
+  remark_on(pane) {
+    const shown = this.shown(pane);
+    const k = this.order_of(pane);
+    if (this.mode === 'deviation') {
+      return largest_text(this, pane, this.drawn_order(shown, k).deviation?.largest ?? 0);
+    }
+    return shown.orders.length > 1 ? `order ${k + 1} of ${shown.orders.length}, for this view and pose` : '';
   }
 
   async tell_ratios() {

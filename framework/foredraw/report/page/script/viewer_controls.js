@@ -1,12 +1,19 @@
 // What of the viewer can be chosen and pressed, and what its colours mean.
 
 import { heat, ramp } from './colours.js';
-import { button, css_colour, element, fill_select, labelled_select } from './elements.js';
+import { button, css_colour, element, fill_select, labelled_select, length_text } from './elements.js';
 import { short_paths } from './figures.js';
 import { modes } from './viewer.js';
-import { make_drawn_slider, make_pose_slider } from './viewer_sliders.js';
+import { distance_text } from './viewer_deviation.js';
+import { make_drawn_slider, make_level_slider, make_pose_slider } from './viewer_sliders.js';
 
-const mode_names = { heat: 'Overdraw', shaded: 'Shaded', order: 'Triangle order', clusters: 'Clusters' };
+const mode_names = {
+  heat: 'Overdraw',
+  shaded: 'Shaded',
+  order: 'Triangle order',
+  clusters: 'Clusters',
+  deviation: 'Deviation',
+};
 
 function radio_group(label, name, choices, on_choice) {
   const inputs = new Map(
@@ -110,11 +117,21 @@ function make_legend(viewer) {
         ),
       ];
     }
+    if (viewer.mode === 'deviation') {
+      const bounds = viewer.distance_bounds;
+      if (bounds.length === 0) return [element('span', {}, 'no point is away from the surface of the input')];
+      return [
+        element('span', {}, distance_text(viewer)),
+        ...bounds.map((bound, i) =>
+          swatch(heat[i], i + 1 === heat.length ? `above ${length_text(bounds[i - 1])}` : `to ${length_text(bound)}`),
+        ),
+      ];
+    }
     return [element('span', {}, 'triangles as they are; back faces where the material is double-sided')];
   }
 
   function update() {
-    const key = [viewer.mode, viewer.scene, viewer.subject_number, ...viewer.states].join(' ');
+    const key = [viewer.mode, viewer.scene, viewer.subject_number, viewer.level, ...viewer.states].join(' ');
     if (key === shown) return;
     shown = key;
     whole.replaceChildren(...content());
@@ -152,6 +169,7 @@ export function add_controls(holder, viewer, panes) {
   const reset = button('Reset view', () => viewer.reset_camera());
   const legend = make_legend(viewer);
   const drawn = make_drawn_slider(viewer);
+  const level = make_level_slider(viewer);
   const pose = make_pose_slider(viewer);
   const note = element('p', { class: 'note' });
 
@@ -171,6 +189,7 @@ export function add_controls(holder, viewer, panes) {
       panes.whole,
       legend.whole,
       drawn.whole,
+      level.whole,
       pose.whole,
       element(
         'p',
@@ -186,7 +205,7 @@ export function add_controls(holder, viewer, panes) {
     const { notes } = viewer;
     note.replaceChildren(...notes.map((text) => element('span', {}, `${text}. `)));
     note.hidden = notes.length === 0;
-    for (const part of [selects, legend, drawn, pose]) part.update();
+    for (const part of [selects, legend, drawn, level, pose]) part.update();
   }
   viewer.on_change(update);
   update();

@@ -47,10 +47,10 @@ export class Panes {
     return { x: inner.left - outer.left, y: outer.bottom - inner.bottom, width: inner.width, height: inner.height };
   }
 
-  tell(pane, name, order, orders) {
+  tell(pane, name, remark) {
     const texts = this.panes[pane];
     texts.name.textContent = name;
-    texts.order.textContent = orders > 1 ? `order ${order} of ${orders}, for this view and pose` : '';
+    texts.order.textContent = remark;
     texts.ratio.classList.add('stale');
     texts.window.setAttribute('aria-label', `${name}, drawn. ${help}`);
   }

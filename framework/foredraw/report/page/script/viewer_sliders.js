@@ -1,9 +1,10 @@
 // What of the viewer can be moved and played: how much is drawn, and the pose.
 
-import { button, element, fill_select, labelled_select } from './elements.js';
+import { button, element, fill_select, labelled_select, length_text } from './elements.js';
 import { clips_of, Player, pose_at } from './player.js';
 
 const drawing_seconds = 6;
+const level_seconds = 2; // from one level to the next
 const number = new Intl.NumberFormat('en');
 
 /** A slider with a play button before and a text behind it. */
@@ -12,16 +13,16 @@ function slider_row(label, player_label, on_input, on_play) {
   const slider = element('input', {
     type: 'range',
     min: 0,
-    step: 1,
     'aria-label': label,
     oninput: () => on_input(Number(slider.value)),
   });
   const text = element('output', {});
   const whole = element('div', { class: 'slider' }, play, slider, text);
-  function update(is_playing, value, most, words) {
+  function update(is_playing, value, most, words, step = 1) {
     play.textContent = is_playing ? 'Pause' : 'Play';
     play.setAttribute('aria-label', `${is_playing ? 'Pause' : 'Play'}: ${player_label}`);
     slider.max = String(most);
+    slider.step = String(step);
     slider.value = String(value);
     slider.setAttribute('aria-valuetext', words);
     text.textContent = words;
@@ -63,6 +64,57 @@ export function make_drawn_slider(viewer) {
   function update() {
     const { drawn, most_drawn } = viewer;
     row.update(player.is_playing, drawn, most_drawn, `triangles drawn: ${drawn_text(viewer)}`);
+  }
+  return { whole: row.whole, update };
+}
+
+/**
+ * Of one state: where it is among its levels, what it draws there, and how far that is from full detail at most. What
+ * is proved is the distance of surfaces that no joint or morph target moves.
+ */
+function level_text(viewer, pane) {
+  const shown = viewer.shown(pane);
+  const { levels } = viewer.subject.states[viewer.states[pane]];
+  if (levels === 1) return null;
+  const level = levels - shown.levels;
+  const way = viewer.way_of(shown);
+  const place = way > 0 ? (level + way).toFixed(2) : level;
+  const where = level + way === 0 ? 'full detail' : `level ${place} of ${levels - 1}`;
+  const unposed = viewer.subject.poses.length > 1 ? ' unposed' : '';
+  const error = way === 0 && shown.error > 0 ? `, at most ${length_text(shown.error)} away${unposed}` : '';
+  return `${where}: ${number.format(shown.triangles)} triangles${error}`;
+}
+
+/** From full detail to the coarsest level; without steps where vertices are known to move from one to the next. */
+export function make_level_slider(viewer) {
+  let began = 0;
+  const player = new Player(
+    (seconds) => {
+      viewer.set_level(began + seconds / level_seconds);
+      return viewer.level < viewer.coarsest_level;
+    },
+    () => update(),
+  );
+  const row = slider_row(
+    'Level of detail',
+    'from full detail to the coarsest level',
+    (level) => {
+      player.stop();
+      viewer.set_level(level);
+    },
+    () => {
+      began = viewer.level < viewer.coarsest_level ? viewer.level : 0;
+      player.toggle();
+    },
+  );
+  row.whole.classList.add('levels');
+  function update() {
+    const { coarsest_level, has_geomorphs } = viewer;
+    row.whole.hidden = coarsest_level === 0;
+    if (row.whole.hidden) return player.stop();
+    const texts = viewer.shown_panes().map((pane) => level_text(viewer, pane));
+    const words = [...new Set(texts.filter((text) => text !== null))].join(' and ');
+    row.update(player.is_playing, Math.min(viewer.level, coarsest_level), coarsest_level, words, has_geomorphs ? 0.01 : 1);
   }
   return { whole: row.whole, update };
 }

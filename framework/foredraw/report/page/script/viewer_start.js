@@ -40,6 +40,7 @@ export function viewer_interface(viewer, ready) {
       'set_state',
       'set_mode',
       'set_drawn',
+      'set_level',
       'set_pose',
       'set_direction',
       'set_orthographic',
@@ -51,6 +52,8 @@ export function viewer_interface(viewer, ready) {
       'picture',
     ),
     direction: () => viewer.orbit.direction.toArray(),
+    deviation: (pane = 0) => viewer.drawn_order(viewer.shown(pane), viewer.order_of(pane)).deviation?.largest,
+    level: () => viewer.level,
     poses: () => viewer.subject.poses,
     triangles: (pane = 0) => viewer.shown(pane).triangles,
   };
