@@ -278,8 +278,9 @@ await group('time', async () => {
   const times = [];
   for (let i = 0; i < 5; ++i) times.push([await ready(html), await ready(bare)]);
   console.log(`      ready after ${times.map((pair) => pair.map((time) => time.toFixed(0)).join(' / ')).join(', ')} ms`);
-  const [ours, its] = [0, 1].map((side) => Math.min(...times.map((pair) => pair[side])));
-  check('time: 102,400 triangles in 9 states are there within 2.5 times that of a bare page', ours < 2.5 * its, times);
+  // The pair that was disturbed least: both are loaded one after the other, so that a busy machine is busy for both.
+  const least = Math.min(...times.map(([ours, its]) => ours / its));
+  check('time: 102,400 triangles in 9 states are there within 2.5 times that of a bare page', least < 2.5, times);
 });
 
 await browser.close();

@@ -20,6 +20,11 @@ std::size_t last_good(std::size_t least, std::size_t most, const auto& is_good) 
 
 }  // namespace
 
+double distance_of_pixels(double pixels, double away) {
+  constexpr double height = 1080, tangent = 0.57735026918962576;  // of half the field of view
+  return pixels * 2 * tangent * away / height;
+}
+
 std::size_t collapses_to(const Replay& run, std::uint32_t triangles) {
   const auto reached = std::ranges::lower_bound(run.triangles, triangles, std::greater<>());
   return std::min<std::size_t>(reached - run.triangles.begin(), run.triangles.size() - 1);

@@ -5,6 +5,10 @@
 
 namespace foredraw {
 
+/// The distance that covers so many pixels of a picture, 1080 pixels high with a field of view of 60 degrees, as seen
+/// from so many units away.
+double distance_of_pixels(double pixels, double away);
+
 /// The fewest collapses after which no more than that many triangles are left; all, where there are always more. `run`
 /// is that of the sequence.
 std::size_t collapses_to(const Replay& run, std::uint32_t triangles);

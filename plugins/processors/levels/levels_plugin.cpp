@@ -1,5 +1,6 @@
 #include "levels.h"
 
+#include <foredraw/collapses/collapse_limits.h>
 #include <foredraw/collapses/collapse_product.h>
 #include <foredraw/collapses/cut.h>
 #include <foredraw/measuring/level_processor.h>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace foredraw {
@@ -17,12 +19,24 @@ namespace {
 struct LevelsOptions {
   std::vector<double> ratios = {0.5, 0.25, 0.1};
   std::vector<double> errors;
+  std::vector<double> distances;
+  double pixels = 1;
   double saving = 0.2;
   bool keep_sequences = false;
 };
 
 LevelGoals goals_of(const LevelsOptions& options) {
+  if (!options.errors.empty() && !options.distances.empty()) {
+    throw std::invalid_argument("give 'errors' or 'distances', not both");
+  }
+  for (std::size_t i = 0; i < options.distances.size(); ++i) {
+    const double before = i == 0 ? 0 : options.distances[i - 1];
+    if (!std::isfinite(options.distances[i]) || !(options.distances[i] > before)) {
+      throw std::invalid_argument("'distances' must be above 0 and rise, from the finest level to the coarsest");
+    }
+  }
   LevelGoals goals{{}, options.errors};
+  for (const double away : options.distances) goals.errors.push_back(distance_of_pixels(options.pixels, away));
   if (goals.errors.empty()) goals.ratios = options.ratios;
   check(goals);
   return goals;
@@ -162,6 +176,12 @@ Plugin levels_plugin() {
       .row(&LevelsOptions::errors, "errors",
            "In place of `ratios`: largest distance of each level from full detail, in either direction, in "
            "units: rising; each level has the fewest triangles that stay within it")
+      .row(&LevelsOptions::distances, "distances",
+           "In place of `errors`: how near a camera comes to each level, in units: rising; each level has the fewest "
+           "triangles that stay within `pixels` from there")
+      .row(&LevelsOptions::pixels, "pixels",
+           "Error of each of `distances`, in pixels of a picture 1080 pixels high with a field of view of 60 degrees",
+           {.least = 0.001})
       .row(&LevelsOptions::saving, "saving",
            "A level that saves less than this share of the triangles of the level before is left out",
            {.least = 0, .most = 1})

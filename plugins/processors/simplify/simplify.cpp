@@ -7,11 +7,6 @@
 
 namespace foredraw {
 
-double distance_of_pixels(double pixels, double away) {
-  constexpr double height = 1080, tangent = 0.57735026918962576;  // of half the field of view
-  return pixels * 2 * tangent * away / height;
-}
-
 Simplified simplify(const JoinedMesh& mesh, const CollapseSequence& sequence, const Replay& run,
                     const SimplifyOptions& options, const Executor& executor, const std::atomic<bool>* cancel) {
   const double all = run.triangles.front();

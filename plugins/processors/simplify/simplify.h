@@ -24,10 +24,6 @@ struct Simplified {
   End end = End::goal;          ///< reached the number of triangles, or the error, or the end of the sequence
 };
 
-/// The distance that covers so many pixels of a picture, 1080 pixels high with a field of view of 60 degrees, as seen
-/// from so many units away.
-double distance_of_pixels(double pixels, double away);
-
 /// `run` is that of the sequence. Distances are proved, not sampled, so that an error of 0 allows what changes nothing
 /// alone. The distance hardly ever falls as edges collapse: the answer is found by halving.
 Simplified simplify(const JoinedMesh& mesh, const CollapseSequence& sequence, const Replay& run,

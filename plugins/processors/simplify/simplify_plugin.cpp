@@ -1,5 +1,6 @@
 #include "simplify.h"
 
+#include <foredraw/collapses/collapse_limits.h>
 #include <foredraw/collapses/collapse_product.h>
 #include <foredraw/collapses/collapse_sequences.h>
 #include <foredraw/collapses/draw_distances.h>

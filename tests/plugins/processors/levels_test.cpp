@@ -174,6 +174,17 @@ TEST_F(Levels, StayWithinTheErrorsThatAreAskedFor) {
   EXPECT_THAT(notes(), ElementsAre());
 }
 
+/// A pixel of a picture of 1,080 is 0.00107 of the distance.
+TEST_F(Levels, StayWithinPixelsFromTheirDistances) {
+  Scene by_distances = collapsing(testing::torus(48, 24)), by_errors = collapsing(testing::torus(48, 24));
+  process(by_distances, {{"distances", "10, 50"}, {"pixels", 2.0}});
+  process(by_errors, {{"errors", "0.0213833, 0.1069167"}});
+  ASSERT_EQ(by_distances.draws[0].levels.size(), 3u);
+  for (std::size_t l = 1; l < 3; ++l) {
+    EXPECT_NEAR(by_distances.draws[0].levels[l].error, by_errors.draws[0].levels[l].error, 1e-6);
+  }
+}
+
 /// Positions of 16 bits: what rounding adds counts.
 TEST_F(Levels, ErrorsHoldWherePositionsAreIntegers) {
   const testing::TestMesh torus = testing::torus(48, 24);
@@ -345,6 +356,10 @@ TEST(LevelGoals, AreRefusedWhereTheyMakeNoSense) {
   EXPECT_THAT(refusal({{"ratios", ""}}), HasSubstr("at least one"));
   EXPECT_THAT(refusal({{"errors", "-1"}}), HasSubstr("a distance"));
   EXPECT_THAT(refusal({{"errors", "2, 1"}}), HasSubstr("must rise"));
+  for (const char* distances : {"0", "-1", "20, 10", "5, 5"}) {
+    EXPECT_THAT(refusal({{"distances", distances}}), HasSubstr("above 0 and rise")) << distances;
+  }
+  EXPECT_THAT(refusal({{"distances", "10"}, {"errors", "1"}}), HasSubstr("not both"));
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   for (const LevelGoals& goals : {LevelGoals{{0.5}, {0.5}}, LevelGoals{{nan}, {}}, LevelGoals{{0.5, nan}, {}},
                                   LevelGoals{{}, {nan}}, LevelGoals{{}, {infinity}}, LevelGoals{{}, {1, nan}}}) {

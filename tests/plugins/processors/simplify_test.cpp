@@ -68,12 +68,5 @@ TEST_F(Simplify, TheFirstLimitCounts) {
   EXPECT_EQ(to({.ratio = 0.01, .error = 0.001}).end, Simplified::End::error);
 }
 
-/// 540 pixels are half the picture, whose edge lies 30 degrees from the middle.
-TEST_F(Simplify, PixelsAreADistance) {
-  EXPECT_NEAR(distance_of_pixels(540, 10), 10 / std::sqrt(3.0), 1e-12);
-  EXPECT_EQ(distance_of_pixels(1, 0), 0);
-  EXPECT_NEAR(distance_of_pixels(2, 50), 4 * distance_of_pixels(1, 25), 1e-12);
-}
-
 }  // namespace
 }  // namespace foredraw
