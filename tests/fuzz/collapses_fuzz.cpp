@@ -7,6 +7,8 @@
 #include <foredraw/collapses/replay.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
 
+#include <cmath>
+
 namespace foredraw {
 namespace {
 
@@ -61,7 +63,13 @@ void run(OddInput input) {
   options.deviation = input.byte() / 255.0;
   options.border = input.byte();
   options.least = input.below(20);
-  const CollapseSequence sequence = quadric_collapse(positions, indices, options);
+  options.parts = input.byte() / 255.0;
+  AttributeRows attributes{input.below(4), {}};
+  for (std::size_t i = 0; i < attributes.width * vertices; ++i) {
+    const float value = input.number();
+    attributes.values.push_back(std::isfinite(value) ? value : 0);
+  }
+  const CollapseSequence sequence = quadric_collapse(positions, indices, options, attributes);
   const Replay replayed = replay(sequence, positions, indices);
   claim(replayed.mistake.empty(), "quadric-collapse: " + replayed.mistake);
   check_cuts(sequence, replayed, positions, indices);
