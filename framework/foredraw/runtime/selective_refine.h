@@ -210,7 +210,6 @@ static inline uint32_t foredraw_refine(foredraw_refinement* state, foredraw_refi
   while (i < state->open && splits < most) {
     const uint32_t split = state->order[i++];
     if (wants(context, state->mesh, split)) splits += foredraw_refine_split(state, split, most - splits);
-    if (i < state->done) i = state->done;
   }
   return collapses + splits;
 }

@@ -68,6 +68,24 @@ TEST_F(RefineView, WhatIsOutsideOfTheFrustumStaysCoarse) {
   EXPECT_LT(one_.state.done, one_.splits());
 }
 
+TEST_F(RefineView, TheNearestPlaceOfABallCounts) {
+  view_.back_sides = 1;
+  view_.eye[0] = 60;
+  for (std::uint32_t s = 0; s < one_.splits(); s += 50) {
+    const foredraw_refine_node& node = one_.records.nodes[s];
+    const float away = std::hypot(node.centre[0] - 60, node.centre[1], node.centre[2]) - node.radius;
+    const float pixels = one_.records.progressive.splits[s].error * view_.pixels / away;
+    view_.surface = view_.silhouette = 1.001f * pixels;
+    EXPECT_EQ(foredraw_refine_view_wants(&view_, &one_.arrays, s), 0) << s;
+    view_.surface = view_.silhouette = 0.999f * pixels;
+    EXPECT_EQ(foredraw_refine_view_wants(&view_, &one_.arrays, s), 1) << s;
+  }
+  const foredraw_refine_node& node = one_.records.nodes[0];
+  std::copy_n(node.centre, 3, view_.eye);  // within a ball everything that is off is seen
+  view_.surface = view_.silhouette = 1e9f;
+  EXPECT_EQ(foredraw_refine_view_wants(&view_, &one_.arrays, 0), 1);
+}
+
 TEST_F(RefineView, FartherAwayIsCoarser) {
   view_.surface = view_.silhouette = 0.05f;
   view_.back_sides = 1;
