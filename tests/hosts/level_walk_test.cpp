@@ -64,7 +64,9 @@ TEST_F(LevelWalk, MakesAModelFinerAsItComesNearer) {
     EXPECT_LT(all[i].away, all[i - 1].away);
     EXPECT_GE(all[i].of_level, all[i - 1].of_level);
     EXPECT_GE(all[i].singly, all[i - 1].singly);
-    if (all[i].level == all[i - 1].level) EXPECT_LE(all[i].alpha, all[i - 1].alpha);
+    if (all[i].level == all[i - 1].level) {
+      EXPECT_LE(all[i].alpha, all[i - 1].alpha);
+    }
   }
   EXPECT_LT(all.back().selective, 0.7 * all.back().singly);
 }

@@ -14,18 +14,19 @@
 #include <exception>
 #include <stdexcept>
 
-namespace {
-
 /// What the engine keeps of the file.
-struct Loaded {
+struct level_model {
   foredraw::Draw draw;
   foredraw::DrawGeomorph morph;
   foredraw::JoinedMesh mesh;  // the draw alone, so that its vertices keep their numbers
   foredraw::RefineRecords records;
+  foredraw_refine_mesh refine = records.mesh();
 };
 
+namespace {
+
 /// The first draw that becomes coarser by itself and has levels with geomorphs.
-Loaded loaded(const foredraw::Scene& scene) {
+level_model* model_of(const foredraw::Scene& scene) {
   const auto* sequences = scene.products.find<foredraw::CollapseSequences>();
   const auto* geomorphs = scene.products.find<foredraw::Geomorphs>();
   if (sequences == nullptr || geomorphs == nullptr) {
@@ -35,20 +36,15 @@ Loaded loaded(const foredraw::Scene& scene) {
   for (const foredraw::DrawsCollapse& one : sequences->meshes) {
     const auto morph = std::ranges::find(geomorphs->draws, one.draws.front(), &foredraw::DrawGeomorph::draw);
     if (one.draws.size() != 1 || morph == geomorphs->draws.end()) continue;
-    const auto mesh = joined_mesh(scene, one.draws, analyses);
+    auto mesh = joined_mesh(scene, one.draws, analyses);
     if (!mesh || !leaves_vertices(*one.sequence, *mesh)) continue;
     foredraw::RefineRecords records = refine_records(*one.sequence, mesh->positions, mesh->indices);
-    return {scene.draws[one.draws.front()], *morph, *mesh, std::move(records)};
+    return new level_model{scene.draws[one.draws.front()], *morph, std::move(*mesh), std::move(records)};
   }
   throw std::runtime_error("no draw has all that is walked past: a sequence whose vertices stay, levels, geomorphs");
 }
 
 }  // namespace
-
-struct level_model {
-  Loaded of;
-  foredraw_refine_mesh refine = of.records.mesh();
-};
 
 level_model* level_model_load(const char* path) {
   try {
@@ -56,7 +52,7 @@ level_model* level_model_load(const char* path) {
     const auto file = foredraw::read_scene(path, diagnostics,
                                            {.products = {foredraw::collapse_product(), foredraw::geomorph_product()}});
     std::fprintf(stderr, "%s", foredraw::to_text(diagnostics).c_str());
-    return file ? new level_model{loaded(file->scene)} : nullptr;
+    return file ? model_of(file->scene) : nullptr;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "level_walk: %s: %s\n", path, error.what());
     return nullptr;
@@ -65,24 +61,22 @@ level_model* level_model_load(const char* path) {
 
 void level_model_free(level_model* model) { delete model; }
 
-uint32_t level_model_vertices(const level_model* model) {
-  return static_cast<uint32_t>(model->of.mesh.positions.size());
-}
+uint32_t level_model_vertices(const level_model* model) { return static_cast<uint32_t>(model->mesh.positions.size()); }
 
-const float* level_model_positions(const level_model* model) { return &model->of.mesh.positions.front().x; }
+const float* level_model_positions(const level_model* model) { return &model->mesh.positions.front().x; }
 
-uint32_t level_model_levels(const level_model* model) { return static_cast<uint32_t>(model->of.draw.levels.size()); }
+uint32_t level_model_levels(const level_model* model) { return static_cast<uint32_t>(model->draw.levels.size()); }
 
 model_level level_model_level(const level_model* model, uint32_t level) {
-  const foredraw::Level& of = model->of.draw.levels[level];
-  const auto& ancestors = model->of.morph.ancestors;
+  const foredraw::Level& of = model->draw.levels[level];
+  const auto& ancestors = model->morph.ancestors;
   return {static_cast<uint32_t>(of.stream().triangle_count()), of.error,
           level < ancestors.size() ? ancestors[level].view().data() : nullptr};
 }
 
 void level_model_ball(const level_model* model, float centre[3], float* radius) {
-  glm::vec3 low = model->of.mesh.positions.front(), high = low;
-  for (const glm::vec3& p : model->of.mesh.positions) {
+  glm::vec3 low = model->mesh.positions.front(), high = low;
+  for (const glm::vec3& p : model->mesh.positions) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
@@ -90,10 +84,10 @@ void level_model_ball(const level_model* model, float centre[3], float* radius) 
   *radius = std::hypot(high.x - low.x, high.y - low.y, high.z - low.z) / 2;
 }
 
-const uint32_t* level_model_vertex(const level_model* model) { return model->of.records.progressive.vertex.data(); }
+const uint32_t* level_model_vertex(const level_model* model) { return model->records.progressive.vertex.data(); }
 
 foredraw_progressive_mesh level_model_progressive(level_model* model) {
-  foredraw::ProgressiveRecords& records = model->of.records.progressive;
+  foredraw::ProgressiveRecords& records = model->records.progressive;
   return {records.splits.data(),
           records.splits.size() - 1,
           records.patches.data(),
