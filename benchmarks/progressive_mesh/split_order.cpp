@@ -84,15 +84,23 @@ class Orderer {
 
 }  // namespace
 
-std::vector<std::uint32_t> splits_by_place(const RefineRecords& records, double window) {
+std::vector<std::uint32_t> window_ends(const RefineRecords& records, double window) {
   const auto& splits = records.progressive.splits;
   const auto count = static_cast<std::uint32_t>(splits.size() - 1);
-  Orderer orderer(records);
-  std::vector<std::uint32_t> order;
+  std::vector<std::uint32_t> ends;
   for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
     end = begin + 1;
     while (end < count && splits[end].triangles <= window * splits[begin].triangles) ++end;
-    orderer.order(begin, end, order);
+    ends.push_back(end);
+  }
+  return ends;
+}
+
+std::vector<std::uint32_t> splits_by_place(const RefineRecords& records, double window) {
+  Orderer orderer(records);
+  std::vector<std::uint32_t> order;
+  for (const std::uint32_t end : window_ends(records, window)) {
+    orderer.order(static_cast<std::uint32_t>(order.size()), end, order);
   }
   return order;
 }

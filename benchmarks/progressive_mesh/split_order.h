@@ -10,6 +10,9 @@ namespace foredraw::bench {
 /// triangles have the fewest vertices of full detail that a FIFO of 16 lacks.
 std::vector<std::uint32_t> splits_by_place(const RefineRecords& records, double window);
 
+/// [window] the split behind its last one.
+std::vector<std::uint32_t> window_ends(const RefineRecords& records, double window);
+
 /// Three a triangle, of full detail, as they come with the splits.
 std::vector<std::uint32_t> indices_in(const RefineRecords& records, const std::vector<std::uint32_t>& splits);
 
