@@ -8,7 +8,7 @@
  *
  * All splits are done from the base to full detail, and each is looked at where it is done. What is sound draws no torn
  * surface, whichever splits are done, and no number in it leads out of the arrays. Balls and normals are not looked at:
- * they only say what a view wants.
+ * they only say what a view wants. Nor is which side of a triangle is its front.
  */
 #ifndef FOREDRAW_RUNTIME_SELECTIVE_REFINE_CHECK_H
 #define FOREDRAW_RUNTIME_SELECTIVE_REFINE_CHECK_H
