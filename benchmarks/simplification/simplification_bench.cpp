@@ -5,25 +5,20 @@
 // surface, and the largest distance, proved within 2 per cent.
 //   simplification-bench FILES     a table of files (glTF, OBJ, PLY, ...), each as one mesh
 
+#include "measured.h"
+
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
 
 #include <foredraw/analysis/farthest_distance.h>
 #include <foredraw/analysis/surface_distance.h>
 #include <foredraw/analysis/welded_positions.h>
-#include <foredraw/collapses/joined_mesh.h>
 #include <foredraw/collapses/replay.h>
-#include <foredraw/io/scene_file.h>
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <ctime>
 #include <filesystem>
-#include <numeric>
-#include <stdexcept>
 
 namespace foredraw::bench {
 namespace {
@@ -41,15 +36,7 @@ struct Mesh {
 
 /// All triangles of the file, in the draws' own spaces.
 Mesh mesh_of(const std::string& path) {
-  Diagnostics diagnostics;
-  const auto file = read_scene(path, diagnostics);
-  if (!file) throw std::runtime_error(to_text(diagnostics));
-  std::vector<DrawId> draws;
-  for (DrawId id = 0; id < file->scene.draws.size(); ++id) {
-    if (file->scene.draws[id].topology == Topology::triangles) draws.push_back(id);
-  }
-  Analyses analyses;
-  const JoinedMesh joined = joined_mesh(file->scene, draws, analyses).value();
+  const JoinedMesh joined = read_joined(path);
   const std::vector<std::uint32_t> first = welded(joined.positions);
   Mesh mesh;
   std::vector<std::uint32_t> number(first.size(), ~0u);
@@ -65,19 +52,6 @@ Mesh mesh_of(const std::string& path) {
     }
   }
   return mesh;
-}
-
-double seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class Work>
-double seconds_of(Work work) {
-  const double begin = seconds();
-  work();
-  return seconds() - begin;
 }
 
 Mesh ours(const Mesh& mesh, std::size_t triangles, double& time) {
@@ -109,17 +83,6 @@ Errors errors(const Mesh& from, const Mesh& to, const Executor& executor) {
           hausdorff_distance({from.surface(), a}, {to.surface(), b}, {}, executor)->bound};
 }
 
-double median(std::array<double, rounds> values) {
-  std::ranges::sort(values);
-  return values[rounds / 2];
-}
-
-double geometric_mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += std::log(value);
-  return std::exp(sum / static_cast<double>(values.size()));
-}
-
 /// Ratios, ours to the peer's, over all files.
 struct Ratios {
   std::vector<double> rms, largest, time;
@@ -129,8 +92,8 @@ void measure(const std::string& path, std::array<Ratios, ratios.size()>& all, st
   const Executor executor;
   const Mesh mesh = mesh_of(path);
   const std::string name = std::filesystem::path(path).stem().string();
-  std::array<std::array<double, rounds>, ratios.size()> own_times{}, times{};
-  std::array<double, rounds> chain{};
+  std::array<std::vector<double>, ratios.size()> own_times, times;
+  std::vector<double> chain;
   for (std::size_t r = 0; r < rounds; ++r) {
     double of_peer = 0, own = 0;
     for (std::size_t i = 0; i < ratios.size(); ++i) {
@@ -138,11 +101,11 @@ void measure(const std::string& path, std::array<Ratios, ratios.size()>& all, st
       double peer = 0;
       peers(mesh, triangles, peer);
       ours(mesh, triangles, own);
-      times[i][r] = own / peer;
-      own_times[i][r] = own;
+      times[i].push_back(own / peer);
+      own_times[i].push_back(own);
       of_peer += peer;
     }
-    chain[r] = own / of_peer;  // the coarsest has them all
+    chain.push_back(own / of_peer);  // the coarsest has them all
   }
   for (std::size_t i = 0; i < ratios.size(); ++i) {
     const auto triangles = static_cast<std::size_t>(ratios[i] * static_cast<double>(mesh.triangles()));

@@ -18,7 +18,7 @@ SkinWeights::SkinWeights(const VertexStreams& vertices) {
   slots_ = 4 * sets_.size();
   rows_.resize(slots_ * vertices.count);
   for (std::uint32_t v = 0; v < vertices.count; ++v) {
-    Slot* row = of(v);
+    Slot* row = row_of(v);
     for (const Set& set : sets_) {
       for (std::size_t c = 0; c < 4; ++c, ++row) {
         const float weight = decode_component(vertices.base[set.weights], v, c);
@@ -32,14 +32,14 @@ SkinWeights::SkinWeights(const VertexStreams& vertices) {
 void SkinWeights::blend(std::uint32_t vertex, std::uint32_t other, float t) {
   if (empty()) return;
   std::vector<Slot> sum;
-  const auto add = [&](const Slot* row, float share) {
-    for (std::size_t i = 0; i < slots_; ++i) {
-      if (!(row[i].weight * share > 0)) continue;
-      const auto known = std::ranges::find(sum, row[i].joint, &Slot::joint);
+  const auto add = [&](std::span<const Slot> row, float share) {
+    for (const Slot& slot : row) {
+      if (!(slot.weight * share > 0)) continue;
+      const auto known = std::ranges::find(sum, slot.joint, &Slot::joint);
       if (known == sum.end()) {
-        sum.push_back({row[i].joint, row[i].weight * share});
+        sum.push_back({slot.joint, slot.weight * share});
       } else {
-        known->weight += row[i].weight * share;
+        known->weight += slot.weight * share;
       }
     }
   };
@@ -51,7 +51,7 @@ void SkinWeights::blend(std::uint32_t vertex, std::uint32_t other, float t) {
   float whole = 0;
   for (const Slot& slot : sum) whole += slot.weight;
   for (Slot& slot : sum) slot.weight = whole > 0 ? slot.weight / whole : 0;
-  std::ranges::copy(sum, of(vertex));
+  std::ranges::copy(sum, row_of(vertex));
 }
 
 void SkinWeights::write(std::uint32_t vertex, const std::vector<VertexStream>& base,

@@ -3,6 +3,7 @@
 
 #include <foredraw/scene/vertex_streams.h>
 
+#include <span>
 #include <vector>
 
 namespace foredraw {
@@ -10,9 +11,15 @@ namespace foredraw {
 /// The joints and weights of all vertices of one VertexStreams (JOINTS_0, WEIGHTS_0, JOINTS_1, ...).
 class SkinWeights {
  public:
+  struct Slot {
+    std::uint32_t joint = 0;
+    float weight = 0;
+  };
+
   explicit SkinWeights(const VertexStreams& vertices);
 
   bool empty() const { return slots_ == 0; }
+  std::span<const Slot> of(std::uint32_t vertex) const { return {rows_.data() + vertex * slots_, slots_}; }
   /// The vertex gets (1 - t) of its own weights and t of the other's: the largest ones, as many as there are slots,
   /// that sum up to 1. Equal weights go by the joint's number.
   void blend(std::uint32_t vertex, std::uint32_t other, float t);
@@ -24,11 +31,7 @@ class SkinWeights {
   struct Set {
     std::size_t joints = 0, weights = 0;  ///< which streams of the base
   };
-  struct Slot {
-    std::uint32_t joint = 0;
-    float weight = 0;
-  };
-  Slot* of(std::uint32_t vertex) { return rows_.data() + vertex * slots_; }
+  Slot* row_of(std::uint32_t vertex) { return rows_.data() + vertex * slots_; }
 
   std::vector<Set> sets_;
   std::size_t slots_ = 0;

@@ -58,6 +58,7 @@ class CollapsingMesh {
 
   std::size_t face_count() const { return alive_; }
   std::span<Point> points() { return points_; }
+  std::size_t point_count() const { return points_.size(); }
   Point& point(std::uint32_t p) { return points_[p]; }
   const Point& point(std::uint32_t p) const { return points_[p]; }
   const Face& face(std::uint32_t f) const { return faces_[f]; }

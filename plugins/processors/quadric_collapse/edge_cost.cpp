@@ -95,7 +95,7 @@ void EdgeCosts::begin() {
 }
 
 /// About p's place.
-Quadric EdgeCosts::around(std::uint32_t p, std::uint32_t q, Constraint& volume) {
+Quadric EdgeCosts::planes_around(std::uint32_t p, std::uint32_t q, Constraint& volume) {
   mesh_.shared_faces(p, q, shared_);
   const Around a = around(p), b = around(q);
   const glm::dvec3 there = glm::dvec3(mesh_.point(q).place) - glm::dvec3(mesh_.point(p).place);
@@ -114,6 +114,12 @@ Quadric EdgeCosts::around(std::uint32_t p, std::uint32_t q, Constraint& volume) 
     for (const std::uint32_t f : shared_) add_sharp(f, p, q, -weight, sum.matrix);
   }
   volume = p_is_sharp || q_is_sharp ? Constraint{} : Constraint{a.area + area, dot(area, there)};
+  return sum;
+}
+
+Quadric EdgeCosts::around(std::uint32_t p, std::uint32_t q, Constraint& volume) {
+  Quadric sum = planes_around(p, q, volume);
+  if (!attributes_.empty()) attributes_.add_to(sum, p, q, shared_);
   return sum;
 }
 
@@ -146,7 +152,7 @@ void EdgeCosts::optimal(std::uint32_t p, std::span<const Neighbour> neighbours, 
   for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
     const Neighbour& one = neighbours[i];
     const Point& other = mesh_.point(one.point);
-    if (point.is_sharp || other.is_sharp || one.faces != 2) {
+    if (point.is_sharp || other.is_sharp || one.faces != 2 || !attributes_.empty()) {
       costs[i] = optimal(p, one.point);
       continue;
     }
@@ -161,6 +167,11 @@ void EdgeCosts::optimal(std::uint32_t p, std::span<const Neighbour> neighbours, 
 double EdgeCosts::at(std::uint32_t p, std::uint32_t q) {
   Constraint volume;
   return around(p, q, volume).constant;
+}
+
+double EdgeCosts::distances(std::uint32_t p, std::uint32_t q, glm::vec3 place) {
+  Constraint volume;
+  return planes_around(p, q, volume).at(glm::dvec3(place) - glm::dvec3(mesh_.point(p).place));
 }
 
 Quadric EdgeCosts::joined_memory(std::uint32_t p, std::uint32_t q, glm::vec3 place) const {

@@ -3,6 +3,7 @@
 // volume kept. Memoryless as in Lindstrom, Turk: Fast and Memory Efficient Polygonal Simplification, Visualization
 // 1998; quadrics after Garland, Heckbert 1997.
 
+#include "attribute_cost.h"
 #include "local_distance.h"
 #include "smooth_edges.h"
 
@@ -16,7 +17,8 @@ struct CostWeights {
 
 class EdgeCosts {
  public:
-  EdgeCosts(CollapsingMesh& mesh, const CostWeights& weights) : mesh_(mesh), weights_(weights) {}
+  EdgeCosts(CollapsingMesh& mesh, const CostWeights& weights, AttributeCosts& attributes)
+      : mesh_(mesh), weights_(weights), attributes_(attributes) {}
 
   /// More around an edge are not looked at.
   static constexpr std::size_t most_faces = LocalDistance::most_faces;
@@ -29,10 +31,13 @@ class EdgeCosts {
   void optimal(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs);
   /// The cost with the joined point at p's place.
   double at(std::uint32_t p, std::uint32_t q);
+  /// Of a place, what distances alone cost.
+  double distances(std::uint32_t p, std::uint32_t q, glm::vec3 place);
   /// What both remember, about the place where they are joined.
   Quadric joined_memory(std::uint32_t p, std::uint32_t q, glm::vec3 place) const;
 
  private:
+  Quadric planes_around(std::uint32_t p, std::uint32_t q, Constraint& volume);
   Quadric around(std::uint32_t p, std::uint32_t q, Constraint& volume);
   Around faces_around(std::uint32_t p) const;
   Around around(std::uint32_t p) const;
@@ -44,6 +49,7 @@ class EdgeCosts {
 
   CollapsingMesh& mesh_;
   CostWeights weights_;
+  AttributeCosts& attributes_;
   std::vector<std::uint32_t> shared_;
   std::vector<Around> first_;  ///< [point], while all edges are entered
   SmoothEdges together_;

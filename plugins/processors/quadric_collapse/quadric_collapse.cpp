@@ -4,6 +4,7 @@
 #include "edge_cost.h"
 #include "legal_collapse.h"
 #include "local_distance.h"
+#include "whole_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,21 +27,28 @@ float blend_of(glm::vec3 kept, glm::vec3 removed, glm::vec3 place) {
 class Collapser {
  public:
   Collapser(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-            const QuadricCollapseOptions& options)
+            const QuadricCollapseOptions& options, AttributeRows attributes, std::span<const std::uint32_t> stream)
       : options_(options),
         mesh_(positions, indices),
-        costs_(mesh_, {options.memory, options.border, options.seam}),
-        legal_(mesh_) {}
+        attributes_(mesh_, std::move(attributes)),
+        costs_(mesh_, {options.memory, options.border, options.seam}, attributes_),
+        legal_(mesh_),
+        parts_(mesh_, options.parts, stream) {}
 
   CollapseSequence run() {
     costs_.begin();
+    enter_parts();
     for (std::size_t before = ~std::size_t{0}; mesh_.face_count() > options_.least && mesh_.face_count() < before;) {
       before = mesh_.face_count();
       enter_all();
       while (mesh_.face_count() > options_.least && !is_cancelled()) {
         const auto edge = queue_.pop();
         if (!edge) break;
-        if (moves(edge->p, edge->q) == edge->moves) consider(*edge);
+        if (edge->q == whole) {
+          remove_part(edge->p, edge->cost);
+        } else if (moves(edge->p, edge->q) == edge->moves) {
+          consider(*edge);
+        }
       }
     }
     sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
@@ -49,6 +57,23 @@ class Collapser {
 
  private:
   bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed); }
+
+  /// A part is entered as if it were an edge to nowhere.
+  void enter_parts() {
+    for (std::uint32_t part = 0; part < parts_.count(); ++part) {
+      const double cost = parts_.cost(part);
+      queue_.push(cost, {cost, {}, part, whole, 0, 0, false});
+    }
+  }
+
+  void remove_part(std::uint32_t part, double cost) {
+    if (parts_.is_all(part)) return;
+    while (mesh_.face_count() > options_.least) {
+      const auto step = parts_.next(part, pairs_);
+      if (!step) break;
+      collapse(step->removed, step->kept, {cost, mesh_.point(step->kept).place});
+    }
+  }
 
   void enter_all() {
     for (std::uint32_t p = 0; p < mesh_.points().size(); ++p) {
@@ -132,7 +157,8 @@ class Collapser {
   void collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCost& best) {
     const double area = area_around(removed, kept);
     constexpr double most = std::numeric_limits<float>::max();
-    if (area > 0) error_ = std::min(std::max(error_, std::sqrt(std::max(best.cost, 0.0) / area)), most);
+    const double cost = attributes_.empty() ? best.cost : costs_.distances(removed, kept, best.place);
+    if (area > 0) error_ = std::min(std::max(error_, std::sqrt(std::max(cost, 0.0) / area)), most);
     const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
     const Quadric memory = costs_.joined_memory(removed, kept, best.place);
     Point& point = mesh_.point(kept);
@@ -140,6 +166,7 @@ class Collapser {
     mesh_.collapse(removed, kept, best.place,
                    [&](std::uint32_t vertex) { return std::ranges::find(pairs_, vertex, &VertexPair::removed)->kept; });
     point.memory = memory;
+    attributes_.blend(pairs_, blend);
     sequence_.collapses.push_back({mesh_.name_of(removed), mesh_.name_of(kept), blend, static_cast<float>(error_)});
     sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
     sequence_.pairs.insert(sequence_.pairs.end(), pairs_.begin(), pairs_.end());
@@ -149,10 +176,14 @@ class Collapser {
     enter_neighbours(kept);
   }
 
+  static constexpr std::uint32_t whole = ~std::uint32_t{0};
+
   QuadricCollapseOptions options_;
   CollapsingMesh mesh_;
+  AttributeCosts attributes_;
   EdgeCosts costs_;
   LegalCollapses legal_;
+  WholeParts parts_;
   LocalDistance distance_;
   CostQueue queue_;
   std::vector<VertexPair> pairs_;
@@ -165,8 +196,9 @@ class Collapser {
 }  // namespace
 
 CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                                  const QuadricCollapseOptions& options) {
-  return Collapser(positions, indices, options).run();
+                                  const QuadricCollapseOptions& options, AttributeRows attributes,
+                                  std::span<const std::uint32_t> stream) {
+  return Collapser(positions, indices, options, std::move(attributes), stream).run();
 }
 
 }  // namespace foredraw

@@ -3,6 +3,7 @@
 // Meshes, SIGGRAPH 1996 (the sequence); Garland, Heckbert 1997 (quadrics); Lindstrom, Turk 1998 (memoryless cost, the
 // volume kept); Hoppe 1999 (attributes).
 
+#include <foredraw/collapses/attribute_rows.h>
 #include <foredraw/scene/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
@@ -23,14 +24,17 @@ struct QuadricCollapseOptions {
   double deviation = 0.3;  ///< weight of how far the surface moves, beside distances from planes; 0 to 1
   double border = 10;      ///< weight of borders: planes upright on the faces beside them
   double seam = 3;         ///< weight of seams
+  double parts = 0.02;     ///< whole pieces go whose diagonal is at most this share of the mesh's; 0 to 1
   std::size_t least = 0;   ///< triangles to stop at
   const std::atomic<bool>* cancel = nullptr;  ///< once it is true the sequence ends
 };
 
 /// The collapses, cheapest first, until no more than `least` triangles are left or no edge may go. `indices` holds
-/// three a triangle, each below the number of positions; any triangles will do.
+/// three a triangle, each below the number of positions; any triangles will do. `attributes` of the vertices count
+/// beside distances. `stream[vertex]` says which vertices may take each other's place; none: all may.
 CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                                  const QuadricCollapseOptions& options = {});
+                                  const QuadricCollapseOptions& options = {}, AttributeRows attributes = {},
+                                  std::span<const std::uint32_t> stream = {});
 
 struct Plugin;
 Plugin quadric_collapse_plugin();

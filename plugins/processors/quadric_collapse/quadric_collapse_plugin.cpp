@@ -6,23 +6,25 @@ namespace foredraw {
 
 namespace {
 
-struct Options : QuadricCollapseOptions {
+struct Options : QuadricCollapseOptions, AttributeWeights {
   double until = CollapseProcessorOptions{}.until;
 };
 
 class QuadricCollapse final : public Simplifier {
  public:
-  explicit QuadricCollapse(const QuadricCollapseOptions& options) : options_(options) {}
+  QuadricCollapse(const QuadricCollapseOptions& options, const AttributeWeights& attributes)
+      : options_(options), attributes_(attributes) {}
 
   CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const override {
     QuadricCollapseOptions options = options_;
     options.least = least;
     options.cancel = run.cancel;
-    return quadric_collapse(mesh.positions, mesh.indices, options);
+    return quadric_collapse(mesh.positions, mesh.indices, options, attribute_rows(mesh, attributes_), mesh.part);
   }
 
  private:
   QuadricCollapseOptions options_;
+  AttributeWeights attributes_;
 };
 
 }  // namespace
@@ -30,7 +32,7 @@ class QuadricCollapse final : public Simplifier {
 Plugin quadric_collapse_plugin() {
   Plugin plugin = simplifier_plugin(
       "quadric-collapse", "Finds the sequence in which edges collapse at the least error; `simplify` applies it",
-      "Hoppe 1996, section 3; costs after Garland, Heckbert 1997 and Lindstrom, Turk 1998");
+      "Hoppe 1996, section 3; costs after Garland, Heckbert 1997, Lindstrom, Turk 1998 and Hoppe 1999");
   OptionTable<Options> table;
   table
       .choice<CollapsePlacement>(&Options::placement, "placement",
@@ -45,9 +47,25 @@ Plugin quadric_collapse_plugin() {
            {.least = 0, .most = 1})
       .row(&Options::border, "border", "Weight of open borders", {.least = 0, .most = 1000})
       .row(&Options::seam, "seam", "Weight of seams, where normals, texture coordinates or materials break",
+           {.least = 0, .most = 1000})
+      .row(&Options::parts, "parts",
+           "Size of whole pieces of a mesh that may be removed: their diagonal as a share of the mesh's; 0: none is "
+           "removed",
+           {.least = 0, .most = 1})
+      .row(&Options::normals, "normals",
+           "Weight of normals: a difference of 1 counts as this share of the mesh's diagonal",
+           {.least = 0, .most = 1000})
+      .row(&Options::texcoords, "texcoords", "Weight of how far textures slide on the surface, beside distances",
+           {.least = 0, .most = 1000})
+      .row(&Options::colors, "colors", "Weight of colours: a difference of 1 counts as this share of the diagonal",
+           {.least = 0, .most = 1000})
+      .row(&Options::joints, "joints",
+           "Weight of joint weights: a difference of 1 counts as this share of the diagonal",
+           {.least = 0, .most = 1000})
+      .row(&Options::targets, "targets", "Weight of how far morph targets move vertices, beside distances",
            {.least = 0, .most = 1000});
   bind_options(plugin, table, [](const Options& options) -> Technique {
-    return collapse_processor(std::make_unique<const QuadricCollapse>(options), {.until = options.until});
+    return collapse_processor(std::make_unique<const QuadricCollapse>(options, options), {.until = options.until});
   });
   return plugin;
 }

@@ -14,6 +14,11 @@ struct Symmetric {
     xx += w.x * v.x, xy += w.x * v.y, xz += w.x * v.z;
     yy += w.y * v.y, yz += w.y * v.z, zz += w.z * v.z;
   }
+  /// Adds a b^T + b a^T.
+  void add_both(const glm::dvec3& a, const glm::dvec3& b) {
+    xx += 2 * a.x * b.x, xy += a.x * b.y + a.y * b.x, xz += a.x * b.z + a.z * b.x;
+    yy += 2 * a.y * b.y, yz += a.y * b.z + a.z * b.y, zz += 2 * a.z * b.z;
+  }
   void add(const Symmetric& o, double weight = 1) {
     xx += o.xx * weight, xy += o.xy * weight, xz += o.xz * weight;
     yy += o.yy * weight, yz += o.yz * weight, zz += o.zz * weight;

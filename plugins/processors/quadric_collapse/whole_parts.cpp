@@ -1,0 +1,111 @@
+#include "whole_parts.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace foredraw::collapsing {
+
+namespace {
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t p) {
+  while (parent[p] != p) p = parent[p] = parent[parent[p]];
+  return p;
+}
+
+/// [point] = the least point of its piece.
+std::vector<std::uint32_t> roots_of(const CollapsingMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.point_count());
+  std::iota(parent.begin(), parent.end(), 0u);
+  for (std::uint32_t p = 0; p < parent.size(); ++p) {
+    for (const std::uint32_t f : mesh.ring(p)) {
+      const std::uint32_t a = root_of(parent, p), b = root_of(parent, mesh.face(f).point[0]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::uint32_t p = 0; p < parent.size(); ++p) parent[p] = root_of(parent, p);
+  return parent;
+}
+
+/// Of the box around those of the points that are finite.
+double squared_diagonal(const CollapsingMesh& mesh, std::span<const std::uint32_t> points) {
+  glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
+  for (const std::uint32_t p : points) {
+    if (mesh.point(p).is_fixed) continue;
+    least = glm::min(least, glm::dvec3(mesh.point(p).place));
+    most = glm::max(most, glm::dvec3(mesh.point(p).place));
+  }
+  return most.x >= least.x ? dot(most - least, most - least) : 0;
+}
+
+}  // namespace
+
+WholeParts::WholeParts(const CollapsingMesh& mesh, double largest, std::span<const std::uint32_t> stream)
+    : mesh_(mesh) {
+  constexpr double distance = 0.6;  // from what is left, in diagonals
+  const std::vector<std::uint32_t> root = roots_of(mesh);
+  by_part_.resize(root.size());
+  std::iota(by_part_.begin(), by_part_.end(), 0u);
+  std::ranges::stable_sort(by_part_, {}, [&](std::uint32_t p) { return root[p]; });
+  const double most = squared_diagonal(mesh, by_part_) * largest * largest;
+  for (std::uint32_t first = 0; first < by_part_.size();) {
+    Piece piece{first, first, 0};
+    while (piece.end < by_part_.size() && root[by_part_[piece.end]] == root[by_part_[first]]) ++piece.end;
+    const auto points = std::span(by_part_).first(piece.end).subspan(first);
+    double area = 0;
+    for (const std::uint32_t p : points) {
+      for (const std::uint32_t f : mesh.ring(p)) area += mesh.plane(f).area() / 3;
+    }
+    const double squared = squared_diagonal(mesh, points);
+    piece.cost = area * squared * distance * distance;
+    if (piece.cost > 0 && squared <= most && can_vanish(piece, stream)) pieces_.push_back(piece);
+    first = piece.end;
+  }
+}
+
+bool WholeParts::can_vanish(const Piece& piece, std::span<const std::uint32_t> stream) const {
+  const auto is_fixed = [&](std::uint32_t p) { return mesh_.point(p).is_fixed; };
+  if (std::any_of(by_part_.begin() + piece.first, by_part_.begin() + piece.end, is_fixed)) return false;
+  if (stream.empty()) return true;
+  const std::uint32_t one = stream[mesh_.name_of(by_part_[piece.first])];
+  return std::all_of(by_part_.begin() + piece.first, by_part_.begin() + piece.end, [&](std::uint32_t p) {
+    return std::ranges::all_of(mesh_.ring(p), [&](std::uint32_t f) {
+      return stream[mesh_.face(f).vertex[mesh_.face(f).corner_of(p)]] == one;
+    });
+  });
+}
+
+bool WholeParts::is_all(std::size_t part) const {
+  std::size_t corners = 0;
+  for (std::uint32_t i = pieces_[part].first; i < pieces_[part].end; ++i) {
+    if (!mesh_.point(by_part_[i]).is_gone) corners += mesh_.ring(by_part_[i]).size();
+  }
+  return corners == 3 * mesh_.face_count();
+}
+
+std::optional<WholeParts::Step> WholeParts::next(std::size_t part, std::vector<VertexPair>& pairs) {
+  Piece& piece = pieces_[part];
+  const auto is_done = [&](std::uint32_t p) { return mesh_.point(p).is_gone || mesh_.ring(p).empty(); };
+  while (piece.first < piece.end && is_done(by_part_[piece.first])) ++piece.first;
+  if (piece.first == piece.end) return std::nullopt;
+  const std::uint32_t removed = by_part_[piece.first];
+  const Face& first = mesh_.face(mesh_.ring(removed).front());
+  const int k = first.corner_of(removed), other = (k + 1) % 3;
+  const std::uint32_t kept = first.point[other];
+  // Vertices become those that are beside them in a face, or else any.
+  pairs.clear();
+  const auto pair = [&](std::uint32_t from, std::uint32_t to) {
+    if (std::ranges::find(pairs, from, &VertexPair::removed) == pairs.end()) pairs.push_back({from, to});
+  };
+  for (const std::uint32_t f : mesh_.ring(removed)) {
+    const Face& face = mesh_.face(f);
+    if (face.has(kept)) pair(face.vertex[face.corner_of(removed)], face.vertex[face.corner_of(kept)]);
+  }
+  for (const std::uint32_t f : mesh_.ring(removed)) {
+    const Face& face = mesh_.face(f);
+    pair(face.vertex[face.corner_of(removed)], first.vertex[other]);
+  }
+  return Step{removed, kept};
+}
+
+}  // namespace foredraw::collapsing

@@ -1,0 +1,127 @@
+#include <foredraw/collapses/attribute_rows.h>
+
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace foredraw {
+namespace {
+
+constexpr AttributeWeights nothing{.normals = 0, .texcoords = 0, .colors = 0, .joints = 0, .targets = 0};
+
+/// A square of 3 by 4, whose diagonal is 5.
+JoinedMesh square(const std::vector<VertexStream>& more, std::vector<std::vector<VertexStream>> targets = {}) {
+  testing::TestMesh mesh{{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {0, 4, 0}}, {0, 1, 2, 0, 2, 3}};
+  Draw draw = testing::draw_of(mesh);
+  auto vertices = std::make_shared<VertexStreams>(*draw.levels[0].vertices);
+  vertices->base.insert(vertices->base.end(), more.begin(), more.end());
+  vertices->morph_targets = std::move(targets);
+  draw.levels[0].vertices = vertices;
+  Analyses analyses;
+  const DrawId first[] = {0};
+  return joined_mesh(testing::scene_of({draw}), first, analyses).value();
+}
+
+VertexStream floats(std::string semantic, std::uint8_t components, const std::vector<float>& values) {
+  const auto bytes = std::as_bytes(std::span(values));
+  return {std::move(semantic),
+          {Component::float32, components, false, static_cast<std::uint16_t>(4 * components)},
+          Shared<std::byte>(std::vector<std::byte>(bytes.begin(), bytes.end()))};
+}
+
+double squared_difference(const AttributeRows& rows, std::uint32_t a, std::uint32_t b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < rows.width; ++i) sum += std::pow(double{rows.of(a)[i]} - rows.of(b)[i], 2);
+  return sum;
+}
+
+TEST(AttributeRows, CountWhatHasAWeight) {
+  const JoinedMesh mesh =
+      square({floats("NORMAL", 3, std::vector<float>(12, 1)), floats("TEXCOORD_0", 2, std::vector<float>(8, 1)),
+              floats("COLOR_0", 4, std::vector<float>(16, 1))});
+  const auto width = [&](AttributeWeights weights) { return attribute_rows(mesh, weights).width; };
+  EXPECT_EQ(width(nothing), 0u);
+  AttributeWeights some = nothing;
+  some.normals = 1;
+  EXPECT_EQ(width(some), 3u);
+  some.colors = 1;
+  EXPECT_EQ(width(some), 7u);
+  some.texcoords = some.joints = some.targets = 1;
+  EXPECT_EQ(width(some), 9u) << "it has neither joints nor targets";
+}
+
+TEST(AttributeRows, ADifferenceIsALength) {
+  AttributeWeights weights = nothing;
+  weights.normals = 0.5;
+  const AttributeRows normals =
+      attribute_rows(square({floats("NORMAL", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0})}), weights);
+  EXPECT_NEAR(squared_difference(normals, 0, 1), 2 * 2.5 * 2.5, 1e-5) << "half a diagonal";
+  EXPECT_EQ(squared_difference(normals, 0, 3), 0);
+  weights = nothing;
+  weights.texcoords = 0.5;
+  // A texture of which the square shows a quarter: one unit of it is 6 by 8.
+  const AttributeRows texcoords =
+      attribute_rows(square({floats("TEXCOORD_0", 2, {0, 0, 0.5f, 0, 0.5f, 0.5f, 0, 0.5f})}), weights);
+  EXPECT_NEAR(squared_difference(texcoords, 0, 1), 0.25 * 12, 1e-4) << "half of 3 or 4, in the mean of areas";
+}
+
+TEST(AttributeRows, JointsKeepSquaredDistancesInTheMean) {
+  AttributeWeights weights = nothing;
+  weights.joints = 1;
+  double sum = 0;
+  constexpr int pairs = 200;
+  for (int joint = 0; joint < pairs; ++joint) {
+    const float first = static_cast<float>(2 * joint), second = first + 1;
+    const JoinedMesh mesh =
+        square({floats("JOINTS_0", 4, {first, 0, 0, 0, second, 0, 0, 0, first, 0, 0, 0, first, second, 0, 0}),
+                floats("WEIGHTS_0", 4, {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0})});
+    const AttributeRows rows = attribute_rows(mesh, weights);
+    sum += squared_difference(rows, 0, 1);
+    EXPECT_EQ(squared_difference(rows, 0, 2), 0);
+    EXPECT_NEAR(squared_difference(rows, 0, 3), squared_difference(rows, 0, 1) / 4, 1e-3);
+  }
+  EXPECT_NEAR(sum / pairs, 2 * 25, 5);
+}
+
+TEST(AttributeRows, TargetsCountAsFarAsTheyMove) {
+  AttributeWeights weights = nothing;
+  weights.targets = 2;
+  const AttributeRows rows =
+      attribute_rows(square({}, {{floats("POSITION", 3, {0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0})}}), weights);
+  EXPECT_NEAR(squared_difference(rows, 0, 1), 4, 1e-5);
+  EXPECT_NEAR(squared_difference(rows, 0, 3), 36, 1e-4);
+}
+
+TEST(AttributeRows, AreFinite) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  const AttributeRows rows =
+      attribute_rows(square({floats("NORMAL", 3, {nan, infinity, 1e38f, 0, 0, 0, -1e38f, 0, 0, 0, 0, 0}),
+                             floats("TEXCOORD_0", 2, {nan, 0, 1e38f, 0, 0, 0, 0, infinity}),
+                             floats("COLOR_0", 3, std::vector<float>(12, infinity))}),
+                     {});
+  EXPECT_EQ(rows.width, 9u);
+  for (const float value : rows.values) EXPECT_LT(std::abs(value), 1e8f);
+}
+
+/// Draws of one mesh need not carry the same.
+TEST(AttributeRows, WhatADrawLacksIsZero) {
+  Draw one = testing::draw_of(testing::grid(2, 2)), two = testing::draw_of(testing::grid(2, 2));
+  auto vertices = std::make_shared<VertexStreams>(*one.levels[0].vertices);
+  vertices->base.push_back(floats("COLOR_0", 3, std::vector<float>(27, 1)));
+  one.levels[0].vertices = vertices;
+  Analyses analyses;
+  const DrawId both[] = {0, 1};
+  const JoinedMesh mesh = joined_mesh(testing::scene_of({one, two}), both, analyses).value();
+  AttributeWeights weights = nothing;
+  weights.colors = 1;
+  const AttributeRows rows = attribute_rows(mesh, weights);
+  ASSERT_EQ(rows.width, 4u);
+  EXPECT_GT(rows.of(0)[0], 0);
+  EXPECT_EQ(rows.of(9)[0], 0);
+}
+
+}  // namespace
+}  // namespace foredraw
