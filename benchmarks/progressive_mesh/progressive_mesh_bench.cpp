@@ -157,7 +157,9 @@ void time_views(const std::string& name, const RefineRecords& records) {
   const auto begin = [&] { foredraw_refine_begin(&state, &mesh, memory.data()); };
   const double up = seconds_of(begin, [&] { settle(everything); });
   const double down = seconds_of([&] { settle(everything); }, [&] { settle(nothing); });
-  const double checked = seconds_of([] {}, [&] { foredraw_refine_check(&mesh, &arrays, check.data()); });
+  const char* mistake = nullptr;
+  const double checked = seconds_of([] {}, [&] { mistake = foredraw_refine_check(&mesh, &arrays, check.data()); });
+  if (mistake != nullptr) throw std::runtime_error(name + ": " + mistake);
 
   float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
   for (std::uint32_t s = 0; s < mesh.split_count; ++s) {

@@ -36,7 +36,7 @@ int main(void) {
                                                 {0, 2, 2, 0, {0, 1, 0}, 1, {0, 0, 1}, 0},
                                                 {2, 0, 2, 1, {0, 0, 0}, 0, {0, 0, 0}, 0}};
   static const foredraw_refine_mesh mesh = {splits, nodes, 2, patches, needs, corners, 3};
-  static const foredraw_refine_arrays arrays = {point, 5, 5, 2, 1};
+  static const foredraw_refine_arrays arrays = {point, 5, 5, 2, 1, 5};
   foredraw_refine_view view = {{0, 0, 9}, {{0}}, 100, 1, 1, 0};
   uint32_t memory[64];
   foredraw_refinement state;

@@ -15,7 +15,7 @@ namespace foredraw::testing {
 
 /// Random edges, whose ends are in no other one of the same round, until no edge may go: so that splits hang together
 /// in few steps, as they do where a simplifier made them.
-inline CollapseSequence collapses_of(const TestMesh& mesh, std::uint64_t seed) {
+inline CollapseSequence collapses_of(const TestMesh& mesh, std::uint64_t seed, bool keeps_topology = true) {
   CollapseRecorder recorder(mesh.positions, mesh.indices);
   Random random(seed);
   double error = 0;
@@ -29,7 +29,8 @@ inline CollapseSequence collapses_of(const TestMesh& mesh, std::uint64_t seed) {
       const CollapseRecorder::Corners& points = recorder.points()[corner / 3];
       const std::uint32_t p = points[corner % 3], q = points[(corner + 1) % 3];
       if (p == q || is_touched[p] || is_touched[q] || recorder.triangles_of_edge(p, q) == 0) continue;
-      if (!recorder.keeps_topology(p, q) || !recorder.pairs_up(p, q)) continue;
+      if (keeps_topology && !recorder.keeps_topology(p, q)) continue;
+      if (!recorder.pairs_up(p, q)) continue;
       recorder.collapse(p, q, {.blend = 0, .error = error += 1, .place = {}});
       is_touched[p] = is_touched[q] = has_changed = true;
     }
@@ -45,9 +46,9 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// A mesh with a state, and what should be drawn.
 struct Refined {
-  explicit Refined(const TestMesh& of, std::uint64_t seed = 1)
+  explicit Refined(const TestMesh& of, std::uint64_t seed = 1, bool keeps_topology = true)
       : mesh(of),
-        sequence(collapses_of(of, seed)),
+        sequence(collapses_of(of, seed, keeps_topology)),
         records(refine_records(sequence, mesh.positions, mesh.indices)),
         arrays(records.mesh()),
         memory(foredraw_refine_words(&arrays)) {

@@ -52,6 +52,7 @@ class Maker {
     find_corners();
     find_surface();
     find_needs();
+    count_borders();
     for (std::uint32_t s = splits_; s-- > 0;) put_below_parent(s);
   }
 
@@ -138,6 +139,21 @@ class Maker {
     made_.nodes[splits_].first_need = static_cast<std::uint32_t>(made_.needs.size());
   }
 
+  void count_borders() {
+    const std::vector<std::uint32_t>& full = made_.progressive.indices;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (std::size_t i = 0; i < full.size(); ++i) {
+      const std::uint32_t next = full[i % 3 == 2 ? i - 2 : i + 1];
+      edges.push_back(std::minmax(made_.point[full[i]], made_.point[next]));
+    }
+    std::ranges::sort(edges);
+    for (auto at = edges.begin(); at != edges.end();) {
+      const auto end = std::upper_bound(at, edges.end(), *at);
+      made_.borders += (end - at) % 2 == 1 ? 1 : 0;
+      at = end;
+    }
+  }
+
   void put_below_parent(std::uint32_t s) {
     Node& node = made_.nodes[s];
     Node& parent = made_.nodes[std::min(node.point, splits_)];
@@ -166,13 +182,17 @@ foredraw_refine_mesh RefineRecords::mesh() const {
 }
 
 foredraw_refine_arrays RefineRecords::arrays() const {
-  return {point.data(), static_cast<std::uint32_t>(point.size()), points,
-          static_cast<std::uint32_t>(progressive.patches.size()), static_cast<std::uint32_t>(needs.size())};
+  return {point.data(),
+          static_cast<std::uint32_t>(point.size()),
+          points,
+          static_cast<std::uint32_t>(progressive.patches.size()),
+          static_cast<std::uint32_t>(needs.size()),
+          borders};
 }
 
 RefineRecords refine_records(const CollapseSequence& sequence, std::span<const glm::vec3> positions,
                              std::span<const std::uint32_t> indices) {
-  RefineRecords made{progressive_records(sequence, positions, indices), {}, {}, {}, {}, 0};
+  RefineRecords made{progressive_records(sequence, positions, indices), {}, {}, {}, {}, 0, 0};
   Maker(made, sequence, positions).make();
   return made;
 }

@@ -14,6 +14,7 @@ struct RefineRecords {
   std::vector<foredraw_refine_node> nodes;  ///< and one more behind the last
   std::vector<std::uint32_t> point;         ///< [vertex] that it is of; see foredraw_refine_node
   std::uint32_t points = 0;                 ///< above all their numbers
+  std::uint32_t borders = 0;  ///< edges of full detail, from point to point, that an odd number of triangles has
 
   /// What the headers take; both name the arrays here.
   foredraw_refine_mesh mesh() const;

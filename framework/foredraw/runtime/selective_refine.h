@@ -231,7 +231,7 @@ static inline float foredraw_refine_dot(const float a[3], const float b[3]) {
 }
 
 /* Wants what is in the frustum, does not show its back as a whole, and is off by more pixels than the view says. The
- * context is the view. Hoppe 1997, section 3. */
+ * context is the view. The criteria of Hoppe 1997. */
 static inline int foredraw_refine_view_wants(const void* context, const foredraw_refine_mesh* mesh, uint32_t split) {
   const foredraw_refine_view* view = (const foredraw_refine_view*)context;
   const foredraw_refine_node* node = mesh->nodes + split;

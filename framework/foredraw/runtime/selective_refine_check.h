@@ -1,13 +1,15 @@
 /* Whether arrays for selective_refine.h that come from elsewhere are what that header trusts. C99, no allocation; once,
  * when they are loaded.
  *
- *   const foredraw_refine_arrays arrays = {point, vertex_count, point_count, patch_count, need_count};
+ *   const foredraw_refine_arrays arrays = {point, vertex_count, point_count, patch_count, need_count,
+ *                                          border_count};
  *   uint32_t* memory = malloc(sizeof(uint32_t) * foredraw_refine_check_words(&mesh, &arrays));
  *   const char* mistake = foredraw_refine_check(&mesh, &arrays, memory);
  *   if (mistake) ...
  *
- * All splits are done from the base to full detail, and each is looked at where it is done. What is sound draws no torn
- * surface, whichever splits are done, and no number in it leads out of the arrays. Balls and normals are not looked at:
+ * All splits are done from the base to full detail, and each is looked at where it is done; full detail has to have as
+ * many borders as is told. Whatever is drawn is full detail with some points in the place of others, so that it has no
+ * cracks then, whichever splits are done, and no number leads out of the arrays. Balls and normals are not looked at:
  * they only say what a view wants. Nor is which side of a triangle is its front.
  */
 #ifndef FOREDRAW_RUNTIME_SELECTIVE_REFINE_CHECK_H
@@ -22,6 +24,7 @@ typedef struct foredraw_refine_arrays {
   uint32_t points; /* above all their numbers */
   uint32_t patches;
   uint32_t needs;
+  uint32_t borders; /* edges of full detail, from point to point, that an odd number of triangles has */
 } foredraw_refine_arrays;
 
 typedef struct foredraw_refine_checker {
@@ -30,9 +33,8 @@ typedef struct foredraw_refine_checker {
   uint32_t* corners; /* [corner] its vertex, so far */
   uint32_t* next;    /* [corner] another one at its point, or `none` */
   uint32_t* first;   /* [point] */
-  uint32_t* marks;   /* [point] one more than the last split beside whose point it lay */
+  uint32_t* is_odd;  /* [point] */
   uint32_t none;
-  uint64_t budget; /* corners that may be looked at: honest points have few */
 } foredraw_refine_checker;
 
 static inline size_t foredraw_refine_check_words(const foredraw_refine_mesh* mesh,
@@ -140,12 +142,6 @@ static inline const char* foredraw_refine_check_tree(const foredraw_refine_check
   return NULL;
 }
 
-static inline void foredraw_refine_check_enter(foredraw_refine_checker* check, uint32_t corner) {
-  const uint32_t point = foredraw_refine_point(check, corner);
-  check->next[corner] = check->first[point];
-  check->first[point] = corner;
-}
-
 /* How many corners of the triangle are at the point. */
 static inline uint32_t foredraw_refine_count_at(const foredraw_refine_checker* check, uint32_t triangle,
                                                 uint32_t point) {
@@ -182,44 +178,31 @@ static inline const char* foredraw_refine_check_patch(foredraw_refine_checker* c
   return NULL;
 }
 
-static inline void foredraw_refine_check_mark(foredraw_refine_checker* check, uint32_t triangle, uint32_t mark) {
-  uint32_t k;
-  for (k = 3 * triangle; k < 3 * triangle + 3; ++k) check->marks[foredraw_refine_point(check, k)] = mark;
-}
-
-/* Where triangles that go with the point which the split adds part from those that stay, there is a wing. */
-static inline const char* foredraw_refine_check_wings(foredraw_refine_checker* check, uint32_t split) {
-  const foredraw_split* record = check->mesh->splits + split;
-  const uint32_t first = check->first[check->mesh->nodes[split].point], mark = split + 1;
-  uint32_t i, corner;
-  for (corner = first; corner != check->none; corner = check->next[corner]) {
-    if (check->budget == 0) return "a point has too many triangles";
-    --check->budget;
-    if (foredraw_refine_point(check, corner) != split) foredraw_refine_check_mark(check, corner / 3, mark);
+/* How many edges an odd number of triangles has, as the corners are now. */
+static inline uint32_t foredraw_refine_borders(foredraw_refine_checker* check) {
+  uint32_t i, k, pass, point, count = 0;
+  for (i = 0; i < check->arrays->points; ++i) {
+    check->first[i] = check->none;
+    check->is_odd[i] = 0;
   }
-  for (i = record[0].triangles; i < record[1].triangles; ++i) foredraw_refine_check_mark(check, i, 0);
-  for (corner = first; corner != check->none; corner = check->next[corner]) {
-    if (foredraw_refine_point(check, corner) != split) continue;
-    for (i = corner / 3 * 3; i < corner / 3 * 3 + 3; ++i) {
-      if (check->marks[foredraw_refine_point(check, i)] == mark)
-        return "a wing is not beside the point that is split, so that the surface tears";
+  for (i = 0; i < 3 * check->mesh->triangles; ++i) {
+    const uint32_t at = foredraw_refine_point(check, i);
+    check->next[i] = check->first[at];
+    check->first[at] = i;
+  }
+  for (point = 0; point < check->arrays->points; ++point) {
+    for (pass = 0; pass < 2; ++pass) { /* counts the triangles of each edge, then looks which counts are odd */
+      for (i = check->first[point]; i != check->none; i = check->next[i]) {
+        for (k = i / 3 * 3; k < i / 3 * 3 + 3; ++k) {
+          const uint32_t other = foredraw_refine_point(check, k);
+          if (other <= point) continue;
+          count += pass & check->is_odd[other];
+          check->is_odd[other] = pass ? 0 : !check->is_odd[other];
+        }
+      }
     }
   }
-  return NULL;
-}
-
-/* Moves the corners that were patched to the list of the point that the split adds. */
-static inline void foredraw_refine_check_move(foredraw_refine_checker* check, uint32_t split) {
-  uint32_t* link = check->first + check->mesh->nodes[split].point;
-  while (*link != check->none) {
-    const uint32_t corner = *link;
-    if (foredraw_refine_point(check, corner) == split) {
-      *link = check->next[corner];
-      foredraw_refine_check_enter(check, corner);
-    } else {
-      link = check->next + corner;
-    }
-  }
+  return count;
 }
 
 static inline const char* foredraw_refine_check_split(foredraw_refine_checker* check, uint32_t split) {
@@ -236,10 +219,6 @@ static inline const char* foredraw_refine_check_split(foredraw_refine_checker* c
     if (mistake) return mistake;
     check->corners[patch->corner] = patch->fine;
   }
-  mistake = foredraw_refine_check_wings(check, split);
-  if (mistake) return mistake;
-  foredraw_refine_check_move(check, split);
-  for (i = 3 * record[0].triangles; i < 3 * record[1].triangles; ++i) foredraw_refine_check_enter(check, i);
   return NULL;
 }
 
@@ -255,23 +234,18 @@ static inline const char* foredraw_refine_check(const foredraw_refine_mesh* mesh
   check.corners = memory;
   check.next = check.corners + 3 * (size_t)mesh->triangles;
   check.first = check.next + 3 * (size_t)mesh->triangles;
-  check.marks = check.first + arrays->points;
+  check.is_odd = check.first + arrays->points;
   check.none = none;
-  check.budget = 1024 * (3 * (uint64_t)mesh->triangles + mesh->split_count + 1024);
   mistake = foredraw_refine_check_counts(&check);
   if (!mistake) mistake = foredraw_refine_check_tree(&check);
   if (mistake) return mistake;
-  for (i = 0; i < arrays->points; ++i) {
-    check.first[i] = none;
-    check.marks[i] = 0;
-  }
   for (i = 0; i < 3 * mesh->triangles; ++i) check.corners[i] = mesh->corners[i];
   for (i = 0; i < 3 * mesh->splits[0].triangles; ++i) {
     if (foredraw_refine_point(&check, i) < mesh->split_count) return "the base has a point that a split adds";
-    foredraw_refine_check_enter(&check, i);
   }
   for (i = 0; i < mesh->split_count && !mistake; ++i) mistake = foredraw_refine_check_split(&check, i);
-  return mistake;
+  if (mistake) return mistake;
+  return foredraw_refine_borders(&check) == arrays->borders ? NULL : "full detail has other borders: a wing is wrong";
 }
 
 #endif

@@ -39,6 +39,23 @@ TEST(RefineRecords, EveryStepOfAWalkDrawsWhatFullDetailIsThen) {
   }
 }
 
+/// Down to nothing, whatever becomes of holes and handles: as things of many pieces vanish.
+TEST(RefineRecords, SequencesThatChangeTheTopologyAreDrawnAsTheyRun) {
+  for (const TestMesh& mesh : surfaces()) {
+    Refined one(mesh, 4, false);
+    Random random(4);
+    for (int step = 0; step < 200; ++step) {
+      const auto split = static_cast<std::uint32_t>(random.below(one.splits()));
+      if (random.below(3) == 0) {
+        foredraw_refine_split(&one.state, split, ~0u);
+      } else {
+        foredraw_refine_collapse(&one.state, split);
+      }
+      ASSERT_EQ(one.drawn(), one.expected()) << step;
+    }
+  }
+}
+
 TEST(RefineRecords, NothingWantedIsTheBaseAndEverythingFullDetail) {
   for (const TestMesh& mesh : surfaces()) {
     Refined one(mesh);
