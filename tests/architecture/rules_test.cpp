@@ -63,6 +63,7 @@ TEST(IncludeRules, runtime_is_c) {
   EXPECT_TRUE(may_include("framework/foredraw/runtime/order_table.h", "<stdint.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/runtime/order_table.h", "<cstdint>"));
   EXPECT_FALSE(may_include("framework/foredraw/runtime/order_table.h", "<foredraw/base/random.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/runtime/selective_refine.h", "<foredraw/runtime/progressive_mesh.h>"));
 }
 
 TEST(IncludeRules, plugins_know_the_framework_up_to_measuring_and_no_one_else) {
