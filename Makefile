@@ -5,7 +5,7 @@ SEED ?= 1
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test long-test clang bench real-files city vertex-orders overdraw-error han-sander-2016 particle-trim merge-instances asan tsan fuzz clean
+.PHONY: help demo build test long-test clang bench real-files city vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
@@ -18,6 +18,9 @@ help:
 	@echo 'make overdraw-error  how far evaluators of overdraw are from the truth, and docs/overdraw-error.md of it'
 	@echo 'make han-sander-2016  the experiment of that paper on our animated models, and docs/han-sander-2016.md of it'
 	@echo 'make particle-trim  how small trimmed sprites are, and in which time, and docs/particle-trim.md of it'
+	@echo 'make back-sides  the plots of docs/sides.md, docs/hidden.md and docs/draw-sequence.md, of their figures'
+	@echo 'make simplifiers  how far all simplifiers depart, and in which time, and docs/simplifiers.md of it:'
+	@echo '              MESHOPTIMIZER="folder of its sources" FILES="mesh mesh"'
 	@echo 'make merge-instances  draw calls, bytes and times of merged instances beside other ways, for 10,000 to 1,000,000 of them'
 	@echo 'make real-files  what becomes of the models below some folders: FILES="folder folder"'
 	@echo 'make city     a city of about 10,000 placed primitives: build/city.glb (INSTANCES=100000 SEED=2 for another one)'
@@ -70,6 +73,17 @@ han-sander-2016: bench
 particle-trim: bench
 	build/release/benchmarks/particle_trim/particle-trim-bench --tsv=benchmarks/particle_trim/figures.tsv
 	benchmarks/particle_trim/particle_trim_page.py benchmarks/particle_trim/figures.tsv
+
+back-sides:
+	benchmarks/back_sides/back_sides_page.py benchmarks/back_sides/figures.tsv
+
+# The peer's sources lie elsewhere, as do most meshes. CGAL's licence holds for this build, which is therefore apart.
+simplifiers:
+	packages/install build bench cgal
+	cmake --preset release -B build/simplifiers -DFOREDRAW_BUILD_BENCHMARKS=ON -DFOREDRAW_MESHOPTIMIZER=$(MESHOPTIMIZER) -DFOREDRAW_CGAL_COLLAPSE=ON
+	cmake --build build/simplifiers --target simplifiers-bench
+	build/simplifiers/benchmarks/simplification/simplifiers-bench --most-energy=14000 --tsv=benchmarks/simplification/figures.tsv $(FILES)
+	benchmarks/simplification/simplifiers_page.py benchmarks/simplification/figures.tsv
 
 merge-instances: INSTANCES = 10000,100000,1000000
 merge-instances: bench
