@@ -3,13 +3,14 @@
  *
  *   foredraw_stream_header header;
  *   if (foredraw_stream_read_header(bytes, count, &header) < 0) refuse();   // 0: more bytes are wanted
- *   void* memory = malloc(foredraw_stream_memory(&header));
+ *   void* memory = malloc(foredraw_stream_memory(&header, bytes));
  *   foredraw_stream stream;
+ *   const foredraw_split_mesh* mesh = &stream.coding.mesh;
  *   foredraw_stream_begin(&stream, &header, bytes, memory);
  *   at = header.bytes;
  *   while ((used = foredraw_stream_take(&stream, bytes + at, count - at)) > 0) {
  *     at += used;
- *     draw(stream.mesh->indices, 3 * stream.mesh->triangles);    // of the first stream.mesh->vertices vertices
+ *     draw(mesh->indices, 3 * mesh->triangles);    // of the first mesh->vertices vertices
  *   }
  *   if (stream.damaged) refuse();
  *
@@ -40,8 +41,7 @@ typedef struct foredraw_stream_header {
 
 typedef struct foredraw_stream {
   foredraw_stream_header header;
-  foredraw_split_coding coding;
-  const foredraw_split_mesh* mesh; /* what has arrived */
+  foredraw_split_coding coding; /* coding.mesh: what has arrived */
   uint32_t chunks;                 /* that have arrived */
   float error; /* an estimate of how far what has arrived lies from full detail, in units, less what the grid takes */
   int damaged;
@@ -147,7 +147,7 @@ static inline void foredraw_stream_begin(foredraw_stream* stream, const foredraw
   uint32_t i, first = 0;
   memset(stream, 0, sizeof *stream);
   stream->header = *header;
-  stream->mesh = mesh;
+  
   mesh->most_points = header->points;
   mesh->most_vertices = header->vertices;
   mesh->most_triangles = header->triangles;
@@ -243,10 +243,10 @@ static inline size_t foredraw_stream_take(foredraw_stream* stream, const uint8_t
 
 /* The place of a vertex, and any other of its numbers. */
 static inline float foredraw_stream_place(const foredraw_stream* stream, uint32_t vertex, uint32_t axis) {
-  return foredraw_place(stream->mesh, stream->mesh->vertex_point[vertex], axis);
+  return foredraw_place(&stream->coding.mesh, stream->coding.mesh.vertex_point[vertex], axis);
 }
 static inline float foredraw_stream_value(const foredraw_stream* stream, uint32_t vertex, uint32_t number) {
-  const foredraw_split_mesh* mesh = stream->mesh;
+  const foredraw_split_mesh* mesh = &stream->coding.mesh;
   const foredraw_component* component = mesh->component + mesh->part[mesh->vertex_part[vertex]].first + number;
   const int32_t value = mesh->values[(size_t)mesh->width * vertex + number];
   if (component->form == 2) return foredraw_ordered_float(value);

@@ -19,7 +19,8 @@ class Writer {
       : mesh_(mesh),
         sequence_(sequence),
         options_(options),
-        numbers_(vertex_numbers(mesh, options)),
+        grid_(number_grid(mesh, options)),
+        numbers_(vertex_numbers(mesh, grid_).value()),
         forest_(split_forest(mesh, sequence)),
         number_of_(mesh.positions.size(), no_point),
         next_child_(mesh.positions.size(), 0),
@@ -83,14 +84,14 @@ class Writer {
     header.points = static_cast<std::uint32_t>(points_.size() + sequence_.collapses.size());
     header.vertices = static_cast<std::uint32_t>(mesh_.positions.size());
     header.triangles = static_cast<std::uint32_t>(std::ranges::count(forest_.is_proper, true));
-    header.grid_bits = options_.position_bits;
-    std::copy_n(numbers_.least, 3, header.least);
-    header.step = numbers_.step;
-    header.parts = static_cast<std::uint32_t>(numbers_.parts.size());
+    header.grid_bits = grid_.bits;
+    std::copy_n(grid_.least, 3, header.least);
+    header.step = grid_.step;
+    header.parts = static_cast<std::uint32_t>(grid_.parts.size());
     header.draws = static_cast<std::uint32_t>(mesh_.stream_of.size());
-    header.components = static_cast<std::uint32_t>(numbers_.components.size());
+    header.components = static_cast<std::uint32_t>(grid_.components.size());
     head_ = header;
-    const std::vector<std::byte> bytes = header_bytes(header, numbers_.parts, mesh_.stream_of, numbers_.components);
+    const std::vector<std::byte> bytes = header_bytes(header, grid_.parts, mesh_.stream_of, grid_.components);
     const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
     memory_.resize(foredraw_stream_memory(&header, data) / 4 + 1);
     foredraw_stream stream;
@@ -102,7 +103,7 @@ class Writer {
     made_.vertex.resize(header.vertices);
     wanted_ = {moves_.data(), corner_names_.data(), nullptr, 0, nullptr, made_.vertex.data(), numbers_.values.data()};
     coding_.wanted = &wanted_;
-    const std::size_t base = (points_.size() + 3 * forest_.base.size()) * (64 + 8 * std::size_t{numbers_.width});
+    const std::size_t base = (points_.size() + 3 * forest_.base.size()) * (64 + 8 * std::size_t{grid_.width});
     room_.resize((std::size_t{1} << 20) + 2 * std::size_t{options_.chunk_size} + base);
     begin_chunk();
   }
@@ -208,13 +209,14 @@ class Writer {
     head_.triangles = coding_.mesh.triangles;
     head_.points = coding_.mesh.points;
     made_.vertex.resize(head_.vertices);
-    made_.bytes = stream_bytes(head_, numbers_.parts, mesh_.stream_of, numbers_.components, chunks_, made_.chunk_end);
+    made_.bytes = stream_bytes(head_, grid_.parts, mesh_.stream_of, grid_.components, chunks_, made_.chunk_end);
     return std::move(made_);
   }
 
   const JoinedMesh& mesh_;
   const CollapseSequence& sequence_;
   ProgressiveStreamOptions options_;
+  NumberGrid grid_;
   VertexNumbers numbers_;
   SplitForest forest_;
   std::vector<std::uint32_t> points_;     ///< [point of the stream] = the mesh's
