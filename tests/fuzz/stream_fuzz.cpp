@@ -43,7 +43,7 @@ void read_any(OddInput input) {
   claim(mesh.points <= header.points && mesh.vertices <= header.vertices && mesh.triangles <= header.triangles,
         "there is more than there is room for");
   for (std::size_t c = 0; !stream.damaged && c < std::size_t{3} * mesh.triangles; ++c) {
-    claim(mesh.indices[c] < mesh.vertices && mesh.vertex_point[mesh.indices[c]] == mesh.corner_point[c],
+    claim(mesh.indices[c] < mesh.vertices && mesh.vertex[mesh.indices[c]].point == mesh.corner[c].point,
           "a corner has a vertex of another point");
   }
 }

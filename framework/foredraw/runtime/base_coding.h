@@ -11,12 +11,12 @@ static inline void foredraw_code_base_point(foredraw_split_coding* s, const int3
   if (s->damaged) return;
   point = foredraw_add_point(mesh);
   for (k = 0; k < 3; ++k) {
-    const int32_t before = point > 0 ? mesh->places[3 * (size_t)(point - 1) + k] : 0;
+    const int32_t before = point > 0 ? mesh->point[point - 1].place[k] : 0;
     const int64_t value =
         (int64_t)before +
         foredraw_code_number(&s->coder, &s->models->base[0], s->wanted ? places[3 * (size_t)point + k] - before : 0);
     if (value < 0 || value >= (int64_t)mesh->grid) s->damaged = 1;
-    mesh->places[3 * (size_t)point + k] = s->damaged ? 0 : (int32_t)value;
+    mesh->point[point].place[k] = s->damaged ? 0 : (int32_t)value;
   }
 }
 
@@ -34,7 +34,7 @@ static inline void foredraw_code_base_triangle(foredraw_split_coding* s, foredra
     if (back == 0) foredraw_code_base_point(s, places);
   }
   if (points[0] == points[1] || points[1] == points[2] || points[2] == points[0]) s->damaged = 1;
-  for (k = 0; k < 3 && !s->damaged; ++k) expected[k] = mesh->first_vertex[points[k]];
+  for (k = 0; k < 3 && !s->damaged; ++k) expected[k] = mesh->point[points[k]].first_vertex;
   if (!s->damaged) foredraw_add_triangle(s, points, expected, 0, wanted, 0);
 }
 
@@ -61,15 +61,15 @@ static inline void foredraw_code_base(foredraw_split_coding* s, uint32_t points)
 /* Whether the point that is next splits. All points are asked, over and over, and those that split are asked again. */
 static inline uint32_t foredraw_code_is_split(foredraw_split_coding* s, uint32_t is_split) {
   const foredraw_split_mesh* mesh = &s->mesh;
-  const int64_t beside = mesh->points > 0 ? (int64_t)4 * mesh->size[s->at] - s->usual_size + 8 : 0;
+  const int64_t beside = mesh->points > 0 ? (int64_t)4 * mesh->point[s->at].size - s->usual_size + 8 : 0;
   const uint32_t of_size = beside < 0 ? 0 : foredraw_least_of((uint32_t)beside, 15);
   if (mesh->points == 0 || s->budget == 0) {
     s->damaged = 1;
     return 0;
   }
   --s->budget;
-  is_split = foredraw_code_bit(&s->coder, &s->models->is_split[foredraw_least_of(mesh->valence[s->at], 15)][of_size],
-                               is_split);
+  is_split = foredraw_code_bit(
+      &s->coder, &s->models->is_split[foredraw_least_of(mesh->point[s->at].valence, 15)][of_size], is_split);
   if (is_split) return 1;
   if (++s->at == mesh->points) {
     if (s->splits > 0) s->usual_size = (uint32_t)(4 * s->sizes / s->splits);
@@ -85,7 +85,7 @@ static inline void foredraw_code_next_split(foredraw_split_coding* s) {
   if (s->damaged) return;
   foredraw_code_split(s, s->at);
   ++s->splits;
-  s->sizes += s->mesh.size[s->at];
+  s->sizes += s->mesh.point[s->at].size;
 }
 
 #endif

@@ -42,7 +42,7 @@ typedef struct foredraw_stream_header {
 typedef struct foredraw_stream {
   foredraw_stream_header header;
   foredraw_split_coding coding; /* coding.mesh: what has arrived */
-  uint32_t chunks;                 /* that have arrived */
+  uint32_t chunks;              /* that have arrived */
   float error; /* an estimate of how far what has arrived lies from full detail, in units, less what the grid takes */
   int damaged;
 } foredraw_stream;
@@ -147,7 +147,7 @@ static inline void foredraw_stream_begin(foredraw_stream* stream, const foredraw
   uint32_t i, first = 0;
   memset(stream, 0, sizeof *stream);
   stream->header = *header;
-  
+
   mesh->most_points = header->points;
   mesh->most_vertices = header->vertices;
   mesh->most_triangles = header->triangles;
@@ -175,17 +175,10 @@ static inline void foredraw_stream_begin(foredraw_stream* stream, const foredraw
 
   mesh->indices = foredraw_stream_room(&room, 3 * triangles);
   mesh->draw = foredraw_stream_room(&room, triangles);
-  mesh->corner_point = foredraw_stream_room(&room, 3 * triangles);
-  mesh->next_corner = foredraw_stream_room(&room, 3 * triangles);
-  mesh->places = (int32_t*)foredraw_stream_room(&room, 3 * points);
-  mesh->first_corner = foredraw_stream_room(&room, points);
-  mesh->first_vertex = foredraw_stream_room(&room, points);
-  mesh->valence = foredraw_stream_room(&room, points);
-  mesh->size = foredraw_stream_room(&room, points);
+  mesh->corner = (foredraw_corner*)foredraw_stream_room(&room, 6 * triangles);
+  mesh->point = (foredraw_point*)foredraw_stream_room(&room, 7 * points);
   mesh->values = (int32_t*)foredraw_stream_room(&room, mesh->width * vertices);
-  mesh->vertex_point = foredraw_stream_room(&room, vertices);
-  mesh->vertex_part = foredraw_stream_room(&room, vertices);
-  mesh->next_vertex = foredraw_stream_room(&room, vertices);
+  mesh->vertex = (foredraw_vertex*)foredraw_stream_room(&room, 3 * vertices);
   stream->coding.models = (foredraw_split_models*)room;
   stream->coding.value_models = (foredraw_number_model*)(stream->coding.models + 1);
   foredraw_models_begin(
@@ -243,11 +236,11 @@ static inline size_t foredraw_stream_take(foredraw_stream* stream, const uint8_t
 
 /* The place of a vertex, and any other of its numbers. */
 static inline float foredraw_stream_place(const foredraw_stream* stream, uint32_t vertex, uint32_t axis) {
-  return foredraw_place(&stream->coding.mesh, stream->coding.mesh.vertex_point[vertex], axis);
+  return foredraw_place(&stream->coding.mesh, stream->coding.mesh.vertex[vertex].point, axis);
 }
 static inline float foredraw_stream_value(const foredraw_stream* stream, uint32_t vertex, uint32_t number) {
   const foredraw_split_mesh* mesh = &stream->coding.mesh;
-  const foredraw_component* component = mesh->component + mesh->part[mesh->vertex_part[vertex]].first + number;
+  const foredraw_component* component = mesh->component + mesh->part[mesh->vertex[vertex].part].first + number;
   const int32_t value = mesh->values[(size_t)mesh->width * vertex + number];
   if (component->form == 2) return foredraw_ordered_float(value);
   if (component->form == 1) return (float)((double)value * (double)component->step + (double)component->least);

@@ -49,7 +49,7 @@ static inline uint64_t foredraw_squared_length(const foredraw_split_mesh* mesh, 
   uint64_t sum = 0;
   uint32_t k;
   for (k = 0; k < 3; ++k) {
-    const int64_t apart = (int64_t)mesh->places[3 * (size_t)a + k] - mesh->places[3 * (size_t)b + k];
+    const int64_t apart = (int64_t)mesh->point[a].place[k] - mesh->point[b].place[k];
     sum += (uint64_t)(apart * apart);
   }
   return sum;
@@ -95,7 +95,7 @@ static inline void foredraw_code_star(foredraw_split_coding* s, foredraw_split_s
       state = 2;
     }
   }
-  s->mesh.size[split->old_point] = s->mesh.size[split->new_point] = foredraw_bit_count(mean);
+  s->mesh.point[split->old_point].size = s->mesh.point[split->new_point].size = foredraw_bit_count(mean);
 }
 
 /* A point of the link, and the star's triangles before and behind it; none at a border. */
@@ -178,7 +178,7 @@ static inline void foredraw_code_more(foredraw_split_coding* s, const foredraw_s
     points[0] = third;
     points[1] = old_first ? split->old_point : split->new_point;
     points[2] = old_first ? split->new_point : split->old_point;
-    for (k = 0; k < 3; ++k) expected[k] = s->mesh.first_vertex[points[k]];
+    for (k = 0; k < 3; ++k) expected[k] = s->mesh.point[points[k]].first_vertex;
     foredraw_add_triangle(s, points, expected, 0, wanted, turn);
     if (s->damaged) return;
   }
@@ -190,26 +190,26 @@ static inline void foredraw_code_place(foredraw_split_coding* s, const foredraw_
                                        const foredraw_link_point* link, uint32_t link_count) {
   foredraw_split_mesh* mesh = &s->mesh;
   const foredraw_star* star = &split->star;
-  const int32_t* old = mesh->places + 3 * (size_t)split->old_point;
-  int32_t* place = mesh->places + 3 * (size_t)split->new_point;
+  const int32_t* old = mesh->point[split->old_point].place;
+  int32_t* place = mesh->point[split->new_point].place;
   const int32_t* weights = foredraw_split_weights[foredraw_least_of(split->moved_count, 6)];
   int64_t sums[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, normal[3] = {0, 0, 0}, slope = 0, height = 0, most;
   int32_t counts[3] = {0, 0, 0};
   uint32_t i, k, steep = 0, of_height = 0;
-  const uint32_t of_size = foredraw_least_of(mesh->size[split->old_point], 63);
+  const uint32_t of_size = foredraw_least_of(mesh->point[split->old_point].size, 63);
   for (i = 0; i < link_count; ++i) {
     const int before = link[i].before == FOREDRAW_NONE ? -1 : split->moved[link[i].before];
     const int behind = link[i].behind == FOREDRAW_NONE ? before : split->moved[link[i].behind];
     const int whose = before >= 0 && before != behind ? 0 : behind ? 1 : 2;
     ++counts[whose];
-    for (k = 0; k < 3; ++k) sums[whose][k] += mesh->places[3 * (size_t)link[i].point + k] - old[k];
+    for (k = 0; k < 3; ++k) sums[whose][k] += mesh->point[link[i].point].place[k] - old[k];
   }
   for (i = 0; i < star->count; ++i) {
     int64_t a[3], b[3];
     if (!split->moved[i]) continue;
     for (k = 0; k < 3; ++k) {
-      a[k] = mesh->places[3 * (size_t)star->from[i] + k] - old[k];
-      b[k] = mesh->places[3 * (size_t)star->to[i] + k] - old[k];
+      a[k] = mesh->point[star->from[i]].place[k] - old[k];
+      b[k] = mesh->point[star->to[i]].place[k] - old[k];
     }
     for (k = 0; k < 3; ++k) normal[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
   }
@@ -246,14 +246,14 @@ static inline void foredraw_code_place(foredraw_split_coding* s, const foredraw_
 /* Numbers of a new vertex beside the mean of its neighbours', of those that were there. */
 static inline void foredraw_code_values(foredraw_split_coding* s, uint32_t vertex, uint32_t first_new) {
   foredraw_split_mesh* mesh = &s->mesh;
-  const uint32_t part = mesh->vertex_part[vertex], width = mesh->width;
+  const uint32_t part = mesh->vertex[vertex].part, width = mesh->width;
   uint32_t neighbours[2 * FOREDRAW_STAR], count = 0, corner, i, k;
-  corner = mesh->part[part].count > 0 ? mesh->first_corner[mesh->vertex_point[vertex]] : FOREDRAW_NONE;
-  for (; corner != FOREDRAW_NONE && count + 2 <= 2 * FOREDRAW_STAR; corner = mesh->next_corner[corner]) {
+  corner = mesh->part[part].count > 0 ? mesh->point[mesh->vertex[vertex].point].first_corner : FOREDRAW_NONE;
+  for (; corner != FOREDRAW_NONE && count + 2 <= 2 * FOREDRAW_STAR; corner = mesh->corner[corner].next) {
     if (mesh->indices[corner] != vertex) continue;
     for (k = 1; k < 3; ++k) {
       const uint32_t other = mesh->indices[corner - corner % 3 + (corner + k) % 3];
-      if (other < first_new && mesh->vertex_part[other] == part) neighbours[count++] = other;
+      if (other < first_new && mesh->vertex[other].part == part) neighbours[count++] = other;
     }
   }
   for (i = 0; i < mesh->part[part].count; ++i) {
@@ -268,26 +268,26 @@ static inline void foredraw_code_split(foredraw_split_coding* s, uint32_t old_po
   foredraw_split_mesh* mesh = &s->mesh;
   foredraw_split_state split;
   foredraw_link_point link[2 * FOREDRAW_STAR];
-  uint32_t old_vertices[FOREDRAW_STAR], i, corner = mesh->first_corner[old_point], link_count = 0, bit = 0;
+  uint32_t old_vertices[FOREDRAW_STAR], i, corner = mesh->point[old_point].first_corner, link_count = 0, bit = 0;
   const uint32_t first_vertex = mesh->vertices;
-  const int is_crowd = mesh->valence[old_point] > FOREDRAW_STAR;
-  if (mesh->valence[old_point] >= s->budget) {
+  const int is_crowd = mesh->point[old_point].valence > FOREDRAW_STAR;
+  if (mesh->point[old_point].valence >= s->budget) {
     s->damaged = 1;
     return;
   }
-  s->budget -= mesh->valence[old_point];
+  s->budget -= mesh->point[old_point].valence;
   split.old_point = old_point;
   split.new_point = foredraw_add_point(mesh);
   split.moved_count = split.pairs = split.star.count = 0;
-  for (; corner != FOREDRAW_NONE && !is_crowd; corner = mesh->next_corner[corner]) {
+  for (; corner != FOREDRAW_NONE && !is_crowd; corner = mesh->corner[corner].next) {
     split.star.corner[split.star.count] = corner;
-    split.star.from[split.star.count] = mesh->corner_point[foredraw_next_in_triangle(corner)];
-    split.star.to[split.star.count++] = mesh->corner_point[foredraw_last_in_triangle(corner)];
+    split.star.from[split.star.count] = mesh->corner[foredraw_next_in_triangle(corner)].point;
+    split.star.to[split.star.count++] = mesh->corner[foredraw_last_in_triangle(corner)].point;
   }
   foredraw_order_star(&split.star);
   foredraw_code_star(s, &split);
-  mesh->first_corner[old_point] = FOREDRAW_NONE;
-  mesh->valence[old_point] = 0;
+  mesh->point[old_point].first_corner = FOREDRAW_NONE;
+  mesh->point[old_point].valence = 0;
   for (i = 0; i < split.star.count; ++i) {
     old_vertices[i] = mesh->indices[split.star.corner[i]];
     if (split.moved[i]) {
@@ -297,7 +297,7 @@ static inline void foredraw_code_split(foredraw_split_coding* s, uint32_t old_po
     }
   }
   while (corner != FOREDRAW_NONE) { /* of a crowd: in the sequence in which they are held */
-    const uint32_t next = mesh->next_corner[corner];
+    const uint32_t next = mesh->corner[corner].next;
     bit = foredraw_code_bit(&s->coder, &s->models->crowd[bit], s->wanted ? s->wanted->moves[corner / 3] : 0);
     if (bit) {
       foredraw_move_corner(s, &split, corner);

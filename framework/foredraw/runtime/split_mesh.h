@@ -27,6 +27,23 @@ typedef struct foredraw_part {
   uint32_t first, count; /* of the components */
 } foredraw_part;
 
+typedef struct foredraw_point {
+  int32_t place[3];
+  uint32_t first_corner, first_vertex; /* none where it has none */
+  uint32_t valence;                    /* how many corners it has */
+  uint32_t size;                       /* of its triangles when it was split last: bits of the mean square of edges */
+} foredraw_point;
+
+typedef struct foredraw_vertex {
+  uint32_t point, part;
+  uint32_t next; /* another of the same point, or none */
+} foredraw_vertex;
+
+typedef struct foredraw_corner {
+  uint32_t point;
+  uint32_t next; /* another of the same point, or none */
+} foredraw_corner;
+
 typedef struct foredraw_split_mesh {
   uint32_t most_points, most_vertices, most_triangles; /* that there is room for */
   uint32_t points, vertices, triangles;                /* that there are */
@@ -38,20 +55,12 @@ typedef struct foredraw_split_mesh {
   const foredraw_part* part; /* [part] */
   const uint32_t* draw_part; /* [draw] */
 
-  uint32_t* indices; /* [3 * triangle] vertices */
+  uint32_t* indices; /* [corner] its vertex; three corners a triangle */
   uint32_t* draw;    /* [triangle] */
-  int32_t* places;   /* [3 * point] */
   int32_t* values;   /* [width * vertex] */
-  uint32_t* vertex_point;
-  uint32_t* vertex_part;
-
-  uint32_t* corner_point;
-  uint32_t* next_corner;  /* [corner] another of the same point, or none */
-  uint32_t* first_corner; /* [point] */
-  uint32_t* next_vertex;  /* [vertex] another of the same point, or none */
-  uint32_t* first_vertex; /* [point] */
-  uint32_t* valence;      /* [point] its corners */
-  uint32_t* size;         /* [point] of its triangles when it was split last: bits of the mean square of edges */
+  foredraw_vertex* vertex;
+  foredraw_point* point;
+  foredraw_corner* corner;
 } foredraw_split_mesh;
 
 /* Floats as whole numbers that rise with them, and back. */
@@ -69,7 +78,7 @@ static inline float foredraw_ordered_float(int32_t order) {
 
 /* The product is exact, so that the sum is the same whether a compiler rounds the product or not. */
 static inline float foredraw_place(const foredraw_split_mesh* mesh, uint32_t point, uint32_t axis) {
-  return (float)((double)mesh->places[3 * (size_t)point + axis] * (double)mesh->step + (double)mesh->least[axis]);
+  return (float)((double)mesh->point[point].place[axis] * (double)mesh->step + (double)mesh->least[axis]);
 }
 
 static inline uint32_t foredraw_next_in_triangle(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
@@ -77,26 +86,26 @@ static inline uint32_t foredraw_last_in_triangle(uint32_t corner) { return corne
 
 static inline uint32_t foredraw_add_point(foredraw_split_mesh* mesh) {
   const uint32_t point = mesh->points++;
-  mesh->first_corner[point] = mesh->first_vertex[point] = FOREDRAW_NONE;
-  mesh->valence[point] = mesh->size[point] = 0;
+  mesh->point[point].first_corner = mesh->point[point].first_vertex = FOREDRAW_NONE;
+  mesh->point[point].valence = mesh->point[point].size = 0;
   return point;
 }
 
 static inline uint32_t foredraw_add_vertex(foredraw_split_mesh* mesh, uint32_t point, uint32_t part) {
   const uint32_t vertex = mesh->vertices++;
-  mesh->vertex_point[vertex] = point;
-  mesh->vertex_part[vertex] = part;
-  mesh->next_vertex[vertex] = mesh->first_vertex[point];
-  mesh->first_vertex[point] = vertex;
+  mesh->vertex[vertex].point = point;
+  mesh->vertex[vertex].part = part;
+  mesh->vertex[vertex].next = mesh->point[point].first_vertex;
+  mesh->point[point].first_vertex = vertex;
   return vertex;
 }
 
 static inline void foredraw_put_corner(foredraw_split_mesh* mesh, uint32_t corner, uint32_t point, uint32_t vertex) {
   mesh->indices[corner] = vertex;
-  mesh->corner_point[corner] = point;
-  mesh->next_corner[corner] = mesh->first_corner[point];
-  mesh->first_corner[point] = corner;
-  ++mesh->valence[point];
+  mesh->corner[corner].point = point;
+  mesh->corner[corner].next = mesh->point[point].first_corner;
+  mesh->point[point].first_corner = corner;
+  ++mesh->point[point].valence;
 }
 
 /* The triangles of a point. Its link is the edges that lie opposite of it, from `from` to `to`. */

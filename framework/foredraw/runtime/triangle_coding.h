@@ -55,20 +55,20 @@ static inline uint32_t foredraw_code_vertex(foredraw_split_coding* s, uint32_t p
   foredraw_split_mesh* mesh = &s->mesh;
   uint32_t vertex = FOREDRAW_NONE, i = 0;
   if (s->wanted) {
-    vertex = mesh->first_vertex[point];
-    for (; vertex != FOREDRAW_NONE && s->wanted->names[vertex] != name; ++i) vertex = mesh->next_vertex[vertex];
+    vertex = mesh->point[point].first_vertex;
+    for (; vertex != FOREDRAW_NONE && s->wanted->names[vertex] != name; ++i) vertex = mesh->vertex[vertex].next;
   }
   if (foredraw_code_bit(&s->coder, &s->models->is_expected[kind], vertex == expected)) {
     vertex = expected;
   } else if (foredraw_code_bit(&s->coder, &s->models->is_known, vertex != FOREDRAW_NONE)) {
     i = (uint32_t)foredraw_code_number(&s->coder, &s->models->which, (int32_t)i);
-    vertex = mesh->first_vertex[point];
-    for (; vertex != FOREDRAW_NONE && i > 0; --i) vertex = mesh->next_vertex[vertex];
+    vertex = mesh->point[point].first_vertex;
+    for (; vertex != FOREDRAW_NONE && i > 0; --i) vertex = mesh->vertex[vertex].next;
     if (vertex == FOREDRAW_NONE) s->damaged = 1;
   } else {
     vertex = FOREDRAW_NONE;
   }
-  if (vertex != FOREDRAW_NONE ? mesh->vertex_part[vertex] != part : mesh->vertices == mesh->most_vertices)
+  if (vertex != FOREDRAW_NONE ? mesh->vertex[vertex].part != part : mesh->vertices == mesh->most_vertices)
     s->damaged = 1;
   if (s->damaged) return 0;
   if (vertex != FOREDRAW_NONE) return vertex;
@@ -80,9 +80,9 @@ static inline uint32_t foredraw_code_vertex(foredraw_split_coding* s, uint32_t p
 /* A number of a vertex, beside what is expected. */
 static inline void foredraw_code_value(foredraw_split_coding* s, uint32_t vertex, uint32_t i, int32_t expected) {
   foredraw_split_mesh* mesh = &s->mesh;
-  const uint32_t at = mesh->part[mesh->vertex_part[vertex]].first + i, axis = mesh->component[at].axis;
+  const uint32_t at = mesh->part[mesh->vertex[vertex].part].first + i, axis = mesh->component[at].axis;
   uint32_t value = 0;
-  if (axis < 3) expected = foredraw_float_order(foredraw_place(mesh, mesh->vertex_point[vertex], axis));
+  if (axis < 3) expected = foredraw_float_order(foredraw_place(mesh, mesh->vertex[vertex].point, axis));
   if (s->wanted) value = (uint32_t)s->wanted->values[(size_t)mesh->width * s->wanted->names[vertex] + i];
   value -= (uint32_t)expected;
   value = (uint32_t)foredraw_code_number(&s->coder, s->value_models + i, (int32_t)value) + (uint32_t)expected;

@@ -51,7 +51,7 @@ class Writer {
   }
 
  private:
-  /// As triangles have them, those that only split come last.
+  /// As triangles have them; those come last of which all triangles come later.
   void number_base_points() {
     const auto number = [&](std::uint32_t point) {
       if (number_of_[point] != no_point) return;
@@ -59,19 +59,23 @@ class Writer {
       points_.push_back(point);
     };
     for (const std::uint32_t t : forest_.base) {
-      for (std::size_t k = 0; k < 3; ++k) number(standing(forest_.point_of[mesh_.indices[std::size_t{3} * t + k]]));
+      for (std::size_t k = 0; k < 3; ++k) number(root_of(forest_.point_of[mesh_.indices[std::size_t{3} * t + k]]));
+    }
+    for (std::size_t i = 0; i < mesh_.indices.size(); ++i) {
+      if (forest_.is_proper[i / 3]) number(root_of(forest_.point_of[mesh_.indices[i]]));
     }
     for (std::uint32_t p = 0; p < forest_.parent.size(); ++p) {
       if (forest_.parent[p] == no_point && !forest_.children.of(p).empty()) number(p);
     }
   }
 
-  /// What stands for it now; before any is numbered, its eldest ancestor.
-  std::uint32_t standing(std::uint32_t point) const {
-    while (number_of_[point] == no_point && forest_.parent[point] != no_point) point = forest_.parent[point];
+  /// What stands for it at the beginning.
+  std::uint32_t root_of(std::uint32_t point) const {
+    while (forest_.parent[point] != no_point) point = forest_.parent[point];
     return point;
   }
 
+  /// What stands for it now.
   std::uint32_t standing_vertex(std::uint32_t vertex) const {
     while (forest_.parent_vertex[vertex] != no_point && number_of_[forest_.point_of[vertex]] == no_point) {
       vertex = forest_.parent_vertex[vertex];
@@ -132,7 +136,7 @@ class Writer {
       const foredraw_wanted_triangle& wanted = added_[i];
       for (std::uint32_t k = 0; k < 3; ++k) {  // the stream may begin it at another corner
         const std::uint32_t at = 3 * wanted.number + k;
-        const auto which = std::ranges::find(wanted.points, coding_.mesh.corner_point[at]) - wanted.points;
+        const auto which = std::ranges::find(wanted.points, coding_.mesh.corner[at].point) - wanted.points;
         corner_[at] = 3 * triangles[i] + static_cast<std::uint32_t>(which);
         corner_names_[at] = wanted.names[which];
       }
@@ -169,7 +173,7 @@ class Writer {
     number_of_[child] = static_cast<std::uint32_t>(points_.size());
     points_.push_back(child);
     const foredraw_split_mesh& now = coding_.mesh;
-    for (std::uint32_t c = now.first_corner[old_point]; c != FOREDRAW_NONE; c = now.next_corner[c]) {
+    for (std::uint32_t c = now.point[old_point].first_corner; c != FOREDRAW_NONE; c = now.corner[c].next) {
       const std::uint32_t vertex = mesh_.indices[corner_[c]];
       moves_[c / 3] = forest_.is_below(forest_.point_of[vertex], child) ? 1 : 0;
       if (moves_[c / 3] != 0) corner_names_[c] = standing_vertex(vertex);

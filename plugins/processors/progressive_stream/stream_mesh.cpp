@@ -40,11 +40,11 @@ std::vector<Drawn> drawn_by(const StreamMesh& stream) {
   const NumberGrid grid = stream.grid();
   std::vector<Stamp> stamps;
   for (std::size_t v = 0; v < mesh.vertices; ++v) {
-    stamps.push_back(stamp_of({mesh.places + std::size_t{3} * mesh.vertex_point[v], 3},
-                              {mesh.values + grid.width * v, grid.parts[mesh.vertex_part[v]].count}));
+    stamps.push_back(stamp_of({mesh.point[mesh.vertex[v].point].place, 3},
+                              {mesh.values + grid.width * v, grid.parts[mesh.vertex[v].part].count}));
   }
   return drawn(
-      mesh.triangles, [&](std::size_t t) { return mesh.draw[t]; }, [&](std::size_t c) { return mesh.corner_point[c]; },
+      mesh.triangles, [&](std::size_t t) { return mesh.draw[t]; }, [&](std::size_t c) { return mesh.corner[c].point; },
       [&](std::size_t c) { return stamps[mesh.indices[c]]; });
 }
 
