@@ -103,8 +103,10 @@ std::vector<Include> includes_of(const std::string& text) {
 
 /// Why a file of a room may not include this; empty: it may.
 std::string refused_in_framework(const std::string& room, bool is_public_header, const Include& include) {
-  if (room == "runtime") return include.is_c() ? "" : "runtime/ is C for frame loops: only C's own headers";
   const std::string other = include.room();
+  if (room == "runtime") {
+    return include.is_c() || other == room ? "" : "runtime/ is C for frame loops: only C's own headers, and its own";
+  }
   if (other == room || other == "runtime") return "";
   if (!other.empty() && !reaches(room, other)) {
     return "framework/cmake/ForedrawBuild.cmake does not let " + room + " link " + other;

@@ -10,7 +10,7 @@ namespace foredraw {
 
 namespace {
 
-/// A draw, and what its three vertices have, begun at the least of them.
+/// A draw, and what its three vertices have, begun so that it is least.
 struct Drawn {
   std::uint32_t draw = 0;
   std::array<Stamp, 3> corners;
@@ -28,7 +28,8 @@ std::vector<Drawn> drawn(std::size_t triangles, const auto& draw, const auto& po
     const std::array points{point(3 * t), point(3 * t + 1), point(3 * t + 2)};
     if (points[0] == points[1] || points[1] == points[2] || points[2] == points[0]) continue;
     Drawn one{draw(t), {stamp(3 * t), stamp(3 * t + 1), stamp(3 * t + 2)}};
-    std::rotate(one.corners.begin(), std::min_element(one.corners.begin(), one.corners.end()), one.corners.end());
+    const auto& c = one.corners;  // two of them may be equal
+    one.corners = std::min({c, {c[1], c[2], c[0]}, {c[2], c[0], c[1]}});
     all.push_back(one);
   }
   std::ranges::sort(all);
