@@ -79,7 +79,7 @@ static inline void foredraw_put_byte(foredraw_range_coder* coder, uint32_t byte)
 /* The writer's topmost byte leaves; while it is 255 a carry may still come, and it is held. */
 static inline void foredraw_shift_low(foredraw_range_coder* coder) {
   const uint32_t carry = (uint32_t)(coder->low >> 32);
-  if (carry != 0 || (uint32_t)coder->low < 0xff000000u) {
+  if (coder->held == 0 || carry != 0 || (uint32_t)coder->low < 0xff000000u) {
     if (coder->held > 0) foredraw_put_byte(coder, coder->first_held + carry);
     for (; coder->held > 1; --coder->held) foredraw_put_byte(coder, 0xffu + carry);
     coder->held = 0;
