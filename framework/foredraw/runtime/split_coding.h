@@ -193,7 +193,7 @@ static inline void foredraw_code_place(foredraw_split_coding* s, const foredraw_
   const int32_t* old = mesh->point[split->old_point].place;
   int32_t* place = mesh->point[split->new_point].place;
   const int32_t* weights = foredraw_split_weights[foredraw_least_of(split->moved_count, 6)];
-  int64_t sums[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, normal[3] = {0, 0, 0}, slope = 0, height = 0, most;
+  int64_t sums[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, normal[3] = {0, 0, 0}, shares[3], slope = 0, height = 0, most;
   int32_t counts[3] = {0, 0, 0};
   uint32_t i, k, steep = 0, of_height = 0;
   const uint32_t of_size = foredraw_least_of(mesh->point[split->old_point].size, 63);
@@ -223,12 +223,12 @@ static inline void foredraw_code_place(foredraw_split_coding* s, const foredraw_
     height /= normal[steep];
     of_height = foredraw_bit_count((uint64_t)(height < 0 ? -height : height));
   }
+  for (k = 0; k < 3; ++k) shares[k] = counts[k] > 0 ? (int64_t)weights[k] * (65536 / counts[k]) : 0;
   for (i = 0; i < 3; ++i) {
     const uint32_t axis = (steep + 1 + i) % 3, kind = i < 2 ? of_size : foredraw_least_of(of_height, 63);
     int64_t expected = 0, value;
     int32_t beside;
-    for (k = 0; k < 3; ++k)
-      if (counts[k] > 0) expected += weights[k] * sums[k][axis] * (65536 / counts[k]);
+    for (k = 0; k < 3; ++k) expected += shares[k] * sums[k][axis];
     expected = old[axis] + expected / (64 * 65536);
     if (i == 2 && normal[steep] != 0) expected -= slope / normal[steep];
     beside = foredraw_code_number(&s->coder, &s->models->place[i][kind],
