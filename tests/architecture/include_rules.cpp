@@ -105,7 +105,7 @@ std::vector<Include> includes_of(const std::string& text) {
 std::string refused_in_framework(const std::string& room, bool is_public_header, const Include& include) {
   const std::string other = include.room();
   if (room == "runtime") {
-    return include.is_c() || other == room ? "" : "runtime/ is C for frame loops: only C's own headers, and each other";
+    return include.is_c() || other == room ? "" : "runtime/ is C for frame loops: only C's own headers, and its own";
   }
   if (other == room || other == "runtime") return "";
   if (!other.empty() && !reaches(room, other)) {

@@ -61,6 +61,7 @@ TEST(IncludeRules, framework_headers_show_glm_alone) {
 
 TEST(IncludeRules, runtime_is_c) {
   EXPECT_TRUE(may_include("framework/foredraw/runtime/order_table.h", "<stdint.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/runtime/split_coding.h", "<foredraw/runtime/range_coder.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/runtime/order_table.h", "<cstdint>"));
   EXPECT_FALSE(may_include("framework/foredraw/runtime/order_table.h", "<foredraw/base/random.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/runtime/selective_refine.h", "<foredraw/runtime/progressive_mesh.h>"));

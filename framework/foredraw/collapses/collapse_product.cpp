@@ -2,6 +2,7 @@
 
 #include <foredraw/collapses/collapse_sequences.h>
 #include <foredraw/collapses/joined_mesh.h>
+#include <foredraw/collapses/named_primitives.h>
 #include <foredraw/collapses/replay.h>
 #include <foredraw/scene/moves.h>
 
@@ -26,30 +27,6 @@ bool read_rows(ExtensionReader& from, const ExtensionValue& of, const char* name
   to.resize(data->bytes.size() / sizeof(T));
   std::memcpy(to.data(), data->bytes.view().data(), data->bytes.size());
   return true;
-}
-
-std::optional<std::vector<DrawId>> read_draws(const ExtensionValue& of, const Scene& scene) {
-  const ExtensionValue* list = of.member("primitives");
-  if (list == nullptr || list->list() == nullptr) return std::nullopt;
-  std::vector<DrawId> draws;
-  for (const ExtensionValue& one : *list->list()) {
-    if (one.list() == nullptr || one.list()->size() != 2) return std::nullopt;
-    const auto mesh = one.list()->front().whole(), primitive = one.list()->back().whole();
-    if (!mesh || !primitive) return std::nullopt;
-    if (*mesh >= scene.meshes.size() || *primitive >= scene.meshes[*mesh].draws.size()) return std::nullopt;
-    draws.push_back(scene.meshes[*mesh].draws[*primitive]);
-  }
-  return draws;
-}
-
-/// The first mesh that holds the draw, and which of its primitives it is.
-ExtensionValue place_of(const Scene& scene, DrawId id) {
-  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-    const auto& draws = scene.meshes[m].draws;
-    const auto found = std::ranges::find(draws, id);
-    if (found != draws.end()) return ExtensionValue::List{m, found - draws.begin()};
-  }
-  throw Refusal("no-mesh", scene.draws[id].name + " is not in a mesh", "remove draws that no mesh holds");
 }
 
 /// As the rest of a sentence; empty: its sequence runs on what the draws are.
@@ -78,7 +55,7 @@ class CollapseRow final : public ProductRow {
     if (meshes == nullptr || meshes->list() == nullptr) return "it has no array 'meshes'";
     CollapseSequences all;
     for (const ExtensionValue& one : *meshes->list()) {
-      auto draws = read_draws(one, scene);
+      auto draws = named_primitives(one.member("primitives"), scene);
       if (!draws) return "it names a primitive that is not there";
       CollapseSequence sequence;
       std::vector<std::array<std::uint32_t, 2>> points;
@@ -184,7 +161,7 @@ class CollapseRow final : public ProductRow {
     const auto real = [&](const std::vector<float>& values, std::uint8_t components) {
       return to.accessor(accessor_data(std::span(values), Component::float32, components));
     };
-    Members members{{"primitives", listed(mesh.draws, [&](DrawId id) { return place_of(scene, id); })},
+    Members members{{"primitives", names_of_primitives(mesh.draws, scene)},
                     {"collapses", whole(points, 2)},
                     {"amounts", real(amounts, 2)},
                     {"pairs", whole(pairs, 2)},
