@@ -71,7 +71,9 @@ def draw_panel(axes, panel, style, worst, is_log):
     axes.set_ylim(best / 1.3 if is_log else best - 0.05 * (worst - best), worst)
     axes.set_xscale("linear" if panel.ticks else "log")
     axes.margins(x=0.08)
-    axes.xaxis.set_major_locator(FixedLocator(panel.ticks) if panel.ticks else LogLocator(subs=(1, 2, 5)))
+    times = [point.time for point in panel.points]
+    subs = (1, 2, 5) if max(times) < 1000 * min(times) else (1,)  # what is written side by side
+    axes.xaxis.set_major_locator(FixedLocator(panel.ticks) if panel.ticks else LogLocator(subs=subs))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda time, _: f"{time:g}"))
     axes.set_xlabel(panel.axis)
     axes.xaxis.set_minor_formatter(NullFormatter())
