@@ -6,23 +6,19 @@
 
 #include "split_order.h"
 
+#include <benchmarks/meshes/one_mesh.h>
 #include <plugins/orderers/lookahead/lookahead.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
 
 #include <foredraw/analysis/vertex_cache.h>
-#include <foredraw/analysis/welded_positions.h>
-#include <foredraw/collapses/joined_mesh.h>
-#include <foredraw/io/scene_file.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <numeric>
-#include <stdexcept>
 
 namespace foredraw::bench {
 namespace {
@@ -35,27 +31,9 @@ struct Mesh {
   std::vector<std::uint32_t> indices;
 };
 
-/// All triangles of the file, in the draws' own spaces.
 Mesh mesh_of(const std::string& path) {
-  Diagnostics diagnostics;
-  const auto file = read_scene(path, diagnostics);
-  if (!file) throw std::runtime_error(to_text(diagnostics));
-  std::vector<DrawId> draws;
-  for (DrawId id = 0; id < file->scene.draws.size(); ++id) {
-    if (file->scene.draws[id].topology == Topology::triangles) draws.push_back(id);
-  }
-  Analyses analyses;
-  const JoinedMesh joined = joined_mesh(file->scene, draws, analyses).value();
-  const std::vector<std::uint32_t> first = welded(joined.positions);
-  Mesh mesh{std::filesystem::path(path).stem().string(), joined.positions, {}};
-  for (const std::uint32_t v : joined.indices) mesh.indices.push_back(first[v]);
-  return mesh;
-}
-
-double seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  WeldedMesh mesh = welded_mesh(read_joined(path));
+  return {std::filesystem::path(path).stem().string(), std::move(mesh.positions), std::move(mesh.indices)};
 }
 
 /// The median of what the work took; `before` is not counted.

@@ -4,22 +4,18 @@
 // thread, the median of seven readings; the stream that is read must show the mesh.
 //   progressive-stream-bench [-o FOLDER] FILES    a table of files (glTF, OBJ, PLY, ...), each as one mesh; the folder
 //   gets
-//                                                 what the peer's codecs wrote, for a general compressor to make
-//                                                 smaller
+//                                                 what the peer's codecs wrote, for a general compressor
 
+#include <benchmarks/meshes/one_mesh.h>
 #include <plugins/processors/progressive_stream/progressive_stream.h>
 #include <plugins/processors/progressive_stream/stream_mesh.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
-
-#include <foredraw/analysis/welded_positions.h>
-#include <foredraw/io/scene_file.h>
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -31,29 +27,10 @@ constexpr std::size_t rounds = 7;
 
 /// All triangles of the file as one draw, one vertex a place, without other attributes.
 JoinedMesh mesh_of(const std::string& path) {
-  Diagnostics diagnostics;
-  const auto file = read_scene(path, diagnostics);
-  if (!file) throw std::runtime_error(to_text(diagnostics));
-  std::vector<DrawId> draws;
-  for (DrawId id = 0; id < file->scene.draws.size(); ++id) {
-    if (file->scene.draws[id].topology == Topology::triangles) draws.push_back(id);
-  }
-  Analyses analyses;
-  const JoinedMesh joined = joined_mesh(file->scene, draws, analyses).value();
-  const std::vector<std::uint32_t> first = welded(joined.positions);
+  WeldedMesh welded = welded_mesh(read_joined(path));
   JoinedMesh mesh;
-  std::vector<std::uint32_t> number(first.size(), ~0u);
-  for (std::size_t i = 0; i + 2 < joined.indices.size(); i += 3) {
-    const std::array corners{first[joined.indices[i]], first[joined.indices[i + 1]], first[joined.indices[i + 2]]};
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-    for (const std::uint32_t v : corners) {
-      if (number[v] == ~0u) {
-        number[v] = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(joined.positions[v]);
-      }
-      mesh.indices.push_back(number[v]);
-    }
-  }
+  mesh.positions = std::move(welded.positions);
+  mesh.indices = std::move(welded.indices);
   const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
   VertexStreams streams;
   streams.count = vertices;
@@ -66,12 +43,6 @@ JoinedMesh mesh_of(const std::string& path) {
   mesh.streams = {std::make_shared<const VertexStreams>(std::move(streams))};
   mesh.stream_of = {0};
   return mesh;
-}
-
-double seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Splits a second.

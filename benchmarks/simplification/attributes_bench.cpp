@@ -6,8 +6,7 @@
 //   attributes-bench FILES     a table of files, each as one mesh
 //   attributes-bench --normals=.01 --texcoords=.1 FILES     with other weights
 
-#include "measured.h"
-
+#include <benchmarks/meshes/one_mesh.h>
 #include <evaluators/attribute_error/attribute_error.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
 

@@ -5,8 +5,7 @@
 // distance, proved within 2 per cent; both in per cent of the box's diagonal.
 //   simplifiers-bench [--rounds=7] [--most-energy=7000] [--tsv=FILE] FILES
 
-#include "measured.h"
-
+#include <benchmarks/meshes/one_mesh.h>
 #include <plugins/processors/energy_collapse/energy_collapse.h>
 #include <plugins/processors/openmesh_decimate/openmesh_decimate.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
@@ -16,7 +15,6 @@
 
 #include <foredraw/analysis/farthest_distance.h>
 #include <foredraw/analysis/surface_distance.h>
-#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/replay.h>
 
 #include <fmt/format.h>
@@ -34,31 +32,9 @@ namespace {
 
 constexpr std::array ratios{0.5, 0.25, 0.1, 0.02};
 
-struct Mesh {
-  std::vector<glm::vec3> positions;
-  std::vector<std::uint32_t> indices;
+using Mesh = WeldedMesh;
 
-  std::size_t triangles() const { return indices.size() / 3; }
-  Surface surface() const { return {positions, indices}; }
-};
-
-Mesh mesh_of(const JoinedMesh& joined) {
-  const std::vector<std::uint32_t> first = welded(joined.positions);
-  Mesh mesh;
-  std::vector<std::uint32_t> number(first.size(), ~0u);
-  for (std::size_t i = 0; i + 2 < joined.indices.size(); i += 3) {
-    const std::array corners{first[joined.indices[i]], first[joined.indices[i + 1]], first[joined.indices[i + 2]]};
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-    for (const std::uint32_t v : corners) {
-      if (number[v] == ~0u) {
-        number[v] = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(joined.positions[v]);
-      }
-      mesh.indices.push_back(number[v]);
-    }
-  }
-  return mesh;
-}
+Surface surface_of(const Mesh& mesh) { return {mesh.positions, mesh.indices}; }
 
 Mesh simplified_by_peer(const Mesh& mesh, std::size_t triangles, double& time) {
   Mesh left = mesh;
@@ -88,9 +64,9 @@ struct Errors {
 };
 
 Errors errors(const Mesh& from, const Mesh& to, const Executor& executor) {
-  const ClosestPoints a(from.surface()), b(to.surface());
-  return {surface_distance(from.surface(), to.surface(), {200'000, 1}, executor)->rms,
-          hausdorff_distance({from.surface(), a}, {to.surface(), b}, {}, executor)->bound};
+  const ClosestPoints a(surface_of(from)), b(surface_of(to));
+  return {surface_distance(surface_of(from), surface_of(to), {200'000, 1}, executor)->rms,
+          hausdorff_distance({surface_of(from), a}, {surface_of(to), b}, {}, executor)->bound};
 }
 
 struct Contestant {
@@ -150,7 +126,7 @@ double diagonal_of(const Mesh& mesh) {
 
 void measure(const std::string& path, std::size_t rounds, std::size_t most_energy, std::FILE* to) {
   const Executor executor;
-  const Mesh mesh = mesh_of(read_joined(path));
+  const Mesh mesh = welded_mesh(read_joined(path));
   const double percent = 100 / diagonal_of(mesh);
   const std::string name = std::filesystem::path(path).stem().string();
   const std::vector<Contestant> all = contestants(most_energy);

@@ -84,16 +84,8 @@ class CollapseRow final : public ProductRow {
   }
 
   std::string difference(const Scene& scene) const override {
-    std::vector<bool> is_named(scene.draws.size(), false);
-    for (const DrawsCollapse& mesh : scene.products.find<CollapseSequences>()->meshes) {
-      if (mesh.draws.empty()) return "one is of no draw";
-      for (const DrawId id : mesh.draws) {
-        if (id >= scene.draws.size() || is_named[id]) return "a draw is in two of them, or in none";
-        is_named[id] = true;
-      }
-      if (std::string why = why_not(mesh, scene); !why.empty()) return why;
-    }
-    return {};
+    return first_difference(scene.products.find<CollapseSequences>()->meshes, scene,
+                            [&](const auto& mesh) { return why_not(mesh, scene); });
   }
 
   /// Triangles may be in any sequence. Vertices are named by number, so that those of a draw that were renumbered are

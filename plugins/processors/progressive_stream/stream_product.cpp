@@ -53,16 +53,8 @@ class StreamRow final : public ProductRow {
   }
 
   std::string difference(const Scene& scene) const override {
-    std::vector<bool> is_named(scene.draws.size(), false);
-    for (const StreamedDraws& mesh : scene.products.find<ProgressiveStreams>()->meshes) {
-      if (mesh.draws.empty()) return "one is of no draw";
-      for (const DrawId id : mesh.draws) {
-        if (id >= scene.draws.size() || is_named[id]) return "a draw is in two of them, or in none";
-        is_named[id] = true;
-      }
-      if (std::string why = why_not(mesh, scene); !why.empty()) return why;
-    }
-    return {};
+    return first_difference(scene.products.find<ProgressiveStreams>()->meshes, scene,
+                            [&](const auto& mesh) { return why_not(mesh, scene); });
   }
 
   /// Which triangles and vertices come first is all the same.

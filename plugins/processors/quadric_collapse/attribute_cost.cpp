@@ -26,8 +26,6 @@ void AttributeCosts::each_slope(std::uint32_t f, std::uint32_t at, const See& se
 }
 
 const AttributeCosts::Slopes& AttributeCosts::slopes_at(std::uint32_t point) {
-  slopes_.resize(std::max<std::size_t>(slopes_.size(), mesh_.point_count()));
-  by_number_.resize(slopes_.size() * rows_.width);
   Slopes& sum = slopes_[point];
   if (sum.changes == mesh_.changes(point).faces) return sum;
   sum = {mesh_.changes(point).faces, 0, {}};

@@ -14,7 +14,11 @@ namespace foredraw::collapsing {
 
 class AttributeCosts {
  public:
-  AttributeCosts(const CollapsingMesh& mesh, AttributeRows rows) : mesh_(mesh), rows_(std::move(rows)) {}
+  AttributeCosts(const CollapsingMesh& mesh, AttributeRows rows)
+      : mesh_(mesh),
+        rows_(std::move(rows)),
+        slopes_(empty() ? 0 : mesh.point_count()),
+        by_number_(slopes_.size() * rows_.width) {}
 
   bool empty() const { return rows_.width == 0; }
   /// Adds squared differences by area, as a function of where the joined point lies from p. `shared`: the faces of

@@ -1,10 +1,12 @@
 #pragma once
-// What both benchmarks of simplifiers do alike.
+// What benchmarks of one mesh do alike: reading it from a file, and taking the time.
 
+#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/joined_mesh.h>
 #include <foredraw/io/scene_file.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <stdexcept>
@@ -24,6 +26,32 @@ inline JoinedMesh read_joined(const std::string& path) {
   }
   Analyses analyses;
   return joined_mesh(file->scene, draws, analyses).value();
+}
+
+/// One vertex a place, in the sequence in which triangles name them; triangles with two corners at one are gone.
+struct WeldedMesh {
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> indices;
+
+  std::size_t triangles() const { return indices.size() / 3; }
+};
+
+inline WeldedMesh welded_mesh(const JoinedMesh& joined) {
+  const std::vector<std::uint32_t> first = welded(joined.positions);
+  WeldedMesh mesh;
+  std::vector<std::uint32_t> number(first.size(), ~0u);
+  for (std::size_t i = 0; i + 2 < joined.indices.size(); i += 3) {
+    const std::array corners{first[joined.indices[i]], first[joined.indices[i + 1]], first[joined.indices[i + 2]]};
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    for (const std::uint32_t v : corners) {
+      if (number[v] == ~0u) {
+        number[v] = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(joined.positions[v]);
+      }
+      mesh.indices.push_back(number[v]);
+    }
+  }
+  return mesh;
 }
 
 /// Of the processor, for this thread.
