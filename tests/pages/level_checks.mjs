@@ -72,6 +72,19 @@ export const picture_step = (page, before, after) =>
     [before, after],
   );
 
+/** A longer caption below a pane makes it lower, and a picture is drawn where the panes are then. */
+async function check_first_picture(page) {
+  const changed = await page.evaluate(() => {
+    const { viewer: shown } = window.foredraw;
+    shown.set_state(1, 1);
+    shown.picture(1);
+    shown.set_state(1, 2);
+    const [first, second] = [shown.picture(1).data, shown.picture(1).data];
+    return first.reduce((sum, value, i) => sum + (value === second[i] ? 0 : 1), 0);
+  });
+  check_equal('pops: the first picture of a state is the one that stays', changed, 0);
+}
+
 const almost = 1 - 2 ** -40; // of the way to the next level: as floats, all of it
 
 /** Over all switches of the second pane, in some poses and from two sides: as picture_step() has it, the most of each. */
@@ -100,6 +113,7 @@ const as_text = ({ largest, share }) => `${largest} of 255, ${(100 * share).toFi
 
 /** State 1 has levels, and state 2 the same and what vertices become. */
 export async function check_pops(page, name, coarsest) {
+  await check_first_picture(page);
   await viewer(page, 'set_state', 1, 1);
   const without = await largest_pop(page, coarsest);
   await viewer(page, 'set_state', 1, 2);

@@ -197,19 +197,23 @@ export class Viewer {
     if (this.frame !== null) cancelAnimationFrame(this.frame);
     this.frame = null;
     this.panes.show(this.states.map((state) => state !== null));
+    const orders = new Map(
+      this.shown_panes().map((pane) => [pane, this.drawn_order(this.shown(pane), this.order_of(pane))]),
+    );
+    if (this.mode === 'deviation') {
+      this.drawing.set_first_distance(this.distance_bounds[0] ?? Infinity);
+      orders.forEach((order, pane) => order.set_deviation(surface_beside(this, pane)));
+    }
+    this.tell(); // before anything is drawn: a caption of another height moves the panes
     this.panes.fit((width, height, ratio) => this.drawing.set_size(width, height, ratio));
     const background = colour_of('--stage');
-    if (this.mode === 'deviation') this.drawing.set_first_distance(this.distance_bounds[0] ?? Infinity);
     this.drawing.clear();
-    for (const pane of this.shown_panes()) {
+    for (const [pane, order] of orders) {
       const place = this.panes.place(pane);
       if (place.width < 1 || place.height < 1) continue;
-      const order = this.drawn_order(this.shown(pane), this.order_of(pane));
-      if (this.mode === 'deviation') order.set_deviation(surface_beside(this, pane));
       const camera = this.orbit.camera(place.width / place.height);
       this.drawing.draw_pane(place, this.mode, order, camera, this.drawn, background);
     }
-    this.tell();
     this.first_drawn?.();
   }
 
