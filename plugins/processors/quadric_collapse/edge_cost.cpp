@@ -75,22 +75,24 @@ Around EdgeCosts::faces_around(std::uint32_t p) const {
 }
 
 Around EdgeCosts::around(std::uint32_t p) const {
-  if (!first_.empty()) return first_[p];
+  if (const std::uint32_t i = p - first_point_; i < first_.size()) return first_[i];
   Around sum = faces_around(p);
   sum.planes.add(mesh_.point(p).memory, weights_.memory);
   return sum;
 }
 
-void EdgeCosts::begin() {
-  first_.resize(mesh_.points().size());
-  for (std::uint32_t p = 0; p < first_.size(); ++p) {
+void EdgeCosts::begin(std::uint32_t first, std::uint32_t end) {
+  first_point_ = first;
+  first_.resize(end - first);
+  for (std::uint32_t p = first; p < end; ++p) {
     Point& point = mesh_.point(p);
     const bool is_hub = mesh_.ring(p).size() > most_faces;
     point.is_sharp = is_hub || !is_smooth(p);
     if (is_hub) continue;
-    first_[p] = faces_around(p);
-    point.memory = first_[p].planes;
-    first_[p].planes.add(point.memory, weights_.memory);
+    Around& here = first_[p - first];
+    here = faces_around(p);
+    point.memory = here.planes;
+    here.planes.add(point.memory, weights_.memory);
   }
 }
 

@@ -7,6 +7,8 @@
 #include "local_distance.h"
 #include "smooth_edges.h"
 
+#include <array>
+
 namespace foredraw::collapsing {
 
 struct CostWeights {
@@ -23,8 +25,8 @@ class EdgeCosts {
   /// More around an edge are not looked at.
   static constexpr std::size_t most_faces = LocalDistance::most_faces;
 
-  /// Finds sharp points, and gives every point its memory. What is found of points is kept until end_of_first().
-  void begin();
+  /// Of these points: finds the sharp ones, and gives each its memory. What is found is kept until end_of_first().
+  void begin(std::uint32_t first, std::uint32_t end);
   void end_of_first() { std::vector<Around>().swap(first_); }
   EdgeCost optimal(std::uint32_t p, std::uint32_t q);
   /// The costs of joining the point to some of its neighbours.
@@ -51,7 +53,8 @@ class EdgeCosts {
   CostWeights weights_;
   AttributeCosts& attributes_;
   std::vector<std::uint32_t> shared_;
-  std::vector<Around> first_;  ///< [point], while all edges are entered
+  std::uint32_t first_point_ = 0;
+  std::vector<Around> first_;  ///< [point - first_point_], while all edges are entered
   SmoothEdges together_;
   std::array<std::uint32_t, SmoothEdges::most> which_;  ///< neighbours that are in it
 };

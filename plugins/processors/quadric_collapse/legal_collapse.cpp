@@ -32,21 +32,21 @@ bool LegalCollapses::keeps_topology(std::uint32_t p, std::uint32_t q) {
     for (std::size_t j = 0; j < i; ++j) is_new = is_new && third_of(shared_[j]) != third;
     wanted += is_new;
   }
-  mesh_.mark_neighbours(p);
+  editor_.mark_neighbours(p);
   // A face of q whose other corners p has too, as in a tetrahedron, would lie on one of p.
   for (const std::uint32_t f : mesh_.ring(q)) {
     const Face& face = mesh_.face(f);
     if (face.has(p)) continue;
     const int k = face.corner_of(q);
     const std::uint32_t one = face.point[(k + 1) % 3], two = face.point[(k + 2) % 3];
-    if (mesh_.is_marked(one) && mesh_.is_marked(two) && has_face(p, one, two)) return false;
+    if (editor_.is_marked(one) && editor_.is_marked(two) && has_face(p, one, two)) return false;
   }
   std::uint32_t thirds = 0;
   for (const std::uint32_t f : mesh_.ring(q)) {
     for (const std::uint32_t n : mesh_.face(f).point) {
-      if (n == p || n == q || !mesh_.is_marked(n)) continue;
+      if (n == p || n == q || !editor_.is_marked(n)) continue;
       ++thirds;
-      mesh_.unmark(n);
+      editor_.unmark(n);
     }
   }
   return thirds == wanted;

@@ -10,7 +10,7 @@ namespace foredraw::collapsing {
 
 class LegalCollapses {
  public:
-  explicit LegalCollapses(CollapsingMesh& mesh) : mesh_(mesh) {}
+  LegalCollapses(const CollapsingMesh& mesh, MeshEditor& editor) : mesh_(mesh), editor_(editor) {}
 
   /// Whether the surface has the same topology when the edge is gone: what both points neighbour are the third corners
   /// of the faces between them, and nothing else; and some face is left.
@@ -26,7 +26,8 @@ class LegalCollapses {
   bool has_face(std::uint32_t p, std::uint32_t a, std::uint32_t b) const;
   bool is_border(std::uint32_t p) const;
 
-  CollapsingMesh& mesh_;
+  const CollapsingMesh& mesh_;
+  MeshEditor& editor_;
   std::vector<std::uint32_t> shared_;  ///< between the points last asked about
 };
 

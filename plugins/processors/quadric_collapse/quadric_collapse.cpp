@@ -1,15 +1,11 @@
 #include "quadric_collapse.h"
 
-#include "cost_queue.h"
-#include "edge_cost.h"
-#include "legal_collapse.h"
-#include "local_distance.h"
-#include "whole_parts.h"
+#include "collapser.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <limits>
+#include <deque>
+#include <tuple>
+#include <utility>
 
 namespace foredraw {
 
@@ -17,39 +13,40 @@ namespace {
 
 using namespace collapsing;
 
-/// How far the place lies from the one that is kept towards the one that goes.
-float blend_of(glm::vec3 kept, glm::vec3 removed, glm::vec3 place) {
-  const glm::dvec3 edge = glm::dvec3(removed) - glm::dvec3(kept), to = glm::dvec3(place) - glm::dvec3(kept);
-  const double length = dot(edge, edge);
-  return length > 0 ? static_cast<float>(std::clamp(dot(to, edge) / length, 0.0, 1.0)) : 0.0f;
-}
+constexpr std::size_t piece_points = 4096;   // at most: what belongs to them nearly fits a second-level cache
+constexpr std::size_t fewest_points = 1024;  // of fewer a piece, too many lie at its rim
+constexpr std::size_t round_ranks = 8;       // costs double in a round
+constexpr std::size_t round_share = 8;       // of a piece's points no more than the eighth part goes in a round
 
-class Collapser {
+/// In rounds: every piece of the mesh collapses its own edges up to a cost, all at once, and then those between pieces
+/// are collapsed up to that cost. What comes out does not depend on who works on which piece when.
+class QuadricCollapse {
  public:
-  Collapser(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-            const QuadricCollapseOptions& options, AttributeRows attributes, std::span<const std::uint32_t> stream)
+  QuadricCollapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                  const QuadricCollapseOptions& options, AttributeRows attributes,
+                  std::span<const std::uint32_t> stream)
       : options_(options),
-        mesh_(positions, indices),
+        mesh_(positions, indices, piece_points),
         attributes_(mesh_, std::move(attributes)),
-        costs_(mesh_, {options.memory, options.border, options.seam}, attributes_),
-        legal_(mesh_),
-        parts_(mesh_, options.parts, stream) {}
+        parts_(mesh_, options.parts, stream),
+        points_(mesh_.point_count()),
+        faces_(mesh_.face_count()),
+        between_({options_, mesh_, attributes_, parts_}, Collapser::between, mesh_.piece_count(), editors()) {
+    for (std::size_t i = 0; i < mesh_.piece_count(); ++i) {
+      all_.emplace_back(Collapsing{options_, mesh_, attributes_, parts_}, i, i, editors());
+      pieces_.push_back(&all_.back());
+    }
+  }
 
   CollapseSequence run() {
-    costs_.begin();
-    enter_parts();
-    for (std::size_t before = ~std::size_t{0}; mesh_.face_count() > options_.least && mesh_.face_count() < before;) {
-      before = mesh_.face_count();
-      enter_all();
-      while (mesh_.face_count() > options_.least && !is_cancelled()) {
-        const auto edge = queue_.pop();
-        if (!edge) break;
-        if (edge->q == whole) {
-          remove_part(edge->p, edge->cost);
-        } else if (moves(edge->p, edge->q) == edge->moves) {
-          consider(*edge);
-        }
-      }
+    each_piece([](std::size_t, Collapser& piece) { piece.begin(); });
+    between_.enter_parts();
+    for (std::size_t before = ~std::size_t{0}; faces_ > options_.least && faces_ < before;) {
+      before = faces_;
+      each_piece([](std::size_t, Collapser& piece) { piece.enter_edges(); });
+      if (!is_one_piece()) between_.enter_edges();
+      hand_over();
+      while (faces_ > options_.least && !is_cancelled() && next_rank() < CostQueue::ranks) round();
     }
     sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
     return std::move(sequence_);
@@ -58,139 +55,102 @@ class Collapser {
  private:
   bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed); }
 
-  /// A part is entered as if it were an edge to nowhere.
-  void enter_parts() {
-    for (std::uint32_t part = 0; part < parts_.count(); ++part) {
-      const double cost = parts_.cost(part);
-      queue_.push(cost, {cost, {}, part, whole, 0, 0, false});
-    }
-  }
+  std::size_t editors() const { return mesh_.piece_count() + 1; }
+  bool is_one_piece() const { return pieces_.size() == 1; }
 
-  void remove_part(std::uint32_t part, double cost) {
-    if (parts_.is_all(part)) return;
-    while (mesh_.face_count() > options_.least) {
-      const auto step = parts_.next(part, pairs_);
-      if (!step) break;
-      collapse(step->removed, step->kept, {cost, mesh_.point(step->kept).place});
-    }
-  }
-
-  void enter_all() {
-    for (std::uint32_t p = 0; p < mesh_.points().size(); ++p) {
-      if (mesh_.point(p).is_gone) continue;
-      const std::span<const Neighbour> around = mesh_.neighbours(p);
-      neighbours_.clear();
-      std::ranges::copy_if(around, std::back_inserter(neighbours_),
-                           [&](const Neighbour& one) { return p < one.point; });
-      enter_neighbours(p);
-    }
-    costs_.end_of_first();
-  }
-
-  EdgeCost cost_of(std::uint32_t p, std::uint32_t q) {
-    if (options_.placement == CollapsePlacement::optimal) return costs_.optimal(p, q);
-    const double at_p = costs_.at(p, q), at_q = costs_.at(q, p);
-    return at_p <= at_q ? EdgeCost{at_p, mesh_.point(p).place} : EdgeCost{at_q, mesh_.point(q).place};
-  }
-
-  /// Edges of which a point has very many faces wait until there are fewer: each look at one is a look at all of them.
-  void enter_neighbours(std::uint32_t p) {
-    std::erase_if(neighbours_, [&](const Neighbour& one) {
-      return mesh_.ring(p).size() + mesh_.ring(one.point).size() > EdgeCosts::most_faces;
-    });
-    found_.resize(neighbours_.size());
-    if (options_.placement == CollapsePlacement::optimal) {
-      costs_.optimal(p, neighbours_, found_);
+  template <class Task>
+  void each_piece(const Task& task) {
+    const auto run = [&](std::size_t i) { task(i, *pieces_[i]); };
+    if (options_.executor != nullptr) {
+      options_.executor->for_each(pieces_.size(), run);
     } else {
-      for (std::size_t i = 0; i < found_.size(); ++i) found_[i] = cost_of(p, neighbours_[i].point);
+      for (std::size_t i = 0; i < pieces_.size(); ++i) run(i);
     }
-    for (std::size_t i = 0; i < found_.size(); ++i) enter(p, neighbours_[i].point, found_[i]);
-  }
-  void enter(std::uint32_t p, std::uint32_t q, const EdgeCost& found) { enter(p, q, found, found.cost, false); }
-  void enter(std::uint32_t p, std::uint32_t q, const EdgeCost& found, double cost, bool is_checked) {
-    queue_.push(cost, {found.cost, found.place, p, q, moves(p, q), changes(p, q), is_checked});
   }
 
-  std::uint32_t moves(std::uint32_t p, std::uint32_t q) const {
-    return mesh_.changes(p).moves + mesh_.changes(q).moves;
-  }
-  std::uint32_t changes(std::uint32_t p, std::uint32_t q) const {
-    return (mesh_.changes(p).faces + mesh_.changes(q).faces) & (~std::uint32_t{0} >> 1);
-  }
-
-  void consider(const EdgeEntry& edge) {
-    const auto [p, q] = std::pair(edge.p, edge.q);
-    const bool has_changed = changes(p, q) != edge.changes;
-    const EdgeCost best = has_changed ? cost_of(p, q) : EdgeCost{edge.cost, edge.place};
-    if (has_changed && CostQueue::rank_of(best.cost) > queue_.lowest()) return enter(p, q, best);
-    if (!legal_.keeps_topology(p, q)) return;
-    if ((has_changed || !edge.is_checked) && is_too_far(p, q, best)) return;
-    const bool stays_at_q = best.place == mesh_.point(q).place;
-    const std::uint32_t first = stays_at_q ? q : p, second = stays_at_q ? p : q;
-    const bool may_turn = options_.placement == CollapsePlacement::optimal;
-    const bool is_first_kept = legal_.pair_vertices(second, first, pairs_);
-    if (!is_first_kept && !(may_turn && legal_.pair_vertices(first, second, pairs_))) return;
-    if (!legal_.keeps_sides(p, q, best.place)) return;
-    collapse(is_first_kept ? second : first, is_first_kept ? first : second, best);
+  /// The lowest rank of all edges.
+  std::size_t next_rank() const {
+    std::size_t rank = between_.queue().next();
+    for (const Collapser* piece : pieces_) rank = std::min(rank, piece->queue().next());
+    return rank;
   }
 
-  /// A quadric does not see where faces end: at a crease the least place may lie far from all of them. Where an edge
-  /// moves the surface farther than its cost says, it waits until that is the cost.
-  bool is_too_far(std::uint32_t p, std::uint32_t q, const EdgeCost& best) {
-    constexpr std::size_t slack = 6;  // ranks; to be stricter gains nothing
-    const double weight = options_.deviation * area_around(p, q);
-    if (!(weight > 0)) return false;
-    const double cost = best.cost + weight * distance_.squared(mesh_, p, q, best.place);
-    if (CostQueue::rank_of(cost) <= queue_.lowest() + slack) return false;
-    enter(p, q, best, cost, true);
-    return true;
-  }
-
-  double area_around(std::uint32_t p, std::uint32_t q) const {
-    double area = 0;
-    for (const std::uint32_t one : {p, q}) {
-      for (const std::uint32_t f : mesh_.ring(one)) area += mesh_.plane(f).area();
+  void round() {
+    const std::size_t most = is_one_piece() ? CostQueue::ranks : next_rank() + round_ranks - 1;
+    if (!is_one_piece()) {
+      each_piece([&](std::size_t, Collapser& piece) { piece.run_inside(most, round_share); });
+      hand_over();
+      append_by_cost();
     }
-    return area;
+    between_.run(most, faces_, options_.least);
+    append(between_.steps(), 0, between_.steps().steps.size());
+    between_.steps().clear();
+    hand_over();
+    while (!is_one_piece() && points_ < fewest_points * pieces_.size()) join_pieces();
   }
 
-  void collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCost& best) {
-    const double area = area_around(removed, kept);
-    constexpr double most = std::numeric_limits<float>::max();
-    const double cost = attributes_.empty() ? best.cost : costs_.distances(removed, kept, best.place);
-    if (area > 0) error_ = std::min(std::max(error_, std::sqrt(std::max(cost, 0.0) / area)), most);
-    const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
-    const Quadric memory = costs_.joined_memory(removed, kept, best.place);
-    Point& point = mesh_.point(kept);
-    point.is_sharp = point.is_sharp || mesh_.point(removed).is_sharp;
-    mesh_.collapse(removed, kept, best.place,
-                   [&](std::uint32_t vertex) { return std::ranges::find(pairs_, vertex, &VertexPair::removed)->kept; });
-    point.memory = memory;
-    attributes_.blend(pairs_, blend);
-    sequence_.collapses.push_back({mesh_.name_of(removed), mesh_.name_of(kept), blend, static_cast<float>(error_)});
-    sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
-    sequence_.pairs.insert(sequence_.pairs.end(), pairs_.begin(), pairs_.end());
-    for (int k = 0; k < 3; ++k) sequence_.places.push_back(best.place[k]);
-    const std::span<const Neighbour> around = mesh_.neighbours(kept);
-    neighbours_.assign(around.begin(), around.end());
-    enter_neighbours(kept);
+  /// Edges go to whom they belong.
+  void hand_over() {
+    for (Collapser* piece : pieces_) {
+      for (const auto& [rank, entry] : piece->elsewhere()) between_.queue().push(rank, entry);
+      piece->elsewhere().clear();
+    }
+    for (const auto& [rank, entry] : between_.elsewhere()) {
+      pieces_[mesh_.piece_of(entry.p)]->queue().push(rank, entry);
+    }
+    between_.elsewhere().clear();
   }
 
-  static constexpr std::uint32_t whole = ~std::uint32_t{0};
+  void join_pieces() {
+    mesh_.join_pieces();
+    const std::vector<Collapser*> halves = std::exchange(pieces_, {});
+    for (std::size_t i = 0; i < halves.size(); i += 2) pieces_.push_back(halves[i]);
+    each_piece([&](std::size_t i, Collapser& piece) { piece.join(*halves[2 * i + 1]); });
+    if (is_one_piece()) between_.take(*pieces_.front());
+  }
+
+  /// What pieces did at once comes one after the other, the cheapest first.
+  void append_by_cost() {
+    struct Place {
+      std::uint32_t rank, piece, step;
+    };
+    std::vector<Place> places;
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      for (std::uint32_t j = 0; j < pieces_[i]->steps().steps.size(); ++j) {
+        places.push_back({pieces_[i]->steps().steps[j].rank, i, j});
+      }
+    }
+    std::ranges::sort(places, {}, [](const Place& at) { return std::tuple(at.rank, at.piece, at.step); });
+    for (const Place& at : places) append(pieces_[at.piece]->steps(), at.step, at.step + 1);
+    for (Collapser* piece : pieces_) piece->steps().clear();
+  }
+
+  void append(const Steps& from, std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end && faces_ > options_.least; ++i) {
+      const Steps::Step& step = from.steps[i];
+      error_ = std::max(error_, step.collapse.error);
+      Collapse collapse = step.collapse;
+      collapse.error = error_;
+      sequence_.collapses.push_back(collapse);
+      sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
+      const std::uint32_t begin = i == 0 ? 0 : from.steps[i - 1].end;
+      sequence_.pairs.insert(sequence_.pairs.end(), from.pairs.begin() + begin, from.pairs.begin() + step.end);
+      for (int k = 0; k < 3; ++k) sequence_.places.push_back(step.place[k]);
+      faces_ -= step.faces;
+      --points_;
+    }
+  }
 
   QuadricCollapseOptions options_;
   CollapsingMesh mesh_;
   AttributeCosts attributes_;
-  EdgeCosts costs_;
-  LegalCollapses legal_;
   WholeParts parts_;
-  LocalDistance distance_;
-  CostQueue queue_;
-  std::vector<VertexPair> pairs_;
-  std::vector<Neighbour> neighbours_;
-  std::vector<EdgeCost> found_;
+  std::size_t points_, faces_;  // that are left
+  std::deque<Collapser> all_;
+  std::vector<Collapser*> pieces_;
+  Collapser between_;
   CollapseSequence sequence_;
-  double error_ = 0;
+  float error_ = 0;
 };
 
 }  // namespace
@@ -198,7 +158,7 @@ class Collapser {
 CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                                   const QuadricCollapseOptions& options, AttributeRows attributes,
                                   std::span<const std::uint32_t> stream) {
-  return Collapser(positions, indices, options, std::move(attributes), stream).run();
+  return QuadricCollapse(positions, indices, options, std::move(attributes), stream).run();
 }
 
 }  // namespace foredraw

@@ -3,6 +3,7 @@
 // Meshes, SIGGRAPH 1996 (the sequence); Garland, Heckbert 1997 (quadrics); Lindstrom, Turk 1998 (memoryless cost, the
 // volume kept); Hoppe 1999 (attributes).
 
+#include <foredraw/base/parallel.h>
 #include <foredraw/collapses/attribute_rows.h>
 #include <foredraw/scene/collapse_sequence.h>
 
@@ -27,6 +28,7 @@ struct QuadricCollapseOptions {
   double parts = 0.02;     ///< whole pieces go whose diagonal is at most this share of the mesh's; 0 to 1
   std::size_t least = 0;   ///< triangles to stop at
   const std::atomic<bool>* cancel = nullptr;  ///< once it is true the sequence ends
+  const Executor* executor = nullptr;         ///< for large meshes; the sequence is the same without
 };
 
 /// The collapses, cheapest first, until no more than `least` triangles are left or no edge may go. `indices` holds

@@ -19,6 +19,7 @@ class QuadricCollapse final : public Simplifier {
     QuadricCollapseOptions options = options_;
     options.least = least;
     options.cancel = run.cancel;
+    options.executor = &run.executor;
     return quadric_collapse(mesh.positions, mesh.indices, options, attribute_rows(mesh, attributes_), mesh.part);
   }
 

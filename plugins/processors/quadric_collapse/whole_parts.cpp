@@ -19,14 +19,24 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t p) {
 std::vector<std::uint32_t> roots_of(const CollapsingMesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.point_count());
   std::iota(parent.begin(), parent.end(), 0u);
-  for (std::uint32_t p = 0; p < parent.size(); ++p) {
-    for (const std::uint32_t f : mesh.ring(p)) {
-      const std::uint32_t a = root_of(parent, p), b = root_of(parent, mesh.face(f).point[0]);
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const Face& face = mesh.face(f);
+    for (const int k : {1, 2}) {
+      const std::uint32_t a = root_of(parent, face.point[0]), b = root_of(parent, face.point[k]);
       parent[std::max(a, b)] = std::min(a, b);
     }
   }
   for (std::uint32_t p = 0; p < parent.size(); ++p) parent[p] = root_of(parent, p);
   return parent;
+}
+
+/// Points by their roots, those of one root as they come.
+std::vector<std::uint32_t> by_root(const std::vector<std::uint32_t>& root) {
+  std::vector<std::uint32_t> next(root.size() + 1, 0), points(root.size());
+  for (const std::uint32_t one : root) ++next[one + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (std::uint32_t p = 0; p < root.size(); ++p) points[next[root[p]]++] = p;
+  return points;
 }
 
 /// Of the box around those of the points that are finite.
@@ -46,22 +56,21 @@ WholeParts::WholeParts(const CollapsingMesh& mesh, double largest, std::span<con
     : mesh_(mesh) {
   constexpr double distance = 0.6;  // from what is left, in diagonals
   const std::vector<std::uint32_t> root = roots_of(mesh);
-  by_part_.resize(root.size());
-  std::iota(by_part_.begin(), by_part_.end(), 0u);
-  std::ranges::stable_sort(by_part_, {}, [&](std::uint32_t p) { return root[p]; });
+  by_part_ = by_root(root);
   const double most = squared_diagonal(mesh, by_part_) * largest * largest;
   for (std::uint32_t first = 0; first < by_part_.size();) {
     Piece piece{first, first, 0};
     while (piece.end < by_part_.size() && root[by_part_[piece.end]] == root[by_part_[first]]) ++piece.end;
-    const auto points = std::span(by_part_).first(piece.end).subspan(first);
+    first = piece.end;
+    const auto points = std::span(by_part_).first(piece.end).subspan(piece.first);
+    const double squared = squared_diagonal(mesh, points);
+    if (!(squared <= most)) continue;
     double area = 0;
     for (const std::uint32_t p : points) {
       for (const std::uint32_t f : mesh.ring(p)) area += mesh.plane(f).area() / 3;
     }
-    const double squared = squared_diagonal(mesh, points);
     piece.cost = area * squared * distance * distance;
-    if (piece.cost > 0 && squared <= most && can_vanish(piece, stream)) pieces_.push_back(piece);
-    first = piece.end;
+    if (piece.cost > 0 && can_vanish(piece, stream)) pieces_.push_back(piece);
   }
 }
 
@@ -77,12 +86,12 @@ bool WholeParts::can_vanish(const Piece& piece, std::span<const std::uint32_t> s
   });
 }
 
-bool WholeParts::is_all(std::size_t part) const {
+bool WholeParts::is_all(std::size_t part, std::size_t faces_left) const {
   std::size_t corners = 0;
   for (std::uint32_t i = pieces_[part].first; i < pieces_[part].end; ++i) {
     if (!mesh_.point(by_part_[i]).is_gone) corners += mesh_.ring(by_part_[i]).size();
   }
-  return corners == 3 * mesh_.face_count();
+  return corners == 3 * faces_left;
 }
 
 std::optional<WholeParts::Step> WholeParts::next(std::size_t part, std::vector<VertexPair>& pairs) {

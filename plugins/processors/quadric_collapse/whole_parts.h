@@ -20,8 +20,8 @@ class WholeParts {
   /// The squared distances of all of it from what will be left, by area, if that is about a quarter of its diagonal
   /// away.
   double cost(std::size_t part) const { return pieces_[part].cost; }
-  /// Whether there are triangles of other parts.
-  bool is_all(std::size_t part) const;
+  /// Whether no triangles of other parts are among those that are left.
+  bool is_all(std::size_t part, std::size_t faces_left) const;
 
   struct Step {
     std::uint32_t removed = 0, kept = 0;  ///< points

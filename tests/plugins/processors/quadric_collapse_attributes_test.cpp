@@ -118,6 +118,20 @@ TEST(QuadricCollapseAttributes, SeamsAndOddMeshesRunWithThemToo) {
   }
 }
 
+TEST(QuadricCollapseAttributes, DoNotDependOnWhoWorksOnWhichPieceWhen) {
+  const TestMesh torus = testing::torus(150, 80);
+  const AttributeRows rows = rows_of(torus, [](const glm::vec3& p) { return std::sin(5 * p.x) * std::cos(7 * p.y); });
+  const CollapseSequence want = quadric_collapse(torus.positions, torus.indices, {}, rows);
+  EXPECT_EQ(replay(want, torus.positions, torus.indices).mistake, "");
+  const Executor backwards(2, [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    while (count > 0) task(--count);
+  });
+  const Executor two(2);
+  for (const Executor* executor : {&two, &backwards}) {
+    EXPECT_EQ(quadric_collapse(torus.positions, torus.indices, {.executor = executor}, rows), want);
+  }
+}
+
 /// What is claimed is a distance: attributes do not add to it.
 TEST(QuadricCollapseAttributes, ErrorsAreDistances) {
   const TestMesh torus = testing::closed_torus(40, 24);

@@ -172,6 +172,45 @@ TEST(QuadricCollapse, IsTheSameAtEveryVectorWidth) {
   }
 }
 
+/// A mesh of several pieces, with a seam around it where `has_seam`.
+TestMesh in_pieces(bool has_seam) { return has_seam ? testing::torus(150, 80) : testing::closed_torus(150, 80); }
+
+TEST(QuadricCollapse, DoesNotDependOnWhoWorksOnWhichPieceWhen) {
+  const Executor executor(2);
+  const Executor backwards(2, [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    while (count > 0) task(--count);
+  });
+  for (const bool has_seam : {false, true}) {
+    const TestMesh mesh = in_pieces(has_seam);
+    for (const CollapsePlacement placement : {CollapsePlacement::optimal, CollapsePlacement::endpoint}) {
+      QuadricCollapseOptions options{.placement = placement};
+      const CollapseSequence want = quadric_collapse(mesh.positions, mesh.indices, options);
+      const Replay run = replay(want, mesh.positions, mesh.indices);
+      EXPECT_EQ(run.mistake, "");
+      EXPECT_LT(run.triangles.back(), 200u);
+      for (const Executor* other : {&executor, &backwards}) {
+        options.executor = other;
+        EXPECT_EQ(quadric_collapse(mesh.positions, mesh.indices, options), want);
+      }
+    }
+  }
+}
+
+/// What lies between pieces does not lag behind: what is left of a sphere in pieces is as close as what is left of one
+/// that is a single piece. Distances go with one over the triangles.
+TEST(QuadricCollapse, PiecesLeaveNoTrace) {
+  const auto distances = [](const TestMesh& sphere, std::size_t triangles) {
+    const TestMesh left = coarse(sphere, triangles);
+    EXPECT_GE(left.indices.size() / 3, triangles - 2);
+    return distance(sphere, left) * static_cast<double>(triangles);
+  };
+  const TestMesh large = testing::sphere(200, 100);
+  const double want = distances(testing::sphere(80, 40), 1000);
+  for (const std::size_t triangles : {16000, 8000, 4000, 2000, 1000}) {
+    EXPECT_LT(distances(large, triangles), 1.25 * want) << triangles;
+  }
+}
+
 /// A point of 4,000 triangles is looked at when it has fewer.
 TEST(QuadricCollapse, AHubIsNoTrap) {
   TestMesh disc;

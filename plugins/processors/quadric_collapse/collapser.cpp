@@ -1,0 +1,194 @@
+#include "collapser.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foredraw::collapsing {
+
+namespace {
+
+/// How far the place lies from the one that is kept towards the one that goes.
+float blend_of(glm::vec3 kept, glm::vec3 removed, glm::vec3 place) {
+  const glm::dvec3 edge = glm::dvec3(removed) - glm::dvec3(kept), to = glm::dvec3(place) - glm::dvec3(kept);
+  const double length = dot(edge, edge);
+  return length > 0 ? static_cast<float>(std::clamp(dot(to, edge) / length, 0.0, 1.0)) : 0.0f;
+}
+
+}  // namespace
+
+void Collapser::begin() {
+  const std::uint32_t first = mesh_.first_point(piece_), end = mesh_.first_point(piece_ + 1);
+  mesh_.find_rim(piece_);
+  costs_.begin(first, end);
+  points_ = end - first;
+}
+
+void Collapser::enter_edges() {
+  const bool is_between = piece_ == between && mesh_.piece_count() > 1;
+  const std::uint32_t first = piece_ == between ? 0 : mesh_.first_point(piece_);
+  const std::uint32_t end = mesh_.first_point(piece_ == between ? mesh_.piece_count() : piece_ + 1);
+  for (std::uint32_t p = first; p < end; ++p) {
+    if (mesh_.point(p).is_gone || (is_between && mesh_.is_inside(p, p))) continue;
+    neighbours_.clear();
+    for (const Neighbour& one : editor_.neighbours(p, !is_between)) {
+      if (p < one.point && (!is_between || mesh_.piece_of(one.point) != mesh_.piece_of(p))) neighbours_.push_back(one);
+    }
+    enter_neighbours(p);
+  }
+  costs_.end_of_first();
+}
+
+void Collapser::enter_parts() {
+  for (std::uint32_t part = 0; part < all_.parts.count(); ++part) {
+    const double cost = all_.parts.cost(part);
+    queue_.push(CostQueue::rank_of(cost), {cost, {}, part, whole, 0, 0, false});
+  }
+}
+
+void Collapser::run(std::size_t most_rank, std::size_t faces, std::size_t least) {
+  faces_ = faces;
+  while (faces_ > least && !is_cancelled()) {
+    const auto edge = queue_.pop(most_rank);
+    if (!edge) break;
+    take_up(*edge, least);
+  }
+}
+
+void Collapser::run_inside(std::size_t most_rank, std::size_t share) {
+  for (const std::size_t least = points_ - points_ / share; points_ > least && !is_cancelled();) {
+    const auto edge = queue_.pop(most_rank);
+    if (!edge) break;
+    take_up(*edge, 0);
+  }
+}
+
+void Collapser::take_up(const EdgeEntry& edge, std::size_t least) {
+  if (!is_current(edge)) return;
+  if (edge.q == whole) {
+    remove_part(edge.p, edge.cost, least);
+  } else if (is_mine(edge.p, edge.q)) {
+    consider(edge);
+  } else {
+    elsewhere_.push_back({queue_.lowest(), edge});
+  }
+}
+
+void Collapser::join(Collapser& other) {
+  piece_ /= 2;
+  mesh_.find_rim(piece_);
+  points_ += other.points_;
+  take(other);
+}
+
+void Collapser::take(Collapser& other) {
+  while (const auto edge = other.queue_.pop()) {
+    if (is_current(*edge)) queue_.push(other.queue_.lowest(), *edge);
+  }
+}
+
+void Collapser::remove_part(std::uint32_t part, double cost, std::size_t least) {
+  if (all_.parts.is_all(part, faces_)) return;
+  while (faces_ > least) {
+    const auto step = all_.parts.next(part, pairs_);
+    if (!step) break;
+    collapse(step->removed, step->kept, {cost, mesh_.point(step->kept).place});
+  }
+}
+
+EdgeCost Collapser::cost_of(std::uint32_t p, std::uint32_t q) {
+  if (all_.options.placement == CollapsePlacement::optimal) return costs_.optimal(p, q);
+  const double at_p = costs_.at(p, q), at_q = costs_.at(q, p);
+  return at_p <= at_q ? EdgeCost{at_p, mesh_.point(p).place} : EdgeCost{at_q, mesh_.point(q).place};
+}
+
+/// Edges of which a point has very many faces wait until there are fewer: each look at one is a look at all of them.
+void Collapser::enter_neighbours(std::uint32_t p) {
+  std::erase_if(neighbours_, [&](const Neighbour& one) {
+    return mesh_.ring(p).size() + mesh_.ring(one.point).size() > EdgeCosts::most_faces;
+  });
+  found_.resize(neighbours_.size());
+  if (all_.options.placement == CollapsePlacement::optimal) {
+    costs_.optimal(p, neighbours_, found_);
+  } else {
+    for (std::size_t i = 0; i < found_.size(); ++i) found_[i] = cost_of(p, neighbours_[i].point);
+  }
+  for (std::size_t i = 0; i < found_.size(); ++i) enter(p, neighbours_[i].point, found_[i], found_[i].cost, false);
+}
+
+void Collapser::enter(std::uint32_t p, std::uint32_t q, const EdgeCost& found, double cost, bool is_checked) {
+  const std::size_t rank = CostQueue::rank_of(cost);
+  const EdgeEntry entry{found.cost, found.place, p, q, moves(p, q), changes(p, q), is_checked};
+  if (is_mine(p, q)) {
+    queue_.push(rank, entry);
+  } else {
+    elsewhere_.push_back({rank, entry});
+  }
+}
+
+void Collapser::consider(const EdgeEntry& edge) {
+  const auto [p, q] = std::pair(edge.p, edge.q);
+  const bool has_changed = changes(p, q) != edge.changes;
+  const EdgeCost best = has_changed ? cost_of(p, q) : EdgeCost{edge.cost, edge.place};
+  if (has_changed && CostQueue::rank_of(best.cost) > queue_.lowest()) return enter(p, q, best, best.cost, false);
+  if (!legal_.keeps_topology(p, q)) return;
+  if ((has_changed || !edge.is_checked) && is_too_far(p, q, best)) return;
+  const bool stays_at_q = best.place == mesh_.point(q).place;
+  const std::uint32_t first = stays_at_q ? q : p, second = stays_at_q ? p : q;
+  const bool may_turn = all_.options.placement == CollapsePlacement::optimal;
+  const bool is_first_kept = legal_.pair_vertices(second, first, pairs_);
+  if (!is_first_kept && !(may_turn && legal_.pair_vertices(first, second, pairs_))) return;
+  if (!legal_.keeps_sides(p, q, best.place)) return;
+  collapse(is_first_kept ? second : first, is_first_kept ? first : second, best);
+}
+
+/// A quadric does not see where faces end: at a crease the least place may lie far from all of them. Where an edge
+/// moves the surface farther than its cost says, it waits until that is the cost.
+bool Collapser::is_too_far(std::uint32_t p, std::uint32_t q, const EdgeCost& best) {
+  constexpr std::size_t slack = 6;  // ranks; to be stricter gains nothing
+  const double weight = all_.options.deviation * area_around(p, q);
+  if (!(weight > 0)) return false;
+  const double cost = best.cost + weight * distance_.squared(mesh_, p, q, best.place);
+  if (CostQueue::rank_of(cost) <= queue_.lowest() + slack) return false;
+  enter(p, q, best, cost, true);
+  return true;
+}
+
+double Collapser::area_around(std::uint32_t p, std::uint32_t q) const {
+  double area = 0;
+  for (const std::uint32_t one : {p, q}) {
+    for (const std::uint32_t f : mesh_.ring(one)) area += mesh_.plane(f).area();
+  }
+  return area;
+}
+
+void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCost& best) {
+  const double area = area_around(removed, kept);
+  constexpr double most = std::numeric_limits<float>::max();
+  const double cost = all_.attributes.empty() ? best.cost : costs_.distances(removed, kept, best.place);
+  const double error = area > 0 ? std::min(std::sqrt(std::max(cost, 0.0) / area), most) : 0;
+  const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
+  const Quadric memory = costs_.joined_memory(removed, kept, best.place);
+  Point& point = mesh_.point(kept);
+  point.is_sharp = point.is_sharp || mesh_.point(removed).is_sharp;
+  const std::size_t gone = editor_.collapse(removed, kept, best.place, [&](std::uint32_t vertex) {
+    return std::ranges::find(pairs_, vertex, &VertexPair::removed)->kept;
+  });
+  faces_ -= gone;
+  --points_;
+  point.memory = memory;
+  all_.attributes.blend(pairs_, blend);
+  steps_.pairs.insert(steps_.pairs.end(), pairs_.begin(), pairs_.end());
+  const auto rank = static_cast<std::uint32_t>(queue_.lowest());
+  steps_.steps.push_back({
+      .collapse = {mesh_.name_of(removed), mesh_.name_of(kept), blend, static_cast<float>(error)},
+      .place = best.place,
+      .rank = steps_.steps.empty() ? rank : std::max(rank, steps_.steps.back().rank),
+      .faces = static_cast<std::uint32_t>(gone),
+      .end = static_cast<std::uint32_t>(steps_.pairs.size()),
+  });
+  const std::span<const Neighbour> around = editor_.neighbours(kept);
+  neighbours_.assign(around.begin(), around.end());
+  enter_neighbours(kept);
+}
+
+}  // namespace foredraw::collapsing
