@@ -83,7 +83,13 @@ bool LevelScene::same_errors() const {
 
 void LevelScene::put_lods(Json& json) const {
   if (lods_.empty()) return;
-  for (const auto& [node, ids] : lods_) json["nodes"][node]["extensions"][lod_extension]["ids"] = ids;
+  for (const auto& [number, lods] : lods_) {
+    Json& node = json["nodes"][number];
+    node["extensions"][lod_extension]["ids"] = lods.ids;
+    const bool has_room =
+        !node.contains("extras") || (node["extras"].is_object() && !node["extras"].contains(coverage_key));
+    if (!lods.coverage.empty() && has_room) node["extras"][coverage_key] = lods.coverage;
+  }
   Json& names = json["extensionsUsed"];
   if (std::ranges::find(names, Json(lod_extension)) == names.end()) names.push_back(lod_extension);
 }

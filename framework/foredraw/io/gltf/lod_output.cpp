@@ -4,8 +4,12 @@
 #include <foredraw/scene/levels.h>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <numbers>
 #include <set>
 
 namespace foredraw::gltf {
@@ -23,7 +27,7 @@ class LodOutput {
     for (const Skin& skin : scene.skins) moved_.insert(skin.joints.begin(), skin.joints.end());
   }
 
-  Scene run(LodIds& lods, Diagnostics& diagnostics) {
+  Scene run(LodsOf& lods, Diagnostics& diagnostics) {
     Scene result = scene_;
     for (MeshId m = 0; m < scene_.meshes.size(); ++m) {
       const Mesh& mesh = scene_.meshes[m];
@@ -34,8 +38,11 @@ class LodOutput {
                          "its levels do not fit MSFT_lod and are written as FOREDRAW_levels: " + why);
         continue;
       }
-      for (std::size_t level = 1; level < scene_.draws[mesh.draws[0]].levels.size(); ++level) {
-        add_level(m, level, result, lods);
+      const std::size_t levels = scene_.draws[mesh.draws[0]].levels.size();
+      for (std::size_t level = 1; level < levels; ++level) add_level(m, level, result, lods);
+      const std::vector<double> coverage = coverage_of(m, levels);
+      for (NodeId n = 0; n < scene_.nodes.size(); ++n) {
+        if (scene_.nodes[n].mesh == m) lods[n].coverage = coverage;
       }
       for (const DrawId id : mesh.draws) result.draws[id].levels.resize(1);
     }
@@ -68,7 +75,41 @@ class LodOutput {
     return {};
   }
 
-  void add_level(MeshId m, std::size_t level, Scene& result, LodIds& lods) const {
+  /// A level is for so much of the screen that the next coarser one would be off by more than a pixel there; the
+  /// coarsest is for any. Scaled nodes have the same: what counts is the error's share of the mesh.
+  std::vector<double> coverage_of(MeshId m, std::size_t levels) const {
+    constexpr double screen = 1920.0 * 1080.0;  // pixels
+    const double radius = radius_of(m);
+    std::vector<double> coverage(levels, 0);
+    double most = 1;
+    for (std::size_t level = 1; level < levels; ++level) {
+      double error = 0;
+      for (const DrawId id : scene_.meshes[m].draws) {
+        error = std::max(error, double{scene_.draws[id].levels[level].error});
+      }
+      if (!(error > 0)) return {};
+      const double pixels = radius / error;
+      most = std::min(most, std::numbers::pi * pixels * pixels / screen);
+      coverage[level - 1] = most;
+    }
+    return coverage;
+  }
+
+  /// Of the sphere around the box of full detail.
+  double radius_of(MeshId m) const {
+    glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
+    for (const DrawId id : scene_.meshes[m].draws) {
+      const VertexStream* positions = scene_.draws[id].full().vertices->find("POSITION");
+      if (positions == nullptr) continue;
+      for (const glm::dvec3 position : decode_vec3(*positions)) {
+        least = glm::min(least, position);
+        most = glm::max(most, position);
+      }
+    }
+    return glm::distance(least, most) / 2;
+  }
+
+  void add_level(MeshId m, std::size_t level, Scene& result, LodsOf& lods) const {
     const std::string ending = fmt::format(" (level {})", level);
     Mesh mesh{scene_.meshes[m].name + ending, {}, scene_.meshes[m].weights};
     for (const DrawId id : scene_.meshes[m].draws) {
@@ -83,7 +124,7 @@ class LodOutput {
       if (!node.name.empty()) node.name += ending;
       node.mesh = static_cast<MeshId>(result.meshes.size());
       node.is_shown = false;
-      lods[n].push_back(static_cast<NodeId>(result.nodes.size()));
+      lods[n].ids.push_back(static_cast<NodeId>(result.nodes.size()));
       result.nodes.push_back(std::move(node));
     }
     result.meshes.push_back(std::move(mesh));
@@ -96,7 +137,7 @@ class LodOutput {
 
 }  // namespace
 
-Scene with_lod_nodes(const Scene& scene, const Document& document, LodIds& lods, Diagnostics& diagnostics) {
+Scene with_lod_nodes(const Scene& scene, const Document& document, LodsOf& lods, Diagnostics& diagnostics) {
   return LodOutput(scene, document).run(lods, diagnostics);
 }
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numbers>
 
 namespace foredraw {
 namespace {
@@ -277,18 +278,38 @@ TEST(GltfLevels, DamagedOnesCostNothingElse) {
   EXPECT_TRUE(warned([](GltfJson& e) { e["levels"] = GltfJson(300, e["levels"][0]); }));
 }
 
-TEST(GltfLevels, GoOutAsNodesWhereAskedFor) {
+GltfJson as_nodes(Scene scene) {
   Diagnostics diagnostics;
-  Scene scene = with_made_levels();
   for (Node& node : scene.nodes) node.is_shown = true;
   const auto files = encode_gltf(scene, "out.glb", diagnostics, {.levels = LevelsAs::lod_nodes});
-  ASSERT_TRUE(files);
-  const GltfJson json = json_of(files->front().bytes);
+  return json_of(files->front().bytes);
+}
+
+TEST(GltfLevels, GoOutAsNodesWhereAskedFor) {
+  const GltfJson json = as_nodes(with_made_levels());
   EXPECT_EQ(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], GltfJson::parse("[1, 2]"));
   EXPECT_EQ(json["meshes"].size(), 3u);
   EXPECT_EQ(json["meshes"][1]["primitives"][0]["attributes"], json["meshes"][0]["primitives"][0]["attributes"]);
   EXPECT_EQ(json["extensionsUsed"], GltfJson::array({"MSFT_lod"}));
   EXPECT_FALSE(json["meshes"][0]["primitives"][0].contains("extensions"));
+}
+
+/// A level is left where the next coarser one is off by a pixel: of a ribbon of 8 by 1 the sphere has a radius of 4.03,
+/// and an error of .2 is a pixel where that is 20.2 pixels.
+TEST(GltfLevels, AsNodesSayHowMuchOfTheScreenTheyAreFor) {
+  Scene scene = with_made_levels();
+  const auto pixels = [](double error) { return std::numbers::pi * (65.0 / 4) / (error * error) / (1920.0 * 1080); };
+  const GltfJson coverage = as_nodes(scene)["nodes"][0]["extras"]["MSFT_screencoverage"];
+  ASSERT_EQ(coverage.size(), 3u);
+  EXPECT_NEAR(coverage[0], pixels(0.2), 1e-6 * pixels(0.2));
+  EXPECT_NEAR(coverage[1], pixels(0.4), 1e-6 * pixels(0.4));
+  EXPECT_EQ(coverage[2], 0);
+
+  scene.draws[0].levels[1].error = 1e-6f;  // no screen is so large
+  scene.draws[0].levels[2].error = 1e-7f;  // less than the finer one's
+  EXPECT_EQ(as_nodes(scene)["nodes"][0]["extras"]["MSFT_screencoverage"], GltfJson::parse("[1.0, 1.0, 0.0]"));
+  scene.draws[0].levels[2].error = 0;
+  EXPECT_FALSE(as_nodes(scene)["nodes"][0].contains("extras")) << "an error that is not known";
 }
 
 TEST(GltfLevels, OfASkinnedCharacterFollowOneSkin) {

@@ -13,6 +13,7 @@ namespace foredraw::gltf {
 
 inline constexpr const char* levels_extension = "FOREDRAW_levels";
 inline constexpr const char* lod_extension = "MSFT_lod";
+inline constexpr const char* coverage_key = "MSFT_screencoverage";  // in the node's extras
 
 /// Whether a primitive of the document has the extension.
 bool has_levels(const Json& json);
@@ -36,11 +37,17 @@ void fold_levels(Scene& scene, const std::vector<Ladder>& ladders);
 /// The scene with each level a draw of its own again; draws that stand for themselves keep their numbers.
 Scene unfolded(const Scene& scene);
 
-using LodIds = std::map<NodeId, std::vector<NodeId>>;
+/// What MSFT_lod says of a node.
+struct Lods {
+  std::vector<NodeId> ids;  ///< of coarser nodes
+  std::vector<double>
+      coverage;  ///< [level], full detail too: the least share of the screen that it is for; none: unknown
+};
+using LodsOf = std::map<NodeId, Lods>;
 
 /// The scene with its levels in meshes of coarser nodes, where MSFT_lod can tell of them; `lods` are each node's. A
 /// note tells of meshes whose levels stay with their primitives.
-Scene with_lod_nodes(const Scene& scene, const Document& document, LodIds& lods, Diagnostics& diagnostics);
+Scene with_lod_nodes(const Scene& scene, const Document& document, LodsOf& lods, Diagnostics& diagnostics);
 
 /// A scene on its way into a document.
 class LevelScene {
@@ -60,7 +67,7 @@ class LevelScene {
   const Source& source_;
   std::optional<Scene> with_lods_;
   std::optional<Scene> flat_;
-  LodIds lods_;
+  LodsOf lods_;
 };
 
 /// Whether a level is a primitive of a mesh other than its draw's.
