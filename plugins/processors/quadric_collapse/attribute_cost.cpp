@@ -4,49 +4,56 @@
 
 namespace foredraw::collapsing {
 
-/// Calls see(i, slope): attribute i of the face grows by dot(slope, way) on the way from that point.
-template <class See>
-void AttributeCosts::each_slope(std::uint32_t f, std::uint32_t at, const See& see) const {
-  constexpr double flattest = 0.01;  // in slivers differences across would count without bounds
-  const Face& face = mesh_.face(f);
-  const int k = face.corner_of(at), l = k == 2 ? 0 : k + 1, m = k == 0 ? 2 : k - 1;
-  const glm::dvec3 from(mesh_.point(at).place), normal = mesh_.plane(f).normal;
-  const glm::dvec3 one = glm::dvec3(mesh_.point(face.point[l]).place) - from;
-  const glm::dvec3 two = glm::dvec3(mesh_.point(face.point[m]).place) - from;
-  const double longest = flattest * std::max(dot(one, one), dot(two, two));
-  const double squared = std::max(dot(normal, normal), longest * longest);
-  const glm::dvec3 to_one = cross(two, normal) / squared, to_two = cross(normal, one) / squared;
-  const float* here = rows_.of(face.vertex[k]);
-  const float* there = rows_.of(face.vertex[l]);
-  const float* beyond = rows_.of(face.vertex[m]);
-  for (std::size_t i = 0; i < rows_.width; ++i) {
-    const double value = here[i];
-    see(i, to_one * (there[i] - value) + to_two * (beyond[i] - value));
+void AttributeCosts::measure_around(std::uint32_t point, bool first) {
+  if (empty()) return;
+  for (const std::uint32_t f : mesh_.ring(point)) {
+    if (!first || mesh_.face(f).point[0] == point) measure(f);
   }
 }
 
-const AttributeCosts::Slopes& AttributeCosts::slopes_at(std::uint32_t point) {
-  Slopes& sum = slopes_[point];
+void AttributeCosts::measure(std::uint32_t f) {
+  constexpr double flattest = 0.01;  // in slivers differences across would count without bounds
+  const Face& face = mesh_.face(f);
+  const glm::dvec3 from(mesh_.point(face.point[0]).place), normal = mesh_.plane(f).normal;
+  const glm::dvec3 one = glm::dvec3(mesh_.point(face.point[1]).place) - from;
+  const glm::dvec3 two = glm::dvec3(mesh_.point(face.point[2]).place) - from;
+  const double longest = flattest * std::max({dot(one, one), dot(two, two), dot(two - one, two - one)});
+  const double squared = std::max(dot(normal, normal), longest * longest), area = mesh_.plane(f).area();
+  const glm::dvec3 to_one = cross(two, normal) / squared, to_two = cross(normal, one) / squared;
+  const float* here = rows_.of(face.vertex[0]);
+  const float* there = rows_.of(face.vertex[1]);
+  const float* beyond = rows_.of(face.vertex[2]);
+  glm::dvec3* slopes = slopes_.data() + f * rows_.width;
+  squares_[f] = {};
+  if (!(area > 0)) return;
+  for (std::size_t i = 0; i < rows_.width; ++i) {
+    const double value = here[i];
+    slopes[i] = to_one * (there[i] - value) + to_two * (beyond[i] - value);
+    squares_[f].add(slopes[i], area);
+  }
+}
+
+const AttributeCosts::Sums& AttributeCosts::sums_at(std::uint32_t point) {
+  Sums& sum = sums_[point];
   if (sum.changes == mesh_.changes(point).faces) return sum;
   sum = {mesh_.changes(point).faces, 0, {}};
-  glm::dvec3* by_number = by_number_.data() + point * rows_.width;
+  glm::dvec3* by_number = sums_by_number_.data() + point * rows_.width;
   std::fill_n(by_number, rows_.width, glm::dvec3(0));
   for (const std::uint32_t f : mesh_.ring(point)) {
     const double area = mesh_.plane(f).area();
     if (!(area > 0)) continue;
     sum.area += area;
-    each_slope(f, point, [&](std::size_t i, const glm::dvec3& slope) {
-      sum.squares.add(slope, area);
-      by_number[i] += slope * area;
-    });
+    sum.squares.add(squares_[f]);
+    const glm::dvec3* slopes = slopes_.data() + f * rows_.width;
+    for (std::size_t i = 0; i < rows_.width; ++i) by_number[i] += slopes[i] * area;
   }
   return sum;
 }
 
 /// Along the edge an attribute grows by its difference for each `step`. What faces say beyond that is squared.
 Symmetric AttributeCosts::around_smooth(std::uint32_t at, std::uint32_t other, const glm::dvec3& step, Both shared) {
-  const Slopes& sum = slopes_at(at);
-  const glm::dvec3* by_number = by_number_.data() + at * rows_.width;
+  const Sums& sum = sums_at(at);
+  const glm::dvec3* by_number = sums_by_number_.data() + at * rows_.width;
   const Face& between = mesh_.face(shared.front());
   const float* here = rows_.of(between.vertex[between.corner_of(at)]);
   const float* there = rows_.of(between.vertex[between.corner_of(other)]);
@@ -79,25 +86,17 @@ Symmetric AttributeCosts::around_sharp(std::uint32_t at, std::uint32_t other, co
     }
     const float* here = rows_.of(own);
     const float* there = rows_.of(becomes);
-    each_slope(f, at, [&](std::size_t i, const glm::dvec3& slope) {
-      matrix.add(slope - step * (double{there[i]} - here[i]), area);
-    });
+    const glm::dvec3* slopes = slopes_.data() + f * rows_.width;
+    for (std::size_t i = 0; i < rows_.width; ++i) matrix.add(slopes[i] - step * (double{there[i]} - here[i]), area);
   }
   return matrix;
 }
 
-Symmetric AttributeCosts::around(std::uint32_t at, std::uint32_t other, const glm::dvec3& along, Both shared) {
+Symmetric AttributeCosts::around(std::uint32_t at, std::uint32_t other, Both shared) {
+  const glm::dvec3 along = glm::dvec3(mesh_.point(other).place) - glm::dvec3(mesh_.point(at).place);
   const double length = dot(along, along);
   const glm::dvec3 step = length > 0 ? along / length : glm::dvec3(0);
   return mesh_.point(at).is_sharp ? around_sharp(at, other, step, shared) : around_smooth(at, other, step, shared);
-}
-
-void AttributeCosts::add_to(Quadric& about_p, std::uint32_t p, std::uint32_t q, Both shared) {
-  const glm::dvec3 there = glm::dvec3(mesh_.point(q).place) - glm::dvec3(mesh_.point(p).place);
-  about_p.matrix.add(around(p, q, there, shared));
-  Quadric about_q;
-  about_q.matrix = around(q, p, -there, shared);
-  about_p.add_about(about_q, there);
 }
 
 void AttributeCosts::blend(std::span<const VertexPair> pairs, float blend) {

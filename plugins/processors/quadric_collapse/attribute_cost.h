@@ -17,36 +17,40 @@ class AttributeCosts {
   AttributeCosts(const CollapsingMesh& mesh, AttributeRows rows)
       : mesh_(mesh),
         rows_(std::move(rows)),
-        slopes_(empty() ? 0 : mesh.point_count()),
-        by_number_(slopes_.size() * rows_.width) {}
+        squares_(empty() ? 0 : mesh.face_count()),
+        slopes_(squares_.size() * rows_.width),
+        sums_(empty() ? 0 : mesh.point_count()),
+        sums_by_number_(sums_.size() * rows_.width) {}
 
   bool empty() const { return rows_.width == 0; }
-  /// Adds squared differences by area, as a function of where the joined point lies from p. `shared`: the faces of
-  /// both, at least one.
-  void add_to(Quadric& about_p, std::uint32_t p, std::uint32_t q, std::span<const std::uint32_t> shared);
+  /// Finds the slopes of the faces around the point, which changed; or of those alone that have it first.
+  void measure_around(std::uint32_t point, bool first = false);
+  /// Squared differences of the faces around `at` by area, as a function of where the point lies that it becomes with
+  /// `other`, from `at`. `shared`: the faces of both, at least one.
+  Symmetric around(std::uint32_t at, std::uint32_t other, std::span<const std::uint32_t> shared);
   /// The kept vertices become the blend.
   void blend(std::span<const VertexPair> pairs, float blend);
 
  private:
   /// What the faces around a vertex say: sums by area.
-  struct Slopes {
+  struct Sums {
     std::uint32_t changes = ~std::uint32_t{0};  ///< of the point's faces, when they were added up
     double area = 0;
     Symmetric squares;
   };
   using Both = std::span<const std::uint32_t>;
 
-  template <class See>
-  void each_slope(std::uint32_t face, std::uint32_t at, const See& see) const;
-  const Slopes& slopes_at(std::uint32_t point);
-  Symmetric around(std::uint32_t at, std::uint32_t other, const glm::dvec3& along, Both shared);
+  void measure(std::uint32_t face);
+  const Sums& sums_at(std::uint32_t point);
   Symmetric around_smooth(std::uint32_t at, std::uint32_t other, const glm::dvec3& step, Both shared);
   Symmetric around_sharp(std::uint32_t at, std::uint32_t other, const glm::dvec3& step, Both shared) const;
 
   const CollapsingMesh& mesh_;
   AttributeRows rows_;
-  std::vector<Slopes> slopes_;         ///< [point], of those that are not sharp
-  std::vector<glm::dvec3> by_number_;  ///< [point * width + i]: sums of each attribute's slopes
+  std::vector<Symmetric> squares_;          ///< [face]: sum of its slopes' squares, by area
+  std::vector<glm::dvec3> slopes_;          ///< [face * width + i]: how attribute i grows along the face
+  std::vector<Sums> sums_;                  ///< [point], of those that are not sharp
+  std::vector<glm::dvec3> sums_by_number_;  ///< [point * width + i]: of each attribute's slopes
 };
 
 }  // namespace foredraw::collapsing

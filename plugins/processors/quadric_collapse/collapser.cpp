@@ -19,6 +19,7 @@ float blend_of(glm::vec3 kept, glm::vec3 removed, glm::vec3 place) {
 void Collapser::begin() {
   const std::uint32_t first = mesh_.first_point(piece_), end = mesh_.first_point(piece_ + 1);
   mesh_.find_rim(piece_);
+  for (std::uint32_t p = first; p < end; ++p) all_.attributes.measure_around(p, true);
   costs_.begin(first, end);
   points_ = end - first;
 }
@@ -95,23 +96,13 @@ void Collapser::remove_part(std::uint32_t part, double cost, std::size_t least) 
   }
 }
 
-EdgeCost Collapser::cost_of(std::uint32_t p, std::uint32_t q) {
-  if (all_.options.placement == CollapsePlacement::optimal) return costs_.optimal(p, q);
-  const double at_p = costs_.at(p, q), at_q = costs_.at(q, p);
-  return at_p <= at_q ? EdgeCost{at_p, mesh_.point(p).place} : EdgeCost{at_q, mesh_.point(q).place};
-}
-
 /// Edges of which a point has very many faces wait until there are fewer: each look at one is a look at all of them.
 void Collapser::enter_neighbours(std::uint32_t p) {
   std::erase_if(neighbours_, [&](const Neighbour& one) {
     return mesh_.ring(p).size() + mesh_.ring(one.point).size() > EdgeCosts::most_faces;
   });
   found_.resize(neighbours_.size());
-  if (all_.options.placement == CollapsePlacement::optimal) {
-    costs_.optimal(p, neighbours_, found_);
-  } else {
-    for (std::size_t i = 0; i < found_.size(); ++i) found_[i] = cost_of(p, neighbours_[i].point);
-  }
+  costs_.least(p, neighbours_, found_);
   for (std::size_t i = 0; i < found_.size(); ++i) enter(p, neighbours_[i].point, found_[i], found_[i].cost, false);
 }
 
@@ -128,7 +119,7 @@ void Collapser::enter(std::uint32_t p, std::uint32_t q, const EdgeCost& found, d
 void Collapser::consider(const EdgeEntry& edge) {
   const auto [p, q] = std::pair(edge.p, edge.q);
   const bool has_changed = changes(p, q) != edge.changes;
-  const EdgeCost best = has_changed ? cost_of(p, q) : EdgeCost{edge.cost, edge.place};
+  const EdgeCost best = has_changed ? costs_.least(p, q) : EdgeCost{edge.cost, edge.place};
   if (has_changed && CostQueue::rank_of(best.cost) > queue_.lowest()) return enter(p, q, best, best.cost, false);
   if (!legal_.keeps_topology(p, q)) return;
   if ((has_changed || !edge.is_checked) && is_too_far(p, q, best)) return;
@@ -177,6 +168,7 @@ void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCo
   --points_;
   point.memory = memory;
   all_.attributes.blend(pairs_, blend);
+  all_.attributes.measure_around(kept);
   steps_.pairs.insert(steps_.pairs.end(), pairs_.begin(), pairs_.end());
   const auto rank = static_cast<std::uint32_t>(queue_.lowest());
   steps_.steps.push_back({

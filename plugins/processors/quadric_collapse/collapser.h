@@ -45,7 +45,10 @@ class Collapser {
         mesh_(all.mesh),
         piece_(piece),
         editor_(mesh_, number, count),
-        costs_(mesh_, {all.options.memory, all.options.border, all.options.seam}, all.attributes),
+        costs_(mesh_,
+               {all.options.memory, all.options.border, all.options.seam,
+                all.options.placement == CollapsePlacement::endpoint},
+               all.attributes),
         legal_(mesh_, editor_) {}
 
   /// Prepares the points of the piece.
@@ -91,7 +94,6 @@ class Collapser {
     return (mesh_.changes(p).faces + mesh_.changes(q).faces) & (~std::uint32_t{0} >> 1);
   }
 
-  EdgeCost cost_of(std::uint32_t p, std::uint32_t q);
   void enter_neighbours(std::uint32_t p);
   void enter(std::uint32_t p, std::uint32_t q, const EdgeCost& found, double cost, bool is_checked);
   void take_up(const EdgeEntry& edge, std::size_t least);

@@ -96,10 +96,9 @@ void EdgeCosts::begin(std::uint32_t first, std::uint32_t end) {
   }
 }
 
-/// About p's place.
-Quadric EdgeCosts::planes_around(std::uint32_t p, std::uint32_t q, Constraint& volume) {
-  mesh_.shared_faces(p, q, shared_);
-  const Around a = around(p), b = around(q);
+/// About p's place, of which `a` tells. Reads shared_.
+Quadric EdgeCosts::planes_around(const Around& a, std::uint32_t p, std::uint32_t q, Constraint& volume) const {
+  const Around b = around(q);
   const glm::dvec3 there = glm::dvec3(mesh_.point(q).place) - glm::dvec3(mesh_.point(p).place);
   Quadric sum = a.planes;
   sum.add_about(b.planes, there);
@@ -119,9 +118,14 @@ Quadric EdgeCosts::planes_around(std::uint32_t p, std::uint32_t q, Constraint& v
   return sum;
 }
 
-Quadric EdgeCosts::around(std::uint32_t p, std::uint32_t q, Constraint& volume) {
-  Quadric sum = planes_around(p, q, volume);
-  if (!attributes_.empty()) attributes_.add_to(sum, p, q, shared_);
+Quadric EdgeCosts::around(const Around& a, std::uint32_t p, std::uint32_t q, Constraint& volume) {
+  mesh_.shared_faces(p, q, shared_);
+  Quadric sum = planes_around(a, p, q, volume);
+  if (attributes_.empty()) return sum;
+  Quadric about_q;
+  about_q.matrix = attributes_.around(q, p, shared_);
+  sum.matrix.add(attributes_.around(p, q, shared_));
+  sum.add_about(about_q, glm::dvec3(mesh_.point(q).place) - glm::dvec3(mesh_.point(p).place));
   return sum;
 }
 
@@ -134,17 +138,32 @@ bool EdgeCosts::is_smooth_between(std::uint32_t p, std::uint32_t q) const {
   return same_at(p) && same_at(q);
 }
 
-EdgeCost EdgeCosts::optimal(std::uint32_t p, std::uint32_t q) {
+EdgeCost EdgeCosts::least(const Around& a, std::uint32_t p, std::uint32_t q) {
   Constraint volume;
-  const Quadric sum = around(p, q, volume);
+  const Quadric sum = around(a, p, q, volume);
   const glm::dvec3 from(mesh_.point(p).place), there = glm::dvec3(mesh_.point(q).place) - from;
-  const glm::vec3 place(from + least(sum, volume, there * 0.5));
+  if (weights_.at_endpoints) {
+    const double at_q = sum.at(there);
+    return sum.constant <= at_q ? EdgeCost{sum.constant, mesh_.point(p).place} : EdgeCost{at_q, mesh_.point(q).place};
+  }
+  const glm::vec3 place(from + collapsing::least(sum, volume, there * 0.5));
   return {sum.at(glm::dvec3(place) - from), place};
 }
 
-void EdgeCosts::optimal(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs) {
+/// Of an edge that is not sharp, in a matrix what the points say of attributes, too.
+void EdgeCosts::add_together(Around a, std::uint32_t p, const Neighbour& other) {
+  const std::uint32_t q = other.point;
+  Around b = around(q);
+  if (!attributes_.empty()) {
+    a.planes.matrix.add(attributes_.around(p, q, other.shared));
+    b.planes.matrix.add(attributes_.around(q, p, other.shared));
+  }
+  together_.add(mesh_.point(p).place, a, mesh_.point(q).place, b, mesh_.plane(other.shared[0]),
+                mesh_.plane(other.shared[1]));
+}
+
+void EdgeCosts::least(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs) {
   for (const Neighbour& one : neighbours) mesh_.prefetch_planes(one.point);
-  const Point& point = mesh_.point(p);
   const Around a = around(p);
   const auto solve = [&] {
     const std::span<const EdgeCost> solved = together_.costs();
@@ -153,27 +172,22 @@ void EdgeCosts::optimal(std::uint32_t p, std::span<const Neighbour> neighbours, 
   };
   for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
     const Neighbour& one = neighbours[i];
-    const Point& other = mesh_.point(one.point);
-    if (point.is_sharp || other.is_sharp || one.faces != 2 || !attributes_.empty()) {
-      costs[i] = optimal(p, one.point);
+    const bool is_sharp = mesh_.point(p).is_sharp || mesh_.point(one.point).is_sharp;
+    if (is_sharp || one.faces != 2 || weights_.at_endpoints) {
+      costs[i] = least(a, p, one.point);
       continue;
     }
     which_[together_.size()] = i;
-    together_.add(point.place, a, other.place, around(one.point), mesh_.plane(one.shared[0]),
-                  mesh_.plane(one.shared[1]));
+    add_together(a, p, one);
     if (together_.is_full()) solve();
   }
   solve();
 }
 
-double EdgeCosts::at(std::uint32_t p, std::uint32_t q) {
-  Constraint volume;
-  return around(p, q, volume).constant;
-}
-
 double EdgeCosts::distances(std::uint32_t p, std::uint32_t q, glm::vec3 place) {
   Constraint volume;
-  return planes_around(p, q, volume).at(glm::dvec3(place) - glm::dvec3(mesh_.point(p).place));
+  mesh_.shared_faces(p, q, shared_);
+  return planes_around(around(p), p, q, volume).at(glm::dvec3(place) - glm::dvec3(mesh_.point(p).place));
 }
 
 Quadric EdgeCosts::joined_memory(std::uint32_t p, std::uint32_t q, glm::vec3 place) const {

@@ -15,6 +15,7 @@ struct CostWeights {
   double memory = 0.1;
   double border = 10;
   double seam = 3;
+  bool at_endpoints = false;  ///< the joined point lies at one of both
 };
 
 class EdgeCosts {
@@ -28,19 +29,20 @@ class EdgeCosts {
   /// Of these points: finds the sharp ones, and gives each its memory. What is found is kept until end_of_first().
   void begin(std::uint32_t first, std::uint32_t end);
   void end_of_first() { std::vector<Around>().swap(first_); }
-  EdgeCost optimal(std::uint32_t p, std::uint32_t q);
-  /// The costs of joining the point to some of its neighbours.
-  void optimal(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs);
-  /// The cost with the joined point at p's place.
-  double at(std::uint32_t p, std::uint32_t q);
+  /// The least cost of joining both.
+  EdgeCost least(std::uint32_t p, std::uint32_t q) { return least(around(p), p, q); }
+  /// Of joining the point to some of its neighbours.
+  void least(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs);
   /// Of a place, what distances alone cost.
   double distances(std::uint32_t p, std::uint32_t q, glm::vec3 place);
   /// What both remember, about the place where they are joined.
   Quadric joined_memory(std::uint32_t p, std::uint32_t q, glm::vec3 place) const;
 
  private:
-  Quadric planes_around(std::uint32_t p, std::uint32_t q, Constraint& volume);
-  Quadric around(std::uint32_t p, std::uint32_t q, Constraint& volume);
+  Quadric planes_around(const Around& a, std::uint32_t p, std::uint32_t q, Constraint& volume) const;
+  Quadric around(const Around& a, std::uint32_t p, std::uint32_t q, Constraint& volume);
+  EdgeCost least(const Around& a, std::uint32_t p, std::uint32_t q);
+  void add_together(Around a, std::uint32_t p, const Neighbour& other);
   Around faces_around(std::uint32_t p) const;
   Around around(std::uint32_t p) const;
   bool is_smooth(std::uint32_t p) const;

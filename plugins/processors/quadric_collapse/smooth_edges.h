@@ -31,7 +31,7 @@ class SmoothEdges {
   std::size_t size() const { return size_; }
   bool is_full() const { return size_ == most; }
   void clear() { size_ = 0; }
-  /// [edge], of those that were added: as EdgeCosts::optimal() says it. The same on every processor.
+  /// [edge], of those that were added: as EdgeCosts::least() says it. The same on every processor.
   std::span<const EdgeCost> costs();
 
   struct Surroundings {
