@@ -4,6 +4,9 @@
 #include "support/meshes.h"
 #include "support/program.h"
 
+#include "plugins/processors/quadric_collapse/quadric_collapse.h"
+
+#include <foredraw/collapses/replay.h>
 #include <foredraw/platform/memory.h>
 
 #include <gtest/gtest.h>
@@ -48,6 +51,24 @@ TEST(TenMillions, are_ordered_for_the_vertex_cache_in_bounded_time_and_memory) {
   EXPECT_LT(peak_memory(), 8 * gibibyte);
   std::printf("acmr %.4f, then %.4f; %.0f s; %.1f GiB at most\n", before, after, seconds,
               static_cast<double>(peak_memory()) / static_cast<double>(gibibyte));
+}
+
+TEST(TenMillions, come_down_to_ten_thousand_in_bounded_time_and_memory) {
+  constexpr std::uint64_t gibibyte = std::uint64_t{1} << 30;
+  ASSERT_TRUE(testing::is_sanitized || limit_memory(8 * gibibyte));
+  const testing::TestMesh torus = testing::torus(2500, 2000);
+  const Executor executor(2);
+  const std::clock_t begin = std::clock();
+  const CollapseSequence sequence =
+      quadric_collapse(torus.positions, torus.indices, {.least = 10'000, .executor = &executor});
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  const Replay run = replay(sequence, torus.positions, torus.indices);
+  EXPECT_EQ(run.mistake, "");
+  EXPECT_EQ(run.triangles.front(), 10'000'000u);
+  EXPECT_LE(run.triangles.back(), 10'000u);
+  EXPECT_LT(seconds, 300);
+  EXPECT_LT(peak_memory(), 8 * gibibyte);
+  std::printf("%.0f s; %.1f GiB at most\n", seconds, static_cast<double>(peak_memory()) / gibibyte);
 }
 
 }  // namespace
