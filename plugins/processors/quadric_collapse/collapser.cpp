@@ -56,7 +56,8 @@ void Collapser::run(std::size_t most_rank, std::size_t faces, std::size_t least)
 }
 
 void Collapser::run_inside(std::size_t most_rank, std::size_t share) {
-  for (const std::size_t least = points_ - points_ / share; points_ > least && !is_cancelled();) {
+  const std::size_t least = points_ - std::max<std::size_t>(points_ / share, 1);
+  while (points_ > least && !is_cancelled()) {
     const auto edge = queue_.pop(most_rank);
     if (!edge) break;
     take_up(*edge, 0);

@@ -211,6 +211,17 @@ TEST(QuadricCollapse, PiecesLeaveNoTrace) {
   }
 }
 
+/// A plate that is flat at one end alone: its piece there comes down to nearly nothing long before the others.
+TEST(QuadricCollapse, PiecesMayVanish) {
+  TestMesh plate = testing::grid(160, 160);
+  for (glm::vec3& p : plate.positions) {
+    if (p.x > 40) p.z += 0.1f * std::sin(7 * p.x) * std::cos(5 * p.y);
+  }
+  const TestMesh left = coarse(plate, 30000);
+  EXPECT_LE(left.indices.size() / 3, 30000u);
+  EXPECT_LT(distance(plate, left), 0.05);
+}
+
 /// A point of 4,000 triangles is looked at when it has fewer.
 TEST(QuadricCollapse, AHubIsNoTrap) {
   TestMesh disc;
