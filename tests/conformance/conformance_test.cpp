@@ -205,6 +205,22 @@ TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
   }
 }
 
+/// What stages make beside draws is the same, too.
+TEST(Conformance, WhatFollowsSequencesOfCollapsesIsTheSameAtAnyThreadCount) {
+  Diagnostics diagnostics;
+  for (const char* line : {"weld, quadric-collapse, levels(keep-sequences=true), geomorphs",
+                           "weld, quadric-collapse(placement=endpoint), progressive-stream"}) {
+    const Result one = run(*parse_line(line, diagnostics), 1).result,
+                 many = run(*parse_line(line, diagnostics), 8).result;
+    EXPECT_FALSE(one.failed) << problems(one);
+    EXPECT_FALSE(one.scene.products.empty());
+    EXPECT_EQ(content(one.scene), content(many.scene));
+    for (const auto& row : registry().products()) {
+      EXPECT_TRUE(one.scene.products.same(row->card().name, many.scene.products)) << row->card().name;
+    }
+  }
+}
+
 /// Whether the draw is what the trait says, as far as that can be seen from the draw.
 bool holds(const std::string& trait, const Draw& draw) {
   const Level& level = draw.levels[0];

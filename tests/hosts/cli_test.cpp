@@ -131,9 +131,12 @@ TEST_F(Cli, SaysWhereHeatMapsCanNotBeDrawn) {
 }
 
 TEST_F(Cli, WritesTheSameBytesAtAnyThreadCount) {
-  ASSERT_EQ(run("optimize " + model("animated/robot_expressive.glb") + " -o one.glb --threads 1").code, 0);
-  ASSERT_EQ(run("optimize " + model("animated/robot_expressive.glb") + " -o many.glb --threads 6").code, 0);
-  EXPECT_EQ(content(folder_ / "one.glb"), content(folder_ / "many.glb"));
+  for (const std::string preset : {"@default", "@levels", "@streaming"}) {
+    const std::string of = "optimize " + model("animated/robot_expressive.glb") + " -p " + preset;
+    ASSERT_EQ(run(of + " -o one.glb --threads 1").code, 0);
+    ASSERT_EQ(run(of + " -o many.glb --threads 6").code, 0);
+    EXPECT_EQ(content(folder_ / "one.glb"), content(folder_ / "many.glb")) << preset;
+  }
 }
 
 TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {

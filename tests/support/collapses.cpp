@@ -153,6 +153,12 @@ std::vector<TestMesh> odd_meshes() {
   TestMesh line = grid(10, 10);
   for (glm::vec3& p : line.positions) p.y = p.z = 0;
   meshes.push_back(line);
+  TestMesh fine = grid(16, 16);  // T-joints: twice as fine beside a plate
+  for (glm::vec3& p : fine.positions) p = {p.x / 2 + 12, p.y * 0.75f, 0};
+  meshes.push_back(joined(plate, fine));
+  TestMesh inverted = plate;  // a patch that faces the other way
+  for (std::size_t i = 60; i < 120; i += 3) std::swap(inverted.indices[i], inverted.indices[i + 1]);
+  meshes.push_back(inverted);
   return meshes;
 }
 

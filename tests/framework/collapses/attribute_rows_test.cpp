@@ -123,5 +123,12 @@ TEST(AttributeRows, WhatADrawLacksIsZero) {
   EXPECT_EQ(rows.of(9)[0], 0);
 }
 
+TEST(AttributeRows, ATextureOfOnePointIsNothing) {
+  AttributeWeights weights = nothing;
+  weights.texcoords = 1;
+  const AttributeRows rows = attribute_rows(square({floats("TEXCOORD_0", 2, std::vector<float>(8, 0.5f))}), weights);
+  EXPECT_EQ(rows.values, std::vector<float>(8, 0));
+}
+
 }  // namespace
 }  // namespace foredraw

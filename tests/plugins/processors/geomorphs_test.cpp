@@ -130,6 +130,30 @@ TEST_P(GeomorphsTest, BeginAsTheLevelAndEndAsTheNextOne) {
   }
 }
 
+/// Ancestors of ancestors: from full detail to a level that is not the next one, all at once.
+TEST_P(GeomorphsTest, GoToAnyCoarserLevel) {
+  for (const testing::TestMesh& mesh : {testing::torus(48, 24), seamed()}) {
+    const Scene scene = morphing(mesh);
+    const Draw& draw = scene.draws[0];
+    const auto& ancestors = scene.products.find<Geomorphs>()->draws[0].ancestors;
+    std::vector<std::uint32_t> chain(ancestors[0].view().begin(), ancestors[0].view().end());
+    for (std::size_t coarse = 2; coarse < draw.levels.size(); ++coarse) {
+      foredraw_geomorph_chain(chain.data(), ancestors[coarse - 1].view().data(),
+                              static_cast<std::uint32_t>(chain.size()), chain.data());
+      const std::vector<float> from = floats(draw.levels[0]), to = floats(draw.levels[coarse]);
+      std::vector<float> end(from.size());
+      for (std::size_t v = 0; v < chain.size(); ++v) {
+        float half[3];
+        foredraw_geomorph(&from[3 * v], &to[3 * chain[v]], 1, 3, &end[3 * v]);
+        foredraw_geomorph(&from[3 * v], &to[3 * chain[v]], 0.5f, 3, half);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(half[k], (from[3 * v + k] + end[3 * v + k]) / 2, 1e-6);
+      }
+      EXPECT_EQ(drawn(end, draw.levels[0].stream().indices.view()),
+                drawn(to, draw.levels[coarse].stream().indices.view()));
+    }
+  }
+}
+
 /// Else a seam would open on the way, though it is closed at both ends.
 TEST_P(GeomorphsTest, VerticesAtOnePlaceGoToOnePlace) {
   for (const testing::TestMesh& mesh : {seamed(), patched()}) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
 
@@ -181,6 +182,24 @@ TEST(ProgressiveStream, IsSmall) {
   const Sequenced of = sequenced(testing::scene_of(testing::closed_torus(160, 80)));
   const ProgressiveStream made = progressive_stream(of.mesh, of.sequence);
   EXPECT_LT(static_cast<double>(made.bytes.size()) / static_cast<double>(of.mesh.positions.size()), 4.0);
+}
+
+/// Numbers that are none go to the other side as the bits that they are.
+TEST(ProgressiveStream, AttributesNeedNotBeFinite) {
+  Scene scene = two_halves();
+  auto vertices = std::make_shared<VertexStreams>(*scene.draws[0].full().vertices);
+  VertexStream& texcoords = vertices->base[1];
+  ASSERT_EQ(texcoords.semantic, "TEXCOORD_0");
+  std::vector<std::byte> bytes(texcoords.bytes.view().begin(), texcoords.bytes.view().end());
+  const float odd[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0,
+                       -std::numeric_limits<float>::infinity()};
+  std::memcpy(bytes.data(), odd, sizeof odd);
+  texcoords.bytes = Shared<std::byte>(std::move(bytes));
+  scene.draws[0].full().vertices = std::move(vertices);
+  const Sequenced of = sequenced(std::move(scene));
+  const auto read = StreamMesh::read(progressive_stream(of.mesh, of.sequence).bytes);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(difference(*read, of.mesh), "");
 }
 
 }  // namespace

@@ -45,12 +45,14 @@ TEST_F(Simplify, LeavesTheShareOfTriangles) {
   EXPECT_TRUE(is_reached(to({.ratio = 0.25}), all / 4));
   EXPECT_TRUE(is_reached(to({.triangles = 100}), 100));
   EXPECT_EQ(to({.ratio = 1}).collapses, 0u);
+  EXPECT_EQ(to({.triangles = 1'000'000'000}).collapses, 0u);
 }
 
 TEST_F(Simplify, EndsWhereTheSequenceDoes) {
-  const Simplified least = to({.triangles = 0});
-  EXPECT_EQ(least.collapses, sequence_.collapses.size());
-  EXPECT_EQ(least.end, Simplified::End::sequence);
+  for (const Simplified& least : {to({.triangles = 0}), to({.ratio = 0})}) {
+    EXPECT_EQ(least.collapses, sequence_.collapses.size());
+    EXPECT_EQ(least.end, Simplified::End::sequence);
+  }
 }
 
 TEST_F(Simplify, NeverExceedsTheError) {

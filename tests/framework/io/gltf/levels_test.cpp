@@ -3,11 +3,9 @@
 #include "framework/io/gltf/edits.h"
 #include "support/compressed_gltf.h"
 #include "support/meshes.h"
+#include "support/staged.h"
 
-#include <foredraw/pipeline/parse.h>
-#include <foredraw/pipeline/runner.h>
 #include <foredraw/scene/levels.h>
-#include <foredraw/technique/built_in_plugins.h>
 
 #include <gtest/gtest.h>
 
@@ -59,17 +57,6 @@ Scene with_made_levels() {
     draw.levels.push_back(std::move(level));
   }
   return scene;
-}
-
-Result run(const std::string& stages, const Scene& scene) {
-  Registry registry;
-  add_built_in_plugins(registry);
-  Diagnostics diagnostics;
-  const auto plan = foredraw::plan(*parse_line(stages, diagnostics), registry, scene, diagnostics);
-  if (!plan) throw std::runtime_error(to_text(diagnostics));
-  const Executor executor(2);
-  Analyses analyses;
-  return optimize(*plan, scene, {executor, analyses});
 }
 
 std::string note_of(const GltfBuilder& builder) {
@@ -292,6 +279,60 @@ TEST(GltfLevels, GoOutAsNodesWhereAskedFor) {
   EXPECT_EQ(json["meshes"][1]["primitives"][0]["attributes"], json["meshes"][0]["primitives"][0]["attributes"]);
   EXPECT_EQ(json["extensionsUsed"], GltfJson::array({"MSFT_lod"}));
   EXPECT_FALSE(json["meshes"][0]["primitives"][0].contains("extensions"));
+}
+
+/// Nodes cannot tell of levels where something hangs on the node, or where primitives have different numbers of them.
+TEST(GltfLevels, StayWithThePrimitiveWhereNodesCannotTellOfThem) {
+  const auto told = [](const Scene& scene) {
+    Diagnostics diagnostics;
+    const auto files = encode_gltf(scene, "out.glb", diagnostics, {.levels = LevelsAs::lod_nodes});
+    if (!files || diagnostics.all().empty()) return to_text(diagnostics);
+    const GltfJson json = json_of(files->front().bytes);
+    EXPECT_TRUE(json["meshes"][0]["primitives"][0]["extensions"].contains(name));
+    EXPECT_EQ(json.dump().find("MSFT_lod"), std::string::npos);
+    return diagnostics.all()[0].code + ": " + diagnostics.all()[0].message;
+  };
+  const std::string code =
+      "levels-stay-with-primitive: its levels do not fit MSFT_lod and are written as FOREDRAW_levels: ";
+  const std::vector<Level> levels = with_made_levels().draws[0].levels;
+  GltfBuilder parent = ribbon(8);
+  parent.json["nodes"].push_back({{"name", "child"}});
+  parent.json["nodes"][0]["children"] = {1};
+  Scene with_child = read(parent);
+  with_child.draws[0].levels = levels;
+  EXPECT_EQ(told(with_child), code + "node 0 has children");
+  GltfBuilder several = ribbon(8);
+  several.json["meshes"][0]["primitives"].push_back(several.json["meshes"][0]["primitives"][0]);
+  Scene with_two = read(several);
+  with_two.draws[0].levels = levels;
+  EXPECT_EQ(told(with_two), code + "its primitives have different numbers of levels");
+}
+
+/// What stands in a node's extras stays, whatever it is.
+TEST(GltfLevels, CoverageTakesNobodysPlace) {
+  for (const char* extras : {"3", R"({"MSFT_screencoverage": "mine"})", R"({"name": "rock"})"}) {
+    GltfBuilder builder = ribbon(8);
+    builder.json["nodes"][0]["extras"] = GltfJson::parse(extras);
+    Scene scene = read(builder);
+    scene.draws[0].levels = with_made_levels().draws[0].levels;
+    const GltfJson after = as_nodes(scene)["nodes"][0]["extras"];
+    GltfJson want = builder.json["nodes"][0]["extras"];
+    if (want.contains("name")) want["MSFT_screencoverage"] = after["MSFT_screencoverage"];
+    EXPECT_EQ(after, want);
+  }
+}
+
+TEST(GltfLevels, ALoopOfNodesAndOddCoverageStayAsTheyCame) {
+  GltfBuilder loop = with_lods();
+  loop.json["nodes"][1]["extensions"]["MSFT_lod"]["ids"] = {0};
+  EXPECT_EQ(write(read(loop)), loop.glb());
+  for (const std::size_t numbers : {0, 1, 5}) {
+    GltfBuilder builder = with_lods();
+    builder.json["nodes"][0]["extras"]["MSFT_screencoverage"] = std::vector<double>(numbers, 0.1);
+    const Scene scene = read(builder);
+    EXPECT_EQ(scene.draws[0].levels.size(), 3u);
+    EXPECT_EQ(write(scene), builder.glb());
+  }
 }
 
 /// A level is left where the next coarser one is off by a pixel: of a ribbon of 8 by 1 the sphere has a radius of 4.03,
