@@ -1,0 +1,142 @@
+// How long it takes to choose a level for each visible object, and how far the choice is from what no choice can
+// exceed; beside the same by sorting all steps, and beside the first algorithm of Funkhouser and Sequin 1993 (all ways
+// of all objects by their value, in turn). Six levels an object, of half the triangles each; costs as the larger of
+// triangles and pixels, benefits by size and error. Costs and benefits are made beforehand. Medians of seven frames, in
+// turn, of a camera that moves; budgets are shares of what full detail costs.
+//   lod-select-bench
+
+#include <foredraw/runtime/lod_select.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace {
+
+constexpr std::uint32_t levels = 6;
+
+struct Frame {
+  std::vector<foredraw_lod_way> ways;
+  std::vector<std::uint32_t> first;
+  std::uint64_t most = 0;  ///< cost of full detail
+
+  foredraw_lod_scene scene() const { return {static_cast<std::uint32_t>(first.size() - 1), first.data(), ways.data()}; }
+};
+
+/// Objects on a plain, looked at from a place that moves.
+Frame frame_of(std::uint32_t objects, int number) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  Frame frame;
+  frame.first.push_back(0);
+  for (std::uint32_t i = 0; i < objects; ++i) {
+    const double x = 2000 * unit(random) - 1000, z = 2000 * unit(random), radius = 0.5 + 10 * std::pow(unit(random), 4);
+    const double triangles = std::exp(6 + 5 * unit(random));
+    const double distance = std::max(std::hypot(x - 0.7 * number, z + 5), radius);
+    const double pixels = std::pow(1000 * radius / distance, 2);
+    for (std::uint32_t level = 0; level < levels; ++level) {
+      const double part = std::pow(0.5, level), left = triangles * part;
+      const double error = std::min(1.0, std::sqrt(pixels) / (2 * left));  // of a shape of so few triangles
+      const double cost = std::max(3.0 * left, 0.8 * pixels);              // nanoseconds
+      frame.ways.push_back({static_cast<std::uint32_t>(std::min(cost, 2e9)),
+                            static_cast<std::uint32_t>(std::min(20 * pixels * (1 - error), 2e9))});
+    }
+    frame.most += frame.ways[frame.ways.size() - levels].cost;
+    frame.first.push_back(static_cast<std::uint32_t>(frame.ways.size()));
+  }
+  return frame;
+}
+
+/// Hulls, and all steps sorted.
+foredraw_lod_result by_sorting(const Frame& frame, std::uint64_t budget, std::vector<std::uint32_t>& chosen,
+                               std::vector<foredraw_lod_step>& steps) {
+  const foredraw_lod_scene scene = frame.scene();
+  foredraw_lod_result result{};
+  foredraw_lod_begin(&scene, chosen.data(), &result);
+  const std::uint32_t count = foredraw_lod_steps(&scene, chosen.data(), budget - result.cost, steps.data());
+  std::stable_sort(steps.begin(), steps.begin() + count, [](const auto& a, const auto& b) {
+    return foredraw_lod_is_steeper(a.benefit, a.cost, b.benefit, b.cost) != 0;
+  });
+  for (std::uint32_t i = 0; i < count && result.cost + steps[i].cost <= budget; ++i) {
+    chosen[steps[i].object] = steps[i].way;
+    result.cost += steps[i].cost;
+    result.benefit += steps[i].benefit;
+  }
+  return result;
+}
+
+/// Ways by benefit over cost; a better one takes the place of the object's worse one while the budget lasts.
+foredraw_lod_result by_value(const Frame& frame, std::uint64_t budget, std::vector<std::uint32_t>& chosen,
+                             std::vector<std::uint32_t>& sorted) {
+  const foredraw_lod_scene scene = frame.scene();
+  foredraw_lod_result result{};
+  foredraw_lod_begin(&scene, chosen.data(), &result);
+  std::iota(sorted.begin(), sorted.end(), 0u);
+  std::ranges::stable_sort(sorted, [&](std::uint32_t a, std::uint32_t b) {
+    return foredraw_lod_is_steeper(frame.ways[a].benefit, std::max(frame.ways[a].cost, 1u), frame.ways[b].benefit,
+                                   std::max(frame.ways[b].cost, 1u)) != 0;
+  });
+  for (const std::uint32_t way : sorted) {
+    const std::uint32_t object = way / levels;
+    const foredraw_lod_way &now = frame.ways[object * levels + chosen[object]], &better = frame.ways[way];
+    if (better.benefit <= now.benefit || result.cost - now.cost + better.cost > budget) continue;
+    result.cost += better.cost - now.cost;
+    result.benefit += better.benefit - now.benefit;
+    chosen[object] = way % levels;
+  }
+  return result;
+}
+
+template <class Work>
+double milliseconds(const Work& work) {
+  const std::clock_t begin = std::clock();
+  work();
+  return 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+double median(std::array<double, 7> values) {
+  std::ranges::sort(values);
+  return values[3];
+}
+
+void measure(std::uint32_t objects, double share) {
+  std::array<double, 7> times[3], gaps[3];
+  for (int round = 0; round < 7; ++round) {
+    const Frame frame = frame_of(objects, round);
+    const foredraw_lod_scene scene = frame.scene();
+    const auto budget = static_cast<std::uint64_t>(share * static_cast<double>(frame.most));
+    std::vector<std::uint64_t> memory(foredraw_lod_memory(&scene) / 8 + 1);
+    std::vector<std::uint32_t> chosen(objects), sorted(frame.ways.size());
+    std::vector<foredraw_lod_step> steps(frame.ways.size());
+    foredraw_lod_result results[3];
+    foredraw_lod_select(&scene, budget, chosen.data(), memory.data());  // the loop's memory is at hand
+    times[0][round] =
+        milliseconds([&] { results[0] = foredraw_lod_select(&scene, budget, chosen.data(), memory.data()); });
+    times[1][round] = milliseconds([&] { results[1] = by_sorting(frame, budget, chosen, steps); });
+    times[2][round] = milliseconds([&] { results[2] = by_value(frame, budget, chosen, sorted); });
+    for (int way = 0; way < 3; ++way) {
+      const auto bound = static_cast<double>(results[0].bound);
+      gaps[way][round] = 100 * (bound - static_cast<double>(results[way].benefit)) / bound;
+    }
+  }
+  fmt::print("| {} | {:g} % |", objects, 100 * share);
+  for (int way = 0; way < 3; ++way) fmt::print(" {:.3f} | {:.5f} |", median(times[way]), median(gaps[way]));
+  fmt::print("\n");
+}
+
+}  // namespace
+
+int main() {
+  fmt::print("| objects | budget | ours, ms | below the bound, % | all sorted, ms | % | by value, ms | % |\n");
+  fmt::print("|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+  for (const std::uint32_t objects : {24u, 400u, 3'500u, 10'000u, 35'000u, 100'000u}) {
+    for (const double share : {0.04, 0.07, 0.15}) measure(objects, share);
+  }
+  return 0;
+}
