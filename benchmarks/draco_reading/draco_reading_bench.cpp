@@ -4,17 +4,15 @@
 
 #include "support/draco_gltf.h"
 
+#include <benchmarks/timing.h>
+
 #include <foredraw/io/scene_file.h>
 #include <foredraw/platform/files.h>
 
 #include <draco/compression/decode.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstring>
-#include <ctime>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 
@@ -23,18 +21,6 @@ namespace {
 
 using testing::GltfJson;
 using Bytes = std::vector<std::byte>;
-
-/// Of the processor, not of the clock: whoever else works on the machine is not counted.
-double milliseconds(const std::function<void()>& work) {
-  const std::clock_t begin = std::clock();
-  work();
-  return 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
-
-double median(std::array<double, 7> values) {
-  std::ranges::sort(values);
-  return values[3];
-}
 
 /// A primitive's buffer, and which attribute is which.
 struct Coded {
@@ -90,11 +76,11 @@ void measure(const std::string& path) {
   const auto alone = [&] {
     for (const Coded& coded : all) decode(coded.buffer);
   };
-  std::array<double, 7> ours, theirs, ratios;
-  for (std::size_t r = 0; r < ours.size(); ++r) {
-    theirs[r] = milliseconds(alone);
-    ours[r] = milliseconds(read);
-    ratios[r] = ours[r] / theirs[r];
+  std::vector<double> ours, theirs, ratios;
+  for (int round = 0; round < 7; ++round) {
+    theirs.push_back(1000 * seconds_of(alone));
+    ours.push_back(1000 * seconds_of(read));
+    ratios.push_back(ours.back() / theirs.back());
   }
   if (!scene) throw std::runtime_error(to_text(diagnostics));
   std::size_t triangles = 0;

@@ -5,18 +5,19 @@
 // turn, of a camera that moves; budgets are shares of what full detail costs.
 //   lod-select-bench
 
+#include <benchmarks/timing.h>
+
 #include <foredraw/runtime/lod_select.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <ctime>
 #include <numeric>
 #include <random>
 #include <vector>
 
+namespace foredraw::bench {
 namespace {
 
 constexpr std::uint32_t levels = 6;
@@ -93,20 +94,8 @@ foredraw_lod_result by_value(const Frame& frame, std::uint64_t budget, std::vect
   return result;
 }
 
-template <class Work>
-double milliseconds(const Work& work) {
-  const std::clock_t begin = std::clock();
-  work();
-  return 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
-
-double median(std::array<double, 7> values) {
-  std::ranges::sort(values);
-  return values[3];
-}
-
 void measure(std::uint32_t objects, double share) {
-  std::array<double, 7> times[3], gaps[3];
+  std::vector<double> times[3], gaps[3];
   for (int round = 0; round < 7; ++round) {
     const Frame frame = frame_of(objects, round);
     const foredraw_lod_scene scene = frame.scene();
@@ -116,27 +105,28 @@ void measure(std::uint32_t objects, double share) {
     std::vector<foredraw_lod_step> steps(frame.ways.size());
     foredraw_lod_result results[3];
     foredraw_lod_select(&scene, budget, chosen.data(), memory.data());  // the loop's memory is at hand
-    times[0][round] =
-        milliseconds([&] { results[0] = foredraw_lod_select(&scene, budget, chosen.data(), memory.data()); });
-    times[1][round] = milliseconds([&] { results[1] = by_sorting(frame, budget, chosen, steps); });
-    times[2][round] = milliseconds([&] { results[2] = by_value(frame, budget, chosen, sorted); });
+    times[0].push_back(
+        seconds_of([&] { results[0] = foredraw_lod_select(&scene, budget, chosen.data(), memory.data()); }));
+    times[1].push_back(seconds_of([&] { results[1] = by_sorting(frame, budget, chosen, steps); }));
+    times[2].push_back(seconds_of([&] { results[2] = by_value(frame, budget, chosen, sorted); }));
     for (int way = 0; way < 3; ++way) {
       const auto bound = static_cast<double>(results[0].bound);
-      gaps[way][round] = 100 * (bound - static_cast<double>(results[way].benefit)) / bound;
+      gaps[way].push_back(100 * (bound - static_cast<double>(results[way].benefit)) / bound);
     }
   }
   fmt::print("| {} | {:g} % |", objects, 100 * share);
-  for (int way = 0; way < 3; ++way) fmt::print(" {:.3f} | {:.5f} |", median(times[way]), median(gaps[way]));
+  for (int way = 0; way < 3; ++way) fmt::print(" {:.3f} | {:.5f} |", 1000 * median(times[way]), median(gaps[way]));
   fmt::print("\n");
 }
 
 }  // namespace
+}  // namespace foredraw::bench
 
 int main() {
   fmt::print("| objects | budget | ours, ms | below the bound, % | all sorted, ms | % | by value, ms | % |\n");
   fmt::print("|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const std::uint32_t objects : {24u, 400u, 3'500u, 10'000u, 35'000u, 100'000u}) {
-    for (const double share : {0.04, 0.07, 0.15}) measure(objects, share);
+    for (const double share : {0.04, 0.07, 0.15}) foredraw::bench::measure(objects, share);
   }
   return 0;
 }

@@ -1,14 +1,13 @@
 #pragma once
-// What benchmarks of one mesh do alike: reading it from a file, and taking the time.
+// What benchmarks of one mesh do alike: reading it from a file.
+
+#include <benchmarks/timing.h>
 
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/joined_mesh.h>
 #include <foredraw/io/scene_file.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <ctime>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,31 +51,6 @@ inline WeldedMesh welded_mesh(const JoinedMesh& joined) {
     }
   }
   return mesh;
-}
-
-/// Of the processor, for this thread.
-inline double seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class Work>
-double seconds_of(Work work) {
-  const double begin = seconds();
-  work();
-  return seconds() - begin;
-}
-
-inline double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
-inline double geometric_mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += std::log(value);
-  return std::exp(sum / static_cast<double>(values.size()));
 }
 
 }  // namespace foredraw::bench
