@@ -38,9 +38,11 @@ struct alignas(128) Point {
   bool is_gone = false;
   bool is_fixed = false;             ///< stays: it is not finite
   bool is_sharp = false;             ///< some edge here is of one face, of more than two, or of unlike vertices
-  std::uint32_t mark = 0, slot = 0;  ///< an editor's
-  Quadric memory;                    ///< of the planes of all faces that ever were; about its place
+  std::uint64_t mark = 0;  ///< an editor's, as the slot is
+  std::uint32_t slot = 0;
+  Quadric memory;  ///< of the planes of all faces that ever were; about its place
 };
+static_assert(sizeof(Point) == 128);
 
 /// How often something happened to a point: entries of a queue that are older are known by it.
 struct Changes {
@@ -114,7 +116,7 @@ class MeshEditor {
  public:
   /// `number`: of this one among so many.
   MeshEditor(CollapsingMesh& mesh, std::size_t number, std::size_t count)
-      : mesh_(mesh), mark_(static_cast<std::uint32_t>(number)), marks_(static_cast<std::uint32_t>(count)) {}
+      : mesh_(mesh), mark_(number), marks_(count) {}
 
   /// Each neighbour of the point once, in the order of its faces; or each in its own piece.
   std::span<const Neighbour> neighbours(std::uint32_t p, bool in_piece = false);
@@ -129,7 +131,7 @@ class MeshEditor {
   std::size_t collapse(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, const Renamed& renamed);
 
  private:
-  static constexpr std::uint32_t no_mark = 0;
+  static constexpr std::uint64_t no_mark = 0;
 
   void drop(std::uint32_t point, std::uint32_t face);
   void append(std::uint32_t point, std::uint32_t face);
@@ -138,7 +140,7 @@ class MeshEditor {
   CollapsingMesh& mesh_;
   std::pmr::monotonic_buffer_resource memory_;  // of rings that outgrew their place
   std::vector<Neighbour> found_;
-  std::uint32_t mark_, marks_;  // the last one, and how far the next one is
+  std::uint64_t mark_, marks_;  // the last one, and how far the next one is: no other editor has the same
 };
 
 template <class Renamed>
