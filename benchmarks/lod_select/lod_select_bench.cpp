@@ -7,13 +7,14 @@
 
 #include <benchmarks/timing.h>
 
+#include <foredraw/runtime/lod_methods.h>
 #include <foredraw/runtime/lod_select.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -41,14 +42,14 @@ Frame frame_of(std::uint32_t objects, int number) {
     const double triangles = std::exp(6 + 5 * unit(random));
     const double distance = std::max(std::hypot(x - 0.7 * number, z + 5), radius);
     const double pixels = std::pow(1000 * radius / distance, 2);
-    for (std::uint32_t level = 0; level < levels; ++level) {
-      const double part = std::pow(0.5, level), left = triangles * part;
+    for (std::uint32_t level = levels; level-- > 0;) {  // from the cheapest to the best
+      const double left = triangles * std::pow(0.5, level);
       const double error = std::min(1.0, std::sqrt(pixels) / (2 * left));  // of a shape of so few triangles
       const double cost = std::max(3.0 * left, 0.8 * pixels);              // nanoseconds
       frame.ways.push_back({static_cast<std::uint32_t>(std::min(cost, 2e9)),
                             static_cast<std::uint32_t>(std::min(20 * pixels * (1 - error), 2e9))});
     }
-    frame.most += frame.ways[frame.ways.size() - levels].cost;
+    frame.most += frame.ways.back().cost;
     frame.first.push_back(static_cast<std::uint32_t>(frame.ways.size()));
   }
   return frame;
@@ -72,50 +73,32 @@ foredraw_lod_result by_sorting(const Frame& frame, std::uint64_t budget, std::ve
   return result;
 }
 
-/// Ways by benefit over cost; a better one takes the place of the object's worse one while the budget lasts.
-foredraw_lod_result by_value(const Frame& frame, std::uint64_t budget, std::vector<std::uint32_t>& chosen,
-                             std::vector<std::uint32_t>& sorted) {
-  const foredraw_lod_scene scene = frame.scene();
-  foredraw_lod_result result{};
-  foredraw_lod_begin(&scene, chosen.data(), &result);
-  std::iota(sorted.begin(), sorted.end(), 0u);
-  std::ranges::stable_sort(sorted, [&](std::uint32_t a, std::uint32_t b) {
-    return foredraw_lod_is_steeper(frame.ways[a].benefit, std::max(frame.ways[a].cost, 1u), frame.ways[b].benefit,
-                                   std::max(frame.ways[b].cost, 1u)) != 0;
-  });
-  for (const std::uint32_t way : sorted) {
-    const std::uint32_t object = way / levels;
-    const foredraw_lod_way &now = frame.ways[object * levels + chosen[object]], &better = frame.ways[way];
-    if (better.benefit <= now.benefit || result.cost - now.cost + better.cost > budget) continue;
-    result.cost += better.cost - now.cost;
-    result.benefit += better.benefit - now.benefit;
-    chosen[object] = way % levels;
-  }
-  return result;
-}
-
 void measure(std::uint32_t objects, double share) {
-  std::vector<double> times[3], gaps[3];
+  constexpr std::size_t methods = 4;
+  std::vector<double> times[methods], gaps[methods];
+  std::vector<std::uint32_t> last(objects, 0);  // of the one method that begins there
   for (int round = 0; round < 7; ++round) {
     const Frame frame = frame_of(objects, round);
     const foredraw_lod_scene scene = frame.scene();
     const auto budget = static_cast<std::uint64_t>(share * static_cast<double>(frame.most));
     std::vector<std::uint64_t> memory(foredraw_lod_memory(&scene) / 8 + 1);
-    std::vector<std::uint32_t> chosen(objects), sorted(frame.ways.size());
+    std::vector<std::uint32_t> chosen(objects), more(2 * frame.ways.size() + 4 * objects);
     std::vector<foredraw_lod_step> steps(frame.ways.size());
-    foredraw_lod_result results[3];
-    foredraw_lod_select(&scene, budget, chosen.data(), memory.data());  // the loop's memory is at hand
-    times[0].push_back(
-        seconds_of([&] { results[0] = foredraw_lod_select(&scene, budget, chosen.data(), memory.data()); }));
-    times[1].push_back(seconds_of([&] { results[1] = by_sorting(frame, budget, chosen, steps); }));
-    times[2].push_back(seconds_of([&] { results[2] = by_value(frame, budget, chosen, sorted); }));
-    for (int way = 0; way < 3; ++way) {
-      const auto bound = static_cast<double>(results[0].bound);
-      gaps[way].push_back(100 * (bound - static_cast<double>(results[way].benefit)) / bound);
+    const std::function<foredraw_lod_result()> all[methods]{
+        [&] { return foredraw_lod_select(&scene, budget, chosen.data(), memory.data()); },
+        [&] { return by_sorting(frame, budget, chosen, steps); },
+        [&] { return foredraw_lod_by_value(&scene, budget, chosen.data(), more.data()); },
+        [&] { return foredraw_lod_from_last(&scene, budget, last.data(), more.data(), nullptr); },
+    };
+    const auto bound = static_cast<double>(all[0]().bound);  // and the loop's memory is at hand
+    for (std::size_t i = 0; i < methods; ++i) {
+      foredraw_lod_result result;
+      times[i].push_back(1000 * seconds_of([&] { result = all[i](); }));
+      gaps[i].push_back(100 * (bound - static_cast<double>(result.benefit)) / bound);
     }
   }
   fmt::print("| {} | {:g} % |", objects, 100 * share);
-  for (int way = 0; way < 3; ++way) fmt::print(" {:.3f} | {:.5f} |", 1000 * median(times[way]), median(gaps[way]));
+  for (std::size_t i = 0; i < methods; ++i) fmt::print(" {:.3f} | {:.4f} |", median(times[i]), median(gaps[i]));
   fmt::print("\n");
 }
 
@@ -123,8 +106,10 @@ void measure(std::uint32_t objects, double share) {
 }  // namespace foredraw::bench
 
 int main() {
-  fmt::print("| objects | budget | ours, ms | below the bound, % | all sorted, ms | % | by value, ms | % |\n");
-  fmt::print("|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+  fmt::print(
+      "| objects | budget | ours, ms | below the bound, % | all sorted, ms | % | by value, ms | % | from the last "
+      "frame, ms | % |\n");
+  fmt::print("|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const std::uint32_t objects : {24u, 400u, 3'500u, 10'000u, 35'000u, 100'000u}) {
     for (const double share : {0.04, 0.07, 0.15}) foredraw::bench::measure(objects, share);
   }

@@ -28,7 +28,7 @@ typedef struct foredraw_lod_way {
 typedef struct foredraw_lod_scene {
   uint32_t objects;             /* that are visible */
   const uint32_t* first;        /* [object], and the number of ways behind the last: object i has ways first[i] to
-                                 * first[i + 1] - 1, at least one */
+                                 * first[i + 1] - 1, at least one; first[0] is 0 */
   const foredraw_lod_way* ways; /* in any sequence */
 } foredraw_lod_scene;
 
