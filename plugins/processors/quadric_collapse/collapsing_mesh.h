@@ -36,8 +36,8 @@ struct alignas(128) Point {
   std::uint32_t* faces = nullptr;  ///< [size]
   std::uint32_t room = 0;          ///< for faces
   bool is_gone = false;
-  bool is_fixed = false;             ///< stays: it is not finite
-  bool is_sharp = false;             ///< some edge here is of one face, of more than two, or of unlike vertices
+  bool is_fixed = false;   ///< stays: it is not finite
+  bool is_sharp = false;   ///< some edge here is of one face, of more than two, or of unlike vertices
   std::uint64_t mark = 0;  ///< an editor's, as the slot is
   std::uint32_t slot = 0;
   Quadric memory;  ///< of the planes of all faces that ever were; about its place
@@ -115,8 +115,7 @@ struct Neighbour {
 class MeshEditor {
  public:
   /// `number`: of this one among so many.
-  MeshEditor(CollapsingMesh& mesh, std::size_t number, std::size_t count)
-      : mesh_(mesh), mark_(number), marks_(count) {}
+  MeshEditor(CollapsingMesh& mesh, std::size_t number, std::size_t count) : mesh_(mesh), mark_(number), marks_(count) {}
 
   /// Each neighbour of the point once, in the order of its faces; or each in its own piece.
   std::span<const Neighbour> neighbours(std::uint32_t p, bool in_piece = false);
