@@ -178,7 +178,7 @@ static inline foredraw_lod_result foredraw_lod_select(const foredraw_lod_scene* 
   uint32_t* numbers = (uint32_t*)(steps + most_steps);
   foredraw_lod_result result, least;
   const foredraw_lod_step* critical = NULL; /* the first that does not fit */
-  uint32_t i, count, cut = FOREDRAW_LOD_BUCKETS, last, near_cut = 0;
+  uint32_t i, count, cut = FOREDRAW_LOD_BUCKETS, last = 0, near_cut = 0;
   uint64_t gathered = 0;
   foredraw_lod_begin(scene, chosen, &result);
   result.bound = result.benefit;
@@ -186,14 +186,16 @@ static inline foredraw_lod_result foredraw_lod_select(const foredraw_lod_scene* 
   if (result.is_over) return result;
   least = result;
   count = foredraw_lod_steps(scene, chosen, budget - least.cost, steps);
-  memset(buckets, 0, FOREDRAW_LOD_BUCKETS * sizeof *buckets);
-  for (i = 0; i < count; ++i) {
-    foredraw_lod_bucket* bucket = &buckets[foredraw_lod_bucket_of(&steps[i])];
-    bucket->cost += steps[i].cost;
-    ++bucket->steps;
+  if (count > neighbourhood) { /* else all are sorted */
+    memset(buckets, 0, FOREDRAW_LOD_BUCKETS * sizeof *buckets);
+    for (i = 0; i < count; ++i) {
+      foredraw_lod_bucket* bucket = &buckets[foredraw_lod_bucket_of(&steps[i])];
+      bucket->cost += steps[i].cost;
+      ++bucket->steps;
+    }
+    while (cut > 0 && result.cost + buckets[cut - 1].cost <= budget) result.cost += buckets[--cut].cost;
+    for (last = cut; last > 0 && gathered < neighbourhood; --last) gathered += buckets[last - 1].steps;
   }
-  while (cut > 0 && result.cost + buckets[cut - 1].cost <= budget) result.cost += buckets[--cut].cost;
-  for (last = cut; last > 0 && gathered < neighbourhood; --last) gathered += buckets[last - 1].steps;
   for (i = 0; i < count; ++i) {
     const uint32_t bucket = foredraw_lod_bucket_of(&steps[i]);
     if (bucket >= cut) {
