@@ -86,6 +86,8 @@ class ObjWriting {
  public:
   ObjWriting(const MeshSource& source, Diagnostics& diagnostics)
       : reading_{source.as_read.name, source.text(), diagnostics}, body_(without_mark(source.text())) {
+    behind_ = body_.substr(std::min(body_.find('\0'), body_.size()));
+    body_.remove_suffix(behind_.size());
     line_end_ = body_.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
     collect();
   }
@@ -100,7 +102,7 @@ class ObjWriting {
     positions_.arrange(order.positions);
     texcoords_.arrange(order.texcoords);
     normals_.arrange(order.normals);
-    result = std::string(reading_.text.substr(0, reading_.text.size() - body_.size()));
+    result = std::string(reading_.text.substr(0, reading_.text.size() - body_.size() - behind_.size()));
     result.reserve(reading_.text.size() + reading_.text.size() / 16);
     State original;
     std::size_t place = 0;
@@ -123,6 +125,7 @@ class ObjWriting {
       so_far_.count(line.keyword);
       result.append(line.whole.data() + line.whole.size(), text.data());  // the line feed, where there is one
     }
+    result += behind_;
     return true;
   }
 
@@ -250,7 +253,7 @@ class ObjWriting {
   }
 
   Reading reading_;
-  std::string_view body_;
+  std::string_view body_, behind_;  // behind the text: zero bytes
   std::string_view line_end_;
   Records positions_, texcoords_, normals_;
   std::vector<FaceLine> faces_;
