@@ -1,18 +1,10 @@
 /* Each factor alone, and what a frame makes of them. */
+#include "check.h"
+
 #include <foredraw/runtime/lod_benefit.h>
 #include <foredraw/runtime/lod_select.h>
 
-#include <stdio.h>
 #include <stdlib.h>
-
-static int failures = 0;
-#define CHECK(condition)                                     \
-  do {                                                       \
-    if (!(condition)) {                                      \
-      printf("%s:%d: %s\n", __FILE__, __LINE__, #condition); \
-      ++failures;                                            \
-    }                                                        \
-  } while (0)
 
 static int near(float a, float b) { return fabsf(a - b) <= 1e-6f * (1 + fabsf(b)); }
 

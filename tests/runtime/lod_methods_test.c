@@ -1,17 +1,9 @@
 /* The ways of choosing that lod_select.h is compared with. */
+#include "check.h"
+
 #include <foredraw/runtime/lod_methods.h>
 
-#include <stdio.h>
 #include <stdlib.h>
-
-static int failures = 0;
-#define CHECK(condition)                                     \
-  do {                                                       \
-    if (!(condition)) {                                      \
-      printf("%s:%d: %s\n", __FILE__, __LINE__, #condition); \
-      ++failures;                                            \
-    }                                                        \
-  } while (0)
 
 static uint64_t state = 1;
 static uint32_t drawn(uint32_t below) {

@@ -1,17 +1,9 @@
 /* Choices beside the best ones, which are found by trying all. */
+#include "check.h"
+
 #include <foredraw/runtime/lod_select.h>
 
-#include <stdio.h>
 #include <stdlib.h>
-
-static int failures = 0;
-#define CHECK(condition)                                     \
-  do {                                                       \
-    if (!(condition)) {                                      \
-      printf("%s:%d: %s\n", __FILE__, __LINE__, #condition); \
-      ++failures;                                            \
-    }                                                        \
-  } while (0)
 
 enum { most_objects = 6, most_ways = 5 };
 

@@ -27,6 +27,15 @@ static inline int foredraw_lod_is_worth_more(const foredraw_lod_way* a, const fo
   return foredraw_lod_is_steeper(a->benefit, a->cost, b->benefit, b->cost);
 }
 
+/* One way takes another one's place. */
+static inline void foredraw_lod_exchange(foredraw_lod_result* result, const foredraw_lod_way* before,
+                                         const foredraw_lod_way* after) {
+  result->cost += after->cost;
+  result->cost -= before->cost;
+  result->benefit += after->benefit;
+  result->benefit -= before->benefit;
+}
+
 /* By value: all ways of all objects, the one of the highest value first; each takes the place of the object's worse one
  * while the budget lasts. `memory`: so many uint32_t as there are ways, twice. */
 static inline foredraw_lod_result foredraw_lod_by_value(const foredraw_lod_scene* scene, uint64_t budget,
@@ -65,9 +74,7 @@ static inline foredraw_lod_result foredraw_lod_by_value(const foredraw_lod_scene
     object = other[sorted[i]];
     now = &scene->ways[scene->first[object] + chosen[object]];
     if (better->benefit <= now->benefit || result.cost - now->cost + better->cost > budget) continue;
-    result.cost += better->cost;
-    result.cost -= now->cost;
-    result.benefit += better->benefit - now->benefit;
+    foredraw_lod_exchange(&result, now, better);
     chosen[object] = sorted[i] - scene->first[object];
   }
   return result;
@@ -153,10 +160,7 @@ static inline foredraw_lod_result foredraw_lod_from_last(const foredraw_lod_scen
     int is_stable = 0;
     if (has_more) {
       const foredraw_lod_way* way = &scene->ways[scene->first[raised] + chosen[raised]++];
-      result.cost += way[1].cost;
-      result.cost -= way[0].cost;
-      result.benefit += way[1].benefit;
-      result.benefit -= way[0].benefit;
+      foredraw_lod_exchange(&result, &way[0], &way[1]);
       foredraw_lod_settle(&up, raised);
       foredraw_lod_settle(&down, raised);
       ++taken;
@@ -164,10 +168,7 @@ static inline foredraw_lod_result foredraw_lod_from_last(const foredraw_lod_scen
     while (result.cost > budget && foredraw_lod_offer(&down, down.objects[0]) != NULL) {
       const uint32_t lowered = down.objects[0];
       const foredraw_lod_way* way = &scene->ways[scene->first[lowered] + --chosen[lowered]];
-      result.cost += way[0].cost;
-      result.cost -= way[1].cost;
-      result.benefit += way[0].benefit;
-      result.benefit -= way[1].benefit;
+      foredraw_lod_exchange(&result, &way[1], &way[0]);
       foredraw_lod_settle(&up, lowered);
       foredraw_lod_settle(&down, lowered);
       is_stable = is_stable || (has_more && lowered == raised);

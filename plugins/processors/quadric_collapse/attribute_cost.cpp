@@ -4,14 +4,8 @@
 
 namespace foredraw::collapsing {
 
-void AttributeCosts::measure_around(std::uint32_t point, bool first) {
-  if (empty()) return;
-  for (const std::uint32_t f : mesh_.ring(point)) {
-    if (!first || mesh_.face(f).point[0] == point) measure(f);
-  }
-}
-
 void AttributeCosts::measure(std::uint32_t f) {
+  if (empty()) return;
   constexpr double flattest = 0.01;  // in slivers differences across would count without bounds
   const Face& face = mesh_.face(f);
   const glm::dvec3 from(mesh_.point(face.point[0]).place), normal = mesh_.plane(f).normal;

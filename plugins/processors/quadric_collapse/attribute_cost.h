@@ -23,8 +23,8 @@ class AttributeCosts {
         sums_by_number_(sums_.size() * rows_.width) {}
 
   bool empty() const { return rows_.width == 0; }
-  /// Finds the slopes of the faces around the point, which changed; or of those alone that have it first.
-  void measure_around(std::uint32_t point, bool first = false);
+  /// Finds the slopes of the face, which is new or has changed.
+  void measure(std::uint32_t face);
   /// Squared differences of the faces around `at` by area, as a function of where the point lies that it becomes with
   /// `other`, from `at`. `shared`: the faces of both, at least one.
   Symmetric around(std::uint32_t at, std::uint32_t other, std::span<const std::uint32_t> shared);
@@ -40,7 +40,6 @@ class AttributeCosts {
   };
   using Both = std::span<const std::uint32_t>;
 
-  void measure(std::uint32_t face);
   const Sums& sums_at(std::uint32_t point);
   Symmetric around_smooth(std::uint32_t at, std::uint32_t other, const glm::dvec3& step, Both shared);
   Symmetric around_sharp(std::uint32_t at, std::uint32_t other, const glm::dvec3& step, Both shared) const;

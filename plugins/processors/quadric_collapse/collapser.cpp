@@ -19,7 +19,11 @@ float blend_of(glm::vec3 kept, glm::vec3 removed, glm::vec3 place) {
 void Collapser::begin() {
   const std::uint32_t first = mesh_.first_point(piece_), end = mesh_.first_point(piece_ + 1);
   mesh_.find_rim(piece_);
-  for (std::uint32_t p = first; p < end; ++p) all_.attributes.measure_around(p, true);
+  for (std::uint32_t p = first; p < end; ++p) {
+    for (const std::uint32_t f : mesh_.ring(p)) {
+      if (mesh_.face(f).point[0] == p) all_.attributes.measure(f);  // each face once, by one piece
+    }
+  }
   costs_.begin(first, end);
   points_ = end - first;
 }
@@ -169,7 +173,7 @@ void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCo
   --points_;
   point.memory = memory;
   all_.attributes.blend(pairs_, blend);
-  all_.attributes.measure_around(kept);
+  for (const std::uint32_t f : mesh_.ring(kept)) all_.attributes.measure(f);
   steps_.pairs.insert(steps_.pairs.end(), pairs_.begin(), pairs_.end());
   const auto rank = static_cast<std::uint32_t>(queue_.lowest());
   steps_.steps.push_back({
