@@ -1,6 +1,6 @@
 // FOREDRAW_levels and MSFT_lod: levels from a file to the scene and back, and what is no level.
 
-#include "framework/io/gltf/edits.h"
+#include "framework/io/gltf/levelled.h"
 #include "support/compressed_gltf.h"
 #include "support/meshes.h"
 #include "support/staged.h"
@@ -10,54 +10,11 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <numbers>
 
 namespace foredraw {
 namespace {
 
 using namespace testing;
-
-constexpr const char* name = "FOREDRAW_levels";
-
-/// Every `step`th square of a ribbon of eight, as indices.
-std::vector<std::uint16_t> squares(std::uint16_t step) {
-  std::vector<std::uint16_t> indices;
-  for (std::uint16_t square = 0; square < 8; square = static_cast<std::uint16_t>(square + step)) {
-    const auto v = static_cast<std::uint16_t>(2 * square);
-    for (const int corner : {0, 1, 2, 2, 1, 3}) indices.push_back(static_cast<std::uint16_t>(v + corner));
-  }
-  return indices;
-}
-
-/// A node of full detail and two coarser ones, which share its vertices.
-GltfBuilder with_lods() {
-  GltfBuilder builder = ribbon(8);
-  for (const std::uint16_t step : {std::uint16_t{2}, std::uint16_t{4}}) {
-    GltfJson primitive = builder.json["meshes"][0]["primitives"][0];
-    primitive["indices"] = builder.add_values(squares(step), "SCALAR");
-    builder.add_mesh(primitive);
-  }
-  builder.json["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {1, 2};
-  builder.json["nodes"][0]["extras"]["MSFT_screencoverage"] = {0.5, 0.2, 0.01};
-  builder.json["extensionsUsed"] = {"MSFT_lod"};
-  builder.json["scenes"] = {{{"nodes", {0}}}};
-  builder.json["scene"] = 0;
-  return builder;
-}
-
-/// The same as a primitive with FOREDRAW_levels, as the writer says it.
-Scene with_made_levels() {
-  Scene scene = read(ribbon(8));
-  Draw& draw = scene.draws[0];
-  for (const std::uint16_t step : {std::uint16_t{2}, std::uint16_t{4}}) {
-    Level level = draw.full();
-    const std::vector<std::uint16_t> narrow = squares(step);
-    level.stream().indices = Shared<std::uint32_t>(std::vector<std::uint32_t>(narrow.begin(), narrow.end()));
-    level.error = 0.1f * step;
-    draw.levels.push_back(std::move(level));
-  }
-  return scene;
-}
 
 std::string note_of(const GltfBuilder& builder) {
   Diagnostics diagnostics;
@@ -184,12 +141,12 @@ TEST(GltfLevels, MadeOnesGoOutOnThePrimitiveAndShareItsAccessors) {
   const GltfJson json = json_of(file);
   ASSERT_EQ(json["meshes"][0]["primitives"].size(), 1u) << "a reader without the extension sees full detail";
   const GltfJson& primitive = json["meshes"][0]["primitives"][0];
-  const GltfJson& levels = primitive["extensions"][name]["levels"];
+  const GltfJson& levels = primitive["extensions"][levels_name]["levels"];
   ASSERT_EQ(levels.size(), 2u);
   EXPECT_EQ(levels[0]["attributes"], primitive["attributes"]);
   EXPECT_NE(levels[0]["indices"], primitive["indices"]);
   EXPECT_EQ(levels[0]["error"].dump(), "0.2");
-  EXPECT_EQ(json["extensionsUsed"], GltfJson::array({name}));
+  EXPECT_EQ(json["extensionsUsed"], GltfJson::array({levels_name}));
   EXPECT_FALSE(json.contains("extensionsRequired"));
 
   const Scene again = read(file);
@@ -244,7 +201,7 @@ TEST(GltfLevels, DamagedOnesCostNothingElse) {
   const auto warned = [&](const std::function<void(GltfJson&)>& change) {
     GltfBuilder builder = builder_of(file);
     builder.json.erase("buffers");
-    change(builder.json["meshes"][0]["primitives"][0]["extensions"][name]);
+    change(builder.json["meshes"][0]["primitives"][0]["extensions"][levels_name]);
     Diagnostics diagnostics;
     const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics);
     if (!scene || scene->draws.size() != 1 || scene->draws[0].levels.size() != 1) return false;
@@ -265,63 +222,6 @@ TEST(GltfLevels, DamagedOnesCostNothingElse) {
   EXPECT_TRUE(warned([](GltfJson& e) { e["levels"] = GltfJson(300, e["levels"][0]); }));
 }
 
-GltfJson as_nodes(Scene scene) {
-  Diagnostics diagnostics;
-  for (Node& node : scene.nodes) node.is_shown = true;
-  const auto files = encode_gltf(scene, "out.glb", diagnostics, {.levels = LevelsAs::lod_nodes});
-  return json_of(files->front().bytes);
-}
-
-TEST(GltfLevels, GoOutAsNodesWhereAskedFor) {
-  const GltfJson json = as_nodes(with_made_levels());
-  EXPECT_EQ(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], GltfJson::parse("[1, 2]"));
-  EXPECT_EQ(json["meshes"].size(), 3u);
-  EXPECT_EQ(json["meshes"][1]["primitives"][0]["attributes"], json["meshes"][0]["primitives"][0]["attributes"]);
-  EXPECT_EQ(json["extensionsUsed"], GltfJson::array({"MSFT_lod"}));
-  EXPECT_FALSE(json["meshes"][0]["primitives"][0].contains("extensions"));
-}
-
-/// Nodes cannot tell of levels where something hangs on the node, or where primitives have different numbers of them.
-TEST(GltfLevels, StayWithThePrimitiveWhereNodesCannotTellOfThem) {
-  const auto told = [](const Scene& scene) {
-    Diagnostics diagnostics;
-    const auto files = encode_gltf(scene, "out.glb", diagnostics, {.levels = LevelsAs::lod_nodes});
-    if (!files || diagnostics.all().empty()) return to_text(diagnostics);
-    const GltfJson json = json_of(files->front().bytes);
-    EXPECT_TRUE(json["meshes"][0]["primitives"][0]["extensions"].contains(name));
-    EXPECT_EQ(json.dump().find("MSFT_lod"), std::string::npos);
-    return diagnostics.all()[0].code + ": " + diagnostics.all()[0].message;
-  };
-  const std::string code =
-      "levels-stay-with-primitive: its levels do not fit MSFT_lod and are written as FOREDRAW_levels: ";
-  const std::vector<Level> levels = with_made_levels().draws[0].levels;
-  GltfBuilder parent = ribbon(8);
-  parent.json["nodes"].push_back({{"name", "child"}});
-  parent.json["nodes"][0]["children"] = {1};
-  Scene with_child = read(parent);
-  with_child.draws[0].levels = levels;
-  EXPECT_EQ(told(with_child), code + "node 0 has children");
-  GltfBuilder several = ribbon(8);
-  several.json["meshes"][0]["primitives"].push_back(several.json["meshes"][0]["primitives"][0]);
-  Scene with_two = read(several);
-  with_two.draws[0].levels = levels;
-  EXPECT_EQ(told(with_two), code + "its primitives have different numbers of levels");
-}
-
-/// What stands in a node's extras stays, whatever it is.
-TEST(GltfLevels, CoverageTakesNobodysPlace) {
-  for (const char* extras : {"3", R"({"MSFT_screencoverage": "mine"})", R"({"name": "rock"})"}) {
-    GltfBuilder builder = ribbon(8);
-    builder.json["nodes"][0]["extras"] = GltfJson::parse(extras);
-    Scene scene = read(builder);
-    scene.draws[0].levels = with_made_levels().draws[0].levels;
-    const GltfJson after = as_nodes(scene)["nodes"][0]["extras"];
-    GltfJson want = builder.json["nodes"][0]["extras"];
-    if (want.contains("name")) want["MSFT_screencoverage"] = after["MSFT_screencoverage"];
-    EXPECT_EQ(after, want);
-  }
-}
-
 TEST(GltfLevels, ALoopOfNodesAndOddCoverageStayAsTheyCame) {
   GltfBuilder loop = with_lods();
   loop.json["nodes"][1]["extensions"]["MSFT_lod"]["ids"] = {0};
@@ -333,24 +233,6 @@ TEST(GltfLevels, ALoopOfNodesAndOddCoverageStayAsTheyCame) {
     EXPECT_EQ(scene.draws[0].levels.size(), 3u);
     EXPECT_EQ(write(scene), builder.glb());
   }
-}
-
-/// A level is left where the next coarser one is off by a pixel: of a ribbon of 8 by 1 the sphere has a radius of 4.03,
-/// and an error of .2 is a pixel where that is 20.2 pixels.
-TEST(GltfLevels, AsNodesSayHowMuchOfTheScreenTheyAreFor) {
-  Scene scene = with_made_levels();
-  const auto pixels = [](double error) { return std::numbers::pi * (65.0 / 4) / (error * error) / (1920.0 * 1080); };
-  const GltfJson coverage = as_nodes(scene)["nodes"][0]["extras"]["MSFT_screencoverage"];
-  ASSERT_EQ(coverage.size(), 3u);
-  EXPECT_NEAR(coverage[0], pixels(0.2), 1e-6 * pixels(0.2));
-  EXPECT_NEAR(coverage[1], pixels(0.4), 1e-6 * pixels(0.4));
-  EXPECT_EQ(coverage[2], 0);
-
-  scene.draws[0].levels[1].error = 1e-6f;  // no screen is so large
-  scene.draws[0].levels[2].error = 1e-7f;  // less than the finer one's
-  EXPECT_EQ(as_nodes(scene)["nodes"][0]["extras"]["MSFT_screencoverage"], GltfJson::parse("[1.0, 1.0, 0.0]"));
-  scene.draws[0].levels[2].error = 0;
-  EXPECT_FALSE(as_nodes(scene)["nodes"][0].contains("extras")) << "an error that is not known";
 }
 
 TEST(GltfLevels, OfASkinnedCharacterFollowOneSkin) {
