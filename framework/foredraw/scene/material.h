@@ -2,6 +2,8 @@
 #include <foredraw/base/content_hash.h>
 #include <foredraw/scene/texture.h>
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,15 +14,19 @@ using MaterialId = std::uint32_t;
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-/// What the order of triangles and the count of fragments depend on; the rest stays in the file it came from.
+/// What the order of triangles, the count of fragments and pictures of frames depend on; the rest stays in the file it
+/// came from.
 struct Material {
   std::string name;
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   float alpha = 1;                     ///< the base colour's
-  std::optional<Texture> base_colour;  ///< whose alpha is multiplied with it
-  std::optional<Stamp> look;           ///< of all that the file says but the name: equal ones look alike
+  glm::vec3 colour{1};                 ///< the base colour's, linear
+  std::optional<Texture> base_colour;  ///< whose colour and alpha are multiplied with these
+  std::optional<Texture> normal_map;
+  float normal_scale = 1;     ///< of the normal map's x and y
+  std::optional<Stamp> look;  ///< of all that the file says but the name: equal ones look alike
   std::optional<Stamp> kind;  ///< of the same without its numbers: equal ones differ in factors and textures alone
   /// Which sides are drawn has to stay: light passes through, the file animates the material, or a variant of the file
   /// puts one in its place that shows other sides. Found by the reader.

@@ -41,7 +41,8 @@ struct Node {
   std::vector<float> weights;
   std::vector<NodeId> children;
   bool has_camera = false;
-  bool is_shown = true;  ///< false where the scene that the file shows does not hold it, or it is hidden
+  std::optional<float> camera_angle;  ///< of a perspective one: from the lower to the upper edge, radians
+  bool is_shown = true;               ///< false where the scene that the file shows does not hold it, or it is hidden
   /// EXT_mesh_gpu_instancing: the node's mesh is drawn once for each, placed by it within the node's space. Children
   /// are not. Empty: drawn once, as the node stands.
   Shared<Transform> instances;

@@ -103,6 +103,38 @@ std::vector<float> morph_weights(const Scene& scene, const Node& node) {
   return scene.meshes[*node.mesh].weights;
 }
 
+/// Nodes as clips move them.
+class MovedNodes {
+ public:
+  explicit MovedNodes(const Scene& scene) : scene_(scene) {
+    for (const Node& node : scene.nodes) {
+      transforms_.push_back(node.transform);
+      nodes_.weights.push_back(morph_weights(scene, node));
+    }
+  }
+
+  void play(const Animation& clip, double seconds) {
+    for (const AnimationChannel& channel : clip.channels) {
+      if (channel.node >= scene_.nodes.size() || !has_keys(channel)) continue;
+      apply(channel, seconds, transforms_[channel.node], nodes_.weights[channel.node]);
+    }
+  }
+
+  PosedNodes posed() {
+    std::vector<glm::mat4> locals;
+    for (std::size_t i = 0; i < transforms_.size(); ++i) {
+      locals.push_back(scene_.nodes[i].matrix ? *scene_.nodes[i].matrix : transforms_[i].matrix());
+    }
+    nodes_.world = world_transforms(scene_, locals);
+    return std::move(nodes_);
+  }
+
+ private:
+  const Scene& scene_;
+  std::vector<Transform> transforms_;
+  PosedNodes nodes_;
+};
+
 }  // namespace
 
 bool has_keys(const AnimationChannel& channel) {
@@ -112,24 +144,22 @@ bool has_keys(const AnimationChannel& channel) {
 }
 
 PosedNodes posed_nodes(const Scene& scene, const Pose& pose) {
-  PosedNodes nodes;
-  std::vector<Transform> transforms;
-  for (const Node& node : scene.nodes) {
-    transforms.push_back(node.transform);
-    nodes.weights.push_back(morph_weights(scene, node));
-  }
-  if (pose.clip && *pose.clip < scene.animations.size()) {
-    for (const AnimationChannel& channel : scene.animations[*pose.clip].channels) {
-      if (channel.node >= scene.nodes.size() || !has_keys(channel)) continue;
-      apply(channel, pose.time, transforms[channel.node], nodes.weights[channel.node]);
+  MovedNodes nodes(scene);
+  if (pose.clip && *pose.clip < scene.animations.size()) nodes.play(scene.animations[*pose.clip], pose.time);
+  return nodes.posed();
+}
+
+PosedNodes posed_nodes_of_all_clips(const Scene& scene, double seconds) {
+  MovedNodes nodes(scene);
+  for (const Animation& clip : scene.animations) {
+    float end = 0;
+    for (const AnimationChannel& channel : clip.channels) {
+      if (has_keys(channel)) end = std::max(end, channel.times.view().back());
     }
+    const auto length = static_cast<double>(end);
+    nodes.play(clip, length > 0 && seconds > length ? std::fmod(seconds, length) : seconds);
   }
-  std::vector<glm::mat4> locals;
-  for (std::size_t i = 0; i < transforms.size(); ++i) {
-    locals.push_back(scene.nodes[i].matrix ? *scene.nodes[i].matrix : transforms[i].matrix());
-  }
-  nodes.world = world_transforms(scene, locals);
-  return nodes;
+  return nodes.posed();
 }
 
 }  // namespace foredraw

@@ -21,6 +21,9 @@ struct PosedNodes {
 /// nothing.
 PosedNodes posed_nodes(const Scene& scene, const Pose& pose = {});
 
+/// All clips at once, each from its beginning again when it has ended; where two move the same, the later one does.
+PosedNodes posed_nodes_of_all_clips(const Scene& scene, double seconds);
+
 /// Whether a channel has keys, and values for all of them.
 bool has_keys(const AnimationChannel& channel);
 

@@ -1,11 +1,14 @@
 #include <foredraw/viewing/posed_positions.h>
 
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace foredraw {
 
@@ -56,18 +59,50 @@ glm::dmat4 blended(std::span<const glm::dmat4> joints, std::span<const Influence
   return weights == 0 ? otherwise : sum / weights;
 }
 
-void add_morph_targets(std::vector<glm::dvec3>& positions, const VertexStreams& vertices,
+void add_morph_targets(std::vector<glm::dvec3>& values, std::string_view semantic, const VertexStreams& vertices,
                        std::span<const float> weights) {
   for (std::size_t target = 0; target < std::min(weights.size(), vertices.morph_targets.size()); ++target) {
     if (weights[target] == 0) continue;
     for (const VertexStream& stream : vertices.morph_targets[target]) {
-      if (stream.semantic != "POSITION") continue;
+      if (stream.semantic != semantic) continue;
       const std::vector<glm::vec3> offsets = decode_vec3(stream);
-      for (std::size_t v = 0; v < std::min(positions.size(), offsets.size()); ++v) {
-        positions[v] += static_cast<double>(weights[target]) * glm::dvec3(offsets[v]);
+      for (std::size_t v = 0; v < std::min(values.size(), offsets.size()); ++v) {
+        values[v] += static_cast<double>(weights[target]) * glm::dvec3(offsets[v]);
       }
     }
   }
+}
+
+/// With what morph targets add; empty where there is no such stream.
+std::vector<glm::dvec3> morphed(const VertexStreams& vertices, std::string_view semantic,
+                                std::span<const float> weights) {
+  const VertexStream* stream = vertices.find(semantic);
+  if (stream == nullptr) return {};
+  const std::vector<glm::vec3> stored = decode_vec3(*stream);
+  std::vector<glm::dvec3> values(stored.begin(), stored.end());
+  add_morph_targets(values, semantic, vertices, weights);
+  return values;
+}
+
+/// What a vertex's transform does to normals, up to their length: that of its cofactors, turned if it mirrors.
+glm::dvec3 turned(const glm::dmat4& by, const glm::dvec3& normal) {
+  const glm::dvec3 x(by[0]), y(by[1]), z(by[2]);
+  const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+  return glm::dot(x, cofactors[0]) < 0 ? -(cofactors * normal) : cofactors * normal;
+}
+
+/// Calls move(vertex, transform) for each vertex: that of its joints, or of the node.
+template <class Move>
+void move_each(const Scene& scene, const VertexStreams& vertices, NodeId id, const PosedNodes& nodes, Move move) {
+  const Node& node = scene.nodes[id];
+  const glm::dmat4 by_node(nodes.world[id]);
+  std::vector<glm::dmat4> joints;
+  std::vector<Influences> sets;
+  if (node.skin) {
+    joints = joint_matrices(scene.skins[*node.skin], nodes.world);
+    sets = influences_of(vertices);
+  }
+  for (std::size_t v = 0; v < vertices.count; ++v) move(v, node.skin ? blended(joints, sets, v, by_node) : by_node);
 }
 
 }  // namespace
@@ -76,24 +111,22 @@ std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& pa
   const VertexStreams& vertices = *scene.draws[part.draw].full().vertices;
   const VertexStream* stream = vertices.find("POSITION");
   if (stream == nullptr) return {};
-  std::vector<glm::vec3> stored = decode_vec3(*stream);
-  if (!part.node) return stored;
-
-  const Node& node = scene.nodes[*part.node];
-  std::vector<glm::dvec3> positions(stored.begin(), stored.end());
-  add_morph_targets(positions, vertices, nodes.weights[*part.node]);
-
-  const glm::dmat4 by_node(nodes.world[*part.node]);
-  if (node.skin) {
-    const std::vector<glm::dmat4> joints = joint_matrices(scene.skins[*node.skin], nodes.world);
-    const std::vector<Influences> sets = influences_of(vertices);
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      positions[v] = moved(blended(joints, sets, v, by_node), positions[v]);
-    }
-  } else {
-    for (glm::dvec3& position : positions) position = moved(by_node, position);
-  }
+  if (!part.node) return decode_vec3(*stream);
+  std::vector<glm::dvec3> positions = morphed(vertices, "POSITION", nodes.weights[*part.node]);
+  move_each(scene, vertices, *part.node, nodes, [&](std::size_t v, const glm::dmat4& by) {
+    if (v < positions.size()) positions[v] = moved(by, positions[v]);
+  });
   return {positions.begin(), positions.end()};
+}
+
+PosedVertices posed_vertices(const Scene& scene, const VertexStreams& vertices, NodeId node, const PosedNodes& nodes) {
+  std::vector<glm::dvec3> positions = morphed(vertices, "POSITION", nodes.weights[node]);
+  std::vector<glm::dvec3> normals = morphed(vertices, "NORMAL", nodes.weights[node]);
+  move_each(scene, vertices, node, nodes, [&](std::size_t v, const glm::dmat4& by) {
+    if (v < positions.size()) positions[v] = moved(by, positions[v]);
+    if (v < normals.size()) normals[v] = turned(by, normals[v]);
+  });
+  return {{positions.begin(), positions.end()}, {normals.begin(), normals.end()}};
 }
 
 bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes) {

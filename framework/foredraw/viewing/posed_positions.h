@@ -14,6 +14,13 @@ namespace foredraw {
 /// `nodes`: posed_nodes() of the scene; not read without a node.
 std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes);
 
+/// Vertices of a level as a node shows them, in world space: as posed_positions() has them. Normals move alike, and are
+/// not of length 1; empty where the level has none.
+struct PosedVertices {
+  std::vector<glm::vec3> positions, normals;
+};
+PosedVertices posed_vertices(const Scene& scene, const VertexStreams& vertices, NodeId node, const PosedNodes& nodes);
+
 /// Whether the node's transform turns front faces clockwise; it decides for skinned draws too (glTF 2.0, 3.7.4).
 bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes);
 

@@ -76,9 +76,17 @@ Texture texture_of(const Json& use, const Json& document) {
 
 void add_base_colour(Material& material, const Json& from, const Json& document) {
   const Json& surface = member(from, "pbrMetallicRoughness");
-  material.alpha = static_cast<float>(number_in(member(surface, "baseColorFactor"), std::size_t{3}, 1));
+  const Json& factor = member(surface, "baseColorFactor");
+  for (int i = 0; i < 3; ++i) {
+    material.colour[i] = static_cast<float>(number_in(factor, static_cast<std::size_t>(i), 1));
+  }
+  material.alpha = static_cast<float>(number_in(factor, std::size_t{3}, 1));
   if (const Json& use = member(surface, "baseColorTexture"); use.contains("index")) {
     material.base_colour = texture_of(use, document);
+  }
+  if (const Json& use = member(from, "normalTexture"); use.contains("index")) {
+    material.normal_map = texture_of(use, document);
+    material.normal_scale = static_cast<float>(number_in(use, "scale", 1));
   }
 }
 

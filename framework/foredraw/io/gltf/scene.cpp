@@ -79,12 +79,26 @@ void add_mesh(Scene& scene, const Json& from, Streams& streams) {
   scene.meshes.push_back(std::move(mesh));
 }
 
-Node node_of(const Json& from) {
+/// Of the node's camera, if it is a perspective one with an angle that can be.
+std::optional<float> camera_angle_of(const Json& node, const Json& document) {
+  const auto number = id_in(node, "camera");
+  const Json& cameras = all(document, "cameras");
+  if (!number || *number >= cameras.size() || !cameras[*number].is_object()) return std::nullopt;
+  const auto perspective = cameras[*number].find("perspective");
+  if (perspective == cameras[*number].end() || !perspective->is_object()) return std::nullopt;
+  const auto angle = perspective->find("yfov");
+  if (angle == perspective->end() || !angle->is_number()) return std::nullopt;
+  const float radians = angle->get<float>();
+  return radians > 0 && radians < 3.1f ? std::optional(radians) : std::nullopt;
+}
+
+Node node_of(const Json& from, const Json& document) {
   Node node;
   node.name = text_in(from, "name");
   node.mesh = id_in(from, "mesh");
   node.skin = id_in(from, "skin");
   node.has_camera = from.contains("camera");
+  node.camera_angle = camera_angle_of(from, document);
   node.weights = numbers_in<float>(from, "weights");
   node.children = numbers_in<NodeId>(from, "children");
   if (const auto m = numbers_in<float>(from, "matrix"); !m.empty()) {  // and nothing beside it
@@ -203,7 +217,7 @@ Scene scene_of(const Document& document) {
   Streams streams(document);
   for (const Json& mesh : all(document, "meshes")) add_mesh(scene, mesh, streams);
   scene.nodes.reserve(all(document, "nodes").size());
-  for (const Json& node : all(document, "nodes")) scene.nodes.push_back(node_of(node));
+  for (const Json& node : all(document, "nodes")) scene.nodes.push_back(node_of(node, document));
   find_shown_nodes(scene, document);
   add_instances(scene, document);
   for (const Json& skin : all(document, "skins")) scene.skins.push_back(skin_of(skin, streams));

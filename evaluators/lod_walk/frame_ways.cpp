@@ -1,0 +1,120 @@
+#include "frame_ways.h"
+
+#include <foredraw/frames/rendering_accuracy.h>
+#include <foredraw/runtime/lod_benefit.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace foredraw::walking {
+
+namespace {
+
+constexpr float base_error = 0.5f;  // as the paper has it
+
+MeshWays ways_of(const FrameMesh& mesh) {
+  MeshWays ways;
+  ways.levels.resize(mesh.levels);
+  ways.triangles.resize(mesh.levels);
+  for (std::size_t number = 0; number < mesh.levels; ++number) {
+    MeshWays::Level& level = ways.levels[number];
+    for (const FrameDraw& draw : mesh.draws) {
+      const FrameLevel& drawn = draw.levels[std::min(number, draw.levels.size() - 1)];
+      ways.triangles[number] += static_cast<std::uint32_t>(drawn.indices.size() / 3);
+      level.vertices += static_cast<std::uint32_t>(drawn.vertices);
+      ++level.draws;
+      level.error = std::max(level.error, drawn.error);
+    }
+  }
+  for (const FrameDraw& draw : mesh.draws) ways.has_normal_map |= draw.surface.normal_map != nullptr;
+  return ways;
+}
+
+int steps_between(const WayName& a, const WayName& b) {
+  const int levels = static_cast<int>(a.level) - static_cast<int>(b.level);
+  const int renderings = static_cast<int>(a.rendering) - static_cast<int>(b.rendering);
+  return std::abs(levels) + std::abs(renderings);
+}
+
+}  // namespace
+
+std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& moment, bool with_renderings,
+                                const Executor& executor) {
+  std::vector<MeshWays> meshes(scene.scene().meshes.size());
+  std::vector<std::optional<std::uint32_t>> shown(meshes.size());
+  for (std::uint32_t i = static_cast<std::uint32_t>(scene.objects().size()); i-- > 0;) {
+    shown[scene.objects()[i].mesh] = i;
+  }
+  executor.for_each(meshes.size(), [&](std::size_t mesh) {
+    if (!shown[mesh]) return;
+    meshes[mesh] = ways_of(scene.mesh_of(*shown[mesh]));
+    if (with_renderings) meshes[mesh].accuracies = rendering_accuracies(scene, moment, *shown[mesh]);
+  });
+  return meshes;
+}
+
+FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshes, std::vector<SeenObject> seen,
+                     const std::vector<float>& speeds, const RenderingCosts& costs, const BenefitOptions& options,
+                     bool with_renderings) {
+  FrameWays frame;
+  frame.seen = std::move(seen);
+  frame.first.reserve(frame.seen.size() + 1);
+  struct Way {
+    foredraw_lod_way way;
+    float worth;
+    WayName name;
+  };
+  std::vector<Way> own;
+  for (std::size_t i = 0; i < frame.seen.size(); ++i) {
+    const SeenObject& object = frame.seen[i];
+    const MeshWays& mesh = meshes[scene.objects()[object.object].mesh];
+    float worth = object.pixels * foredraw_lod_focus(object.from_middle, static_cast<float>(options.focus));
+    if (options.motion) worth *= foredraw_lod_motion(speeds[i], std::sqrt(object.pixels));
+    own.clear();
+    for (std::uint32_t level = 0; level < mesh.levels.size(); ++level) {
+      const MeshWays::Level& drawn = mesh.levels[level];
+      const float accuracy =
+          options.measured ? foredraw_lod_accuracy_of_error(static_cast<float>(drawn.error) * object.pixels_a_unit)
+                           : foredraw_lod_accuracy_of_samples(static_cast<float>(drawn.vertices), base_error, 2);
+      for (std::size_t r = 0; r < (with_renderings ? all_renderings.size() : 1); ++r) {
+        const Rendering rendering = all_renderings[r];
+        if (rendering == Rendering::without_normal_map && !mesh.has_normal_map) continue;
+        const ObjectWork work{rendering, static_cast<double>(mesh.triangles[level]),
+                              static_cast<double>(drawn.vertices), static_cast<double>(object.pixels),
+                              static_cast<double>(drawn.draws)};
+        const float way_worth = worth * accuracy * static_cast<float>(mesh.accuracies[r]);
+        own.push_back(
+            {{foredraw_lod_cost(static_cast<float>(object_cost(costs, work))), foredraw_lod_benefit(way_worth)},
+             way_worth,
+             {level, rendering}});
+      }
+    }
+    std::ranges::stable_sort(own, [](const Way& a, const Way& b) {
+      return a.way.cost != b.way.cost ? a.way.cost < b.way.cost : a.worth < b.worth;
+    });
+    frame.first.push_back(static_cast<std::uint32_t>(frame.ways.size()));
+    for (const Way& way : own) {
+      frame.ways.push_back(way.way);
+      frame.worth.push_back(way.worth);
+      frame.names.push_back(way.name);
+    }
+  }
+  frame.first.push_back(static_cast<std::uint32_t>(frame.ways.size()));
+  return frame;
+}
+
+std::vector<foredraw_lod_way> with_hysteresis(const FrameWays& frame, const std::vector<WayName>& last, double weight) {
+  std::vector<foredraw_lod_way> ways = frame.ways;
+  for (std::size_t i = 0; i < frame.seen.size() && weight > 0; ++i) {
+    const WayName& before = last[frame.seen[i].object];
+    if (before.level == not_seen) continue;
+    for (std::uint32_t way = frame.first[i]; way < frame.first[i + 1]; ++way) {
+      ways[way].benefit =
+          foredraw_lod_benefit(frame.worth[way] * foredraw_lod_hysteresis(steps_between(frame.names[way], before),
+                                                                          static_cast<float>(weight)));
+    }
+  }
+  return ways;
+}
+
+}  // namespace foredraw::walking

@@ -1,0 +1,68 @@
+#pragma once
+// Draws frames on the processor: exact coverage, depth, light and textures, so that choices of levels and renderings
+// can be judged by what they look like and by how long they take.
+
+#include <foredraw/frames/frame_moment.h>
+#include <foredraw/frames/rendering.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foredraw {
+
+/// An object, and how it is drawn. A level above the mesh's coarsest one is that one.
+struct DrawnObject {
+  std::uint32_t object = 0;
+  std::uint32_t level = 0;
+  Rendering rendering = Rendering::full;
+  friend bool operator==(const DrawnObject&, const DrawnObject&) = default;
+};
+
+/// What was done.
+struct DrawnWork {
+  std::uint64_t draws = 0;
+  std::uint64_t triangles = 0;  ///< that were handed over, whether they are seen or not
+  std::uint64_t vertices = 0;   ///< that were moved
+  std::uint64_t samples = 0;    ///< that were shaded, those that were hidden later too
+};
+using FrameWork = std::array<DrawnWork, all_renderings.size()>;  ///< [rendering]
+
+/// Linear colours, rows from the top.
+struct FramePicture {
+  FrameSize size;
+  std::vector<glm::vec3> colours;
+};
+
+/// What a picture shows: light and colours; or levels, the coarsest of each mesh black and full detail white.
+enum class FrameStyle { lit, levels };
+
+/// Works on one thread and keeps its memory from frame to frame.
+class ReferenceRenderer {
+ public:
+  /// `samples`: along each edge of a pixel, 1 to 16. `shift`: of the samples from their places in the middles of equal
+  /// squares, to the right and upwards, in squares: other shifts are other pictures of the same frame.
+  explicit ReferenceRenderer(FrameSize size, int samples = 1, glm::dvec2 shift = {0, 0});
+
+  /// The objects in their sequence, those with blended surfaces last, the farthest first. Nearest objects should come
+  /// first: what is hidden then is not shaded.
+  void draw(const FrameScene& scene, const FrameMoment& moment, const FrameCamera& camera,
+            std::span<const DrawnObject> objects, FrameStyle style = FrameStyle::lit);
+
+  const FrameWork& work() const { return work_; }  ///< of the last frame
+  FramePicture picture() const;                    ///< the mean of each pixel's samples
+
+ private:
+  class Painter;
+
+  FrameSize size_;
+  int samples_;
+  glm::dvec2 shift_;
+  FrameSize sampled_;               // in samples
+  std::vector<float> nearness_;     // [sample] 1 / distance, rows from below
+  std::vector<glm::vec3> colours_;  // [sample]
+  FrameWork work_;
+};
+
+}  // namespace foredraw
