@@ -1,6 +1,5 @@
 #include "frame_ways.h"
 
-#include <foredraw/frames/rendering_accuracy.h>
 #include <foredraw/runtime/lod_benefit.h>
 
 #include <algorithm>
@@ -30,6 +29,23 @@ MeshWays ways_of(const FrameMesh& mesh) {
   return ways;
 }
 
+/// Of a pixel that the object covers. By pictures it is what the pixel gains over a picture without the object, so that
+/// the benefits of a frame are what its picture gains.
+double accuracy_of(const MeshWays& mesh, std::uint32_t level, std::size_t rendering, const SeenObject& object,
+                   Accuracy accuracy) {
+  const auto across = static_cast<double>(object.across);
+  switch (accuracy) {
+    case Accuracy::errors:
+      return mesh.accuracies[rendering] * static_cast<double>(foredraw_lod_accuracy_of_error(
+                                              static_cast<float>(mesh.levels[level].error) * object.pixels_a_unit));
+    case Accuracy::samples:
+      return mesh.accuracies[rendering] * static_cast<double>(foredraw_lod_accuracy_of_samples(
+                                              static_cast<float>(mesh.levels[level].vertices), base_error, 2));
+    case Accuracy::pictures: break;
+  }
+  return PictureLosses::at(mesh.losses.without, across) - PictureLosses::at(mesh.losses.of[level][rendering], across);
+}
+
 int steps_between(const WayName& a, const WayName& b) {
   const int levels = static_cast<int>(a.level) - static_cast<int>(b.level);
   const int renderings = static_cast<int>(a.rendering) - static_cast<int>(b.rendering);
@@ -38,7 +54,7 @@ int steps_between(const WayName& a, const WayName& b) {
 
 }  // namespace
 
-std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& moment, bool with_renderings,
+std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& moment, bool with_losses,
                                 const Executor& executor) {
   std::vector<MeshWays> meshes(scene.scene().meshes.size());
   std::vector<std::optional<std::uint32_t>> shown(meshes.size());
@@ -48,7 +64,9 @@ std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& mome
   executor.for_each(meshes.size(), [&](std::size_t mesh) {
     if (!shown[mesh]) return;
     meshes[mesh] = ways_of(scene.mesh_of(*shown[mesh]));
-    if (with_renderings) meshes[mesh].accuracies = rendering_accuracies(scene, moment, *shown[mesh]);
+    if (!with_losses) return;
+    meshes[mesh].losses = picture_losses(scene, moment, *shown[mesh]);
+    meshes[mesh].accuracies = rendering_accuracies(meshes[mesh].losses);
   });
   return meshes;
 }
@@ -73,16 +91,13 @@ FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshe
     own.clear();
     for (std::uint32_t level = 0; level < mesh.levels.size(); ++level) {
       const MeshWays::Level& drawn = mesh.levels[level];
-      const float accuracy =
-          options.measured ? foredraw_lod_accuracy_of_error(static_cast<float>(drawn.error) * object.pixels_a_unit)
-                           : foredraw_lod_accuracy_of_samples(static_cast<float>(drawn.vertices), base_error, 2);
       for (std::size_t r = 0; r < (with_renderings ? all_renderings.size() : 1); ++r) {
         const Rendering rendering = all_renderings[r];
         if (rendering == Rendering::without_normal_map && !mesh.has_normal_map) continue;
         const ObjectWork work{rendering, static_cast<double>(mesh.triangles[level]),
                               static_cast<double>(drawn.vertices), static_cast<double>(object.pixels),
                               static_cast<double>(drawn.draws)};
-        const float way_worth = worth * accuracy * static_cast<float>(mesh.accuracies[r]);
+        const float way_worth = worth * static_cast<float>(accuracy_of(mesh, level, r, object, options.accuracy));
         own.push_back(
             {{foredraw_lod_cost(static_cast<float>(object_cost(costs, work))), foredraw_lod_benefit(way_worth)},
              way_worth,

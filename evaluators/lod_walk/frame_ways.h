@@ -2,6 +2,7 @@
 // The ways in which each seen object of a frame can be drawn, with what they cost and what they are worth.
 
 #include <foredraw/frames/frame_moment.h>
+#include <foredraw/frames/picture_losses.h>
 #include <foredraw/frames/rendering_costs.h>
 #include <foredraw/runtime/lod_select.h>
 
@@ -11,11 +12,18 @@
 
 namespace foredraw::walking {
 
+/// What a level's or a rendering's accuracy is taken from.
+enum class Accuracy : std::uint8_t {
+  errors,    ///< the level's error on the screen
+  samples,   ///< the level's number of vertices
+  pictures,  ///< what pictures of the object lose, at its size on the screen
+};
+
 /// What counts in a benefit, each a factor of it (Funkhouser, Sequin 1993, section 5).
 struct BenefitOptions {
-  bool measured = true;  ///< accuracy by the levels' errors on the screen; else by numbers of vertices
-  double focus = 0.5;    ///< what an object in a corner of the picture is worth, beside one in its middle; 1: the same
-  bool motion = true;    ///< what moves fast over the picture is worth less
+  Accuracy accuracy = Accuracy::pictures;
+  double focus = 0.5;  ///< what an object in a corner of the picture is worth, beside one in its middle; 1: the same
+  bool motion = true;  ///< what moves fast over the picture is worth less
   double hysteresis = 0.02;  ///< what a change of the level or of the rendering costs, for each step; 0: nothing
 };
 
@@ -26,8 +34,9 @@ struct MeshWays {
     double error = 0;  ///< in the mesh's units
   };
   std::vector<Level> levels;
-  std::vector<std::uint32_t> triangles;  ///< [level]
-  std::array<double, all_renderings.size()> accuracies{1, 1, 1};
+  std::vector<std::uint32_t> triangles;                           ///< [level]
+  PictureLosses losses;                                           ///< measured where accuracies or renderings need them
+  std::array<double, all_renderings.size()> accuracies{1, 1, 1};  ///< [rendering]
   bool has_normal_map = false;
 };
 
@@ -52,7 +61,7 @@ struct FrameWays {
 };
 
 /// [mesh] of all that nodes show.
-std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& moment, bool with_renderings,
+std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& moment, bool with_losses,
                                 const Executor& executor);
 
 /// `speeds`: [seen object] pixels a frame. `with_renderings`: cheaper ones than the full one are ways too, where they

@@ -1,6 +1,7 @@
 #include "lod_walk.h"
 
 #include <foredraw/base/random.h>
+#include <foredraw/frames/unhidden_objects.h>
 
 #include <algorithm>
 #include <chrono>
@@ -48,7 +49,7 @@ class Walker {
         executor_(executor),
         cancel_(cancel),
         meshes_(walking::mesh_ways(scene, frame_moment(scene, path.empty() ? 0 : path.front().seconds),
-                                   options.renderings, executor)),
+                                   options.renderings || options.accuracy == walking::Accuracy::pictures, executor)),
         places_(scene.objects().size(), glm::vec2(std::nanf(""))) {}
 
   std::optional<LodWalk> walk(const std::function<void(double)>& progress) {
@@ -74,7 +75,9 @@ class Walker {
   }
 
   std::vector<SeenObject> seen_in(const FrameMoment& moment, std::size_t frame) const {
-    return seen_objects(scene_, moment, path_[frame].camera, size_);
+    std::vector<SeenObject> seen = seen_objects(scene_, moment, path_[frame].camera, size_);
+    if (!options_.occlusion) return seen;
+    return unhidden_objects(scene_, moment, path_[frame].camera, size_, std::move(seen));
   }
 
   PathCosts path_costs() const {

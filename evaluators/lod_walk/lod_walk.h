@@ -23,6 +23,7 @@ struct LodWalkOptions : walking::BenefitOptions {
   double share = 0.25;           ///< of that
   double noise = 0.03;           ///< how far a frame's time is off what the model says, at most, as a part of it
   bool is_drawn = false;         ///< frames are drawn on the processor, and take what that takes
+  bool occlusion = false;        ///< what something hides is not seen
   bool renderings = true;        ///< cheaper renderings are ways too
   std::optional<double> pixels;  ///< of a triangle, of `static`; none: so that it costs what the budget allows
   int pictures = 6;              ///< frames whose pictures are compared, evenly over the path
@@ -49,7 +50,7 @@ struct LodWalk {
   std::vector<std::uint32_t> seen;        ///< [frame] objects
   std::vector<std::uint32_t> seen_again;  ///< of these, that were seen in the frame before too
   std::vector<double> bound;              ///< [frame] no choice within the budget has more benefit
-  std::vector<double> floors;             ///< [picture] errors below tell nothing
+  std::vector<double> floors;  ///< [picture] of a second picture of full detail, from samples in other places
   FrameSize replay_size;
   std::vector<MethodWalk> methods;
 };

@@ -15,6 +15,7 @@ namespace foredraw {
 
 namespace {
 
+using walking::Accuracy;
 using walking::Method;
 
 enum class FrameTimes { model, drawn };
@@ -23,7 +24,6 @@ struct WalkSettings : LodWalkOptions, FrameSet {
   std::string methods_text = "none static feedback value incremental budget";
   std::string costs_file;
   FrameTimes times = FrameTimes::model;
-  bool samples_count = false;
 };
 
 std::vector<Method> methods_in(const std::string& text) {
@@ -61,7 +61,6 @@ class LodWalkEvaluator final : public Evaluator {
     if (const auto mistake = mistake_in(static_cast<const FrameSet&>(settings_))) throw std::invalid_argument(*mistake);
     settings_.methods = methods_in(settings_.methods_text);
     settings_.is_drawn = settings_.times == FrameTimes::drawn;
-    settings_.measured = !settings_.samples_count;
     if (settings_.costs_file.empty()) return;
     auto costs = read_costs(settings_.costs_file);
     if (const auto* why = std::get_if<std::string>(&costs)) throw std::invalid_argument(*why);
@@ -153,12 +152,15 @@ Plugin lod_walk_plugin() {
                "differs from run to run",
                {{"model", FrameTimes::model}, {"drawn", FrameTimes::drawn}});
   table.row(&WalkSettings::noise, "noise", "How far a frame's time is off what the model says, at most", {0, 0.9, ""});
+  table.row(&WalkSettings::occlusion, "occlusion", "What something hides is neither chosen for nor drawn");
   table.row(&WalkSettings::renderings, "renderings", "Objects may be drawn without normal map, or unlit");
   table.row(&WalkSettings::pixels, "pixels",
             "Largest triangle of static, on the screen (default: as large as the budget asks for)",
             {0.001, 1e6, "pixels"});
-  table.row(&WalkSettings::samples_count, "accuracy-of-samples",
-            "A level's accuracy comes from its number of vertices, not from its error");
+  table.choice(&WalkSettings::accuracy, "accuracy",
+               "What accuracies are taken from: what pictures of each object lose, the errors of its levels on the "
+               "screen, or samples, its numbers of vertices",
+               {{"pictures", Accuracy::pictures}, {"errors", Accuracy::errors}, {"samples", Accuracy::samples}});
   table.row(&WalkSettings::focus, "focus", "What an object in a corner is worth, beside one in the middle", {0, 1, ""});
   table.row(&WalkSettings::motion, "motion", "What moves fast over the picture is worth less");
   table.row(&WalkSettings::hysteresis, "hysteresis",
@@ -185,8 +187,8 @@ Plugin lod_walk_plugin() {
               {"switched", "of 1000 objects", "Objects that are drawn otherwise than in the frame before"},
               {"selecting", "ms", "Time that the choice takes for a frame"},
               {"picture-error", "%", "Root mean square difference from full detail, of a channel's range"},
-              {"picture-floor", "%", "The same between two pictures of full detail: smaller errors tell nothing", true,
-               false, true},
+              {"picture-floor", "%", "The same between two pictures of full detail from samples in different places",
+               true, false, true},
               {"model-error", "%", "How far the model's time is off that of the frame, in the mean"},
           },
   };

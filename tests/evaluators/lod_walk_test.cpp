@@ -36,6 +36,8 @@ LodWalkOptions usual() {
 LodWalkOptions without_pictures() {
   LodWalkOptions options = usual();
   options.pictures = 0;
+  options.renderings = false;
+  options.accuracy = walking::Accuracy::errors;
   return options;
 }
 
@@ -94,7 +96,9 @@ TEST(LodWalk, FullDetailHasNoErrorAndOursLessThanStatic) {
   LodWalkOptions options = usual();
   options.methods = {Method::none, Method::by_size, Method::budget};
   options.pictures = 4;
-  options.share = 0.1;
+  options.share = 0.2;
+  options.focus = 1;  // pictures know no middle
+  options.motion = false;
   const LodWalk walk = Walked().walk(options);
   ASSERT_EQ(walk.floors.size(), 4u);
   EXPECT_EQ(of(walk, Method::none).errors, std::vector<double>(4, 0));

@@ -98,6 +98,7 @@ std::vector<SeenObject> seen_objects(const FrameScene& scene, const FrameMoment&
     SeenObject object;
     object.object = static_cast<std::uint32_t>(i);
     object.distance = static_cast<float>(nearest);
+    object.across = static_cast<float>(2 * radius * scale);
     object.pixels = static_cast<float>(
         std::min(all_pixels, scene.mesh_of(i).fill * glm::pi<double>() * (radius * scale) * (radius * scale)));
     const double own_radius = scene.mesh_of(i).sphere.radius;

@@ -31,6 +31,7 @@ FrameMoment frame_moment(const FrameScene& scene, double seconds);
 struct SeenObject {
   std::uint32_t object = 0;
   float distance = 0;       ///< of the sphere's nearest point from the eye, along the view; at least the near plane's
+  float across = 0;         ///< pixels of the sphere's diameter
   float pixels = 0;         ///< of the picture that the mesh covers, if nothing hides it: at most all of them
   float pixels_a_unit = 0;  ///< at that distance, of a unit in the mesh's space: what an error of one comes to
   glm::vec2 place{0};       ///< of the sphere's centre in the picture, in pixels from its middle, upwards

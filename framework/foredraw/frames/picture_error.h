@@ -17,7 +17,7 @@ double picture_error(const FramePicture& a, const FramePicture& b);
 /// What a frame looks like in full detail.
 struct FrameTruth {
   FramePicture picture;
-  double floor = 0;  ///< the error of a second picture, from samples in other places: smaller errors tell nothing
+  double floor = 0;  ///< the error of a second picture, from samples in other places
 };
 
 /// Draws what is seen twice, with samples x samples a pixel.

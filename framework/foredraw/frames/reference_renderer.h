@@ -52,6 +52,8 @@ class ReferenceRenderer {
 
   const FrameWork& work() const { return work_; }  ///< of the last frame
   FramePicture picture() const;                    ///< the mean of each pixel's samples
+  /// [sample] 1 / distance ahead of the camera, rows from below; 0 where nothing is.
+  std::span<const float> nearness() const { return nearness_; }
 
  private:
   class Painter;

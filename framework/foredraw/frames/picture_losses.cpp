@@ -1,0 +1,98 @@
+#include <foredraw/frames/picture_losses.h>
+
+#include <foredraw/frames/picture_error.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+constexpr double smallest = 8;  // pixels across
+constexpr std::array<glm::dvec3, 4> sides = {glm::dvec3(1, 0.4, 1), glm::dvec3(-1, 0.7, 0.8), glm::dvec3(0.9, 0.2, -1),
+                                             glm::dvec3(-0.8, 0.5, -1)};
+
+/// The objects of a size from one side.
+class Portrait {
+ public:
+  Portrait(const FrameScene& scene, const FrameMoment& moment, std::uint32_t object, const glm::dvec3& side, int across)
+      : scene_(scene), moment_(moment), object_(object), renderer_({across, across}, across > 32 ? 2 : 4) {
+    // At two radii the sphere just fits into a picture that is 60 degrees high.
+    const BoundingSphere& sphere = moment.bounds[object].sphere;
+    camera_ = looking_at(sphere.centre + glm::normalize(side) * (2 * sphere.radius), sphere.centre);
+    camera_.near = 0.1 * sphere.radius;
+    full_ = drawn(0, Rendering::full);
+  }
+
+  double loss_of(std::uint32_t level, Rendering rendering) { return squares(drawn(level, rendering)); }
+  double loss_without() { return squares(pictured({})); }
+
+ private:
+  FramePicture drawn(std::uint32_t level, Rendering rendering) {
+    const DrawnObject object{object_, level, rendering};
+    return pictured({&object, 1});
+  }
+
+  FramePicture pictured(std::span<const DrawnObject> objects) {
+    renderer_.draw(scene_, moment_, camera_, objects);
+    return renderer_.picture();
+  }
+
+  double squares(const FramePicture& picture) const {
+    const double error = picture_error(picture, full_);
+    return error * error * 3 * static_cast<double>(picture.colours.size());
+  }
+
+  const FrameScene& scene_;
+  const FrameMoment& moment_;
+  std::uint32_t object_;
+  ReferenceRenderer renderer_;
+  FrameCamera camera_;
+  FramePicture full_;
+};
+
+}  // namespace
+
+double PictureLosses::at(const BySize& losses, double across) {
+  const double place = std::clamp(std::log2(std::max(across, smallest) / smallest), 0.0, double{sizes - 1});
+  const auto before = std::min(static_cast<std::size_t>(place), sizes - 2);
+  const double part = place - static_cast<double>(before);
+  return losses[before] + part * (losses[before + 1] - losses[before]);
+}
+
+PictureLosses picture_losses(const FrameScene& scene, const FrameMoment& moment, std::uint32_t object) {
+  const FrameMesh& mesh = scene.mesh_of(object);
+  PictureLosses losses;
+  losses.of.resize(mesh.levels);
+  for (std::size_t size = 0; size < PictureLosses::sizes; ++size) {
+    const int across = static_cast<int>(smallest) << size;
+    const double covered = mesh.fill * glm::pi<double>() / 4 * across * across;
+    const double share = 1 / (covered * sides.size());
+    for (const glm::dvec3& side : sides) {
+      Portrait portrait(scene, moment, object, side, across);
+      losses.without[size] += share * portrait.loss_without();
+      for (std::uint32_t level = 0; level < mesh.levels; ++level) {
+        for (const Rendering rendering : all_renderings) {
+          if (level == 0 && rendering == Rendering::full) continue;
+          losses.of[level][static_cast<std::size_t>(rendering)][size] += share * portrait.loss_of(level, rendering);
+        }
+      }
+    }
+  }
+  return losses;
+}
+
+std::array<double, all_renderings.size()> rendering_accuracies(const PictureLosses& losses) {
+  constexpr std::size_t at_64 = 3;
+  std::array<double, all_renderings.size()> accuracies{};
+  for (std::size_t i = 0; i < accuracies.size(); ++i) {
+    const double without = losses.without[at_64], loss = losses.of.empty() ? 0 : losses.of.front()[i][at_64];
+    accuracies[i] = without > 0 ? std::max(0.0, 1 - std::sqrt(loss / without)) : 1;
+  }
+  return accuracies;
+}
+
+}  // namespace foredraw
