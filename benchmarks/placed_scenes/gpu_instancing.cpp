@@ -31,13 +31,13 @@ Transform parts_of(const glm::mat4& matrix) {
 
 }  // namespace
 
-Scene with_gpu_instancing(const Scene& scene) {
+Scene with_gpu_instancing(const Scene& scene, std::size_t kept) {
   const std::vector<glm::mat4> worlds = world_transforms(scene);
   std::map<MeshId, std::size_t> number;
   std::vector<std::vector<Transform>> placements;
   Scene made = scene;
-  made.nodes.clear();
-  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+  made.nodes.resize(kept);
+  for (auto i = static_cast<NodeId>(kept); i < scene.nodes.size(); ++i) {
     if (!scene.nodes[i].mesh) continue;
     const auto [known, is_new] = number.try_emplace(*scene.nodes[i].mesh, placements.size());
     if (is_new) {
@@ -47,7 +47,7 @@ Scene with_gpu_instancing(const Scene& scene) {
     placements[known->second].push_back(parts_of(worlds[i]));
   }
   for (std::size_t i = 0; i < placements.size(); ++i) {
-    made.nodes[i].instances = Shared<Transform>(std::move(placements[i]));
+    made.nodes[kept + i].instances = Shared<Transform>(std::move(placements[i]));
   }
   return made;
 }

@@ -1,11 +1,10 @@
 #pragma once
 // The models of a kit in one glTF document: their meshes, and of their materials and images those that differ.
 
-#include <nlohmann/json.hpp>
+#include "gltf_document.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +17,10 @@ namespace foredraw::bench {
 /// may be.
 class KitDocument {
  public:
-  using Json = nlohmann::ordered_json;
+  using Json = GltfDocument::Json;
+
+  /// The document that models are added to; it has to live as long as this.
+  explicit KitDocument(GltfDocument& to) : to_(to) {}
 
   struct ModelNode {
     Json placement = Json::object();  ///< its "translation", "rotation" and "scale", as far as it has them
@@ -36,18 +38,8 @@ class KitDocument {
   /// node of the scene, stands at the origin, wherever it stood in the file.
   Model add(const std::filesystem::path& file);
 
-  /// All that was added, as a .glb without nodes.
-  std::vector<std::byte> glb() const;
-
  private:
-  class Addition;
-
-  std::size_t add_view(std::span<const std::byte> bytes, const Json& like);
-  std::size_t add_once(const char* kind, const Json& value);
-
-  Json json_ = {{"asset", {{"version", "2.0"}, {"generator", "foredraw"}}}};
-  std::vector<std::byte> bin_;
-  std::map<std::string, std::size_t> once_;  ///< kind and content without its name: the number
+  GltfDocument& to_;
 };
 
 }  // namespace foredraw::bench

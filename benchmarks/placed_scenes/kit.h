@@ -1,6 +1,8 @@
 #pragma once
 // Models that make up a scene when they are placed many times.
 
+#include "kit_document.h"
+
 #include <foredraw/scene/scene.h>
 
 #include <filesystem>
@@ -18,7 +20,7 @@ struct KitModel {
 };
 
 struct Kit {
-  Scene scene;  ///< meshes, materials and images of all models; no nodes
+  Scene scene;  ///< meshes, materials and images of all models; of nodes, none that belongs to a model
   std::vector<KitModel> models;
 
   /// The number of the model of that name. Throws std::runtime_error where there is none.
@@ -29,13 +31,17 @@ struct Kit {
 /// scene is written with all properties that the kit's materials have. Throws std::runtime_error where that fails.
 Kit read_kit(const std::filesystem::path& folder);
 
+/// The models that were added to a document. What nodes the document has, with cameras, skins and animations, are the
+/// first of every scene of the kit. Throws std::runtime_error where it is not glTF.
+Kit kit_of(const GltfDocument& document, std::span<const KitDocument::Model> models, const std::string& name);
+
 /// A model somewhere in the scene.
 struct Placement {
   std::size_t model = 0;
   Transform transform;
 };
 
-/// The kit's scene with a copy of the model's nodes for each placement.
+/// The kit's scene with a copy of the model's nodes for each placement, behind the nodes that it has.
 Scene placed_scene(const Kit& kit, std::span<const Placement> placements, std::string name);
 
 }  // namespace foredraw::bench

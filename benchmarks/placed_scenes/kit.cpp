@@ -1,7 +1,5 @@
 #include "kit.h"
 
-#include "kit_document.h"
-
 #include <foredraw/io/gltf/gltf.h>
 
 #include <algorithm>
@@ -46,11 +44,16 @@ Kit read_kit(const fs::path& folder) {
   std::ranges::sort(files);
   if (files.empty()) throw std::runtime_error(folder.string() + ": holds no .gltf or .glb file");
 
-  KitDocument document;
+  GltfDocument gltf;
+  KitDocument document(gltf);
   std::vector<KitDocument::Model> models;
   for (const fs::path& file : files) models.push_back(document.add(file));
+  return kit_of(gltf, models, folder.filename().string());
+}
+
+Kit kit_of(const GltfDocument& document, std::span<const KitDocument::Model> models, const std::string& name) {
   Diagnostics diagnostics;
-  auto scene = read_gltf(document.glb(), folder.filename().string(), {}, diagnostics);
+  auto scene = read_gltf(document.glb(), name, {}, diagnostics);
   if (!scene) throw std::runtime_error(to_text(diagnostics));
   Kit kit{std::move(*scene), {}};
   for (const KitDocument::Model& from : models) {

@@ -19,9 +19,19 @@ struct LayoutOptions {
   double mirrored = 0;  ///< the part of the models that is turned inside out (scaled by -1 along x), 0 to 1
 };
 
+/// What a city has beside the models of its kit, as numbers of models; empty ones are not placed. Trees and furniture
+/// stand at the kerbs, trees, shrubs and rocks in yards, statues and shrubs in squares.
+struct CityDressing {
+  std::vector<std::size_t> trees, shrubs, rocks, furniture, statues;
+};
+
+constexpr double city_tile = 2;           ///< the side of a road tile and of a lot
+constexpr std::uint64_t city_period = 5;  ///< tiles from street to street: one of road, four of lots
+
 /// Streets that part blocks of buildings, with traffic and street furniture; of the kit kaykit_city. A larger city of
-/// the same seed holds the smaller one. Metres as the kit has them: a tile has 2.
-std::vector<Placement> city_layout(const Kit& kit, const LayoutOptions& options);
+/// the same seed holds the smaller one. Units as the kit has them: a tile has 2; the
+/// middles of streets are multiples of city_period tiles from 0.
+std::vector<Placement> city_layout(const Kit& kit, const LayoutOptions& options, const CityDressing& dressing = {});
 
 /// Bases, ports and fields of rocks, scattered on a plain; of the kit kenney_space_kit. A larger plain of the same seed
 /// holds the smaller one.
