@@ -21,8 +21,6 @@ namespace {
 
 constexpr std::size_t most_keys = 100000;
 
-bool is_file(std::string_view path) { return path.find_first_of("./") != std::string_view::npos; }
-
 double half_height_of(double radians) {
   const Turn half = turn_by(radians / 2);
   return half.sine / half.cosine;
@@ -139,9 +137,11 @@ CameraPath path_of_camera(const Scene& scene, NodeId node, const FrameSet& set) 
 
 }  // namespace
 
+bool is_camera_file(std::string_view path) { return path.find_first_of("./") != std::string_view::npos; }
+
 std::optional<std::string> mistake_in(const FrameSet& set) {
   static const std::vector<std::string> words = {"auto", "around", "camera"};
-  if (is_file(set.path) || std::ranges::find(words, set.path) != words.end()) return std::nullopt;
+  if (is_camera_file(set.path) || std::ranges::find(words, set.path) != words.end()) return std::nullopt;
   const std::string_view meant = nearest(set.path, words);
   return "there is no path '" + set.path + "'; " +
          (meant.empty() ? "expected auto, around, camera or a file (with a dot or a slash in its path)"
@@ -183,7 +183,7 @@ std::variant<CameraPath, std::string> camera_path(const FrameScene& frames, cons
   const BoundingSphere all = around_all(frame_moment(frames, 0));
   double radians = glm::radians(set.angle);
   CameraPath path;
-  if (is_file(set.path)) {
+  if (is_camera_file(set.path)) {
     const auto keys = read_camera_keys(set.path);
     if (const std::string* why = std::get_if<std::string>(&keys)) return *why;
     path = path_by_keys(std::get<std::vector<CameraKey>>(keys), set);

@@ -33,6 +33,9 @@ struct PathFrame {
 };
 using CameraPath = std::vector<PathFrame>;
 
+/// Whether the word of a path is the path of a file: it has a dot or a slash.
+bool is_camera_file(std::string_view path);
+
 /// What is wrong with the set as it is spelled, or nothing. No file is read.
 std::optional<std::string> mistake_in(const FrameSet& set);
 

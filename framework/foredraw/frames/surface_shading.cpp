@@ -11,7 +11,7 @@ namespace {
 
 constexpr glm::vec3 to_sun{0.3713907f, 0.7427814f, 0.5570860f};
 constexpr glm::vec3 sun{1.0f, 0.95f, 0.85f}, from_sky{0.34f, 0.38f, 0.44f}, from_ground{0.22f, 0.2f, 0.17f};
-constexpr float unlit_light = 0.8f;
+constexpr float unlit_light = 0.6f;
 
 /// A vector of length 0 stays as it is.
 glm::vec3 unit(const glm::vec3& v) {

@@ -50,6 +50,9 @@ Pipeline with_paths_from_here(Pipeline pipeline, const Registry& registry) {
       resolve(*pipeline.overdraw, plugin->service_options);
   }
   if (is_view_list(pipeline.views.views)) pipeline.views.views = from_here(pipeline.views.views, pipeline.views_where);
+  if (is_camera_file(pipeline.frames.path)) {
+    pipeline.frames.path = from_here(pipeline.frames.path, pipeline.frames_where);
+  }
   return pipeline;
 }
 

@@ -54,9 +54,9 @@ class FileReader {
   Pipeline read_pipeline(const toml::table& root) {
     check_version(root);
     const auto words = pipeline_words();
-    Pipeline pipeline =
-        words.read(fitted(root, words.specs(),
-                          {"pipeline", "stages", "measure", "compare", "views", "poses", "subjects", "services"}, ""));
+    Pipeline pipeline = words.read(
+        fitted(root, words.specs(),
+               {"pipeline", "stages", "measure", "compare", "views", "poses", "subjects", "frames", "services"}, ""));
     pipeline.stages = read_list(root, "stages", "stages");
     pipeline.measure = read_list(root, "measure", "measure");
     if (const toml::table* table = table_in(root, "views")) {
@@ -70,6 +70,10 @@ class FileReader {
     if (const toml::table* table = table_in(root, "subjects")) {
       const auto words = subject_words();
       pipeline.subjects = words.read(fitted(*table, words.specs(), {}, "subjects"));
+    }
+    if (const toml::table* table = table_in(root, "frames")) {
+      pipeline.frames = read_set(*table, "frames", frame_words());
+      pipeline.frames_where = at(table->source(), "frames");
     }
     if (const toml::table* table = table_in(root, "services")) pipeline.overdraw = read_services(*table);
     return pipeline;
@@ -220,7 +224,7 @@ class FileReader {
     return std::nullopt;
   }
 
-  /// A set of views or poses.
+  /// A set of views, poses or frames.
   template <class Set>
   Set read_set(const toml::table& table, const std::string& name, const OptionTable<Set>& words) {
     const Set set = words.read(fitted(table, words.specs(), {}, name));

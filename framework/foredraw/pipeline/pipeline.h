@@ -3,6 +3,7 @@
 // whether it can run; plan() does.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/frames/camera_path.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/technique/options.h>
 #include <foredraw/viewing/pose_set.h>
@@ -42,11 +43,13 @@ struct Pipeline {
   ViewSet views;                  ///< what orders are optimised for
   PoseSet poses;                  ///< and in which poses
   SubjectChoice subjects;         ///< and what is seen as one there
+  FrameSet frames;                ///< through which evaluators walk
   std::optional<Stage> overdraw;  ///< [services]: who answers for measured overdraw
   std::int64_t seed = 0;
 
   Where views_where{.inside = "views"};  ///< in the text
   Where poses_where{.inside = "poses"};
+  Where frames_where{.inside = "frames"};
 };
 
 /// Equal in all that decides what runs; places in the text are not compared.

@@ -1,6 +1,7 @@
 #include <foredraw/pipeline/plan.h>
 
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/pipeline/measured_frames.h>
 #include <foredraw/pipeline/measured_subjects.h>
 #include <foredraw/pipeline/named_files.h>
 #include <foredraw/pipeline/stage_order.h>
@@ -29,6 +30,7 @@ class Planner {
     if (as_written.subjects != SubjectChoice{}) {
       judge_subjects_of(as_written.subjects, plan.pipeline.measure, registry_);
     }
+    walk_frames_of(plan.pipeline.frames, plan.pipeline.measure, registry_);
     const Pipeline& pipeline = plan.pipeline;
     plan.products = registry_.products();
     auto views = views_of(pipeline.views);

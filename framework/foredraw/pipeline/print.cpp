@@ -1,3 +1,4 @@
+#include <foredraw/pipeline/measured_frames.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/private/line_scanner.h>
 #include <foredraw/pipeline/private/words.h>
@@ -79,6 +80,12 @@ std::string subjects_in_file(const SubjectChoice& subjects) {
   return "\n[subjects]\n" + row_in_file("subject", std::string(text_of(subjects.subject))) + '\n';
 }
 
+std::string frames_in_file(const FrameSet& frames) {
+  std::string text = "\n[frames]\n";
+  for (const auto& [word, value] : settings_of(frames)) text += row_in_file(word, value) + '\n';
+  return text;
+}
+
 }  // namespace
 
 std::string print_file(const Pipeline& pipeline) {
@@ -90,6 +97,7 @@ std::string print_file(const Pipeline& pipeline) {
   if (pipeline.views != ViewSet{}) text += views_in_file(pipeline.views);
   if (pipeline.poses != PoseSet{}) text += poses_in_file(pipeline.poses);
   if (pipeline.subjects != SubjectChoice{}) text += subjects_in_file(pipeline.subjects);
+  if (pipeline.frames != FrameSet{}) text += frames_in_file(pipeline.frames);
   if (pipeline.overdraw) text += "\n[services]\noverdraw = " + stage_in_file(*pipeline.overdraw) + '\n';
   return text;
 }

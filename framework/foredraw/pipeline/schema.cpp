@@ -122,6 +122,8 @@ std::string pipeline_schema(const Registry& registry) {
   properties["poses"]["description"] = "The poses of animated characters that orders are optimised for";
   properties["subjects"] = closed_table(properties_of(subject_words().specs()));
   properties["subjects"]["description"] = "What stages and evaluators see as one";
+  properties["frames"] = closed_table(properties_of(frame_words().specs()));
+  properties["frames"]["description"] = "The frames that evaluators of frames walk through";
   properties["services"] = closed_table({{"overdraw", reference("any_overdraw_service")}});
   properties["services"]["description"] = "Which evaluator supplies measured overdraw";
 

@@ -26,7 +26,7 @@ std::string what_there_is(const std::string& name, const std::vector<Stage*>& st
 
 /// "tipsify.cache-size=24", "views.count=162" or "seed=7" taken apart.
 struct Assignment {
-  std::string stage;  ///< or "views", "poses" or "subjects"; empty for a word of the pipeline itself
+  std::string stage;  ///< or "views", "poses", "subjects" or "frames"; empty for a word of the pipeline itself
   std::string word;
   OptionValue value;
   Where where;  ///< of the value
@@ -108,6 +108,10 @@ bool set_option(Pipeline& pipeline, std::string_view text, Diagnostics& diagnost
   }
   if (assignment->stage == "poses") return set_word(pose_words(), pipeline.poses, *assignment, diagnostics);
   if (assignment->stage == "subjects") return set_word(subject_words(), pipeline.subjects, *assignment, diagnostics);
+  if (assignment->stage == "frames") {
+    if (assignment->word == "path") pipeline.frames_where = assignment->where;
+    return set_word(frame_words(), pipeline.frames, *assignment, diagnostics);
+  }
   return set_of_stages(pipeline, *assignment, diagnostics);
 }
 

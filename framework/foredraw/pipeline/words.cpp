@@ -1,5 +1,6 @@
 #include <foredraw/pipeline/private/words.h>
 
+#include <foredraw/technique/frame_options.h>
 #include <foredraw/technique/pose_options.h>
 #include <foredraw/technique/subject_options.h>
 #include <foredraw/technique/view_options.h>
@@ -30,6 +31,12 @@ OptionTable<PoseSet> pose_words() {
 OptionTable<SubjectChoice> subject_words() {
   OptionTable<SubjectChoice> table;
   add_subject_row(table, &SubjectChoice::subject);
+  return table;
+}
+
+OptionTable<FrameSet> frame_words() {
+  OptionTable<FrameSet> table;
+  add_frame_rows(table);
   return table;
 }
 

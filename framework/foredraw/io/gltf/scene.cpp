@@ -79,8 +79,15 @@ void add_mesh(Scene& scene, const Json& from, Streams& streams) {
   scene.meshes.push_back(std::move(mesh));
 }
 
+/// The members of a top-level array; none where there is no such array.
+const Json& all(const Document& document, const char* kind) {
+  static const Json none = Json::array();
+  const auto found = document.json.find(kind);
+  return found == document.json.end() ? none : *found;
+}
+
 /// Of the node's camera, if it is a perspective one with an angle that can be.
-std::optional<float> camera_angle_of(const Json& node, const Json& document) {
+std::optional<float> camera_angle_of(const Json& node, const Document& document) {
   const auto number = id_in(node, "camera");
   const Json& cameras = all(document, "cameras");
   if (!number || *number >= cameras.size() || !cameras[*number].is_object()) return std::nullopt;
@@ -92,7 +99,7 @@ std::optional<float> camera_angle_of(const Json& node, const Json& document) {
   return radians > 0 && radians < 3.1f ? std::optional(radians) : std::nullopt;
 }
 
-Node node_of(const Json& from, const Json& document) {
+Node node_of(const Json& from, const Document& document) {
   Node node;
   node.name = text_in(from, "name");
   node.mesh = id_in(from, "mesh");
@@ -200,13 +207,6 @@ Image image_of(const Json& from, const Document& document, ViewBytes& views) {
   }
   image.facts = image_facts(image.bytes.view());
   return image;
-}
-
-/// The members of a top-level array; none where there is no such array.
-const Json& all(const Document& document, const char* kind) {
-  static const Json none = Json::array();
-  const auto found = document.json.find(kind);
-  return found == document.json.end() ? none : *found;
 }
 
 }  // namespace
