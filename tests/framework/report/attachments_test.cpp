@@ -65,11 +65,6 @@ TEST(Attachments, AMarkIsToldWhereThereIsOne) {
   EXPECT_FALSE(json["measures"][0]["attachments"][0].contains("mark"));
 }
 
-TEST(Attachments, AreLaidOutAsTheLibraryDoes) {
-  const std::string text = to_json(report_with_all());
-  EXPECT_EQ(text, Json::parse(text).dump(2) + '\n');
-}
-
 TEST(Attachments, WithoutTheirPicturesAreToldAlike) {
   Report report = report_with_all();
   const std::string whole = to_json(report);
