@@ -278,4 +278,20 @@ static inline foredraw_lod_result foredraw_lod_select(const foredraw_lod_scene* 
   return result;
 }
 
+/* What an earlier choice costs and is worth in this scene. It may be drawn again while it is not over the budget, and
+ * its benefit near the bound of a new choice: then nothing switches, though costs change with every move of the camera.
+ * It has no bound of its own. */
+static inline foredraw_lod_result foredraw_lod_kept(const foredraw_lod_scene* scene, uint64_t budget,
+                                                    const uint32_t* chosen) {
+  foredraw_lod_result result = {0, 0, UINT64_MAX, 0};
+  uint32_t i;
+  for (i = 0; i < scene->objects; ++i) {
+    if (scene->first[i] == scene->first[i + 1]) continue;
+    result.cost += scene->ways[scene->first[i] + chosen[i]].cost;
+    result.benefit += scene->ways[scene->first[i] + chosen[i]].benefit;
+  }
+  result.is_over = result.cost > budget;
+  return result;
+}
+
 #endif
