@@ -87,6 +87,13 @@ TEST(LodByValue, AWayOfNothingDoesNotStandBetweenOthers) {
   EXPECT_EQ(by_value(objects, 6).result.benefit, 14u);
 }
 
+TEST(LodByValue, TakesNoDearerWayOfTheSameBenefit) {
+  const std::vector<Ways> objects{{{0, 0}, {1, 5}, {3, 5}}, {{0, 0}, {2, 1}}};
+  EXPECT_EQ(by_value(objects, 3).result.cost, 3u);
+  EXPECT_EQ(by_value(objects, 3).result.benefit, 6u);
+  EXPECT_EQ(by_value(objects, 2).result.cost, 1u);
+}
+
 /// Ways from the cheapest to the best, each better and dearer.
 std::vector<Ways> rising(Random& random, std::size_t most_objects) {
   std::vector<Ways> objects = drawn_objects(random, most_objects, 5);
