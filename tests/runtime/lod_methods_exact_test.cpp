@@ -166,6 +166,14 @@ TEST(LodFromLast, ComesNearTheBestOnHullsAlone) {
   RecordProperty("on_hulls_percent", static_cast<int>(100 * on_hulls / rounds));
 }
 
+/// A budget that is spent to the last is no reason to stop: ways are still exchanged.
+TEST(LodFromLast, GoesOnWhereTheBudgetIsSpentExactly) {
+  const std::vector<Ways> objects{{{1, 1}, {2, 2}}, {{1, 1}, {2, 2}}, {{1, 1}, {2, 10}}, {{1, 1}, {2, 9}}};
+  const Choice choice = from_last(objects, 6, {1, 1, 0, 0});
+  EXPECT_EQ(choice.result.benefit, 21u);
+  EXPECT_EQ(choice.result.cost, 6u);
+}
+
 /// A hundred objects whose second way is little worth, and ten whose third is worth most but stands behind a second
 /// that is bad value. It takes the hundred, then one bad way, which does not fit and has the lowest value of all: the
 /// end.
