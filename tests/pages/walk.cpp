@@ -35,7 +35,8 @@ class Walk final : public Evaluator {
     for (int frame = 0; frame < options_.frames; ++frame) {
       const bool is_gap = frame >= 9 && frame < 12;
       cost.lines[0].values.push_back(4 + triangles / 2000);
-      cost.lines[1].values.push_back(is_gap ? std::numeric_limits<double>::quiet_NaN() : frame + triangles / 2000);
+      cost.lines[1].values.push_back(is_gap ? std::numeric_limits<double>::quiet_NaN()
+                                            : (frame + 1) * triangles / 6000);
       switches.lines[0].values.push_back(frame % 2);
       switches.lines[1].values.push_back(1000 + frame);
       const auto light = static_cast<std::uint8_t>(10 * frame);
