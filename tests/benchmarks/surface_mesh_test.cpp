@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace foredraw::bench {
@@ -124,16 +125,16 @@ TEST(SolidNoise, stays_within_its_bounds_and_repeats_where_it_says_so) {
 }
 
 TEST(Clip, speaks_for_times_between_its_keys) {
-  const Clip::Track turn{0, "rotation", 4, {0, 1}, {0, 0, 0, 1, 0, -1, 0, 0}, true};
+  const Clip::Track turn{0, "rotation", 4, {0, 1}, {0, 0, 0, 1, 0, -.6f, 0, -.8f}, true};
   std::vector<float> values;
   Clip::add_value(turn, 0, values);
   Clip::add_value(turn, .5, values);
   Clip::add_value(turn, 7, values);
   ASSERT_EQ(values.size(), 12u);
   EXPECT_FLOAT_EQ(values[3], 1);
-  EXPECT_FLOAT_EQ(std::abs(values[5]), std::sqrt(.5f));
-  EXPECT_FLOAT_EQ(values[7], std::sqrt(.5f));
-  EXPECT_FLOAT_EQ(std::abs(values[9]), 1);
+  EXPECT_FLOAT_EQ(values[5], .3f / std::sqrt(.9f));  // the shorter way
+  EXPECT_FLOAT_EQ(values[7], .9f / std::sqrt(.9f));
+  EXPECT_FLOAT_EQ(values[9], .6f);
   const Clip::Track place{0, "translation", 3, {1, 3}, {0, 0, 0, 2, 4, 6}, true};
   values.clear();
   Clip::add_value(place, 0, values);
