@@ -16,6 +16,7 @@ namespace foredraw {
 ///     in front and smoother behind.
 ///   - Colours are floats of 16 bits, and the device blends texels in its own precision.
 ///   - What is nearly equally far away may change places.
+///   - The near plane cuts where it is; the reference's cuts a hundredth behind.
 /// What is not finite is left out where it is stored so; where a pose makes it so, the device shows what it will.
 /// Keeps all levels and textures on the device. Used by one thread at a time.
 class VulkanFrames {
