@@ -147,11 +147,11 @@ class Walker {
     const FrameWays ways = ways_of(std::move(seen), speeds);
     walk_.seen.push_back(static_cast<std::uint32_t>(ways.seen.size()));
     walk_.seen_again.push_back(seen_again);
-    walk_.bound.push_back(bound_of(ways));
+    find_bound(ways);
     std::vector<std::vector<DrawnObject>> drawn;
     for (std::size_t m = 0; m < walking_.size(); ++m) drawn.push_back(choose(m, frame, ways, moment));
     if (is_one_of(frame, options_.pictures)) compare_pictures(frame, moment, drawn);
-    if (is_one_of(frame, options_.replay)) add_to_replay(frame, moment, drawn);
+    if (options_.replay) add_to_replay(frame, moment, drawn);
   }
 
   /// Pixels a frame that each object has moved over the picture.
@@ -170,12 +170,14 @@ class Walker {
     return speeds;
   }
 
-  double bound_of(const FrameWays& ways) {
+  void find_bound(const FrameWays& ways) {
     const foredraw_lod_scene scene = ways.scene(ways.ways);
     std::vector<std::uint32_t> chosen(ways.seen.size());
     memory_.resize(foredraw_lod_memory(&scene) / sizeof(std::uint64_t) + 1);
-    return static_cast<double>(
-        foredraw_lod_select(&scene, static_cast<std::uint64_t>(budget_), chosen.data(), memory_.data()).bound);
+    const foredraw_lod_result best =
+        foredraw_lod_select(&scene, static_cast<std::uint64_t>(budget_), chosen.data(), memory_.data());
+    walk_.bound.push_back(static_cast<double>(best.bound));
+    walk_.is_over.push_back(best.is_over != 0);
   }
 
   std::vector<DrawnObject> choose(std::size_t m, std::size_t frame, const FrameWays& ways, const FrameMoment& moment) {

@@ -32,7 +32,7 @@ struct LodWalkOptions : walking::BenefitOptions {
   std::optional<double> pixels;  ///< of a triangle, of `static`; none: so that it costs what the budget allows
   int pictures = 6;              ///< frames whose pictures are compared, evenly over the path
   int samples = 4;               ///< along each edge of their pixels
-  int replay = 0;                ///< frames whose levels are shown, evenly over the path
+  bool replay = false;           ///< levels are shown as pictures of a quarter of the size
   std::uint64_t seed = 0;        ///< of the noise
 };
 
@@ -45,7 +45,7 @@ struct MethodWalk {
   std::vector<double> benefit;                    ///< in 64ths of a pixel; without hysteresis
   std::vector<std::uint32_t> switched;            ///< objects that were drawn otherwise than in the frame before
   std::vector<double> errors;                     ///< [picture] against full detail
-  std::vector<std::vector<std::uint8_t>> replay;  ///< [frame of the replay] RGB: white full detail, black the coarsest
+  std::vector<std::vector<std::uint8_t>> replay;  ///< [frame] RGB: white full detail, black the coarsest
 };
 
 struct LodWalk {
@@ -54,6 +54,7 @@ struct LodWalk {
   std::vector<std::uint32_t> seen;        ///< [frame] objects
   std::vector<std::uint32_t> seen_again;  ///< of these, that were seen in the frame before too
   std::vector<double> bound;              ///< [frame] no choice within the budget has more benefit
+  std::vector<bool> is_over;              ///< [frame] even the cheapest ways cost more than the budget
   std::vector<double> floors;  ///< [picture] of a second picture of full detail, from samples in other places
   FrameSize replay_size;
   std::vector<MethodWalk> methods;

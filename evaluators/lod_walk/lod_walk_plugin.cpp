@@ -90,6 +90,11 @@ class LodWalkEvaluator final : public Evaluator {
       if (&method == &walk->methods.back()) measure(*walk, method, "", run);
       tell(*walk, method, run);
     }
+    if (const std::size_t over = std::ranges::count(walk->is_over, true); over > 0) {
+      run.note("over-budget", fmt::format("in {} of {} frames even the cheapest ways cost more than the budget", over,
+                                          walk->is_over.size()));
+    }
+    attach(*walk, run);
   }
 
  private:
@@ -129,6 +134,28 @@ class LodWalkEvaluator final : public Evaluator {
       }
       run.measure(group + "model-error", 100 * apart, frames);
     }
+  }
+
+  /// Curves of all methods, and what levels they chose.
+  static void attach(const LodWalk& walk, Run& run) {
+    Chart times{"frame time", "The dashed line is the budget.", "frame", "time of a frame", "ms", {}, {}};
+    times.mark = Chart::Mark{"budget", walk.budget};
+    Chart benefits{"benefit", "Of the most that any choice within the budget can have.", "frame", "benefit", "%", {},
+                   {}};
+    Chart switches{"switches", "Objects that are drawn otherwise than in the frame before.", "frame", "objects", "", {},
+                   {}};
+    for (const MethodWalk& method : walk.methods) {
+      const std::string name(to_text(method.method));
+      times.lines.push_back({name, method.milliseconds});
+      std::vector<double> shares;
+      for (std::size_t i = 0; i < walk.bound.size(); ++i) shares.push_back(100 * method.benefit[i] / walk.bound[i]);
+      benefits.lines.push_back({name, std::move(shares)});
+      switches.lines.push_back({name, {method.switched.begin(), method.switched.end()}});
+      if (method.replay.empty()) continue;
+      run.attach(Film{name, "Levels: full detail is white, the coarsest black.", walk.replay_size.width,
+                      walk.replay_size.height, method.replay});
+    }
+    for (Chart* chart : {&times, &benefits, &switches}) run.attach(std::move(*chart));
   }
 
   /// The row of the paper's table, and what it does not have.
@@ -188,7 +215,7 @@ Plugin lod_walk_plugin() {
   table.row(&WalkSettings::pictures, "pictures", "Frames whose pictures are compared with full detail",
             {0, 10000, "frames"});
   table.row(&WalkSettings::samples, "samples", "Samples along each edge of their pixels", {1, 16, "samples"});
-  table.row(&WalkSettings::replay, "replay", "Frames whose levels are shown as pictures", {0, 10000, "frames"});
+  table.row(&WalkSettings::replay, "replay", "The page shows the levels of every frame, as pictures in grey");
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;

@@ -11,7 +11,7 @@ namespace foredraw {
 
 namespace {
 
-constexpr double smallest = 8;  // pixels across
+constexpr double smallest = 8;  // pixels across; the next size has four times as many
 constexpr std::array<glm::dvec3, 4> sides = {glm::dvec3(1, 0.4, 1), glm::dvec3(-1, 0.7, 0.8), glm::dvec3(0.9, 0.2, -1),
                                              glm::dvec3(-0.8, 0.5, -1)};
 
@@ -19,7 +19,12 @@ constexpr std::array<glm::dvec3, 4> sides = {glm::dvec3(1, 0.4, 1), glm::dvec3(-
 class Portrait {
  public:
   Portrait(const FrameScene& scene, const FrameMoment& moment, std::uint32_t object, const glm::dvec3& side, int across)
-      : scene_(scene), moment_(moment), object_(object), renderer_({across, across}, across > 32 ? 2 : 4) {
+      : scene_(scene),
+        moment_(moment),
+        object_(object),
+        renderer_({across, across}, across > 128  ? 1
+                                    : across > 32 ? 2
+                                                  : 4) {
     // At two radii the sphere just fits into a picture that is 60 degrees high.
     const BoundingSphere& sphere = moment.bounds[object].sphere;
     camera_ = looking_at(sphere.centre + glm::normalize(side) * (2 * sphere.radius), sphere.centre);
@@ -57,7 +62,7 @@ class Portrait {
 }  // namespace
 
 double PictureLosses::at(const BySize& losses, double across) {
-  const double place = std::clamp(std::log2(std::max(across, smallest) / smallest), 0.0, double{sizes - 1});
+  const double place = std::clamp(std::log2(std::max(across, smallest) / smallest) / 2, 0.0, double{sizes - 1});
   const auto before = std::min(static_cast<std::size_t>(place), sizes - 2);
   const double part = place - static_cast<double>(before);
   return losses[before] + part * (losses[before + 1] - losses[before]);
@@ -68,10 +73,11 @@ PictureLosses picture_losses(const FrameScene& scene, const FrameMoment& moment,
   PictureLosses losses;
   losses.of.resize(mesh.levels);
   for (std::size_t size = 0; size < PictureLosses::sizes; ++size) {
-    const int across = static_cast<int>(smallest) << size;
+    const int across = static_cast<int>(smallest) << (2 * size);
+    const auto seen_from = std::span(sides).first(size + 1 < PictureLosses::sizes ? sides.size() : 2);
     const double covered = mesh.fill * glm::pi<double>() / 4 * across * across;
-    const double share = 1 / (covered * sides.size());
-    for (const glm::dvec3& side : sides) {
+    const double share = 1 / (covered * static_cast<double>(seen_from.size()));
+    for (const glm::dvec3& side : seen_from) {
       Portrait portrait(scene, moment, object, side, across);
       losses.without[size] += share * portrait.loss_without();
       for (std::uint32_t level = 0; level < mesh.levels; ++level) {
@@ -86,10 +92,10 @@ PictureLosses picture_losses(const FrameScene& scene, const FrameMoment& moment,
 }
 
 std::array<double, all_renderings.size()> rendering_accuracies(const PictureLosses& losses) {
-  constexpr std::size_t at_64 = 3;
+  constexpr std::size_t size = 2;
   std::array<double, all_renderings.size()> accuracies{};
   for (std::size_t i = 0; i < accuracies.size(); ++i) {
-    const double without = losses.without[at_64], loss = losses.of.empty() ? 0 : losses.of.front()[i][at_64];
+    const double without = losses.without[size], loss = losses.of.empty() ? 0 : losses.of.front()[i][size];
     accuracies[i] = without > 0 ? std::max(0.0, 1 - std::sqrt(loss / without)) : 1;
   }
   return accuracies;

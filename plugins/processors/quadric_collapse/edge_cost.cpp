@@ -163,6 +163,7 @@ void EdgeCosts::add_together(Around a, std::uint32_t p, const Neighbour& other) 
 }
 
 void EdgeCosts::least(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs) {
+  if (neighbours.empty()) return;  // a hub, around which to look takes long
   for (const Neighbour& one : neighbours) mesh_.prefetch_planes(one.point);
   const Around a = around(p);
   const auto solve = [&] {
