@@ -202,20 +202,13 @@ class Walker {
     const double model = (cost + options_.costs.frame) / nanoseconds_a_millisecond;
     Random random(derive_seed(options_.seed, frame, m));
     double took = model * (1 + options_.noise * (2 * random.unit() - 1));
-    if (options_.is_drawn) {
-      took = milliseconds_of([&] { renderer_of_frames().draw(scene_, moment, path_[frame].camera, drawn); });
-    }
+    if (options_.timer) took = options_.timer(moment, path_[frame].camera, drawn) / nanoseconds_a_millisecond;
     walking.chooser->took(took * nanoseconds_a_millisecond - options_.costs.frame);
     result.model.push_back(model);
     result.milliseconds.push_back(took);
     result.benefit.push_back(benefit);
     result.switched.push_back(switched);
     return drawn;
-  }
-
-  ReferenceRenderer& renderer_of_frames() {
-    if (!renderer_) renderer_.emplace(size_);
-    return *renderer_;
   }
 
   void compare_pictures(std::size_t frame, const FrameMoment& moment,
@@ -258,7 +251,6 @@ class Walker {
   double budget_ = 0;              // nanoseconds of the objects of a frame
   std::vector<Walking> walking_;   // [method]
   std::vector<std::uint64_t> memory_;
-  std::optional<ReferenceRenderer> renderer_;
   LodWalk walk_;
 };
 

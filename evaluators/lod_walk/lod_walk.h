@@ -12,9 +12,13 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace foredraw {
+
+/// Draws a frame, and gives the nanoseconds that it took.
+using FrameTimer = std::function<double(const FrameMoment&, const FrameCamera&, std::span<const DrawnObject>)>;
 
 struct LodWalkOptions : walking::BenefitOptions {
   std::vector<walking::Method> methods{walking::all_methods.begin(), walking::all_methods.end()};
@@ -22,7 +26,7 @@ struct LodWalkOptions : walking::BenefitOptions {
   std::optional<double> budget;  ///< milliseconds a frame; none: a share of what full detail takes in the mean
   double share = 0.25;           ///< of that
   double noise = 0.03;           ///< how far a frame's time is off what the model says, at most, as a part of it
-  bool is_drawn = false;         ///< frames are drawn on the processor, and take what that takes
+  FrameTimer timer;              ///< frames take what it says; none: what the model says, with noise
   bool occlusion = false;        ///< what something hides is not seen
   bool renderings = true;        ///< cheaper renderings are ways too
   std::optional<double> pixels;  ///< of a triangle, of `static`; none: so that it costs what the budget allows

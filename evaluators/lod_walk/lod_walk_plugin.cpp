@@ -1,3 +1,4 @@
+#include "frame_timers_plugin.h"
 #include "lod_walk.h"
 
 #include <foredraw/technique/frame_options.h>
@@ -18,7 +19,7 @@ namespace {
 using walking::Accuracy;
 using walking::Method;
 
-enum class FrameTimes { model, drawn };
+enum class FrameTimes { model, drawn, vulkan };
 
 struct WalkSettings : LodWalkOptions, FrameSet {
   std::string methods_text = "none static feedback value incremental budget";
@@ -60,7 +61,10 @@ class LodWalkEvaluator final : public Evaluator {
   explicit LodWalkEvaluator(WalkSettings settings) : settings_(std::move(settings)) {
     if (const auto mistake = mistake_in(static_cast<const FrameSet&>(settings_))) throw std::invalid_argument(*mistake);
     settings_.methods = methods_in(settings_.methods_text);
-    settings_.is_drawn = settings_.times == FrameTimes::drawn;
+    if (settings_.times == FrameTimes::vulkan && !has_vulkan_timer()) {
+      throw std::invalid_argument(
+          "times = vulkan: this program was built without Vulkan or glslangValidator; expected drawn or model");
+    }
     if (settings_.costs_file.empty()) return;
     auto costs = read_costs(settings_.costs_file);
     if (const auto* why = std::get_if<std::string>(&costs)) throw std::invalid_argument(*why);
@@ -74,6 +78,7 @@ class LodWalkEvaluator final : public Evaluator {
     if (const auto* why = std::get_if<std::string>(&path)) throw std::runtime_error(*why);
     LodWalkOptions options = settings_;
     options.seed = run.seed;
+    options.timer = timer(frames, run);
     const auto walk =
         lod_walk(frames, std::get<CameraPath>(path), settings_.size(), options, run.executor, run.cancel, run.progress);
     if (!walk) throw std::runtime_error("cancelled");
@@ -93,6 +98,20 @@ class LodWalkEvaluator final : public Evaluator {
   }
 
  private:
+  /// None: times are the model's.
+  FrameTimer timer(const FrameScene& frames, Run& run) const {
+    switch (settings_.times) {
+      case FrameTimes::model: break;
+      case FrameTimes::drawn: return reference_timer(frames, settings_.size());
+      case FrameTimes::vulkan: {
+        NamedTimer made = vulkan_timer(frames, settings_.size());
+        run.note("device", "frames were drawn by " + made.name);
+        return std::move(made.timer);
+      }
+    }
+    return {};
+  }
+
   void measure(const LodWalk& walk, const MethodWalk& method, const std::string& group, Run& run) const {
     const auto frames = static_cast<double>(method.milliseconds.size());
     const auto over = std::ranges::count_if(method.milliseconds, [&](double ms) { return ms > walk.budget; });
@@ -108,7 +127,7 @@ class LodWalkEvaluator final : public Evaluator {
       run.measure(group + "picture-error", 100 * sum_of(method.errors), static_cast<double>(method.errors.size()));
       run.measure(group + "picture-floor", 100 * sum_of(walk.floors), static_cast<double>(walk.floors.size()));
     }
-    if (settings_.is_drawn) {
+    if (settings_.times != FrameTimes::model) {
       double apart = 0;
       for (std::size_t i = 0; i < method.model.size(); ++i) {
         apart += std::abs(method.model[i] - method.milliseconds[i]) / method.milliseconds[i];
@@ -174,10 +193,11 @@ Plugin lod_walk_plugin() {
             {0.0001, 1e6, "ms"});
   table.row(&WalkSettings::share, "share", "Share of what full detail costs in the mean that is the budget",
             {0.001, 10, ""});
-  table.choice(&WalkSettings::times, "times",
-               "What frames take: what the model says, with noise; or what drawing them on the processor takes, which "
-               "differs from run to run",
-               {{"model", FrameTimes::model}, {"drawn", FrameTimes::drawn}});
+  table.choice(
+      &WalkSettings::times, "times",
+      "What frames take: what the model says, with noise; or what drawing them takes, on the processor or on a "
+      "Vulkan device, which differs from run to run",
+      {{"model", FrameTimes::model}, {"drawn", FrameTimes::drawn}, {"vulkan", FrameTimes::vulkan}});
   table.row(&WalkSettings::noise, "noise", "How far a frame's time is off what the model says, at most", {0, 0.9, ""});
   table.row(&WalkSettings::occlusion, "occlusion", "What something hides is neither chosen for nor drawn");
   table.row(&WalkSettings::renderings, "renderings", "Objects may be drawn without normal map, or unlit");

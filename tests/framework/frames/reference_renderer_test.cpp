@@ -140,6 +140,16 @@ TEST(ReferenceRenderer, CullsBackFacesUnlessThereAreTwoSides) {
   EXPECT_GT(covered(drawn(scene, before_square(5))), 0u);
 }
 
+TEST(ReferenceRenderer, MirroredNodesOfMorphedMeshesShowTheirFronts) {
+  Scene scene = square();
+  auto vertices = std::make_shared<VertexStreams>(*scene.draws[0].full().vertices);
+  vertices->morph_targets.emplace_back();
+  scene.draws[0].full().vertices = vertices;
+  scene.nodes[0].transform.scale.x = -1;
+  EXPECT_GT(covered(drawn(scene, before_square(5))), 0u);
+  EXPECT_EQ(covered(drawn(scene, looking_at({0, 0, -5}, {0, 0, 0}))), 0u);
+}
+
 TEST(ReferenceRenderer, LightsWhatFacesTheSun) {
   Scene up = square(), down = square();
   add_stream(up, "NORMAL", 3, {0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0});
