@@ -96,6 +96,28 @@ std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& pa
   return {positions.begin(), positions.end()};
 }
 
+std::vector<glm::dmat4x3> vertex_maps(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes) {
+  const VertexStreams& vertices = *scene.draws[part.draw].full().vertices;
+  std::vector<glm::dmat4x3> maps(vertices.count, glm::dmat4x3(1));
+  if (!part.node) return maps;
+  const Node& node = scene.nodes[*part.node];
+  std::vector<glm::dvec3> by_targets(vertices.count, glm::dvec3(0));
+  add_morph_targets(by_targets, vertices, nodes.weights[*part.node]);
+  const glm::dmat4 by_node(nodes.world[*part.node]);
+  std::vector<glm::dmat4> joints;
+  std::vector<Influences> sets;
+  if (node.skin) {
+    joints = joint_matrices(scene.skins[*node.skin], nodes.world);
+    sets = influences_of(vertices);
+  }
+  for (std::size_t v = 0; v < maps.size(); ++v) {
+    const glm::dmat4 by = blended(joints, sets, v, by_node);
+    maps[v] = glm::dmat4x3(by);
+    maps[v][3] = moved(by, by_targets[v]);
+  }
+  return maps;
+}
+
 bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes) {
   return part.node && glm::determinant(glm::dmat3(nodes.world[*part.node])) < 0;
 }
