@@ -129,6 +129,19 @@ PosedVertices posed_vertices(const Scene& scene, const VertexStreams& vertices, 
   return {{positions.begin(), positions.end()}, {normals.begin(), normals.end()}};
 }
 
+std::vector<glm::dmat4x3> vertex_maps(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes) {
+  const VertexStreams& vertices = *scene.draws[part.draw].full().vertices;
+  std::vector<glm::dmat4x3> maps(vertices.count, glm::dmat4x3(1));
+  if (!part.node) return maps;
+  std::vector<glm::dvec3> by_targets(vertices.count, glm::dvec3(0));
+  add_morph_targets(by_targets, "POSITION", vertices, nodes.weights[*part.node]);
+  move_each(scene, vertices, *part.node, nodes, [&](std::size_t v, const glm::dmat4& by) {
+    maps[v] = glm::dmat4x3(by);
+    maps[v][3] = moved(by, by_targets[v]);
+  });
+  return maps;
+}
+
 bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes) {
   return part.node && glm::determinant(glm::dmat3(nodes.world[*part.node])) < 0;
 }
