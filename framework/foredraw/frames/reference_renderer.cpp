@@ -289,7 +289,7 @@ void ReferenceRenderer::draw(const FrameScene& scene, const FrameMoment& moment,
       const glm::vec3* flat_colour = style == FrameStyle::levels ? &flat : nullptr;
       if (object.is_posed) {
         const Level& posed = scene.scene().draws[draw.draw].levels[number];
-        const PosedVertices vertices = posed_vertices(scene.scene(), *posed.vertices, object.node, moment.nodes);
+        const VerticesInPose vertices = vertices_in_pose(scene.scene(), *posed.vertices, object.node, moment.nodes);
         painter.draw({level, draw.surface, vertices.positions, vertices.normals, glm::dmat4(1), is_turned,
                       drawn.rendering, flat_colour});
       } else {

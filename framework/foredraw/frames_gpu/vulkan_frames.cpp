@@ -147,7 +147,7 @@ class VulkanFrames::Device {
                    is_mirrored(scene_, moment, drawn.object)};
       if (object.is_posed) {
         const Level& posed = scene_.scene().draws[draw.draw].levels[at];
-        const PosedVertices vertices = posed_vertices(scene_.scene(), *posed.vertices, object.node, moment.nodes);
+        const VerticesInPose vertices = vertices_in_pose(scene_.scene(), *posed.vertices, object.node, moment.nodes);
         call.is_posed = true;
         call.posed_at = {append(frame.posed, vertices.positions), append(frame.posed, vertices.normals)};
       }

@@ -119,7 +119,8 @@ std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& pa
   return {positions.begin(), positions.end()};
 }
 
-PosedVertices posed_vertices(const Scene& scene, const VertexStreams& vertices, NodeId node, const PosedNodes& nodes) {
+VerticesInPose vertices_in_pose(const Scene& scene, const VertexStreams& vertices, NodeId node,
+                                const PosedNodes& nodes) {
   std::vector<glm::dvec3> positions = morphed(vertices, "POSITION", nodes.weights[node]);
   std::vector<glm::dvec3> normals = morphed(vertices, "NORMAL", nodes.weights[node]);
   move_each(scene, vertices, node, nodes, [&](std::size_t v, const glm::dmat4& by) {

@@ -290,7 +290,7 @@ Scene posed_sheet(bool with_skin) {
   return scene;
 }
 
-TEST_F(VulkanFramesTest, PosedVertices) {
+TEST_F(VulkanFramesTest, VerticesInPose) {
   Frame skinned(posed_sheet(true), before), morphed(posed_sheet(false), before), at_rest(sheet(), before);
   expect_the_same(skinned);
   expect_the_same(morphed);
@@ -299,7 +299,7 @@ TEST_F(VulkanFramesTest, PosedVertices) {
   EXPECT_GT(picture_error(skinned.reference(), morphed.reference()), 0.02);
 }
 
-TEST_F(VulkanFramesTest, PosedVerticesOfMirroredNodes) {
+TEST_F(VulkanFramesTest, VerticesInPoseOfMirroredNodes) {
   Scene scene = posed_sheet(false);
   scene.nodes[0].transform.scale.x = -1;
   Frame frame(std::move(scene), before);
