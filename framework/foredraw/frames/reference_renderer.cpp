@@ -9,6 +9,8 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace foredraw {
 
@@ -265,6 +267,13 @@ class ReferenceRenderer::Painter {
 
 ReferenceRenderer::ReferenceRenderer(FrameSize size, int samples, glm::dvec2 shift)
     : size_(size), samples_(std::clamp(samples, 1, 16)), shift_(shift) {
+  const int longest = std::max(size.width, size.height);
+  if (std::min(size.width, size.height) < 1 || longest > most_samples / samples_) {
+    throw std::invalid_argument("a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                                " pixels and " + std::to_string(samples_) +
+                                " samples along each has too many or none; at most " + std::to_string(most_samples) +
+                                " samples fit along an edge");
+  }
   sampled_ = {size.width * samples_, size.height * samples_};
 }
 

@@ -46,7 +46,8 @@ glm::vec3 shaded(const FrameSurface& surface, Rendering rendering, const Surface
   const float upwards = 0.5f + 0.5f * normal.y;
   const glm::vec3 ambient = frame_light.from_ground * (1 - upwards) + frame_light.from_sky * upwards;
   const float lit = std::max(0.0f, glm::dot(normal, frame_light.to_sun));
-  return base * (ambient + frame_light.sun * lit) + frame_light.sun * (lit > 0 ? highlight(normal, unit(point.to_eye)) : 0);
+  return base * (ambient + frame_light.sun * lit) +
+         frame_light.sun * (lit > 0 ? highlight(normal, unit(point.to_eye)) : 0);
 }
 
 std::size_t mip_level(double texels_a_sample) {

@@ -256,6 +256,12 @@ TEST(ReferenceRenderer, SurvivesWhatIsNotFinite) {
   EXPECT_GT(covered(drawn(testing::scene_of(mesh), before_square(5))), 0u);
 }
 
+TEST(ReferenceRenderer, RefusesPicturesOfNothingAndOfTooMuch) {
+  EXPECT_THROW(ReferenceRenderer({0, 5}), std::invalid_argument);
+  EXPECT_THROW(ReferenceRenderer({4096, 16}, 5), std::invalid_argument);
+  EXPECT_NO_THROW(ReferenceRenderer({4096, 16}, 4));
+}
+
 TEST(PictureError, IsTheRootOfTheMeanSquare) {
   FramePicture a{{2, 1}, {glm::vec3(0), glm::vec3(0)}}, b = a;
   EXPECT_EQ(picture_error(a, b), 0);
