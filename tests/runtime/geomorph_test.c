@@ -20,7 +20,7 @@ int main(void) {
   static const float coarse[6] = {0.3f, 0.0f, -1e-30f, 3.0f, -0.0f, 16777217.5f};
   static const float along_x[3] = {1, 0, 0}, along_y[3] = {0, 1, 0}, back[3] = {-1, 0, 0};
   static const uint32_t first[3] = {1, 1, 0}, second[2] = {7, 5};
-  float to[6], direction[3];
+  float to[6], direction[3], four[4] = {9, 9, 9, 9};
   uint32_t chain[3];
   int i, c;
 
@@ -48,6 +48,8 @@ int main(void) {
   expect(direction[0] == 0.0f, "opposite normals have no middle");
   foredraw_geomorph_direction(along_x, along_y, 1.0f, direction);
   expect(same_bits(direction, along_y, 3), "at 1 a normal is not the next one");
+  foredraw_geomorph_direction(fine, coarse, 0.5f, four);
+  expect(four[3] == 9.0f, "a direction is of three numbers");
   foredraw_geomorph_chain(first, second, 3, chain);
   expect(chain[0] == 5 && chain[1] == 5 && chain[2] == 7, "ancestors of ancestors");
   return failures;

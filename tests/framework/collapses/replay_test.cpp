@@ -35,6 +35,20 @@ TEST(Replay, NoneIsFullDetailToTheBit) {
   EXPECT_EQ(full.places, strip.positions);
 }
 
+/// Whichever two of the corners it are, as vertices or by their places.
+TEST(Replay, TrianglesOfTwoPointsAreNotThere) {
+  testing::TestMesh mesh = strip;
+  mesh.positions.push_back(mesh.positions[0]);
+  mesh.indices.insert(mesh.indices.end(), {0, 0, 1, 1, 0, 0, 0, 1, 0, 5, 0, 1, 1, 5, 0, 0, 1, 5});
+  const Replay run = replay(good(), mesh.positions, mesh.indices);
+  EXPECT_EQ(run.mistake, "");
+  EXPECT_EQ(run.triangles, (std::vector<std::uint32_t>{3, 2, 1}));
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_EQ(collapsed(good(), n, mesh.positions, mesh.indices).indices,
+              collapsed(good(), n, strip.positions, strip.indices).indices);
+  }
+}
+
 TEST(Replay, CornersTakeTheVertexThatStandsForThem) {
   const Collapsed one = collapsed(good(), 1, strip.positions, strip.indices);
   EXPECT_EQ(one.indices, (std::vector<std::uint32_t>{2, 1, 3, 2, 3, 4}));

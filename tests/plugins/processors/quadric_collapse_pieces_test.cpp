@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace foredraw {
 namespace {
@@ -106,6 +108,27 @@ TEST_P(QuadricCollapsePieces, OfBadMeshesCollapseAtOnceAsOneAfterTheOther) {
       options.executor = other;
       EXPECT_EQ(quadric_collapse(mesh.positions, mesh.indices, options), want);
     }
+  }
+}
+
+/// Hills of two pieces, whose only short edges run from one piece to the other.
+TEST_P(QuadricCollapsePieces, EdgesBetweenThemTakeTheirTurn) {
+  constexpr std::uint32_t columns = 80, rows = 70, last = 40;  // column of the first piece, in the first half of rows
+  TestMesh mesh = testing::grid(columns, rows);
+  Random random(6);
+  for (glm::vec3& p : mesh.positions) p.z = static_cast<float>(random.unit());
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (std::uint32_t y = 5; y < 30; ++y) {
+    const std::uint32_t a = y * (columns + 1) + last;
+    mesh.positions[a + 1] = mesh.positions[a] + glm::vec3(1e-3f, 0, 0);
+    edges.insert({a, a + 1});
+  }
+  const std::size_t least = mesh.indices.size() / 3 - 2 * edges.size();
+  const CollapseSequence sequence =
+      quadric_collapse(mesh.positions, mesh.indices, {.placement = GetParam(), .least = least});
+  ASSERT_EQ(sequence.collapses.size(), edges.size());
+  for (const Collapse& collapse : sequence.collapses) {
+    EXPECT_TRUE(edges.contains(std::minmax(collapse.removed, collapse.kept)));
   }
 }
 
