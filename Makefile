@@ -5,7 +5,7 @@ SEED ?= 1
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test long-test clang bench real-files city vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances asan tsan fuzz clean
+.PHONY: help demo build test long-test clang bench real-files city level-walk vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances asan tsan fuzz clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
@@ -24,6 +24,7 @@ help:
 	@echo 'make merge-instances  draw calls, bytes and times of merged instances beside other ways, for 10,000 to 1,000,000 of them'
 	@echo 'make real-files  what becomes of the models below some folders: FILES="folder folder"'
 	@echo 'make city     a city of about 10,000 placed primitives: build/city.glb (INSTANCES=100000 SEED=2 for another one)'
+	@echo 'make level-walk  cameras walk through a city, a field and a building: build/walk/, with a page for each'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
 	@echo 'make clean    remove build/'
@@ -100,6 +101,16 @@ city:
 	packages/install build bench
 	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target merge-instances-scenes
 	build/release/benchmarks/merge_instances/merge-instances-scenes --output=build/city.glb --instances=$(INSTANCES) --seed=$(SEED)
+
+level-walk:
+	packages/install build bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw level-walk-scenes
+	@mkdir -p build/walk
+	for scene in city field building; do \
+	  build/release/benchmarks/level_walk/level-walk-scenes --scene=$$scene --output=build/walk/$$scene.glb && \
+	  $(FOREDRAW) optimize build/walk/$$scene.glb -o build/walk/$$scene.lod.glb -p benchmarks/level_walk/levels.toml && \
+	  $(FOREDRAW) optimize build/walk/$$scene.lod.glb -o build/walk/$$scene.out.glb -p benchmarks/level_walk/walk.toml --html build/walk/$$scene.html || exit 1; \
+	done
 
 clean:
 	rm -rf build

@@ -159,7 +159,8 @@ class Building {
           add_bust(place, q + random_.below(4));
         } else {
           add(models_.pedestal, place, 0, q);
-          add(one_of(models_.statues), place, 1, q + random_.below(4));
+          const std::size_t statue = one_of(models_.statues);
+          add(statue, place, 1, q + random_.below(4));
         }
       }
     }
@@ -192,7 +193,7 @@ std::uint64_t primitives(const Kit& kit, const std::vector<Placement>& placement
 
 /// At eye height through the middles of the rooms.
 CameraPath path_through(const BuildingPlan& plan) {
-  CameraPath path{.corners = {}, .rounding = 1, .ahead = 0.8};
+  CameraPath path{.corners = {}, .rounding = 1.5, .ahead = 1.5};
   for (const auto& [i, j] : plan.walk()) {
     path.corners.emplace_back((static_cast<double>(i) + 0.5) * room, 1.6, (static_cast<double>(j) + 0.5) * room);
   }

@@ -2,6 +2,7 @@
 #include "gpu_instancing.h"
 #include "layout.h"
 #include "outdoor_models.h"
+#include "shapes.h"
 #include "walk_scene.h"
 
 #include <algorithm>
@@ -17,6 +18,14 @@ struct CityModels {
   std::vector<KitDocument::Model> all;
   CityDressing dressing;
 };
+
+/// What lots stand on: paving from street to street, a little above 0, where buildings have their feet.
+std::vector<ModelPart> block_ground() {
+  constexpr double half = street / 2 - city_tile / 2;
+  SurfaceMesh paving;
+  add_box(paving, {-half, -.02, -half}, {half, .02, half});
+  return {{std::move(paving), "paving"}};
+}
 
 CityModels add_models(GltfDocument& to, const WalkOptions& options) {
   CityModels models;
@@ -35,11 +44,13 @@ CityModels add_models(GltfDocument& to, const WalkOptions& options) {
     }
   };
   CityDressing& dressing = models.dressing;
-  add(dressing.trees, "tree", 16, [](std::uint64_t i) { return tree(1.1 + .05 * static_cast<double>(i), 100 + i); });
+  add(dressing.trees, "tree", 20, [](std::uint64_t i) { return tree(1.1 + .05 * static_cast<double>(i), 100 + i); });
   add(dressing.shrubs, "bush", 10, [](std::uint64_t i) { return bush(.4 + .02 * static_cast<double>(i), 200 + i); });
   add(dressing.rocks, "rock", 16, [](std::uint64_t i) { return rock(.2 + .02 * static_cast<double>(i), 300 + i); });
   add(dressing.furniture, "street furniture", 30, [](std::uint64_t i) { return street_piece(.16, 402 + i); });
   add(dressing.statues, "statue", 8, [](std::uint64_t i) { return statue(.9, 500 + i); });
+  dressing.grounds.push_back(models.all.size());
+  models.all.push_back(add_model(to, palette, "ground of a block", block_ground()));
   return models;
 }
 
@@ -55,8 +66,8 @@ CameraPath path_through(const std::vector<Placement>& placements) {
                       {x + street, 2.2, z},
                       {x + street, 1.2, z + street},
                       {x + 1.6 * street, .62, z + street}},
-          .rounding = 1.2,
-          .ahead = 2};
+          .rounding = 1.6,
+          .ahead = 3};
 }
 
 }  // namespace

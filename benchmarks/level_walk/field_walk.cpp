@@ -16,8 +16,8 @@ namespace foredraw::bench {
 
 namespace {
 
-constexpr double pitch = 5;         // from character to character
-constexpr double way_width = 3;     // of what the camera's way is kept free of on either side
+constexpr double pitch = 4;         // from character to character
+constexpr double way_width = 2.2;   // of what the camera's way is kept free of on either side
 constexpr std::size_t patches = 8;  // of the ground, along each side
 constexpr std::size_t patch_cells = 32;
 
@@ -46,7 +46,7 @@ std::vector<ModelPart> ground_patch(double side, std::size_t column, std::size_t
 
 /// From one side to the other, in bends.
 CameraPath path_through(double side) {
-  CameraPath path{.corners = {}, .rounding = 4, .ahead = 4};
+  CameraPath path{.corners = {}, .rounding = 6, .ahead = 6};
   const double reach = std::min(.45 * side, 20.0);
   for (const auto& [x, z] : {std::pair{-1.0, -.8}, {-.45, .3}, {.1, -.45}, {.5, .5}, {1.0, .1}}) {
     path.corners.emplace_back(reach * x, 0, reach * z);
@@ -109,7 +109,7 @@ class Field {
       const std::size_t model = kinds[kind][random.below(kinds[kind].size())];
       const auto size = static_cast<float>(40 + random.below(49)) / 64;
       const glm::quat turn = turned(circle * random.unit());
-      if (!is_free({x, z}, kind == 3 ? 4 : 1.5)) continue;
+      if (!is_free({x, z}, kind == 3 ? 6 : kind == 0 ? 1 : 2.2)) continue;
       layout.add(model, {x, z}, ground(x, z), turn, glm::vec3(size), random);
     }
     return layout.take();

@@ -30,6 +30,23 @@ std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& places) {
   return numbers;
 }
 
+/// Vertices that no triangle has: of triangles that were left out.
+void drop_unused(SurfaceMesh& mesh) {
+  std::vector<bool> is_used(mesh.places.size(), false);
+  for (const std::uint32_t index : mesh.indices) is_used[index] = true;
+  std::vector<std::uint32_t> numbers(mesh.places.size());
+  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < numbers.size(); ++v) {
+    if (!is_used[v]) continue;
+    mesh.places[count] = mesh.places[v];
+    mesh.uvs[count] = mesh.uvs[v];
+    numbers[v] = count++;
+  }
+  mesh.places.resize(count);
+  mesh.uvs.resize(count);
+  for (std::uint32_t& index : mesh.indices) index = numbers[index];
+}
+
 /// Of length 1; `other` where it has no length.
 glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& other) {
   const double length = std::sqrt(glm::dot(vector, vector));
@@ -93,6 +110,7 @@ void add_mesh(SurfaceMesh& to, const SurfaceMesh& other) {
 }
 
 void finish(SurfaceMesh& mesh) {
+  drop_unused(mesh);
   const std::size_t count = mesh.places.size();
   const std::vector<std::uint32_t> numbers = place_numbers(mesh.places);
   std::vector<glm::dvec3> normals(count, glm::dvec3(0)), along_u(count, glm::dvec3(0)), along_v(count, glm::dvec3(0));

@@ -39,8 +39,9 @@ void add_cube(SurfaceMesh& to, std::size_t cells, const std::function<glm::dvec3
 /// Adds the other one, as it is.
 void add_mesh(SurfaceMesh& to, const SurfaceMesh& other);
 
-/// Replaces normals and tangents: normals are the mean over the triangles at a place (weighted by area, whatever vertex
-/// has them), so that seams of texture coordinates do not show; tangents those of a vertex' own triangles.
+/// Leaves out vertices that no triangle has, and replaces normals and tangents: normals are the mean over the triangles
+/// at a place (weighted by area, whatever vertex has them), so that seams of texture coordinates do not show; tangents
+/// those of a vertex' own triangles.
 void finish(SurfaceMesh& mesh);
 
 }  // namespace foredraw::bench

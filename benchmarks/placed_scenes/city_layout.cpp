@@ -46,6 +46,10 @@ class City {
   /// A crossing, the streets to the right of it and below it as seen from above, and the lots between these.
   void add_block(const glm::dvec2& corner, Random& random) {
     add_crossing(corner, random);
+    for (const std::size_t ground : dressing_.grounds) {
+      layout_.add(ground, corner + 0.5 * tile * static_cast<double>(period), 0, quarter_turn(0), glm::vec3(1),
+                  dresser_);
+    }
     for (std::uint64_t i = 1; i < period; ++i) {
       const double along = static_cast<double>(i) * tile;
       add_street({corner.x + along, corner.y}, true, i % 2 == 0, random);

@@ -23,6 +23,7 @@ struct LayoutOptions {
 /// stand at the kerbs, trees, shrubs and rocks in yards, statues and shrubs in squares.
 struct CityDressing {
   std::vector<std::size_t> trees, shrubs, rocks, furniture, statues;
+  std::vector<std::size_t> grounds;  ///< all of these lie in the middle of each block
 };
 
 constexpr double city_tile = 2;           ///< the side of a road tile and of a lot

@@ -147,11 +147,11 @@ class Walker {
     const FrameWays ways = ways_of(std::move(seen), speeds);
     walk_.seen.push_back(static_cast<std::uint32_t>(ways.seen.size()));
     walk_.seen_again.push_back(seen_again);
-    walk_.bound.push_back(bound_of(ways));
+    find_bound(ways);
     std::vector<std::vector<DrawnObject>> drawn;
     for (std::size_t m = 0; m < walking_.size(); ++m) drawn.push_back(choose(m, frame, ways, moment));
     if (is_one_of(frame, options_.pictures)) compare_pictures(frame, moment, drawn);
-    if (is_one_of(frame, options_.replay)) add_to_replay(frame, moment, drawn);
+    if (options_.replay) add_to_replay(frame, moment, drawn);
   }
 
   /// Pixels a frame that each object has moved over the picture.
@@ -170,12 +170,14 @@ class Walker {
     return speeds;
   }
 
-  double bound_of(const FrameWays& ways) {
+  void find_bound(const FrameWays& ways) {
     const foredraw_lod_scene scene = ways.scene(ways.ways);
     std::vector<std::uint32_t> chosen(ways.seen.size());
     memory_.resize(foredraw_lod_memory(&scene) / sizeof(std::uint64_t) + 1);
-    return static_cast<double>(
-        foredraw_lod_select(&scene, static_cast<std::uint64_t>(budget_), chosen.data(), memory_.data()).bound);
+    const foredraw_lod_result best =
+        foredraw_lod_select(&scene, static_cast<std::uint64_t>(budget_), chosen.data(), memory_.data());
+    walk_.bound.push_back(static_cast<double>(best.bound));
+    walk_.is_over.push_back(best.is_over != 0);
   }
 
   std::vector<DrawnObject> choose(std::size_t m, std::size_t frame, const FrameWays& ways, const FrameMoment& moment) {
@@ -200,20 +202,13 @@ class Walker {
     const double model = (cost + options_.costs.frame) / nanoseconds_a_millisecond;
     Random random(derive_seed(options_.seed, frame, m));
     double took = model * (1 + options_.noise * (2 * random.unit() - 1));
-    if (options_.is_drawn) {
-      took = milliseconds_of([&] { renderer_of_frames().draw(scene_, moment, path_[frame].camera, drawn); });
-    }
+    if (options_.timer) took = options_.timer(moment, path_[frame].camera, drawn) / nanoseconds_a_millisecond;
     walking.chooser->took(took * nanoseconds_a_millisecond - options_.costs.frame);
     result.model.push_back(model);
     result.milliseconds.push_back(took);
     result.benefit.push_back(benefit);
     result.switched.push_back(switched);
     return drawn;
-  }
-
-  ReferenceRenderer& renderer_of_frames() {
-    if (!renderer_) renderer_.emplace(size_);
-    return *renderer_;
   }
 
   void compare_pictures(std::size_t frame, const FrameMoment& moment,
@@ -256,7 +251,6 @@ class Walker {
   double budget_ = 0;              // nanoseconds of the objects of a frame
   std::vector<Walking> walking_;   // [method]
   std::vector<std::uint64_t> memory_;
-  std::optional<ReferenceRenderer> renderer_;
   LodWalk walk_;
 };
 

@@ -12,9 +12,13 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace foredraw {
+
+/// Draws a frame, and gives the nanoseconds that it took.
+using FrameTimer = std::function<double(const FrameMoment&, const FrameCamera&, std::span<const DrawnObject>)>;
 
 struct LodWalkOptions : walking::BenefitOptions {
   std::vector<walking::Method> methods{walking::all_methods.begin(), walking::all_methods.end()};
@@ -22,13 +26,13 @@ struct LodWalkOptions : walking::BenefitOptions {
   std::optional<double> budget;  ///< milliseconds a frame; none: a share of what full detail takes in the mean
   double share = 0.25;           ///< of that
   double noise = 0.03;           ///< how far a frame's time is off what the model says, at most, as a part of it
-  bool is_drawn = false;         ///< frames are drawn on the processor, and take what that takes
+  FrameTimer timer;              ///< frames take what it says; none: what the model says, with noise
   bool occlusion = false;        ///< what something hides is not seen
   bool renderings = true;        ///< cheaper renderings are ways too
   std::optional<double> pixels;  ///< of a triangle, of `static`; none: so that it costs what the budget allows
   int pictures = 6;              ///< frames whose pictures are compared, evenly over the path
   int samples = 4;               ///< along each edge of their pixels
-  int replay = 0;                ///< frames whose levels are shown, evenly over the path
+  bool replay = false;           ///< levels are shown as pictures of a quarter of the size
   std::uint64_t seed = 0;        ///< of the noise
 };
 
@@ -41,7 +45,7 @@ struct MethodWalk {
   std::vector<double> benefit;                    ///< in 64ths of a pixel; without hysteresis
   std::vector<std::uint32_t> switched;            ///< objects that were drawn otherwise than in the frame before
   std::vector<double> errors;                     ///< [picture] against full detail
-  std::vector<std::vector<std::uint8_t>> replay;  ///< [frame of the replay] RGB: white full detail, black the coarsest
+  std::vector<std::vector<std::uint8_t>> replay;  ///< [frame] RGB: white full detail, black the coarsest
 };
 
 struct LodWalk {
@@ -50,6 +54,7 @@ struct LodWalk {
   std::vector<std::uint32_t> seen;        ///< [frame] objects
   std::vector<std::uint32_t> seen_again;  ///< of these, that were seen in the frame before too
   std::vector<double> bound;              ///< [frame] no choice within the budget has more benefit
+  std::vector<bool> is_over;              ///< [frame] even the cheapest ways cost more than the budget
   std::vector<double> floors;  ///< [picture] of a second picture of full detail, from samples in other places
   FrameSize replay_size;
   std::vector<MethodWalk> methods;

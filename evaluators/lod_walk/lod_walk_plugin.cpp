@@ -1,3 +1,4 @@
+#include "frame_timers_plugin.h"
 #include "lod_walk.h"
 
 #include <foredraw/technique/frame_options.h>
@@ -18,7 +19,7 @@ namespace {
 using walking::Accuracy;
 using walking::Method;
 
-enum class FrameTimes { model, drawn };
+enum class FrameTimes { model, drawn, vulkan };
 
 struct WalkSettings : LodWalkOptions, FrameSet {
   std::string methods_text = "none static feedback value incremental budget";
@@ -60,7 +61,11 @@ class LodWalkEvaluator final : public Evaluator {
   explicit LodWalkEvaluator(WalkSettings settings) : settings_(std::move(settings)) {
     if (const auto mistake = mistake_in(static_cast<const FrameSet&>(settings_))) throw std::invalid_argument(*mistake);
     settings_.methods = methods_in(settings_.methods_text);
-    settings_.is_drawn = settings_.times == FrameTimes::drawn;
+    if (settings_.times == FrameTimes::vulkan && !has_vulkan_timer()) {
+      throw std::invalid_argument(
+          "times = vulkan: this program was built without Vulkan or glslangValidator; expected drawn or model");
+    }
+    ReferenceRenderer(settings_.size(), settings_.samples);  // says what is wrong with their numbers before the walk
     if (settings_.costs_file.empty()) return;
     auto costs = read_costs(settings_.costs_file);
     if (const auto* why = std::get_if<std::string>(&costs)) throw std::invalid_argument(*why);
@@ -74,6 +79,7 @@ class LodWalkEvaluator final : public Evaluator {
     if (const auto* why = std::get_if<std::string>(&path)) throw std::runtime_error(*why);
     LodWalkOptions options = settings_;
     options.seed = run.seed;
+    options.timer = timer(frames, run);
     const auto walk =
         lod_walk(frames, std::get<CameraPath>(path), settings_.size(), options, run.executor, run.cancel, run.progress);
     if (!walk) throw std::runtime_error("cancelled");
@@ -85,9 +91,28 @@ class LodWalkEvaluator final : public Evaluator {
       if (&method == &walk->methods.back()) measure(*walk, method, "", run);
       tell(*walk, method, run);
     }
+    if (const std::size_t over = std::ranges::count(walk->is_over, true); over > 0) {
+      run.note("over-budget", fmt::format("in {} of {} frames even the cheapest ways cost more than the budget", over,
+                                          walk->is_over.size()));
+    }
+    attach(*walk, run);
   }
 
  private:
+  /// None: times are the model's.
+  FrameTimer timer(const FrameScene& frames, Run& run) const {
+    switch (settings_.times) {
+      case FrameTimes::model: break;
+      case FrameTimes::drawn: return reference_timer(frames, settings_.size());
+      case FrameTimes::vulkan: {
+        NamedTimer made = vulkan_timer(frames, settings_.size());
+        run.note("device", "frames were drawn by " + made.name);
+        return std::move(made.timer);
+      }
+    }
+    return {};
+  }
+
   void measure(const LodWalk& walk, const MethodWalk& method, const std::string& group, Run& run) const {
     const auto frames = static_cast<double>(method.milliseconds.size());
     const auto over = std::ranges::count_if(method.milliseconds, [&](double ms) { return ms > walk.budget; });
@@ -98,18 +123,40 @@ class LodWalkEvaluator final : public Evaluator {
     run.measure(group + "benefit", 100 * sum_of(method.benefit), sum_of(walk.bound));
     run.measure(group + "switched", 1000 * std::accumulate(method.switched.begin(), method.switched.end(), 0.0),
                 std::max(1.0, std::accumulate(walk.seen_again.begin(), walk.seen_again.end(), 0.0)));
-    run.measure(group + "selecting", sum_of(method.selecting), frames);
     if (!method.errors.empty()) {
       run.measure(group + "picture-error", 100 * sum_of(method.errors), static_cast<double>(method.errors.size()));
       run.measure(group + "picture-floor", 100 * sum_of(walk.floors), static_cast<double>(walk.floors.size()));
     }
-    if (settings_.is_drawn) {
+    if (settings_.times != FrameTimes::model) {
       double apart = 0;
       for (std::size_t i = 0; i < method.model.size(); ++i) {
         apart += std::abs(method.model[i] - method.milliseconds[i]) / method.milliseconds[i];
       }
+      run.measure(group + "selecting", sum_of(method.selecting), frames);
       run.measure(group + "model-error", 100 * apart, frames);
     }
+  }
+
+  /// Curves of all methods, and what levels they chose.
+  static void attach(const LodWalk& walk, Run& run) {
+    Chart times{"frame time", "The dashed line is the budget.", "frame", "time of a frame", "ms", {}, {}};
+    times.mark = Chart::Mark{"budget", walk.budget};
+    Chart benefits{"benefit", "Of the most that any choice within the budget can have.", "frame", "benefit", "%", {},
+                   {}};
+    Chart switches{"switches", "Objects that are drawn otherwise than in the frame before.", "frame", "objects", "", {},
+                   {}};
+    for (const MethodWalk& method : walk.methods) {
+      const std::string name(to_text(method.method));
+      times.lines.push_back({name, method.milliseconds});
+      std::vector<double> shares;
+      for (std::size_t i = 0; i < walk.bound.size(); ++i) shares.push_back(100 * method.benefit[i] / walk.bound[i]);
+      benefits.lines.push_back({name, std::move(shares)});
+      switches.lines.push_back({name, {method.switched.begin(), method.switched.end()}});
+      if (method.replay.empty()) continue;
+      run.attach(Film{name, "Levels: full detail is white, the coarsest black.", walk.replay_size.width,
+                      walk.replay_size.height, method.replay});
+    }
+    for (Chart* chart : {&times, &benefits, &switches}) run.attach(std::move(*chart));
   }
 
   /// The row of the paper's table, and what it does not have.
@@ -147,10 +194,11 @@ Plugin lod_walk_plugin() {
             {0.0001, 1e6, "ms"});
   table.row(&WalkSettings::share, "share", "Share of what full detail costs in the mean that is the budget",
             {0.001, 10, ""});
-  table.choice(&WalkSettings::times, "times",
-               "What frames take: what the model says, with noise; or what drawing them on the processor takes, which "
-               "differs from run to run",
-               {{"model", FrameTimes::model}, {"drawn", FrameTimes::drawn}});
+  table.choice(
+      &WalkSettings::times, "times",
+      "What frames take: what the model says, with noise; or what drawing them takes, on the processor or on a "
+      "Vulkan device, which differs from run to run",
+      {{"model", FrameTimes::model}, {"drawn", FrameTimes::drawn}, {"vulkan", FrameTimes::vulkan}});
   table.row(&WalkSettings::noise, "noise", "How far a frame's time is off what the model says, at most", {0, 0.9, ""});
   table.row(&WalkSettings::occlusion, "occlusion", "What something hides is neither chosen for nor drawn");
   table.row(&WalkSettings::renderings, "renderings", "Objects may be drawn without normal map, or unlit");
@@ -168,7 +216,7 @@ Plugin lod_walk_plugin() {
   table.row(&WalkSettings::pictures, "pictures", "Frames whose pictures are compared with full detail",
             {0, 10000, "frames"});
   table.row(&WalkSettings::samples, "samples", "Samples along each edge of their pixels", {1, 16, "samples"});
-  table.row(&WalkSettings::replay, "replay", "Frames whose levels are shown as pictures", {0, 10000, "frames"});
+  table.row(&WalkSettings::replay, "replay", "The page shows the levels of every frame, as pictures in grey");
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;
@@ -185,7 +233,7 @@ Plugin lod_walk_plugin() {
               {"benefit", "% of the bound",
                "Benefit of what was chosen, of the most that any choice within the budget can have", false},
               {"switched", "of 1000 objects", "Objects that are drawn otherwise than in the frame before"},
-              {"selecting", "ms", "Time that the choice takes for a frame"},
+              {"selecting", "ms", "Time that the choice takes for a frame, where frames are drawn"},
               {"picture-error", "%", "Root mean square difference from full detail, of a channel's range"},
               {"picture-floor", "%", "The same between two pictures of full detail from samples in different places",
                true, false, true},

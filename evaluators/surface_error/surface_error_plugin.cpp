@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -25,17 +24,6 @@ double diagonal_of(const Surface& surface) {
     high = glm::max(high, p);
   }
   return low.x <= high.x ? glm::length(high - low) : 0;
-}
-
-/// As the first node shows it.
-std::optional<SubjectPart> shown_part(const Scene& scene, DrawId id) {
-  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
-    const Node& node = scene.nodes[i];
-    if (!node.mesh || !node.is_shown) continue;
-    const std::vector<DrawId>& draws = scene.meshes[*node.mesh].draws;
-    if (std::ranges::find(draws, id) != draws.end()) return SubjectPart{id, i};
-  }
-  return std::nullopt;
 }
 
 /// Over poses, each by its weight.

@@ -268,6 +268,9 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   for (const std::string& input : *inputs) {
     ComparedFile file =
         compared(input, {*pipelines, how, lender, arguments.repeat, *fronts}, registry, executor, worst);
+    if (arguments.html.empty() || comparisons.size() >= most_displays) {
+      for (Branch& branch : file.comparison.branches) leave_out_pictures(branch.report);
+    }
     if (!arguments.html.empty() && displays.size() < most_displays && !file.scenes.empty()) {
       displays.push_back(with_memory(input, "show it", [&] {
         return display(file.input, file.scenes, comparisons.size(), pipelines->front().pipeline.subjects.subject);

@@ -79,6 +79,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
     if (!write_heat_maps(job, input, *plan, before, after, analyses, diagnostics)) result.failed = true;
   }
   run.report = std::move(result.report);
+  leave_out_pictures(run.report);  // a folder's reports are kept to the end
   run.report.diagnostics = diagnostics.all();
   run.exit = result.failed ? something_failed : done;
   if (job.keeps_scenes) run.scene = std::move(result.scene);

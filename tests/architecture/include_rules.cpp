@@ -117,12 +117,12 @@ std::string refused_in_framework(const std::string& room, bool is_public_header,
   return "";
 }
 
-/// Whether the CMakeLists.txt of a plugin's folder asks for the kit for Vulkan.
-bool links_gpu(std::vector<std::string> place) {
+/// Whether the CMakeLists.txt of a plugin's folder asks for the room.
+bool links(std::vector<std::string> place, const std::string& room) {
   std::filesystem::path build = FOREDRAW_SOURCE_DIR;
   place.back() = "CMakeLists.txt";
   for (const std::string& part : place) build /= part;
-  return text_of(build).find("foredraw::gpu") != std::string::npos;
+  return std::regex_search(text_of(build), std::regex("foredraw::" + room + "\\b"));
 }
 
 /// The same for a file of a plugin or evaluator.
@@ -131,8 +131,8 @@ std::string refused_in_plugin(const std::vector<std::string>& place, const Inclu
   const bool is_face = place.size() > 1 && file == place[place.size() - 2] + ".h";
   const std::string room = include.room();
   if (room == "runtime") return "";
-  if (room == "gpu") {
-    if (!links_gpu(place)) return "the folder's CMakeLists.txt does not link foredraw::gpu";
+  if (room == "gpu" || room == "frames_gpu") {
+    if (!links(place, room)) return "the folder's CMakeLists.txt does not link foredraw::" + room;
     if (is_face && include.target != "foredraw/gpu/choice.h") return "who calls the function needs no header of Vulkan";
     return "";
   }

@@ -111,6 +111,9 @@ TEST(IncludeRules, who_links_gpu_may_include_it) {
   EXPECT_FALSE(may_include(folder + "x.cpp", "<vulkan/vulkan.h>"));
   EXPECT_FALSE(may_include("evaluators/overdraw_raster/x.cpp", "<foredraw/gpu/device.h>"));
   EXPECT_FALSE(may_include("plugins/orderers/x/x.cpp", "<foredraw/gpu/device.h>"));
+  EXPECT_TRUE(may_include("evaluators/lod_walk/x_plugin.cpp", "<foredraw/frames_gpu/vulkan_frames.h>"));
+  EXPECT_FALSE(may_include("evaluators/lod_walk/x_plugin.cpp", "<foredraw/gpu/device.h>"));
+  EXPECT_FALSE(may_include(folder + "x.cpp", "<foredraw/frames_gpu/vulkan_frames.h>"));
 }
 
 TEST(IncludeRules, name_the_line) {

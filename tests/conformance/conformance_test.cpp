@@ -112,16 +112,19 @@ std::vector<double> figures(const Result& result) {
 
 /// How far pictures and samples go: a hundred thousand views show no more than a thousand, but take a device minutes.
 struct Pictures {
-  double views, pixels, points;
+  double views, pixels, points, frames;
 };
-constexpr Pictures some_pictures{100, 512, 2000};
-constexpr Pictures largest_pictures{1000, 4096, 100'000};
+constexpr Pictures some_pictures{100, 512, 2000, 6};
+constexpr Pictures largest_pictures{1000, 4096, 100'000, 300};
 
-bool is_size(const OptionSpec& option) { return option.name == "size" && option.unit == "pixels"; }
+bool is_size(const OptionSpec& option) {
+  return option.unit == "pixels" && (option.name == "size" || option.name == "width" || option.name == "height");
+}
 
 double most_of(const OptionSpec& option, const Pictures& pictures) {
   if (option.unit == "views") return std::min(option.most, pictures.views);
   if (option.unit == "points") return std::min(option.most, pictures.points);
+  if (option.unit == "frames") return std::min(option.most, pictures.frames);
   return is_size(option) ? std::min(option.most, pictures.pixels) : option.most;
 }
 
@@ -155,6 +158,7 @@ Settings few_pictures(const Plugin& plugin) {
   for (const OptionSpec& option : plugin.options) {
     if (option.unit == "views") settings[option.name] = std::int64_t{12};
     if (option.unit == "points") settings[option.name] = std::int64_t{100};
+    if (option.unit == "frames") settings[option.name] = std::int64_t{3};
     if (is_size(option)) settings[option.name] = std::int64_t{48};
   }
   return settings;
@@ -304,7 +308,9 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryPlugin, ::testing::ValuesIn(registry().names()), test_name);
 
-bool is_of_pictures(const OptionSpec& option) { return option.unit == "views" || is_size(option); }
+bool is_of_pictures(const OptionSpec& option) {
+  return option.unit == "views" || option.unit == "frames" || is_size(option);
+}
 
 std::vector<std::string> names_with_pictures() {
   std::vector<std::string> names = registry().names();

@@ -1,5 +1,6 @@
-// The report page in a browser: node pages.mjs PROGRAM CORPUS OUTPUT_FOLDER
-// Makes pages with the program and looks at them. Pictures of them are left in the folder.
+// The report page in a browser: node pages.mjs PROGRAM CORPUS OUTPUT_FOLDER PROGRAM_WITH_WALK
+// Makes pages with the program and looks at them, and with one that has the evaluator of walk.cpp. Pictures of them are
+// left in the folder.
 // Exit 77 where the program was built without the page's script, 1 where a check failed.
 
 import { mkdirSync, statSync, writeFileSync } from 'node:fs';
@@ -7,6 +8,7 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { launch, open, settled } from './browser.mjs';
 import { check, check_equal, exit_code, group } from './checks.mjs';
+import { check_frames, check_frames_of_files, check_no_frames } from './frame_checks.mjs';
 import { check_deviation, check_levels, check_no_levels, check_pops } from './level_checks.mjs';
 import { check_colours, check_paper, check_widths, check_without_gl, check_without_script } from './look_checks.mjs';
 import { rectangles, torus, write_gltf } from './models.mjs';
@@ -39,7 +41,7 @@ import {
   viewer,
 } from './viewer_checks.mjs';
 
-const [program_path, corpus, folder] = process.argv.slice(2);
+const [program_path, corpus, folder, walking_path] = process.argv.slice(2);
 mkdirSync(folder, { recursive: true });
 const program = new Program(program_path, folder);
 const spot = path.join(corpus, 'static', 'spot.glb');
@@ -70,6 +72,18 @@ await on_page('tables', made.html, async (page) => {
 });
 
 await on_page('plot', made.html, (page) => check_plot(page, made.comparison));
+
+await group('frames', async () => {
+  await on_page('nothing attached', made.html, check_no_frames);
+  const walking = new Program(walking_path, folder);
+  const more = ['--with', 'vertex-cache, walk'];
+  const fewer = ['tipsify', 'weld, quadric-collapse, simplify(ratio=0.5)'];
+  const { html, comparison } = walking.compare('frames', [spot], fewer, { more });
+  await on_page('films and charts', html, (page) => check_frames(page, comparison, folder));
+  const house = path.join(corpus, 'scenes', 'house.glb');
+  const two = walking.compare('frames-two', [house, spot], ['tipsify'], { more });
+  await on_page('films and charts of two files', two.html, (page) => check_frames_of_files(page, two.comparison));
+});
 
 await on_page('viewer', made.html, async (page) => {
   await check_modes(page);

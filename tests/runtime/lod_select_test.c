@@ -154,6 +154,17 @@ static void at_the_limits(void) {
   CHECK(result.benefit == 2 * (uint64_t)most && result.bound == result.benefit);
 }
 
+/* An earlier choice, in a scene that has changed since. */
+static void kept(void) {
+  instance one = {{{5, 10}, {1, 2}, {9, 11}, {3, 3}}, {0, 3, 3, 4}, {0, NULL, NULL}};
+  const uint32_t chosen[3] = {2, 0, 0};
+  foredraw_lod_result result;
+  point(&one, 3);
+  result = foredraw_lod_kept(&one.scene, 12, chosen);
+  CHECK(result.cost == 12 && result.benefit == 14 && result.bound == UINT64_MAX && !result.is_over);
+  CHECK(foredraw_lod_kept(&one.scene, 11, chosen).is_over);
+}
+
 /* 20,000 objects: more budget is never worse, and the gap to the bound is one step of them. */
 static void many_objects(void) {
   enum { objects = 20000, ways = 6 };
@@ -196,6 +207,7 @@ int main(void) {
   by_the_hull();
   half_at_least();
   at_the_limits();
+  kept();
   many_objects();
   return failures == 0 ? 0 : 1;
 }

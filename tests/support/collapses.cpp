@@ -80,6 +80,16 @@ TestMesh flat_ring(std::uint32_t around, std::uint32_t across) {
   return ring;
 }
 
+TestMesh spokes(std::uint32_t around) {
+  TestMesh cone{{{0, 0, 1}}, {}};
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const double angle = turn * i / around;
+    cone.positions.push_back(glm::vec3(std::cos(angle), std::sin(angle), 0));
+    cone.indices.insert(cone.indices.end(), {0, i + 1, (i + 1) % around + 1});
+  }
+  return cone;
+}
+
 TestMesh moebius_strip(std::uint32_t around) {
   TestMesh strip;
   constexpr std::uint32_t across = 4;
@@ -156,6 +166,24 @@ std::vector<TestMesh> odd_meshes() {
   TestMesh fine = grid(16, 16);  // T-joints: twice as fine beside a plate
   for (glm::vec3& p : fine.positions) p = {p.x / 2 + 12, p.y * 0.75f, 0};
   meshes.push_back(joined(plate, fine));
+  TestMesh flat = spokes(60);  // a fan without area: its rim lies on a line through its hub
+  for (glm::vec3& p : flat.positions) p = {p.x, p.x, 0};
+  meshes.push_back(flat);
+  TestMesh cracked = torus(16, 8);  // each third triangle has corners of its own, beside the others' by one bit
+  for (std::size_t i = 0; i < cracked.indices.size(); ++i) {
+    if (i / 3 % 3 != 0) continue;
+    const glm::vec3 at = cracked.positions[cracked.indices[i]];
+    cracked.indices[i] = static_cast<std::uint32_t>(cracked.positions.size());
+    cracked.positions.push_back({std::nextafter(at.x, 9.0f), at.y, at.z});
+  }
+  meshes.push_back(cracked);
+  TestMesh strewn = torus(16, 8);  // between vertices that no triangle uses
+  for (const float x : {nan, infinity, 0.0f, 1e38f}) strewn.positions.insert(strewn.positions.begin(), {x, x, x});
+  for (std::uint32_t& index : strewn.indices) index += 4;
+  meshes.push_back(strewn);
+  TestMesh far = closed_torus(16, 8);  // as far away as floats know whole numbers alone
+  for (glm::vec3& p : far.positions) p = 20.0f * p + glm::vec3(1e7f, -1e7f, 1e7f);
+  meshes.push_back(far);
   TestMesh inverted = plate;  // a patch that faces the other way
   for (std::size_t i = 60; i < 120; i += 3) std::swap(inverted.indices[i], inverted.indices[i + 1]);
   meshes.push_back(inverted);

@@ -25,11 +25,13 @@ int euler(const TestMesh& mesh);
 TestMesh moved(TestMesh mesh, glm::vec3 by);
 TestMesh closed_torus(std::uint32_t slices, std::uint32_t sides);  ///< whose ends share vertices
 TestMesh flat_ring(std::uint32_t around, std::uint32_t across);    ///< from radius 1 to 2
+TestMesh spokes(std::uint32_t around);                             ///< a cone whose triangles all have vertex 0
 TestMesh moebius_strip(std::uint32_t around);
 TestMesh box_of_sides(std::uint32_t cells);  ///< six flat sides, each with vertices of its own
 
-/// Nothing, single triangles, the same ones again, lines, fans around one edge, soups, points that are not finite,
-/// sizes at the ends of what floats hold, surfaces that only touch, and a Moebius strip.
+/// Nothing, single triangles, the same ones again, lines, fans around one edge or without area, soups, points that are
+/// not finite, sizes and places at the ends of what floats hold, surfaces that only touch or nearly touch, vertices
+/// that no triangle uses, and a Moebius strip.
 std::vector<TestMesh> odd_meshes();
 
 /// What a simplifier makes of a mesh, until no more than so many triangles are left.

@@ -10,7 +10,8 @@
 
 namespace foredraw {
 
-/// The nearest value that the format has, into one component's bytes. Halves are rounded away from 0.
+/// The nearest value that the format has, into one component's bytes. Halves are rounded away from 0; what is no number
+/// is 0 in formats that know none.
 inline void encode_component(std::byte* to, const Format& format, float value) {
   const auto whole = [&]<class T>(T) {
     const double scale = format.normalized ? std::numeric_limits<T>::max() : 1.0;
@@ -18,7 +19,8 @@ inline void encode_component(std::byte* to, const Format& format, float value) {
                              ? -static_cast<double>(std::numeric_limits<T>::max())
                              : static_cast<double>(std::numeric_limits<T>::min());
     const double rounded = std::round(static_cast<double>(value) * scale);
-    const T stored = static_cast<T>(std::clamp(rounded, least, static_cast<double>(std::numeric_limits<T>::max())));
+    const double most = std::numeric_limits<T>::max();
+    const T stored = std::isnan(rounded) ? T{0} : static_cast<T>(std::clamp(rounded, least, most));
     std::memcpy(to, &stored, sizeof stored);
   };
   switch (format.component) {

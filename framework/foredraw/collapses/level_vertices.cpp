@@ -3,6 +3,7 @@
 #include <foredraw/collapses/level_vertices.h>
 #include <foredraw/collapses/skin_weights.h>
 
+#include <array>
 #include <utility>
 
 namespace foredraw {
@@ -21,12 +22,19 @@ bool is_amount(const VertexStream& stream) {
   return false;
 }
 
-bool is_direction(const VertexStream& stream) { return stream.semantic == "NORMAL" || stream.semantic == "TANGENT"; }
+/// Whether its first three components point somewhere.
+bool is_direction(const VertexStream& stream) {
+  return (stream.semantic == "NORMAL" || stream.semantic == "TANGENT") && stream.format.components >= 3;
+}
+
+double squared_length(const float* v) { return double{v[0]} * v[0] + double{v[1]} * v[1] + double{v[2]} * v[2]; }
 
 /// One stream's values while vertices are blended.
 class BlendedStream {
  public:
-  explicit BlendedStream(const VertexStream& stream) : stream_(stream), is_amount_(is_amount(stream)) {
+  /// `is_base`: directions are of length 1; those of morph targets are differences.
+  BlendedStream(const VertexStream& stream, bool is_base)
+      : stream_(stream), is_amount_(is_amount(stream)), is_unit_(is_base && is_direction(stream)) {
     const std::size_t count = stream.count();
     if (is_amount_) {
       values_.resize(count * width());
@@ -44,14 +52,15 @@ class BlendedStream {
     if (t > 0.5f) source_[vertex] = source_[other];
   }
 
+  /// Of numbers between which nothing lies, the nearer vertex's stands.
   void blend_amount(std::uint32_t vertex, const BlendedStream& of, std::uint32_t other, float t) {
     float* to = values_.data() + vertex * width();
     const float* from = of.values_.data() + other * of.width();
-    for (std::size_t c = 0; c < width(); ++c) to[c] += (from[c] - to[c]) * t;
+    if (is_unit_) return blend_direction(to, from, t);
+    for (std::size_t c = 0; c < width(); ++c) to[c] = blended(to[c], from[c], t);
   }
 
-  /// `is_unit`: the base's directions are of length 1; those of morph targets are differences.
-  void write(std::uint32_t vertex, bool is_unit, std::vector<std::byte>& bytes) const {
+  void write(std::uint32_t vertex, std::vector<std::byte>& bytes) const {
     const Format& format = stream_.format;
     std::byte* to = bytes.data() + std::size_t{vertex} * format.bytes;
     if (!is_amount_) {
@@ -59,13 +68,10 @@ class BlendedStream {
       return;
     }
     const float* value = values_.data() + vertex * width();
-    double length = 1;
-    if (is_unit && width() >= 3 && is_direction(stream_)) {
-      length = std::sqrt(double{value[0]} * value[0] + double{value[1]} * value[1] + double{value[2]} * value[2]);
-    }
+    const double length = is_unit_ ? std::sqrt(squared_length(value)) : 1;
     for (std::size_t c = 0; c < width(); ++c) {
       const bool is_scaled = c < 3 && length > 0;
-      const float turned = c == 3 && is_unit && is_direction(stream_) ? (value[c] < 0 ? -1.0f : 1.0f) : value[c];
+      const float turned = c == 3 && is_unit_ ? (value[c] < 0 ? -1.0f : 1.0f) : value[c];
       encode_component(to + c * bytes_of(format.component), format,
                        is_scaled ? static_cast<float>(value[c] / length) : turned);
     }
@@ -74,8 +80,25 @@ class BlendedStream {
  private:
   std::size_t width() const { return stream_.format.components; }
 
+  static float blended(float to, float from, float t) {
+    const float between = to + (from - to) * t;
+    return std::isfinite(between) ? between : t > 0.5f ? from : to;
+  }
+
+  /// Between opposite ones there is nothing but what rounding leaves. What points nowhere is not nearer than any.
+  void blend_direction(float* to, const float* from, float t) const {
+    constexpr double rounding = 1e-10;  // squared
+    const std::array was{to[0], to[1], to[2]};
+    for (std::size_t c = 0; c < width(); ++c) to[c] = blended(to[c], from[c], t);
+    const double length = squared_length(was.data()), length_from = squared_length(from);
+    if (squared_length(to) > rounding * (length + length_from)) return;
+    const auto points = [](double squared) { return squared > 0 && std::isfinite(squared); };
+    const bool is_other = points(length_from) && (t > 0.5f || !points(length));
+    std::copy_n(is_other ? from : was.data(), 3, to);
+  }
+
   const VertexStream& stream_;
-  bool is_amount_;
+  bool is_amount_, is_unit_;
   std::vector<float> values_;
   std::vector<std::uint32_t> source_;  ///< [vertex] = whose value it has
 };
@@ -84,15 +107,14 @@ class Blender {
  public:
   explicit Blender(const VertexStreams& vertices) : vertices_(vertices), skin_(vertices) {
     for (const VertexStream* stream : vertices.all()) {
-      streams_.emplace_back(*stream);
+      streams_.emplace_back(*stream, streams_.size() < vertices.base.size());
       bytes_.emplace_back(stream->bytes.view().begin(), stream->bytes.view().end());
     }
-    std::size_t s = vertices.base.size();
+    std::size_t first = vertices.base.size();
     for (const auto& target : vertices.morph_targets) {
-      for (const VertexStream& stream : target) {
-        if (stream.semantic == "POSITION") moves_.push_back(s);
-        ++s;
-      }
+      const auto found = std::ranges::find(target, "POSITION", &VertexStream::semantic);
+      moves_.push_back(found == target.end() ? no_stream : first + static_cast<std::size_t>(found - target.begin()));
+      first += target.size();
     }
     change_.resize(vertices.count, Change::none);
   }
@@ -104,13 +126,16 @@ class Blender {
   }
 
   /// Whether joints or morph targets move vertices.
-  bool moves() const { return !skin_.empty() || !moves_.empty(); }
+  bool moves() const {
+    return !skin_.empty() || std::ranges::any_of(moves_, [](std::size_t s) { return s != no_stream; });
+  }
 
   /// Only what moves it: the vertex is beside one that is blended with that one of `from`.
   void blend_moves(std::uint32_t vertex, const Blender& from, std::uint32_t other, float t) {
     change_[vertex] = std::max(change_[vertex], Change::moves);
     skin_.blend(vertex, from.skin_.of(other), t);
     for (std::size_t m = 0; m < std::min(moves_.size(), from.moves_.size()); ++m) {
+      if (moves_[m] == no_stream || from.moves_[m] == no_stream) continue;
       streams_[moves_[m]].blend_amount(vertex, from.streams_[from.moves_[m]], other, t);
     }
   }
@@ -159,13 +184,13 @@ class Blender {
 
  private:
   enum class Change : std::uint8_t { none, moves, all };
+  static constexpr std::size_t no_stream = ~std::size_t{0};
 
   void write(std::uint32_t vertex) {
     for (std::size_t s = 0; s < streams_.size(); ++s) {
-      const bool is_base = s < vertices_.base.size();
       if (change_[vertex] == Change::moves && std::ranges::find(moves_, s) == moves_.end()) continue;
-      if (is_base && vertices_.base[s].semantic == "POSITION") continue;  // place() wrote it
-      streams_[s].write(vertex, is_base, bytes_[s]);
+      if (s < vertices_.base.size() && vertices_.base[s].semantic == "POSITION") continue;  // place() wrote it
+      streams_[s].write(vertex, bytes_[s]);
     }
     skin_.write(vertex, vertices_.base, bytes_);
   }
@@ -174,7 +199,7 @@ class Blender {
   SkinWeights skin_;
   std::vector<BlendedStream> streams_;         ///< the base's, then each target's
   std::vector<std::vector<std::byte>> bytes_;  ///< the same
-  std::vector<std::size_t> moves_;             ///< which are positions of morph targets
+  std::vector<std::size_t> moves_;             ///< [target] which are its positions, or no_stream
   std::vector<Change> change_;                 ///< [vertex]
 };
 

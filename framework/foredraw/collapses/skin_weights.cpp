@@ -5,6 +5,22 @@
 
 namespace foredraw {
 
+namespace {
+
+/// Numbers of joints are whole, whatever holds them; what is none names the first one.
+std::uint32_t joint_of(float value) {
+  constexpr float end = 4294967296.0f;
+  return value >= 0 && value < end ? static_cast<std::uint32_t>(value) : 0;
+}
+
+/// No number is no weight. Any weights add up to a number.
+float weight_of(float value) {
+  constexpr float most = 1e30f;
+  return std::isfinite(value) ? std::clamp(value, -most, most) : 0;
+}
+
+}  // namespace
+
 SkinWeights::SkinWeights(const VertexStreams& vertices) {
   const auto find = [&](const std::string& semantic) {
     const auto found = std::ranges::find(vertices.base, semantic, &VertexStream::semantic);
@@ -21,9 +37,8 @@ SkinWeights::SkinWeights(const VertexStreams& vertices) {
     Slot* row = row_of(v);
     for (const Set& set : sets_) {
       for (std::size_t c = 0; c < 4; ++c, ++row) {
-        const float weight = decode_component(vertices.base[set.weights], v, c);
-        *row = {static_cast<std::uint32_t>(decode_component(vertices.base[set.joints], v, c)),
-                std::isfinite(weight) ? weight : 0};
+        *row = {joint_of(decode_component(vertices.base[set.joints], v, c)),
+                weight_of(decode_component(vertices.base[set.weights], v, c))};
       }
     }
   }
@@ -57,20 +72,23 @@ void SkinWeights::blend(std::uint32_t vertex, std::span<const Slot> other, float
 void SkinWeights::write(std::uint32_t vertex, const std::vector<VertexStream>& base,
                         std::vector<std::vector<std::byte>>& bytes) const {
   const Slot* row = rows_.data() + vertex * slots_;
+  double left = 0;  // of the sum, that rounding took: the next set has it
   for (const Set& set : sets_) {
     const Format joints = base[set.joints].format, weights = base[set.weights].format;
-    // What rounding takes from the sum is given to the largest, as a sum below 1 shrinks the vertex towards the origin.
     const double unit = weights.component == Component::uint8    ? 255
                         : weights.component == Component::uint16 ? 65535
                                                                  : 0;
-    double left = 0;
-    for (std::size_t c = 0; c < 4 && unit > 0; ++c) left += row[c].weight * unit - std::round(row[c].weight * unit);
+    const auto rounded = [unit](float weight) { return unit > 0 ? std::round(weight * unit) / unit : weight; };
+    for (std::size_t c = 0; c < 4; ++c) left += row[c].weight - rounded(row[c].weight);
+    // It is given to the largest one of the set, as a sum below 1 shrinks the vertex towards the origin.
+    const double given = unit > 0 ? std::round(left * unit) / unit : 0;
+    left -= given;
     for (std::size_t c = 0; c < 4; ++c, ++row) {
       const std::size_t joint = vertex * joints.bytes + c * bytes_of(joints.component);
       const std::size_t weight = vertex * weights.bytes + c * bytes_of(weights.component);
       encode_component(bytes[set.joints].data() + joint, joints, static_cast<float>(row->joint));
-      const double given = c == 0 && unit > 0 ? std::round(left) / unit : 0;
-      encode_component(bytes[set.weights].data() + weight, weights, static_cast<float>(row->weight + given));
+      encode_component(bytes[set.weights].data() + weight, weights,
+                       static_cast<float>(rounded(row->weight) + (c == 0 ? given : 0)));
     }
   }
 }

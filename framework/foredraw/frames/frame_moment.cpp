@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
@@ -68,6 +69,12 @@ FrameMoment frame_moment(const FrameScene& frames, double seconds) {
                                 : PlacedBounds{moved(mesh.sphere, world), moved(mesh.half_box, glm::dmat3(world))});
   }
   return moment;
+}
+
+bool is_mirrored(const FrameScene& scene, const FrameMoment& moment, std::size_t object) {
+  const PlacedObject& placed = scene.objects()[object];
+  const glm::mat4& world = placed.is_posed ? moment.nodes.world[placed.node] : moment.world[object];
+  return glm::determinant(glm::dmat3(world)) < 0;
 }
 
 std::vector<SeenObject> seen_objects(const FrameScene& scene, const FrameMoment& moment, const FrameCamera& camera,

@@ -27,6 +27,9 @@ struct FrameMoment {
 /// All clips at that time at once. Morph targets are thought to stay in the bounds.
 FrameMoment frame_moment(const FrameScene& scene, double seconds);
 
+/// Whether the front faces of an object turn clockwise. Its node decides, joints or not (glTF 2.0, 3.7.4).
+bool is_mirrored(const FrameScene& scene, const FrameMoment& moment, std::size_t object);
+
 /// An object that a camera sees.
 struct SeenObject {
   std::uint32_t object = 0;

@@ -9,9 +9,9 @@
 namespace foredraw {
 
 /// Squared differences from full detail, summed over a picture's pixels and channels (0 to 1 each) and divided by the
-/// pixels that the object covers. At sizes of 8, 16, ..., 128 pixels across the object's sphere.
+/// pixels that the object covers. At sizes of 8, 32, 128 and 512 pixels across the object's sphere.
 struct PictureLosses {
-  static constexpr std::size_t sizes = 5;
+  static constexpr std::size_t sizes = 4;
   using BySize = std::array<double, sizes>;
 
   std::vector<std::array<BySize, all_renderings.size()>> of;  ///< [level][rendering][size]
@@ -21,11 +21,12 @@ struct PictureLosses {
   static double at(const BySize& losses, double across);
 };
 
-/// Of the object's mesh as the object stands, alone before the sky, from four sides.
+/// Of the object's mesh as the object stands, alone before the sky, from four sides; at the largest size from two, as
+/// it takes most of the time.
 PictureLosses picture_losses(const FrameScene& scene, const FrameMoment& moment, std::uint32_t object);
 
-/// How near each rendering of full detail comes to the full rendering, 0 to 1, at 64 pixels across: 1 is the same, 0 as
-/// far as a picture without the object.
+/// How near each rendering of full detail comes to the full rendering, 0 to 1, at 128 pixels across: 1 is the same, 0
+/// as far as a picture without the object.
 std::array<double, all_renderings.size()> rendering_accuracies(const PictureLosses& losses);
 
 /// The same of an object whose losses are not wanted, with the pictures of that level and size alone.

@@ -9,6 +9,8 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace foredraw {
 
@@ -46,6 +48,7 @@ class ReferenceRenderer::Painter {
     const FrameSurface& surface;
     std::span<const glm::vec3> positions, normals;  ///< in the space that `world` is from
     glm::dmat4 world;
+    bool is_mirrored;
     Rendering rendering;
     const glm::vec3* flat_colour;  ///< of the levels' style; else null
   };
@@ -54,10 +57,10 @@ class ReferenceRenderer::Painter {
     task_ = &task;
     world_ = glm::mat4(task.world);
     const glm::dmat3 turn(task.world);
-    is_mirrored_ = glm::determinant(turn) < 0;
+    is_mirrored_ = task.is_mirrored;
     const glm::dmat3 cofactors(glm::cross(turn[1], turn[2]), glm::cross(turn[2], turn[0]),
                                glm::cross(turn[0], turn[1]));
-    of_normals_ = glm::mat3(is_mirrored_ ? -cofactors : cofactors);
+    of_normals_ = glm::mat3(glm::determinant(turn) < 0 ? -cofactors : cofactors);
     const std::size_t vertices = task.positions.size();
     move_vertices(vertices);
     DrawnWork& work = to_.work_[static_cast<std::size_t>(task.rendering)];
@@ -264,6 +267,13 @@ class ReferenceRenderer::Painter {
 
 ReferenceRenderer::ReferenceRenderer(FrameSize size, int samples, glm::dvec2 shift)
     : size_(size), samples_(std::clamp(samples, 1, 16)), shift_(shift) {
+  const int longest = std::max(size.width, size.height);
+  if (std::min(size.width, size.height) < 1 || longest > most_samples / samples_) {
+    throw std::invalid_argument("a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                                " pixels and " + std::to_string(samples_) +
+                                " samples along each has too many or none; at most " + std::to_string(most_samples) +
+                                " samples fit along an edge");
+  }
   sampled_ = {size.width * samples_, size.height * samples_};
 }
 
@@ -277,6 +287,7 @@ void ReferenceRenderer::draw(const FrameScene& scene, const FrameMoment& moment,
   const auto draw_all_of = [&](const DrawnObject& drawn, bool is_blended) {
     const PlacedObject& object = scene.objects()[drawn.object];
     const FrameMesh& mesh = scene.mesh_of(drawn.object);
+    const bool is_turned = is_mirrored(scene, moment, drawn.object);
     for (const FrameDraw& draw : mesh.draws) {
       if ((draw.surface.alpha_mode == AlphaMode::blend) != is_blended) continue;
       const std::size_t number = std::min<std::size_t>(drawn.level, draw.levels.size() - 1);
@@ -287,12 +298,12 @@ void ReferenceRenderer::draw(const FrameScene& scene, const FrameMoment& moment,
       const glm::vec3* flat_colour = style == FrameStyle::levels ? &flat : nullptr;
       if (object.is_posed) {
         const Level& posed = scene.scene().draws[draw.draw].levels[number];
-        const PosedVertices vertices = posed_vertices(scene.scene(), *posed.vertices, object.node, moment.nodes);
-        painter.draw(
-            {level, draw.surface, vertices.positions, vertices.normals, glm::dmat4(1), drawn.rendering, flat_colour});
+        const VerticesInPose vertices = vertices_in_pose(scene.scene(), *posed.vertices, object.node, moment.nodes);
+        painter.draw({level, draw.surface, vertices.positions, vertices.normals, glm::dmat4(1), is_turned,
+                      drawn.rendering, flat_colour});
       } else {
         painter.draw({level, draw.surface, std::span(level.positions->values).first(level.vertices), level.normals,
-                      moment.world[drawn.object], drawn.rendering, flat_colour});
+                      moment.world[drawn.object], is_turned, drawn.rendering, flat_colour});
       }
     }
   };

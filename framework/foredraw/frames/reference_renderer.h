@@ -41,8 +41,12 @@ enum class FrameStyle { lit, levels };
 /// Works on one thread and keeps its memory from frame to frame.
 class ReferenceRenderer {
  public:
-  /// `samples`: along each edge of a pixel, 1 to 16. `shift`: of the samples from their places in the middles of equal
-  /// squares, to the right and upwards, in squares: other shifts are other pictures of the same frame.
+  /// Samples along an edge of the picture, at most.
+  static constexpr int most_samples = 16384;
+
+  /// `samples`: along each edge of a pixel, 1 to 16. std::invalid_argument where the picture has none, or too many.
+  /// `shift`: of the samples from their places in the middles of equal squares, to the right and upwards, in squares:
+  /// other shifts are other pictures of the same frame.
   explicit ReferenceRenderer(FrameSize size, int samples = 1, glm::dvec2 shift = {0, 0});
 
   /// The objects in their sequence, those with blended surfaces last, the farthest first. Nearest objects should come

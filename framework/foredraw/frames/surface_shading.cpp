@@ -9,10 +9,6 @@ namespace foredraw {
 
 namespace {
 
-constexpr glm::vec3 to_sun{0.3713907f, 0.7427814f, 0.5570860f};
-constexpr glm::vec3 sun{1.0f, 0.95f, 0.85f}, from_sky{0.34f, 0.38f, 0.44f}, from_ground{0.22f, 0.2f, 0.17f};
-constexpr float unlit_light = 0.6f;
-
 /// A vector of length 0 stays as it is.
 glm::vec3 unit(const glm::vec3& v) {
   const float squared = glm::dot(v, v);
@@ -30,9 +26,9 @@ glm::vec3 bent_normal(const FrameSurface& surface, const SurfacePoint& point, co
 
 /// Blinn's highlight; the 32nd power by squaring.
 float highlight(const glm::vec3& normal, const glm::vec3& to_eye) {
-  float part = std::max(0.0f, glm::dot(normal, unit(to_sun + to_eye)));
+  float part = std::max(0.0f, glm::dot(normal, unit(frame_light.to_sun + to_eye)));
   for (int i = 0; i < 5; ++i) part *= part;
-  return 0.25f * part;
+  return frame_light.highlight * part;
 }
 
 }  // namespace
@@ -44,13 +40,14 @@ glm::vec4 base_colour(const FrameSurface& surface, const SurfacePoint& point) {
 }
 
 glm::vec3 shaded(const FrameSurface& surface, Rendering rendering, const SurfacePoint& point, const glm::vec3& base) {
-  if (rendering == Rendering::unlit) return base * unlit_light;
+  if (rendering == Rendering::unlit) return base * frame_light.unlit;
   glm::vec3 normal = unit(point.normal);
   if (rendering == Rendering::full && surface.normal_map) normal = bent_normal(surface, point, normal);
   const float upwards = 0.5f + 0.5f * normal.y;
-  const glm::vec3 ambient = from_ground * (1 - upwards) + from_sky * upwards;
-  const float lit = std::max(0.0f, glm::dot(normal, to_sun));
-  return base * (ambient + sun * lit) + sun * (lit > 0 ? highlight(normal, unit(point.to_eye)) : 0);
+  const glm::vec3 ambient = frame_light.from_ground * (1 - upwards) + frame_light.from_sky * upwards;
+  const float lit = std::max(0.0f, glm::dot(normal, frame_light.to_sun));
+  return base * (ambient + frame_light.sun * lit) +
+         frame_light.sun * (lit > 0 ? highlight(normal, unit(point.to_eye)) : 0);
 }
 
 std::size_t mip_level(double texels_a_sample) {

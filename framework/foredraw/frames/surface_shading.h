@@ -18,6 +18,20 @@ struct SurfacePoint {
   std::size_t base_mip = 0, normal_map_mip = 0;
 };
 
+/// What shines on everything. Linear colours; whoever draws frames has this light.
+struct FrameLight {
+  glm::vec3 to_sun;  ///< of length 1
+  glm::vec3 sun, from_sky, from_ground;
+  float highlight;  ///< how much of the sun it gives back
+  float unlit;      ///< what is taken for all of it
+};
+inline constexpr FrameLight frame_light{{0.3713907f, 0.7427814f, 0.5570860f},
+                                        {1.0f, 0.95f, 0.85f},
+                                        {0.34f, 0.38f, 0.44f},
+                                        {0.22f, 0.2f, 0.17f},
+                                        0.25f,
+                                        0.6f};
+
 /// The base colour: the image's, times the surface's. Linear, alpha last. Images are taken to be stored by their square
 /// root, which is nearly sRGB and needs no power.
 glm::vec4 base_colour(const FrameSurface& surface, const SurfacePoint& point);

@@ -68,11 +68,15 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
                                                      .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
   const VkPipelineDepthStencilStateCreateInfo depth{.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
                                                     .depthTestEnable = VK_TRUE,
-                                                    .depthWriteEnable = VK_TRUE,
+                                                    .depthWriteEnable = state.writes_depth ? VK_TRUE : VK_FALSE,
                                                     .depthCompareOp = state.passing};
-  const VkPipelineColorBlendAttachmentState number{.colorWriteMask = VK_COLOR_COMPONENT_R_BIT};
+  const VkPipelineColorBlendAttachmentState pixels{.blendEnable = state.blends ? VK_TRUE : VK_FALSE,
+                                                   .srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA,
+                                                   .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+                                                   .colorBlendOp = VK_BLEND_OP_ADD,
+                                                   .colorWriteMask = state.written};
   const VkPipelineColorBlendStateCreateInfo colours{
-      .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1, .pAttachments = &number};
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1, .pAttachments = &pixels};
   const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
                                           .stageCount = stages.size(),
                                           .pStages = stages.data(),

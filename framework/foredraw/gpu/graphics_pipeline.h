@@ -34,10 +34,13 @@ struct PipelineState {
   VkCullModeFlags culled = VK_CULL_MODE_BACK_BIT;
   VkFrontFace front_face = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   VkCompareOp passing = VK_COMPARE_OP_LESS;
+  bool writes_depth = true;
+  VkColorComponentFlags written = VK_COLOR_COMPONENT_R_BIT;
+  bool blends = false;  ///< by the alpha that the fragment shader gives
 };
 
-/// For triangle lists with a depth test, where what passes writes its number and its depth. Viewport and scissor are
-/// set by whoever draws (Pictures::begin does), so that a pipeline serves every size of picture.
+/// For triangle lists with a depth test, where what passes writes its number or colour, and its depth. Viewport and
+/// scissor are set by whoever draws (Pictures::begin does), so that a pipeline serves every size of picture.
 OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state);
 
 }  // namespace foredraw::gpu

@@ -55,6 +55,7 @@ using OwnedPipeline = Owned<VkPipeline, create_pipeline, vkDestroyPipeline>;
 using OwnedPipelineLayout = Owned<VkPipelineLayout, vkCreatePipelineLayout, vkDestroyPipelineLayout>;
 using OwnedQueryPool = Owned<VkQueryPool, vkCreateQueryPool, vkDestroyQueryPool>;
 using OwnedRenderPass = Owned<VkRenderPass, vkCreateRenderPass, vkDestroyRenderPass>;
+using OwnedSampler = Owned<VkSampler, vkCreateSampler, vkDestroySampler>;
 using OwnedSetLayout = Owned<VkDescriptorSetLayout, vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout>;
 using OwnedShader = Owned<VkShaderModule, vkCreateShaderModule, vkDestroyShaderModule>;
 

@@ -43,15 +43,14 @@ DeviceBuffer::DeviceBuffer(Device& device, std::span<const std::byte> content, V
   });
 }
 
-LayeredImage::LayeredImage(const Device& device, std::uint32_t size, std::uint32_t layers, VkFormat format,
-                           VkImageUsageFlags usage)
-    : format_(format) {
+LayeredImage::LayeredImage(const Device& device, const ImageShape& shape, VkFormat format, VkImageUsageFlags usage)
+    : format_(format), mips_(shape.mips) {
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   info.imageType = VK_IMAGE_TYPE_2D;
   info.format = format;
-  info.extent = {size, size, 1};
-  info.mipLevels = 1;
-  info.arrayLayers = layers;
+  info.extent = {shape.width, shape.height, 1};
+  info.mipLevels = shape.mips;
+  info.arrayLayers = shape.layers;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
   info.usage = usage;
@@ -67,7 +66,7 @@ OwnedImageView LayeredImage::view(const Device& device, std::uint32_t layer, VkI
   info.image = get();
   info.viewType = VK_IMAGE_VIEW_TYPE_2D;
   info.format = format_;
-  info.subresourceRange = {aspect, 0, 1, layer, 1};
+  info.subresourceRange = {aspect, 0, mips_, layer, 1};
   return OwnedImageView(device.get(), info, "vkCreateImageView");
 }
 

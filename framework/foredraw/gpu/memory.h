@@ -48,19 +48,26 @@ class DeviceBuffer : public Buffer {
   DeviceBuffer(Device& device, std::span<const std::byte> content, VkBufferUsageFlags usage);
 };
 
-/// Square images, one behind the other, in the device's own memory.
+/// Texels, and how often they are there.
+struct ImageShape {
+  std::uint32_t width = 1, height = 1;
+  std::uint32_t layers = 1;
+  std::uint32_t mips = 1;  ///< levels, each half as wide and high as the one before, rounded down but not to 0
+};
+
+/// Images of one size, one behind the other, in the device's own memory.
 class LayeredImage {
  public:
   LayeredImage() = default;
-  LayeredImage(const Device& device, std::uint32_t size, std::uint32_t layers, VkFormat format,
-               VkImageUsageFlags usage);
+  LayeredImage(const Device& device, const ImageShape& shape, VkFormat format, VkImageUsageFlags usage);
 
   VkImage get() const { return image_.get(); }
-  /// One layer, to be drawn into.
+  /// One layer with all its mip levels. Only an image with a single one can be drawn into.
   OwnedImageView view(const Device& device, std::uint32_t layer, VkImageAspectFlags aspect) const;
 
  private:
   VkFormat format_ = VK_FORMAT_UNDEFINED;
+  std::uint32_t mips_ = 1;
   OwnedMemory memory_;
   OwnedImage image_;
 };

@@ -8,8 +8,6 @@ namespace foredraw::gpu {
 
 namespace {
 
-constexpr VkFormat pixel_format = VK_FORMAT_R32_UINT;
-
 /// In all pictures, unless one alone has more. 12 bytes a pixel are taken.
 constexpr std::uint64_t most_pixels = 1u << 22;
 
@@ -22,7 +20,7 @@ std::array<VkClearValue, 2> emptiness() {
 
 }  // namespace
 
-OwnedRenderPass make_render_pass(const Device& device) {
+OwnedRenderPass make_render_pass(const Device& device, VkFormat pixel_format) {
   const std::array attachments = {
       VkAttachmentDescription{.format = pixel_format,
                               .samples = VK_SAMPLE_COUNT_1_BIT,
@@ -61,21 +59,26 @@ OwnedRenderPass make_render_pass(const Device& device) {
   return OwnedRenderPass(device.get(), info, "vkCreateRenderPass");
 }
 
+std::uint32_t longest_edge(const Device& device) {
+  const VkPhysicalDeviceLimits& limits = device.limits();
+  return std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight,
+                   limits.maxViewportDimensions[0], limits.maxViewportDimensions[1]});
+}
+
 Pictures::Pictures(const Device& device, VkRenderPass render_pass, int size)
     : render_pass_(render_pass), size_(static_cast<std::uint32_t>(size)) {
-  const VkPhysicalDeviceLimits& limits = device.limits();
-  const std::uint32_t most = std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth,
-                                       limits.maxFramebufferHeight, limits.maxViewportDimensions[0]});
+  const std::uint32_t most = longest_edge(device);
   if (size_ > most) {
     throw std::runtime_error(device.name() + " draws pictures of at most " + std::to_string(most) + " pixels, not " +
                              std::to_string(size_) + "; ask for a smaller size");
   }
   const std::uint64_t pixels = std::uint64_t{size_} * size_;
-  count_ = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(most_pixels / pixels, 1, limits.maxImageArrayLayers));
-  pixel_image_ = LayeredImage(device, size_, count_, pixel_format,
-                              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
-  depth_image_ =
-      LayeredImage(device, size_, count_, device.depth_format(), VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+  count_ = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(most_pixels / pixels, 1, device.limits().maxImageArrayLayers));
+  const ImageShape shape{size_, size_, count_};
+  pixel_image_ =
+      LayeredImage(device, shape, number_format, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+  depth_image_ = LayeredImage(device, shape, device.depth_format(), VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
   pixels_ = VisibleBuffer(device, count_ * pixels * sizeof(std::uint32_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   for (std::uint32_t layer = 0; layer < count_; ++layer) {
     OwnedImageView colour = pixel_image_.view(device, layer, VK_IMAGE_ASPECT_COLOR_BIT);

@@ -10,8 +10,14 @@ namespace foredraw::gpu {
 /// What a pixel holds where nothing was drawn.
 inline constexpr std::uint32_t empty_pixel = ~std::uint32_t{0};
 
+/// Of pixels that hold numbers.
+inline constexpr VkFormat number_format = VK_FORMAT_R32_UINT;
+
 /// Clears pixels and depths, is drawn into, and leaves the pixels ready to be copied.
-OwnedRenderPass make_render_pass(const Device& device);
+OwnedRenderPass make_render_pass(const Device& device, VkFormat pixel_format = number_format);
+
+/// The longest edge of a picture that the device draws into.
+std::uint32_t longest_edge(const Device& device);
 
 /// As many square pictures of one size as fit into a bounded memory, each with 32 bits and a depth for each pixel: what
 /// a batch of views is drawn into.

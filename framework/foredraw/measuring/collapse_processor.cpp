@@ -45,7 +45,7 @@ class CollapseProcessor final : public Processor {
     run.executor.for_each(meshes.size(), [&](std::size_t i) {
       const auto mesh = joined_mesh(scene, meshes[i], run.analyses);
       is_small[i] = mesh && mesh->indices.size() / 3 < least_triangles;
-      if (mesh && !is_small[i] && !run.cancelled()) made[i] = sequence_of(*mesh, scene.draws[meshes[i][0]].name, run);
+      if (mesh && !is_small[i] && !run.cancelled()) made[i] = sequence_of({*mesh, scene, meshes[i]}, run);
     });
     CollapseSequences sequences;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -69,12 +69,15 @@ class CollapseProcessor final : public Processor {
  private:
   static constexpr std::size_t least_triangles = 64;  // taking some of so few changes the shape, and gains hardly any
 
-  std::shared_ptr<const CollapseSequence> sequence_of(const JoinedMesh& mesh, const std::string& name, Run& run) const {
+  std::shared_ptr<const CollapseSequence> sequence_of(const MeshInScene& of, Run& run) const {
+    const JoinedMesh& mesh = of.mesh;
     const double least = std::ceil(options_.until * static_cast<double>(mesh.indices.size() / 3));
     auto sequence =
-        std::make_shared<const CollapseSequence>(simplifier_->collapses(mesh, static_cast<std::size_t>(least), run));
+        std::make_shared<const CollapseSequence>(simplifier_->collapses(of, static_cast<std::size_t>(least), run));
     const Replay run_of_it = replay(*sequence, mesh.positions, mesh.indices, mesh.part);
-    if (!run_of_it.mistake.empty()) throw std::runtime_error(fmt::format("{}: {}", name, run_of_it.mistake));
+    if (!run_of_it.mistake.empty()) {
+      throw std::runtime_error(fmt::format("{}: {}", of.scene.draws[of.draws.front()].name, run_of_it.mistake));
+    }
     return sequence;
   }
 

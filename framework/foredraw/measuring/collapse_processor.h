@@ -7,11 +7,18 @@
 
 namespace foredraw {
 
+/// Draws that lie in one space, as one mesh.
+struct MeshInScene {
+  const JoinedMesh& mesh;
+  const Scene& scene;
+  std::span<const DrawId> draws;  ///< those that it was joined of
+};
+
 class Simplifier {
  public:
   virtual ~Simplifier() = default;
-  /// Of draws that lie in one space, until no more than `least` triangles are left. Called for many meshes at once.
-  virtual CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const = 0;
+  /// Of the mesh, until no more than `least` triangles are left. Called for many meshes at once.
+  virtual CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const = 0;
 };
 
 struct CollapseProcessorOptions {

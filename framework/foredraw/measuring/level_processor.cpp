@@ -194,6 +194,7 @@ class LevelProcessor final : public Processor {
   static void add(Findings findings, const std::string& subject, Run& run) {
     for (Measured& measured : findings.measured) run.findings.measured.push_back(std::move(measured));
     for (Note& note : findings.notes) run.findings.notes.push_back(std::move(note));
+    for (Attached& attached : findings.attached) run.findings.attached.push_back(std::move(attached));
     if (findings.nothing_to_gain) run.note("nothing-to-gain", subject + ": " + *findings.nothing_to_gain);
   }
 

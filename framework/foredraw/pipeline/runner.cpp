@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace foredraw {
 
@@ -88,8 +89,12 @@ class PlanRunner {
     report.named = named_files(plan_->loans);
     report.seed = plan_->pipeline.seed;
     describe_output();
-    report.measures.clear();
+    const std::vector<StageRecord> before = std::exchange(report.measures, {});
     measure(&DrawRecord::after, report.after, report.optimized ? "measuring the output: " : "measuring: ");
+    for (StageRecord& measure : report.measures) {
+      const auto same = std::ranges::find(before, measure.use, &StageRecord::use);
+      if (same != before.end()) measure.attachments_before = same->attachments;
+    }
     report.diagnostics = diagnostics_.all();
     result_.failed = diagnostics_.has_errors();
     report.seconds += clock.seconds();

@@ -262,8 +262,8 @@ class StageRunner {
     accept(outcome, place, scene_);
   }
 
-  /// Books what came of one. Notes call draws what they were called before the stage; those that it added are in
-  /// `changed`.
+  /// Books what came of one. Notes and attachments call draws what they were called before the stage; those that it
+  /// added are in `changed`.
   template <class Answer>
   void accept(Outcome<Answer>& outcome, const std::string& place, const Scene& changed) {
     for (Measured& measured : outcome.findings.measured) measured_.push_back(std::move(measured));
@@ -271,9 +271,14 @@ class StageRunner {
       const Scene& scene = *at.draw < scene_.draws.size() ? scene_ : changed;
       return *at.draw < scene.draws.size() ? foredraw::name_of(scene.draws[*at.draw], at.level) : "";
     };
+    const auto place_of = [&](const About& at) { return at.draw ? name_at(at) : at == About{} ? "" : place; };
     for (Note& note : outcome.findings.notes) {
-      const std::string where = note.about.draw ? name_at(note.about) : note.about == About{} ? "" : place;
-      record_.notes.push_back({where, std::move(note.code), std::move(note.message)});
+      record_.notes.push_back({place_of(note.about), std::move(note.code), std::move(note.message)});
+    }
+    for (Attached& attached : outcome.findings.attached) {
+      const About& at = attached.about;
+      record_.attachments.push_back(
+          {at.subject && place.empty() ? name_of_subject(*at.subject) : place_of(at), std::move(attached.content)});
     }
     if (outcome.answer) {
       ++record_.changed;
@@ -343,6 +348,10 @@ class StageRunner {
   }
 
   std::string name_of(const DrawLevel& at) const { return foredraw::name_of(scene_.draws[at.draw], at.level); }
+  std::string name_of_subject(std::uint32_t number) const {
+    const std::vector<Subject> subjects = subjects_of(scene_, plan_.pipeline.subjects.subject);
+    return number < subjects.size() ? subjects[number].name : "";
+  }
   static About about_of(const DrawLevel& at) { return {.draw = at.draw, .level = at.level}; }
 
   /// Engines choose among several orders at full detail alone: of the others the one that stands alone is kept.

@@ -4,8 +4,10 @@
 #include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/report/metrics.h>
+#include <foredraw/technique/attachment.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -66,6 +68,12 @@ struct NoteRecord {
   std::string message;
 };
 
+/// Pictures or curves that a technique attached. What branches have alike, they share.
+struct AttachmentRecord {
+  std::string about;  ///< the draw's or subject's name; empty: the scene
+  std::shared_ptr<const Attachment> content;
+};
+
 struct StageRecord {
   std::string use;
   std::string text;  ///< as in the one-line form
@@ -78,6 +86,8 @@ struct StageRecord {
   std::string loops_over;               ///< what it loops over: "draws", "vertex streams"
   std::vector<SkipRecord> skipped;
   std::vector<NoteRecord> notes;
+  std::vector<AttachmentRecord> attachments;
+  std::vector<AttachmentRecord> attachments_before;  ///< of an evaluator: what it attached to the input
 };
 
 struct Report {
@@ -109,6 +119,10 @@ void write_json(const Report& report, const std::function<void(std::string_view)
 
 /// The tables for people: figures before and after, stages with what they skipped and why.
 std::string to_text(const Report& report);
+
+/// Films keep the number of their frames and lose the pictures: what the JSON form tells of them is left. For who keeps
+/// the reports of many files and makes no page of them.
+void leave_out_pictures(Report& report);
 
 /// What a stage changed: "the scene", "nothing", "3 of 5 draws".
 std::string changed_text(const StageRecord& stage);

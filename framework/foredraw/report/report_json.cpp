@@ -1,3 +1,4 @@
+#include <foredraw/report/private/attachment_json.h>
 #include <foredraw/report/private/json_writer.h>
 #include <foredraw/report/report.h>
 
@@ -107,6 +108,12 @@ void write(JsonWriter& out, const DrawRecord& draw, bool optimized) {
   out.end('}');
 }
 
+Json to_json(const std::vector<AttachmentRecord>& attachments) {
+  Json json = Json::array();
+  for (const AttachmentRecord& attachment : attachments) json.push_back(json_of(attachment));
+  return json;
+}
+
 Json to_json(const StageRecord& stage) {
   Json skipped = Json::array();
   for (const SkipRecord& skip : stage.skipped) {
@@ -127,6 +134,8 @@ Json to_json(const StageRecord& stage) {
             {"notes", notes}};
   if (!stage.rounds.empty()) json["rounds"] = stage.rounds;
   if (stage.memory) json["memory"] = *stage.memory;
+  if (!stage.attachments.empty()) json["attachments"] = to_json(stage.attachments);
+  if (!stage.attachments_before.empty()) json["before"]["attachments"] = to_json(stage.attachments_before);
   return json;
 }
 

@@ -9,7 +9,9 @@
  *                                      foredraw_lod_motion(pixels_a_frame, sqrtf(pixels)) *
  *                                      foredraw_lod_hysteresis(levels_from_the_last, 0.02f));
  *
- * Hysteresis must be in the benefits before ways are chosen, as it bends what they are worth. */
+ * Hysteresis must be in the benefits before ways are chosen, as it bends what they are worth.
+ *
+ * What is no number (NaN) makes a way cost most, and be worth nothing. */
 #ifndef FOREDRAW_RUNTIME_LOD_BENEFIT_H
 #define FOREDRAW_RUNTIME_LOD_BENEFIT_H
 
@@ -21,13 +23,15 @@ typedef struct foredraw_lod_rendering {
   float triangle, vertex, pixel;
 } foredraw_lod_rendering;
 
+/* 0 of what is no number. */
 static inline float foredraw_lod_within_1(float value) { return value > 0 ? (value < 1 ? value : 1) : 0; }
 
-/* Stages of a pipeline work at once, so that the slowest one counts. */
+/* Stages of a pipeline work at once, so that the slowest one counts. No number if one of them is none. */
 static inline float foredraw_lod_pipeline(const foredraw_lod_rendering* rendering, float triangles, float vertices,
                                           float pixels) {
   const float geometry = rendering->triangle * triangles + rendering->vertex * vertices;
   const float shading = rendering->pixel * pixels;
+  if (!(geometry == geometry)) return geometry;
   return geometry > shading ? geometry : shading;
 }
 
@@ -44,27 +48,30 @@ static inline float foredraw_lod_accuracy_of_samples(float samples, float base_e
   return samples > 0 ? foredraw_lod_within_1(1 - base_error / parts) : 0;
 }
 
-/* Of a level whose measured error is so many pixels on the screen: 1 for none, a half for one. */
-static inline float foredraw_lod_accuracy_of_error(float pixels) { return pixels > 0 ? 1 / (1 + pixels) : 1; }
-
-/* Less at the rim of the screen than in its middle. from_middle: 0 to 1; least: what an object at the rim is worth. */
-static inline float foredraw_lod_focus(float from_middle, float least) {
-  return 1 - (1 - foredraw_lod_within_1(least)) * foredraw_lod_within_1(from_middle);
+/* Of a level whose measured error is so many pixels on the screen: 1 for none, a half for one, 0 for no number. */
+static inline float foredraw_lod_accuracy_of_error(float pixels) {
+  return pixels > 0 ? 1 / (1 + pixels) : pixels <= 0 ? 1 : 0;
 }
 
-/* What moves fast past the eye is blurred. `speed`: pixels a frame; `size`: pixels across. */
+/* Less at the rim of the screen than in its middle. from_middle: 0 to 1, no number is the rim; least: what an object at
+ * the rim is worth. */
+static inline float foredraw_lod_focus(float from_middle, float least) {
+  const float aside = from_middle < 1 ? foredraw_lod_within_1(from_middle) : 1;
+  return 1 - (1 - foredraw_lod_within_1(least)) * aside;
+}
+
+/* What moves fast past the eye is blurred. `speed`: pixels a frame; `size`: pixels across. 0 for no number. */
 static inline float foredraw_lod_motion(float speed, float size) {
-  return speed > 0 ? (size > 0 ? size / (size + speed) : 0) : 1;
+  return speed <= 0 ? 1 : size > 0 ? foredraw_lod_within_1(size / (size + speed)) : 0;
 }
 
 /* Another level than in the last frame is worth a little less, so that levels do not flicker. `weight`: for each level
  * of difference. */
 static inline float foredraw_lod_hysteresis(int levels_from_last, float weight) {
-  const float apart = (float)(levels_from_last < 0 ? -levels_from_last : levels_from_last);
-  return foredraw_lod_within_1(1 - weight * apart);
+  return foredraw_lod_within_1(1 - weight * fabsf((float)levels_from_last));
 }
 
-/* As lod_select.h has it: whole numbers below 2^31. What is no number costs most, and is worth nothing. */
+/* As lod_select.h has it: whole numbers, here below 2^31. */
 static inline uint32_t foredraw_lod_whole(double value, uint32_t if_none) {
   if (!(value == value)) return if_none;
   return value <= 0 ? 0 : value < 2147483647.0 ? (uint32_t)(value + 0.5) : 2147483647u;

@@ -16,14 +16,18 @@ static inline uint32_t foredraw_lod_by_size(const uint32_t* triangles, uint32_t 
   return level;
 }
 
-/* Feedback: the next frame's `most` pixels of a triangle, after a frame of that time. */
+/* Feedback: the next frame's `most` pixels of a triangle, after a frame of that time. It follows by a factor of 2 at
+ * most, and from 2^-10 to 2^24, so that it comes back from both ends. A time below 0 or a target that is not above it,
+ * as of a clock that was set back, tells nothing. */
 static inline float foredraw_lod_fed_back(float most, float time, float target) {
-  const float ratio = target > 0 ? time / target : 1;
-  return most * (ratio > 0.5f ? (ratio < 2 ? ratio : 2) : 0.5f);
+  const float ratio = target > 0 && time >= 0 ? time / target : 1;
+  const float next = most * (ratio > 0.5f ? (ratio < 2 ? ratio : 2) : 0.5f);
+  return next > 1.0f / 1024 ? (next < 16777216.0f ? next : 16777216.0f) : 1.0f / 1024;
 }
 
 /* Benefit for cost: whether a has more of it. A way that costs nothing comes first. */
 static inline int foredraw_lod_is_worth_more(const foredraw_lod_way* a, const foredraw_lod_way* b) {
+  if (a->cost == 0 || b->cost == 0) return a->cost < b->cost;
   return foredraw_lod_is_steeper(a->benefit, a->cost, b->benefit, b->cost);
 }
 
@@ -37,7 +41,9 @@ static inline void foredraw_lod_exchange(foredraw_lod_result* result, const fore
 }
 
 /* By value: all ways of all objects, the one of the highest value first; each takes the place of the object's worse one
- * while the budget lasts. `memory`: so many uint32_t as there are ways, twice. */
+ * while the budget lasts. Where each object has a way that costs nothing, twice its benefit and that of one more way
+ * within the budget are no less than any choice's: half of the best, where one way is little. `memory`: so many
+ * uint32_t as there are ways, twice. */
 static inline foredraw_lod_result foredraw_lod_by_value(const foredraw_lod_scene* scene, uint64_t budget,
                                                         uint32_t* chosen, uint32_t* memory) {
   const uint32_t count = scene->first[scene->objects];
@@ -132,7 +138,8 @@ static inline void foredraw_lod_settle(foredraw_lod_heap* heap, uint32_t object)
 
 /* From frame to frame: objects begin at `chosen`, which is the last frame's choice, or 0 for those that were not
  * visible. The best next way is taken, and the ways of the lowest value are given back until the budget is kept; it
- * ends when that gives back what was just taken. An object's ways go from the cheapest to the best. On ways whose value
+ * ends when that gives back what was just taken. An object's ways go from the cheapest to the best; a choice that an
+ * object no longer has is its last way. On ways whose value
  * does not fall from one to the next, it ends far from the best. `memory`: 4 uint32_t an object. `rounds`, if not NULL:
  * how many ways were taken. */
 static inline foredraw_lod_result foredraw_lod_from_last(const foredraw_lod_scene* scene, uint64_t budget,
@@ -146,9 +153,12 @@ static inline foredraw_lod_result foredraw_lod_from_last(const foredraw_lod_scen
   down.objects = memory + 2 * (size_t)n;
   down.places = memory + 3 * (size_t)n;
   for (i = 0; i < n; ++i) {
-    const foredraw_lod_way* way = &scene->ways[scene->first[i] + chosen[i]];
-    result.cost += way->cost;
-    result.benefit += way->benefit;
+    const uint32_t own = scene->first[i + 1] - scene->first[i];
+    if (chosen[i] >= own) chosen[i] = own > 0 ? own - 1 : 0;
+    if (own > 0) {
+      result.cost += scene->ways[scene->first[i] + chosen[i]].cost;
+      result.benefit += scene->ways[scene->first[i] + chosen[i]].benefit;
+    }
     foredraw_lod_put(&up, up.count++, i);
     foredraw_lod_settle(&up, i);
     foredraw_lod_put(&down, down.count++, i);

@@ -19,8 +19,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A way to draw an object. Both numbers are below 2^31; their units are the caller's, such as nanoseconds, and
- * thousandths of a pixel. */
+/* A way to draw an object. Any numbers; their units are the caller's, such as nanoseconds, and thousandths of a pixel.
+ */
 typedef struct foredraw_lod_way {
   uint32_t cost, benefit;
 } foredraw_lod_way;
@@ -28,8 +28,9 @@ typedef struct foredraw_lod_way {
 typedef struct foredraw_lod_scene {
   uint32_t objects;             /* that are visible */
   const uint32_t* first;        /* [object], and the number of ways behind the last: object i has ways first[i] to
-                                 * first[i + 1] - 1, at least one; first[0] is 0 */
-  const foredraw_lod_way* ways; /* in any sequence */
+                                 * first[i + 1] - 1; first[0] is 0. An object without ways costs nothing, and is not
+                                 * drawn */
+  const foredraw_lod_way* ways; /* in any sequence; by their costs, it takes least time */
 } foredraw_lod_scene;
 
 typedef struct foredraw_lod_result {
@@ -52,11 +53,11 @@ typedef struct foredraw_lod_bucket {
   uint64_t steps;
 } foredraw_lod_bucket;
 
-/* How many bytes foredraw_lod_select() needs, aligned for a uint64_t. */
+/* How many bytes foredraw_lod_select() needs, aligned for a uint64_t. Where a size_t cannot tell, the most it can. */
 static inline size_t foredraw_lod_memory(const foredraw_lod_scene* scene) {
-  const size_t steps = scene->first[scene->objects] - scene->objects;
-  return FOREDRAW_LOD_BUCKETS * sizeof(foredraw_lod_bucket) +
-         steps * (sizeof(foredraw_lod_step) + 2 * sizeof(uint32_t));
+  const uint64_t ways = scene->first[scene->objects], for_each = sizeof(foredraw_lod_step) + 2 * sizeof(uint32_t);
+  const uint64_t bytes = FOREDRAW_LOD_BUCKETS * sizeof(foredraw_lod_bucket) + ways * for_each;
+  return bytes < SIZE_MAX ? (size_t)bytes : SIZE_MAX;
 }
 
 /* Whether a gains more for its cost than b. Exact. */
@@ -64,7 +65,7 @@ static inline int foredraw_lod_is_steeper(uint32_t a_benefit, uint32_t a_cost, u
   return (uint64_t)a_benefit * b_cost > (uint64_t)b_benefit * a_cost;
 }
 
-/* The cheapest way of n, of these the best, of these the first. */
+/* The cheapest way of n, of these the best, of these the first. n is above 0. */
 static inline uint32_t foredraw_lod_cheapest(const foredraw_lod_way* ways, uint32_t n) {
   uint32_t i, best = 0;
   for (i = 1; i < n; ++i)
@@ -94,7 +95,7 @@ static inline uint32_t foredraw_lod_next(const foredraw_lod_way* ways, uint32_t 
 
 /* Steeper steps have higher buckets, or the same: a quotient that is rounded once never changes sides with another. */
 static inline uint32_t foredraw_lod_bucket_of(const foredraw_lod_step* step) {
-  const double gain = (double)step->benefit / (double)step->cost; /* 2^-31 to 2^31 */
+  const double gain = (double)step->benefit / (double)step->cost; /* above 2^-32, below 2^32 */
   uint64_t bits;
   memcpy(&bits, &gain, sizeof bits);
   return (uint32_t)(bits >> 45) - ((1023u - 32u) << 7);
@@ -106,10 +107,52 @@ static inline void foredraw_lod_begin(const foredraw_lod_scene* scene, uint32_t*
   result->cost = result->benefit = 0;
   for (i = 0; i < scene->objects; ++i) {
     const foredraw_lod_way* ways = scene->ways + scene->first[i];
-    chosen[i] = foredraw_lod_cheapest(ways, scene->first[i + 1] - scene->first[i]);
+    const uint32_t n = scene->first[i + 1] - scene->first[i];
+    chosen[i] = 0;
+    if (n == 0) continue;
+    chosen[i] = foredraw_lod_cheapest(ways, n);
     result->cost += ways[chosen[i]].cost;
     result->benefit += ways[chosen[i]].benefit;
   }
+}
+
+/* The steps of an object along the upper hull of its ways that cost no more than `most`, where these come by their
+ * costs, from either end: one pass, in which two steps become one where the later one gains more for its cost. How many
+ * there are; n: the ways come in another sequence. */
+static inline uint32_t foredraw_lod_in_turn(const foredraw_lod_way* ways, uint32_t n, uint32_t cheapest, uint64_t most,
+                                            int is_rising, foredraw_lod_step* steps) {
+  foredraw_lod_way from = ways[cheapest];
+  uint32_t i, count = 0;
+  for (i = 0; i < n; ++i) {
+    const uint32_t way = is_rising ? i : n - 1 - i;
+    const foredraw_lod_way to = ways[way];
+    uint32_t cost = to.cost - from.cost, benefit = to.benefit - from.benefit;
+    if (to.cost < from.cost) return n;
+    if (to.benefit <= from.benefit || to.cost > most) continue;
+    while (count > 0 && foredraw_lod_is_steeper(benefit, cost, steps[count - 1].benefit, steps[count - 1].cost)) {
+      cost += steps[--count].cost;
+      benefit += steps[count].benefit;
+    }
+    steps[count].way = way;
+    steps[count].cost = cost;
+    steps[count++].benefit = benefit;
+    from = to;
+  }
+  return count;
+}
+
+/* The same for ways in any sequence. */
+static inline uint32_t foredraw_lod_steps_of(const foredraw_lod_way* ways, uint32_t n, uint32_t cheapest, uint64_t most,
+                                             foredraw_lod_step* steps) {
+  uint32_t way = cheapest, next, count = foredraw_lod_in_turn(ways, n, cheapest, most, 1, steps);
+  if (count == n) count = foredraw_lod_in_turn(ways, n, cheapest, most, 0, steps);
+  if (count < n) return count;
+  for (count = 0; (next = foredraw_lod_next(ways, n, way, most)) != n; way = next) {
+    steps[count].way = next;
+    steps[count].cost = ways[next].cost - ways[way].cost;
+    steps[count++].benefit = ways[next].benefit - ways[way].benefit;
+  }
+  return count;
 }
 
 /* The steps from there, object after object, without ways that `more` would not pay for. How many there are. */
@@ -119,14 +162,10 @@ static inline uint32_t foredraw_lod_steps(const foredraw_lod_scene* scene, const
   for (i = 0; i < scene->objects; ++i) {
     const foredraw_lod_way* ways = scene->ways + scene->first[i];
     const uint32_t n = scene->first[i + 1] - scene->first[i];
-    uint32_t way = chosen[i], next;
-    while ((next = foredraw_lod_next(ways, n, way, ways[chosen[i]].cost + more)) != n) {
-      steps[count].object = i;
-      steps[count].way = next;
-      steps[count].cost = ways[next].cost - ways[way].cost;
-      steps[count++].benefit = ways[next].benefit - ways[way].benefit;
-      way = next;
-    }
+    uint32_t end;
+    if (n == 0) continue;
+    end = count + foredraw_lod_steps_of(ways, n, chosen[i], ways[chosen[i]].cost + more, steps + count);
+    for (; count < end; ++count) steps[count].object = i;
   }
   return count;
 }
@@ -167,15 +206,17 @@ static inline uint32_t* foredraw_lod_sorted(const foredraw_lod_step* steps, uint
   return numbers;
 }
 
-/* chosen[object]: the number of its way among its own. `memory`: foredraw_lod_memory() bytes. Of what any choice gains
- * over the cheapest ways within the budget, this one gains half at the least, and mostly all but a step. */
+/* chosen[object]: the number of its way among its own; 0 if it has none. `memory`: foredraw_lod_memory() bytes. Of what
+ * any choice gains over the cheapest ways within the budget, this one gains half at the least, and mostly all but a
+ * step. */
 static inline foredraw_lod_result foredraw_lod_select(const foredraw_lod_scene* scene, uint64_t budget,
                                                       uint32_t* chosen, void* memory) {
   enum { neighbourhood = 512 }; /* steps behind the end of the budget, of which some may still fit */
-  const uint32_t most_steps = scene->first[scene->objects] - scene->objects;
+  const size_t most_steps = scene->first[scene->objects];
   foredraw_lod_bucket* buckets = (foredraw_lod_bucket*)memory;
   foredraw_lod_step* steps = (foredraw_lod_step*)(buckets + FOREDRAW_LOD_BUCKETS);
   uint32_t* numbers = (uint32_t*)(steps + most_steps);
+  uint32_t* bucket_of = numbers + most_steps;
   foredraw_lod_result result, least;
   const foredraw_lod_step* critical = NULL; /* the first that does not fit */
   uint32_t i, count, cut = FOREDRAW_LOD_BUCKETS, last = 0, near_cut = 0;
@@ -186,26 +227,25 @@ static inline foredraw_lod_result foredraw_lod_select(const foredraw_lod_scene* 
   if (result.is_over) return result;
   least = result;
   count = foredraw_lod_steps(scene, chosen, budget - least.cost, steps);
+  for (i = 0; i < count; ++i) bucket_of[i] = foredraw_lod_bucket_of(&steps[i]);
   if (count > neighbourhood) { /* else all are sorted */
     memset(buckets, 0, FOREDRAW_LOD_BUCKETS * sizeof *buckets);
     for (i = 0; i < count; ++i) {
-      foredraw_lod_bucket* bucket = &buckets[foredraw_lod_bucket_of(&steps[i])];
-      bucket->cost += steps[i].cost;
-      ++bucket->steps;
+      buckets[bucket_of[i]].cost += steps[i].cost;
+      ++buckets[bucket_of[i]].steps;
     }
     while (cut > 0 && result.cost + buckets[cut - 1].cost <= budget) result.cost += buckets[--cut].cost;
     for (last = cut; last > 0 && gathered < neighbourhood; --last) gathered += buckets[last - 1].steps;
   }
   for (i = 0; i < count; ++i) {
-    const uint32_t bucket = foredraw_lod_bucket_of(&steps[i]);
-    if (bucket >= cut) {
+    if (bucket_of[i] >= cut) {
       chosen[steps[i].object] = steps[i].way;
       result.benefit += steps[i].benefit;
-    } else if (bucket >= last) {
+    } else if (bucket_of[i] >= last) {
       numbers[near_cut++] = i;
     }
   }
-  numbers = foredraw_lod_sorted(steps, numbers, near_cut, numbers + most_steps);
+  numbers = foredraw_lod_sorted(steps, numbers, near_cut, bucket_of);
   for (i = 0; i < near_cut; ++i) {
     const foredraw_lod_step* step = &steps[numbers[i]];
     const foredraw_lod_step* before = numbers[i] > 0 && step[-1].object == step->object ? step - 1 : NULL;
@@ -235,6 +275,22 @@ static inline foredraw_lod_result foredraw_lod_select(const foredraw_lod_scene* 
       result.bound = bound;
     }
   }
+  return result;
+}
+
+/* What an earlier choice costs and is worth in this scene. It may be drawn again while it is not over the budget, and
+ * its benefit near the bound of a new choice: then nothing switches, though costs change with every move of the camera.
+ * It has no bound of its own. */
+static inline foredraw_lod_result foredraw_lod_kept(const foredraw_lod_scene* scene, uint64_t budget,
+                                                    const uint32_t* chosen) {
+  foredraw_lod_result result = {0, 0, UINT64_MAX, 0};
+  uint32_t i;
+  for (i = 0; i < scene->objects; ++i) {
+    if (scene->first[i] == scene->first[i + 1]) continue;
+    result.cost += scene->ways[scene->first[i] + chosen[i]].cost;
+    result.benefit += scene->ways[scene->first[i] + chosen[i]].benefit;
+  }
+  result.is_over = result.cost > budget;
   return result;
 }
 

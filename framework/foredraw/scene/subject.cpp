@@ -158,6 +158,16 @@ class SubjectList {
 
 }  // namespace
 
+std::optional<SubjectPart> shown_part(const Scene& scene, DrawId draw) {
+  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (!node.mesh || !node.is_shown) continue;
+    const std::vector<DrawId>& draws = scene.meshes[*node.mesh].draws;
+    if (std::ranges::find(draws, draw) != draws.end()) return SubjectPart{draw, i};
+  }
+  return std::nullopt;
+}
+
 std::vector<Subject> subjects_of(const Scene& scene, SubjectUnit unit) {
   SubjectList subjects(scene);
   if (unit == SubjectUnit::scene) subjects.add_scene();

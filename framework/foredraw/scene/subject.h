@@ -28,6 +28,9 @@ struct Subject {
   }
 };
 
+/// The draw as the first node shows it; nothing where none does.
+std::optional<SubjectPart> shown_part(const Scene& scene, DrawId draw);
+
 /// What is seen and judged as one.
 enum class SubjectUnit {
   mesh,       ///< each mesh: as each node shows it where a skin or morph weights move it, else in its own space

@@ -15,8 +15,8 @@ void add_frame_rows(OptionTable<Options>& table) {
                        "(around the scene), camera, or a file with one key per line",
                        OptionType::views);
   table.template row<int>(&FrameSet::frames, "frames", "Number of frames, evenly over the path", {1, 100000, "frames"});
-  table.template row<int>(&FrameSet::width, "width", "Width of the pictures", {16, 8192, "pixels"});
-  table.template row<int>(&FrameSet::height, "height", "Height of the pictures", {16, 8192, "pixels"});
+  table.template row<int>(&FrameSet::width, "width", "Width of the pictures", {16, 4096, "pixels"});
+  table.template row<int>(&FrameSet::height, "height", "Height of the pictures", {16, 4096, "pixels"});
   table.template row<double>(&FrameSet::angle, "angle",
                              "Angle from the lower to the upper edge of the picture; a camera of the scene has its own",
                              {1, 170, "degrees"});

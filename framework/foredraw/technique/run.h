@@ -8,11 +8,13 @@
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/scene/views.h>
+#include <foredraw/technique/attachment.h>
 #include <foredraw/technique/options.h>
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,11 +48,18 @@ struct Note {
   About about;
 };
 
+/// Pictures or curves. They are shared, not copied: what runs have alike is held once.
+struct Attached {
+  std::shared_ptr<const Attachment> content;
+  About about;
+};
+
 /// What one call of a technique found out. Each call has its own, so nothing needs a lock and the order never depends
 /// on the threads.
 struct Findings {
   std::vector<Measured> measured;
   std::vector<Note> notes;
+  std::vector<Attached> attached;
   std::optional<std::string> nothing_to_gain;  ///< why what there is stays
 };
 
@@ -91,6 +100,10 @@ struct Run {
   void note_at(About where, std::string code, std::string message) const {
     findings.notes.push_back({std::move(code), std::move(message), where});
   }
+  /// Shows pictures or curves beside the figures. Throws std::invalid_argument where mistake_in() finds one, or where
+  /// this call has attached something of that name to the same draw, subject or scene.
+  void attach(Attachment attachment) const { attach_at(about, std::move(attachment)); }
+  void attach_at(About where, Attachment attachment) const;
   /// Says that nothing can be gained here, and why, with the figure: what there is stays, whatever the technique
   /// answers, and counts as what the card provides.
   void keep(std::string reason) const { findings.nothing_to_gain = std::move(reason); }

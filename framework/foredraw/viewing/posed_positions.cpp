@@ -119,7 +119,8 @@ std::vector<glm::vec3> posed_positions(const Scene& scene, const SubjectPart& pa
   return {positions.begin(), positions.end()};
 }
 
-PosedVertices posed_vertices(const Scene& scene, const VertexStreams& vertices, NodeId node, const PosedNodes& nodes) {
+VerticesInPose vertices_in_pose(const Scene& scene, const VertexStreams& vertices, NodeId node,
+                                const PosedNodes& nodes) {
   std::vector<glm::dvec3> positions = morphed(vertices, "POSITION", nodes.weights[node]);
   std::vector<glm::dvec3> normals = morphed(vertices, "NORMAL", nodes.weights[node]);
   move_each(scene, vertices, node, nodes, [&](std::size_t v, const glm::dmat4& by) {
@@ -127,6 +128,19 @@ PosedVertices posed_vertices(const Scene& scene, const VertexStreams& vertices, 
     if (v < normals.size()) normals[v] = turned(by, normals[v]);
   });
   return {{positions.begin(), positions.end()}, {normals.begin(), normals.end()}};
+}
+
+std::vector<glm::dmat4x3> vertex_maps(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes) {
+  const VertexStreams& vertices = *scene.draws[part.draw].full().vertices;
+  std::vector<glm::dmat4x3> maps(vertices.count, glm::dmat4x3(1));
+  if (!part.node) return maps;
+  std::vector<glm::dvec3> by_targets(vertices.count, glm::dvec3(0));
+  add_morph_targets(by_targets, "POSITION", vertices, nodes.weights[*part.node]);
+  move_each(scene, vertices, *part.node, nodes, [&](std::size_t v, const glm::dmat4& by) {
+    maps[v] = glm::dmat4x3(by);
+    maps[v][3] = moved(by, by_targets[v]);
+  });
+  return maps;
 }
 
 bool is_mirrored(const SubjectPart& part, const PosedNodes& nodes) {

@@ -14,11 +14,11 @@ class CgalCollapse final : public Simplifier {
  public:
   explicit CgalCollapse(const CgalCollapseOptions& options) : options_(options) {}
 
-  CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const override {
+  CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const override {
     CgalCollapseOptions options = options_;
     options.least = least;
     options.cancel = run.cancel;
-    return cgal_collapse(mesh.positions, mesh.indices, options);
+    return cgal_collapse(of.mesh.positions, of.mesh.indices, options);
   }
 
  private:

@@ -44,14 +44,14 @@ class EnergyCollapse final : public Simplifier {
  public:
   explicit EnergyCollapse(const EnergyCollapseOptions& options) : options_(options) {}
 
-  CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const override {
+  CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const override {
     EnergyCollapseOptions options = options_;
     options.least = least;
     options.seed = run.seed;
     options.cancel = run.cancel;
     std::size_t width = 0;
-    const std::vector<float> values = scalars_of(mesh, width);
-    return energy_collapse(mesh.positions, mesh.indices, {values, width}, options);
+    const std::vector<float> values = scalars_of(of.mesh, width);
+    return energy_collapse(of.mesh.positions, of.mesh.indices, {values, width}, options);
   }
 
  private:

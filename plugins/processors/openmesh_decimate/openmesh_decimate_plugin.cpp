@@ -14,11 +14,11 @@ class OpenmeshDecimate final : public Simplifier {
  public:
   explicit OpenmeshDecimate(const OpenmeshDecimateOptions& options) : options_(options) {}
 
-  CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const override {
+  CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const override {
     OpenmeshDecimateOptions options = options_;
     options.least = least;
     options.cancel = run.cancel;
-    return openmesh_decimate(mesh.positions, mesh.indices, options);
+    return openmesh_decimate(of.mesh.positions, of.mesh.indices, options);
   }
 
  private:

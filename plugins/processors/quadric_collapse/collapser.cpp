@@ -21,7 +21,9 @@ void Collapser::begin() {
   mesh_.find_rim(piece_);
   for (std::uint32_t p = first; p < end; ++p) {
     for (const std::uint32_t f : mesh_.ring(p)) {
-      if (mesh_.face(f).point[0] == p) all_.attributes.measure(f);  // each face once, by one piece
+      if (mesh_.face(f).point[0] != p) continue;  // each face once, by one piece
+      all_.attributes.measure(f);
+      all_.poses.measure(f);
     }
   }
   costs_.begin(first, end);
@@ -160,10 +162,12 @@ double Collapser::area_around(std::uint32_t p, std::uint32_t q) const {
 void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCost& best) {
   const double area = area_around(removed, kept);
   constexpr double most = std::numeric_limits<float>::max();
-  const double cost = all_.attributes.empty() ? best.cost : costs_.distances(removed, kept, best.place);
+  const bool is_distance = all_.attributes.empty() && all_.poses.empty();
+  const double cost = is_distance ? best.cost : costs_.distances(removed, kept, best.place);
   const double error = area > 0 ? std::min(std::sqrt(std::max(cost, 0.0) / area), most) : 0;
   const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
   const Quadric memory = costs_.joined_memory(removed, kept, best.place);
+  all_.poses.join(removed, kept, blend, best.place);
   Point& point = mesh_.point(kept);
   point.is_sharp = point.is_sharp || mesh_.point(removed).is_sharp;
   const std::size_t gone = editor_.collapse(removed, kept, best.place, [&](std::uint32_t vertex) {
@@ -173,7 +177,10 @@ void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCo
   --points_;
   point.memory = memory;
   all_.attributes.blend(pairs_, blend);
-  for (const std::uint32_t f : mesh_.ring(kept)) all_.attributes.measure(f);
+  for (const std::uint32_t f : mesh_.ring(kept)) {
+    all_.attributes.measure(f);
+    all_.poses.measure(f);
+  }
   steps_.pairs.insert(steps_.pairs.end(), pairs_.begin(), pairs_.end());
   const auto rank = static_cast<std::uint32_t>(queue_.lowest());
   steps_.steps.push_back({

@@ -17,6 +17,7 @@ struct Collapsing {
   const QuadricCollapseOptions& options;
   CollapsingMesh& mesh;
   AttributeCosts& attributes;
+  PosedPlanes& poses;
   WholeParts& parts;
 };
 
@@ -48,7 +49,7 @@ class Collapser {
         costs_(mesh_,
                {all.options.memory, all.options.border, all.options.seam,
                 all.options.placement == CollapsePlacement::endpoint},
-               all.attributes),
+               all.attributes, all.poses),
         legal_(mesh_, editor_) {}
 
   /// Prepares the points of the piece.

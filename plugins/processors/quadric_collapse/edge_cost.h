@@ -5,6 +5,7 @@
 
 #include "attribute_cost.h"
 #include "local_distance.h"
+#include "posed_planes.h"
 #include "smooth_edges.h"
 
 #include <array>
@@ -20,8 +21,8 @@ struct CostWeights {
 
 class EdgeCosts {
  public:
-  EdgeCosts(CollapsingMesh& mesh, const CostWeights& weights, AttributeCosts& attributes)
-      : mesh_(mesh), weights_(weights), attributes_(attributes) {}
+  EdgeCosts(CollapsingMesh& mesh, const CostWeights& weights, AttributeCosts& attributes, PosedPlanes& poses)
+      : mesh_(mesh), weights_(weights), attributes_(attributes), poses_(poses) {}
 
   /// More around an edge are not looked at.
   static constexpr std::size_t most_faces = LocalDistance::most_faces;
@@ -33,7 +34,7 @@ class EdgeCosts {
   EdgeCost least(std::uint32_t p, std::uint32_t q) { return least(around(p), p, q); }
   /// Of joining the point to some of its neighbours.
   void least(std::uint32_t p, std::span<const Neighbour> neighbours, std::span<EdgeCost> costs);
-  /// Of a place, what distances alone cost.
+  /// Of a place, what distances at rest alone cost.
   double distances(std::uint32_t p, std::uint32_t q, glm::vec3 place);
   /// What both remember, about the place where they are joined.
   Quadric joined_memory(std::uint32_t p, std::uint32_t q, glm::vec3 place) const;
@@ -54,6 +55,7 @@ class EdgeCosts {
   CollapsingMesh& mesh_;
   CostWeights weights_;
   AttributeCosts& attributes_;
+  PosedPlanes& poses_;
   std::vector<std::uint32_t> shared_;
   std::uint32_t first_point_ = 0;
   std::vector<Around> first_;  ///< [point - first_point_], while all edges are entered

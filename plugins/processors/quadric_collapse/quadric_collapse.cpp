@@ -3,6 +3,7 @@
 #include "collapser.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <tuple>
 #include <utility>
@@ -24,16 +25,17 @@ class QuadricCollapse {
  public:
   QuadricCollapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                   const QuadricCollapseOptions& options, AttributeRows attributes,
-                  std::span<const std::uint32_t> stream)
+                  std::span<const std::uint32_t> stream, const PosedVertices& posed)
       : options_(options),
         mesh_(positions, indices, piece_points),
         attributes_(mesh_, std::move(attributes)),
+        poses_(mesh_, posed, options.poses),
         parts_(mesh_, options.parts, stream),
         points_(mesh_.point_count()),
         faces_(mesh_.face_count()),
-        between_({options_, mesh_, attributes_, parts_}, Collapser::between, mesh_.piece_count(), editors()) {
+        between_({options_, mesh_, attributes_, poses_, parts_}, Collapser::between, mesh_.piece_count(), editors()) {
     for (std::size_t i = 0; i < mesh_.piece_count(); ++i) {
-      all_.emplace_back(Collapsing{options_, mesh_, attributes_, parts_}, i, i, editors());
+      all_.emplace_back(Collapsing{options_, mesh_, attributes_, poses_, parts_}, i, i, editors());
       pieces_.push_back(&all_.back());
     }
   }
@@ -144,6 +146,7 @@ class QuadricCollapse {
   QuadricCollapseOptions options_;
   CollapsingMesh mesh_;
   AttributeCosts attributes_;
+  PosedPlanes poses_;
   WholeParts parts_;
   std::size_t points_, faces_;  // that are left
   std::deque<Collapser> all_;
@@ -157,8 +160,13 @@ class QuadricCollapse {
 
 CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                                   const QuadricCollapseOptions& options, AttributeRows attributes,
-                                  std::span<const std::uint32_t> stream) {
-  return QuadricCollapse(positions, indices, options, std::move(attributes), stream).run();
+                                  std::span<const std::uint32_t> stream, const PosedVertices& posed) {
+  if (posed.poses() > 0) {
+    // The surface counts at rest and in poses. Beside it attributes weigh what they did.
+    const auto scale = static_cast<float>(std::sqrt(1 + options.poses));
+    for (float& value : attributes.values) value *= scale;
+  }
+  return QuadricCollapse(positions, indices, options, std::move(attributes), stream, posed).run();
 }
 
 }  // namespace foredraw

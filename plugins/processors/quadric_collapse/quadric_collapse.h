@@ -5,6 +5,7 @@
 
 #include <foredraw/base/parallel.h>
 #include <foredraw/collapses/attribute_rows.h>
+#include <foredraw/collapses/posed_vertices.h>
 #include <foredraw/scene/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
@@ -26,6 +27,7 @@ struct QuadricCollapseOptions {
   double border = 10;      ///< weight of borders: planes upright on the faces beside them
   double seam = 3;         ///< weight of seams
   double parts = 0.02;     ///< whole pieces go whose diagonal is at most this share of the mesh's; 0 to 1
+  double poses = 1;        ///< weight of the surface in poses, beside the one at rest
   std::size_t least = 0;   ///< triangles to stop at
   const std::atomic<bool>* cancel = nullptr;  ///< once it is true the sequence ends
   const Executor* executor = nullptr;         ///< for large meshes; the sequence is the same without
@@ -33,10 +35,11 @@ struct QuadricCollapseOptions {
 
 /// The collapses, cheapest first, until no more than `least` triangles are left or no edge may go. `indices` holds
 /// three a triangle, each below the number of positions; any triangles will do. `attributes` of the vertices count
-/// beside distances. `stream[vertex]` says which vertices may take each other's place; none: all may.
+/// beside distances. `stream[vertex]` says which vertices may take each other's place; none: all may. In the poses of
+/// `posed`, if any, distances count like those at rest; vertices at one place should move alike.
 CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                                   const QuadricCollapseOptions& options = {}, AttributeRows attributes = {},
-                                  std::span<const std::uint32_t> stream = {});
+                                  std::span<const std::uint32_t> stream = {}, const PosedVertices& posed = {});
 
 struct Plugin;
 Plugin quadric_collapse_plugin();

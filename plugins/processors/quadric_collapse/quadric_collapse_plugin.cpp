@@ -1,6 +1,7 @@
 #include "quadric_collapse.h"
 
 #include <foredraw/measuring/collapse_processor.h>
+#include <foredraw/measuring/mesh_in_poses.h>
 
 namespace foredraw {
 
@@ -15,15 +16,22 @@ class QuadricCollapse final : public Simplifier {
   QuadricCollapse(const QuadricCollapseOptions& options, const AttributeWeights& attributes)
       : options_(options), attributes_(attributes) {}
 
-  CollapseSequence collapses(const JoinedMesh& mesh, std::size_t least, Run& run) const override {
+  CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const override {
     QuadricCollapseOptions options = options_;
     options.least = least;
     options.cancel = run.cancel;
     options.executor = &run.executor;
-    return quadric_collapse(mesh.positions, mesh.indices, options, attribute_rows(mesh, attributes_), mesh.part);
+    const JoinedMesh& mesh = of.mesh;
+    const PosedVertices posed = options.poses > 0 ? mesh_in_poses(of, run.poses, most_poses) : PosedVertices{};
+    AttributeWeights weights = attributes_;
+    if (posed.poses() > 0) weights.joints *= beside_poses, weights.targets *= beside_poses;
+    return quadric_collapse(mesh.positions, mesh.indices, options, attribute_rows(mesh, weights), mesh.part, posed);
   }
 
  private:
+  static constexpr std::size_t most_poses = 4;  // more make hardly a difference
+  static constexpr double beside_poses = 0.25;  // what joints and targets do is seen there; this is for other poses
+
   QuadricCollapseOptions options_;
   AttributeWeights attributes_;
 };
@@ -53,6 +61,10 @@ Plugin quadric_collapse_plugin() {
            "Size of whole pieces of a mesh that may be removed: their diagonal as a share of the mesh's; 0: none is "
            "removed",
            {.least = 0, .most = 1})
+      .row(&Options::poses, "poses",
+           "Weight of the surface in poses beside the one at rest, where an animation bends it: in four of the "
+           "pipeline's [poses]; 0: at rest alone",
+           {.least = 0, .most = 1000})
       .row(&Options::normals, "normals",
            "Weight of normals: a difference of 1 counts as this share of the mesh's diagonal",
            {.least = 0, .most = 1000})

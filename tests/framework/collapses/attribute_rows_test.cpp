@@ -97,13 +97,27 @@ TEST(AttributeRows, TargetsCountAsFarAsTheyMove) {
 
 TEST(AttributeRows, AreFinite) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-  const AttributeRows rows =
-      attribute_rows(square({floats("NORMAL", 3, {nan, infinity, 1e38f, 0, 0, 0, -1e38f, 0, 0, 0, 0, 0}),
-                             floats("TEXCOORD_0", 2, {nan, 0, 1e38f, 0, 0, 0, 0, infinity}),
-                             floats("COLOR_0", 3, std::vector<float>(12, infinity))}),
-                     {});
-  EXPECT_EQ(rows.width, 9u);
+  const AttributeRows rows = attribute_rows(
+      square({floats("NORMAL", 3, {nan, infinity, 1e38f, 0, 0, 0, -1e38f, 0, 0, 0, 0, 0}),
+              floats("TEXCOORD_0", 2, {nan, 0, 1e38f, 0, 0, 0, 0, infinity}),
+              floats("COLOR_0", 3, std::vector<float>(12, infinity)),
+              floats("JOINTS_0", 4, {nan, -1, infinity, 1e20f, 1, 2, 3, 4, 1, 2, 3, 4, 0, 0, 0, 0}),
+              floats("WEIGHTS_0", 4, {1, nan, infinity, 3e38f, 3e38f, 3e38f, -3e38f, 3e38f, 1, 0, 0, 0, 0, 0, 0, 0})},
+             {{floats("POSITION", 3, {1e6f, nan, infinity, 3e38f, 3e38f, -3e38f, 0, 0, 0, 0, 0, 0})},
+              {floats("POSITION", 3, {1e6f, 0, 0, 3e38f, 3e38f, 3e38f, 0, 0, 0, 0, 0, 0})}}),
+      {});
+  EXPECT_EQ(rows.width, 9u + 6 + 6);
   for (const float value : rows.values) EXPECT_LT(std::abs(value), 1e8f);
+}
+
+/// So that no two vertices seem alike that a pose tears apart.
+TEST(AttributeRows, TargetsMayMoveFar) {
+  AttributeWeights weights = nothing;
+  weights.targets = 0.1;
+  const AttributeRows rows =
+      attribute_rows(square({}, {{floats("POSITION", 3, {0, 0, 0, 0, 0, 1e6f, 0, 0, 0, 0, -1e6f, 0})}}), weights);
+  EXPECT_NEAR(std::sqrt(squared_difference(rows, 0, 1)), 1e5, 1);
+  EXPECT_NEAR(std::sqrt(squared_difference(rows, 1, 3)), std::sqrt(2.0) * 1e5, 1);
 }
 
 /// Draws of one mesh need not carry the same.
@@ -126,8 +140,10 @@ TEST(AttributeRows, WhatADrawLacksIsZero) {
 TEST(AttributeRows, ATextureOfOnePointIsNothing) {
   AttributeWeights weights = nothing;
   weights.texcoords = 1;
-  const AttributeRows rows = attribute_rows(square({floats("TEXCOORD_0", 2, std::vector<float>(8, 0.5f))}), weights);
-  EXPECT_EQ(rows.values, std::vector<float>(8, 0));
+  for (const float at : {0.0f, 0.5f}) {
+    const AttributeRows rows = attribute_rows(square({floats("TEXCOORD_0", 2, std::vector<float>(8, at))}), weights);
+    EXPECT_EQ(rows.values, std::vector<float>(8, 0));
+  }
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <foredraw/collapses/progressive_records.h>
 
-#include "support/meshes.h"
+#include "support/collapses.h"
 
 #include <foredraw/collapses/replay.h>
 
@@ -83,6 +83,29 @@ TEST_F(ProgressiveRecordsTest, EveryStateIsTheMeshAfterSoManyCollapses) {
   foredraw_progressive_go(&mesh, ~std::size_t{0});
   EXPECT_EQ(mesh.done, mesh.split_count);
   EXPECT_EQ(made_.indices, full);
+}
+
+/// A hub that goes from place to place takes thousands of triangles with it each time.
+TEST_F(ProgressiveRecordsTest, AHubIsSplitAsAnythingElse) {
+  mesh_ = testing::spokes(10'000);
+  sequence_ = {.first_pair = {0}};
+  const auto add = [&](std::uint32_t removed, std::uint32_t kept) {
+    sequence_.collapses.push_back({removed, kept, 0, static_cast<float>(sequence_.collapses.size())});
+    sequence_.pairs.push_back({removed, kept});
+    sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
+  };
+  for (std::uint32_t rim = 200; rim < 400; ++rim) add(rim, rim + 1);
+  for (std::uint32_t hub = 0; hub < 20; ++hub) add(hub, hub + 1);
+  for (std::uint32_t rim = 500; rim < 9'900; ++rim) add(rim, rim + 1);
+  for (std::uint32_t hub = 20; hub < 30; ++hub) add(hub, hub + 1);
+  ASSERT_EQ(replay(sequence_, mesh_.positions, mesh_.indices).mistake, "");
+  made_ = progressive_records(sequence_, mesh_.positions, mesh_.indices);
+  EXPECT_GT(made_.patches.size(), 190'000u);
+  foredraw_progressive_mesh mesh = mesh_of(made_);
+  for (const std::size_t collapses : {205, 219, 400, 9'620, 9'630, 210, 150, 0}) {
+    foredraw_progressive_go(&mesh, mesh.split_count - collapses);
+    expect_state(mesh, collapses);
+  }
 }
 
 TEST_F(ProgressiveRecordsTest, SplitsAreFoundByErrorAndByTriangles) {

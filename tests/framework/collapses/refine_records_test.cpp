@@ -128,6 +128,29 @@ TEST(RefineRecords, AFrameChangesNoMoreThanItMay) {
   EXPECT_EQ(foredraw_refine(&one.state, everything, nullptr, 0), 0u);
 }
 
+TEST(RefineRecords, AHubIsRefinedAsAnythingElse) {
+  Refined one(testing::spokes(10'000));
+  ASSERT_GT(one.splits(), 9'900u);
+  const Triangles base = one.drawn();
+  Random random(2);
+  for (int step = 0; step < 2'000; ++step) {
+    const auto split = static_cast<std::uint32_t>(random.below(one.splits()));
+    if (random.below(3) == 0) {
+      foredraw_refine_split(&one.state, split, 50);
+    } else {
+      foredraw_refine_collapse(&one.state, split);
+    }
+    if (step % 400 == 0) {
+      ASSERT_EQ(one.drawn(), one.expected()) << step;
+    }
+  }
+  one.settle([](std::uint32_t) { return true; });
+  EXPECT_EQ(one.drawn().size(), 10'000u);
+  EXPECT_EQ(one.drawn(), one.expected());
+  one.settle([](std::uint32_t) { return false; });
+  EXPECT_EQ(one.drawn(), base);
+}
+
 float distance(const float* a, const float* b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 TEST(RefineRecords, BallsAndNormalsHoldWhatIsBelow) {

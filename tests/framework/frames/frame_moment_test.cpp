@@ -164,5 +164,18 @@ TEST(FrameMoment, BoundsFollowJoints) {
   EXPECT_LT(bounds.sphere.radius, 30);
 }
 
+TEST(FrameMoment, NodesMirrorWhateverTheirJointsDo) {
+  for (const bool is_mirrored_node : {false, true}) {
+    Scene scene = testing::scene_of(testing::sphere(8, 4));
+    scene.nodes.resize(2);
+    scene.nodes[0].skin = 0;
+    scene.nodes[0].transform.scale.y = is_mirrored_node ? -1 : 1;
+    scene.nodes[1].transform.scale.x = is_mirrored_node ? 1 : -1;
+    scene.skins.push_back({"skin", {1}, {glm::mat4(1)}});
+    const Seen seen(std::move(scene));
+    EXPECT_EQ(is_mirrored(seen.frames, seen.moment, 0), is_mirrored_node);
+  }
+}
+
 }  // namespace
 }  // namespace foredraw

@@ -140,6 +140,16 @@ TEST(ReferenceRenderer, CullsBackFacesUnlessThereAreTwoSides) {
   EXPECT_GT(covered(drawn(scene, before_square(5))), 0u);
 }
 
+TEST(ReferenceRenderer, MirroredNodesOfMorphedMeshesShowTheirFronts) {
+  Scene scene = square();
+  auto vertices = std::make_shared<VertexStreams>(*scene.draws[0].full().vertices);
+  vertices->morph_targets.emplace_back();
+  scene.draws[0].full().vertices = vertices;
+  scene.nodes[0].transform.scale.x = -1;
+  EXPECT_GT(covered(drawn(scene, before_square(5))), 0u);
+  EXPECT_EQ(covered(drawn(scene, looking_at({0, 0, -5}, {0, 0, 0}))), 0u);
+}
+
 TEST(ReferenceRenderer, LightsWhatFacesTheSun) {
   Scene up = square(), down = square();
   add_stream(up, "NORMAL", 3, {0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0});
@@ -244,6 +254,12 @@ TEST(ReferenceRenderer, SurvivesWhatIsNotFinite) {
   TestMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {std::nanf(""), 0, 0}, {INFINITY, 0, 0}, {1e12f, -1e12f, 1e12f}},
                 {0, 1, 2, 0, 1, 3, 0, 1, 4, 0, 1, 5, 0, 0, 0}};
   EXPECT_GT(covered(drawn(testing::scene_of(mesh), before_square(5))), 0u);
+}
+
+TEST(ReferenceRenderer, RefusesPicturesOfNothingAndOfTooMuch) {
+  EXPECT_THROW(ReferenceRenderer({0, 5}), std::invalid_argument);
+  EXPECT_THROW(ReferenceRenderer({4096, 16}, 5), std::invalid_argument);
+  EXPECT_NO_THROW(ReferenceRenderer({4096, 16}, 4));
 }
 
 TEST(PictureError, IsTheRootOfTheMeanSquare) {

@@ -37,7 +37,8 @@ class Maker final : public LevelMaker {
   using Answer = std::function<std::vector<MadeLevel>(const DrawView&)>;
   explicit Maker(Answer answer) : answer_(std::move(answer)) {}
 
-  SubjectLevels levels(const SubjectView& view, Run&) const override {
+  SubjectLevels levels(const SubjectView& view, Run& run) const override {
+    run.attach(Chart{view.subject.name, "", "level", "", "", {{"a", {1}}}, {}});
     SubjectLevels levels;
     for (const DrawId id : view.draws) levels.push_back(answer_({view.scene, id}));
     return levels;
@@ -135,6 +136,16 @@ TEST_F(LevelProcessorTest, WhatHasLevelsKeepsThem) {
 TEST_F(LevelProcessorTest, NoLevelsLeaveTheSceneAsItIs) {
   EXPECT_TRUE(process([](const DrawView&) { return std::vector<MadeLevel>{}; }).empty());
   EXPECT_TRUE(fixture_.run.keeps());
+}
+
+TEST_F(LevelProcessorTest, WhatMakersAttachIsOfTheirSubjects) {
+  process([](const DrawView& draw) { return std::vector{coarser(draw, 2, 1)}; });
+  const std::vector<Attached>& attached = fixture_.findings.attached;
+  ASSERT_EQ(attached.size(), 2u);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(attached[i].about.subject, i);
+    EXPECT_EQ(name_of(*attached[i].content), subjects_of(scene_)[i].name);
+  }
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST(Presets, AreThoseThatTheDocumentsName) {
   std::vector<std::string_view> names;
   for (const Preset& preset : presets()) names.push_back(preset.name);
   EXPECT_EQ(names, (std::vector<std::string_view>{"cache-only", "character", "city", "default", "levels", "simplify",
-                                                  "sprites", "static-prop", "streaming"}));
+                                                  "sprites", "static-prop", "streaming", "walk"}));
 }
 
 TEST(Presets, ParseSayWhatTheyAreForAndMeasure) {

@@ -95,6 +95,12 @@ Pipeline any_pipeline() {
   pipeline.views = any_views();
   pipeline.poses = any_poses();
   pipeline.subjects.subject = *rc::gen::element(SubjectUnit::mesh, SubjectUnit::character, SubjectUnit::scene);
+  pipeline.frames.path = *rc::gen::element<std::string>("auto", "around", "camera", "../walks/a.walk");
+  if (*rc::gen::arbitrary<bool>()) pipeline.frames.frames = *rc::gen::inRange(1, 1000);
+  if (*rc::gen::arbitrary<bool>()) pipeline.frames.width = *rc::gen::inRange(16, 4096);
+  if (*rc::gen::arbitrary<bool>()) pipeline.frames.height = *rc::gen::inRange(16, 4096);
+  if (*rc::gen::arbitrary<bool>()) pipeline.frames.angle = *rc::gen::inRange(10, 1000) / 7.0;
+  if (*rc::gen::arbitrary<bool>()) pipeline.frames.seed = *rc::gen::inRange<std::int64_t>(0, 1000);
   if (*rc::gen::arbitrary<bool>()) pipeline.overdraw = any_stage();
   pipeline.seed = *rc::gen::arbitrary<std::int64_t>();
   return pipeline;
@@ -196,6 +202,7 @@ TEST(Print, ALineHoldsStagesAlone) {
   EXPECT_EQ(more([](Pipeline& p) { p.views.size = 64; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.poses.rate = 30; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.subjects.subject = SubjectUnit::scene; }), std::nullopt);
+  EXPECT_EQ(more([](Pipeline& p) { p.frames.frames = 3; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.overdraw = Stage{.use = "x"}; }), std::nullopt);
 }
 
@@ -222,6 +229,7 @@ TEST(SamePipeline, ComparesWhatDecidesWhatRuns) {
   EXPECT_FALSE(same_after([](Pipeline& p) { p.views.size = 64; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.poses.clips = "Walk"; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.subjects.subject = SubjectUnit::mesh; }));
+  EXPECT_FALSE(same_after([](Pipeline& p) { p.frames.path = "around"; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.seed = 1; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw.reset(); }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw->use = "y"; }));

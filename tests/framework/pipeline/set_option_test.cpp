@@ -79,16 +79,20 @@ TEST(SetOption, ReachesThePipelinesOwnWords) {
   EXPECT_TRUE(set_option(pipeline, "poses.poses=64", diagnostics));
   EXPECT_TRUE(set_option(pipeline, "poses.clips=Walk*", diagnostics));
   EXPECT_TRUE(set_option(pipeline, "subjects.subject=scene", diagnostics));
+  EXPECT_TRUE(set_option(pipeline, "frames.path=around", diagnostics));
+  EXPECT_TRUE(set_option(pipeline, "frames.frames=30", diagnostics));
   EXPECT_TRUE(set_option(pipeline, "seed=7", diagnostics));
   EXPECT_EQ(pipeline.views.count, 162);
   EXPECT_EQ(pipeline.views.views, "random");
   EXPECT_EQ(pipeline.poses.poses, "64");
   EXPECT_EQ(pipeline.poses.clips, "Walk*");
   EXPECT_EQ(pipeline.subjects.subject, SubjectUnit::scene);
+  EXPECT_EQ(pipeline.frames.path, "around");
+  EXPECT_EQ(pipeline.frames.frames, 30);
   EXPECT_EQ(pipeline.seed, 7);
   EXPECT_TRUE(diagnostics.empty());
-  for (const char* wrong :
-       {"views.size=1", "views.colour=3", "poses.rate=0", "poses.rat=1", "subjects.subject=car", "about=x", "seed=x"})
+  for (const char* wrong : {"views.size=1", "views.colour=3", "poses.rate=0", "poses.rat=1", "subjects.subject=car",
+                            "frames.frames=0", "about=x", "seed=x"})
     EXPECT_FALSE(set_option(pipeline, wrong, diagnostics)) << wrong;
 }
 

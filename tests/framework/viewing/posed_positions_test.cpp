@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec4.hpp>
 
 namespace foredraw {
 namespace {
@@ -97,6 +99,34 @@ TEST(PosedPositions, follow_joints_by_weights_of_all_sets) {
 TEST(PosedPositions, follow_the_node_where_no_joint_has_a_weight) {
   const Scene scene = skinned_vertices();
   EXPECT_EQ(at_rest(scene, 0), (Positions{{51, 0, 0}, {52, 0, 0}}));
+}
+
+/// By targets, joints and nodes, and where no joint has a weight.
+TEST(VertexMaps, move_stored_positions_to_posed_ones) {
+  Scene scene = skinned_vertices();
+  scene.nodes[0].weights = {0.5f};
+  scene.nodes[1].transform.rotation = glm::quat(0.5f, 0.5f, 0.5f, 0.5f);
+  change_vertices(scene, [](VertexStreams& streams) {
+    streams.base.push_back(
+        stream_of("JOINTS_0", Component::uint8, 4, false, std::vector<std::uint8_t>{0, 1, 0, 0, 0, 0, 0, 0}));
+    streams.base.push_back(
+        stream_of("WEIGHTS_0", Component::uint8, 4, true, std::vector<std::uint8_t>{155, 100, 0, 0, 0, 0, 0, 0}));
+    streams.morph_targets = {
+        {stream_of("POSITION", Component::float32, 3, false, std::vector<float>{1, 2, 3, -4, 5, 6})}};
+  });
+  const auto expect_moved = [&](std::optional<NodeId> node) {
+    const auto maps = vertex_maps(scene, {0, node}, posed_nodes(scene));
+    const Positions stored = {{1, 0, 0}, {2, 0, 0}}, want = at_rest(scene, node);
+    ASSERT_EQ(maps.size(), 2u);
+    for (std::size_t v = 0; v < 2; ++v) {
+      const glm::dvec3 at = maps[v] * glm::dvec4(stored[v], 1);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(at[c], want[v][c], 1e-5) << v;
+    }
+  };
+  expect_moved(0);
+  expect_moved(std::nullopt);
+  scene.nodes[0].skin.reset();
+  expect_moved(0);
 }
 
 TEST(PosedPositions, are_none_without_a_position_stream) {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
+#include <stdexcept>
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -99,5 +99,18 @@ int Picture::width_of(const std::string& text, int scale) {
 }
 
 std::vector<std::byte> Picture::as_png() const { return png_of(width_, height_, 3, rgb_.data()); }
+
+std::vector<std::byte> png_of_pixels(int width, int height, std::span<const std::uint8_t> rgb) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (width < 1 || height < 1 || rgb.size() != 3 * pixels)
+    throw std::invalid_argument("the pixels do not fill the picture");
+  std::vector<std::uint8_t> grey(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const std::uint8_t* pixel = &rgb[3 * i];
+    if (pixel[0] != pixel[1] || pixel[1] != pixel[2]) return png_of(width, height, 3, rgb.data());
+    grey[i] = pixel[0];
+  }
+  return png_of(width, height, 1, grey.data());
+}
 
 }  // namespace foredraw::images

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,9 @@ class Picture {
   int height_;
   std::vector<std::uint8_t> rgb_;
 };
+
+/// A PNG of red, green and blue for each pixel, rows from the top; of one channel where every pixel is grey. `rgb`
+/// holds 3 * width * height bytes, else std::invalid_argument.
+std::vector<std::byte> png_of_pixels(int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace foredraw::images

@@ -3,6 +3,7 @@
 #include <foredraw/report/page/private/html.h>
 #include <foredraw/report/page/private/page_assets.h>
 #include <foredraw/report/page/private/page_sections.h>
+#include <foredraw/report/page/private/shown_attachments.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -49,18 +50,31 @@ std::string buffer_data(const Display& display) {
   return text;
 }
 
+std::string attachment_data(const ShownAttachments& attachments) {
+  if (attachments.json.empty()) return "";
+  std::string text = json_data("attachments", script_safe(attachments.json));
+  for (std::size_t i = 0; i < attachments.pictures.size(); ++i) {
+    text += element("script", attachments.pictures[i],
+                    fmt::format("type=\"application/octet-stream\" id=\"picture-{}\"", i)) +
+            '\n';
+  }
+  return text;
+}
+
 /// The JSON form without the spaces that are for people.
 std::string compact_json(std::span<const Comparison> comparisons) {
   return nlohmann::ordered_json::parse(to_json({comparisons.begin(), comparisons.end()})).dump();
 }
 
-std::string scripts(std::span<const Comparison> comparisons, std::span<const Display> displays) {
+std::string scripts(std::span<const Comparison> comparisons, std::span<const Display> displays,
+                    const ShownAttachments& attachments) {
   std::string text = json_data("comparison", script_safe(compact_json(comparisons)));
   if (page_script().empty()) return text;
   std::string scenes;
   for (const Display& display : displays) scenes += (scenes.empty() ? "" : ",") + display.scene;
   text += json_data("scenes", script_safe("{\"scenes\":[" + scenes + "]}"));
   for (const Display& display : displays) text += buffer_data(display);
+  text += attachment_data(attachments);
   return text + element("script", page_script()) + '\n';
 }
 
@@ -68,9 +82,13 @@ std::string scripts(std::span<const Comparison> comparisons, std::span<const Dis
 
 std::string page(std::span<const Comparison> comparisons, std::span<const Display> displays,
                  const std::string& program) {
+  const ShownAttachments attachments = shown_attachments(comparisons);
+  const std::string frames =
+      attachments.json.empty() ? "" : with_script() + left_out(comparisons.size(), most_displays);
   const Section sections[] = {{"summary", "Summary", summary_html(comparisons)},
                               {"figures", "Figures", figures_html(comparisons)},
                               {"plot", "Two figures against each other", with_script()},
+                              {"frames", "Frames", frames},
                               {"viewer", "3D view", with_script() + left_out(comparisons.size(), displays.size())},
                               {"draws", "Draws", draws_html(comparisons)},
                               {"stages", "Stages", stages_html(comparisons)},
@@ -96,7 +114,7 @@ std::string page(std::span<const Comparison> comparisons, std::span<const Displa
          "\n</head>\n<body>\n" +
          element("header", element("h1", "Foredraw") + element("p", escaped(title), "class=\"lead\"")) + '\n' +
          element("nav", '\n' + links, "aria-label=\"Sections\"") + '\n' + element("main", '\n' + body) + '\n' +
-         scripts(comparisons, displays) + "</body>\n</html>\n";
+         scripts(comparisons, displays, attachments) + "</body>\n</html>\n";
 }
 
 }  // namespace foredraw

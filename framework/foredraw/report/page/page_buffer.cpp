@@ -8,18 +8,18 @@ std::size_t PageBuffer::add_bytes(std::span<const std::byte> bytes) {
   return place->second;
 }
 
-std::string PageBuffer::base64() const {
+std::string base64(std::span<const std::byte> bytes) {
   static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
-  text.reserve((bytes_.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes_.size(); at += 3) {
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
     std::uint32_t group = 0;
     for (std::size_t i = at; i < at + 3; ++i) {
-      group = group << 8 | (i < bytes_.size() ? std::to_integer<std::uint32_t>(bytes_[i]) : 0);
+      group = group << 8 | (i < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i]) : 0);
     }
     for (int shift = 18; shift >= 0; shift -= 6) text += letters[group >> shift & 63];
   }
-  if (const std::size_t rest = bytes_.size() % 3; rest != 0)
+  if (const std::size_t rest = bytes.size() % 3; rest != 0)
     text.replace(text.size() - (3 - rest), 3 - rest, 3 - rest, '=');
   return text;
 }

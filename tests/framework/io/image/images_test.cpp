@@ -336,5 +336,31 @@ TEST(Images, pictures_have_letters_for_all_of_ascii) {
   EXPECT_EQ(written("\x7f"), written("?"));
 }
 
+TEST(Images, pixels_are_encoded_as_they_are) {
+  const auto decoded = [](const std::vector<std::byte>& png) {
+    Diagnostics diagnostics;
+    return decode_image(png, {}, diagnostics).value();
+  };
+  const std::vector<std::uint8_t> coloured{1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 7};
+  const Texels colours = decoded(images::png_of_pixels(2, 3, coloured));
+  EXPECT_EQ(colours.facts.width, 2u);
+  EXPECT_EQ(colours.facts.height, 3u);
+  EXPECT_EQ(colours.facts.channels, 3);
+  for (std::size_t i = 0; i < coloured.size(); ++i) EXPECT_EQ(std::to_integer<int>(colours.bytes[i]), coloured[i]);
+
+  const Texels greys = decoded(images::png_of_pixels(3, 1, std::vector<std::uint8_t>{1, 1, 1, 9, 9, 9, 3, 3, 3}));
+  EXPECT_EQ(greys.facts.channels, 1);
+  EXPECT_EQ(greys.bytes.size(), 3u);
+  EXPECT_EQ(std::to_integer<int>(greys.bytes[1]), 9);
+}
+
+TEST(Images, pixels_that_do_not_fill_the_picture_are_refused) {
+  const std::vector<std::uint8_t> six(6);
+  EXPECT_THROW(images::png_of_pixels(2, 2, six), std::invalid_argument);
+  EXPECT_THROW(images::png_of_pixels(1, 1, six), std::invalid_argument);
+  EXPECT_THROW(images::png_of_pixels(-2, -1, six), std::invalid_argument);
+  EXPECT_THROW(images::png_of_pixels(0, 0, {}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace foredraw

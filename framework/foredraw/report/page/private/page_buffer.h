@@ -9,6 +9,9 @@
 
 namespace foredraw {
 
+/// As RFC 4648 has it, with padding.
+std::string base64(std::span<const std::byte> bytes);
+
 /// Numbers for the script, one after the other. What is there already is not stored again: poses that look alike and
 /// orders that several pipelines find cost nothing.
 class PageBuffer {
@@ -20,7 +23,7 @@ class PageBuffer {
     return add_bytes(std::as_bytes(values));
   }
 
-  std::string base64() const;
+  std::string base64() const { return foredraw::base64(bytes_); }
 
  private:
   std::size_t add_bytes(std::span<const std::byte> bytes);

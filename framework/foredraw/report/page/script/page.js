@@ -1,5 +1,6 @@
 // What the report page does beyond being read. It stays readable where any of this fails.
 
+import { start_frames } from './frames.js';
 import { start_highlight } from './highlight.js';
 import { read_json } from './page_data.js';
 import { start_plot } from './plot.js';
@@ -38,13 +39,19 @@ function start() {
   start_tables();
   start_highlight();
   start_theme(() => redraws.forEach((redraw) => redraw()));
-  const page = { plot: null, viewer: null };
+  const page = { plot: null, frames: null, viewer: null };
   window.foredraw = page;
   if (comparison === null || comparison.files.length === 0) return;
   if (section('plot') !== null) {
     remove_excuses(section('plot'));
     page.plot = start_plot(section('plot'), comparison);
     redraws.push(page.plot.redraw);
+  }
+  const attachments = read_json('attachments');
+  if (section('frames') !== null && attachments !== null) {
+    remove_excuses(section('frames'));
+    page.frames = start_frames(section('frames'), comparison, attachments.groups);
+    redraws.push(page.frames.redraw);
   }
   const started = show_viewer(comparison, redraws);
   const ready = started.then((viewer) => {

@@ -1,4 +1,4 @@
-// What the page carries beside its text: the comparison, the scenes and their buffers.
+// What the page carries beside its text: the comparison, the scenes and their buffers, pictures.
 
 /** The parsed content of a script element, or null where the page has none. */
 export function read_json(id) {
@@ -19,3 +19,6 @@ export function decoded_buffer(name) {
   const pieces = Array.from(document.getElementsByClassName(name), (holder) => holder.textContent);
   return bytes_of_base64(pieces.join('')).buffer;
 }
+
+/** @returns {string} a picture that a technique attached, as an address */
+export const picture = (number) => `data:image/png;base64,${document.getElementById(`picture-${number}`).textContent}`;

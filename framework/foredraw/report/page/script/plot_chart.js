@@ -13,6 +13,7 @@ import {
 import { branch_colour } from './colours.js';
 import { colour_of, css_colour } from './elements.js';
 import { axis_title, figure_text, state_name } from './figures.js';
+import { is_dark_now } from './theme.js';
 
 Chart.register(LineController, LineElement, LinearScale, LogarithmicScale, PointElement, ScatterController, Tooltip);
 
@@ -119,9 +120,7 @@ export function make_chart(canvas, on_hover, on_choice) {
   function draw(what) {
     shown = what;
     const { x, y, places, front, is_log, highlighted } = what;
-    const is_dark = matchMedia('(prefers-color-scheme: dark)').matches
-      ? document.documentElement.dataset.theme !== 'light'
-      : document.documentElement.dataset.theme === 'dark';
+    const is_dark = is_dark_now();
     const ink = css_colour(colour_of('--ink-soft'));
     const grid = css_colour(colour_of('--line'));
     const paper = css_colour(colour_of('--paper'));

@@ -22,6 +22,12 @@ function store(theme) {
   }
 }
 
+/** Whether the page is dark, by the button or by the system. */
+export const is_dark_now = () =>
+  matchMedia('(prefers-color-scheme: dark)').matches
+    ? document.documentElement.dataset.theme !== 'light'
+    : document.documentElement.dataset.theme === 'dark';
+
 /** Puts the button into the page's head. `on_change` is called whenever colours have changed. */
 export function start_theme(on_change) {
   let theme = stored_theme();

@@ -1,34 +1,12 @@
 // What of the viewer can be moved and played: how much is drawn, and the pose.
 
-import { button, element, fill_select, labelled_select, length_text } from './elements.js';
+import { element, fill_select, labelled_select, length_text } from './elements.js';
 import { clips_of, Player, pose_at } from './player.js';
+import { slider_row } from './slider_row.js';
 
 const drawing_seconds = 6;
 const level_seconds = 2; // from one level to the next
 const number = new Intl.NumberFormat('en');
-
-/** A slider with a play button before and a text behind it. */
-function slider_row(label, player_label, on_input, on_play) {
-  const play = button('Play', on_play);
-  const slider = element('input', {
-    type: 'range',
-    min: 0,
-    'aria-label': label,
-    oninput: () => on_input(Number(slider.value)),
-  });
-  const text = element('output', {});
-  const whole = element('div', { class: 'slider' }, play, slider, text);
-  function update(is_playing, value, most, words, step = 1) {
-    play.textContent = is_playing ? 'Pause' : 'Play';
-    play.setAttribute('aria-label', `${is_playing ? 'Pause' : 'Play'}: ${player_label}`);
-    slider.max = String(most);
-    slider.step = String(step);
-    slider.value = String(value);
-    slider.setAttribute('aria-valuetext', words);
-    text.textContent = words;
-  }
-  return { whole, play, update };
-}
 
 /** "5,000 of 5,856"; where both panes are of different sizes, "5,856 of 5,856 and 6,000 of 6,012". */
 function drawn_text(viewer) {
