@@ -144,6 +144,14 @@ class CommandLine {
     auto& schema_app = add("schema", "Print a JSON Schema of the pipeline format, for editors", schema);
     schema_app.add_option("product", arguments_.name,
                           "Print the schemas of this product's glTF extension instead, by file name");
+
+    auto& calibrate_app =
+        add("calibrate", "Measure what this machine takes to draw, for choices of levels within a budget", calibrate);
+    calibrate_app.add_option("-o,--output", arguments_.costs,
+                             "Write them to this file, for options called costs (default: print them)");
+    calibrate_app
+        .add_option("--rounds", arguments_.rounds, "Draw each frame this many times; medians count (default: 7)")
+        ->check(CLI::Range(1, 1000));
   }
 
   std::variant<Asked, Misunderstood> run(int argc, char** argv) {

@@ -36,6 +36,8 @@ struct Arguments {
   std::string name;
   int threads = 0;
   int repeat = 1;
+  std::string costs;               ///< file that a calibration writes; empty: standard output
+  int rounds = 7;                  ///< of a calibration
   std::uint64_t memory_limit = 0;  ///< in bytes; 0: none
   bool json = false;
   bool strict = false;  ///< refuse files with faults that would be mended
@@ -50,6 +52,7 @@ Exit inspect(const Arguments& arguments, const Registry& registry);
 Exit list(const Arguments& arguments, const Registry& registry);
 Exit show(const Arguments& arguments, const Registry& registry);
 Exit schema(const Arguments& arguments, const Registry& registry);
+Exit calibrate(const Arguments& arguments, const Registry& registry);
 
 /// Reads the arguments and calls the command.
 int main(int argc, char** argv, const Registry& registry);

@@ -59,6 +59,27 @@ class Portrait {
   FramePicture full_;
 };
 
+/// Of the first `levels`, at one size.
+void add_losses(PictureLosses& losses, const FrameScene& scene, const FrameMoment& moment, std::uint32_t object,
+                std::size_t size, std::uint32_t levels) {
+  const int across = static_cast<int>(smallest) << (2 * size);
+  const auto seen_from = std::span(sides).first(size + 1 < PictureLosses::sizes ? sides.size() : 2);
+  const double covered = scene.mesh_of(object).fill * glm::pi<double>() / 4 * across * across;
+  const double share = 1 / (covered * static_cast<double>(seen_from.size()));
+  for (const glm::dvec3& side : seen_from) {
+    Portrait portrait(scene, moment, object, side, across);
+    losses.without[size] += share * portrait.loss_without();
+    for (std::uint32_t level = 0; level < levels; ++level) {
+      for (const Rendering rendering : all_renderings) {
+        if (level == 0 && rendering == Rendering::full) continue;
+        losses.of[level][static_cast<std::size_t>(rendering)][size] += share * portrait.loss_of(level, rendering);
+      }
+    }
+  }
+}
+
+constexpr std::size_t size_of_accuracies = 2;
+
 }  // namespace
 
 double PictureLosses::at(const BySize& losses, double across) {
@@ -69,36 +90,31 @@ double PictureLosses::at(const BySize& losses, double across) {
 }
 
 PictureLosses picture_losses(const FrameScene& scene, const FrameMoment& moment, std::uint32_t object) {
-  const FrameMesh& mesh = scene.mesh_of(object);
+  const auto levels = static_cast<std::uint32_t>(scene.mesh_of(object).levels);
   PictureLosses losses;
-  losses.of.resize(mesh.levels);
+  losses.of.resize(levels);
   for (std::size_t size = 0; size < PictureLosses::sizes; ++size) {
-    const int across = static_cast<int>(smallest) << (2 * size);
-    const auto seen_from = std::span(sides).first(size + 1 < PictureLosses::sizes ? sides.size() : 2);
-    const double covered = mesh.fill * glm::pi<double>() / 4 * across * across;
-    const double share = 1 / (covered * static_cast<double>(seen_from.size()));
-    for (const glm::dvec3& side : seen_from) {
-      Portrait portrait(scene, moment, object, side, across);
-      losses.without[size] += share * portrait.loss_without();
-      for (std::uint32_t level = 0; level < mesh.levels; ++level) {
-        for (const Rendering rendering : all_renderings) {
-          if (level == 0 && rendering == Rendering::full) continue;
-          losses.of[level][static_cast<std::size_t>(rendering)][size] += share * portrait.loss_of(level, rendering);
-        }
-      }
-    }
+    add_losses(losses, scene, moment, object, size, levels);
   }
   return losses;
 }
 
 std::array<double, all_renderings.size()> rendering_accuracies(const PictureLosses& losses) {
-  constexpr std::size_t size = 2;
   std::array<double, all_renderings.size()> accuracies{};
   for (std::size_t i = 0; i < accuracies.size(); ++i) {
-    const double without = losses.without[size], loss = losses.of.empty() ? 0 : losses.of.front()[i][size];
+    const double without = losses.without[size_of_accuracies],
+                 loss = losses.of.empty() ? 0 : losses.of.front()[i][size_of_accuracies];
     accuracies[i] = without > 0 ? std::max(0.0, 1 - std::sqrt(loss / without)) : 1;
   }
   return accuracies;
+}
+
+std::array<double, all_renderings.size()> rendering_accuracies(const FrameScene& scene, const FrameMoment& moment,
+                                                               std::uint32_t object) {
+  PictureLosses losses;
+  losses.of.resize(1);
+  add_losses(losses, scene, moment, object, size_of_accuracies, 1);
+  return rendering_accuracies(losses);
 }
 
 }  // namespace foredraw

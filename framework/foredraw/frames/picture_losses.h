@@ -29,4 +29,8 @@ PictureLosses picture_losses(const FrameScene& scene, const FrameMoment& moment,
 /// as far as a picture without the object.
 std::array<double, all_renderings.size()> rendering_accuracies(const PictureLosses& losses);
 
+/// The same of an object whose losses are not wanted, with the pictures of that level and size alone.
+std::array<double, all_renderings.size()> rendering_accuracies(const FrameScene& scene, const FrameMoment& moment,
+                                                               std::uint32_t object);
+
 }  // namespace foredraw

@@ -45,5 +45,13 @@ TEST(RenderingAccuracies, TellUnlitFromLit) {
   EXPECT_LT(accuracies[2], 0.9);
 }
 
+TEST(RenderingAccuracies, AreTheSameWithoutAllLosses) {
+  const Scene scene = testing::scene_of({testing::levelled_sphere(32, 3)});
+  Analyses analyses;
+  const Executor executor(1);
+  const FrameScene frames(scene, analyses, executor);
+  EXPECT_EQ(rendering_accuracies(frames, frame_moment(frames, 0), 0), rendering_accuracies(losses_of(scene)));
+}
+
 }  // namespace
 }  // namespace foredraw

@@ -1,0 +1,191 @@
+// The table beside the scene: as C, and as JSON.
+#include "lod_table.h"
+#include "lod_table_product.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+using List = ExtensionValue::List;
+using Members = ExtensionValue::Members;
+
+/// "12.0f": C takes no "12f".
+std::string float_text(float value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text + 'f';
+}
+
+/// Whatever is not plain is written by its number, so that no name ends the text or the line.
+std::string string_text(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const bool is_plain = c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '?';
+    result += is_plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  }
+  return result + '"';
+}
+
+/// So that it does not end a comment.
+std::string comment_text(std::string text) {
+  for (char& c : text) {
+    if (c < ' ' || c > '~' || c == '*' || c == '\\' || c == '?') c = '_';
+  }
+  return text;
+}
+
+/// A name as C takes it: letters, digits and single underscores, a letter first.
+std::string identifier(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool is_digit = c >= '0' && c <= '9';
+    if (is_letter || (is_digit && !result.empty())) {
+      result += c;
+    } else if (is_digit) {
+      result = std::string("t") + c;
+    } else if (!result.empty() && result.back() != '_') {
+      result += '_';
+    }
+  }
+  while (!result.empty() && result.back() == '_') result.pop_back();
+  return result.empty() ? "table" : result;
+}
+
+std::string in_capitals(std::string text) {
+  for (char& c : text) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return text;
+}
+
+template <class Range>
+std::string braced(const Range& values) {
+  std::string text;
+  for (const auto& value : values) text += (text.empty() ? "" : ", ") + value;
+  return '{' + text + '}';
+}
+
+std::string machine_text(const foredraw_lod_machine& machine) {
+  std::vector<std::string> renderings;
+  for (const foredraw_lod_rendering& of : machine.renderings) {
+    renderings.push_back(
+        fmt::format("{{{}, {}, {}}}", float_text(of.triangle), float_text(of.vertex), float_text(of.pixel)));
+  }
+  return fmt::format("{{{}, {}, {}, {}}}", braced(renderings), float_text(machine.frame), float_text(machine.draw),
+                     machine.is_sum);
+}
+
+std::string draw_text(const LodTable::OfDraw& draw, const std::string& name, const std::string& levels,
+                      std::size_t first) {
+  std::vector<std::string> accuracy, hulls;
+  for (const float of : draw.accuracy) accuracy.push_back(float_text(of));
+  for (const auto& masks : draw.hulls) {
+    std::vector<std::string> words;
+    for (const std::uint32_t mask : masks) words.push_back(fmt::format("{}u", mask));
+    hulls.push_back(braced(words));
+  }
+  return fmt::format("  {{{}, {} + {}, {}, {}, {}, {}, {},\n   {}}},\n", string_text(name), levels, first,
+                     draw.levels.size(), float_text(draw.radius), float_text(draw.coverage),
+                     float_text(draw.importance), braced(accuracy), braced(hulls));
+}
+
+constexpr std::string_view head =
+    R"(/* What the ways to draw each draw of {scene} cost and are worth. Made by foredraw.
+ * Machine: {machine}. How to use it: foredraw/runtime/lod_table.h. */
+#ifndef FOREDRAW_LOD_TABLE_{capitals}_H
+#define FOREDRAW_LOD_TABLE_{capitals}_H
+
+#include <foredraw/runtime/lod_table.h>
+
+#if defined(__GNUC__)
+#define FOREDRAW_LOD_TABLE_{capitals}_DATA __attribute__((unused)) static const
+#else
+#define FOREDRAW_LOD_TABLE_{capitals}_DATA static const
+#endif
+#define {capitals}_LOD_DRAW_COUNT {count}
+
+FOREDRAW_LOD_TABLE_{capitals}_DATA foredraw_lod_machine {stem}_lod_machine =
+  {values};
+
+/* triangles, vertices that a cache of 16 lets through, stored vertices, error */
+FOREDRAW_LOD_TABLE_{capitals}_DATA foredraw_lod_table_level {stem}_lod_levels[{level_count}] = {{
+{levels}}};
+
+/* name, levels, radius, coverage, importance, accuracies; hulls */
+FOREDRAW_LOD_TABLE_{capitals}_DATA foredraw_lod_table_draw {stem}_lod_draws[{count}] = {{
+{draws}}};
+
+#endif
+)";
+
+}  // namespace
+
+std::string lod_table_header(const LodTable& table, const Scene& scene, const std::string& stem) {
+  const std::string name = identifier(stem);
+  std::string levels, draws;
+  std::size_t level_count = 0;
+  for (const LodTable::OfDraw& draw : table.draws) {
+    draws += draw_text(draw, scene.draws[draw.draw].name, name + "_lod_levels", level_count);
+    for (const LodTable::OfLevel& level : draw.levels) {
+      levels += fmt::format("  {{{}u, {}u, {}u, {}}},\n", level.triangles, level.shaded, level.vertices,
+                            float_text(level.error));
+    }
+    level_count += draw.levels.size();
+  }
+  const std::string machine = table.costs.machine.empty() ? "not named" : comment_text(table.costs.machine);
+  return fmt::format(fmt::runtime(head), fmt::arg("scene", comment_text(scene.name)), fmt::arg("machine", machine),
+                     fmt::arg("capitals", in_capitals(name)), fmt::arg("count", table.draws.size()),
+                     fmt::arg("stem", name), fmt::arg("values", machine_text(lod_machine(table.costs))),
+                     fmt::arg("level_count", level_count), fmt::arg("levels", levels), fmt::arg("draws", draws));
+}
+
+ExtensionValue lod_table_value(const LodTable& table, const Scene& scene) {
+  const RenderingCosts& costs = table.costs;
+  Members renderings;
+  for (const Rendering rendering : all_renderings) {
+    const RenderingCost& of = costs.of(rendering);
+    renderings.emplace_back(std::string(to_text(rendering)),
+                            Members{{"triangle", of.triangle}, {"vertex", of.vertex}, {"pixel", of.pixel}});
+  }
+  const auto draws = listed(table.draws, [&](const LodTable::OfDraw& draw) {
+    List ways;
+    for (std::size_t l = 0; l < draw.levels.size(); ++l) {
+      const LodTable::OfLevel& level = draw.levels[l];
+      const foredraw_lod_table_level row = {level.triangles, level.shaded, level.vertices, level.error};
+      for (std::size_t r = 0; r < LodTable::renderings; ++r) {
+        List hulls;
+        for (const auto& masks : draw.hulls) hulls.push_back((masks[r] >> l & 1u) != 0);
+        ways.push_back(Members{{"level", l},
+                               {"rendering", std::string(to_text(all_renderings[r]))},
+                               {"triangles", level.triangles},
+                               {"shaded", level.shaded},
+                               {"vertices", level.vertices},
+                               {"samples", foredraw_lod_table_samples(&row, static_cast<std::uint32_t>(r))},
+                               {"error", level.error},
+                               {"accuracy", draw.accuracy[r]},
+                               {"on-hull", std::move(hulls)}});
+      }
+    }
+    return Members{{"name", scene.draws[draw.draw].name},
+                   {"radius", draw.radius},
+                   {"coverage", draw.coverage},
+                   {"importance", draw.importance},
+                   {"ways", std::move(ways)}};
+  });
+  return Members{{"lod-table", 1},
+                 {"file", scene.name},
+                 {"machine", costs.machine},
+                 {"stages", std::string(to_text(costs.stages))},
+                 {"frame", costs.frame},
+                 {"draw", costs.draw},
+                 {"renderings", std::move(renderings)},
+                 {"least-pixels-across", FOREDRAW_LOD_LEAST_ACROSS},
+                 {"draws", draws}};
+}
+
+}  // namespace foredraw
