@@ -69,7 +69,15 @@ void run(OddInput input) {
     const float value = input.number();
     attributes.values.push_back(std::isfinite(value) ? value : 0);
   }
-  const CollapseSequence sequence = quadric_collapse(positions, indices, options, attributes);
+  PosedVertices posed{std::vector<double>(input.below(3), 0.5), {}};
+  posed.maps.resize(posed.poses() * vertices);
+  for (glm::dmat4x3& map : posed.maps) {
+    for (int i = 0; i < 12; ++i) {
+      const float value = input.number();
+      map[i / 3][i % 3] = std::isfinite(value) ? value : 0;
+    }
+  }
+  const CollapseSequence sequence = quadric_collapse(positions, indices, options, attributes, {}, posed);
   const Replay replayed = replay(sequence, positions, indices);
   claim(replayed.mistake.empty(), "quadric-collapse: " + replayed.mistake);
   check_cuts(sequence, replayed, positions, indices);
