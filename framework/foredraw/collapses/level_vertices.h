@@ -15,8 +15,8 @@ struct LevelVertices {
 /// collapse changed keeps its bytes. Positions are the sequence's. Attributes are blended as Collapse::blend says:
 /// normals and tangents keep their length of 1, weights of joints their sum; numbers that count something else than
 /// an amount, such as identifiers, are those of the nearer vertex. So are those between which nothing lies, as one is
-/// no number or two directions are opposite. Where joints and morph targets move a vertex is blended for all vertices of
-/// the point alike, so that no seam opens in a pose that was closed.
+/// no number or two directions are opposite. Where joints and morph targets move a vertex is blended for all vertices
+/// of the point alike, so that no seam opens in a pose that was closed.
 std::vector<LevelVertices> level_vertices(const CollapseSequence& sequence, std::size_t collapses,
                                           const Collapsed& after, const JoinedMesh& mesh);
 
