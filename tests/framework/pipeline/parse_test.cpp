@@ -184,7 +184,7 @@ TEST(ParseFile, ReadsEveryExampleOfTheDocuments) {
         << to_text(diagnostics);
     ++examples;
   }
-  EXPECT_EQ(examples, 7);
+  EXPECT_EQ(examples, 8);
 }
 
 TEST(ParseFile, StandsDeepNesting) {
