@@ -161,7 +161,7 @@ TEST(LodTable, LeavesOutWhatHasNoSize) {
   scene = testing::scene_of({testing::draw_of(point, "point")});
   EXPECT_FALSE(testing::run("lod-table", scene).scene.products.has(LodTable::product));
   testing::TestMesh large = testing::grid(1, 1);
-  for (glm::vec3& p : large.positions) p = (p - 0.5f) * 6e38f;
+  for (glm::vec3& p : large.positions) p = (p * 2.0f - 1.0f) * 3e38f;
   EXPECT_FALSE(testing::run("lod-table", testing::scene_of(large)).scene.products.has(LodTable::product))
       << "its radius is no float";
   scene = ball_and_plate();
