@@ -187,13 +187,13 @@ std::variant<CameraPath, std::string> camera_path(const FrameScene& frames, cons
     const auto keys = read_camera_keys(set.path);
     if (const std::string* why = std::get_if<std::string>(&keys)) return *why;
     path = path_by_keys(std::get<std::vector<CameraKey>>(keys), set);
+  } else if (const auto camera = moved_camera(scene); camera.has_value() && set.path != "around") {
+    radians = static_cast<double>(*scene.nodes[*camera].camera_angle);
+    path = path_of_camera(scene, *camera, set);
+  } else if (set.path == "camera") {
+    return std::string("the scene has no perspective camera that an animation moves; expected one, or path = around");
   } else {
-    const std::optional<NodeId> camera = set.path == "around" ? std::nullopt : moved_camera(scene);
-    if (set.path == "camera" && !camera) {
-      return std::string("the scene has no perspective camera that an animation moves; expected one, or path = around");
-    }
-    if (camera) radians = static_cast<double>(*scene.nodes[*camera].camera_angle);
-    path = camera ? path_of_camera(scene, *camera, set) : path_around(all, end_of_clips(scene), set);
+    path = path_around(all, end_of_clips(scene), set);
   }
   for (PathFrame& frame : path) set_picture(frame.camera, radians, all.radius);
   return path;
