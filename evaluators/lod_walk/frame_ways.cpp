@@ -71,6 +71,14 @@ std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& mome
   return meshes;
 }
 
+ObjectWork work_of(const MeshWays& mesh, const WayName& name, const SeenObject& object) {
+  const MeshWays::Level& level = mesh.levels[name.level];
+  const bool is_full = name.rendering == Rendering::full && mesh.has_normal_map;
+  return {is_full || name.rendering == Rendering::unlit ? name.rendering : Rendering::without_normal_map,
+          static_cast<double>(mesh.triangles[name.level]), static_cast<double>(level.vertices),
+          static_cast<double>(object.pixels), static_cast<double>(level.draws)};
+}
+
 FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshes, std::vector<SeenObject> seen,
                      const std::vector<float>& speeds, const RenderingCosts& costs, const BenefitOptions& options,
                      bool with_renderings) {
@@ -90,13 +98,10 @@ FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshe
     if (options.motion) worth *= foredraw_lod_motion(speeds[i], std::sqrt(object.pixels));
     own.clear();
     for (std::uint32_t level = 0; level < mesh.levels.size(); ++level) {
-      const MeshWays::Level& drawn = mesh.levels[level];
       for (std::size_t r = 0; r < (with_renderings ? all_renderings.size() : 1); ++r) {
         const Rendering rendering = all_renderings[r];
         if (rendering == Rendering::without_normal_map && !mesh.has_normal_map) continue;
-        const ObjectWork work{rendering, static_cast<double>(mesh.triangles[level]),
-                              static_cast<double>(drawn.vertices), static_cast<double>(object.pixels),
-                              static_cast<double>(drawn.draws)};
+        const ObjectWork work = work_of(mesh, {level, rendering}, object);
         const float way_worth = worth * static_cast<float>(accuracy_of(mesh, level, r, object, options.accuracy));
         own.push_back(
             {{foredraw_lod_cost(static_cast<float>(object_cost(costs, work))), foredraw_lod_benefit(way_worth)},

@@ -64,6 +64,9 @@ struct FrameWays {
 std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& moment, bool with_losses,
                                 const Executor& executor);
 
+/// What it is to draw the object so. The full rendering of what has no normal map is the one without.
+ObjectWork work_of(const MeshWays& mesh, const WayName& name, const SeenObject& object);
+
 /// `speeds`: [seen object] pixels a frame. `with_renderings`: cheaper ones than the full one are ways too, where they
 /// differ from it.
 FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshes, std::vector<SeenObject> seen,

@@ -189,6 +189,7 @@ class Walker {
     std::uint32_t switched = 0;
     std::vector<WayName> now(walking.last.size(), {walking::not_seen, Rendering::full});
     std::vector<DrawnObject> drawn;
+    walking::FrameWork work(options_.costs);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       const std::uint32_t way = ways.first[i] + chosen[i], object = ways.seen[i].object;
       cost += ways.ways[way].cost;
@@ -197,12 +198,17 @@ class Walker {
       switched += before.level != walking::not_seen && before != ways.names[way] ? 1 : 0;
       now[object] = ways.names[way];
       drawn.push_back({object, ways.names[way].level, ways.names[way].rendering});
+      work.add(walking::work_of(meshes_[scene_.objects()[object].mesh], ways.names[way], ways.seen[i]));
     }
     walking.last = std::move(now);
     const double model = (cost + options_.costs.frame) / nanoseconds_a_millisecond;
     Random random(derive_seed(options_.seed, frame, m));
     double took = model * (1 + options_.noise * (2 * random.unit() - 1));
-    if (options_.timer) took = options_.timer(moment, path_[frame].camera, drawn) / nanoseconds_a_millisecond;
+    if (options_.timer) {
+      const double nanoseconds = options_.timer(moment, path_[frame].camera, drawn);
+      result.samples.push_back({work.drawn(), nanoseconds});
+      took = nanoseconds / nanoseconds_a_millisecond;
+    }
     walking.chooser->took(took * nanoseconds_a_millisecond - options_.costs.frame);
     result.model.push_back(model);
     result.milliseconds.push_back(took);

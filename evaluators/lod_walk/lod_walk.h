@@ -5,6 +5,7 @@
 // T. Funkhouser, C. Sequin: Adaptive Display Algorithm for Interactive Frame Rates, SIGGRAPH 1993, section 8.
 
 #include "level_choosers.h"
+#include "walk_fit.h"
 
 #include <foredraw/frames/camera_path.h>
 #include <foredraw/frames/picture_error.h>
@@ -40,6 +41,7 @@ struct LodWalkOptions : walking::BenefitOptions {
 struct MethodWalk {
   walking::Method method = walking::Method::budget;
   std::vector<double> milliseconds;               ///< of the frame, by the model with noise or as it was drawn
+  std::vector<FrameSample> samples;               ///< what was drawn, and its time, where there is a timer
   std::vector<double> model;                      ///< of the frame by the model
   std::vector<double> selecting;                  ///< milliseconds that the choice took
   std::vector<double> benefit;                    ///< in 64ths of a pixel; without hysteresis

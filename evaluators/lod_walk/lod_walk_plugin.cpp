@@ -95,6 +95,7 @@ class LodWalkEvaluator final : public Evaluator {
       run.note("over-budget", fmt::format("in {} of {} frames even the cheapest ways cost more than the budget", over,
                                           walk->is_over.size()));
     }
+    if (options.timer) foretell(*walk, run);
     attach(*walk, run);
   }
 
@@ -135,6 +136,20 @@ class LodWalkEvaluator final : public Evaluator {
       run.measure(group + "selecting", sum_of(method.selecting), frames);
       run.measure(group + "model-error", 100 * apart, frames);
     }
+  }
+
+  /// How well the model would do with constants of this very walk.
+  static void foretell(const LodWalk& walk, Run& run) {
+    std::vector<FrameSample> samples;
+    for (const MethodWalk& method : walk.methods) {
+      samples.insert(samples.end(), method.samples.begin(), method.samples.end());
+    }
+    const walking::WalkFit fit = walking::walk_fit(samples);
+    run.measure("fitted-error", 100 * std::min(fit.max.mean, fit.sum.mean), 1);
+    run.note("fit",
+             fmt::format("fitted to every second frame, the model foretells the others to {:.1f} % in the mean, "
+                         "{:.1f} % at most, where stages add up; to {:.1f} and {:.1f} % where the slower one counts",
+                         100 * fit.sum.mean, 100 * fit.sum.most, 100 * fit.max.mean, 100 * fit.max.most));
   }
 
   /// Curves of all methods, and what levels they chose.
@@ -238,6 +253,7 @@ Plugin lod_walk_plugin() {
               {"picture-floor", "%", "The same between two pictures of full detail from samples in different places",
                true, false, true},
               {"model-error", "%", "How far the model's time is off that of the frame, in the mean"},
+              {"fitted-error", "%", "The same of a model that was fitted to every second frame, on the others"},
           },
   };
   bind_options(plugin, std::move(table),

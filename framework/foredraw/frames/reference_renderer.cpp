@@ -294,8 +294,9 @@ void ReferenceRenderer::draw(const FrameScene& scene, const FrameMoment& moment,
       const FrameLevel& level = draw.levels[number];
       const float grey =
           draw.levels.size() < 2 ? 1.0f : 1 - static_cast<float>(number) / static_cast<float>(draw.levels.size() - 1);
-      const glm::vec3 flat(grey * grey);
-      const glm::vec3* flat_colour = style == FrameStyle::levels ? &flat : nullptr;
+      const glm::vec3 flat =
+          style == FrameStyle::objects ? glm::vec3(static_cast<float>(drawn.object), 0, 0) : glm::vec3(grey * grey);
+      const glm::vec3* flat_colour = style == FrameStyle::lit ? nullptr : &flat;
       if (object.is_posed) {
         const Level& posed = scene.scene().draws[draw.draw].levels[number];
         const VerticesInPose vertices = vertices_in_pose(scene.scene(), *posed.vertices, object.node, moment.nodes);

@@ -35,8 +35,12 @@ struct FramePicture {
   std::vector<glm::vec3> colours;
 };
 
-/// What a picture shows: light and colours; or levels, the coarsest of each mesh black and full detail white.
-enum class FrameStyle { lit, levels };
+/// What a picture shows.
+enum class FrameStyle {
+  lit,      ///< light and colours
+  levels,   ///< the coarsest level of each mesh black, full detail white
+  objects,  ///< red is the object's number in the scene; exact below 2^24
+};
 
 /// Works on one thread and keeps its memory from frame to frame.
 class ReferenceRenderer {
@@ -56,6 +60,8 @@ class ReferenceRenderer {
 
   const FrameWork& work() const { return work_; }  ///< of the last frame
   FramePicture picture() const;                    ///< the mean of each pixel's samples
+  /// [sample] as picture() has colours, rows from below.
+  std::span<const glm::vec3> colours() const { return colours_; }
   /// [sample] 1 / distance ahead of the camera, rows from below; 0 where nothing is.
   std::span<const float> nearness() const { return nearness_; }
 

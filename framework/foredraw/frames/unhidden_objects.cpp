@@ -32,8 +32,12 @@ std::vector<SeenObject> unhidden_objects(const FrameScene& scene, const FrameMom
     if (hides(mesh)) before.push_back({object.object, static_cast<std::uint32_t>(mesh.levels - 1), Rendering::unlit});
   }
   ReferenceRenderer renderer(half);
-  renderer.draw(scene, moment, camera, before, FrameStyle::levels);
+  renderer.draw(scene, moment, camera, before, FrameStyle::objects);
   const std::span<const float> nearness = renderer.nearness();
+  std::vector<float> samples(scene.objects().size());
+  for (std::size_t i = 0; i < nearness.size(); ++i) {
+    if (nearness[i] > 0) ++samples[static_cast<std::size_t>(renderer.colours()[i].x)];
+  }
 
   const auto is_hidden = [&](const SeenObject& object) {
     if (static_cast<double>(object.distance) <= camera.near) return false;
@@ -51,6 +55,12 @@ std::vector<SeenObject> unhidden_objects(const FrameScene& scene, const FrameMom
     return true;
   };
   std::erase_if(seen, is_hidden);
+  for (SeenObject& object : seen) {
+    constexpr float pixels_a_sample = 4;
+    if (!hides(scene.mesh_of(object.object))) continue;  // it is not in the picture
+    // What is smaller than a sample may be missed by all of them.
+    object.pixels = std::max(samples[object.object], std::min(1.0f, object.pixels / pixels_a_sample)) * pixels_a_sample;
+  }
   return seen;
 }
 

@@ -53,6 +53,20 @@ TEST(UnhiddenObjects, WhatReachesOutIsNotHidden) {
   EXPECT_EQ(unhidden(scene).size(), 3u);
 }
 
+/// The wall is 10 units high before a picture that shows 11.5 there, in the middle of 320 x 180.
+TEST(UnhiddenObjects, KnowHowManyPixelsShow) {
+  const Scene scene = behind_a_wall();
+  Analyses analyses;
+  const Executor executor(1);
+  const FrameScene frames(scene, analyses, executor);
+  const FrameMoment moment = frame_moment(frames, 0);
+  constexpr FrameSize size{320, 180};
+  const auto seen = unhidden_objects(frames, moment, {}, size, seen_objects(frames, moment, {}, size));
+  EXPECT_NEAR(seen[0].pixels, 155.9 * 155.9, 700);
+  const double radius = 180 / (2 * 0.57735 * 15);
+  EXPECT_NEAR(seen[1].pixels, 3.14159 * radius * radius, 0.3 * 3.14159 * radius * radius);
+}
+
 TEST(UnhiddenObjects, AnObjectDoesNotHideItself) {
   Scene scene = behind_a_wall();
   scene.nodes.erase(scene.nodes.begin());
