@@ -29,8 +29,7 @@ MeshWays ways_of(const FrameMesh& mesh) {
   return ways;
 }
 
-/// Of a pixel that the object covers. By pictures it is what the pixel gains over a picture without the object, so that
-/// the benefits of a frame are what its picture gains.
+/// Of a pixel that the object covers. By pictures it is below 0: what the pixel loses.
 double accuracy_of(const MeshWays& mesh, std::uint32_t level, std::size_t rendering, const SeenObject& object,
                    Accuracy accuracy) {
   const auto across = static_cast<double>(object.across);
@@ -43,7 +42,8 @@ double accuracy_of(const MeshWays& mesh, std::uint32_t level, std::size_t render
                                               static_cast<float>(mesh.levels[level].vertices), base_error, 2));
     case Accuracy::pictures: break;
   }
-  return PictureLosses::at(mesh.losses.without, across) - PictureLosses::at(mesh.losses.of[level][rendering], across);
+  constexpr double hundredths = 100;  // so that little is left when benefits become whole numbers
+  return -hundredths * PictureLosses::at(mesh.losses.of[level][rendering], across);
 }
 
 int steps_between(const WayName& a, const WayName& b) {
@@ -104,10 +104,14 @@ FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshe
         const ObjectWork work = work_of(mesh, {level, rendering}, object);
         const float way_worth = worth * static_cast<float>(accuracy_of(mesh, level, r, object, options.accuracy));
         own.push_back(
-            {{foredraw_lod_cost(static_cast<float>(object_cost(costs, work))), foredraw_lod_benefit(way_worth)},
-             way_worth,
-             {level, rendering}});
+            {{foredraw_lod_cost(static_cast<float>(object_cost(costs, work))), 0}, way_worth, {level, rendering}});
       }
+    }
+    // What is lost by all ways is no benefit of any.
+    const float least = options.accuracy == Accuracy::pictures ? std::ranges::min(own, {}, &Way::worth).worth : 0;
+    for (Way& way : own) {
+      way.worth -= least;
+      way.way.benefit = foredraw_lod_benefit(way.worth);
     }
     std::ranges::stable_sort(own, [](const Way& a, const Way& b) {
       return a.way.cost != b.way.cost ? a.way.cost < b.way.cost : a.worth < b.worth;

@@ -30,7 +30,7 @@ double milliseconds_of(const Work& work) {
 /// What frames of the path cost before anything is chosen: nanoseconds of the objects in the mean over the path.
 struct PathCosts {
   static constexpr int sizes = 81;
-  static double size_of(int number) { return std::exp2((number - 24) / 4.0); }  // pixels of a triangle
+  static double size_of(int number) { return std::exp2((number - 48) / 4.0); }  // pixels of a triangle
 
   double full = 0;
   std::vector<double> of_frame;              ///< [frame] in full detail
