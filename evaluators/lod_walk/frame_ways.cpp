@@ -76,7 +76,7 @@ ObjectWork work_of(const MeshWays& mesh, const WayName& name, const SeenObject& 
   const bool is_full = name.rendering == Rendering::full && mesh.has_normal_map;
   return {is_full || name.rendering == Rendering::unlit ? name.rendering : Rendering::without_normal_map,
           static_cast<double>(mesh.triangles[name.level]), static_cast<double>(level.vertices),
-          static_cast<double>(object.pixels), static_cast<double>(level.draws)};
+          static_cast<double>(object.shown), static_cast<double>(level.draws)};
 }
 
 FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshes, std::vector<SeenObject> seen,
@@ -94,7 +94,7 @@ FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshe
   for (std::size_t i = 0; i < frame.seen.size(); ++i) {
     const SeenObject& object = frame.seen[i];
     const MeshWays& mesh = meshes[scene.objects()[object.object].mesh];
-    float worth = object.pixels * foredraw_lod_focus(object.from_middle, static_cast<float>(options.focus));
+    float worth = object.shown * foredraw_lod_focus(object.from_middle, static_cast<float>(options.focus));
     if (options.motion) worth *= foredraw_lod_motion(speeds[i], std::sqrt(object.pixels));
     own.clear();
     for (std::uint32_t level = 0; level < mesh.levels.size(); ++level) {

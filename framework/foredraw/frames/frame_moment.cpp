@@ -108,6 +108,7 @@ std::vector<SeenObject> seen_objects(const FrameScene& scene, const FrameMoment&
     object.across = static_cast<float>(2 * radius * scale);
     object.pixels = static_cast<float>(
         std::min(all_pixels, scene.mesh_of(i).fill * glm::pi<double>() * (radius * scale) * (radius * scale)));
+    object.shown = object.pixels;
     const double own_radius = scene.mesh_of(i).sphere.radius;
     object.pixels_a_unit =
         static_cast<float>(own_radius > 0 ? camera.pixels_a_unit(nearest, size) * radius / own_radius : 0);

@@ -36,6 +36,7 @@ struct SeenObject {
   float distance = 0;       ///< of the sphere's nearest point from the eye, along the view; at least the near plane's
   float across = 0;         ///< pixels of the sphere's diameter
   float pixels = 0;         ///< of the picture that the mesh covers, if nothing hides it: at most all of them
+  float shown = 0;          ///< of these, that show; the same until something says what hides the mesh
   float pixels_a_unit = 0;  ///< at that distance, of a unit in the mesh's space: what an error of one comes to
   glm::vec2 place{0};       ///< of the sphere's centre in the picture, in pixels from its middle, upwards
   float from_middle = 0;    ///< 0 in the middle of the picture, 1 in its corners and beyond

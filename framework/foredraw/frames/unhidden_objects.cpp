@@ -59,7 +59,7 @@ std::vector<SeenObject> unhidden_objects(const FrameScene& scene, const FrameMom
     constexpr float pixels_a_sample = 4;
     if (!hides(scene.mesh_of(object.object))) continue;  // it is not in the picture
     // What is smaller than a sample may be missed by all of them.
-    object.pixels = std::max(samples[object.object], std::min(1.0f, object.pixels / pixels_a_sample)) * pixels_a_sample;
+    object.shown = std::max(samples[object.object], std::min(1.0f, object.pixels / pixels_a_sample)) * pixels_a_sample;
   }
   return seen;
 }

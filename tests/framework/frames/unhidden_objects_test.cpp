@@ -62,9 +62,9 @@ TEST(UnhiddenObjects, KnowHowManyPixelsShow) {
   const FrameMoment moment = frame_moment(frames, 0);
   constexpr FrameSize size{320, 180};
   const auto seen = unhidden_objects(frames, moment, {}, size, seen_objects(frames, moment, {}, size));
-  EXPECT_NEAR(seen[0].pixels, 155.9 * 155.9, 700);
+  EXPECT_NEAR(seen[0].shown, 155.9 * 155.9, 700);
   const double radius = 180 / (2 * 0.57735 * 15);
-  EXPECT_NEAR(seen[1].pixels, 3.14159 * radius * radius, 0.3 * 3.14159 * radius * radius);
+  EXPECT_NEAR(seen[1].shown, 3.14159 * radius * radius, 0.3 * 3.14159 * radius * radius);
 }
 
 TEST(UnhiddenObjects, AnObjectDoesNotHideItself) {
