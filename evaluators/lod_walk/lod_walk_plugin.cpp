@@ -80,12 +80,14 @@ class LodWalkEvaluator final : public Evaluator {
     LodWalkOptions options = settings_;
     options.seed = run.seed;
     options.timer = timer(frames, run);
+    if (settings_.costs_file.empty() && !options.timer) {
+      run.note("example-costs", "costs are an example's, not those of a machine; name a file of them: costs = FILE");
+    } else if (settings_.costs_file.empty()) {
+      options.costs = fitted_costs(frames, std::get<CameraPath>(path), options, run);
+    }
     const auto walk =
         lod_walk(frames, std::get<CameraPath>(path), settings_.size(), options, run.executor, run.cancel, run.progress);
     if (!walk) throw std::runtime_error("cancelled");
-    if (settings_.costs_file.empty()) {
-      run.note("example-costs", "costs are an example's, not those of a machine; name a file of them: costs = FILE");
-    }
     for (const MethodWalk& method : walk->methods) {
       measure(*walk, method, std::string(to_text(method.method)) + '.', run);
       if (&method == &walk->methods.back()) measure(*walk, method, "", run);
@@ -100,6 +102,34 @@ class LodWalkEvaluator final : public Evaluator {
   }
 
  private:
+  /// Costs of who draws the frames, from every fourth frame of the path, drawn finely, coarsely and in between.
+  RenderingCosts fitted_costs(const FrameScene& frames, const CameraPath& path, LodWalkOptions options,
+                              Run& run) const {
+    CameraPath some;
+    for (std::size_t i = 0; i < path.size(); i += 4) some.push_back(path[i]);
+    options.methods = {Method::none, Method::by_size, Method::budget};
+    options.pictures = 0;
+    options.replay = false;
+    const auto walk = lod_walk(frames, some, settings_.size(), options, run.executor, run.cancel);
+    if (!walk) throw std::runtime_error("cancelled");
+    const std::vector<FrameSample> samples = samples_of(*walk);
+    const walking::WalkFit fit = walking::walk_fit(samples);
+    const Stages stages = fit.max.mean < fit.sum.mean ? Stages::max : Stages::sum;
+    run.note("fitted-costs",
+             fmt::format("costs were fitted to {} frames before the walk ({}); to use others, name a "
+                         "file of them: costs = FILE",
+                         samples.size(), stages == Stages::max ? "the slower stage counts" : "stages add up"));
+    return fit_costs(samples, stages);
+  }
+
+  static std::vector<FrameSample> samples_of(const LodWalk& walk) {
+    std::vector<FrameSample> samples;
+    for (const MethodWalk& method : walk.methods) {
+      samples.insert(samples.end(), method.samples.begin(), method.samples.end());
+    }
+    return samples;
+  }
+
   /// None: times are the model's.
   FrameTimer timer(const FrameScene& frames, Run& run) const {
     switch (settings_.times) {
@@ -140,11 +170,7 @@ class LodWalkEvaluator final : public Evaluator {
 
   /// How well the model would do with constants of this very walk.
   static void foretell(const LodWalk& walk, Run& run) {
-    std::vector<FrameSample> samples;
-    for (const MethodWalk& method : walk.methods) {
-      samples.insert(samples.end(), method.samples.begin(), method.samples.end());
-    }
-    const walking::WalkFit fit = walking::walk_fit(samples);
+    const walking::WalkFit fit = walking::walk_fit(samples_of(walk));
     run.measure("fitted-error", 100 * std::min(fit.max.mean, fit.sum.mean), 1);
     run.note("fit",
              fmt::format("fitted to every second frame, the model foretells the others to {:.1f} % in the mean, "
@@ -202,9 +228,11 @@ Plugin lod_walk_plugin() {
   table.row(&WalkSettings::methods_text, "methods",
             "Which methods walk: none, static, feedback, value, incremental and budget, separated by spaces; the "
             "scene's own figures are those of the last one");
-  table.number_or_text(&WalkSettings::costs_file, "costs",
-                       "File with what a triangle, a vertex and a pixel cost on the machine (default: an example's)",
-                       OptionType::views);
+  table.number_or_text(
+      &WalkSettings::costs_file, "costs",
+      "File with what a triangle, a vertex and a pixel cost on the machine (default: an example's; where frames are "
+      "drawn, fitted to some of them before the walk)",
+      OptionType::views);
   table.row(&WalkSettings::budget, "budget", "Time of a frame (default: a share of what full detail costs)",
             {0.0001, 1e6, "ms"});
   table.row(&WalkSettings::share, "share", "Share of what full detail costs in the mean that is the budget",
