@@ -56,6 +56,13 @@ double deviation_of(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
+/// Over the frames in which some choice is within the budget.
+double sum_within(const LodWalk& walk, const std::vector<double>& values) {
+  double sum = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) sum += walk.is_over[i] ? 0 : values[i];
+  return sum;
+}
+
 class LodWalkEvaluator final : public Evaluator {
  public:
   explicit LodWalkEvaluator(WalkSettings settings) : settings_(std::move(settings)) {
@@ -151,7 +158,7 @@ class LodWalkEvaluator final : public Evaluator {
     run.measure(group + "longest-frame", most_of(method.milliseconds), 1);
     run.measure(group + "frame-deviation", deviation_of(method.milliseconds), 1);
     run.measure(group + "over-budget", 100 * static_cast<double>(over), frames);
-    run.measure(group + "benefit", 100 * sum_of(method.benefit), sum_of(walk.bound));
+    run.measure(group + "benefit", 100 * sum_within(walk, method.benefit), std::max(1.0, sum_within(walk, walk.bound)));
     run.measure(group + "switched", 1000 * std::accumulate(method.switched.begin(), method.switched.end(), 0.0),
                 std::max(1.0, std::accumulate(walk.seen_again.begin(), walk.seen_again.end(), 0.0)));
     if (!method.errors.empty()) {
@@ -190,7 +197,9 @@ class LodWalkEvaluator final : public Evaluator {
       const std::string name(to_text(method.method));
       times.lines.push_back({name, method.milliseconds});
       std::vector<double> shares;
-      for (std::size_t i = 0; i < walk.bound.size(); ++i) shares.push_back(100 * method.benefit[i] / walk.bound[i]);
+      for (std::size_t i = 0; i < walk.bound.size(); ++i) {
+        shares.push_back(walk.is_over[i] ? std::nan("") : 100 * method.benefit[i] / walk.bound[i]);
+      }
       benefits.lines.push_back({name, std::move(shares)});
       switches.lines.push_back({name, {method.switched.begin(), method.switched.end()}});
       if (method.replay.empty()) continue;
@@ -208,7 +217,7 @@ class LodWalkEvaluator final : public Evaluator {
         "in the mean, {:.2f} at most; {:.2f} % of the best benefit",
         to_text(method.method), sum_of(method.milliseconds) / frames, most_of(method.milliseconds),
         deviation_of(method.milliseconds), walk.budget, sum_of(method.selecting) / frames, most_of(method.selecting),
-        100 * sum_of(method.benefit) / sum_of(walk.bound));
+        100 * sum_within(walk, method.benefit) / std::max(1.0, sum_within(walk, walk.bound)));
     if (!method.errors.empty()) {
       text += fmt::format("; picture error {:.2f} % (floor {:.2f})",
                           100 * sum_of(method.errors) / static_cast<double>(method.errors.size()),
