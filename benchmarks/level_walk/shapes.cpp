@@ -90,8 +90,8 @@ void add_tube(SurfaceMesh& to, const Tube& tube) {
         const double ahead = 0.25 / static_cast<double>(tube.along);
         const auto place = [&](double t) { return tube.curve(tube.is_closed ? t - std::floor(t) : t); };
         const glm::dvec3 along = unit(place(way + ahead) - place(way - ahead));
-        const glm::dvec3 helper = unit(glm::dvec3(0.31, 0.17, 0.93));
-        const glm::dvec3 right = unit(glm::cross(helper, along)), up = glm::cross(along, right);
+        const glm::dvec3 aside = unit(glm::dvec3(0.31, 0.17, 0.93));
+        const glm::dvec3 right = unit(glm::cross(aside, along)), up = glm::cross(along, right);
         const Turn turn = turn_by(circle * part(i % tube.around, tube.around));
         return tube.curve(way) + tube.radius(way) * (turn.cosine * right + turn.sine * up);
       },
