@@ -189,7 +189,7 @@ class Walker {
     std::uint32_t switched = 0;
     std::vector<WayName> now(walking.last.size(), {walking::not_seen, Rendering::full});
     std::vector<DrawnObject> drawn;
-    walking::FrameWork work(options_.costs);
+    walking::SummedWork work(options_.costs);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       const std::uint32_t way = ways.first[i] + chosen[i], object = ways.seen[i].object;
       cost += ways.ways[way].cost;

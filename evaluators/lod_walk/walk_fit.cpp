@@ -2,7 +2,7 @@
 
 namespace foredraw::walking {
 
-void FrameWork::add(const ObjectWork& work) {
+void SummedWork::add(const ObjectWork& work) {
   const RenderingCost& cost = costs_.of(work.rendering);
   const bool is_shading = cost.pixel * work.pixels > cost.triangle * work.triangles + cost.vertex * work.vertices;
   ObjectWork& sum = sums_[static_cast<std::size_t>(work.rendering)][is_shading ? 1 : 0];
@@ -13,7 +13,7 @@ void FrameWork::add(const ObjectWork& work) {
   sum.draws += work.draws;
 }
 
-std::vector<ObjectWork> FrameWork::drawn() const {
+std::vector<ObjectWork> SummedWork::drawn() const {
   std::vector<ObjectWork> drawn;
   for (const auto& by_stage : sums_) {
     for (ObjectWork sum : by_stage) {

@@ -10,9 +10,9 @@
 namespace foredraw::walking {
 
 /// Adds up what a frame draws: objects by one rendering and with the same slower stage are one.
-class FrameWork {
+class SummedWork {
  public:
-  explicit FrameWork(const RenderingCosts& costs) : costs_(costs) {}
+  explicit SummedWork(const RenderingCosts& costs) : costs_(costs) {}
   void add(const ObjectWork& work);
   std::vector<ObjectWork> drawn() const;  ///< those that there are
 

@@ -1,5 +1,7 @@
 #include <foredraw/frames/calibration.h>
 
+#include "support/rendering_costs.h"
+
 #include <foredraw/base/random.h>
 #include <foredraw/frames/reference_machine.h>
 
@@ -41,21 +43,11 @@ MeasuredMachine machine_of(const RenderingCosts& costs, double noise = 0) {
   };
 }
 
-double apart(const RenderingCosts& a, const RenderingCosts& b) {
-  double most = std::max(std::abs(a.frame / b.frame - 1), std::abs(a.draw / b.draw - 1));
-  for (const Rendering rendering : all_renderings) {
-    const RenderingCost &x = a.of(rendering), &y = b.of(rendering);
-    most = std::max({most, std::abs(x.triangle / y.triangle - 1), std::abs(x.vertex / y.vertex - 1),
-                     std::abs(x.pixel / y.pixel - 1)});
-  }
-  return most;
-}
-
 TEST(Calibration, FindsTheCostsOfAMadeUpMachineAndItsForm) {
   for (const Stages stages : {Stages::max, Stages::sum}) {
     const Calibration found = calibrate(machine_of(made_up(stages)));
     EXPECT_EQ(found.costs.stages, stages);
-    EXPECT_LT(apart(found.costs, made_up(stages)), 1e-3) << to_text(stages);
+    EXPECT_LT(testing::apart(found.costs, made_up(stages)), 1e-3) << to_text(stages);
     EXPECT_EQ(found.frames, calibration_frames().size());
     const FitError& right = stages == Stages::max ? found.max_error : found.sum_error;
     const FitError& wrong = stages == Stages::max ? found.sum_error : found.max_error;
@@ -69,7 +61,7 @@ TEST(Calibration, NoiseOfThreePerCentIsHalvedByTheMedian) {
   const Calibration found = calibrate(machine_of(made_up(Stages::max), 0.03));
   EXPECT_EQ(found.costs.stages, Stages::max);
   EXPECT_LT(found.max_error.mean, 0.015);
-  EXPECT_LT(apart(found.costs, made_up(Stages::max)), 0.1);
+  EXPECT_LT(testing::apart(found.costs, made_up(Stages::max)), 0.1);
 }
 
 TEST(Calibration, FramesFitIntoThePictureAndTellEverythingApart) {

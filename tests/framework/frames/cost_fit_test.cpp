@@ -1,5 +1,7 @@
 #include <foredraw/frames/cost_fit.h>
 
+#include "support/rendering_costs.h"
+
 #include <foredraw/base/random.h>
 
 #include <gtest/gtest.h>
@@ -51,24 +53,13 @@ std::vector<FrameSample> frames(std::size_t count, const RenderingCosts& costs, 
   return samples;
 }
 
-/// The largest relative difference of a constant.
-double apart(const RenderingCosts& a, const RenderingCosts& b) {
-  double most = std::max(std::abs(a.frame / b.frame - 1), std::abs(a.draw / b.draw - 1));
-  for (const Rendering rendering : all_renderings) {
-    const RenderingCost &x = a.of(rendering), &y = b.of(rendering);
-    most = std::max({most, std::abs(x.triangle / y.triangle - 1), std::abs(x.vertex / y.vertex - 1),
-                     std::abs(x.pixel / y.pixel - 1)});
-  }
-  return most;
-}
-
 TEST(CostFit, FindsTheConstantsOfBothFormsExactly) {
   for (const Stages stages : {Stages::sum, Stages::max}) {
     for (std::uint64_t seed = 1; seed < 6; ++seed) {
       const auto samples = frames(300, machine(stages), 0, seed);
       const RenderingCosts found = fit_costs(samples, stages);
       EXPECT_EQ(found.stages, stages);
-      EXPECT_LT(apart(found, machine(stages)), 1e-4) << to_text(stages) << ' ' << seed;  // costs are floats
+      EXPECT_LT(testing::apart(found, machine(stages)), 1e-4) << to_text(stages) << ' ' << seed;  // costs are floats
       EXPECT_LT(fit_error(found, samples).most, 1e-6) << to_text(stages) << ' ' << seed;
     }
   }
@@ -79,7 +70,7 @@ TEST(CostFit, FindsTheConstantsOfBothFormsExactly) {
 TEST(CostFit, ThreePerCentOfNoiseLeaveTheForecastNearlyRight) {
   for (const Stages stages : {Stages::sum, Stages::max}) {
     const RenderingCosts found = fit_costs(frames(1000, machine(stages), 0.03, 2), stages);
-    EXPECT_LT(apart(found, machine(stages)), 0.1) << to_text(stages);
+    EXPECT_LT(testing::apart(found, machine(stages)), 0.1) << to_text(stages);
     const FitError error = fit_error(found, frames(500, machine(stages), 0, 3));
     EXPECT_LT(error.mean, 0.005) << to_text(stages);
     EXPECT_LT(error.most, 0.02) << to_text(stages);
@@ -179,7 +170,7 @@ TEST(CostFit, AnswersAlikeAtEveryCallAndHardlyHangsOnTheSequence) {
   const RenderingCosts found = fit_costs(samples, Stages::max);
   EXPECT_EQ(fit_costs(samples, Stages::max), found);
   std::ranges::reverse(samples);
-  EXPECT_LT(apart(fit_costs(samples, Stages::max), found), 1e-6);
+  EXPECT_LT(testing::apart(fit_costs(samples, Stages::max), found), 1e-6);
 }
 
 }  // namespace
