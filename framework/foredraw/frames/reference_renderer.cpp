@@ -1,12 +1,7 @@
 #include <foredraw/frames/reference_renderer.h>
 
-#include <foredraw/frames/screen_triangle.h>
-#include <foredraw/frames/surface_shading.h>
+#include <foredraw/frames/private/draw_painter.h>
 #include <foredraw/viewing/posed_positions.h>
-
-#include <glm/common.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -14,259 +9,8 @@
 
 namespace foredraw {
 
-namespace {
-
-template <class T>
-T blend(const std::array<T, 3>& of, const glm::vec3& shares) {
-  return of[0] * shares[0] + of[1] * shares[1] + of[2] * shares[2];
-}
-
-/// Twice the area that the corners span in the plane, whichever way they turn.
-double doubled_span(const std::array<glm::vec2, 3>& p) {
-  const glm::dvec2 a(p[1] - p[0]), b(p[2] - p[0]);
-  return std::abs(a.x * b.y - a.y * b.x);
-}
-
-double texels_of(const std::shared_ptr<const MippedImage>& image) {
-  return image ? static_cast<double>(image->levels.front().width) * image->levels.front().height : 0;
-}
-
-}  // namespace
-
-/// Draws a draw at a level.
-class ReferenceRenderer::Painter {
- public:
-  Painter(ReferenceRenderer& to, const FrameCamera& camera) : to_(to), camera_(camera) {
-    const double scale = subpixels * to.sampled_.height / (2 * camera.half_height);
-    right_ = camera.right * scale;
-    up_ = camera.up * scale;
-    middle_ = glm::dvec2(to.sampled_.width, to.sampled_.height) * (subpixels / 2.0) - to.shift_ * double{subpixels};
-  }
-
-  struct Task {
-    const FrameLevel& level;
-    const FrameSurface& surface;
-    std::span<const glm::vec3> positions, normals;  ///< in the space that `world` is from
-    glm::dmat4 world;
-    bool is_mirrored;
-    Rendering rendering;
-    const glm::vec3* flat_colour;  ///< of the levels' style; else null
-  };
-
-  void draw(const Task& task) {
-    task_ = &task;
-    world_ = glm::mat4(task.world);
-    const glm::dmat3 turn(task.world);
-    is_mirrored_ = task.is_mirrored;
-    const glm::dmat3 cofactors(glm::cross(turn[1], turn[2]), glm::cross(turn[2], turn[0]),
-                               glm::cross(turn[0], turn[1]));
-    of_normals_ = glm::mat3(glm::determinant(turn) < 0 ? -cofactors : cofactors);
-    const std::size_t vertices = task.positions.size();
-    move_vertices(vertices);
-    DrawnWork& work = to_.work_[static_cast<std::size_t>(task.rendering)];
-    work_ = &work;
-    ++work.draws;
-    work.vertices += vertices;
-    const auto indices = task.level.indices;
-    work.triangles += indices.size() / 3;
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-      draw_triangle({indices[i], indices[i + 1], indices[i + 2]});
-    }
-  }
-
- private:
-  /// A triangle's corners as they are shaded, made for the first of its samples that is seen.
-  struct CornerData {
-    std::array<glm::vec3, 3> normals, to_eye;
-    std::array<glm::vec2, 3> base_places, normal_map_places;
-    SurfacePoint point;  ///< what all samples have in common
-  };
-
-  void move_vertices(std::size_t count) {
-    // One row for each of x, y and w, in doubles until they are one: the eye may be far from the origin.
-    const glm::dmat4& world = task_->world;
-    std::array<glm::vec4, 3> rows;
-    const glm::dvec3 along[3] = {right_ + middle_.x * camera_.ahead, up_ + middle_.y * camera_.ahead, camera_.ahead};
-    for (std::size_t r = 0; r < 3; ++r) {
-      for (int c = 0; c < 3; ++c) rows[r][c] = static_cast<float>(glm::dot(along[r], glm::dvec3(world[c])));
-      rows[r][3] = static_cast<float>(glm::dot(along[r], glm::dvec3(world[3]) - camera_.eye));
-    }
-    moved_.resize(count);
-    corners_.resize(count);
-    inverse_.resize(count);
-    const auto near = static_cast<float>(camera_.near);
-    for (std::size_t v = 0; v < count; ++v) {
-      const glm::vec3& p = task_->positions[v];
-      const auto by = [&p](const glm::vec4& row) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; };
-      const ViewVertex at{by(rows[0]), by(rows[1]), by(rows[2])};
-      moved_[v] = at;
-      const bool can_be_drawn = is_drawable(at, near);
-      inverse_[v] = can_be_drawn ? 1 / at.w : 0;  // 0: it has to be cut
-      if (can_be_drawn) corners_[v] = corner_of(at);
-    }
-  }
-
-  void draw_triangle(const std::array<std::uint32_t, 3>& v) {
-    vertices_ = v;
-    has_data_ = false;
-    const std::array<float, 3> inverse = {inverse_[v[0]], inverse_[v[1]], inverse_[v[2]]};
-    if (inverse[0] > 0 && inverse[1] > 0 && inverse[2] > 0) {
-      cover({corners_[v[0]], corners_[v[1]], corners_[v[2]]}, inverse, nullptr);
-      return;
-    }
-    if (inverse[0] == 0 && inverse[1] == 0 && inverse[2] == 0 && is_behind(v)) return;
-    cut_to_drawable({moved_[v[0]], moved_[v[1]], moved_[v[2]]}, static_cast<float>(camera_.near), polygon_);
-    for (std::size_t i = 2; i < polygon_.size(); ++i) {
-      const CutCorner *a = &polygon_[0], *b = &polygon_[i - 1], *c = &polygon_[i];
-      const std::array<glm::vec3, 3> shares = {a->shares, b->shares, c->shares};
-      cover({corner_of(a->at), corner_of(b->at), corner_of(c->at)}, {1 / a->at.w, 1 / b->at.w, 1 / c->at.w}, &shares);
-    }
-  }
-
-  bool is_behind(const std::array<std::uint32_t, 3>& v) const {
-    const auto near = static_cast<float>(camera_.near);
-    return moved_[v[0]].w < near && moved_[v[1]].w < near && moved_[v[2]].w < near;
-  }
-
-  /// `shares`: of the triangle's corners in these ones; null: they are the same.
-  void cover(std::array<Corner, 3> corners, std::array<float, 3> inverse, const std::array<glm::vec3, 3>* shares) {
-    PixelBox box(corners[0], corners[1], corners[2]);
-    box.first_x = std::max(box.first_x, 0);
-    box.first_y = std::max(box.first_y, 0);
-    box.last_x = std::min(box.last_x, to_.sampled_.width - 1);
-    box.last_y = std::min(box.last_y, to_.sampled_.height - 1);
-    if (box.is_empty()) return;
-    std::int64_t area = doubled_area(corners[0], corners[1], corners[2]);
-    const bool is_clockwise = area < 0;
-    if (area == 0) return;
-    const bool is_back = is_clockwise != is_mirrored_;
-    if (is_back && !task_->surface.is_double_sided) return;
-    area_ = static_cast<double>(std::abs(area)) / (subpixels * subpixels);
-    is_back_ = is_back;
-    std::array<std::size_t, 3> from = {0, 1, 2};
-    if (is_clockwise) {
-      std::swap(corners[1], corners[2]);
-      std::swap(from[1], from[2]);
-      area = -area;
-    }
-    const float scale = 1 / static_cast<float>(area);
-    const std::array<float, 3> scaled = {inverse[from[0]] * scale, inverse[from[1]] * scale, inverse[from[2]] * scale};
-    const auto visit = [&](std::int32_t x, std::int32_t y, const std::array<std::int64_t, 3>& weights) {
-      const float a = static_cast<float>(weights[0]) * scaled[0], b = static_cast<float>(weights[1]) * scaled[1],
-                  c = static_cast<float>(weights[2]) * scaled[2];
-      const float nearness = a + b + c;
-      const std::size_t sample =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(to_.sampled_.width) + static_cast<std::size_t>(x);
-      if (!(nearness > to_.nearness_[sample])) return;
-      glm::vec3 parts(0);
-      parts[static_cast<int>(from[0])] = a / nearness;
-      parts[static_cast<int>(from[1])] = b / nearness;
-      parts[static_cast<int>(from[2])] = c / nearness;
-      if (shares != nullptr) parts = blend(*shares, parts);
-      shade(sample, nearness, parts);
-    };
-    const std::int32_t columns = box.last_x - box.first_x + 1, rows = box.last_y - box.first_y + 1;
-    if (columns > 8 || rows > 8) {
-      for_each_covered(corners[0], corners[1], corners[2], box, visit);
-      return;
-    }
-    const std::array<EdgeFunction, 3> edges = edges_of(corners[0], corners[1], corners[2]);
-    for (std::int32_t y = box.first_y; y <= box.last_y; ++y) {
-      for (std::int32_t x = box.first_x; x <= box.last_x; ++x) {
-        if (edges[0].contains(x, y) && edges[1].contains(x, y) && edges[2].contains(x, y)) {
-          visit(x, y, {edges[0].at(x, y), edges[1].at(x, y), edges[2].at(x, y)});
-        }
-      }
-    }
-  }
-
-  void shade(std::size_t sample, float nearness, const glm::vec3& parts) {
-    ++work_->samples;
-    if (task_->flat_colour != nullptr && task_->surface.alpha_mode != AlphaMode::mask) {
-      to_.nearness_[sample] = nearness;
-      to_.colours_[sample] = *task_->flat_colour;
-      return;
-    }
-    if (!has_data_) prepare();
-    SurfacePoint& point = data_.point;
-    point.base_place = blend(data_.base_places, parts);
-    const glm::vec4 base = base_colour(task_->surface, point);
-    if (task_->surface.alpha_mode == AlphaMode::mask && base.w < task_->surface.alpha_cutoff) return;
-    glm::vec3 colour(base);
-    if (task_->flat_colour != nullptr) {
-      colour = *task_->flat_colour;
-    } else {
-      point.normal = blend(data_.normals, parts);
-      point.to_eye = blend(data_.to_eye, parts);
-      point.normal_map_place = blend(data_.normal_map_places, parts);
-      colour = shaded(task_->surface, task_->rendering, point, colour);
-    }
-    glm::vec3& to = to_.colours_[sample];
-    if (task_->surface.alpha_mode == AlphaMode::blend) {
-      to = to * (1 - base.w) + colour * base.w;
-      return;
-    }
-    to = colour;
-    to_.nearness_[sample] = nearness;
-  }
-
-  void prepare() {
-    has_data_ = true;
-    std::array<glm::vec3, 3> places;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = vertices_[i];
-      places[i] = glm::vec3(world_ * glm::vec4(task_->positions[v], 1));
-      data_.to_eye[i] = glm::vec3(camera_.eye - glm::dvec3(places[i]));
-      if (!task_->normals.empty()) data_.normals[i] = of_normals_ * task_->normals[v];
-      data_.base_places[i] = task_->level.base_places.empty() ? glm::vec2(0) : task_->level.base_places[v];
-      data_.normal_map_places[i] =
-          task_->level.normal_map_places.empty() ? glm::vec2(0) : task_->level.normal_map_places[v];
-    }
-    const glm::vec3 a = places[1] - places[0], b = places[2] - places[0];
-    if (task_->normals.empty()) {
-      const glm::vec3 flat = is_mirrored_ ? glm::cross(b, a) : glm::cross(a, b);
-      data_.normals = {flat, flat, flat};
-    }
-    if (is_back_) {
-      for (glm::vec3& normal : data_.normals) normal = -normal;
-    }
-    SurfacePoint& point = data_.point;
-    point.base_mip = mip_level(doubled_span(data_.base_places) * texels_of(task_->surface.base) / area_);
-    if (!task_->surface.normal_map) return;
-    point.normal_map_mip =
-        mip_level(doubled_span(data_.normal_map_places) * texels_of(task_->surface.normal_map) / area_);
-    // Where u and v grow over the triangle. glTF's v runs down the image, and green upwards.
-    const auto& uv = data_.normal_map_places;
-    const glm::vec2 s = uv[1] - uv[0], t = uv[2] - uv[0];
-    const float turn = s.x * t.y - s.y * t.x;
-    point.along_u = (a * t.y - b * s.y) * (turn < 0 ? -1.0f : 1.0f);
-    point.along_v = (a * t.x - b * s.x) * (turn < 0 ? -1.0f : 1.0f);
-  }
-
-  ReferenceRenderer& to_;
-  const FrameCamera& camera_;
-  glm::dvec3 right_, up_;
-  glm::dvec2 middle_;
-
-  const Task* task_ = nullptr;
-  DrawnWork* work_ = nullptr;
-  glm::mat4 world_{1};
-  glm::mat3 of_normals_{1};
-  bool is_mirrored_ = false;
-  std::vector<ViewVertex> moved_;
-  std::vector<Corner> corners_;
-  std::vector<float> inverse_;
-  std::vector<CutCorner> polygon_;
-
-  std::array<std::uint32_t, 3> vertices_{};
-  bool is_back_ = false;
-  double area_ = 1;  // twice the triangle's, in samples
-  bool has_data_ = false;
-  CornerData data_;
-};
-
 ReferenceRenderer::ReferenceRenderer(FrameSize size, int samples, glm::dvec2 shift)
-    : size_(size), samples_(std::clamp(samples, 1, 16)), shift_(shift) {
+    : size_(size), samples_(std::clamp(samples, 1, 16)), all_{.shift = shift} {
   const int longest = std::max(size.width, size.height);
   if (std::min(size.width, size.height) < 1 || longest > most_samples / samples_) {
     throw std::invalid_argument("a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
@@ -274,16 +18,16 @@ ReferenceRenderer::ReferenceRenderer(FrameSize size, int samples, glm::dvec2 shi
                                 " samples along each has too many or none; at most " + std::to_string(most_samples) +
                                 " samples fit along an edge");
   }
-  sampled_ = {size.width * samples_, size.height * samples_};
+  all_.size = {size.width * samples_, size.height * samples_};
 }
 
 void ReferenceRenderer::draw(const FrameScene& scene, const FrameMoment& moment, const FrameCamera& camera,
                              std::span<const DrawnObject> objects, FrameStyle style) {
-  const std::size_t count = static_cast<std::size_t>(sampled_.width) * static_cast<std::size_t>(sampled_.height);
-  nearness_.assign(count, 0);
-  colours_.assign(count, style == FrameStyle::lit ? sky_colour : glm::vec3(0.1f, 0.15f, 0.3f));
-  work_ = {};
-  Painter painter(*this, camera);
+  const std::size_t count = static_cast<std::size_t>(all_.size.width) * static_cast<std::size_t>(all_.size.height);
+  all_.nearness.assign(count, 0);
+  all_.colours.assign(count, style == FrameStyle::lit ? sky_colour : glm::vec3(0.1f, 0.15f, 0.3f));
+  all_.work = {};
+  DrawPainter painter(all_, camera);
   const auto draw_all_of = [&](const DrawnObject& drawn, bool is_blended) {
     const PlacedObject& object = scene.objects()[drawn.object];
     const FrameMesh& mesh = scene.mesh_of(drawn.object);
@@ -317,10 +61,10 @@ FramePicture ReferenceRenderer::picture() const {
   const auto side = static_cast<std::size_t>(samples_), width = static_cast<std::size_t>(size_.width);
   picture.colours.assign(width * static_cast<std::size_t>(size_.height), glm::vec3(0));
   const float share = 1 / static_cast<float>(side * side);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(sampled_.height); ++y) {
+  for (std::size_t y = 0; y < static_cast<std::size_t>(all_.size.height); ++y) {
     glm::vec3* to = &picture.colours[(static_cast<std::size_t>(size_.height) - 1 - y / side) * width];
-    const glm::vec3* from = &colours_[y * static_cast<std::size_t>(sampled_.width)];
-    for (std::size_t x = 0; x < static_cast<std::size_t>(sampled_.width); ++x) to[x / side] += share * from[x];
+    const glm::vec3* from = &all_.colours[y * static_cast<std::size_t>(all_.size.width)];
+    for (std::size_t x = 0; x < static_cast<std::size_t>(all_.size.width); ++x) to[x / side] += share * from[x];
   }
   return picture;
 }

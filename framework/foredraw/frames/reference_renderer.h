@@ -42,6 +42,15 @@ enum class FrameStyle {
   objects,  ///< red is the object's number in the scene; exact below 2^24
 };
 
+/// A frame before it is a picture.
+struct FrameSamples {
+  FrameSize size = {};                  ///< in samples
+  glm::dvec2 shift{0};                  ///< as ReferenceRenderer has it
+  std::vector<float> nearness = {};     ///< [sample] 1 / distance, rows from below; 0 where nothing is
+  std::vector<glm::vec3> colours = {};  ///< [sample]
+  FrameWork work = {};
+};
+
 /// Works on one thread and keeps its memory from frame to frame.
 class ReferenceRenderer {
  public:
@@ -58,23 +67,17 @@ class ReferenceRenderer {
   void draw(const FrameScene& scene, const FrameMoment& moment, const FrameCamera& camera,
             std::span<const DrawnObject> objects, FrameStyle style = FrameStyle::lit);
 
-  const FrameWork& work() const { return work_; }  ///< of the last frame
-  FramePicture picture() const;                    ///< the mean of each pixel's samples
+  const FrameWork& work() const { return all_.work; }  ///< of the last frame
+  FramePicture picture() const;                        ///< the mean of each pixel's samples
   /// [sample] as picture() has colours, rows from below.
-  std::span<const glm::vec3> colours() const { return colours_; }
+  std::span<const glm::vec3> colours() const { return all_.colours; }
   /// [sample] 1 / distance ahead of the camera, rows from below; 0 where nothing is.
-  std::span<const float> nearness() const { return nearness_; }
+  std::span<const float> nearness() const { return all_.nearness; }
 
  private:
-  class Painter;
-
   FrameSize size_;
   int samples_;
-  glm::dvec2 shift_;
-  FrameSize sampled_;               // in samples
-  std::vector<float> nearness_;     // [sample] 1 / distance, rows from below
-  std::vector<glm::vec3> colours_;  // [sample]
-  FrameWork work_;
+  FrameSamples all_;
 };
 
 }  // namespace foredraw

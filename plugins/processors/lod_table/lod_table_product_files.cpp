@@ -2,6 +2,8 @@
 #include "lod_table.h"
 #include "lod_table_product.h"
 
+#include <foredraw/base/c_literal.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,25 +12,10 @@ namespace foredraw {
 
 namespace {
 
+std::string float_text(float value) { return c_float(fmt::format("{}", value)); }
+
 using List = ExtensionValue::List;
 using Members = ExtensionValue::Members;
-
-/// "12.0f": C takes no "12f".
-std::string float_text(float value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text + 'f';
-}
-
-/// Whatever is not plain is written by its number, so that no name ends the text or the line.
-std::string string_text(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const bool is_plain = c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '?';
-    result += is_plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
-  }
-  return result + '"';
-}
 
 /// So that it does not end a comment.
 std::string comment_text(std::string text) {
@@ -89,7 +76,7 @@ std::string draw_text(const LodTable::OfDraw& draw, const std::string& name, con
     for (const std::uint32_t mask : masks) words.push_back(fmt::format("{}u", mask));
     hulls.push_back(braced(words));
   }
-  return fmt::format("  {{{}, {} + {}, {}, {}, {}, {}, {},\n   {}}},\n", string_text(name), levels, first,
+  return fmt::format("  {{{}, {} + {}, {}, {}, {}, {}, {},\n   {}}},\n", c_string(name), levels, first,
                      draw.levels.size(), float_text(draw.radius), float_text(draw.coverage),
                      float_text(draw.importance), braced(accuracy), braced(hulls));
 }

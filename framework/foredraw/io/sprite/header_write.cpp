@@ -1,5 +1,7 @@
 // Sprites as C99 arrays, which C++ takes too.
 #include <foredraw/io/sprite/private/write.h>
+
+#include <foredraw/base/c_literal.h>
 #include <foredraw/io/text/private/free_names.h>
 
 #include <fmt/format.h>
@@ -44,23 +46,6 @@ typedef struct {type} {{
 
 constexpr std::size_t most_vertices = 65536;
 
-/// "12.0f": C takes no "12f".
-std::string float_text(double value) {
-  std::string text = shortest(value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text + 'f';
-}
-
-/// Whatever is not plain is written by its number, so that no name ends the text or the line.
-std::string string_text(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const bool is_plain = c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '?';
-    result += is_plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
-  }
-  return result + '"';
-}
-
 void put_array(std::string& text, const std::string& type, const std::string& name,
                const std::vector<std::string>& values, std::size_t in_a_line) {
   text += fmt::format("static const {} {}[{}] = {{", type, name, values.size());
@@ -74,8 +59,8 @@ void put_arrays(std::string& text, const std::string& name, const DrawnSprite& s
   std::vector<std::string> uv, positions, indices;
   for (std::size_t v = 0; v < sprite.points.size(); ++v) {
     for (int i = 0; i < 2; ++i) {
-      uv.push_back(float_text(sprite.texcoords[v][i]));
-      positions.push_back(float_text(sprite.points[v][i]));
+      uv.push_back(c_float(shortest(sprite.texcoords[v][i])));
+      positions.push_back(c_float(shortest(sprite.points[v][i])));
     }
   }
   for (const std::uint32_t index : sprite.triangles) indices.push_back(std::to_string(index));
@@ -89,8 +74,8 @@ std::string row(const std::string& name, const std::string& image, const DrawnSp
   const FrameEntry& frame = sprite.frame;
   const std::string arrays =
       sprite.triangles.empty() ? "NULL, NULL, NULL" : fmt::format("{0}_uv, {0}_positions, {0}_indices", name);
-  return fmt::format("  {{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n", string_text(frame.name),
-                     string_text(image), frame.place.x, frame.place.y, frame.place.width, frame.place.height,
+  return fmt::format("  {{{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n", c_string(frame.name),
+                     c_string(image), frame.place.x, frame.place.y, frame.place.width, frame.place.height,
                      frame.is_turned ? 1 : 0, frame.offset.x, frame.offset.y, frame.whole.x, frame.whole.y,
                      sprite.triangles.empty() ? 0 : sprite.points.size(), sprite.triangles.size(), arrays);
 }
