@@ -47,6 +47,10 @@ class LodWalkEvaluator final : public Evaluator {
  public:
   explicit LodWalkEvaluator(WalkSettings settings) : settings_(std::move(settings)) {
     if (const auto mistake = mistake_in(static_cast<const FrameSet&>(settings_))) throw std::invalid_argument(*mistake);
+    if (is_camera_file(settings_.path)) {  // read now, so that the plan tells what is wrong with it
+      const auto keys = read_camera_keys(settings_.path);
+      if (const auto* why = std::get_if<std::string>(&keys)) throw std::invalid_argument(*why);
+    }
     settings_.methods = methods_in(settings_.methods_text);
     if (settings_.times == FrameTimes::vulkan && !has_vulkan_timer()) {
       throw std::invalid_argument(

@@ -148,6 +148,7 @@ TEST(LodWalk, WrongWordsAreTold) {
   EXPECT_NE(mistake({{"path", std::string("arround")}}).find("did you mean 'around'?"), std::string::npos);
   EXPECT_NE(mistake({{"width", std::int64_t{4096}}, {"samples", std::int64_t{8}}}).find("4096 x 360"),
             std::string::npos);
+  EXPECT_NE(mistake({{"path", std::string("/nowhere/a.walk")}}).find("/nowhere/a.walk"), std::string::npos);
   EXPECT_NE(mistake({{"costs", std::string("/nowhere/machine.costs")}}).find("/nowhere/machine.costs"),
             std::string::npos);
 }

@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace foredraw {
 namespace {
 
@@ -38,8 +41,11 @@ TEST(MeasuredFrames, EvaluatorsOfFramesTakeWhatTheyDoNotSay) {
 }
 
 TEST(MeasuredFrames, PathsOfFilesCountFromThePipelinesFolder) {
-  const auto settings = measured("pipeline = 1\nmeasure = ['lod-walk']\n[frames]\npath = 'a.walk'\n", "folder/p.toml");
-  EXPECT_EQ(settings[0].at("path"), OptionValue(std::string("folder/a.walk")));
+  const std::filesystem::path folder = ::testing::TempDir();
+  std::ofstream(folder / "a.walk") << "0  0 0 5  0 0 0\n";
+  const auto settings =
+      measured("pipeline = 1\nmeasure = ['lod-walk']\n[frames]\npath = 'a.walk'\n", (folder / "p.toml").string());
+  EXPECT_EQ(settings[0].at("path"), OptionValue((folder / "a.walk").string()));
 }
 
 TEST(MeasuredFrames, AWrongPathIsAMistakeOfThePipeline) {
