@@ -1,11 +1,9 @@
 #include <foredraw/frames/camera_path.h>
 
 #include "support/levelled_field.h"
+#include "support/program.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
 
 namespace foredraw {
 namespace {
@@ -32,18 +30,20 @@ std::string why_not(Scene scene, const FrameSet& set) {
   return why == nullptr ? std::string() : *why;
 }
 
-/// A file of keys with that text.
-std::string file_of(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "keys.walk";
-  std::ofstream(path) << text;
-  return path.string();
-}
+/// Keys are read from files.
+class CameraKeys : public testing::InFolder {
+ protected:
+  std::string file_of(const std::string& text) const {
+    testing::put(folder_ / "keys.walk", text);
+    return (folder_ / "keys.walk").string();
+  }
 
-std::string mistake_in_keys(const std::string& text) {
-  const auto keys = read_camera_keys(file_of(text));
-  const std::string* why = std::get_if<std::string>(&keys);
-  return why == nullptr ? std::string() : why->substr(why->find("keys.walk"));
-}
+  std::string mistake_in(const std::string& text) const {
+    const auto keys = read_camera_keys(file_of(text));
+    const std::string* why = std::get_if<std::string>(&keys);
+    return why == nullptr ? std::string() : why->substr(why->find("keys.walk"));
+  }
+};
 
 TEST(CameraPath, AroundTheSceneLooksAtItsMiddleFromOutsideAndComesBack) {
   const CameraPath path = path_of(testing::levelled_field(5), {.path = "around", .frames = 50});
@@ -103,7 +103,7 @@ TEST(CameraPath, WithoutACameraThatMovesSaysSo) {
   EXPECT_NE(why_not(still, {.path = "camera"}).find("has no perspective camera"), std::string::npos);
 }
 
-TEST(CameraPath, OfKeysMovesEvenlyBetweenThem) {
+TEST_F(CameraKeys, AreMovedBetweenEvenly) {
   const std::string file = file_of("# out and back\n0  0 0 0  0 0 -1\n1  4 0 0  4 0 -1\n\n3  4 2 0  4 2 -1 # up\n");
   const CameraPath path = path_of(testing::levelled_field(1), {.path = file, .frames = 7});
   EXPECT_EQ(path[1].camera.eye, glm::dvec3(2, 0, 0));
@@ -113,14 +113,14 @@ TEST(CameraPath, OfKeysMovesEvenlyBetweenThem) {
   EXPECT_EQ(path[4].seconds, 2);
 }
 
-TEST(CameraPath, WrongKeysAreToldByTheirLine) {
-  EXPECT_EQ(mistake_in_keys("0 0 0 0 0 0 -1\n1 2 3\n").substr(0, 12), "keys.walk:2:");
-  EXPECT_NE(mistake_in_keys("0 0 0 0 0 0 -1 8\n").find("expected seven numbers"), std::string::npos);
-  EXPECT_NE(mistake_in_keys("0 1 1 1 1 1 1\n").find("somewhere else than the eye"), std::string::npos);
-  EXPECT_NE(mistake_in_keys("0 nan 0 0 0 0 -1\n"), "");
-  EXPECT_NE(mistake_in_keys("0 0 0 0 1e400 0 -1\n"), "");
-  EXPECT_NE(mistake_in_keys("1 0 0 0 0 0 -1\n1 0 0 0 0 0 -1\n").find("times must rise"), std::string::npos);
-  EXPECT_NE(mistake_in_keys("# nothing\n").find("it has no keys"), std::string::npos);
+TEST_F(CameraKeys, AreToldByTheirLineWhereWrong) {
+  EXPECT_EQ(mistake_in("0 0 0 0 0 0 -1\n1 2 3\n").substr(0, 12), "keys.walk:2:");
+  EXPECT_NE(mistake_in("0 0 0 0 0 0 -1 8\n").find("expected seven numbers"), std::string::npos);
+  EXPECT_NE(mistake_in("0 1 1 1 1 1 1\n").find("somewhere else than the eye"), std::string::npos);
+  EXPECT_NE(mistake_in("0 nan 0 0 0 0 -1\n"), "");
+  EXPECT_NE(mistake_in("0 0 0 0 1e400 0 -1\n"), "");
+  EXPECT_NE(mistake_in("1 0 0 0 0 0 -1\n1 0 0 0 0 0 -1\n").find("times must rise"), std::string::npos);
+  EXPECT_NE(mistake_in("# nothing\n").find("it has no keys"), std::string::npos);
   EXPECT_NE(why_not(testing::levelled_field(1), {.path = "./nowhere.walk"}).find("there is no such file"),
             std::string::npos);
 }
