@@ -1,5 +1,7 @@
 #include <foredraw/analysis/analyses.h>
 
+#include <foredraw/scene/image.h>
+
 #include <foredraw/scene/vertex_streams.h>
 
 namespace foredraw {
@@ -52,6 +54,7 @@ std::vector<std::shared_ptr<Analyses::Entry>> Analyses::take_what_is_too_much() 
 }
 
 std::variant<Texels, std::string> Analyses::decode(const Image& image) const {
+  if (image.is_texels) return Texels{*image.facts, {image.bytes.view().begin(), image.bytes.view().end()}};
   if (!decoder_) return "this program cannot decode images";
   return decoder_(image);
 }

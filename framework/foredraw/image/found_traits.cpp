@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 namespace foredraw {
 
@@ -104,6 +105,12 @@ bool is_sprite(const Draw& draw, const Material* material) {
          !draw.traits.has(traits::skinned) && is_made_of_sprites(draw, material->base_colour->texcoord);
 }
 
+bool is_displaced(const Draw& draw, const Material* material) {
+  return material != nullptr && material->displacement && material->displacement->texture.image &&
+         draw.topology == Topology::triangles &&
+         draw.full().vertices->find("TEXCOORD_" + std::to_string(material->displacement->texture.texcoord)) != nullptr;
+}
+
 }  // namespace
 
 void find_traits(Scene& scene) {
@@ -125,6 +132,7 @@ void find_traits(Scene& scene) {
     add(material != nullptr && material->alpha_mode == AlphaMode::blend, traits::blended);
     add(material != nullptr && material->alpha_mode == AlphaMode::mask, traits::masked);
     add(material != nullptr && material->double_sided, traits::double_sided);
+    add(is_displaced(draw, material), traits::displaced);
     add(use.instanced, traits::instanced);
     add(is_sprite(draw, material), traits::sprite);
     const VertexStream* positions = vertices.find("POSITION");

@@ -19,12 +19,14 @@ struct ImageFacts {
   friend bool operator==(const ImageFacts&, const ImageFacts&) = default;
 };
 
-/// An image as it came: encoded bytes, or a reference to a file beside the scene.
+/// An image as it came: encoded bytes, or a reference to a file beside the scene. Or as a stage made it: texels, which
+/// are encoded when somebody writes them.
 struct Image {
   std::string name;
   std::string media_type;  ///< "image/png"; empty: unknown
   std::string uri;         ///< where the bytes stay outside of the scene's file; empty: `bytes` holds them
   Shared<std::byte> bytes;
+  bool is_texels = false;           ///< the bytes are those of Texels, as the facts say
   std::optional<ImageFacts> facts;  ///< none: of a kind that is not known here, damaged, or not in the file
 };
 

@@ -14,6 +14,15 @@ using MaterialId = std::uint32_t;
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
+/// By how much a surface is moved outwards: factor * height + offset, in the draw's units. The height is the first
+/// channel of the texture, 0 to 1, as stored.
+struct Displacement {
+  Texture texture;
+  float factor = 1;
+  float offset = 0;
+  friend bool operator==(const Displacement&, const Displacement&) = default;
+};
+
 /// What the order of triangles, the count of fragments and pictures of frames depend on; the rest stays in the file it
 /// came from.
 struct Material {
@@ -25,7 +34,8 @@ struct Material {
   glm::vec3 colour{1};                 ///< the base colour's, linear
   std::optional<Texture> base_colour;  ///< whose colour and alpha are multiplied with these
   std::optional<Texture> normal_map;
-  float normal_scale = 1;     ///< of the normal map's x and y
+  float normal_scale = 1;  ///< of the normal map's x and y
+  std::optional<Displacement> displacement;
   std::optional<Stamp> look;  ///< of all that the file says but the name: equal ones look alike
   std::optional<Stamp> kind;  ///< of the same without its numbers: equal ones differ in factors and textures alone
   /// Which sides are drawn has to stay: light passes through, the file animates the material, or a variant of the file

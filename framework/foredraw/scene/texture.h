@@ -24,6 +24,8 @@ struct Texture {
   glm::dvec2 scale{1};
   double rotation = 0;  ///< radians
   glm::dvec2 offset{0};
+
+  friend bool operator==(const Texture&, const Texture&) = default;
 };
 
 /// Rows from the top, channels interleaved, no padding. 8 or 16 bits unsigned a channel in the machine's byte order, as

@@ -13,6 +13,7 @@ std::span<const TraitRow> known_traits() {
       {traits::blended, "material is alpha-blended, so the order of triangles may show"},
       {traits::masked, "material is alpha-masked"},
       {traits::double_sided, "material draws back faces"},
+      {traits::displaced, "its material moves the surface by a map of heights"},
       {traits::instanced, "more than one node draws it"},
       {traits::quantized, "positions are stored as integers"},
       {traits::extended, "carries an extension that may refer to its triangles or vertices by number"},

@@ -30,6 +30,7 @@ inline constexpr Trait animated = "animated";
 inline constexpr Trait blended = "blended";
 inline constexpr Trait masked = "masked";
 inline constexpr Trait double_sided = "double-sided";
+inline constexpr Trait displaced = "displaced";
 inline constexpr Trait instanced = "instanced";
 inline constexpr Trait sprite = "sprite";
 inline constexpr Trait trimmed = "trimmed";

@@ -138,10 +138,15 @@ void take_extension_everywhere(Json& json, std::string_view name) {
   each_primitive(json, [&](Json& primitive) { take_extension(primitive, name); });
 }
 
-void list_extension(Json& json, const char* list, const std::string& name) {
-  Json& names = json[list];
-  if (std::ranges::find(names, Json(name)) == names.end()) names.push_back(name);
+std::size_t listed(Json& list, const Json& value) {
+  if (!list.is_array()) list = Json::array();
+  const auto found = std::find(list.begin(), list.end(), value);
+  if (found != list.end()) return static_cast<std::size_t>(found - list.begin());
+  list.push_back(value);
+  return list.size() - 1;
 }
+
+void list_extension(Json& json, const char* list, const std::string& name) { listed(json[list], name); }
 
 void unlist_extension(Json& json, std::string_view name) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {

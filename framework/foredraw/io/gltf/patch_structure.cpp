@@ -1,7 +1,10 @@
 // Nodes, skins, animations, materials and images put back: additions, changed materials and images, and nodes without
 // the mesh that they had. Nothing else of the structure may change, and whoever changes it is told.
+#include <foredraw/io/gltf/private/displacement.h>
 #include <foredraw/io/gltf/private/instances.h>
+#include <foredraw/io/gltf/private/material_textures.h>
 #include <foredraw/io/gltf/private/write.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/scene/walk.h>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -129,34 +132,11 @@ void put_material(Json& json, const Material& now, const Material& was) {
   if (now.double_sided != was.double_sided) json["doubleSided"] = now.double_sided;
 }
 
-int word(Wrap wrap) { return wrap == Wrap::clamped ? 33071 : wrap == Wrap::mirrored ? 33648 : 10497; }
-
-/// The number of what is in the list, or was put into it.
-std::size_t listed(Json& list, const Json& value) {
-  if (!list.is_array()) list = Json::array();
-  const auto found = std::find(list.begin(), list.end(), value);
-  if (found != list.end()) return static_cast<std::size_t>(found - list.begin());
-  list.push_back(value);
-  return list.size() - 1;
-}
-
 /// What a texture that the material did not have makes of it. Whatever the document lists may move in memory.
 Json textured_surface(Json& document, const Material& now, const Texture& texture) {
   Json surface = Json::object();
   if (now.alpha != 1) surface["baseColorFactor"] = {1, 1, 1, now.alpha};
-  const int filter = texture.is_nearest ? 9728 : 9729;
-  const Json sampler{
-      {"magFilter", filter}, {"minFilter", filter}, {"wrapS", word(texture.wrap[0])}, {"wrapT", word(texture.wrap[1])}};
-  const std::size_t number = listed(document["samplers"], sampler);
-  Json use{{"index", listed(document["textures"], {{"sampler", number}, {"source", *texture.image}})}};
-  if (texture.texcoord != 0) use["texCoord"] = texture.texcoord;
-  if (texture.scale != glm::dvec2(1) || texture.rotation != 0 || texture.offset != glm::dvec2(0)) {
-    use["extensions"]["KHR_texture_transform"] = {{"offset", {texture.offset.x, texture.offset.y}},
-                                                  {"rotation", texture.rotation},
-                                                  {"scale", {texture.scale.x, texture.scale.y}}};
-    listed(document["extensionsUsed"], "KHR_texture_transform");
-  }
-  surface["baseColorTexture"] = std::move(use);
+  surface["baseColorTexture"] = texture_use(texture, document);
   surface["metallicFactor"] = 0;
   return surface;
 }
@@ -260,13 +240,16 @@ class StructurePatch {
     if (scene_.materials.size() < was_.materials.size()) return fail("materials", "some were removed");
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
       const Material& now = scene_.materials[i];
-      const std::size_t old = i < was_.materials.size() ? i : now.copy_of.value_or(was_.materials.size());
+      std::size_t old = i;  // a copy of a copy stems from the file too
+      while (old >= was_.materials.size() && scene_.materials[old].copy_of) old = *scene_.materials[old].copy_of;
       const bool is_old = old < was_.materials.size();
       if (i >= was_.materials.size()) {
         json_["materials"][i] = is_old ? Json(json_["materials"][old]) : Json::object();
       }
-      put_material(json_["materials"][i], now, is_old ? was_.materials[old] : Material{});
-      const bool had_texture = is_old && was_.materials[old].base_colour;
+      const Material was = is_old ? was_.materials[old] : Material{};
+      put_material(json_["materials"][i], now, was);
+      put_displacement(i, now, was, json_);
+      const bool had_texture = is_old && was.base_colour;
       if (!now.base_colour || !now.base_colour->image || had_texture) continue;
       Json surface = textured_surface(json_, now, *now.base_colour);
       json_["materials"][i]["pbrMetallicRoughness"].update(surface);
@@ -292,7 +275,11 @@ class StructurePatch {
         return fail("images[" + std::to_string(i) + "]", "its bytes were replaced by a file name");
       json["uri"] = now.uri;
     }
-    if (now.uri.empty() && !(now.bytes == was.bytes)) {
+    if (now.is_texels) {
+      const auto bytes = now.bytes.view();
+      store_.set_image(i, Shared<std::byte>(encode_png({*now.facts, {bytes.begin(), bytes.end()}})));
+      json["mimeType"] = "image/png";
+    } else if (now.uri.empty() && !(now.bytes == was.bytes)) {
       const std::string type = now.media_type.empty() ? media_type_of(now.bytes.view()) : now.media_type;
       if (type.empty() || now.bytes.empty()) return fail("images[" + std::to_string(i) + "]", "its type is unknown");
       store_.set_image(i, now.bytes);

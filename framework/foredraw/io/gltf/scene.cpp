@@ -1,6 +1,7 @@
 // A sound document to a scene.
 #include <foredraw/image/found_traits.h>
 #include <foredraw/io/gltf/private/base_colour.h>
+#include <foredraw/io/gltf/private/displacement.h>
 #include <foredraw/io/gltf/private/instances.h>
 #include <foredraw/io/gltf/private/kept_sides.h>
 #include <foredraw/io/gltf/private/material_stamps.h>
@@ -181,6 +182,7 @@ Material material_of(const Json& from, const Json& document) {
   material.alpha_cutoff = from.value("alphaCutoff", 0.5f);
   material.double_sided = from.value("doubleSided", false);
   add_base_colour(material, from, document);
+  add_displacement(material, from, document);
   add_stamps(material, from);
   return material;
 }

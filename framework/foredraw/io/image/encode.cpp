@@ -22,6 +22,7 @@ namespace {
 
 std::variant<Texels, std::string> texels_of(const Image& image) {
   if (!image.uri.empty()) return "is in a separate file, '" + image.uri + "'";
+  if (image.is_texels) return Texels{*image.facts, {image.bytes.view().begin(), image.bytes.view().end()}};
   Diagnostics diagnostics;
   auto texels = decode_image(image.bytes.view(), {}, diagnostics);
   if (!texels) return diagnostics.all().front().message;
@@ -86,11 +87,15 @@ std::variant<Rgba, std::string> rgba_of(const Image& image) {
 
 std::variant<Image, std::string> png_or_jpeg(const Image& image) {
   if (!image.uri.empty()) return "is in a separate file, '" + image.uri + "'";
-  const auto header = header_of(image.bytes.view());
-  if (!header) return "is of an unknown kind";
   Image result = image;
-  result.media_type = header->kind == Kind::jpeg ? "image/jpeg" : "image/png";
-  if (header->kind == Kind::png || header->kind == Kind::jpeg) return result;
+  result.media_type = "image/png";
+  result.is_texels = false;
+  if (!image.is_texels) {
+    const auto header = header_of(image.bytes.view());
+    if (!header) return "is of an unknown kind";
+    if (header->kind == Kind::jpeg) result.media_type = "image/jpeg";
+    if (header->kind == Kind::png || header->kind == Kind::jpeg) return result;
+  }
   auto made = texels_of(image);
   if (std::string* why = std::get_if<std::string>(&made)) return std::move(*why);
   const Texels& texels = std::get<Texels>(made);

@@ -162,6 +162,9 @@ void each_primitive(AnyJson& json, Visit visit) {
 bool has_extension(const Json& json, std::string_view name);
 void take_extension_everywhere(Json& json, std::string_view name);
 
+/// The number of what is in the list, or was put into it.
+std::size_t listed(Json& list, const Json& value);
+
 /// Puts the name into a list of extensions, where it is not there; takes it out of those that are used and required.
 void list_extension(Json& json, const char* list, const std::string& name);
 void unlist_extension(Json& json, std::string_view name);

@@ -1,0 +1,83 @@
+#include "displacement.h"
+
+#include <foredraw/scene/displacement_stamp.h>
+#include <foredraw/scene/own_material.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace foredraw {
+
+namespace {
+
+std::string why_not(const Scene& scene, DrawId id, const GivenDisplacement& given) {
+  const Draw& draw = scene.draws[id];
+  const Material* material = scene.material_of(draw);
+  const bool has_map = material != nullptr && material->displacement && material->displacement->texture.image;
+  if (!given.map && !has_map) {
+    return "its material names no map of heights; give one, as in displacement(map=\"heights.png\")";
+  }
+  const std::uint32_t texcoord = given.texcoord.value_or(
+      material != nullptr && material->displacement ? material->displacement->texture.texcoord : 0);
+  const std::string semantic = "TEXCOORD_" + std::to_string(texcoord);
+  if (draw.full().vertices->find(semantic) == nullptr) return "it has no " + semantic;
+  return {};
+}
+
+/// Of the box around all of these draws, each in its own space.
+double diagonal_of(const Scene& scene, const std::vector<DrawId>& draws) {
+  constexpr float most = std::numeric_limits<float>::infinity();
+  glm::vec3 low(most), high(-most);
+  for (const DrawId draw : draws) {
+    const VertexStream* positions = scene.draws[draw].full().vertices->find("POSITION");
+    if (positions == nullptr) continue;
+    for (const glm::vec3& position : decode_vec3(*positions)) {
+      if (!std::isfinite(position.x + position.y + position.z)) continue;
+      low = glm::min(low, position);
+      high = glm::max(high, position);
+    }
+  }
+  return low.x <= high.x ? glm::length(glm::dvec3(high) - glm::dvec3(low)) : 0;
+}
+
+}  // namespace
+
+DisplacementAnswer displace(Scene& scene, const std::vector<DrawId>& draws, const GivenDisplacement& given) {
+  DisplacementAnswer answer;
+  std::map<std::optional<MaterialId>, std::vector<DrawId>> by_material;
+  bool has_factor = given.factor.has_value();
+  for (const DrawId id : draws) {
+    if (std::string why = why_not(scene, id, given); !why.empty()) {
+      answer.why_not.emplace_back(id, std::move(why));
+      continue;
+    }
+    answer.displaced.push_back(id);
+    const Material* material = scene.material_of(scene.draws[id]);
+    has_factor = has_factor || (material != nullptr && material->displacement);
+    by_material[material == nullptr ? std::nullopt : scene.draws[id].material].push_back(id);
+  }
+  if (answer.displaced.empty()) return answer;
+  if (!has_factor) answer.factor = static_cast<float>(usual_displacement * diagonal_of(scene, answer.displaced));
+
+  for (const auto& [material, sharing] : by_material) {
+    Material& own = scene.materials[own_material(scene, material, sharing)];
+    Displacement displacement = own.displacement.value_or(Displacement{{}, answer.factor.value_or(1)});
+    if (given.map) displacement.texture.image = given.map;
+    if (given.factor) displacement.factor = *given.factor;
+    if (given.offset) displacement.offset = *given.offset;
+    if (given.texcoord) displacement.texture.texcoord = *given.texcoord;
+    if (own.displacement == displacement) continue;
+    own.displacement = displacement;
+    for (std::optional<Stamp>* stamp : {&own.look, &own.kind}) {  // alike are those that were, and are moved alike
+      if (*stamp) *stamp = combine(std::array{**stamp, stamp_of(displacement)});
+    }
+  }
+  return answer;
+}
+
+}  // namespace foredraw

@@ -1,0 +1,80 @@
+#include "displacement.h"
+
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace foredraw {
+
+namespace {
+
+struct Options {
+  ImagePath map;
+  std::optional<float> factor;
+  std::optional<float> offset;
+  std::optional<int> uv;
+};
+
+class GiveDisplacement final : public Processor {
+ public:
+  explicit GiveDisplacement(Options options) : options_(std::move(options)) {}
+
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
+    GivenDisplacement given{{}, options_.factor, options_.offset, {}};
+    if (options_.uv) given.texcoord = static_cast<std::uint32_t>(*options_.uv);
+    Scene changed = scene;
+    if (!options_.map.path.empty()) {
+      given.map = static_cast<ImageId>(scene.images.size());
+      Image map = run.image(options_.map);
+      map.name = std::filesystem::path(options_.map.path).stem().string();
+      changed.images.push_back(std::move(map));
+    }
+    const DisplacementAnswer answer = displace(changed, draws, given);
+    for (const auto& [draw, why] : answer.why_not)
+      run.note_at({.draw = draw}, "not-displaced", "not displaced: " + why);
+    if (answer.displaced.empty()) {
+      run.keep("no draw can be displaced");
+      return {};
+    }
+    if (answer.factor) {
+      run.note("factor", fmt::format("no factor is given: a height of 1 moves the surface by {:.4g} units, 2 % of the "
+                                     "diagonal",
+                                     *answer.factor));
+    }
+    scene = std::move(changed);
+    return answer.displaced;
+  }
+
+ private:
+  Options options_;
+};
+
+}  // namespace
+
+Plugin displacement_plugin() {
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {
+      .name = "displacement",
+      .summary = "Gives draws a map of heights, or changes how far theirs moves the surface",
+      .reference = "KHR_materials_displacement",
+      .acts_on = {traits::triangles},
+      .provides = {traits::displaced},
+      .pays_if = "a map belongs to the model and its file does not name it",
+  };
+  OptionTable<Options> table;
+  table.row(&Options::map, "map", "Image with the heights in its first channel; without it, each material's own stays");
+  table.row(&Options::factor, "factor",
+            "How far a height of 1 moves the surface; without it, as the material says, or 2 % of the diagonal",
+            {-1e30, 1e30, "units"});
+  table.row(&Options::offset, "offset", "How far every height moves it besides; without it, as the material says, or 0",
+            {-1e30, 1e30, "units"});
+  table.row(&Options::uv, "uv", "Which set of texture coordinates lays the map out; without it, the material's, or 0",
+            {0, 15});
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<GiveDisplacement>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw
