@@ -116,6 +116,14 @@ TEST(IncludeRules, who_links_gpu_may_include_it) {
   EXPECT_FALSE(may_include(folder + "x.cpp", "<foredraw/frames_gpu/vulkan_frames.h>"));
 }
 
+TEST(IncludeRules, techniques_may_be_made_of_rooms_beside_frames) {
+  for (const char* header : {"<foredraw/collapses/cut.h>", "<foredraw/displaced/tessellated_mesh.h>"}) {
+    EXPECT_TRUE(may_include("plugins/processors/x/x.cpp", header));
+    EXPECT_FALSE(may_include("framework/foredraw/frames/mipped_image.cpp", header));
+  }
+  EXPECT_FALSE(may_include("plugins/processors/x/x.cpp", "<foredraw/draw_orders/order_memory.h>"));
+}
+
 TEST(IncludeRules, name_the_line) {
   const Breaches breaches = include_breaches("plugins/orderers/x/x.cpp", "\n\n  #  include <fmt/format.h> // why\n");
   ASSERT_EQ(breaches.size(), 1u);
