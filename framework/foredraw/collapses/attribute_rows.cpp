@@ -1,6 +1,6 @@
 #include <foredraw/base/random.h>
 #include <foredraw/collapses/attribute_rows.h>
-#include <foredraw/collapses/skin_weights.h>
+#include <foredraw/scene/skin_weights.h>
 
 #include <glm/common.hpp>
 

@@ -1,6 +1,6 @@
-#include <foredraw/collapses/component.h>
 #include <foredraw/collapses/cut.h>
 #include <foredraw/collapses/level_vertices.h>
+#include <foredraw/scene/encode_component.h>
 
 namespace foredraw {
 

@@ -1,7 +1,8 @@
 #include <foredraw/analysis/welded_positions.h>
-#include <foredraw/collapses/component.h>
 #include <foredraw/collapses/level_vertices.h>
-#include <foredraw/collapses/skin_weights.h>
+#include <foredraw/scene/encode_component.h>
+#include <foredraw/scene/skin_weights.h>
+#include <foredraw/scene/stream_meaning.h>
 
 #include <array>
 #include <utility>
@@ -9,23 +10,6 @@
 namespace foredraw {
 
 namespace {
-
-bool begins(const std::string& semantic, std::string_view word) { return semantic.starts_with(word); }
-
-/// What lies between two values of the stream is a value, too.
-bool is_amount(const VertexStream& stream) {
-  if (begins(stream.semantic, "JOINTS_")) return false;
-  if (stream.format.component == Component::float32 || stream.format.normalized) return true;
-  for (const std::string_view word : {"POSITION", "NORMAL", "TANGENT", "TEXCOORD_", "COLOR_"}) {
-    if (begins(stream.semantic, word)) return true;
-  }
-  return false;
-}
-
-/// Whether its first three components point somewhere.
-bool is_direction(const VertexStream& stream) {
-  return (stream.semantic == "NORMAL" || stream.semantic == "TANGENT") && stream.format.components >= 3;
-}
 
 double squared_length(const float* v) { return double{v[0]} * v[0] + double{v[1]} * v[1] + double{v[2]} * v[2]; }
 

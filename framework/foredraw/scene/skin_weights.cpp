@@ -1,5 +1,5 @@
-#include <foredraw/collapses/component.h>
-#include <foredraw/collapses/skin_weights.h>
+#include <foredraw/scene/encode_component.h>
+#include <foredraw/scene/skin_weights.h>
 
 #include <string>
 
@@ -69,9 +69,9 @@ void SkinWeights::blend(std::uint32_t vertex, std::span<const Slot> other, float
   std::ranges::copy(sum, row_of(vertex));
 }
 
-void SkinWeights::write(std::uint32_t vertex, const std::vector<VertexStream>& base,
+void SkinWeights::write(std::span<const Slot> slots, std::size_t vertex, const std::vector<VertexStream>& base,
                         std::vector<std::vector<std::byte>>& bytes) const {
-  const Slot* row = rows_.data() + vertex * slots_;
+  const Slot* row = slots.data();
   double left = 0;  // of the sum, that rounding took: the next set has it
   for (const Set& set : sets_) {
     const Format joints = base[set.joints].format, weights = base[set.weights].format;

@@ -19,12 +19,18 @@ class SkinWeights {
   explicit SkinWeights(const VertexStreams& vertices);
 
   bool empty() const { return slots_ == 0; }
+  std::size_t slots() const { return slots_; }  ///< of each vertex
   std::span<const Slot> of(std::uint32_t vertex) const { return {rows_.data() + vertex * slots_, slots_}; }
   /// The vertex gets (1 - t) of its own weights and t of the other ones: the largest of them, as many as there are
   /// slots, that sum up to 1. Equal weights go by the joint's number.
   void blend(std::uint32_t vertex, std::span<const Slot> other, float t);
   /// The vertex's bytes into those of the streams, which are in the sequence of the base.
   void write(std::uint32_t vertex, const std::vector<VertexStream>& base,
+             std::vector<std::vector<std::byte>>& bytes) const {
+    write(of(vertex), vertex, base, bytes);
+  }
+  /// The same with a row of as many slots, largest weights first, for a vertex that may be a new one.
+  void write(std::span<const Slot> row, std::size_t vertex, const std::vector<VertexStream>& base,
              std::vector<std::vector<std::byte>>& bytes) const;
 
  private:
