@@ -147,10 +147,10 @@ std::string refused_in_plugin(const std::vector<std::string>& place, const Inclu
     return "plugins and evaluators include the framework up to measuring only";
   }
   const bool is_plain = file.find("_plugin.") == std::string::npos && file.find("_product") == std::string::npos;
-  const bool is_plain_room = room == "frames" || room == "collapses" || room == "displaced" || reaches("frames", room);
+  const bool is_plain_room = room == "frames" || room == "collapses" || reaches("frames", room);
   if (is_plain && !is_plain_room) {
     return "a technique's plain files include the standard library, GLM, their own folder and the framework up to "
-           "frames, collapses and displaced, and behind its header what they are made of; what dresses it goes to its "
+           "frames and collapses, and behind its header what they are made of; what dresses it goes to its "
            "_plugin.cpp";
   }
   return "";

@@ -25,7 +25,7 @@ double sum_of(std::span<const double> counts) { return std::accumulate(counts.be
 void add_hidden(Hidden& hidden, const Subject& subject, std::span<const RasterPart> drawn,
                 std::span<const std::uint32_t> sequence, std::span<const std::uint64_t> of_triangles, double weight) {
   for (std::size_t rank = 0; rank < drawn.size(); ++rank) {
-    const std::size_t triangles = drawn[rank].indices.size() / 3;
+    const std::size_t triangles = drawn[rank].triangle_count();
     std::vector<double>& of_draw = hidden[subject.parts[sequence[rank]].draw];
     of_draw.resize(std::max(of_draw.size(), triangles));
     for (std::size_t t = 0; t < triangles; ++t) of_draw[t] += weight * static_cast<double>(of_triangles[t]);

@@ -94,7 +94,7 @@ std::optional<FragmentLayers> fragment_layers(std::span<const RasterPart> parts,
                                               const Executor& executor, std::size_t most_bytes) {
   const std::vector<PreparedPart> ready = prepared(parts);
   FragmentLayers layers;
-  for (const RasterPart& part : parts) layers.owners += part.indices.size() / 3;
+  for (const RasterPart& part : parts) layers.owners += part.triangle_count();
   layers.views.resize(views.views.size());
   // Sums only grow, so whether the views exceed the limit does not depend on which of them is the last.
   std::atomic<std::size_t> bytes = 0;

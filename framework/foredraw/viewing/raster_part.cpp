@@ -33,7 +33,7 @@ PreparedPart prepared(const RasterPart& part, const BoundingSphere& sphere, std:
     if (!is_drawable(part, corners)) continue;
     if (part.is_mirrored) std::swap(corners[1], corners[2]);
     for (std::size_t corner = 0; corner < 3; ++corner) result.corners[corner].push_back(corners[corner]);
-    result.numbers.push_back(first + i);
+    result.numbers.push_back(first + (part.owners.empty() ? i : part.owners[i]));
   }
   for (std::vector<double>& axis : result.positions) pad(axis);
   for (std::vector<std::uint32_t>& corner : result.corners) pad(corner);
@@ -51,7 +51,7 @@ std::vector<PreparedPart> prepared(std::span<const RasterPart> parts) {
   std::uint32_t first = 0;
   for (const RasterPart& part : parts) {
     result.push_back(prepared(part, sphere, first));
-    first += static_cast<std::uint32_t>(part.indices.size() / 3);
+    first += static_cast<std::uint32_t>(part.triangle_count());
   }
   return result;
 }

@@ -20,6 +20,12 @@ struct RasterPart {
   bool culls_back_faces = true;
   bool is_mirrored = false;                    ///< positions were moved by a transform that turns front faces clockwise
   std::shared_ptr<const Mask> mask = nullptr;  ///< of its vertices; none: the surface has no holes
+  /// [triangle] which triangle of the draw it belongs to, where a triangle of the draw is shown as several; rising.
+  std::span<const std::uint32_t> owners = {};
+  std::size_t owner_count = 0;  ///< the draw's triangles, where there are owners
+
+  /// Of the draw. Whoever counts fragments, counts them for these.
+  std::size_t triangle_count() const { return owners.empty() ? indices.size() / 3 : owner_count; }
 };
 
 /// A part as every view draws it: number after number, as vector registers take them, and padded with places in the
@@ -30,8 +36,9 @@ struct PreparedPart {
   std::array<std::vector<double>, 3> positions;       ///< [axis][vertex], in radii from the centre of the sphere
   std::array<std::vector<std::uint32_t>, 3> corners;  ///< [corner][triangle], front faces counter-clockwise; those left
                                                       ///< that may cover something: three corners, all of them finite
-  std::vector<std::uint32_t> numbers;  ///< [triangle], counted through all parts, those that cover nothing too
-  std::uint32_t behind = 0;            ///< added to the number of a triangle that is drawn from behind
+  std::vector<std::uint32_t>
+      numbers;               ///< [triangle] of its owner, counted through all parts, those that cover nothing too
+  std::uint32_t behind = 0;  ///< added to the number of a triangle that is drawn from behind
   bool culls_back_faces = true;
   std::shared_ptr<const Mask> mask;
 

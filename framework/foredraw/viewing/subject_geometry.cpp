@@ -38,11 +38,24 @@ bool is_blended(const Scene& scene, const Draw& draw) {
 }
 
 SubjectGeometry subject_geometry(const Scene& scene, const Subject& subject, Faces faces, const PosedNodes& nodes,
-                                 Analyses& analyses) {
+                                 Analyses& analyses, ShownSurface surface) {
   SubjectGeometry drawn;
-  for (const SubjectPart& part : subject.parts) drawn.positions.push_back(posed_positions(scene, part, nodes));
+  for (const SubjectPart& part : subject.parts) {
+    drawn.positions.push_back(posed_positions(scene, part, nodes));
+    drawn.displaced.push_back(surface == ShownSurface::stored ? nullptr
+                                                              : displaced_draw_of(scene, part.draw, analyses));
+  }
   for (std::size_t i = 0; i < subject.parts.size(); ++i) {
-    drawn.parts.push_back(raster_part(scene, subject.parts[i], drawn.positions[i], nodes, faces, analyses));
+    const SubjectPart& part = subject.parts[i];
+    RasterPart made = raster_part(scene, part, drawn.positions[i], nodes, faces, analyses);
+    if (const DisplacedDraw* displaced = drawn.displaced[i].get(); displaced && !made.indices.empty() && !made.mask) {
+      drawn.positions[i] = posed_positions(*displaced, drawn.positions[i], scene, part, nodes);
+      made.positions = drawn.positions[i];
+      made.owner_count = made.indices.size() / 3;
+      made.indices = displaced->mesh.indices;
+      made.owners = displaced->owners;
+    }
+    drawn.parts.push_back(std::move(made));
   }
   return drawn;
 }

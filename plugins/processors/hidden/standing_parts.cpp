@@ -27,7 +27,8 @@ std::size_t drawn_triangles(const Draw& draw) {
 bool is_opaque(const Scene& scene, const Draw& draw) {
   if (has_morph_targets(draw) || draw.traits.has(traits::extended) || draw.traits.has(traits::sprite)) return false;
   const Material* material = scene.material_of(draw);
-  return material == nullptr || (material->alpha_mode == AlphaMode::opaque && !material->keeps_sides);
+  return material == nullptr ||
+         (material->alpha_mode == AlphaMode::opaque && !material->keeps_sides && !material->displacement);
 }
 
 StandingParts standing_parts(const Scene& scene, const Subject& subject, const PosedNodes& nodes) {
@@ -56,6 +57,7 @@ std::string why_it_stays(const Scene& scene, const Draw& draw) {
   if (material != nullptr && material->keeps_sides) {
     return "light passes through its material, or the material may change";
   }
+  if (material != nullptr && material->displacement) return "a map of heights moves its surface";
   if (has_morph_targets(draw)) return "it has morph targets, and may take any shape between them";
   if (draw.traits.has(traits::sprite)) return "it is a sprite";
   if (draw.levels.size() != 1) return "it has several levels of detail";

@@ -94,7 +94,8 @@ SideGains side_gains(const Scene& scene, const std::map<DrawId, std::vector<Side
     const std::size_t different = subject.is_placed() ? std::min(poses.poses.size(), views.views.size()) : 1;
     for (std::size_t pose = 0; pose < different; ++pose) {
       const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene, poses.poses[pose]) : PosedNodes();
-      const SubjectGeometry drawn = subject_geometry(scene, subject, Faces::material, nodes, analyses);
+      const SubjectGeometry drawn =
+          subject_geometry(scene, subject, Faces::material, nodes, analyses, ShownSurface::stored);
       const AllSides sides(drawn.parts);
       const std::vector<std::uint8_t> is_wanted = sides.among(sides_of_parts(subject, drawn.parts, wanted));
       SideFragments found(sides.count());

@@ -99,7 +99,8 @@ class SubjectSides {
   std::shared_ptr<Posed> posed(const Pose& pose) {
     if (still_) return still_;
     const PosedNodes nodes = subject_.is_placed() ? posed_nodes(scene_, pose) : PosedNodes();
-    const auto made = std::make_shared<Posed>(subject_geometry(scene_, subject_, Faces::material, nodes, analyses_));
+    const auto made = std::make_shared<Posed>(
+        subject_geometry(scene_, subject_, Faces::material, nodes, analyses_, ShownSurface::stored));
     if (!moves()) still_ = made;
     return made;
   }

@@ -34,6 +34,7 @@ std::string why_kept(const Scene& scene, DrawId id, const std::vector<bool>& giv
   const Draw& draw = scene.draws[id];
   const Material& material = *scene.material_of(draw);
   if (material.alpha_mode == AlphaMode::blend) return "it is blended";
+  if (material.displacement) return "a map of heights moves its surface";
   if (material.keeps_sides) return "light passes through its material, or an animation or a variant changes it";
   if (draw.levels.size() != 1) return "it has several levels of detail";
   if (draw.full().orders.size() != 1) return "it has several orders";
@@ -96,7 +97,8 @@ double shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
     const bool moves = subject.is_placed() && run.poses.poses.size() > 1;
     for (std::size_t pose = 0; pose < (moves ? run.poses.poses.size() : 1); pose += step) {
       const PosedNodes nodes = subject.is_placed() ? posed_nodes(scene, run.poses.poses[pose]) : PosedNodes();
-      const auto drawn = subject_geometry(scene, subject, run.overdraw->faces(), nodes, run.analyses);
+      const auto drawn =
+          subject_geometry(scene, subject, run.overdraw->faces(), nodes, run.analyses, ShownSurface::stored);
       for (const auto& part : run.overdraw->draw(drawn.parts, views, run)) {
         for (const OverdrawCount& count : part) result += static_cast<double>(count.shaded);
       }

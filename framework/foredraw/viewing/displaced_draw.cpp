@@ -1,0 +1,70 @@
+#include <foredraw/viewing/displaced_draw.h>
+
+#include <foredraw/displaced/scene_displacement.h>
+#include <foredraw/viewing/posed_positions.h>
+
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+/// Of one draw: its silhouette is then as fine as what viewers show of it, and views are still drawn in no time.
+constexpr std::size_t most_triangles = std::size_t{1} << 19;
+
+constexpr TessellationSpacing spacing = TessellationSpacing::equal;
+
+std::vector<TessellationLevels> shown_levels(const Draw& draw, std::span<const std::array<std::int32_t, 2>> places) {
+  const std::vector<glm::vec3> positions = decode_vec3(*draw.full().vertices->find("POSITION"));
+  for (double texels = 1;; texels *= 2) {
+    auto levels = levels_by_texels(draw.full().stream().indices.view(), positions, places, texels);
+    std::size_t triangles = 0;
+    for (const TessellationLevels& of : levels) triangles += tessellation_counts(of, spacing).triangles;
+    if (triangles <= std::max(most_triangles, levels.size())) return levels;
+  }
+}
+
+DisplacedDraw made(const Scene& scene, DrawId id, const LaidOutMap& map, Analyses& analyses) {
+  const Draw& draw = scene.draws[id];
+  const auto indices = draw.full().stream().indices.view();
+  const std::vector<TessellationLevels> levels = shown_levels(draw, map.places);
+  DisplacedDraw result;
+  result.mesh = tessellated_mesh(indices, draw.full().vertices->count, levels, spacing);
+  result.displacements =
+      displacements(result.mesh, indices, map.places, map.sampled(), map.displacement.factor, map.displacement.offset);
+  result.directions = displacement_directions(scene, id, analyses);
+  for (std::uint32_t t = 0; t < levels.size(); ++t)
+    result.owners.insert(result.owners.end(), tessellation_counts(levels[t], spacing).triangles, t);
+  return result;
+}
+
+}  // namespace
+
+std::size_t DisplacedDraw::bytes() const {
+  return mesh.samples.size() * sizeof(SurfaceSample) + directions.size() * sizeof(glm::vec3) +
+         sizeof(std::uint32_t) * (mesh.indices.size() + displacements.size() + owners.size());
+}
+
+std::shared_ptr<const DisplacedDraw> displaced_draw_of(const Scene& scene, DrawId id, Analyses& analyses) {
+  const Material* material = scene.material_of(scene.draws[id]);
+  if (material == nullptr || !material->displacement) return nullptr;
+  const auto map = laid_out_map(scene, id, analyses);
+  if (std::holds_alternative<std::string>(map)) return nullptr;
+  return analyses.get<DisplacedDraw>(displacement_stamp(scene, id),
+                                     [&] { return made(scene, id, std::get<LaidOutMap>(map), analyses); });
+}
+
+std::vector<glm::vec3> posed_positions(const DisplacedDraw& displaced, std::span<const glm::vec3> posed,
+                                       const Scene& scene, const SubjectPart& part, const PosedNodes& nodes) {
+  std::vector<glm::vec3> directions = displaced.directions;
+  if (part.node) {
+    const std::vector<glm::dmat4x3> maps = vertex_maps(scene, part, nodes);
+    for (std::size_t v = 0; v < directions.size(); ++v) directions[v] = glm::dmat3(maps[v]) * glm::dvec3(directions[v]);
+  }
+  return displaced_positions(displaced.mesh, scene.draws[part.draw].full().stream().indices.view(), posed, directions,
+                             displaced.displacements);
+}
+
+}  // namespace foredraw
