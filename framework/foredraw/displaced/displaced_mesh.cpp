@@ -1,6 +1,8 @@
 #include <foredraw/displaced/displaced_mesh.h>
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/displaced/shared_edges.h>
+#include <foredraw/displaced/stored_levels.h>
 #include <foredraw/runtime/displaced_surface.h>
 
 #include <algorithm>
@@ -26,11 +28,6 @@ float displacement_at(const std::array<std::array<std::int32_t, 2>, 3>& corners,
   return offset + factor * foredraw_height_part(height, height_bits);
 }
 
-struct Edge {
-  std::uint32_t a, b;
-  std::uint32_t side;  ///< 3t + e
-};
-
 }  // namespace
 
 std::vector<float> displacements(const TessellatedMesh& mesh, std::span<const std::uint32_t> source,
@@ -47,6 +44,20 @@ std::vector<float> displacements(const TessellatedMesh& mesh, std::span<const st
                                      map, factor, offset));
   }
   return result;
+}
+
+std::vector<float> height_displacements(std::span<const std::uint16_t> heights, std::uint32_t bits, float factor,
+                                        float offset) {
+  std::vector<float> result;
+  result.reserve(heights.size());
+  for (const std::uint16_t height : heights) result.push_back(offset + factor * foredraw_height_part(height, bits));
+  return result;
+}
+
+TessellatedMesh tessellated_mesh(const DrawHeights& heights, const Level& level) {
+  const auto indices = level.stream().indices.view();
+  const auto levels = baked_levels(heights.levels.view(), indices, decode_vec3(*level.vertices->find("POSITION")));
+  return tessellated_mesh(indices, level.vertices->count, levels, TessellationSpacing::equal);
 }
 
 std::vector<glm::vec3> displaced_positions(const TessellatedMesh& mesh, std::span<const std::uint32_t> source,
@@ -75,31 +86,30 @@ std::vector<TessellationLevels> levels_by_texels(std::span<const std::uint32_t> 
                                                  std::span<const glm::vec3> positions,
                                                  std::span<const std::array<std::int32_t, 2>> places,
                                                  double texels_per_part) {
-  const std::vector<std::uint32_t> first = welded(positions);
+  std::vector<float> sides(source.size());
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    const EdgeEnds ends = edge_ends(source, side);
+    const auto &a = places[ends.from], &b = places[ends.to];
+    const double u = double(a[0]) - b[0], v = double(a[1]) - b[1];
+    const double parts = std::sqrt(u * u + v * v) / (256 * texels_per_part);
+    sides[side] = 1;
+    while (sides[side] < 64 && 2 * sides[side] <= parts) sides[side] *= 2;
+  }
+  const std::vector<std::uint32_t> first = edges_at_places(source, positions);
+  for (std::size_t side = 0; side < sides.size(); ++side)
+    sides[first[side]] = std::max(sides[first[side]], sides[side]);
   std::vector<TessellationLevels> levels(source.size() / 3);
-  std::vector<Edge> edges;
-  for (std::uint32_t t = 0; t < levels.size(); ++t) {
-    for (std::uint32_t e = 0; e < 3; ++e) {
-      const std::uint32_t a = source[3 * t + (e + 1) % 3], b = source[3 * t + (e + 2) % 3];
-      const double u = double(places[a][0]) - places[b][0], v = double(places[a][1]) - places[b][1];
-      const double parts = std::sqrt(u * u + v * v) / (256 * texels_per_part);
-      float level = 1;
-      while (level < 64 && 2 * level <= parts) level *= 2;
-      levels[t].outer[e] = level;
-      edges.push_back({std::min(first[a], first[b]), std::max(first[a], first[b]), 3 * t + e});
-    }
-  }
-  std::ranges::sort(
-      edges, [](const Edge& x, const Edge& y) { return std::tie(x.a, x.b, x.side) < std::tie(y.a, y.b, y.side); });
-  const auto level_of = [&](const Edge& edge) -> float& { return levels[edge.side / 3].outer[edge.side % 3]; };
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    float most = 1;
-    for (; end < edges.size() && edges[end].a == edges[begin].a && edges[end].b == edges[begin].b; ++end)
-      most = std::max(most, level_of(edges[end]));
-    for (std::size_t i = begin; i < end; ++i) level_of(edges[i]) = most;
-  }
+  for (std::size_t side = 0; side < sides.size(); ++side) levels[side / 3].outer[side % 3] = sides[first[side]];
   for (TessellationLevels& of : levels) of.inner = *std::ranges::max_element(of.outer);
   return levels;
+}
+
+std::vector<std::uint32_t> edges_at_places(std::span<const std::uint32_t> source,
+                                           std::span<const glm::vec3> positions) {
+  const std::vector<std::uint32_t> first = welded(positions);
+  std::vector<std::uint32_t> corners;
+  for (const std::uint32_t corner : source) corners.push_back(first[corner]);
+  return first_edges(corners, static_cast<std::uint32_t>(positions.size()));
 }
 
 }  // namespace foredraw

@@ -1,6 +1,7 @@
 #include <foredraw/viewing/displaced_draw.h>
 
 #include <foredraw/displaced/scene_displacement.h>
+#include <foredraw/displaced/stored_levels.h>
 #include <foredraw/viewing/posed_positions.h>
 
 #include <glm/mat3x3.hpp>
@@ -26,18 +27,37 @@ std::vector<TessellationLevels> shown_levels(const Draw& draw, std::span<const s
   }
 }
 
-DisplacedDraw made(const Scene& scene, DrawId id, const LaidOutMap& map, Analyses& analyses) {
-  const Draw& draw = scene.draws[id];
+std::vector<std::uint32_t> owners_of(std::span<const TessellationLevels> levels) {
+  std::vector<std::uint32_t> owners;
+  for (std::uint32_t t = 0; t < levels.size(); ++t)
+    owners.insert(owners.end(), tessellation_counts(levels[t], spacing).triangles, t);
+  return owners;
+}
+
+DisplacedDraw by_map(const Draw& draw, const LaidOutMap& map) {
   const auto indices = draw.full().stream().indices.view();
   const std::vector<TessellationLevels> levels = shown_levels(draw, map.places);
   DisplacedDraw result;
   result.mesh = tessellated_mesh(indices, draw.full().vertices->count, levels, spacing);
   result.displacements =
       displacements(result.mesh, indices, map.places, map.sampled(), map.displacement.factor, map.displacement.offset);
-  result.directions = displacement_directions(scene, id, analyses);
-  for (std::uint32_t t = 0; t < levels.size(); ++t)
-    result.owners.insert(result.owners.end(), tessellation_counts(levels[t], spacing).triangles, t);
+  result.owners = owners_of(levels);
   return result;
+}
+
+DisplacedDraw by_heights(const Level& level, const DrawHeights& heights) {
+  return {tessellated_mesh(heights, level),
+          height_displacements(heights.heights.view(), heights.bits, heights.factor, heights.offset),
+          {},
+          owners_of(baked_levels(heights.levels.view(), level.stream().indices.view(),
+                                 decode_vec3(*level.vertices->find("POSITION"))))};
+}
+
+Stamp stamp_of(const Level& level, const DrawHeights& heights) {
+  const float numbers[] = {heights.factor, heights.offset, static_cast<float>(heights.bits)};
+  const Stamp parts[] = {level.vertices->stamp(), level.stream().indices.stamp(), heights.levels.stamp(),
+                         heights.heights.stamp(), content_hash(std::span<const float>(numbers))};
+  return combine(parts);
 }
 
 }  // namespace
@@ -48,12 +68,21 @@ std::size_t DisplacedDraw::bytes() const {
 }
 
 std::shared_ptr<const DisplacedDraw> displaced_draw_of(const Scene& scene, DrawId id, Analyses& analyses) {
-  const Material* material = scene.material_of(scene.draws[id]);
+  const Draw& draw = scene.draws[id];
+  const auto directed = [&](DisplacedDraw made) {
+    made.directions = displacement_directions(scene, id, analyses);
+    return made;
+  };
+  if (const DrawHeights* heights = heights_of(scene, id)) {
+    return analyses.get<DisplacedDraw>(stamp_of(draw.full(), *heights),
+                                       [&] { return directed(by_heights(draw.full(), *heights)); });
+  }
+  const Material* material = scene.material_of(draw);
   if (material == nullptr || !material->displacement) return nullptr;
   const auto map = laid_out_map(scene, id, analyses);
   if (std::holds_alternative<std::string>(map)) return nullptr;
   return analyses.get<DisplacedDraw>(displacement_stamp(scene, id),
-                                     [&] { return made(scene, id, std::get<LaidOutMap>(map), analyses); });
+                                     [&] { return directed(by_map(draw, std::get<LaidOutMap>(map))); });
 }
 
 std::vector<glm::vec3> posed_positions(const DisplacedDraw& displaced, std::span<const glm::vec3> posed,

@@ -41,28 +41,20 @@ std::vector<std::uint32_t> uncreased(std::span<const glm::vec3> positions, std::
 
 }  // namespace
 
-Tessellated tessellate(const DisplacedSurface& surface, std::span<const TessellationLevels> levels,
-                       TessellationSpacing spacing, bool keeps_normals) {
-  TessellatedMesh mesh = tessellated_mesh(surface.indices, surface.vertices.count, levels, spacing);
-  Tessellated made{interpolated(surface.vertices, surface.indices, mesh.samples), {}, {}};
-  const std::vector<glm::vec3> corners = decode_vec3(*surface.vertices.find("POSITION"));
-  const std::vector<float> by =
-      displacements(mesh, surface.indices, surface.places, surface.map, surface.factor, surface.offset);
-  const std::vector<glm::vec3> moved = displaced_positions(mesh, surface.indices, corners, surface.directions, by);
-  for (VertexStream& stream : made.vertices.base) {
-    if (stream.semantic == "NORMAL" && !keeps_normals) {
-      std::vector<glm::vec3> normals = decode_vec3(stream);
-      const auto flat = decode_vec3(*made.vertices.find("POSITION"));
-      replace_by_face_normals(normals, moved, mesh.indices, uncreased(flat, normals));
-      stream = vec3_stream("NORMAL", normals);
-    }
-  }
+Tessellated tessellate(const VertexStreams& vertices, std::span<const std::uint32_t> indices,
+                       std::span<const glm::vec3> directions, const TessellatedMesh& mesh,
+                       std::span<const float> displacements, bool keeps_normals) {
+  Tessellated made{interpolated(vertices, indices, mesh.samples), mesh.indices};
+  const std::vector<glm::vec3> flat = decode_vec3(*made.vertices.find("POSITION"));
+  const std::vector<glm::vec3> moved =
+      displaced_positions(mesh, indices, decode_vec3(*vertices.find("POSITION")), directions, displacements);
   for (VertexStream& stream : made.vertices.base) {
     if (stream.semantic == "POSITION") stream = vec3_stream("POSITION", moved);
+    if (stream.semantic != "NORMAL" || keeps_normals) continue;
+    std::vector<glm::vec3> normals = decode_vec3(stream);
+    replace_by_face_normals(normals, moved, mesh.indices, uncreased(flat, normals));
+    stream = vec3_stream("NORMAL", normals);
   }
-  for (std::uint32_t t = 0; t < levels.size(); ++t)
-    made.source.insert(made.source.end(), tessellation_counts(levels[t], spacing).triangles, t);
-  made.indices = std::move(mesh.indices);
   return made;
 }
 

@@ -1,14 +1,17 @@
 #include "tessellate.h"
 
 #include <foredraw/displaced/scene_displacement.h>
+#include <foredraw/displaced/stored_levels.h>
 #include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <variant>
 
 namespace foredraw {
 
@@ -44,55 +47,90 @@ class Tessellate final : public Processor {
     }
     if (changed.empty()) run.keep("no draw can be tessellated");
     take_displacement(scene, changed);
+    take_heights(scene, changed);
     return changed;
   }
 
  private:
-  std::vector<TessellationLevels> levels_of(const DisplacedSurface& surface) const {
-    if (options_.parts) {
-      const float level = *options_.parts;
-      return std::vector<TessellationLevels>(surface.indices.size() / 3, {{level, level, level}, level});
-    }
-    return levels_by_texels(surface.indices, decode_vec3(*surface.vertices.find("POSITION")), surface.places,
-                            options_.texels);
+  /// How a draw is divided, and by how much its points move.
+  struct Divided {
+    TessellatedMesh mesh;
+    std::vector<float> displacements;
+    std::vector<std::uint32_t> source;  ///< [triangle of the mesh] that of the draw
+  };
+
+  std::string too_many(std::span<const TessellationLevels> levels, TessellationSpacing spacing) const {
+    std::size_t triangles = 0;
+    for (const TessellationLevels& of : levels) triangles += tessellation_counts(of, spacing).triangles;
+    if (triangles <= static_cast<std::size_t>(options_.most)) return {};
+    return fmt::format(
+        "{} triangles would come out, more than the limit of {}; give a larger `texels`, a lower "
+        "`parts` or a higher `most`",
+        triangles, options_.most);
+  }
+
+  static std::vector<std::uint32_t> sources(std::span<const TessellationLevels> levels, TessellationSpacing spacing) {
+    std::vector<std::uint32_t> source;
+    for (std::uint32_t t = 0; t < levels.size(); ++t)
+      source.insert(source.end(), tessellation_counts(levels[t], spacing).triangles, t);
+    return source;
+  }
+
+  std::variant<Divided, std::string> divided_by_map(const Scene& scene, DrawId id, Analyses& analyses) const {
+    const auto map = laid_out_map(scene, id, analyses);
+    if (const std::string* why = std::get_if<std::string>(&map)) return *why;
+    const LaidOutMap& on_draw = std::get<LaidOutMap>(map);
+    const Level& level = scene.draws[id].full();
+    const auto indices = level.stream().indices.view();
+    const float parts = options_.parts.value_or(1);
+    const auto levels = options_.parts
+                            ? std::vector<TessellationLevels>(indices.size() / 3, {{parts, parts, parts}, parts})
+                            : levels_by_texels(indices, decode_vec3(*level.vertices->find("POSITION")), on_draw.places,
+                                               options_.texels);
+    if (std::string why = too_many(levels, options_.spacing); !why.empty()) return why;
+    Divided divided{tessellated_mesh(indices, level.vertices->count, levels, options_.spacing),
+                    {},
+                    sources(levels, options_.spacing)};
+    divided.displacements = displacements(divided.mesh, indices, on_draw.places, on_draw.sampled(),
+                                          on_draw.displacement.factor, on_draw.displacement.offset);
+    return divided;
+  }
+
+  std::variant<Divided, std::string> divided_by_heights(const DrawHeights& heights, const Level& level) const {
+    const auto levels = baked_levels(heights.levels.view(), level.stream().indices.view(),
+                                     decode_vec3(*level.vertices->find("POSITION")));
+    if (std::string why = too_many(levels, TessellationSpacing::equal); !why.empty()) return why;
+    return Divided{tessellated_mesh(heights, level),
+                   height_displacements(heights.heights.view(), heights.bits, heights.factor, heights.offset),
+                   sources(levels, TessellationSpacing::equal)};
   }
 
   std::optional<Draw> tessellated(const Scene& scene, DrawId id, Analyses& analyses, std::string& why_not) const {
     const Draw& draw = scene.draws[id];
-    const Material& material = *scene.material_of(draw);
     const auto refuse = [&](std::string why) {
       why_not = std::move(why);
       return std::nullopt;
     };
     if (draw.levels.size() > 1) return refuse("it has several levels of detail");
     if (draw.full().orders.size() > 1) return refuse("it has several orders");
-    const auto map = laid_out_map(scene, id, analyses);
-    if (const std::string* why = std::get_if<std::string>(&map)) return refuse(*why);
-    const LaidOutMap& laid_out = std::get<LaidOutMap>(map);
+    const DrawHeights* heights = heights_of(scene, id);
+    auto made = heights != nullptr ? divided_by_heights(*heights, draw.full()) : divided_by_map(scene, id, analyses);
+    if (std::string* why = std::get_if<std::string>(&made)) return refuse(std::move(*why));
+    Divided& divided = std::get<Divided>(made);
     const IndexStream& stream = draw.full().stream();
-    const std::vector<glm::vec3> directions = displacement_directions(scene, id, analyses);
-    const DisplacedSurface surface{
-        *draw.full().vertices,        stream.indices.view(),       directions, laid_out.places, laid_out.sampled(),
-        laid_out.displacement.factor, laid_out.displacement.offset};
-    const std::vector<TessellationLevels> levels = levels_of(surface);
-    std::size_t triangles = 0;
-    for (const TessellationLevels& of : levels) triangles += tessellation_counts(of, options_.spacing).triangles;
-    if (triangles > static_cast<std::size_t>(options_.most)) {
-      return refuse(
-          fmt::format("{} triangles would come out, more than the limit of {}; give a larger `texels`, a "
-                      "lower `parts` or a higher `most`",
-                      triangles, options_.most));
-    }
-    Tessellated made = tessellate(surface, levels, options_.spacing, material.normal_map.has_value());
+    const Material* material = scene.material_of(draw);
+    Tessellated triangles =
+        tessellate(*draw.full().vertices, stream.indices.view(), displacement_directions(scene, id, analyses),
+                   divided.mesh, divided.displacements, material != nullptr && material->normal_map);
     Draw result = draw;
     const auto of_file = stream.triangle_origin.view();
     if (!of_file.empty()) {
-      for (std::uint32_t& source : made.source) source = of_file[source];
+      for (std::uint32_t& source : divided.source) source = of_file[source];
     }
-    result.full().vertices = std::make_shared<const VertexStreams>(std::move(made.vertices));
+    result.full().vertices = std::make_shared<const VertexStreams>(std::move(triangles.vertices));
     result.full().stream() = {};
-    result.full().stream().indices = Shared(std::move(made.indices));
-    result.full().stream().triangle_origin = Shared(std::move(made.source));
+    result.full().stream().indices = Shared(std::move(triangles.indices));
+    result.full().stream().triangle_origin = Shared(std::move(divided.source));
     result.traits.remove(traits::displaced);
     result.traits.remove(traits::quantized);
     return result;
@@ -101,13 +139,28 @@ class Tessellate final : public Processor {
   /// What is moved for good is not moved again.
   static void take_displacement(Scene& scene, const std::vector<DrawId>& draws) {
     std::map<MaterialId, std::vector<DrawId>> by_material;
-    for (const DrawId draw : draws) by_material[*scene.draws[draw].material].push_back(draw);
+    for (const DrawId draw : draws) {
+      const Material* material = scene.material_of(scene.draws[draw]);
+      if (material != nullptr && material->displacement) by_material[*scene.draws[draw].material].push_back(draw);
+    }
     for (const auto& [material, users] : by_material) {
       Material& own = scene.materials[own_material(scene, material, users)];
       for (std::optional<Stamp>* stamp : {&own.look, &own.kind}) {
         if (*stamp) *stamp = combine(std::array{**stamp, stamp_of(*own.displacement)});
       }
       own.displacement.reset();
+    }
+  }
+
+  static void take_heights(Scene& scene, const std::vector<DrawId>& draws) {
+    const BakedHeights* all = scene.products.find<BakedHeights>();
+    if (all == nullptr) return;
+    BakedHeights left = *all;
+    std::erase_if(left.draws, [&](const DrawHeights& of) { return std::ranges::binary_search(draws, of.draw); });
+    if (left.draws.empty()) {
+      scene.products.erase(BakedHeights::product);
+    } else {
+      scene.products.set(std::move(left));
     }
   }
 

@@ -1,0 +1,77 @@
+#include "displacement_bake.h"
+
+#include "height_levels.h"
+
+#include <foredraw/analysis/surface_distance.h>
+#include <foredraw/displaced/displaced_mesh.h>
+#include <foredraw/displaced/stored_levels.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+/// Heights as whole numbers between the least and the greatest.
+void quantize(std::span<const float> heights, std::uint32_t bits, BakedCage& baked) {
+  const auto [least, most] = std::ranges::minmax(heights);
+  const double top = static_cast<double>((1u << bits) - 1);
+  baked.offset = least;
+  baked.factor = most > least ? most - least : 1;
+  for (const float height : heights) {
+    const double part = (static_cast<double>(height) - baked.offset) / baked.factor;
+    baked.heights.push_back(static_cast<std::uint16_t>(std::floor(std::clamp(part, 0.0, 1.0) * top + 0.5)));
+  }
+}
+
+BakedCage baked_at(const bake::Cage& cage, std::vector<std::uint8_t> levels, const bake::Target& target,
+                   const Surface& surface, const BakeOptions& options, const Executor& executor) {
+  BakedCage baked;
+  baked.levels = std::move(levels);
+  TessellatedMesh mesh =
+      tessellated_mesh(cage.indices, static_cast<std::uint32_t>(cage.positions.size()),
+                       baked_levels(baked.levels, cage.indices, cage.positions), TessellationSpacing::equal);
+  quantize(bake::cast_heights(cage, mesh, target, executor), options.bits, baked);
+  baked.positions = displaced_positions(mesh, cage.indices, cage.positions, cage.directions,
+                                        height_displacements(baked.heights, options.bits, baked.factor, baked.offset));
+  baked.indices = std::move(mesh.indices);
+  const auto distance = surface_distance(surface, {baked.positions, baked.indices},
+                                         {.samples = options.samples, .seed = options.seed}, executor);
+  baked.rms = distance ? distance->rms : INFINITY;
+  baked.largest = distance ? distance->largest : INFINITY;
+  return baked;
+}
+
+}  // namespace
+
+BakedCage bake_heights(const bake::Cage& cage, const bake::Target& target, const Surface& surface,
+                       const BakeOptions& options, const Executor& executor) {
+  const auto uniform = bake::uniform_heights(cage, target, options.finest, executor);
+  // What is predicted is the deviation along directions from the finest level. The true distance is less on slopes, and
+  // more where even that level is too coarse; so it is measured, and asked for again.
+  double asked = options.rms;
+  BakedCage best;
+  for (int round = 0; round < 4; ++round) {
+    auto levels = bake::levels_for(cage, uniform, asked);
+    if (levels == best.levels) break;
+    BakedCage baked = baked_at(cage, std::move(levels), target, surface, options, executor);
+    const double times = baked.rms / options.rms;
+    const bool is_smaller = times <= 1 && baked.heights.size() < best.heights.size();
+    const bool is_better = best.rms > options.rms ? baked.rms < best.rms : is_smaller;
+    if (round == 0 || is_better) best = std::move(baked);
+    if (times <= 1 && times > 0.97) break;
+    asked /= std::clamp(times, 0.25, 4.0);
+  }
+  return best;
+}
+
+std::size_t mesh_bytes(std::size_t vertices, std::size_t triangles) {
+  return 6 * vertices + 3 * triangles * (vertices <= 65536 ? 2 : 4);
+}
+
+std::size_t baked_bytes(std::size_t vertices, const BakedCage& baked, std::uint32_t bits) {
+  return mesh_bytes(vertices, baked.levels.size()) + baked.levels.size() + (baked.heights.size() * bits + 7) / 8;
+}
+
+}  // namespace foredraw
