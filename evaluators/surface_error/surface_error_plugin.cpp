@@ -1,7 +1,7 @@
 #include "surface_error.h"
 
 #include <foredraw/technique/plugin.h>
-#include <foredraw/viewing/posed_positions.h>
+#include <foredraw/viewing/displaced_draw.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -24,6 +24,12 @@ double diagonal_of(const Surface& surface) {
     high = glm::max(high, p);
   }
   return low.x <= high.x ? glm::length(high - low) : 0;
+}
+
+/// Of a draw's own triangles they are kept.
+std::shared_ptr<const ClosestPoints> points_of(const SeenSurface& seen, const Level& level, Analyses& analyses) {
+  if (!seen.displaced) return closest_points_of(analyses, *level.vertices, level.stream().indices);
+  return std::make_shared<const ClosestPoints>(Surface{seen.positions, seen.indices});
 }
 
 /// Over poses, each by its weight.
@@ -76,13 +82,14 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
 
  private:
   void at_rest(const DrawView& draw, const Scene& original, Run& run) const {
-    const Level& full = original.draws[draw.id].full();
-    const auto before = positions_of(run.analyses, *full.vertices), now = positions_of(run.analyses, draw.vertices());
-    const Surface from{before->values, full.stream().indices.view()};
-    const auto of_original = closest_points_of(run.analyses, *full.vertices, full.stream().indices);
-    const auto of_draw = closest_points_of(run.analyses, draw.vertices(), draw.stream().indices);
-    const auto error = surface_error({{now->values, draw.indices()}, *of_draw}, {from, *of_original}, options_,
-                                     run.seed, run.executor, run.cancel);
+    const SubjectPart part{draw.id, {}};
+    const SeenSurface before = seen_surface(original, part, {}, run.analyses);
+    const SeenSurface now = seen_surface(draw.scene, part, {}, run.analyses);
+    const Surface from{before.positions, before.indices};
+    const auto of_original = points_of(before, original.draws[draw.id].full(), run.analyses);
+    const auto of_draw = points_of(now, draw.draw().full(), run.analyses);
+    const auto error = surface_error({{now.positions, now.indices}, *of_draw}, {from, *of_original}, options_, run.seed,
+                                     run.executor, run.cancel);
     if (!error) return run.note("nothing-left", "of it and its original one alone has triangles with finite positions");
     const double unit = diagonal_of(from) / 100;
     measure(run, "rms", error->rms(), unit);
@@ -97,19 +104,18 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
   void in_poses(const DrawView& draw, const Scene& original, Run& run) const {
     const auto now = shown_part(draw.scene, draw.id), before = shown_part(original, draw.id);
     if (!now || !before) return;
-    const auto indices = original.draws[draw.id].full().stream().indices.view();
     PosedError over_poses;
     for (const Pose& pose : run.poses.poses) {
       if (run.cancelled()) return;
-      const std::vector<glm::vec3> from = posed_positions(original, *before, posed_nodes(original, pose));
-      const std::vector<glm::vec3> to = posed_positions(draw.scene, *now, posed_nodes(draw.scene, pose));
-      const auto error = surface_error(Surface{to, draw.indices()}, Surface{from, indices}, options_, run.seed,
-                                       run.executor, run.cancel);
+      const SeenSurface from = seen_surface(original, *before, posed_nodes(original, pose), run.analyses);
+      const SeenSurface to = seen_surface(draw.scene, *now, posed_nodes(draw.scene, pose), run.analyses);
+      const auto error = surface_error(Surface{to.positions, to.indices}, Surface{from.positions, from.indices},
+                                       options_, run.seed, run.executor, run.cancel);
       if (!error) return;
       over_poses.add(*error, pose.weight);
     }
-    const std::vector<glm::vec3> bind = posed_positions(original, *before, posed_nodes(original));
-    over_poses.measure(run, diagonal_of({bind, indices}) / 100);
+    const SeenSurface bind = seen_surface(original, *before, posed_nodes(original), run.analyses);
+    over_poses.measure(run, diagonal_of({bind.positions, bind.indices}) / 100);
   }
 
   SurfaceErrorOptions options_;

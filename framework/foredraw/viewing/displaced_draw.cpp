@@ -96,4 +96,14 @@ std::vector<glm::vec3> posed_positions(const DisplacedDraw& displaced, std::span
                              displaced.displacements);
 }
 
+SeenSurface seen_surface(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes, Analyses& analyses) {
+  SeenSurface seen{displaced_draw_of(scene, part.draw, analyses), posed_positions(scene, part, nodes),
+                   scene.draws[part.draw].full().stream().indices.view()};
+  if (seen.displaced) {
+    seen.positions = posed_positions(*seen.displaced, seen.positions, scene, part, nodes);
+    seen.indices = seen.displaced->mesh.indices;
+  }
+  return seen;
+}
+
 }  // namespace foredraw

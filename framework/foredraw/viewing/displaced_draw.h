@@ -29,4 +29,12 @@ std::shared_ptr<const DisplacedDraw> displaced_draw_of(const Scene& scene, DrawI
 std::vector<glm::vec3> posed_positions(const DisplacedDraw& displaced, std::span<const glm::vec3> posed,
                                        const Scene& scene, const SubjectPart& part, const PosedNodes& nodes);
 
+/// The triangles of a draw as a part shows them: displaced where its material or heights displace it, else its own.
+struct SeenSurface {
+  std::shared_ptr<const DisplacedDraw> displaced;  ///< null: it is not
+  std::vector<glm::vec3> positions;
+  std::span<const std::uint32_t> indices;  ///< of the scene's draw or of `displaced`
+};
+SeenSurface seen_surface(const Scene& scene, const SubjectPart& part, const PosedNodes& nodes, Analyses& analyses);
+
 }  // namespace foredraw

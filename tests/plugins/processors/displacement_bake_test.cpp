@@ -157,13 +157,13 @@ TEST(DisplacementBake, DamagedHeightsAreLeftOut) {
 TEST(DisplacementBake, IsTheSameAtAnyNumberOfThreads) {
   const testing::TestMesh mesh = waves();
   std::optional<BakedHeights> first;
-  for (const std::size_t threads : {1, 2, 5}) {
+  for (const std::size_t threads : {1, 5}) {
     Registry registry;
     add_built_in_plugins(registry);
     Diagnostics diagnostics;
     const Scene scene = testing::scene_of(mesh);
     const auto plan =
-        foredraw::plan(*parse_line("quadric-collapse, displacement-bake(cage=0.03, rms=0.0002)", diagnostics), registry,
+        foredraw::plan(*parse_line("quadric-collapse, displacement-bake(cage=0.1, rms=0.0002)", diagnostics), registry,
                        scene, diagnostics);
     const Executor executor(threads);
     Analyses analyses;
