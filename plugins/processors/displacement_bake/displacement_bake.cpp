@@ -13,10 +13,19 @@ namespace foredraw {
 
 namespace {
 
+/// As many as keep the rounding of heights (a step over the root of 12, root mean square) below a quarter of the rms:
+/// together they are then 3 % more than it alone.
+std::uint32_t enough_bits(double range, double rms) {
+  std::uint32_t bits = 1;
+  while (bits < 16 && range > static_cast<double>((1u << bits) - 1) * std::sqrt(12.0) * rms / 4) ++bits;
+  return bits;
+}
+
 /// Heights as whole numbers between the least and the greatest.
-void quantize(std::span<const float> heights, std::uint32_t bits, BakedCage& baked) {
+void quantize(std::span<const float> heights, const BakeOptions& options, BakedCage& baked) {
   const auto [least, most] = std::ranges::minmax(heights);
-  const double top = static_cast<double>((1u << bits) - 1);
+  baked.bits = options.bits.value_or(enough_bits(static_cast<double>(most) - least, options.rms));
+  const double top = static_cast<double>((1u << baked.bits) - 1);
   baked.offset = least;
   baked.factor = most > least ? most - least : 1;
   for (const float height : heights) {
@@ -32,9 +41,9 @@ BakedCage baked_at(const bake::Cage& cage, std::vector<std::uint8_t> levels, con
   TessellatedMesh mesh =
       tessellated_mesh(cage.indices, static_cast<std::uint32_t>(cage.positions.size()),
                        baked_levels(baked.levels, cage.indices, cage.positions), TessellationSpacing::equal);
-  quantize(bake::cast_heights(cage, mesh, target, executor), options.bits, baked);
+  quantize(bake::cast_heights(cage, mesh, target, executor), options, baked);
   baked.positions = displaced_positions(mesh, cage.indices, cage.positions, cage.directions,
-                                        height_displacements(baked.heights, options.bits, baked.factor, baked.offset));
+                                        height_displacements(baked.heights, baked.bits, baked.factor, baked.offset));
   baked.indices = std::move(mesh.indices);
   const auto distance = surface_distance(surface, {baked.positions, baked.indices},
                                          {.samples = options.samples, .seed = options.seed}, executor);
@@ -70,8 +79,8 @@ std::size_t mesh_bytes(std::size_t vertices, std::size_t triangles) {
   return 6 * vertices + 3 * triangles * (vertices <= 65536 ? 2 : 4);
 }
 
-std::size_t baked_bytes(std::size_t vertices, const BakedCage& baked, std::uint32_t bits) {
-  return mesh_bytes(vertices, baked.levels.size()) + baked.levels.size() + (baked.heights.size() * bits + 7) / 8;
+std::size_t baked_bytes(std::size_t vertices, const BakedCage& baked) {
+  return mesh_bytes(vertices, baked.levels.size()) + baked.levels.size() + (baked.heights.size() * baked.bits + 7) / 8;
 }
 
 }  // namespace foredraw

@@ -10,12 +10,14 @@
 
 #include <foredraw/scene/baked_heights.h>
 
+#include <optional>
+
 namespace foredraw {
 
 struct BakeOptions {
-  double rms = 0;             ///< wanted root mean square distance, in units
-  std::uint32_t finest = 16;  ///< most parts of an edge, a power of two
-  std::uint32_t bits = 10;    ///< of a height, 1 to 16
+  double rms = 0;                     ///< wanted root mean square distance, in units
+  std::uint32_t finest = 16;          ///< most parts of an edge, a power of two
+  std::optional<std::uint32_t> bits;  ///< of a height, 1 to 16; none: so many that they cost 3 % of the error
   std::size_t samples = 20'000;
   std::uint64_t seed = 0;
 };
@@ -24,6 +26,7 @@ struct BakeOptions {
 struct BakedCage {
   std::vector<std::uint8_t> levels;  ///< [triangle of the cage]
   std::vector<std::uint16_t> heights;
+  std::uint32_t bits = 16;
   float factor = 1, offset = 0;
   std::vector<glm::vec3> positions;    ///< of the tessellated, displaced mesh
   std::vector<std::uint32_t> indices;  ///< of it
@@ -37,7 +40,7 @@ BakedCage bake_heights(const bake::Cage& cage, const bake::Target& target, const
 /// Bytes on a GPU: positions of 16 bits, indices as narrow as they allow.
 std::size_t mesh_bytes(std::size_t vertices, std::size_t triangles);
 /// The same of a cage with its levels and heights.
-std::size_t baked_bytes(std::size_t vertices, const BakedCage& baked, std::uint32_t bits);
+std::size_t baked_bytes(std::size_t vertices, const BakedCage& baked);
 
 struct Plugin;
 Plugin displacement_bake_plugin();

@@ -24,7 +24,7 @@ struct Options {
   double rms = 0.00025;
   std::optional<double> cage;
   std::uint32_t finest = 16;
-  std::uint32_t bits = 10;
+  std::optional<std::uint32_t> bits;
 };
 
 double diagonal_of(std::span<const glm::vec3> positions) {
@@ -61,8 +61,8 @@ class MeshBake {
     const bake::Target target(full());
     const double wanted = options_.rms * diagonal_of(joined_.positions);
     const std::vector<double> ratios =
-        options_.cage ? std::vector{*options_.cage}
-                      : std::vector{1.0 / 512, 1.0 / 256, 1.0 / 128, 1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8};
+        options_.cage ? std::vector{*options_.cage} : std::vector{1.0 / 512, 1.0 / 256, 1.0 / 128, 1.0 / 90, 1.0 / 64,
+                                                                  1.0 / 45,  1.0 / 32,  1.0 / 16,  1.0 / 8};
     for (const double ratio : ratios) {
       if (run_.cancelled()) return best;
       auto one = made_of(collapses_to(ratio), target, wanted);
@@ -105,7 +105,7 @@ class MeshBake {
     while (options.finest > 1 && options.finest > finer) options.finest /= 2;
     made.baked = bake_heights({positions, indices, directions}, target, full(), options, run_.executor);
     if (!(made.baked.rms <= 1.02 * wanted)) return std::nullopt;
-    made.bytes = baked_bytes(positions.size(), made.baked, options_.bits);
+    made.bytes = baked_bytes(positions.size(), made.baked);
     return made;
   }
 
@@ -182,7 +182,7 @@ class DisplacementBake final : public Processor {
       }
       put(made, scene.draws[*about.draw]);
       all.draws.push_back({*about.draw, Shared(std::move(made.baked.levels)), Shared(std::move(made.baked.heights)),
-                           options_.bits, made.baked.factor, made.baked.offset});
+                           made.baked.bits, made.baked.factor, made.baked.offset});
       changed.push_back(*about.draw);
       used_up.push_back(mesh);
     }
@@ -248,7 +248,8 @@ Plugin displacement_bake_plugin() {
   table.row(&Options::cage, "cage", "Share of the triangles that is left; without it several are tried",
             {.least = 0, .most = 0.5});
   table.row(&Options::finest, "finest", "Most parts of an edge, a power of two", {.least = 1, .most = 64});
-  table.row(&Options::bits, "bits", "Bits of a height", {.least = 4, .most = 16, .unit = "bits"});
+  table.row(&Options::bits, "bits", "Bits of a height; without it as many as the error needs",
+            {.least = 4, .most = 16, .unit = "bits"});
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<DisplacementBake>(options); });
   return plugin;
 }
