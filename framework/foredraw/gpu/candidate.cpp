@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace foredraw::gpu {
@@ -46,6 +47,23 @@ VkFormat depth_format(VkPhysicalDevice device) {
   return has_float ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_X8_D24_UNORM_PACK32;  // one of the two is always there
 }
 
+bool has_transform_feedback(VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr), "vkEnumerateDeviceExtensionProperties");
+  std::vector<VkExtensionProperties> extensions(count);
+  check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
+        "vkEnumerateDeviceExtensionProperties");
+  const std::string_view wanted = VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME;
+  if (std::ranges::none_of(extensions, [&](const auto& extension) { return extension.extensionName == wanted; })) {
+    return false;
+  }
+  VkPhysicalDeviceTransformFeedbackFeaturesEXT feedback{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TRANSFORM_FEEDBACK_FEATURES_EXT};
+  VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &feedback};
+  vkGetPhysicalDeviceFeatures2(device, &features);
+  return feedback.transformFeedback == VK_TRUE;
+}
+
 /// What the device can not do that is needed; empty: nothing, and the candidate is whole.
 std::string lack_of(Candidate& candidate) {
   VkPhysicalDeviceFeatures has;
@@ -56,12 +74,14 @@ std::string lack_of(Candidate& candidate) {
   if (!has.fragmentStoresAndAtomics) return "atomics in fragment shaders";
   if (!has.fullDrawIndexUint32) return "32-bit indices";
   candidate.features = {.fullDrawIndexUint32 = VK_TRUE,
+                        .tessellationShader = has.tessellationShader,
                         .multiDrawIndirect = has.multiDrawIndirect & has.drawIndirectFirstInstance,
                         .drawIndirectFirstInstance = has.multiDrawIndirect & has.drawIndirectFirstInstance,
                         .occlusionQueryPrecise = VK_TRUE,
                         .pipelineStatisticsQuery = has.pipelineStatisticsQuery,
                         .fragmentStoresAndAtomics = VK_TRUE};
   candidate.depth_format = depth_format(candidate.device);
+  candidate.has_transform_feedback = has_transform_feedback(candidate.device);
   return "";
 }
 

@@ -16,6 +16,7 @@ struct Candidate {
   std::uint32_t queue_family = 0;
   std::uint32_t timestamp_bits = 0;
   VkFormat depth_format = VK_FORMAT_UNDEFINED;
+  bool has_transform_feedback = false;
 };
 
 /// The first of discrete, integrated, virtual and CPU devices whose name holds `name`, in any case. Throws

@@ -12,10 +12,18 @@ VkDevice make_device(const Candidate& candidate) {
                                       .queueFamilyIndex = candidate.queue_family,
                                       .queueCount = 1,
                                       .pQueuePriorities = &priority};
-  const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-                                .queueCreateInfoCount = 1,
-                                .pQueueCreateInfos = &queue,
-                                .pEnabledFeatures = &candidate.features};
+  VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                          .queueCreateInfoCount = 1,
+                          .pQueueCreateInfos = &queue,
+                          .pEnabledFeatures = &candidate.features};
+  const VkPhysicalDeviceTransformFeedbackFeaturesEXT feedback{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TRANSFORM_FEEDBACK_FEATURES_EXT, .transformFeedback = VK_TRUE};
+  const char* extension = VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME;
+  if (candidate.has_transform_feedback) {
+    info.pNext = &feedback;
+    info.enabledExtensionCount = 1;
+    info.ppEnabledExtensionNames = &extension;
+  }
   VkDevice device = VK_NULL_HANDLE;
   check(vkCreateDevice(candidate.device, &info, nullptr, &device), "vkCreateDevice");
   return device;

@@ -36,8 +36,16 @@ OwnedPipelineLayout pipeline_layout(const Device& device, std::span<const VkDesc
 }
 
 OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state) {
-  const std::array stages = {stage(VK_SHADER_STAGE_VERTEX_BIT, state.vertex_shader),
-                             stage(VK_SHADER_STAGE_FRAGMENT_BIT, state.fragment_shader, state.fragment_constants)};
+  const bool has_patches = state.control_shader != VK_NULL_HANDLE,
+             has_fragments = state.fragment_shader != VK_NULL_HANDLE;
+  std::vector stages = {stage(VK_SHADER_STAGE_VERTEX_BIT, state.vertex_shader)};
+  if (has_patches) {
+    stages.push_back(stage(VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT, state.control_shader));
+    stages.push_back(stage(VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT, state.evaluation_shader));
+  }
+  if (has_fragments) {
+    stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, state.fragment_shader, state.fragment_constants));
+  }
   std::vector<VkVertexInputBindingDescription> bindings;
   std::vector<VkVertexInputAttributeDescription> attributes;
   for (const VertexInput& input : state.inputs) {
@@ -52,7 +60,9 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
       .pVertexAttributeDescriptions = attributes.data()};
   const VkPipelineInputAssemblyStateCreateInfo assembly{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
-      .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+      .topology = has_patches ? VK_PRIMITIVE_TOPOLOGY_PATCH_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+  const VkPipelineTessellationStateCreateInfo patches{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO, .patchControlPoints = 3};
   const VkPipelineViewportStateCreateInfo viewport{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
   constexpr std::array set_later = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
@@ -61,6 +71,7 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
                                                  .pDynamicStates = set_later.data()};
   const VkPipelineRasterizationStateCreateInfo rasterised{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+      .rasterizerDiscardEnable = has_fragments ? VK_FALSE : VK_TRUE,
       .cullMode = state.culled,
       .frontFace = state.front_face,
       .lineWidth = 1};
@@ -78,10 +89,11 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
   const VkPipelineColorBlendStateCreateInfo colours{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1, .pAttachments = &pixels};
   const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
-                                          .stageCount = stages.size(),
+                                          .stageCount = static_cast<std::uint32_t>(stages.size()),
                                           .pStages = stages.data(),
                                           .pVertexInputState = &vertices,
                                           .pInputAssemblyState = &assembly,
+                                          .pTessellationState = has_patches ? &patches : nullptr,
                                           .pViewportState = &viewport,
                                           .pRasterizationState = &rasterised,
                                           .pMultisampleState = &samples,

@@ -28,7 +28,9 @@ struct PipelineState {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkRenderPass render_pass = VK_NULL_HANDLE;  ///< as make_render_pass() makes it
   VkShaderModule vertex_shader = VK_NULL_HANDLE;
-  VkShaderModule fragment_shader = VK_NULL_HANDLE;
+  VkShaderModule fragment_shader = VK_NULL_HANDLE;  ///< none: nothing is rasterised
+  /// Both, on devices that tessellate: then what is drawn is a list of patches of three vertices each.
+  VkShaderModule control_shader = VK_NULL_HANDLE, evaluation_shader = VK_NULL_HANDLE;
   const VkSpecializationInfo* fragment_constants = nullptr;
   std::span<const VertexInput> inputs;
   VkCullModeFlags culled = VK_CULL_MODE_BACK_BIT;
@@ -39,8 +41,9 @@ struct PipelineState {
   bool blends = false;  ///< by the alpha that the fragment shader gives
 };
 
-/// For triangle lists with a depth test, where what passes writes its number or colour, and its depth. Viewport and
-/// scissor are set by whoever draws (Pictures::begin does), so that a pipeline serves every size of picture.
+/// For lists of triangles or patches with a depth test, where what passes writes its number or colour, and its depth.
+/// Viewport and scissor are set by whoever draws (Pictures::begin does), so that a pipeline serves every size of
+/// picture.
 OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state);
 
 }  // namespace foredraw::gpu

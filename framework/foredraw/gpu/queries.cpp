@@ -8,9 +8,10 @@ Queries::Queries(const Device& device, VkQueryType type, std::uint32_t count, Vk
   pool_ = OwnedQueryPool(device_, info, "vkCreateQueryPool");
 }
 
-void Queries::read(std::uint32_t first, std::span<std::uint64_t> results) const {
-  check(vkGetQueryPoolResults(device_, get(), first, static_cast<std::uint32_t>(results.size()), results.size_bytes(),
-                              results.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+void Queries::read(std::uint32_t first, std::span<std::uint64_t> results, std::uint32_t numbers) const {
+  check(vkGetQueryPoolResults(device_, get(), first, static_cast<std::uint32_t>(results.size()) / numbers,
+                              results.size_bytes(), results.data(), numbers * sizeof(std::uint64_t),
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "vkGetQueryPoolResults");
 }
 

@@ -15,8 +15,9 @@ class Queries {
   VkQueryPool get() const { return pool_.get(); }
   /// All of them; not within a render pass.
   void reset(VkCommandBuffer commands) const { vkCmdResetQueryPool(commands, get(), 0, count_); }
-  /// Waits for queries `first`, `first` + 1, ... Each has to have been used since the reset.
-  void read(std::uint32_t first, std::span<std::uint64_t> results) const;
+  /// Waits for queries `first`, `first` + 1, ... Each has to have been used since the reset. `numbers`: how many a
+  /// query of this type takes down.
+  void read(std::uint32_t first, std::span<std::uint64_t> results, std::uint32_t numbers = 1) const;
 
  private:
   VkDevice device_;
