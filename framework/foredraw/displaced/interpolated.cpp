@@ -190,7 +190,9 @@ class Influences {
       }
     }
     slots_.resize(joints);
-    std::ranges::stable_sort(slots_, [](const Slot& a, const Slot& b) { return a.weight > b.weight; });
+    std::ranges::sort(slots_, [](const Slot& a, const Slot& b) {
+      return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+    });
     slots_.resize(weights_.slots());
     float whole = 0;
     for (const Slot& slot : slots_) whole += slot.weight;

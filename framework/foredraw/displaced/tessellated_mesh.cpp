@@ -164,8 +164,8 @@ class MeshMaking {
         add_edge(first_edge + e, points.subspan(numbers_.size(), parts(first_edge + e) - 1));
     }
     while (numbers_.size() < points.size()) numbers_.push_back(add_sample(triangle, points[numbers_.size()]));
-    for (const auto& [a, b, c] : pattern.triangles) {
-      mesh_.indices.insert(mesh_.indices.end(), {numbers_[a], numbers_[b], numbers_[c]});
+    for (const auto& three : pattern.triangles) {
+      for (const std::uint16_t point : three) mesh_.indices.push_back(numbers_[point]);
     }
   }
 

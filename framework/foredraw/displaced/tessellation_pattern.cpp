@@ -9,7 +9,7 @@ namespace foredraw {
 namespace {
 
 constexpr TessellationPoint centre = {weight_one / 3, weight_one / 3};
-constexpr std::uint32_t two_thirds = 43691;  // of 65536, rounded
+constexpr std::uint32_t two_thirds = 2 * weight_one / 3;  // rounded down, as the centre's weights are
 constexpr std::uint32_t half_places = 32;
 
 bool is_one_triangle(const TessellationLevels& effective) { return effective == TessellationLevels{}; }

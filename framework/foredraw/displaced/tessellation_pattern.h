@@ -41,7 +41,7 @@ struct TessellationPattern {
   /// Corners 0, 1 and 2; those within edge 0 from corner 1 to 2, within edge 1 from 2 to 0, within edge 2 from 0 to 1;
   /// then those inside, ring by ring. Several may lie in one place where the level is just above a whole one.
   std::vector<TessellationPoint> points;
-  /// They turn as the corners 0, 1, 2 do.
+  /// They turn as the corners 0, 1, 2 do, which is `cw` in shaders.
   std::vector<std::array<std::uint16_t, 3>> triangles;
 };
 
