@@ -110,6 +110,36 @@ std::vector<double> figures(const Result& result) {
   return values;
 }
 
+bool same(const Attachment& a, const Attachment& b) {
+  if (a.index() != b.index() || name_of(a) != name_of(b)) return false;
+  if (const auto* film = std::get_if<Film>(&a)) return film->frames == std::get<Film>(b).frames;
+  const auto same_value = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  const auto same_line = [&](const Chart::Line& x, const Chart::Line& y) {
+    return x.name == y.name && std::ranges::equal(x.values, y.values, same_value);
+  };
+  const Chart &x = std::get<Chart>(a), &y = std::get<Chart>(b);
+  return std::ranges::equal(x.lines, y.lines, same_line) && x.mark.has_value() == y.mark.has_value() &&
+         (!x.mark || x.mark->value == y.mark->value);
+}
+
+/// Pictures and curves that techniques attached, in their sequence.
+std::vector<AttachmentRecord> attachments(const Result& result) {
+  std::vector<AttachmentRecord> all;
+  for (const auto* records : {&result.report.stages, &result.report.measures}) {
+    for (const StageRecord& record : *records) {
+      all.insert(all.end(), record.attachments_before.begin(), record.attachments_before.end());
+      all.insert(all.end(), record.attachments.begin(), record.attachments.end());
+    }
+  }
+  return all;
+}
+
+bool same_attachments(const Result& a, const Result& b) {
+  return std::ranges::equal(attachments(a), attachments(b), [](const AttachmentRecord& x, const AttachmentRecord& y) {
+    return x.about == y.about && same(*x.content, *y.content);
+  });
+}
+
 /// How far pictures and samples go: a hundred thousand views show no more than a thousand, but take a device minutes.
 struct Pictures {
   double views, pixels, points, frames;
@@ -206,7 +236,21 @@ TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
     const Result again = run(pipeline, threads).result;
     EXPECT_EQ(content(first.scene), content(again.scene));
     EXPECT_EQ(figures(first), figures(again));
+    EXPECT_TRUE(same_attachments(first, again));
   }
+}
+
+TEST(Conformance, PicturesAndCurvesAreTheSameAtAnyThreadCount) {
+  Settings settings = few_pictures(*registry().find("lod-walk"));
+  settings["replay"] = true;
+  const Pipeline pipeline = pipeline_for(*registry().find("lod-walk"), settings);
+  const Result one = run(pipeline, 1).result;
+  for (const bool is_film : {false, true}) {
+    EXPECT_TRUE(std::ranges::any_of(attachments(one), [&](const AttachmentRecord& record) {
+      return std::holds_alternative<Film>(*record.content) == is_film;
+    }));
+  }
+  for (int threads : {2, 8}) EXPECT_TRUE(same_attachments(one, run(pipeline, threads).result)) << threads;
 }
 
 /// What stages make beside draws is the same, too.
