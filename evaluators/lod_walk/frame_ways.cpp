@@ -46,12 +46,6 @@ double accuracy_of(const MeshWays& mesh, std::uint32_t level, std::size_t render
   return -hundredths * PictureLosses::at(mesh.losses.of[level][rendering], across);
 }
 
-int steps_between(const WayName& a, const WayName& b) {
-  const int levels = static_cast<int>(a.level) - static_cast<int>(b.level);
-  const int renderings = static_cast<int>(a.rendering) - static_cast<int>(b.rendering);
-  return std::abs(levels) + std::abs(renderings);
-}
-
 }  // namespace
 
 std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& moment, bool with_losses,
@@ -131,11 +125,10 @@ std::vector<foredraw_lod_way> with_hysteresis(const FrameWays& frame, const std:
   std::vector<foredraw_lod_way> ways = frame.ways;
   for (std::size_t i = 0; i < frame.seen.size() && weight > 0; ++i) {
     const WayName& before = last[frame.seen[i].object];
-    if (before.level == not_seen) continue;
     for (std::uint32_t way = frame.first[i]; way < frame.first[i + 1]; ++way) {
-      ways[way].benefit =
-          foredraw_lod_benefit(frame.worth[way] * foredraw_lod_hysteresis(steps_between(frame.names[way], before),
-                                                                          static_cast<float>(weight)));
+      if (frame.names[way] != before) continue;
+      const float best = *std::max_element(&frame.worth[frame.first[i]], frame.worth.data() + frame.first[i + 1]);
+      ways[way].benefit = foredraw_lod_benefit(foredraw_lod_held(frame.worth[way], best, static_cast<float>(weight)));
     }
   }
   return ways;

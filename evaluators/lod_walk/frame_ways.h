@@ -19,12 +19,13 @@ enum class Accuracy : std::uint8_t {
   pictures,  ///< what pictures of the object lose, at its size on the screen
 };
 
-/// What counts in a benefit, each a factor of it (Funkhouser, Sequin 1993, section 5).
+/// What counts in a benefit (Funkhouser, Sequin 1993, section 5). The defaults are for what pictures are compared by,
+/// in which all pixels count alike; focus and motion say where people look.
 struct BenefitOptions {
   Accuracy accuracy = Accuracy::pictures;
-  double focus = 0.5;  ///< what an object in a corner of the picture is worth, beside one in its middle; 1: the same
-  bool motion = true;  ///< what moves fast over the picture is worth less
-  double hysteresis = 0.02;  ///< what a change of the level or of the rendering costs, for each step; 0: nothing
+  double focus = 1;     ///< what an object in a corner of the picture is worth, beside one in its middle; 1: the same
+  bool motion = false;  ///< what moves fast over the picture is worth less
+  double hysteresis = 0.4;  ///< the last frame's way of an object is thought to lose so large a part less; 0: no less
 };
 
 /// A mesh at each level, and how near each rendering comes to the full one.

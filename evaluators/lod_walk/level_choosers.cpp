@@ -83,31 +83,29 @@ class Incremental final : public LevelChooser {
   std::vector<std::uint32_t> memory_;
 };
 
-/// With hysteresis a hundredth of the budget is left, and the last choice is drawn again while it fits and shows nearly
-/// as much.
+/// With hysteresis a two-hundredth of the budget is left, and the last choice is drawn again while it fits and loses little
+/// more than the new one.
 class Budget final : public LevelChooser {
  public:
   explicit Budget(const ChooserOptions& options) : options_(options) {}
 
   std::vector<std::uint32_t> choose(const FrameWays& frame, const std::vector<WayName>& last) override {
-    constexpr double nearly = 0.99;
+    constexpr double more_loss = 0.2;
     const std::vector<foredraw_lod_way> ways = with_hysteresis(frame, last, options_.hysteresis);
     const foredraw_lod_scene scene = frame.scene(ways);
     const auto budget = static_cast<std::uint64_t>(options_.budget);
     const bool may_keep = options_.hysteresis > 0;
     std::vector<std::uint32_t> chosen(frame.seen.size());
     memory_.resize(foredraw_lod_memory(&scene) / sizeof(std::uint64_t) + 1);
-    const foredraw_lod_result best =
-        foredraw_lod_select(&scene, may_keep ? budget - budget / 100 : budget, chosen.data(), memory_.data());
+    foredraw_lod_select(&scene, may_keep ? budget - budget / 200 : budget, chosen.data(), memory_.data());
     if (!may_keep) return chosen;
     std::vector<std::uint32_t> kept = chosen;  // of objects that were not seen before
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const WayName& before = last[frame.seen[i].object];
       if (before.level != not_seen) kept[i] = way_of(frame, i, before);
     }
-    const foredraw_lod_result again = foredraw_lod_kept(&scene, budget, kept.data());
-    const bool is_as_good = static_cast<double>(again.benefit) >= nearly * static_cast<double>(best.bound);
-    return !again.is_over && is_as_good ? kept : chosen;
+    const foredraw_lod_scene plain = frame.scene(frame.ways);
+    return foredraw_lod_may_keep(&plain, budget, kept.data(), chosen.data(), more_loss) ? kept : chosen;
   }
 
  private:

@@ -70,6 +70,8 @@ class Walker {
 
   bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
+  const MeshWays& mesh_of(const SeenObject& object) const { return meshes_[scene_.objects()[object.object].mesh]; }
+
   FrameWays ways_of(std::vector<SeenObject> seen, const std::vector<float>& speeds) const {
     return walking::frame_ways(scene_, meshes_, std::move(seen), speeds, options_.costs, options_, options_.renderings);
   }
@@ -90,7 +92,7 @@ class Walker {
       const std::vector<float> at_rest(seen.size(), 0);
       const FrameWays ways = ways_of(std::move(seen), at_rest);
       for (std::size_t i = 0; i < ways.seen.size(); ++i) {
-        const MeshWays& mesh = meshes_[scene_.objects()[ways.seen[i].object].mesh];
+        const MeshWays& mesh = mesh_of(ways.seen[i]);
         std::vector<double> of_level;
         for (std::uint32_t level = 0; level < mesh.levels.size(); ++level) {
           const std::uint32_t way = walking::way_of(ways, i, {level, Rendering::full});
@@ -147,6 +149,9 @@ class Walker {
     const FrameWays ways = ways_of(std::move(seen), speeds);
     walk_.seen.push_back(static_cast<std::uint32_t>(ways.seen.size()));
     walk_.seen_again.push_back(seen_again);
+    std::uint64_t triangles = 0;
+    for (const SeenObject& object : ways.seen) triangles += mesh_of(object).triangles.front();
+    walk_.triangles.push_back(triangles);
     find_bound(ways);
     std::vector<std::vector<DrawnObject>> drawn;
     for (std::size_t m = 0; m < walking_.size(); ++m) drawn.push_back(choose(m, frame, ways, moment));
@@ -187,6 +192,7 @@ class Walker {
     result.selecting.push_back(milliseconds_of([&] { chosen = walking.chooser->choose(ways, walking.last); }));
     double cost = 0, benefit = 0;
     std::uint32_t switched = 0;
+    std::uint64_t triangles = 0;
     std::vector<WayName> now(walking.last.size(), {walking::not_seen, Rendering::full});
     std::vector<DrawnObject> drawn;
     walking::SummedWork work(options_.costs);
@@ -198,7 +204,8 @@ class Walker {
       switched += before.level != walking::not_seen && before != ways.names[way] ? 1 : 0;
       now[object] = ways.names[way];
       drawn.push_back({object, ways.names[way].level, ways.names[way].rendering});
-      work.add(walking::work_of(meshes_[scene_.objects()[object].mesh], ways.names[way], ways.seen[i]));
+      triangles += mesh_of(ways.seen[i]).triangles[ways.names[way].level];
+      work.add(walking::work_of(mesh_of(ways.seen[i]), ways.names[way], ways.seen[i]));
     }
     walking.last = std::move(now);
     const double model = (cost + options_.costs.frame) / nanoseconds_a_millisecond;
@@ -213,6 +220,7 @@ class Walker {
     result.model.push_back(model);
     result.milliseconds.push_back(took);
     result.benefit.push_back(benefit);
+    result.triangles.push_back(triangles);
     result.switched.push_back(switched);
     return drawn;
   }

@@ -45,6 +45,7 @@ struct MethodWalk {
   std::vector<double> model;                      ///< of the frame by the model
   std::vector<double> selecting;                  ///< milliseconds that the choice took
   std::vector<double> benefit;                    ///< in 64ths of a pixel; without hysteresis
+  std::vector<std::uint64_t> triangles;           ///< [frame] that were drawn
   std::vector<std::uint32_t> switched;            ///< objects that were drawn otherwise than in the frame before
   std::vector<double> errors;                     ///< [picture] against full detail
   std::vector<std::vector<std::uint8_t>> replay;  ///< [frame] RGB: white full detail, black the coarsest
@@ -55,6 +56,7 @@ struct LodWalk {
   double pixels = 0;                      ///< of a triangle, of `static`
   std::vector<std::uint32_t> seen;        ///< [frame] objects
   std::vector<std::uint32_t> seen_again;  ///< of these, that were seen in the frame before too
+  std::vector<std::uint64_t> triangles;   ///< [frame] of these objects in full detail
   std::vector<double> bound;              ///< [frame] no choice within the budget has more benefit
   std::vector<bool> is_over;              ///< [frame] even the cheapest ways cost more than the budget
   std::vector<double> floors;  ///< [picture] of a second picture of full detail, from samples in other places

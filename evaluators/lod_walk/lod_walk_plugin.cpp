@@ -155,7 +155,8 @@ Plugin lod_walk_plugin() {
   table.row(&WalkSettings::focus, "focus", "What an object in a corner is worth, beside one in the middle", {0, 1, ""});
   table.row(&WalkSettings::motion, "motion", "What moves fast over the picture is worth less");
   table.row(&WalkSettings::hysteresis, "hysteresis",
-            "What another level or rendering than in the last frame is worth less, for each step", {0, 1, ""});
+            "How much less the last frame's way of an object is thought to lose, so that it stays; 0: no less",
+            {0, 1, ""});
   table.row(&WalkSettings::pictures, "pictures", "Frames whose pictures are compared with full detail",
             {0, 10000, "frames"});
   table.row(&WalkSettings::samples, "samples", "Samples along each edge of their pixels", {1, 16, "samples"});

@@ -104,6 +104,21 @@ void tell(const LodWalk& walk, const MethodWalk& method, const Run& run) {
   run.note("walk", text);
 }
 
+/// Figure 10 of the paper: a view with many polygons, and what is drawn of them.
+void tell_triangles(const LodWalk& walk, const MethodWalk& method, const Run& run) {
+  constexpr double paper_full = 72'570, paper_drawn = 5'300;
+  if (walk.triangles.empty()) return;
+  const auto most = std::ranges::max_element(walk.triangles);
+  const auto frame = static_cast<std::size_t>(most - walk.triangles.begin());
+  const auto full = static_cast<double>(*most), drawn = static_cast<double>(method.triangles[frame]);
+  run.note(
+      "triangles",
+      fmt::format("frame {} has the most triangles, {:.0f} in full detail; {} draws {:.0f}, {:.1f} % (figure 10 of "
+                  "the paper: {:.0f}, of which {:.0f} are drawn, {:.1f} %)",
+                  frame + 1, full, to_text(method.method), drawn, 100 * drawn / std::max(1.0, full), paper_full,
+                  paper_drawn, 100 * paper_drawn / paper_full));
+}
+
 }  // namespace
 
 void report_walk(const LodWalk& walk, const Run& run) {
@@ -112,6 +127,7 @@ void report_walk(const LodWalk& walk, const Run& run) {
     if (&method == &walk.methods.back()) measure(walk, method, "", run);
     tell(walk, method, run);
   }
+  tell_triangles(walk, walk.methods.back(), run);
   if (const auto over = std::ranges::count(walk.is_over, true); over > 0) {
     run.note("over-budget", fmt::format("in {} of {} frames even the cheapest ways cost more than the budget", over,
                                         walk.is_over.size()));

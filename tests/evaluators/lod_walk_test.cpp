@@ -59,6 +59,8 @@ TEST(LodWalk, OursNeverExceedsTheBudgetByTheModel) {
 TEST(LodWalk, OursReachesTheBound) {
   LodWalkOptions options = without_pictures();
   options.hysteresis = 0;
+  options.focus = 0.5;
+  options.motion = true;
   const LodWalk walk = Walked().walk(options);
   for (std::size_t frame = 0; frame < walk.bound.size(); ++frame) {
     EXPECT_LE(of(walk, Method::budget).benefit[frame], walk.bound[frame]);
@@ -82,7 +84,7 @@ TEST(LodWalk, HysteresisSavesSwitches) {
   options.methods = {Method::budget};
   options.hysteresis = 0;
   const LodWalk without = walked.walk(options);
-  options.hysteresis = 0.02;
+  options.hysteresis = 0.4;
   const LodWalk with = walked.walk(options);
   const auto switches = [](const LodWalk& walk) {
     const auto& switched = walk.methods.front().switched;
@@ -98,9 +100,6 @@ TEST(LodWalk, FullDetailHasNoErrorAndOursLessThanStatic) {
   options.pictures = 20;
   options.samples = 2;
   options.share = 0.2;
-  options.hysteresis = 0;
-  options.focus = 1;  // pictures know no middle
-  options.motion = false;
   const LodWalk walk = Walked().walk(options);
   ASSERT_EQ(walk.floors.size(), 20u);
   EXPECT_EQ(of(walk, Method::none).errors, std::vector<double>(20, 0));

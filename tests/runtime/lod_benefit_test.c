@@ -28,6 +28,8 @@ static void factors(void) {
   CHECK(foredraw_lod_motion(0, 10) == 1 && near(foredraw_lod_motion(10, 10), 0.5f) && foredraw_lod_motion(1, 0) == 0);
   CHECK(foredraw_lod_hysteresis(0, 0.1f) == 1 && near(foredraw_lod_hysteresis(-2, 0.1f), 0.8f));
   CHECK(near(foredraw_lod_hysteresis(2, 0.1f), 0.8f) && foredraw_lod_hysteresis(20, 0.1f) == 0);
+  CHECK(foredraw_lod_held(90, 100, 0) == 90 && near(foredraw_lod_held(90, 100, 0.3f), 93));
+  CHECK(foredraw_lod_held(90, 100, 1) == 100 && foredraw_lod_held(100, 100, 0.3f) == 100);
 }
 
 static void whole_numbers(void) {

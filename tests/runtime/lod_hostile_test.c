@@ -62,6 +62,9 @@ static void factors_of_no_numbers(void) {
   CHECK(foredraw_lod_motion(none, 4) == 0 && foredraw_lod_motion(4, none) == 0 && foredraw_lod_motion(all, 4) == 0);
   CHECK(foredraw_lod_motion(all, all) == 0 && foredraw_lod_motion(4, -1) == 0 && foredraw_lod_motion(-4, 4) == 1);
   CHECK(foredraw_lod_hysteresis(1, none) == 0 && foredraw_lod_hysteresis(1, -4) == 1);
+  CHECK(foredraw_lod_benefit(foredraw_lod_held(none, 4, 1)) == 0 && foredraw_lod_held(3, none, 1) == 3);
+  CHECK(foredraw_lod_held(3, 4, none) == 3 && foredraw_lod_held(3, 4, -1) == 3 && foredraw_lod_held(3, 4, all) == 4);
+  CHECK(foredraw_lod_held(3, 2, 1) == 3 && foredraw_lod_benefit(foredraw_lod_held(3, all, 0)) == 0);
   CHECK(foredraw_lod_hysteresis(INT32_MIN, 1) == 0 && foredraw_lod_hysteresis(INT32_MIN, 0) == 1);
 }
 

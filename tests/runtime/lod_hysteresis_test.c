@@ -20,9 +20,9 @@ typedef struct {
   float pixel;          /* nanoseconds; 0: triangles take all the time */
   float weight;         /* of hysteresis */
   uint64_t full, least; /* what full detail and the coarsest levels cost */
-  foredraw_lod_way ways[objects * levels];
+  foredraw_lod_way plain_ways[objects * levels], ways[objects * levels]; /* without and with hysteresis */
   uint32_t first[objects + 1], last[objects], chosen[objects];
-  foredraw_lod_scene scene;
+  foredraw_lod_scene plain, scene;
   void* memory;
 } field;
 
@@ -42,6 +42,8 @@ static void make_field(field* all, float pixel, float weight) {
   all->scene.objects = objects;
   all->scene.first = all->first;
   all->scene.ways = all->ways;
+  all->plain = all->scene;
+  all->plain.ways = all->plain_ways;
   all->memory = malloc(foredraw_lod_memory(&all->scene));
 }
 
@@ -57,11 +59,13 @@ static void see(field* all, float nearer) {
     for (level = 0; level < levels; ++level) {
       const float left = all->triangles[i] / (float)(1 << (2 * level));
       const float error = level == 0 ? 0 : 2 * all->radius[i] / sqrtf(left);
-      const int apart = all->last[i] == levels ? 0 : level - (int)all->last[i];
-      foredraw_lod_way* way = &all->ways[all->first[i] + (uint32_t)level];
-      way->cost = foredraw_lod_cost(foredraw_lod_pipeline(&rendering, left, left / 2, pixels));
-      way->benefit = foredraw_lod_benefit(pixels * foredraw_lod_accuracy_of_error(error * pixels_a_unit) *
-                                          foredraw_lod_hysteresis(apart, all->weight));
+      const float weight = level == (int)all->last[i] ? all->weight : 0;
+      const float benefit = pixels * foredraw_lod_accuracy_of_error(error * pixels_a_unit);
+      const uint32_t way = all->first[i] + (uint32_t)level;
+      all->ways[way].cost = foredraw_lod_cost(foredraw_lod_pipeline(&rendering, left, left / 2, pixels));
+      all->ways[way].benefit = foredraw_lod_benefit(foredraw_lod_held(benefit, pixels, weight));
+      all->plain_ways[way].cost = all->ways[way].cost;
+      all->plain_ways[way].benefit = foredraw_lod_benefit(benefit);
     }
     all->full += all->ways[all->first[i]].cost;
     all->least += all->ways[all->first[i] + levels - 1].cost;
@@ -78,15 +82,12 @@ static uint32_t switched(field* all) {
   return count;
 }
 
-/* A frame whose last choice is kept while it is within the budget and shows 99 % of what a hundredth less could. */
+/* A frame whose last choice is kept while it is within the budget and loses a fifth more than a new one at most. */
 static void choose_or_keep(field* all, uint64_t budget) {
-  const foredraw_lod_result next = foredraw_lod_select(&all->scene, budget - budget / 100, all->chosen, all->memory);
+  const foredraw_lod_result next = foredraw_lod_select(&all->scene, budget - budget / 200, all->chosen, all->memory);
   CHECK(next.cost <= budget);
-  if (all->last[0] != levels) {
-    const foredraw_lod_result kept = foredraw_lod_kept(&all->scene, budget, all->last);
-    if (!kept.is_over && (double)kept.benefit >= 0.99 * (double)next.bound)
-      memcpy(all->chosen, all->last, sizeof all->last);
-  }
+  if (all->last[0] != levels && foredraw_lod_may_keep(&all->plain, budget, all->last, all->chosen, 0.2))
+    memcpy(all->chosen, all->last, sizeof all->last);
   CHECK(!foredraw_lod_kept(&all->scene, budget, all->chosen).is_over);
 }
 
@@ -115,13 +116,13 @@ static void jitter(void) {
   uint32_t i, without = 0;
   for (i = 0; i < 5; ++i) {
     without += switched_by_jitter(0, 0, shares[i], 0);
-    CHECK(switched_by_jitter(0, 0.02f, shares[i], 0) == 0); /* costs stand, benefits change */
-    CHECK(switched_by_jitter(0.9f, 0.02f, shares[i], 1) == 0);
+    CHECK(switched_by_jitter(0, 0.1f, shares[i], 0) == 0); /* costs stand, benefits change */
+    CHECK(switched_by_jitter(0.9f, 0.1f, shares[i], 1) == 0);
   }
   CHECK(without > 0);
   /* Where costs change too, a full budget is kept by switching, and no weight helps. */
-  CHECK(switched_by_jitter(0.9f, 0.02f, 0.1f, 0) > 0);
-  CHECK(switched_by_jitter(0.9f, 0.02f, 2, 0) == 0);
+  CHECK(switched_by_jitter(0.9f, 0.1f, 0.1f, 0) > 0);
+  CHECK(switched_by_jitter(0.9f, 0.1f, 2, 0) == 0);
 }
 
 /* Eight objects come near, the others stand. The former get each level once, and full detail in the end if no choice is
@@ -130,7 +131,7 @@ static uint32_t switched_by_approach(float pixel, float share, int may_keep) {
   static field all;
   uint64_t budget = 0;
   uint32_t frame, i, count = 0, levels_had[near_ones] = {0};
-  make_field(&all, pixel, 0.02f);
+  make_field(&all, pixel, 0.05f);
   for (i = 0; i < near_ones; ++i) all.radius[i] = 3;
   for (frame = 0; frame < 600; ++frame) {
     for (i = 0; i < near_ones; ++i) all.away[i] = 10 * (float)i + 400 * powf(0.02f, (float)frame / 600);

@@ -3,6 +3,7 @@
 
 #include <foredraw/runtime/lod_select.h>
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { most_objects = 6, most_ways = 5 };
@@ -165,6 +166,26 @@ static void kept(void) {
   CHECK(foredraw_lod_kept(&one.scene, 11, chosen).is_over);
 }
 
+/* The best ways are worth 100 and 1000; the new choice loses 10 of them. */
+static void kept_for_its_loss(void) {
+  instance one = {{{1, 100}, {0, 91}, {0, 80}, {3, 1000}, {2, 990}, {1, 985}}, {0, 3, 6}, {0, NULL, NULL}};
+  const uint32_t next[2] = {0, 1}, a_tenth_more[2] = {1, 0}, half_more[2] = {0, 2}, best[2] = {0, 0};
+  point(&one, 2);
+  CHECK(foredraw_lod_may_keep(&one.scene, 3, next, next, 0));
+  CHECK(foredraw_lod_may_keep(&one.scene, 3, a_tenth_more, next, 0)); /* it loses 9 */
+  CHECK(foredraw_lod_may_keep(&one.scene, 3, next, a_tenth_more, 0.12));
+  CHECK(!foredraw_lod_may_keep(&one.scene, 3, next, a_tenth_more, 0.11));
+  CHECK(foredraw_lod_may_keep(&one.scene, 3, half_more, next, 0.5));
+  CHECK(!foredraw_lod_may_keep(&one.scene, 3, half_more, next, 0.49)); /* though it has 99.5 % of the benefit */
+  CHECK(!foredraw_lod_may_keep(&one.scene, 1, half_more, next, 0.5));  /* it does not fit */
+  /* There is time for everything: only what is as good stays. */
+  CHECK(foredraw_lod_may_keep(&one.scene, 4, best, best, 0.1));
+  CHECK(!foredraw_lod_may_keep(&one.scene, 4, a_tenth_more, best, 1e9));
+  CHECK(!foredraw_lod_may_keep(&one.scene, 3, next, next, NAN));
+  one.scene.objects = 0;
+  CHECK(foredraw_lod_may_keep(&one.scene, 0, next, next, 0));
+}
+
 /* 20,000 objects: more budget is never worse, and the gap to the bound is one step of them. */
 static void many_objects(void) {
   enum { objects = 20000, ways = 6 };
@@ -208,6 +229,7 @@ int main(void) {
   half_at_least();
   at_the_limits();
   kept();
+  kept_for_its_loss();
   many_objects();
   return failures == 0 ? 0 : 1;
 }

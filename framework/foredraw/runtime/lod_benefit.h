@@ -71,6 +71,14 @@ static inline float foredraw_lod_hysteresis(int levels_from_last, float weight) 
   return foredraw_lod_within_1(1 - weight * fabsf((float)levels_from_last));
 }
 
+/* Hysteresis by what is lost: the benefit of the way of the last frame, as if so large a part of what is missing to the
+ * benefit of the object's best way were there (weight: 0 to 1). Other ways stay as they are. So a choice loses at most
+ * 1 / (1 - weight) times what the best choice would. The paper's, above, is a part of the benefit itself, most of which
+ * coarse levels have too: it may hold one that loses many times as much as the one that would be chosen. */
+static inline float foredraw_lod_held(float benefit, float best, float weight) {
+  return best > benefit ? benefit + foredraw_lod_within_1(weight) * (best - benefit) : benefit;
+}
+
 /* As lod_select.h has it: whole numbers, here below 2^31. */
 static inline uint32_t foredraw_lod_whole(double value, uint32_t if_none) {
   if (!(value == value)) return if_none;

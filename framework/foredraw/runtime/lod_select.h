@@ -278,9 +278,7 @@ static inline foredraw_lod_result foredraw_lod_select(const foredraw_lod_scene* 
   return result;
 }
 
-/* What an earlier choice costs and is worth in this scene. It may be drawn again while it is not over the budget, and
- * its benefit near the bound of a new choice: then nothing switches, though costs change with every move of the camera.
- * It has no bound of its own. */
+/* What an earlier choice costs and is worth in this scene. It has no bound of its own. */
 static inline foredraw_lod_result foredraw_lod_kept(const foredraw_lod_scene* scene, uint64_t budget,
                                                     const uint32_t* chosen) {
   foredraw_lod_result result = {0, 0, UINT64_MAX, 0};
@@ -292,6 +290,26 @@ static inline foredraw_lod_result foredraw_lod_kept(const foredraw_lod_scene* sc
   }
   result.is_over = result.cost > budget;
   return result;
+}
+
+/* Whether an earlier choice may be drawn again, so that nothing switches though costs change with every move of the
+ * camera: it is not over the budget, and what it loses is no more than what a new choice loses and so large a part of
+ * it more (0.1: a tenth). Loss is what is missing to the best way of each object. Benefits themselves would not tell: a
+ * hundredth of all that is shown can be many times what is missing. Where there is time for everything, only what is as
+ * good may be kept. Ask with benefits in which there is no hysteresis. */
+static inline int foredraw_lod_may_keep(const foredraw_lod_scene* scene, uint64_t budget, const uint32_t* earlier,
+                                        const uint32_t* new_choice, double more) {
+  const foredraw_lod_result kept = foredraw_lod_kept(scene, budget, earlier);
+  const foredraw_lod_result next = foredraw_lod_kept(scene, budget, new_choice);
+  uint64_t best = 0;
+  uint32_t i, way;
+  for (i = 0; i < scene->objects; ++i) {
+    uint32_t most = 0;
+    for (way = scene->first[i]; way < scene->first[i + 1]; ++way)
+      if (scene->ways[way].benefit > most) most = scene->ways[way].benefit;
+    best += most;
+  }
+  return !kept.is_over && (double)(best - kept.benefit) <= (1 + more) * (double)(best - next.benefit);
 }
 
 #endif
