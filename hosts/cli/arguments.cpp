@@ -84,7 +84,7 @@ class CommandLine {
     threads(optimize_app);
 
     auto& plan_app = add("plan", "Show what would run, what would be skipped and why", plan);
-    input(plan_app);
+    input(plan_app, false);
     pipeline(plan_app);
     json(plan_app);
 
@@ -130,7 +130,7 @@ class CommandLine {
     memory_limit(compare_app);
 
     auto& inspect_app = add("inspect", "Show what a scene holds", inspect);
-    input(inspect_app);
+    input(inspect_app, false);
     json(inspect_app);
 
     auto& list_app = add("list", "List the plugins", list);
@@ -202,13 +202,11 @@ class CommandLine {
     return *app;
   }
 
-  void input(CLI::App& app) {
-    app.add_option(
-           "input", arguments_.inputs,
-           fmt::format("A scene: {}, or - for standard input; an image ({}) or a frame list ({}) as sprites; or a "
-                       "folder of these",
-                       extensions_that_hold(Holds::meshes), extensions_that_hold(Holds::image),
-                       extensions_that_hold(Holds::frame_list)))
+  void input(CLI::App& app, bool takes_folder = true) {
+    app.add_option("input", arguments_.inputs,
+                   fmt::format("A scene: {}, or - for standard input; an image ({}) or a frame list ({}) as sprites{}",
+                               extensions_that_hold(Holds::meshes), extensions_that_hold(Holds::image),
+                               extensions_that_hold(Holds::frame_list), takes_folder ? "; or a folder of these" : ""))
         ->required()
         ->expected(1);
     app.add_flag("--strict", arguments_.strict,

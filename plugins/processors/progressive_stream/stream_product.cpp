@@ -28,7 +28,9 @@ class StreamRow final : public ProductRow {
   std::string read(ExtensionReader& from, Scene& scene) const override {
     const ExtensionValue* file = from.of_file();
     const ExtensionValue* meshes = file == nullptr ? nullptr : file->member("meshes");
-    if (meshes == nullptr || meshes->list() == nullptr) return "it has no array 'meshes'";
+    if (meshes == nullptr || meshes->list() == nullptr || meshes->list()->empty()) {
+      return "it has no array 'meshes' with a mesh";
+    }
     ProgressiveStreams all;
     for (const ExtensionValue& one : *meshes->list()) {
       auto draws = named_primitives(one.member("primitives"), scene);
