@@ -11,7 +11,7 @@ namespace foredraw {
 
 namespace {
 
-constexpr double smallest = 8;  // pixels across; the next size has four times as many
+constexpr double smallest = 2;  // pixels across; the next size has four times as many
 constexpr std::array<glm::dvec3, 4> sides = {glm::dvec3(1, 0.4, 1), glm::dvec3(-1, 0.7, 0.8), glm::dvec3(0.9, 0.2, -1),
                                              glm::dvec3(-0.8, 0.5, -1)};
 
@@ -24,7 +24,8 @@ class Portrait {
         object_(object),
         renderer_({across, across}, across > 128  ? 1
                                     : across > 32 ? 2
-                                                  : 4) {
+                                    : across > 2  ? 4
+                                                  : 16) {
     // At two radii the sphere just fits into a picture that is 60 degrees high.
     const BoundingSphere& sphere = moment.bounds[object].sphere;
     camera_ = looking_at(sphere.centre + glm::normalize(side) * (2 * sphere.radius), sphere.centre);
@@ -78,7 +79,7 @@ void add_losses(PictureLosses& losses, const FrameScene& scene, const FrameMomen
   }
 }
 
-constexpr std::size_t size_of_accuracies = 2;
+constexpr std::size_t size_of_accuracies = 3;
 
 }  // namespace
 

@@ -9,9 +9,9 @@
 namespace foredraw {
 
 /// Squared differences from full detail, summed over a picture's pixels and channels (0 to 1 each) and divided by the
-/// pixels that the object covers. At sizes of 8, 32, 128 and 512 pixels across the object's sphere.
+/// pixels that the object covers. At sizes of 2, 8, 32, 128 and 512 pixels across the object's sphere.
 struct PictureLosses {
-  static constexpr std::size_t sizes = 4;
+  static constexpr std::size_t sizes = 5;
   using BySize = std::array<double, sizes>;
 
   std::vector<std::array<BySize, all_renderings.size()>> of;  ///< [level][rendering][size]

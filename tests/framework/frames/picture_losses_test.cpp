@@ -27,8 +27,10 @@ TEST(PictureLosses, GrowWithTheLevelAndAreLessThanNothingAtAll) {
 }
 
 TEST(PictureLosses, LieBetweenSizes) {
-  const PictureLosses::BySize losses = {1, 2, 4, 8};
-  EXPECT_EQ(PictureLosses::at(losses, 0), 1);
+  const PictureLosses::BySize losses = {0.5, 1, 2, 4, 8};
+  EXPECT_EQ(PictureLosses::at(losses, 0), 0.5);
+  EXPECT_EQ(PictureLosses::at(losses, 2), 0.5);
+  EXPECT_NEAR(PictureLosses::at(losses, 4), 0.75, 1e-9);
   EXPECT_EQ(PictureLosses::at(losses, 8), 1);
   EXPECT_EQ(PictureLosses::at(losses, 32), 2);
   EXPECT_NEAR(PictureLosses::at(losses, 64), 3, 1e-9);
