@@ -7,7 +7,7 @@
 
 namespace foredraw {
 
-/// ReferenceRenderer, on one thread, by the processor's clock. The scene has to live longer.
+/// ReferenceRenderer, on one thread: processor time of this process. The scene has to live longer.
 FrameTimer reference_timer(const FrameScene& scene, FrameSize size);
 
 /// Whether this program was built with what vulkan_timer() needs.

@@ -65,12 +65,15 @@ std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& mome
   return meshes;
 }
 
-ObjectWork work_of(const MeshWays& mesh, const WayName& name, const SeenObject& object) {
+ObjectWork work_of(const MeshWays& mesh, const WayName& name, const SeenObject& object, bool is_posed) {
   const MeshWays::Level& level = mesh.levels[name.level];
   const bool is_full = name.rendering == Rendering::full && mesh.has_normal_map;
   return {is_full || name.rendering == Rendering::unlit ? name.rendering : Rendering::without_normal_map,
-          static_cast<double>(mesh.triangles[name.level]), static_cast<double>(level.vertices),
-          static_cast<double>(object.shown), static_cast<double>(level.draws)};
+          static_cast<double>(mesh.triangles[name.level]),
+          static_cast<double>(level.vertices),
+          static_cast<double>(object.shown),
+          static_cast<double>(level.draws),
+          is_posed ? static_cast<double>(level.vertices) : 0.0};
 }
 
 FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshes, std::vector<SeenObject> seen,
@@ -95,7 +98,7 @@ FrameWays frame_ways(const FrameScene& scene, const std::vector<MeshWays>& meshe
       for (std::size_t r = 0; r < (with_renderings ? all_renderings.size() : 1); ++r) {
         const Rendering rendering = all_renderings[r];
         if (rendering == Rendering::without_normal_map && !mesh.has_normal_map) continue;
-        const ObjectWork work = work_of(mesh, {level, rendering}, object);
+        const ObjectWork work = work_of(mesh, {level, rendering}, object, scene.objects()[object.object].is_posed);
         const float way_worth = worth * static_cast<float>(accuracy_of(mesh, level, r, object, options.accuracy));
         own.push_back(
             {{foredraw_lod_cost(static_cast<float>(object_cost(costs, work))), 0}, way_worth, {level, rendering}});

@@ -66,7 +66,7 @@ std::vector<MeshWays> mesh_ways(const FrameScene& scene, const FrameMoment& mome
                                 const Executor& executor);
 
 /// What it is to draw the object so. The full rendering of what has no normal map is the one without.
-ObjectWork work_of(const MeshWays& mesh, const WayName& name, const SeenObject& object);
+ObjectWork work_of(const MeshWays& mesh, const WayName& name, const SeenObject& object, bool is_posed);
 
 /// `speeds`: [seen object] pixels a frame. `with_renderings`: cheaper ones than the full one are ways too, where they
 /// differ from it.

@@ -83,8 +83,8 @@ class Incremental final : public LevelChooser {
   std::vector<std::uint32_t> memory_;
 };
 
-/// With hysteresis a two-hundredth of the budget is left, and the last choice is drawn again while it fits and loses little
-/// more than the new one.
+/// With hysteresis a two-hundredth of the budget is left, and the last choice is drawn again while it fits and loses
+/// little more than the new one.
 class Budget final : public LevelChooser {
  public:
   explicit Budget(const ChooserOptions& options) : options_(options) {}

@@ -205,7 +205,8 @@ class Walker {
       now[object] = ways.names[way];
       drawn.push_back({object, ways.names[way].level, ways.names[way].rendering});
       triangles += mesh_of(ways.seen[i]).triangles[ways.names[way].level];
-      work.add(walking::work_of(mesh_of(ways.seen[i]), ways.names[way], ways.seen[i]));
+      work.add(
+          walking::work_of(mesh_of(ways.seen[i]), ways.names[way], ways.seen[i], scene_.objects()[object].is_posed));
     }
     walking.last = std::move(now);
     const double model = (cost + options_.costs.frame) / nanoseconds_a_millisecond;

@@ -4,13 +4,15 @@ namespace foredraw::walking {
 
 void SummedWork::add(const ObjectWork& work) {
   const RenderingCost& cost = costs_.of(work.rendering);
-  const bool is_shading = cost.pixel * work.pixels > cost.triangle * work.triangles + cost.vertex * work.vertices;
+  const bool is_shading = cost.pixel * work.pixels >
+                          cost.triangle * work.triangles + cost.vertex * work.vertices + costs_.posed * work.posed;
   ObjectWork& sum = sums_[static_cast<std::size_t>(work.rendering)][is_shading ? 1 : 0];
   sum.rendering = work.rendering;
   sum.triangles += work.triangles;
   sum.vertices += work.vertices;
   sum.pixels += work.pixels;
   sum.draws += work.draws;
+  sum.posed += work.posed;
 }
 
 std::vector<ObjectWork> SummedWork::drawn() const {

@@ -36,6 +36,10 @@ std::vector<CalibrationFrame> calibration_frames() {
             const bool is_too_much = objects * squares * squares > 20'000;  // a frame of some milliseconds at most
             if (objects > in_a_row * in_a_row || is_too_much) continue;
             frames.push_back({rendering, objects, squares, shares_vertices, pixels});
+            // What joints take is the same by each rendering.
+            if (rendering == Rendering::full && shares_vertices) {
+              frames.push_back({rendering, objects, squares, shares_vertices, pixels, true});
+            }
           }
         }
       }

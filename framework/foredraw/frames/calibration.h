@@ -17,6 +17,7 @@ struct CalibrationFrame {
   std::uint32_t squares = 1;    ///< along each edge of an object, of two triangles each
   bool shares_vertices = true;  ///< between triangles; else each has three of its own
   std::uint32_t pixels = 1;     ///< along each edge of an object in the picture
+  bool is_posed = false;        ///< four joints move each vertex
   friend bool operator==(const CalibrationFrame&, const CalibrationFrame&) = default;
 };
 
@@ -24,7 +25,7 @@ struct CalibrationFrame {
 inline constexpr std::uint32_t calibration_picture = 512;
 
 /// The frames from which costs can be told: few and many objects, triangles and pixels in every combination that fits
-/// into the picture, by each rendering, and a frame of nothing.
+/// into the picture, by each rendering; some that joints move; and a frame of nothing.
 std::vector<CalibrationFrame> calibration_frames();
 
 /// Draws a frame once: what it did, and how long it took in nanoseconds.

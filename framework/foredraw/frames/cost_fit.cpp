@@ -13,10 +13,10 @@ namespace foredraw {
 namespace {
 
 constexpr std::size_t renderings = all_renderings.size();
-constexpr std::size_t unknowns = 2 + 3 * renderings;  // frame, draw; pixel, vertex and triangle of each rendering
+constexpr std::size_t unknowns = 3 + 3 * renderings;  // frame, draw, posed; of each rendering pixel, vertex, triangle
 
 std::size_t number_of(Rendering rendering) { return static_cast<std::size_t>(rendering); }
-std::size_t pixel_of(Rendering rendering) { return 2 + 3 * number_of(rendering); }
+std::size_t pixel_of(Rendering rendering) { return 3 + 3 * number_of(rendering); }
 
 bool is_amount(double value) { return value >= 0 && value <= std::numeric_limits<float>::max(); }
 
@@ -24,7 +24,7 @@ bool is_usable(const FrameSample& sample) {
   const bool has_time = sample.nanoseconds > 0 && std::isfinite(sample.nanoseconds);
   return has_time && std::ranges::all_of(sample.drawn, [](const ObjectWork& work) {
            return is_amount(work.triangles) && is_amount(work.vertices) && is_amount(work.pixels) &&
-                  is_amount(work.draws);
+                  is_amount(work.draws) && work.posed >= 0 && work.posed <= work.vertices;
          });
 }
 
@@ -76,7 +76,7 @@ class Fit {
         double* of = row + pixel_of(work.rendering);
         row[1] += work.draws;
         if (counts != Slower::geometry) of[0] += work.pixels;
-        if (counts != Slower::pixels) of[1] += work.vertices, of[2] += work.triangles;
+        if (counts != Slower::pixels) of[1] += work.vertices, of[2] += work.triangles, row[2] += work.posed;
       }
       for (const double amount : row) rows.push_back(amount / sample->nanoseconds);
     }
@@ -84,6 +84,7 @@ class Fit {
     RenderingCosts costs;
     costs.frame = x[0];
     costs.draw = x[1];
+    costs.posed = x[2];
     for (const Rendering rendering : all_renderings) {
       const double* of = x.data() + pixel_of(rendering);
       costs.of(rendering) = {.triangle = of[2], .vertex = of[1], .pixel = of[0]};
@@ -126,8 +127,8 @@ class Fit {
     std::vector<Slower> slower;
     each_object([&](const ObjectWork& work) {
       const RenderingCost& of = costs.of(work.rendering);
-      const bool is_geometry = of.triangle * work.triangles + of.vertex * work.vertices >= of.pixel * work.pixels;
-      slower.push_back(is_geometry ? Slower::geometry : Slower::pixels);
+      const double geometry = of.triangle * work.triangles + of.vertex * work.vertices + costs.posed * work.posed;
+      slower.push_back(geometry >= of.pixel * work.pixels ? Slower::geometry : Slower::pixels);
     });
     return slower;
   }

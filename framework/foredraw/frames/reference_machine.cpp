@@ -18,14 +18,16 @@ VertexStream stream_of(const char* semantic, const std::vector<float>& values, s
 }
 
 /// A square from (0, 0) to (1, 1), seen from +Z.
-Draw square(std::uint32_t squares, bool shares_vertices) {
-  std::vector<float> positions, normals, places;
+Draw square(std::uint32_t squares, bool shares_vertices, bool is_posed) {
+  std::vector<float> positions, normals, places, joints, weights;
   const auto add = [&](std::uint32_t column, std::uint32_t row) {
     const float x = static_cast<float>(column) / static_cast<float>(squares),
                 y = static_cast<float>(row) / static_cast<float>(squares);
     positions.insert(positions.end(), {x, y, 0});
     normals.insert(normals.end(), {0, 0, 1});
     places.insert(places.end(), {x, y});
+    joints.insert(joints.end(), {0, 1, 2, 3});
+    weights.insert(weights.end(), {0.25f, 0.25f, 0.25f, 0.25f});
     return static_cast<std::uint32_t>(positions.size() / 3 - 1);
   };
   if (shares_vertices) {
@@ -48,6 +50,10 @@ Draw square(std::uint32_t squares, bool shares_vertices) {
   vertices.count = static_cast<std::uint32_t>(positions.size() / 3);
   vertices.base = {stream_of("POSITION", positions, 3), stream_of("NORMAL", normals, 3),
                    stream_of("TEXCOORD_0", places, 2)};
+  if (is_posed) {
+    vertices.base.push_back(stream_of("JOINTS_0", joints, 4));
+    vertices.base.push_back(stream_of("WEIGHTS_0", weights, 4));
+  }
   Draw draw;
   draw.name = "square";
   draw.material = 0;
@@ -107,7 +113,8 @@ class Shown {
       const DrawnWork& work = renderer.work()[static_cast<std::size_t>(rendering)];
       if (work.draws == 0) continue;
       sample.drawn.push_back({rendering, static_cast<double>(work.triangles), static_cast<double>(work.vertices),
-                              static_cast<double>(work.samples), static_cast<double>(work.draws)});
+                              static_cast<double>(work.samples), static_cast<double>(work.draws),
+                              frame.is_posed ? static_cast<double>(work.vertices) : 0.0});
     }
     return sample;
   }
@@ -120,7 +127,7 @@ class Shown {
     scene.materials.resize(1);
     scene.materials[0].base_colour.emplace().image = 0;
     scene.materials[0].normal_map.emplace().image = 1;
-    scene.draws.push_back(square(frame.squares, frame.shares_vertices));
+    scene.draws.push_back(square(frame.squares, frame.shares_vertices, frame.is_posed));
     scene.meshes.push_back({"square", {0}, {}});
     const std::uint32_t in_a_row = calibration_picture / frame.pixels;
     for (std::uint32_t i = 0; i < frame.objects; ++i) {
@@ -129,7 +136,20 @@ class Shown {
       node.transform.translation = glm::vec3(static_cast<float>(i % in_a_row * frame.pixels),
                                              static_cast<float>(i / in_a_row * frame.pixels), 0);
       node.transform.scale = glm::vec3(static_cast<float>(frame.pixels));
+      if (frame.is_posed) node.skin = i;
       scene.nodes.push_back(node);
+    }
+    for (std::uint32_t i = 0; i < frame.objects && frame.is_posed; ++i) {  // joints stand where the object would
+      Skin skin;
+      for (int joint = 0; joint < 4; ++joint) {
+        Node node = scene.nodes[i];
+        node.mesh.reset();
+        node.skin.reset();
+        skin.joints.push_back(static_cast<NodeId>(scene.nodes.size()));
+        skin.inverse_bind_matrices.emplace_back(1);
+        scene.nodes.push_back(node);
+      }
+      scene.skins.push_back(std::move(skin));
     }
     return scene;
   }
@@ -145,7 +165,7 @@ class Shown {
 class Machine {
  public:
   FrameSample operator()(const CalibrationFrame& frame) {
-    const auto key = std::tuple(frame.objects, frame.squares, frame.shares_vertices, frame.pixels);
+    const auto key = std::tuple(frame.objects, frame.squares, frame.shares_vertices, frame.pixels, frame.is_posed);
     std::unique_ptr<Shown>& shown = shown_[key];
     if (shown == nullptr) shown = std::make_unique<Shown>(frame);
     return shown->draw(renderer_, frame);
@@ -153,7 +173,7 @@ class Machine {
 
  private:
   ReferenceRenderer renderer_{{calibration_picture, calibration_picture}};
-  std::map<std::tuple<std::uint32_t, std::uint32_t, bool, std::uint32_t>, std::unique_ptr<Shown>> shown_;
+  std::map<std::tuple<std::uint32_t, std::uint32_t, bool, std::uint32_t, bool>, std::unique_ptr<Shown>> shown_;
 };
 
 }  // namespace

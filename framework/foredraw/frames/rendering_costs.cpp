@@ -44,7 +44,8 @@ const std::map<std::string, std::string, std::less<>>& expected() {
     std::map<std::string, std::string, std::less<>> all = {{"machine", "machine NAME"},
                                                            {"stages", "stages max' or 'stages sum"},
                                                            {"frame", "frame NANOSECONDS"},
-                                                           {"draw", "draw NANOSECONDS"}};
+                                                           {"draw", "draw NANOSECONDS"},
+                                                           {"posed", "posed NANOSECONDS"}};
     for (const Rendering rendering : all_renderings) {
       const std::string name(to_text(rendering));
       all.emplace(name, name + " TRIANGLE VERTEX PIXEL");
@@ -70,6 +71,7 @@ bool take(std::string_view word, const std::string& rest, RenderingCosts& costs)
   std::vector<double*> numbers;
   if (word == "frame") numbers = {&costs.frame};
   if (word == "draw") numbers = {&costs.draw};
+  if (word == "posed") numbers = {&costs.posed};
   for (const Rendering rendering : all_renderings) {
     RenderingCost& of = costs.of(rendering);
     if (word == to_text(rendering)) numbers = {&of.triangle, &of.vertex, &of.pixel};
@@ -106,7 +108,8 @@ RenderingCosts example_costs() {
 
 double object_cost(const RenderingCosts& costs, const ObjectWork& work) {
   const RenderingCost& of = costs.of(work.rendering);
-  const foredraw_lod_rendering rendering = {static_cast<float>(of.triangle), static_cast<float>(of.vertex),
+  const double vertex = work.posed > 0 ? of.vertex + costs.posed * (work.posed / work.vertices) : of.vertex;
+  const foredraw_lod_rendering rendering = {static_cast<float>(of.triangle), static_cast<float>(vertex),
                                             static_cast<float>(of.pixel)};
   const auto put_together = costs.stages == Stages::sum ? foredraw_lod_sum : foredraw_lod_pipeline;
   return costs.draw * work.draws + put_together(&rendering, static_cast<float>(work.triangles),
@@ -125,6 +128,7 @@ std::string costs_text(const RenderingCosts& costs) {
   text += "stages " + std::string(to_text(costs.stages)) + '\n';
   text += "frame " + number_text(costs.frame) + "  # each frame\n";
   text += "draw " + number_text(costs.draw) + "  # each draw call\n";
+  text += "posed " + number_text(costs.posed) + "  # more for each vertex that joints or morph targets move\n";
   text += "# rendering, for each triangle, vertex and pixel\n";
   for (const Rendering rendering : all_renderings) {
     const RenderingCost& of = costs.of(rendering);
@@ -161,7 +165,7 @@ std::variant<RenderingCosts, std::string> costs_in(std::string_view text, const 
     }
   }
   for (const auto& [word, form] : expected()) {
-    if (word != "machine" && !lines.contains(word)) return name + ": it has no line '" + form + "'";
+    if (word != "machine" && word != "posed" && !lines.contains(word)) return name + ": it has no line '" + form + "'";
   }
   return costs;
 }

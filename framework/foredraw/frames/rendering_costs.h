@@ -36,6 +36,7 @@ struct RenderingCosts {
   std::array<RenderingCost, all_renderings.size()> renderings = {};
   double frame = 0;  ///< nanoseconds that each frame takes, whatever it draws
   double draw = 0;   ///< nanoseconds that each draw call takes
+  double posed = 0;  ///< nanoseconds more for each vertex that joints or morph targets move
   const RenderingCost& of(Rendering rendering) const { return renderings[static_cast<std::size_t>(rendering)]; }
   RenderingCost& of(Rendering rendering) { return renderings[static_cast<std::size_t>(rendering)]; }
   friend bool operator==(const RenderingCosts&, const RenderingCosts&) = default;
@@ -52,6 +53,7 @@ struct ObjectWork {
   double vertices = 0;  ///< that are moved and shaded
   double pixels = 0;    ///< that are shaded, those that are hidden later too
   double draws = 1;     ///< draw calls
+  double posed = 0;     ///< of the vertices, those that joints or morph targets move
   friend bool operator==(const ObjectWork&, const ObjectWork&) = default;
 };
 
@@ -68,6 +70,7 @@ double frame_cost(const RenderingCosts& costs, std::span<const ObjectWork> objec
 ///   stages max | sum
 ///   frame NANOSECONDS               that each frame takes
 ///   draw NANOSECONDS                that each draw call takes
+///   posed NANOSECONDS               more for each vertex that joints or morph targets move; may be missing: nothing
 ///   full TRIANGLE VERTEX PIXEL      nanoseconds for each; the same for without-normal-map and unlit
 /// Numbers are finite, from 0 to 1e9, and come back to the bit.
 std::string costs_text(const RenderingCosts& costs);

@@ -28,6 +28,7 @@ class MakeLodTable final : public Processor {
     auto costs = read_costs(options.costs);
     if (const auto* why = std::get_if<std::string>(&costs)) throw std::invalid_argument(*why);
     costs_ = std::get<RenderingCosts>(std::move(costs));
+    costs_.posed = 0;  // a table is of draws; whether joints move one, a node of each place says
     is_example_ = false;
   }
 

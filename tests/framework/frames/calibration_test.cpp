@@ -21,6 +21,7 @@ RenderingCosts made_up(Stages stages) {
   costs.of(Rendering::unlit) = {0.8, 0.3, 0.1};
   costs.frame = 30'000;
   costs.draw = 2'000;
+  costs.posed = 3;
   return costs;
 }
 
@@ -28,7 +29,12 @@ ObjectWork work_of(const CalibrationFrame& frame) {
   const double objects = frame.objects, squares = frame.squares, pixels = frame.pixels;
   const double triangles = 2 * squares * squares;
   const double vertices = frame.shares_vertices ? (squares + 1) * (squares + 1) : 3 * triangles;
-  return {frame.rendering, objects * triangles, objects * vertices, objects * pixels * pixels, objects};
+  return {frame.rendering,
+          objects * triangles,
+          objects * vertices,
+          objects * pixels * pixels,
+          objects,
+          frame.is_posed ? objects * vertices : 0};
 }
 
 /// A machine that takes what costs say; in every fourth round ten times as long, and in another one a tenth.
@@ -102,7 +108,8 @@ TEST(Calibration, TheReferenceRendererDrawsWhatAFrameSays) {
   const MeasuredMachine machine = reference_machine();
   for (const CalibrationFrame& frame :
        {CalibrationFrame{Rendering::full, 4, 12, true, 100}, CalibrationFrame{Rendering::unlit, 16, 1, false, 32},
-        CalibrationFrame{Rendering::without_normal_map, 1, 64, true, 250}}) {
+        CalibrationFrame{Rendering::without_normal_map, 1, 64, true, 250},
+        CalibrationFrame{Rendering::full, 4, 12, true, 100, true}}) {
     const FrameSample sample = machine(frame);
     EXPECT_GT(sample.nanoseconds, 0);
     ASSERT_EQ(sample.drawn.size(), 1u);

@@ -46,11 +46,22 @@ std::vector<FrameSample> frames(std::size_t count, const RenderingCosts& costs, 
       work.vertices = std::floor(work.triangles * (0.5 + random.unit()));
       work.pixels = between(random, 6, 18);
       work.draws = 1 + static_cast<double>(random.below(3));
+      if (costs.posed > 0 && random.below(3) == 0) work.posed = work.vertices;
     }
     const double off = noise * (2 * random.unit() - 1);
     sample.nanoseconds = frame_cost(costs, sample.drawn) * (1 + off);
   }
   return samples;
+}
+
+TEST(CostFit, FindsWhatJointsTake) {
+  for (const Stages stages : {Stages::sum, Stages::max}) {
+    RenderingCosts costs = machine(stages);
+    costs.posed = 2.5;
+    const RenderingCosts found = fit_costs(frames(300, costs), stages);
+    EXPECT_LT(testing::apart(found, costs), 1e-3) << to_text(stages);
+    EXPECT_EQ(fit_costs(frames(300, machine(stages)), stages).posed, 0);
+  }
 }
 
 TEST(CostFit, FindsTheConstantsOfBothFormsExactly) {

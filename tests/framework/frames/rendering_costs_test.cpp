@@ -26,6 +26,10 @@ TEST(RenderingCosts, TheSlowerStageCountsOrBoth) {
   EXPECT_DOUBLE_EQ(object_cost(made_up(Stages::max), pixels), 10 + 2000);
   EXPECT_DOUBLE_EQ(object_cost(made_up(Stages::sum), triangles), 10 + 460);
   EXPECT_DOUBLE_EQ(object_cost(made_up(Stages::max), {Rendering::unlit, 100, 60, 0, 3}), 30 + 145);
+  RenderingCosts costs = made_up(Stages::sum);
+  costs.posed = 4;
+  EXPECT_DOUBLE_EQ(object_cost(costs, {Rendering::full, 100, 60, 400, 1, 30}), 10 + 460 + 120);
+  EXPECT_DOUBLE_EQ(object_cost(costs, {Rendering::full, 0, 0, 400}), 10 + 200);
 }
 
 /// The slower stage of each object, and not of the frame: that would be 1000 + 20 + 2200.
@@ -45,6 +49,7 @@ TEST(RenderingCosts, ComeBackFromTheirTextToTheBit) {
   RenderingCosts costs = made_up(Stages::sum);
   costs.of(Rendering::unlit) = {1.0 / 3, 1e-300, 1e9};
   costs.frame = 123456.789;
+  costs.posed = 7.1;
   EXPECT_EQ(read(costs_text(costs)), costs);
   EXPECT_EQ(read(costs_text(example_costs())), example_costs());
   costs.machine = " two\nlines # and more ";
@@ -74,10 +79,10 @@ TEST(RenderingCosts, MistakesNameTheLineAndWhatWasExpected) {
   EXPECT_EQ(complaint_about("stages max sum"),
             "costs.txt:1: expected 'stages max' or 'stages sum', but found 'stages max sum'");
   EXPECT_EQ(complaint_about("machine # mine"), "costs.txt:1: expected 'machine NAME', but found 'machine   mine'");
-  EXPECT_EQ(
-      complaint_about("\nlit 1 2 3"),
-      "costs.txt:2: expected one of draw, frame, full, machine, stages, unlit, without-normal-map, but found 'lit "
-      "1 2 3'");
+  EXPECT_EQ(complaint_about("\nlit 1 2 3"),
+            "costs.txt:2: expected one of draw, frame, full, machine, posed, stages, unlit, without-normal-map, but "
+            "found 'lit "
+            "1 2 3'");
   for (const char* number : {"-1", "nan", "inf", "1e10", "1e999", "one", "0x1", "1,5", "1 2"}) {
     EXPECT_EQ(complaint_about(std::string("frame ") + number),
               "costs.txt:1: expected 'frame NANOSECONDS'" + numbers + "'frame " + number + "'");
