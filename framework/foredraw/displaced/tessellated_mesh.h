@@ -49,7 +49,8 @@ struct LevelDisagreement {
 };
 
 /// The first edge that has another effective_level() in an earlier triangle; none: tessellated_mesh() takes the levels.
-/// Throws std::invalid_argument as it does.
+/// With indices of welded() vertices in place of the mesh's own, seams are asked too. Throws std::invalid_argument as
+/// tessellated_mesh() does.
 std::optional<LevelDisagreement> level_disagreement(std::span<const std::uint32_t> indices, std::uint32_t vertices,
                                                     std::span<const TessellationLevels> levels,
                                                     TessellationSpacing spacing);

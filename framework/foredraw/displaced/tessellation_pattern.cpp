@@ -27,6 +27,9 @@ class PatternMaking {
  public:
   PatternMaking(const TessellationLevels& levels, TessellationSpacing spacing) : inner_(levels.inner, spacing) {
     for (std::size_t e = 0; e < 3; ++e) outer_[e] = EdgeDivision(levels.outer[e], spacing);
+    const TessellationCounts counts = tessellation_counts(levels, spacing);
+    pattern_.points.reserve(counts.points);
+    pattern_.triangles.reserve(counts.triangles);
   }
 
   TessellationPattern run() {
@@ -50,7 +53,7 @@ class PatternMaking {
   }
 
   void add_outer_points() {
-    pattern_.points = {{weight_one, 0}, {0, weight_one}, {0, 0}};
+    pattern_.points.insert(pattern_.points.end(), {{weight_one, 0}, {0, weight_one}, {0, 0}});
     for (std::size_t e = 0; e < 3; ++e) {
       first_[e] = static_cast<std::uint32_t>(pattern_.points.size());
       for (std::uint32_t i = 1; i < outer_[e].parts(); ++i) {

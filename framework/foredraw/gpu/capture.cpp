@@ -1,6 +1,7 @@
 #include <foredraw/gpu/capture.h>
 
 #include <array>
+#include <stdexcept>
 
 namespace foredraw::gpu {
 
@@ -12,10 +13,15 @@ Function named(const Device& device, const char* name) {
   return reinterpret_cast<Function>(vkGetDeviceProcAddr(device.get(), name));
 }
 
+const Device& capturing(const Device& device) {
+  if (device.captures()) return device;
+  throw std::runtime_error(device.name() + " lacks VK_EXT_transform_feedback; choose another device");
+}
+
 }  // namespace
 
 Capture::Capture(const Device& device, VkDeviceSize bytes)
-    : outputs_(device, bytes, VK_BUFFER_USAGE_TRANSFORM_FEEDBACK_BUFFER_BIT_EXT),
+    : outputs_(capturing(device), bytes, VK_BUFFER_USAGE_TRANSFORM_FEEDBACK_BUFFER_BIT_EXT),
       counts_(device, VK_QUERY_TYPE_TRANSFORM_FEEDBACK_STREAM_EXT, 1),
       bind_(named<PFN_vkCmdBindTransformFeedbackBuffersEXT>(device, "vkCmdBindTransformFeedbackBuffersEXT")),
       begin_(named<PFN_vkCmdBeginTransformFeedbackEXT>(device, "vkCmdBeginTransformFeedbackEXT")),
@@ -34,7 +40,7 @@ void Capture::end(VkCommandBuffer commands) const {
   vkCmdEndQuery(commands, counts_.get(), 0);
 }
 
-void Capture::copy_out(VkCommandBuffer commands) const {
+void Capture::let_read(VkCommandBuffer commands) const {
   let_see(commands, VK_PIPELINE_STAGE_TRANSFORM_FEEDBACK_BIT_EXT, VK_ACCESS_TRANSFORM_FEEDBACK_WRITE_BIT_EXT,
           VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT);
 }

@@ -13,7 +13,7 @@ namespace foredraw::gpu {
 /// devices that capture.
 class Capture {
  public:
-  /// Room for `bytes`. The device has to live longer.
+  /// Room for `bytes`. The device has to live longer. Throws std::runtime_error where it does not capture.
   Capture(const Device& device, VkDeviceSize bytes);
 
   /// Within a render pass, with a pipeline bound: what is drawn from here on is captured, from the front of the buffer.
@@ -21,8 +21,8 @@ class Capture {
   void end(VkCommandBuffer commands) const;
   /// Before the render pass.
   void reset(VkCommandBuffer commands) const { counts_.reset(commands); }
-  /// After the render pass, so that the functions below see it.
-  void copy_out(VkCommandBuffer commands) const;
+  /// After the render pass: so that the functions below see what was captured, once the commands have run.
+  void let_read(VkCommandBuffer commands) const;
 
   struct Triangles {
     std::uint64_t written = 0;

@@ -1,3 +1,4 @@
+#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/base/random.h>
 #include <foredraw/displaced/tessellated_mesh.h>
 
@@ -5,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <set>
@@ -160,6 +162,29 @@ TEST(TessellatedMesh, levels_that_do_not_agree_are_named) {
                  "edge 2 of triangle 1 has level 2.750000, but edge 0 of triangle 0 has level 2.250000, and they are "
                  "the same edge: compute levels from its two vertices alone");
   }
+}
+
+TEST(TessellatedMesh, seams_agree_where_levels_come_from_positions) {
+  const TestMesh box = testing::box_of_sides(3);
+  const std::vector<std::uint32_t> first = welded(box.positions);
+  TestMesh closed = box;
+  for (std::uint32_t& v : closed.indices) v = first[v];
+  const auto vertices = static_cast<std::uint32_t>(box.positions.size());
+  const auto by_number = levels_of(box, 1, 9), by_position = levels_of(closed, 1, 9);
+  EXPECT_FALSE(level_disagreement(box.indices, vertices, by_number, equal));
+  EXPECT_TRUE(level_disagreement(closed.indices, vertices, by_number, equal));
+  EXPECT_FALSE(level_disagreement(closed.indices, vertices, by_position, equal));
+  // Then both sides of a seam have their points in the same places.
+  const TessellatedMesh made = tessellated(box, by_position, equal);
+  std::vector<Place> lies = places(closed, made);
+  for (std::uint32_t v = 0; v < made.kept; ++v) lies[v] = {{first[v], weight_one}};
+  std::map<std::pair<Place, Place>, int> sides;
+  for (std::size_t i = 0; i < made.indices.size(); ++i) {
+    const Place &from = lies[made.indices[i]], &to = lies[made.indices[i - i % 3 + (i + 1) % 3]];
+    ++sides[{from, to}];
+    --sides[{to, from}];
+  }
+  for (const auto& [ends, surplus] : sides) EXPECT_EQ(surplus, 0);
 }
 
 TEST(TessellatedMesh, triangles_with_a_level_of_zero_are_left_out) {

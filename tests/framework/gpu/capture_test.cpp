@@ -58,7 +58,7 @@ class Patches {
       vkCmdDraw(commands, 6, 1, 0, 0);
       capture.end(commands);
       vkCmdEndRenderPass(commands);
-      capture.copy_out(commands);
+      capture.let_read(commands);
       pictures_.copy_out(commands, 1);
     });
     return capture;

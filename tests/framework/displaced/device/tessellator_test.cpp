@@ -87,7 +87,7 @@ class Tessellator {
       vkCmdDraw(commands, static_cast<std::uint32_t>(corners.size()), 1, 0, 0);
       capture_.end(commands);
       vkCmdEndRenderPass(commands);
-      capture_.copy_out(commands);
+      capture_.let_read(commands);
     });
     EXPECT_EQ(capture_.triangles().written, capture_.triangles().drawn);
     const auto captured = capture_.as<Triangle>().first(capture_.triangles().written);
