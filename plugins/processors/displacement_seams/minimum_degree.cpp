@@ -1,0 +1,130 @@
+#include "sparse_symmetric.h"
+
+#include <algorithm>
+
+namespace foredraw::seams {
+
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+/// Rows by their degree, a list for each.
+class DegreeLists {
+ public:
+  explicit DegreeLists(std::size_t rows) : head_(rows + 1, none), next_(rows, none), last_(rows, none), degree_(rows) {}
+
+  void put(std::uint32_t row, std::size_t degree) {
+    degree_[row] = degree;
+    last_[row] = none;
+    next_[row] = head_[degree];
+    if (next_[row] != none) last_[next_[row]] = row;
+    head_[degree] = row;
+    least_ = std::min(least_, degree);
+  }
+
+  void take(std::uint32_t row) {
+    (last_[row] != none ? next_[last_[row]] : head_[degree_[row]]) = next_[row];
+    if (next_[row] != none) last_[next_[row]] = last_[row];
+  }
+
+  /// There must be one. Of equals the one that was put in last.
+  std::uint32_t take_least() {
+    while (head_[least_] == none) ++least_;
+    const std::uint32_t row = head_[least_];
+    take(row);
+    return row;
+  }
+
+  std::size_t degree(std::uint32_t row) const { return degree_[row]; }
+
+ private:
+  std::vector<std::uint32_t> head_, next_, last_;
+  std::vector<std::size_t> degree_;
+  std::size_t least_ = 0;
+};
+
+/// What is left of the matrix: rows that were not eliminated yet, joined by its entries, and by elements, which are the
+/// cliques that eliminated rows left behind. An element bears the number of its row.
+class QuotientGraph {
+ public:
+  explicit QuotientGraph(const SymmetricMatrix& matrix)
+      : neighbours_(matrix.size()), elements_(matrix.size()), members_(matrix.size()), outside_(matrix.size()),
+        is_inside_of_(matrix.size(), none), is_counted_for_(matrix.size(), none), is_absorbed_(matrix.size()) {
+    for (std::uint32_t row = 0; row < matrix.size(); ++row) {
+      for (std::size_t i = matrix.starts[row]; i < matrix.starts[row + 1]; ++i) {
+        if (matrix.columns[i] != row) neighbours_[row].push_back(matrix.columns[i]);
+      }
+    }
+  }
+
+  std::size_t degree(std::uint32_t row) const { return neighbours_[row].size(); }
+
+  /// Makes an element of a row. Those that it was part of are absorbed.
+  const std::vector<std::uint32_t>& eliminate(std::uint32_t pivot) {
+    std::vector<std::uint32_t>& inside = members_[pivot];
+    const auto add = [&](const std::vector<std::uint32_t>& rows) {
+      for (const std::uint32_t row : rows) {
+        if (is_inside_of_[row] == pivot) continue;
+        is_inside_of_[row] = pivot;
+        inside.push_back(row);
+      }
+    };
+    is_inside_of_[pivot] = pivot;
+    add(neighbours_[pivot]);
+    for (const std::uint32_t element : elements_[pivot]) {
+      add(members_[element]);
+      members_[element] = {};
+      is_absorbed_[element] = true;
+    }
+    neighbours_[pivot] = elements_[pivot] = {};
+    for (const std::uint32_t row : inside) {
+      for (const std::uint32_t element : elements_[row]) {
+        if (is_absorbed_[element]) continue;
+        if (is_counted_for_[element] != pivot) outside_[element] = members_[element].size();
+        is_counted_for_[element] = pivot;
+        --outside_[element];
+      }
+    }
+    return inside;
+  }
+
+  /// Of a member of the element that was made last: at least how many rows it is joined with.
+  std::size_t update(std::uint32_t row, std::uint32_t pivot) {
+    std::erase_if(elements_[row], [&](std::uint32_t e) { return is_absorbed_[e] || outside_[e] == 0; });
+    std::erase_if(neighbours_[row], [&](std::uint32_t other) { return is_inside_of_[other] == pivot; });
+    std::size_t degree = members_[pivot].size() - 1 + neighbours_[row].size();
+    for (const std::uint32_t element : elements_[row]) degree += outside_[element];
+    elements_[row].push_back(pivot);
+    return degree;
+  }
+
+ private:
+  std::vector<std::vector<std::uint32_t>> neighbours_, elements_;  ///< [row] not yet eliminated
+  std::vector<std::vector<std::uint32_t>> members_;                ///< [element] not absorbed
+  std::vector<std::size_t> outside_;                               ///< [element] members that the newest one lacks
+  std::vector<std::uint32_t> is_inside_of_, is_counted_for_;       ///< [row], [element]: the newest element
+  std::vector<bool> is_absorbed_;                                  ///< [element]
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> minimum_degree(const SymmetricMatrix& matrix) {
+  QuotientGraph graph(matrix);
+  DegreeLists lists(matrix.size());
+  for (std::size_t row = matrix.size(); row-- > 0;) {
+    lists.put(static_cast<std::uint32_t>(row), graph.degree(static_cast<std::uint32_t>(row)));
+  }
+  std::vector<std::uint32_t> order;
+  order.reserve(matrix.size());
+  while (order.size() < matrix.size()) {
+    const std::uint32_t pivot = lists.take_least();
+    order.push_back(pivot);
+    for (const std::uint32_t row : graph.eliminate(pivot)) {
+      lists.take(row);
+      lists.put(row, std::min(graph.update(row, pivot), matrix.size() - order.size()));
+    }
+  }
+  return order;
+}
+
+}  // namespace foredraw::seams

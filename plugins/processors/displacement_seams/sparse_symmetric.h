@@ -1,0 +1,41 @@
+#pragma once
+// Linear equations with a sparse, symmetric, positive definite matrix, solved directly and in one fixed sequence of
+// operations: the same bytes from every compiler and at any number of threads.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foredraw::seams {
+
+/// Row by row; every row has its diagonal, and both of two mirrored entries are there. Columns ascend.
+struct SymmetricMatrix {
+  std::vector<std::size_t> starts;     ///< [row], and the end of the last
+  std::vector<std::uint32_t> columns;  ///< [entry]
+  std::vector<double> values;          ///< [entry]
+
+  std::size_t size() const { return starts.size() - 1; }
+};
+
+/// In which sequence rows are eliminated so that few entries appear: [new] = old. Minimum degree, with degrees bounded
+/// from above as by P. Amestoy, T. Davis, I. Duff: An Approximate Minimum Degree Ordering Algorithm, SIAM J. Matrix
+/// Anal. Appl. 17(4), 1996, section 4. Of equal degrees the smaller number goes first.
+std::vector<std::uint32_t> minimum_degree(const SymmetricMatrix& matrix);
+
+/// L D L^T of the matrix, its rows in this sequence.
+class LdltFactor {
+ public:
+  LdltFactor(const SymmetricMatrix& matrix, std::span<const std::uint32_t> order);
+
+  /// The solution for a right side, in place; both as long as the matrix.
+  void solve(std::span<double> right_side) const;
+
+ private:
+  std::vector<std::uint32_t> order_;
+  std::vector<std::size_t> starts_;   ///< [column of L], and the end of the last
+  std::vector<std::uint32_t> rows_;   ///< [entry] below the diagonal, ascending
+  std::vector<double> values_;        ///< [entry]
+  std::vector<double> diagonal_;
+};
+
+}  // namespace foredraw::seams
