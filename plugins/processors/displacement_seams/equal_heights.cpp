@@ -66,10 +66,16 @@ SymmetricMatrix normal_matrix(std::size_t texels, std::initializer_list<WeighedR
 
 std::vector<double> equal_heights(std::span<const double> texels, std::span<const EqualityRow> along,
                                   std::span<const EqualityRow> points, const EqualHeightsWeights& weights) {
-  const SymmetricMatrix matrix = normal_matrix(texels.size(), {{along, weights.along}, {points, weights.points}});
-  const LdltFactor factor(matrix, minimum_degree(matrix));
   std::vector<double> heights(texels.begin(), texels.end());
-  factor.solve(heights);
+  for (const auto rows : {along, along.first(0)}) {
+    const SymmetricMatrix matrix = normal_matrix(texels.size(), {{rows, weights.along}, {points, weights.points}});
+    const std::vector<std::uint32_t> order = minimum_degree(matrix);
+    LdltFactor factor(matrix, order);
+    if (factor.multiplications() > weights.most_multiplications && !rows.empty()) continue;
+    factor.compute();
+    factor.solve(heights);
+    break;
+  }
   return heights;
 }
 

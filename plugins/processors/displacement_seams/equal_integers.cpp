@@ -8,8 +8,11 @@ namespace foredraw::seams {
 IntegerHeights::IntegerHeights(const SeamPoints& points, const foredraw_height_map& map,
                                std::span<const std::uint32_t> texels, std::vector<std::uint16_t> values,
                                std::uint32_t bits)
-    : shift_(32 - bits), values_(std::move(values)), touch_starts_(texels.size() + 1, 0),
-      is_unequal_(points.points.size(), false), is_released_(points.points.size(), false) {
+    : shift_(32 - bits),
+      values_(std::move(values)),
+      touch_starts_(texels.size() + 1, 0),
+      is_unequal_(points.points.size(), false),
+      is_released_(points.points.size(), false) {
   starts_.push_back(0);
   for (std::uint32_t p = 0; p < points.points.size(); ++p) {
     for (const glm::ivec2 place : points.places_of(points.points[p])) {
@@ -49,9 +52,9 @@ IntegerHeights::IntegerHeights(const SeamPoints& points, const foredraw_height_m
 
 void IntegerHeights::judge(std::uint32_t point) {
   const auto all = std::span(footprints_).subspan(starts_[point], starts_[point + 1] - starts_[point]);
-  const bool is_unequal =
-      !is_released_[point] &&
-      std::ranges::any_of(all, [&](const Footprint& one) { return height(one) != height(all.front()); });
+  const bool is_unequal = !is_released_[point] && std::ranges::any_of(all, [&](const Footprint& one) {
+    return height(one) != height(all.front());
+  });
   unequal_count_ += is_unequal ? 1 : 0;
   unequal_count_ -= is_unequal_[point] ? 1 : 0;
   is_unequal_[point] = is_unequal;
@@ -71,7 +74,8 @@ void IntegerHeights::apply(Step step) {
   }
 }
 
-/// The step of one of its texels that brings it to a height and leaves the fewest points unequal; of equals the smallest.
+/// The step of one of its texels that brings it to a height and leaves the fewest points unequal; of equals the
+/// smallest.
 IntegerHeights::Step IntegerHeights::best_step(const Footprint& footprint, std::uint32_t wanted) {
   const std::int64_t least = (std::int64_t{wanted} << shift_) - footprint.sum;
   const std::int64_t most = least + (std::int64_t{1} << shift_) - 1;
@@ -110,24 +114,53 @@ std::vector<IntegerHeights::Step> IntegerHeights::bring_to(std::uint32_t point, 
   return steps;
 }
 
-/// To the height of the side that dictates; where that helps nothing, to whatever height near those of the sides does.
-void IntegerHeights::let_follow(std::uint32_t point) {
+void IntegerHeights::undo(const std::vector<Step>& steps) {
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) apply(step->back());
+}
+
+/// That of the side that dictates, and then those of all sides, and beside them.
+std::vector<std::uint32_t> IntegerHeights::heights_near(std::uint32_t point) const {
   const std::size_t begin = starts_[point], end = starts_[point + 1];
   std::size_t dictator = begin;
   for (std::size_t f = begin; f < end; ++f) {
     if (shared_[f] > shared_[dictator]) dictator = f;
   }
+  const std::uint32_t most = ~std::uint32_t{0} >> shift_;
   std::vector<std::uint32_t> heights{height(footprints_[dictator])};
   for (std::size_t f = begin; f < end; ++f) {
-    for (const int beside : {0, -1, 1}) heights.push_back(height(footprints_[f]) + static_cast<std::uint32_t>(beside));
+    const std::uint32_t of_side = height(footprints_[f]);
+    heights.push_back(of_side);
+    if (of_side > 0) heights.push_back(of_side - 1);
+    if (of_side < most) heights.push_back(of_side + 1);
   }
+  return heights;
+}
+
+/// To the first of these heights that leaves fewer points unequal.
+void IntegerHeights::let_follow(std::uint32_t point) {
   const std::size_t before = unequal_count_;
-  for (const std::uint32_t wanted : heights) {
-    if (wanted > ~std::uint32_t{0} >> shift_) continue;
+  for (const std::uint32_t wanted : heights_near(point)) {
     const std::vector<Step> steps = bring_to(point, wanted);
     if (unequal_count_ < before) return;
-    for (auto step = steps.rbegin(); step != steps.rend(); ++step) apply(step->back());
+    undo(steps);
   }
+}
+
+bool IntegerHeights::insist(std::size_t point) {
+  const auto number = static_cast<std::uint32_t>(point);
+  const std::vector<std::uint32_t> heights = heights_near(number);
+  std::size_t best = heights.size(), fewest = 0;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const std::vector<Step> steps = bring_to(number, heights[i]);
+    if (!is_unequal_[point] && (best == heights.size() || unequal_count_ < fewest)) {
+      best = i;
+      fewest = unequal_count_;
+    }
+    undo(steps);
+  }
+  if (best == heights.size()) return false;
+  bring_to(number, heights[best]);
+  return true;
 }
 
 void IntegerHeights::settle(int most_passes) {

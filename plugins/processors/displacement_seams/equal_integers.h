@@ -10,8 +10,8 @@ namespace foredraw::seams {
 /// Heights at points in whole numbers, while texels change by single steps.
 ///
 /// Texels that are rounded one by one leave one point of ten unequal, and no target fits where dozens of sides lie in
-/// the same four texels. So none is set beforehand: the side whose texels most others share dictates the height, and the
-/// others follow, by the step of one texel that leaves the fewest points unequal.
+/// the same four texels. So none is set beforehand: the side whose texels most others share dictates the height, and
+/// the others follow, by the step of one texel that leaves the fewest points unequal.
 class IntegerHeights {
  public:
   /// `texels`: their places in the map, ascending, all that the points lie in; `values`: theirs.
@@ -20,6 +20,9 @@ class IntegerHeights {
 
   /// As long as fewer points get unequal, at most so many times over all of them.
   void settle(int most_passes);
+
+  /// Makes a point equal, whatever others become by it; as few of them unequal as may be. Whether that was possible.
+  bool insist(std::size_t point);
 
   /// A point that need not be equal any more.
   void release(std::size_t point);
@@ -48,9 +51,11 @@ class IntegerHeights {
   std::uint32_t height(const Footprint& footprint) const { return footprint.sum >> shift_; }
   void judge(std::uint32_t point);
   void apply(Step step);
+  std::vector<std::uint32_t> heights_near(std::uint32_t point) const;
   void let_follow(std::uint32_t point);
   Step best_step(const Footprint& footprint, std::uint32_t wanted);
   std::vector<Step> bring_to(std::uint32_t point, std::uint32_t wanted);
+  void undo(const std::vector<Step>& steps);
 
   std::uint32_t shift_;
   std::vector<std::uint16_t> values_;

@@ -8,63 +8,61 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// The entries left of the diagonal, and it, of a matrix whose rows stand in another sequence.
-class LowerRows {
- public:
-  LowerRows(const SymmetricMatrix& matrix, std::span<const std::uint32_t> order)
-      : matrix_(matrix), order_(order), place_(order.size()) {
-    for (std::uint32_t k = 0; k < order.size(); ++k) place_[order[k]] = k;
-  }
-
-  template <class Use>
-  void for_each(std::uint32_t row, Use use) const {
-    const std::uint32_t old = order_[row];
-    for (std::size_t i = matrix_.starts[old]; i < matrix_.starts[old + 1]; ++i) {
-      const std::uint32_t column = place_[matrix_.columns[i]];
-      if (column <= row) use(column, matrix_.values[i]);
-    }
-  }
-
- private:
-  const SymmetricMatrix& matrix_;
-  std::span<const std::uint32_t> order_;
-  std::vector<std::uint32_t> place_;
-};
-
 }  // namespace
 
+/// The entries left of the diagonal, and it, of a row in the new sequence.
+template <class Use>
+void LdltFactor::for_each_left(std::uint32_t row, Use use) const {
+  const std::uint32_t old = order_[row];
+  for (std::size_t i = matrix_.starts[old]; i < matrix_.starts[old + 1]; ++i) {
+    const std::uint32_t column = place_[matrix_.columns[i]];
+    if (column <= row) use(column, matrix_.values[i]);
+  }
+}
+
+/// Row k of L has entries where paths to parents, begun at the entries of row k of the matrix, lead before they reach
+/// k.
 LdltFactor::LdltFactor(const SymmetricMatrix& matrix, std::span<const std::uint32_t> order)
-    : order_(order.begin(), order.end()), starts_(order.size() + 1, 0), diagonal_(order.size(), 0) {
-  const LowerRows rows(matrix, order_);
-  const auto size = static_cast<std::uint32_t>(order_.size());
-  // A column's first entry below the diagonal is its parent; row k of L has entries where paths to parents, begun at
-  // the entries of row k of the matrix, lead before they reach k.
-  std::vector<std::uint32_t> parent(size, none), seen_at(size, none);
+    : matrix_(matrix),
+      order_(order),
+      place_(order.size()),
+      parent_(order.size(), none),
+      starts_(order.size() + 1, 0),
+      diagonal_(order.size(), 0) {
+  const auto size = static_cast<std::uint32_t>(order.size());
+  for (std::uint32_t k = 0; k < size; ++k) place_[order[k]] = k;
+  std::vector<std::uint32_t> seen_at(size, none);
   for (std::uint32_t k = 0; k < size; ++k) {
     seen_at[k] = k;
-    rows.for_each(k, [&](std::uint32_t j, double) {
-      for (; seen_at[j] != k; j = parent[j]) {
-        if (parent[j] == none) parent[j] = k;
+    for_each_left(k, [&](std::uint32_t j, double) {
+      for (; seen_at[j] != k; j = parent_[j]) {
+        if (parent_[j] == none) parent_[j] = k;
         seen_at[j] = k;
         ++starts_[j + 1];
       }
     });
   }
-  for (std::size_t j = 0; j < size; ++j) starts_[j + 1] += starts_[j];
+  for (std::size_t j = 0; j < size; ++j) {
+    const auto entries = static_cast<double>(starts_[j + 1]);
+    multiplications_ += entries * entries / 2;
+    starts_[j + 1] += starts_[j];
+  }
+}
+
+void LdltFactor::compute() {
+  const auto size = static_cast<std::uint32_t>(order_.size());
   rows_.resize(starts_[size]);
   values_.resize(starts_[size]);
-
   std::vector<std::size_t> ends(starts_.begin(), starts_.end() - 1);
   std::vector<double> row(size, 0);
-  std::vector<std::uint32_t> path, pattern;
-  std::ranges::fill(seen_at, none);
+  std::vector<std::uint32_t> path, pattern, seen_at(size, none);
   for (std::uint32_t k = 0; k < size; ++k) {
     pattern.clear();
     seen_at[k] = k;
-    rows.for_each(k, [&](std::uint32_t j, double value) {
+    for_each_left(k, [&](std::uint32_t j, double value) {
       row[j] += value;
       path.clear();
-      for (; seen_at[j] != k; j = parent[j]) {
+      for (; seen_at[j] != k; j = parent_[j]) {
         seen_at[j] = k;
         path.push_back(j);
       }

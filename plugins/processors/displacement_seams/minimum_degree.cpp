@@ -48,8 +48,13 @@ class DegreeLists {
 class QuotientGraph {
  public:
   explicit QuotientGraph(const SymmetricMatrix& matrix)
-      : neighbours_(matrix.size()), elements_(matrix.size()), members_(matrix.size()), outside_(matrix.size()),
-        is_inside_of_(matrix.size(), none), is_counted_for_(matrix.size(), none), is_absorbed_(matrix.size()) {
+      : neighbours_(matrix.size()),
+        elements_(matrix.size()),
+        members_(matrix.size()),
+        outside_(matrix.size()),
+        is_inside_of_(matrix.size(), none),
+        is_counted_for_(matrix.size(), none),
+        is_absorbed_(matrix.size()) {
     for (std::uint32_t row = 0; row < matrix.size(); ++row) {
       for (std::size_t i = matrix.starts[row]; i < matrix.starts[row + 1]; ++i) {
         if (matrix.columns[i] != row) neighbours_[row].push_back(matrix.columns[i]);

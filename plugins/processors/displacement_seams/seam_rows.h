@@ -21,9 +21,9 @@ struct EqualityRow {
 /// None where both sides lie in the same texels alike.
 std::vector<EqualityRow> rows_of_points(const SeamPoints& points, const foredraw_height_map& map);
 
-/// All along the seams. Between two crossings of texel borders the gap is a square function of the way along the edge, so
-/// three rows a piece, at the points and with the weights of Gauss, say its mean square exactly: the squares of all rows
-/// together are that of the gap, summed over the texels of the longer side. Texels are those of the exact uvs, in
+/// All along the seams. Between two crossings of texel borders the gap is a square function of the way along the edge,
+/// so three rows a piece, at the points and with the weights of Gauss, say its mean square exactly: the squares of all
+/// rows together are that of the gap, summed over the texels of the longer side. Texels are those of the exact uvs, in
 /// doubles.
 ///
 /// No rows have sides longer than four times the map, nor those longer than an eighth of it that are stretched by more

@@ -25,17 +25,31 @@ std::vector<std::uint32_t> minimum_degree(const SymmetricMatrix& matrix);
 /// L D L^T of the matrix, its rows in this sequence.
 class LdltFactor {
  public:
+  /// Finds where entries are. The matrix and the order have to stay until it is computed.
   LdltFactor(const SymmetricMatrix& matrix, std::span<const std::uint32_t> order);
+
+  /// How many multiplications compute() will need, and how many entries there will be.
+  double multiplications() const { return multiplications_; }
+  std::size_t entries() const { return starts_.back(); }
+
+  void compute();
 
   /// The solution for a right side, in place; both as long as the matrix.
   void solve(std::span<double> right_side) const;
 
  private:
-  std::vector<std::uint32_t> order_;
-  std::vector<std::size_t> starts_;   ///< [column of L], and the end of the last
-  std::vector<std::uint32_t> rows_;   ///< [entry] below the diagonal, ascending
-  std::vector<double> values_;        ///< [entry]
+  template <class Use>
+  void for_each_left(std::uint32_t row, Use use) const;
+
+  const SymmetricMatrix& matrix_;
+  std::span<const std::uint32_t> order_;
+  std::vector<std::uint32_t> place_;   ///< [row of the matrix] where it stands now
+  std::vector<std::uint32_t> parent_;  ///< [column of L] the row of its first entry below the diagonal
+  std::vector<std::size_t> starts_;    ///< [column of L], and the end of the last
+  std::vector<std::uint32_t> rows_;    ///< [entry] below the diagonal, ascending
+  std::vector<double> values_;         ///< [entry]
   std::vector<double> diagonal_;
+  double multiplications_ = 0;
 };
 
 }  // namespace foredraw::seams
