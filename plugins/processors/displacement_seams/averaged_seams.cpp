@@ -22,7 +22,7 @@ struct MeetingTexels {
   void end_point() { starts.push_back(texels.size()); }
 };
 
-constexpr double most_of_map = 4;
+constexpr double longest_of_map = 4;
 
 MeetingTexels meeting_texels(const SeamEdges& seams, const foredraw_height_map& map) {
   MeetingTexels all;
@@ -43,7 +43,7 @@ MeetingTexels meeting_texels(const SeamEdges& seams, const foredraw_height_map& 
       longest = std::max(longest, std::sqrt(along.x * along.x + along.y * along.y));
       is_near = is_near && lies_near(side.uv[0]) && lies_near(side.uv[1]);
     }
-    if (edge.kind != EdgeKind::seam || !is_near || longest > most_of_map * std::max(size.x, size.y)) continue;
+    if (edge.kind != EdgeKind::seam || !is_near || longest > longest_of_map * std::max(size.x, size.y)) continue;
     const double steps = std::ceil(longest);
     for (double step = 0; step <= steps; ++step) {
       const double t = step / steps;

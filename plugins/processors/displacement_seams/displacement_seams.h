@@ -1,8 +1,8 @@
 #pragma once
 // A displacement map whose heights agree along the seams of its layout.
 //
-// N. Tatarchuk, J. Barczak, B. Purnomo: Programming for Real-Time Tessellation on GPU, in: Advances in Real-Time
-// Rendering, SIGGRAPH 2008, whose averaging of texels is here too. What is solved instead is ours.
+// N. Tatarchuk, J. Barczak, B. Purnomo: Real-Time Tessellation on GPU, SIGGRAPH 2008 course notes, whose
+// averaging of texels is here too. What is solved instead is ours.
 
 #include <foredraw/analysis/seam_points.h>
 

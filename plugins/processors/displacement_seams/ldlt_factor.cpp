@@ -4,12 +4,6 @@
 
 namespace foredraw::seams {
 
-namespace {
-
-constexpr std::uint32_t none = ~std::uint32_t{0};
-
-}  // namespace
-
 /// The entries left of the diagonal, and it, of a row in the new sequence.
 template <class Use>
 void LdltFactor::for_each_left(std::uint32_t row, Use use) const {
@@ -26,17 +20,17 @@ LdltFactor::LdltFactor(const SymmetricMatrix& matrix, std::span<const std::uint3
     : matrix_(matrix),
       order_(order),
       place_(order.size()),
-      parent_(order.size(), none),
+      parent_(order.size(), no_row),
       starts_(order.size() + 1, 0),
       diagonal_(order.size(), 0) {
   const auto size = static_cast<std::uint32_t>(order.size());
   for (std::uint32_t k = 0; k < size; ++k) place_[order[k]] = k;
-  std::vector<std::uint32_t> seen_at(size, none);
+  std::vector<std::uint32_t> seen_at(size, no_row);
   for (std::uint32_t k = 0; k < size; ++k) {
     seen_at[k] = k;
     for_each_left(k, [&](std::uint32_t j, double) {
       for (; seen_at[j] != k; j = parent_[j]) {
-        if (parent_[j] == none) parent_[j] = k;
+        if (parent_[j] == no_row) parent_[j] = k;
         seen_at[j] = k;
         ++starts_[j + 1];
       }
@@ -55,7 +49,7 @@ void LdltFactor::compute() {
   values_.resize(starts_[size]);
   std::vector<std::size_t> ends(starts_.begin(), starts_.end() - 1);
   std::vector<double> row(size, 0);
-  std::vector<std::uint32_t> path, pattern, seen_at(size, none);
+  std::vector<std::uint32_t> path, pattern, seen_at(size, no_row);
   for (std::uint32_t k = 0; k < size; ++k) {
     pattern.clear();
     seen_at[k] = k;

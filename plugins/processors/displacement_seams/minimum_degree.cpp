@@ -6,30 +6,29 @@ namespace foredraw::seams {
 
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
-
 /// Rows by their degree, a list for each.
 class DegreeLists {
  public:
-  explicit DegreeLists(std::size_t rows) : head_(rows + 1, none), next_(rows, none), last_(rows, none), degree_(rows) {}
+  explicit DegreeLists(std::size_t rows)
+      : head_(rows + 1, no_row), next_(rows, no_row), last_(rows, no_row), degree_(rows) {}
 
   void put(std::uint32_t row, std::size_t degree) {
     degree_[row] = degree;
-    last_[row] = none;
+    last_[row] = no_row;
     next_[row] = head_[degree];
-    if (next_[row] != none) last_[next_[row]] = row;
+    if (next_[row] != no_row) last_[next_[row]] = row;
     head_[degree] = row;
     least_ = std::min(least_, degree);
   }
 
   void take(std::uint32_t row) {
-    (last_[row] != none ? next_[last_[row]] : head_[degree_[row]]) = next_[row];
-    if (next_[row] != none) last_[next_[row]] = last_[row];
+    (last_[row] != no_row ? next_[last_[row]] : head_[degree_[row]]) = next_[row];
+    if (next_[row] != no_row) last_[next_[row]] = last_[row];
   }
 
   /// There must be one. Of equals the one that was put in last.
   std::uint32_t take_least() {
-    while (head_[least_] == none) ++least_;
+    while (head_[least_] == no_row) ++least_;
     const std::uint32_t row = head_[least_];
     take(row);
     return row;
@@ -52,8 +51,8 @@ class QuotientGraph {
         elements_(matrix.size()),
         members_(matrix.size()),
         outside_(matrix.size()),
-        is_inside_of_(matrix.size(), none),
-        is_counted_for_(matrix.size(), none),
+        is_inside_of_(matrix.size(), no_row),
+        is_counted_for_(matrix.size(), no_row),
         is_absorbed_(matrix.size()) {
     for (std::uint32_t row = 0; row < matrix.size(); ++row) {
       for (std::size_t i = matrix.starts[row]; i < matrix.starts[row + 1]; ++i) {

@@ -8,6 +8,8 @@
 
 namespace foredraw::seams {
 
+inline constexpr std::uint32_t no_row = ~std::uint32_t{0};
+
 /// Row by row; every row has its diagonal, and both of two mirrored entries are there. Columns ascend.
 struct SymmetricMatrix {
   std::vector<std::size_t> starts;     ///< [row], and the end of the last

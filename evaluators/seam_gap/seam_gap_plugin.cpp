@@ -1,0 +1,112 @@
+#include "seam_gap.h"
+
+#include <foredraw/displaced/map_seams.h>
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace foredraw {
+
+namespace {
+
+constexpr std::size_t named_edges = 3;
+
+std::string side_text(const Scene& scene, const MapSeams& of, const EdgeSide& side) {
+  return fmt::format("{}, triangle {}, edge {}", scene.draws[of.draws[side.mesh]].name, side.triangle, side.corner);
+}
+
+class SeamGapEvaluator final : public Evaluator {
+ public:
+  explicit SeamGapEvaluator(SeamGapOptions options) : options_(options) {}
+
+  void evaluate(const Scene& scene, Run& run) const override {
+    std::vector<DrawId> draws;
+    for (DrawId id = 0; id < scene.draws.size(); ++id) {
+      const Material* material = scene.material_of(scene.draws[id]);
+      if (material != nullptr && material->displacement) draws.push_back(id);
+    }
+    const SceneSeams found = seams_of_maps(scene, draws, run.analyses);
+    for (const auto& [draw, why] : found.left_out) run.note_at({.draw = draw}, "no-seams", "not measured: " + why);
+    std::vector<SeamGap> gaps(found.maps.size());
+    run.executor.for_each(gaps.size(), [&](std::size_t i) {
+      if (!run.cancelled()) gaps[i] = seam_gap(found.maps[i].seams, found.maps[i].sampled(), options_);
+    });
+    measure(gaps, run);
+    for (std::size_t i = 0; i < gaps.size(); ++i) name_edges(scene, found.maps[i], gaps[i], run);
+  }
+
+ private:
+  static void measure(const std::vector<SeamGap>& gaps, const Run& run) {
+    SeamGap all;
+    for (const SeamGap& gap : gaps) {
+      all.edges += gap.edges;
+      all.samples += gap.samples;
+      all.largest = std::max(all.largest, gap.largest);
+      all.squares += gap.squares;
+      all.points += gap.points;
+      all.unequal += gap.unequal;
+      all.below += gap.below;
+      all.torn += gap.torn;
+    }
+    run.count("edges", static_cast<double>(all.edges));
+    if (all.points == 0) return;
+    run.measure("unequal", static_cast<double>(all.unequal), static_cast<double>(all.points));
+    if (all.edges == 0) return;
+    run.measure("largest", all.largest, 1);
+    run.measure("rms", std::sqrt(all.squares / static_cast<double>(all.samples)), 1);
+    run.measure("below", static_cast<double>(all.below), static_cast<double>(all.edges));
+    run.measure("torn", static_cast<double>(all.torn), static_cast<double>(all.edges));
+  }
+
+  /// Those with the largest gaps, if these are there at any factor.
+  static void name_edges(const Scene& scene, const MapSeams& of, const SeamGap& gap, const Run& run) {
+    std::vector<std::size_t> order(of.seams.edges.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t e) { return gap.largest_of[e]; });
+    for (std::size_t i = 0; i < std::min(order.size(), named_edges) && gap.largest_of[order[i]] > 0; ++i) {
+      const auto sides = of.seams.sides_of(of.seams.edges[order[i]]);
+      run.note_at({.draw = of.draws[sides.front().mesh]}, "seam",
+                  fmt::format("between {} and {} heights differ by {:.2g} of the map's range; equal at tessellation "
+                              "factors up to {}, of {}",
+                              side_text(scene, of, sides.front()), side_text(scene, of, sides.back()),
+                              gap.largest_of[order[i]], gap.factors[order[i]], gap.rule[order[i]]));
+    }
+  }
+
+  SeamGapOptions options_;
+};
+
+}  // namespace
+
+Plugin seam_gap_plugin() {
+  OptionTable<SeamGapOptions> table;
+  table.row(&SeamGapOptions::samples, "samples", "Points on each seam edge at which the gap is taken",
+            {2, 100'000, "points"});
+  table.row(&SeamGapOptions::bits, "bits", "In which the heights of both sides have to agree", {1, 16, "bits"});
+
+  Plugin plugin;
+  plugin.kind = Kind::evaluator;
+  plugin.card = {
+      .name = "seam-gap",
+      .summary = "Measures how far a displacement map's heights differ between the sides of the layout's seams",
+      .acts_on = {traits::displaced},
+      .metrics =
+          {
+              {"unequal", "of the points", "Points at the edges' factors whose sides differ as whole numbers"},
+              {"largest", "of the range", "Largest gap along the seams"},
+              {"rms", "of the range", "Root mean square gap along the seams"},
+              {"below", "of the edges", "Seam edges that gape at the largest factor that their texels allow"},
+              {"torn", "of the edges", "Seam edges that gape at an end, and so at every factor"},
+              {"edges", "edges", "Seam edges"},
+          },
+  };
+  bind_options(plugin, std::move(table),
+               [](const SeamGapOptions& options) { return std::make_unique<SeamGapEvaluator>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw
