@@ -52,14 +52,16 @@ class SeamGapEvaluator final : public Evaluator {
       all.below += gap.below;
       all.torn += gap.torn;
     }
+    const auto part = [&](const char* metric, std::size_t of, std::size_t all_there) {
+      if (all_there > 0) run.measure(metric, static_cast<double>(of), static_cast<double>(all_there) / 100);
+    };
     run.count("edges", static_cast<double>(all.edges));
-    if (all.points == 0) return;
-    run.measure("unequal", static_cast<double>(all.unequal), static_cast<double>(all.points));
-    if (all.edges == 0) return;
-    run.measure("largest", all.largest, 1);
-    run.measure("rms", std::sqrt(all.squares / static_cast<double>(all.samples)), 1);
-    run.measure("below", static_cast<double>(all.below), static_cast<double>(all.edges));
-    run.measure("torn", static_cast<double>(all.torn), static_cast<double>(all.edges));
+    part("unequal", all.unequal, all.points);
+    part("below", all.below, all.edges);
+    part("torn", all.torn, all.edges);
+    if (all.samples == 0) return;
+    run.measure("largest", all.largest, 0.01);
+    run.measure("rms", std::sqrt(all.squares / static_cast<double>(all.samples)), 0.01);
   }
 
   /// Those with the largest gaps, if these are there at any factor.
@@ -96,11 +98,11 @@ Plugin seam_gap_plugin() {
       .acts_on = {traits::displaced},
       .metrics =
           {
-              {"unequal", "of the points", "Points at the edges' factors whose sides differ as whole numbers"},
-              {"largest", "of the range", "Largest gap along the seams"},
-              {"rms", "of the range", "Root mean square gap along the seams"},
-              {"below", "of the edges", "Seam edges that gape at the largest factor that their texels allow"},
-              {"torn", "of the edges", "Seam edges that gape at an end, and so at every factor"},
+              {"unequal", "% of the points", "Points at the edges' factors whose sides differ as whole numbers"},
+              {"largest", "% of the range", "Largest gap along the seams"},
+              {"rms", "% of the range", "Root mean square gap along the seams"},
+              {"below", "% of the edges", "Seam edges that gape at the largest factor that their texels allow"},
+              {"torn", "% of the edges", "Seam edges that gape at an end, and so at every factor"},
               {"edges", "edges", "Seam edges"},
           },
   };

@@ -174,6 +174,12 @@ function(foredraw_add_plugin_tests)
     list(GET entry 1 source)
     string(REPLACE "_test.cpp" "_*_test.cpp" more "${source}")
     file(GLOB more CONFIGURE_DEPENDS "${more}")
+    foreach(other IN LISTS tests)  # displacement_seams_test.cpp is not one of displacement's
+      string(REGEX REPLACE "[|].*" "" other "${other}")
+      if(other MATCHES "^${name}_")
+        list(FILTER more EXCLUDE REGEX "/${other}_([a-z0-9_]*_)?test\\.cpp$")
+      endif()
+    endforeach()
     foredraw_add_test(${name}_test SOURCES "${source}" ${more} LINK foredraw::${name}_plugin
                       meshoptimizer::meshoptimizer)
   endforeach()

@@ -15,9 +15,9 @@ using seams::EqualityRow;
 using seams::IntegerHeights;
 
 constexpr double most_height = 65535;
-constexpr int most_passes = 32;
+constexpr int most_passes = 100, most_halvings = 6;
 
-/// Points that have to be equal, and that more and more are released of, until all others are. Corners come last.
+/// Points inside of edges are released, factor by factor, until all others are equal.
 class Settling {
  public:
   Settling(const SeamEdges& seams, const SeamPoints& points, IntegerHeights& heights)
@@ -25,11 +25,7 @@ class Settling {
 
   void run() {
     heights_.settle(most_passes);
-    for (int round = 0; round < most_passes && heights_.unequal_count() > 0; ++round) {
-      for (std::size_t c = 0; c < seams_.corners.size(); ++c) {
-        if (heights_.is_unequal(c)) heights_.insist(c);
-      }
-      heights_.settle(most_passes);
+    for (int round = 0; round < most_halvings && heights_.unequal_count() > 0; ++round) {
       halve_factors();
       heights_.settle(most_passes);
     }

@@ -5,6 +5,8 @@
 
 namespace foredraw::seams {
 
+constexpr std::uint32_t worth_of_corner = 16;
+
 IntegerHeights::IntegerHeights(const SeamPoints& points, const foredraw_height_map& map,
                                std::span<const std::uint32_t> texels, std::vector<std::uint16_t> values,
                                std::uint32_t bits)
@@ -47,7 +49,10 @@ IntegerHeights::IntegerHeights(const SeamPoints& points, const foredraw_height_m
     }
     shared_.push_back(static_cast<std::uint32_t>(shared));
   }
-  for (std::uint32_t p = 0; p < points.points.size(); ++p) judge(p);
+  for (std::uint32_t p = 0; p < points.points.size(); ++p) {
+    worth_.push_back(points.points[p].edge == SeamPoint::no_edge ? worth_of_corner : 1);
+    judge(p);
+  }
 }
 
 void IntegerHeights::judge(std::uint32_t point) {
@@ -55,8 +60,9 @@ void IntegerHeights::judge(std::uint32_t point) {
   const bool is_unequal = !is_released_[point] && std::ranges::any_of(all, [&](const Footprint& one) {
     return height(one) != height(all.front());
   });
-  unequal_count_ += is_unequal ? 1 : 0;
-  unequal_count_ -= is_unequal_[point] ? 1 : 0;
+  if (is_unequal == is_unequal_[point]) return;
+  unequal_count_ += is_unequal ? std::size_t{1} : ~std::size_t{0};
+  cost_ += is_unequal ? worth_[point] : -std::uint64_t{worth_[point]};
   is_unequal_[point] = is_unequal;
 }
 
@@ -91,7 +97,7 @@ IntegerHeights::Step IntegerHeights::best_step(const Footprint& footprint, std::
       if (values_[texel] + by < 0 || values_[texel] + by > 65535) continue;
       const Step step{texel, static_cast<std::int32_t>(by)};
       apply(step);
-      const std::array cost{static_cast<std::int64_t>(unequal_count_), by < 0 ? -by : by};
+      const std::array cost{static_cast<std::int64_t>(cost_), by < 0 ? -by : by};
       apply(step.back());
       if (best.by != 0 && cost >= best_cost) continue;
       best = step;
@@ -101,15 +107,19 @@ IntegerHeights::Step IntegerHeights::best_step(const Footprint& footprint, std::
   return best;
 }
 
-/// The steps that were made.
+/// The steps that were made. Sides that share texels move each other, so that they are asked several times.
 std::vector<IntegerHeights::Step> IntegerHeights::bring_to(std::uint32_t point, std::uint32_t wanted) {
   std::vector<Step> steps;
-  for (std::size_t f = starts_[point]; f < starts_[point + 1]; ++f) {
-    if (height(footprints_[f]) == wanted) continue;
-    const Step step = best_step(footprints_[f], wanted);
-    if (step.by == 0) continue;
-    apply(step);
-    steps.push_back(step);
+  for (int sweep = 0; sweep < 4; ++sweep) {
+    const std::size_t before = steps.size();
+    for (std::size_t f = starts_[point]; f < starts_[point + 1]; ++f) {
+      if (height(footprints_[f]) == wanted) continue;
+      const Step step = best_step(footprints_[f], wanted);
+      if (step.by == 0) continue;
+      apply(step);
+      steps.push_back(step);
+    }
+    if (steps.size() == before) break;
   }
   return steps;
 }
@@ -136,41 +146,42 @@ std::vector<std::uint32_t> IntegerHeights::heights_near(std::uint32_t point) con
   return heights;
 }
 
-/// To the first of these heights that leaves fewer points unequal.
+/// To the first of these heights that costs less.
 void IntegerHeights::let_follow(std::uint32_t point) {
-  const std::size_t before = unequal_count_;
+  const std::uint64_t before = cost_;
   for (const std::uint32_t wanted : heights_near(point)) {
     const std::vector<Step> steps = bring_to(point, wanted);
-    if (unequal_count_ < before) return;
+    if (cost_ < before) return;
     undo(steps);
   }
 }
 
-bool IntegerHeights::insist(std::size_t point) {
-  const auto number = static_cast<std::uint32_t>(point);
-  const std::vector<std::uint32_t> heights = heights_near(number);
-  std::size_t best = heights.size(), fewest = 0;
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    const std::vector<Step> steps = bring_to(number, heights[i]);
-    if (!is_unequal_[point] && (best == heights.size() || unequal_count_ < fewest)) {
-      best = i;
-      fewest = unequal_count_;
-    }
-    undo(steps);
+void IntegerHeights::return_to(const std::vector<std::uint16_t>& values) {
+  for (std::uint32_t t = 0; t < values.size(); ++t) {
+    if (values[t] != values_[t]) apply({t, values[t] - values_[t]});
   }
-  if (best == heights.size()) return false;
-  bring_to(number, heights[best]);
-  return true;
 }
 
 void IntegerHeights::settle(int most_passes) {
+  std::vector<std::uint16_t> best = values_;
+  std::size_t fewest = unequal_count_;
   for (int pass = 0; pass < most_passes && unequal_count_ > 0; ++pass) {
-    const std::size_t before = unequal_count_;
+    const std::uint64_t before = cost_;
     for (std::uint32_t p = 0; p + 1 < starts_.size(); ++p) {
       if (is_unequal_[p]) let_follow(p);
     }
-    if (unequal_count_ == before) return;
+    if (unequal_count_ < fewest) {
+      fewest = unequal_count_;
+      best = values_;
+    }
+    if (cost_ < before) continue;
+    for (std::uint32_t p = 0; p + 1 < starts_.size(); ++p) {
+      if (!is_unequal_[p]) continue;
+      ++worth_[p];
+      ++cost_;
+    }
   }
+  return_to(best);
 }
 
 }  // namespace foredraw::seams

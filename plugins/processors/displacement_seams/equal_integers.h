@@ -11,18 +11,18 @@ namespace foredraw::seams {
 ///
 /// Texels that are rounded one by one leave one point of ten unequal, and no target fits where dozens of sides lie in
 /// the same four texels. So none is set beforehand: the side whose texels most others share dictates the height, and
-/// the others follow, by the step of one texel that leaves the fewest points unequal.
+/// the others follow, by the step of one texel that leaves the fewest points unequal. Where that stands still, points
+/// that are unequal count more and more, until others give way (P. Morris: The Breakout Method for Escaping from Local
+/// Minima, AAAI 1993). Corners count more than others from the beginning.
 class IntegerHeights {
  public:
   /// `texels`: their places in the map, ascending, all that the points lie in; `values`: theirs.
   IntegerHeights(const SeamPoints& points, const foredraw_height_map& map, std::span<const std::uint32_t> texels,
                  std::vector<std::uint16_t> values, std::uint32_t bits);
 
-  /// As long as fewer points get unequal, at most so many times over all of them.
+  /// Goes over all points that are unequal, until there are none, at most so many times. Ends with the fewest that
+  /// there were.
   void settle(int most_passes);
-
-  /// Makes a point equal, whatever others become by it; as few of them unequal as may be. Whether that was possible.
-  bool insist(std::size_t point);
 
   /// A point that need not be equal any more.
   void release(std::size_t point);
@@ -56,6 +56,7 @@ class IntegerHeights {
   Step best_step(const Footprint& footprint, std::uint32_t wanted);
   std::vector<Step> bring_to(std::uint32_t point, std::uint32_t wanted);
   void undo(const std::vector<Step>& steps);
+  void return_to(const std::vector<std::uint16_t>& values);
 
   std::uint32_t shift_;
   std::vector<std::uint16_t> values_;
@@ -65,7 +66,9 @@ class IntegerHeights {
   std::vector<Touch> touches_;
   std::vector<std::uint32_t> shared_;  ///< [footprint] how many touch its texels
   std::vector<bool> is_unequal_, is_released_;
+  std::vector<std::uint32_t> worth_;  ///< [point] what it costs if it is unequal
   std::size_t unequal_count_ = 0;
+  std::uint64_t cost_ = 0;  ///< of those that are unequal
 };
 
 }  // namespace foredraw::seams
