@@ -1,1 +1,110 @@
+#include "evaluators/seam_gap/seam_gap.h"
+
+#include "support/displaced.h"
+#include "support/uv_charts.h"
+
+#include <foredraw/technique/plugin.h>
+
 #include <gtest/gtest.h>
+
+namespace foredraw {
+namespace {
+
+using namespace testing;
+
+/// Two triangles whose shared edge lies in the left and in the right half of the map.
+Charts two_halves() {
+  Charts charts;
+  charts.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, -1, 0}};
+  charts.uvs = {{.1f, .2f}, {.4f, .2f}, {.1f, .5f}, {.6f, .2f}, {.9f, .2f}, {.6f, .5f}};
+  charts.indices = {0, 1, 2, 4, 3, 5};
+  return charts;
+}
+
+testing::Map halves(std::uint16_t left, std::uint16_t right) {
+  testing::Map map{200, 100, {}};
+  for (std::uint32_t i = 0; i < 20000; ++i) map.texels.push_back(i % 200 < 100 ? left : right);
+  return map;
+}
+
+TEST(SeamGap, OfTwoHeightsIsTheirDifference) {
+  const SeamGap gap = seam_gap(two_halves().seams(), halves(13107, 52428).view());
+  EXPECT_EQ(gap.edges, 1u);
+  EXPECT_EQ(gap.samples, 201u);
+  EXPECT_NEAR(gap.largest, 0.6, 1e-12);
+  EXPECT_NEAR(std::sqrt(gap.squares / 201), 0.6, 1e-12);
+  EXPECT_EQ(gap.points, 2 + 31u) << "60 texels: 32 parts";
+  EXPECT_EQ(gap.unequal, gap.points);
+  EXPECT_EQ(gap.below, 1u);
+  EXPECT_EQ(gap.torn, 1u);
+}
+
+TEST(SeamGap, OfEqualHeightsIsNone) {
+  const SeamGap gap = seam_gap(two_halves().seams(), halves(777, 777).view());
+  EXPECT_EQ(gap.largest, 0);
+  EXPECT_EQ(gap.unequal, 0u);
+  EXPECT_EQ(gap.below, 0u);
+  EXPECT_EQ(gap.torn, 0u);
+}
+
+/// Heights that differ less than they are told apart are equal.
+TEST(SeamGap, CountsInBits) {
+  const SeamEdges seams = two_halves().seams();
+  const testing::Map map = halves(1028, 1031);
+  EXPECT_EQ(seam_gap(seams, map.view(), {.bits = 14}).unequal, 0u);
+  EXPECT_EQ(seam_gap(seams, map.view(), {.bits = 16}).unequal, 33u);
+  EXPECT_NEAR(seam_gap(seams, map.view()).largest, 3 / 65535.0, 1e-12);
+}
+
+TEST(SeamGap, IsWhatASecondOpinionSays) {
+  for (const bool is_nearest : {false, true}) {
+    const Charts charts = cube_sphere(4, turned_places());
+    testing::Map map = noise_map(100, 77, 9);
+    map.is_nearest = is_nearest;
+    map.wrap = {FOREDRAW_HEIGHT_MIRRORED, FOREDRAW_HEIGHT_CLAMPED};
+    const SeamGap gap = seam_gap(charts.seams(), map.view());
+    const Opinion wanted = opinion(charts.mesh(), map);
+    EXPECT_EQ(gap.edges, wanted.edges);
+    EXPECT_NEAR(gap.largest, wanted.largest, is_nearest ? 0.02 : 1e-9);
+    EXPECT_NEAR(std::sqrt(gap.squares / static_cast<double>(gap.samples)), wanted.rms, is_nearest ? 1e-3 : 1e-9);
+  }
+}
+
+TEST(SeamGap, BearsAnything) {
+  EXPECT_EQ(seam_gap({}, noise_map(1, 1, 1).view()).points, 0u);
+  Charts charts = two_halves();
+  charts.uvs[0].x = 1e30f;
+  charts.uvs[1].y = -1e30f;
+  const SeamGap gap = seam_gap(charts.seams(), halves(0, 65535).view());
+  EXPECT_LE(gap.largest, 1);
+  EXPECT_EQ(gap.samples, 201u);
+}
+
+double figure(const Findings& findings, const std::string& metric) {
+  for (const Measured& one : findings.measured) {
+    if (one.metric == metric) return one.numerator / one.denominator.value_or(1);
+  }
+  return -1;
+}
+
+TEST(SeamGapEvaluator, MeasuresDisplacedDrawsAndNamesEdges) {
+  const Charts charts = two_halves();
+  const testing::Map map = halves(13107, 52428);
+  Scene scene = displaced_scene({charts.positions, charts.indices}, charts.uvs,
+                                height_image(200, 100, [&](auto x, auto y) { return map.texels[200 * y + x]; }));
+  RunFixture fixture;
+  const Plugin plugin = seam_gap_plugin();
+  const auto technique = plugin.create({{"samples", std::int64_t{201}}, {"bits", std::int64_t{14}}});
+  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, fixture.run);
+  EXPECT_EQ(figure(fixture.findings, "edges"), 1);
+  EXPECT_NEAR(figure(fixture.findings, "largest"), 60, 1e-9);
+  EXPECT_NEAR(figure(fixture.findings, "rms"), 60, 1e-9);
+  EXPECT_EQ(figure(fixture.findings, "unequal"), 100);
+  EXPECT_EQ(figure(fixture.findings, "torn"), 100);
+  ASSERT_EQ(fixture.findings.notes.size(), 1u);
+  EXPECT_NE(fixture.findings.notes[0].message.find("triangle 0, edge 0"), std::string::npos);
+  EXPECT_NE(fixture.findings.notes[0].message.find("differ by 0.6 of the map's range"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace foredraw

@@ -104,7 +104,7 @@ TEST(SeamEdges, LieBetweenDrawsToo) {
 TEST(SeamEdges, CornersAreOfPartsThatOnlyTouchToo) {
   Corners mesh;
   mesh.add({a, b, c}, {ua, ub, uc});
-  mesh.add({a, d, {-1, 0, 0}}, {ua + away, ud, ue});
+  mesh.add({a, d, glm::vec3(-1, 0, 0)}, {ua + away, ud, ue});
   const SeamEdges found = mesh.found();
   EXPECT_EQ(found.seams, 0u);
   ASSERT_EQ(found.corners.size(), 1u);
@@ -117,8 +117,8 @@ TEST(SeamEdges, LeaveOutWhatIsNoTriangleOrNoNumber) {
   Corners mesh;
   mesh.add({a, b, c}, {ua, ub, uc});
   mesh.add({a, a, c}, {ua + away, ua, uc + away});
-  mesh.add({a, c, d}, {ua, {nan, 0}, ud});
-  mesh.add({a, c, {infinity, 0, 0}}, {ua + away, uc, ud});
+  mesh.add({a, c, d}, {ua, glm::vec2(nan, 0), ud});
+  mesh.add({a, c, glm::vec3(infinity, 0, 0)}, {ua + away, uc, ud});
   const SeamEdges found = mesh.found();
   EXPECT_EQ(found.left_out, 3u);
   EXPECT_EQ(found.seams, 0u);
@@ -128,8 +128,8 @@ TEST(SeamEdges, LeaveOutWhatIsNoTriangleOrNoNumber) {
 
 TEST(SeamEdges, ZeroesAreOnePointAndOneUv) {
   Corners mesh;
-  mesh.add({a, b, c}, {{0, 0}, ub, uc});
-  mesh.add({{-0.f, 0, -0.f}, c, d}, {{-0.f, 0}, uc, ud});
+  mesh.add({a, b, c}, {glm::vec2(0), ub, uc});
+  mesh.add({glm::vec3(-0.f, 0, -0.f), c, d}, {glm::vec2(-0.f, 0), uc, ud});
   EXPECT_EQ(mesh.found().seams, 0u);
   EXPECT_TRUE(mesh.found().corners.empty());
 }
@@ -138,7 +138,8 @@ TEST(SeamEdges, OfAPointWithVeryManyUvsAreFoundInTime) {
   Corners mesh;
   for (int i = 0; i < 200'000; ++i) {
     const auto x = static_cast<float>(i);
-    mesh.add({a, {x, 1, 0}, {x + 1, 1, 0}}, {glm::vec2{x, 0}, glm::vec2{x, 1}, glm::vec2{x + .5f, 1}});
+    mesh.add({a, glm::vec3(x, 1, 0), glm::vec3(x + 1, 1, 0)},
+             {glm::vec2(x, 0), glm::vec2(x, 1), glm::vec2(x + .5f, 1)});
   }
   EXPECT_EQ(mesh.found().seams, 199'999u);
   EXPECT_EQ(mesh.found().corners.front().uv_count, 200'000u);

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
+
 namespace foredraw {
 namespace {
 
@@ -20,7 +23,9 @@ std::uint32_t factor_of(float here, float there, std::uint32_t size) {
   const auto factors = seam_factors(seams, {size, size});
   std::uint32_t factor = 0;
   for (std::size_t e = 0; e < factors.size(); ++e) {
-    if (seams.edges[e].kind == EdgeKind::border) EXPECT_EQ(factors[e], 0u);
+    if (seams.edges[e].kind == EdgeKind::border) {
+      EXPECT_EQ(factors[e], 0u);
+    }
     factor += factors[e];
   }
   return factor;
@@ -85,7 +90,9 @@ TEST(ExactFactors, AreTheLargestThatHold) {
     }
     const auto factors = exact_factors(seams, points, is_unequal);
     for (std::size_t e = 0; e < factors.size(); ++e) {
-      if (seams.edges[e].kind == EdgeKind::seam) EXPECT_EQ(factors[e], wanted);
+      if (seams.edges[e].kind == EdgeKind::seam) {
+        EXPECT_EQ(factors[e], wanted);
+      }
     }
     ++seen[static_cast<std::size_t>(std::countr_zero(wanted | 128))];
   }

@@ -1,7 +1,7 @@
 #include "plugins/processors/displacement_seams/displacement_seams.h"
 
-#include "displacement_seams_charts.h"
 #include "support/meshes.h"
+#include "support/uv_charts.h"
 
 #include <foredraw/io/scene_file.h>
 
