@@ -69,7 +69,11 @@ Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw
   Solution solution;
   std::vector<EqualityRow> at_points = seams::rows_of_points(points, map);
   std::vector<EqualityRow> along;
-  if (map.is_nearest == 0) along = seams::rows_along_seams(seams, map);
+  if (map.is_nearest == 0) {
+    const std::vector<EqualityRow> exact = seams::rows_of_exact_points(seams, points.factors, map);
+    at_points.insert(at_points.end(), exact.begin(), exact.end());
+    along = seams::rows_along_seams(seams, map);
+  }
   solution.seam_texels = seams::numbered(along, at_points);
 
   std::vector<double> heights;

@@ -42,6 +42,13 @@ struct TexelLine {
   TexelLine(const std::array<glm::vec2, 2>& uv, glm::dvec2 size)
       : from(glm::dvec2(uv[0]) * size - 0.5), along(glm::dvec2(uv[1]) * size - 0.5 - from) {}
 
+  /// So that its texels have numbers.
+  bool is_near() const {
+    constexpr double most = 1 << 24;
+    const glm::dvec2 to = from + along;
+    return std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y)}) < most;
+  }
+
   double length() const { return std::sqrt(along.x * along.x + along.y * along.y); }
 
   /// Where it goes over to the next row or column.
@@ -143,6 +150,27 @@ std::vector<EqualityRow> rows_of_points(const SeamPoints& points, const foredraw
   return rows;
 }
 
+std::vector<EqualityRow> rows_of_exact_points(const SeamEdges& seams, std::span<const std::uint32_t> factors,
+                                              const foredraw_height_map& map) {
+  std::vector<EqualityRow> rows;
+  const glm::dvec2 size(map.width, map.height);
+  for (std::size_t e = 0; e < seams.edges.size(); ++e) {
+    const auto sides = seams.sides_of(seams.edges[e]);
+    for (std::size_t side = 1; side < sides.size() && factors[e] > 0; ++side) {
+      const TexelLine a(sides[side - 1].uv, size), b(sides[side].uv, size);
+      if (!a.is_near() || !b.is_near()) continue;
+      for (std::uint32_t step = 0; step <= factors[e]; ++step) {
+        const double t = static_cast<double>(step) / factors[e];
+        EqualityRow row;
+        a.add_to(row, map, t, t, 1);
+        b.add_to(row, map, t, t, -1);
+        if (is_of_any(row)) rows.push_back(row);
+      }
+    }
+  }
+  return rows;
+}
+
 std::vector<EqualityRow> rows_along_seams(const SeamEdges& seams, const foredraw_height_map& map) {
   std::vector<EqualityRow> rows;
   const glm::dvec2 size(map.width, map.height);
@@ -150,6 +178,7 @@ std::vector<EqualityRow> rows_along_seams(const SeamEdges& seams, const foredraw
     const TexelLine a(pair.uv[0], size), b(pair.uv[1], size);
     const auto [shorter, longer] = std::minmax({a.length(), b.length()});
     const double of_map = longer / std::max(size.x, size.y);
+    if (!a.is_near() || !b.is_near()) continue;
     if (of_map <= most_of_map && (of_map <= long_of_map || longer <= most_stretch * shorter)) {
       add_rows_between(a, b, map, rows);
     }

@@ -21,6 +21,11 @@ struct EqualityRow {
 /// None where both sides lie in the same texels alike.
 std::vector<EqualityRow> rows_of_points(const SeamPoints& points, const foredraw_height_map& map);
 
+/// The same for four texels in doubles, at the exact uvs of each edge's ends and of its points at factors: so that
+/// whoever filters with floats finds no gap there either.
+std::vector<EqualityRow> rows_of_exact_points(const SeamEdges& seams, std::span<const std::uint32_t> factors,
+                                              const foredraw_height_map& map);
+
 /// All along the seams. Between two crossings of texel borders the gap is a square function of the way along the edge,
 /// so three rows a piece, at the points and with the weights of Gauss, say its mean square exactly: the squares of all
 /// rows together are that of the gap, summed over the texels of the longer side. Texels are those of the exact uvs, in
