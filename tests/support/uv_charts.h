@@ -140,6 +140,7 @@ struct Opinion {
   std::size_t edges = 0;
   std::size_t points = 0, unequal = 0;  ///< at the ends of edges and at their factors, an end once for each edge
   double largest = 0, rms = 0;          ///< at 201 points an edge, as part of 65535
+  double at_factors = 0;                ///< the largest at k/factor, of heights that are not rounded
 };
 
 /// `bits` of heights at places in 1/256 texel, rounded half up between the ends as exact fractions.
@@ -169,17 +170,22 @@ inline Opinion opinion(const UvMesh& mesh, const Map& map, int bits = 14) {
       ++result.points;
       if (std::ranges::any_of(heights, [&](double h) { return h != heights.front(); })) ++result.unequal;
     }
-    for (int k = 0; k <= 200; ++k) {
+    const auto gap_at = [&](double t) {
       double least = 65535, most = 0;
       for (const auto& side : sides) {
-        const glm::dvec2 at = glm::dvec2(side[0]) + (glm::dvec2(side[1]) - glm::dvec2(side[0])) * (k / 200.0);
+        const glm::dvec2 at = glm::dvec2(side[0]) + (glm::dvec2(side[1]) - glm::dvec2(side[0])) * t;
         const double height = height_of(map, at.x * map.width, at.y * map.height);
         least = std::min(least, height);
         most = std::max(most, height);
       }
-      squares += (most - least) * (most - least) / 65535 / 65535;
-      result.largest = std::max(result.largest, (most - least) / 65535);
+      return (most - least) / 65535;
+    };
+    for (int k = 0; k <= 200; ++k) {
+      const double gap = gap_at(k / 200.0);
+      squares += gap * gap;
+      result.largest = std::max(result.largest, gap);
     }
+    for (int k = 0; k <= factor; ++k) result.at_factors = std::max(result.at_factors, gap_at(double(k) / factor));
   }
   result.rms = result.edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(201 * result.edges));
   return result;

@@ -68,6 +68,8 @@ TEST(DisplacementSeams, OfChartsThatAreTurnedMirroredAndStretchedAreEqual) {
   EXPECT_GT(before.largest, 0.7);
   EXPECT_LT(after.largest, 0.01) << "even of noise, from texel to texel";
   EXPECT_LT(after.rms, 0.0005);
+  EXPECT_GT(before.at_factors, 0.7);
+  EXPECT_LT(after.at_factors, 0.0001) << "of floats";
 }
 
 TEST(DisplacementSeams, LeavesTexelsAsideAsTheyWere) {
