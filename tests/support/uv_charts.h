@@ -147,7 +147,8 @@ struct Opinion {
 inline Opinion opinion(const UvMesh& mesh, const Map& map, int bits = 14) {
   Opinion result;
   double squares = 0;
-  for (const auto& [ends, sides] : edges_of(mesh)) {
+  for (const auto& edge : edges_of(mesh)) {
+    const std::vector<std::array<glm::vec2, 2>>& sides = edge.second;
     const bool is_seam = std::ranges::any_of(sides, [&](const auto& side) { return side != sides.front(); });
     if (!is_seam) continue;
     ++result.edges;
