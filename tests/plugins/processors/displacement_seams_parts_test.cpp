@@ -174,7 +174,7 @@ TEST(EqualHeights, HaveNoGapAtPoints) {
 TEST(IntegerHeights, SettleByFewSingleStepsAndLetGoOfWhatIsReleased) {
   const testing::Charts charts = testing::cube_sphere(4, testing::turned_places());
   Map map = testing::noise_map(128, 128, 6);
-  for (std::uint16_t& texel : map.texels) texel = static_cast<std::uint16_t>(30000 + texel % 5);
+  for (std::uint16_t& texel : map.texels) texel = static_cast<std::uint16_t>(30000 + texel % 40);
   const SeamEdges seams = charts.seams();
   const SeamPoints points = seam_points(seams, seam_factors(seams, {128, 128}), map.view());
   std::vector<std::uint32_t> all(map.texels.size());
@@ -190,7 +190,7 @@ TEST(IntegerHeights, SettleByFewSingleStepsAndLetGoOfWhatIsReleased) {
   EXPECT_FALSE(heights.is_unequal(first));
   heights.settle(100);
   EXPECT_EQ(heights.unequal_count(), 0u);
-  for (std::size_t i = 0; i < map.texels.size(); ++i) EXPECT_NEAR(heights.values()[i], map.texels[i], 40);
+  for (std::size_t i = 0; i < map.texels.size(); ++i) EXPECT_NEAR(heights.values()[i], map.texels[i], 400);
 }
 
 }  // namespace
