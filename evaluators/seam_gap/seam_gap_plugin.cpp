@@ -95,6 +95,7 @@ Plugin seam_gap_plugin() {
   plugin.card = {
       .name = "seam-gap",
       .summary = "Measures how far a displacement map's heights differ between the sides of the layout's seams",
+      .reference = "own",
       .acts_on = {traits::displaced},
       .metrics =
           {
@@ -103,7 +104,7 @@ Plugin seam_gap_plugin() {
               {"rms", "% of the range", "Root mean square gap along the seams"},
               {"below", "% of the edges", "Seam edges that gape at the largest factor that their texels allow"},
               {"torn", "% of the edges", "Seam edges that gape at an end, and so at every factor"},
-              {"edges", "edges", "Seam edges"},
+              {"edges", "edges", "Seam edges", true, false, true},
           },
   };
   bind_options(plugin, std::move(table),

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace foredraw {
 
@@ -95,9 +96,13 @@ Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw
 
   IntegerHeights integers(points, map, solution.seam_texels, std::move(values), bits);
   Settling(seams, points, integers).run();
+  std::vector<std::uint32_t> changed;
   for (std::size_t i = 0; i < solution.seam_texels.size(); ++i) {
-    solution.texels[solution.seam_texels[i]] = integers.values()[i];
+    std::uint16_t& texel = solution.texels[solution.seam_texels[i]];
+    if (texel != integers.values()[i]) changed.push_back(solution.seam_texels[i]);
+    texel = integers.values()[i];
   }
+  solution.seam_texels = std::move(changed);
   return solution;
 }
 
@@ -119,7 +124,9 @@ void solve(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map
     result.at_zero = from + range * solution.at_zero;
     result.at_one = from + range * solution.at_one;
     result.texels = std::move(solution.texels);
-    result.seam_texels = std::move(solution.seam_texels);
+    std::vector<std::uint32_t> changed;
+    std::ranges::set_union(result.seam_texels, solution.seam_texels, std::back_inserter(changed));
+    result.seam_texels = std::move(changed);
     map.texels = result.texels.data();
   }
 }

@@ -26,7 +26,7 @@ struct RepairedMap {
   std::vector<std::uint16_t> texels;  ///< the new map; empty: the old one stays
   /// What the old heights were at the new ones' 0 and 1: other than 0 and 1 where the solution left the range.
   double at_zero = 0, at_one = 1;
-  std::vector<std::uint32_t> seam_texels;  ///< that were changed or may have been, by place, ascending
+  std::vector<std::uint32_t> seam_texels;  ///< that were changed, but for scaling; by place, ascending
   std::vector<std::uint32_t> rule;         ///< [edge] seam_factors()
   std::vector<std::uint32_t> factors;  ///< [edge] up to which it is equal now, in powers of two; 0: not even its ends
   std::size_t points = 0;              ///< at the factors of the rule
