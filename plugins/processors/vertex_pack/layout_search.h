@@ -1,0 +1,47 @@
+#pragma once
+// Which layout of 128 bits is the best for vertices of a kind.
+
+#include <foredraw/scene/packed_vertices.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <limits>
+#include <optional>
+
+namespace foredraw::packing {
+
+/// A box that numbers lie in; empty at first.
+struct Box {
+  glm::dvec3 least{std::numeric_limits<double>::infinity()}, most{-std::numeric_limits<double>::infinity()};
+
+  void add(const glm::dvec3& point);
+  void add(const Box& other);
+  bool is_empty() const { return !(least.x <= most.x); }
+  glm::dvec3 extent() const { return is_empty() ? glm::dvec3(0) : most - least; }
+  double diagonal() const;
+};
+
+/// What is packed, and what matters of it.
+struct Demand {
+  Box box;  ///< of all positions, finite
+  bool normals = false, tangents = false, uvs = false;
+  glm::dvec2 uv_extent{0};         ///< the largest one of the draws that share the layout
+  double displacement = 0;         ///< A: the largest displacement along the normal, in units of positions
+  double slope = 0;                ///< G: the largest slope of its height, in units of positions for 1 of uv
+  double most_tangent_error = 90;  ///< degrees
+  bool is_spherical = false;
+};
+
+/// The layout, with the lattice of positions, that moves a displaced point the least: E = |dp| + A |dn| + G |duv| from
+/// the bounds of packed_bounds(), over all numbers of bits for which fields find room without crossing a word, and
+/// whose tangents keep their limit. Of equal ones the one with fewer bits for normals, then for u and v. The tangent
+/// gets what is left of its word. Nothing where there is none. Texture coordinates get their lattice from
+/// set_uv_lattice(); until then it is that of 0 to the demanded extent.
+std::optional<PackedLayout> best_layout(const Demand& demand);
+
+/// The lattice of texture coordinates from `least` to `most`: steps of any size, as fine as the bits allow. False where
+/// floats can not hold it.
+bool set_uv_lattice(PackedLayout& layout, const glm::dvec2& least, const glm::dvec2& most);
+
+}  // namespace foredraw::packing

@@ -1,0 +1,227 @@
+#include "pack_scene.h"
+
+#include "packed_boxes.h"
+#include "vertex_pack.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace foredraw::packing {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> packed_semantics = {"POSITION", "NORMAL", "TANGENT", "TEXCOORD_0"};
+constexpr double texels = 4096;
+
+const VertexStream* stream_of(const VertexStreams& vertices, std::string_view semantic, std::uint8_t components) {
+  const VertexStream* stream = vertices.find(semantic);
+  return stream != nullptr && stream->format.components >= components && stream->count() >= vertices.count ? stream
+                                                                                                           : nullptr;
+}
+
+/// What there is to pack of a draw, over all its levels.
+struct Content {
+  bool normals = false, tangents = false, uvs = false;
+  glm::dvec2 least_uv{std::numeric_limits<double>::infinity()}, most_uv{-std::numeric_limits<double>::infinity()};
+  std::string why_not;  ///< empty: it can be packed
+
+  glm::dvec2 uv_extent() const { return uvs ? most_uv - least_uv : glm::dvec2(0); }
+};
+
+bool is_finite(const VertexStream& stream, std::size_t count, std::size_t components) {
+  for (std::size_t v = 0; v < count; ++v) {
+    for (std::size_t c = 0; c < components; ++c) {
+      if (!std::isfinite(decode_component(stream, v, c))) return false;
+    }
+  }
+  return true;
+}
+
+void add_level(Content& content, const VertexStreams& vertices) {
+  const VertexStream* positions = stream_of(vertices, "POSITION", 3);
+  const VertexStream* uvs = stream_of(vertices, "TEXCOORD_0", 2);
+  if (positions == nullptr) {
+    content.why_not = "it has no positions";
+  } else if (!is_finite(*positions, vertices.count, 3)) {
+    content.why_not = "it has a position that is no number";
+  } else if (uvs != nullptr && !is_finite(*uvs, vertices.count, 2)) {
+    content.why_not = "it has a texture coordinate that is no number";
+  }
+  if (!content.why_not.empty()) return;
+  content.normals |= stream_of(vertices, "NORMAL", 3) != nullptr;
+  content.tangents |= content.normals && stream_of(vertices, "TANGENT", 4) != nullptr;
+  if (uvs == nullptr) return;
+  for (std::size_t v = 0; v < vertices.count; ++v) {
+    const glm::dvec2 uv(decode_component(*uvs, v, 0), decode_component(*uvs, v, 1));
+    content.least_uv = glm::min(content.least_uv, uv);
+    content.most_uv = glm::max(content.most_uv, uv);
+    content.uvs = true;
+  }
+}
+
+std::vector<Content> contents_of(const Scene& scene) {
+  std::vector<Content> contents(scene.draws.size());
+  for (DrawId id = 0; id < scene.draws.size(); ++id) {
+    for (const Level& level : scene.draws[id].levels) add_level(contents[id], *level.vertices);
+    if (scene.draws[id].full().vertices->count == 0) contents[id].why_not = "it has no vertices";
+  }
+  return contents;
+}
+
+/// Layouts of draws that share a lattice, each with the uv lattice of its own.
+class Layouts {
+ public:
+  Layouts(std::vector<Content>& contents, const PackOptions& options) : contents_(contents), options_(options) {}
+
+  /// Draws that can not be packed after all are told so in their content.
+  std::map<DrawId, PackedLayout> of(std::vector<DrawId> draws, const Box& box) {
+    for (;;) {
+      std::erase_if(draws, [&](DrawId id) { return !contents_[id].why_not.empty(); });
+      const std::size_t count = draws.size();
+      std::map<DrawId, PackedLayout> layouts = all(draws, box);
+      std::erase_if(draws, [&](DrawId id) { return !contents_[id].why_not.empty(); });
+      if (draws.size() == count) return layouts;
+    }
+  }
+
+ private:
+  std::map<DrawId, PackedLayout> all(const std::vector<DrawId>& draws, const Box& box) {
+    std::map<DrawId, PackedLayout> layouts;
+    if (draws.empty()) return layouts;
+    const auto shared = best_layout(demand_of(draws, box));
+    for (const DrawId id : draws) {
+      if (!shared) {
+        contents_[id].why_not = "no layout of 128 bits holds its box and keeps the limit of tangents";
+        continue;
+      }
+      PackedLayout layout = *shared;
+      if (contents_[id].why_not = why_no_uvs(layout, contents_[id]); contents_[id].why_not.empty()) {
+        layouts.emplace(id, layout);
+      }
+    }
+    return layouts;
+  }
+
+  Demand demand_of(const std::vector<DrawId>& draws, const Box& box) const {
+    Demand demand{.box = box,
+                  .displacement = options_.displacement * box.diagonal(),
+                  .slope = options_.slope * box.diagonal(),
+                  .most_tangent_error = options_.most_tangent_error,
+                  .is_spherical = options_.method == NormalMethod::spherical};
+    for (const DrawId id : draws) {
+      demand.normals |= contents_[id].normals;
+      demand.tangents |= contents_[id].tangents;
+      demand.uvs |= contents_[id].uvs;
+      demand.uv_extent = glm::max(demand.uv_extent, contents_[id].uv_extent());
+    }
+    return demand;
+  }
+
+  /// Gives the layout the draw's uv lattice.
+  std::string why_no_uvs(PackedLayout& layout, const Content& content) const {
+    if (layout.field[FOREDRAW_PACKED_U].bits == 0) return {};
+    if (!content.uvs) return set_uv_lattice(layout, glm::dvec2(0), glm::dvec2(1)), std::string();
+    if (!set_uv_lattice(layout, content.least_uv, content.most_uv)) return "its texture coordinates are too large";
+    const double error = packed_bounds(layout).uv() * texels;
+    if (error <= options_.most_uv_error) return {};
+    std::ostringstream why;
+    why << "its texture coordinates are too far apart: they would be off by up to " << std::setprecision(3) << error
+        << " texels of 4096; bring them into 0 to 1, or raise most-uv-error";
+    return why.str();
+  }
+
+  std::vector<Content>& contents_;
+  const PackOptions& options_;
+};
+
+Box with_margin(Box box, double margin) {
+  const glm::dvec3 around = box.extent() * margin;
+  box.least -= around;
+  box.most += around;
+  return box;
+}
+
+std::string plain_streams(const Draw& draw) {
+  std::string names;
+  for (const VertexStream& stream : draw.full().vertices->base) {
+    if (std::ranges::find(packed_semantics, stream.semantic) == packed_semantics.end()) {
+      names += (names.empty() ? "" : ", ") + stream.semantic;
+    }
+  }
+  if (!draw.full().vertices->morph_targets.empty()) names += names.empty() ? "morph targets" : ", morph targets";
+  return names;
+}
+
+void pack_levels(PackedDraw& made, const Draw& draw) {
+  double skew = 0;
+  for (std::size_t l = 0; l < draw.levels.size(); ++l) {
+    const VertexStreams& vertices = *draw.levels[l].vertices;
+    if (l > 0 && draw.levels[l].vertices == draw.levels[l - 1].vertices) {
+      made.packed.rows.push_back(made.packed.rows.back());
+      continue;
+    }
+    PackedStreams packed = pack_streams(made.packed.layout, vertices);
+    const std::string broken = broken_promise(vertices, made.packed.layout, packed.rows);
+    const bool is_outside = (packed.told & (FOREDRAW_PACKED_POSITION_OUTSIDE | FOREDRAW_PACKED_UV_OUTSIDE)) != 0;
+    if (!broken.empty() || is_outside) {
+      throw std::logic_error("a packed vertex of " + draw.name + ' ' +
+                             (broken.empty() ? "lies outside of its lattice" : broken));
+    }
+    const PackedErrors errors = packed_errors(vertices, made.packed.layout, packed.rows);
+    skew = std::max(skew, errors.skew);
+    made.no_direction += errors.no_direction;
+    made.packed.rows.emplace_back(std::move(packed.rows));
+  }
+  made.bounds = packed_bounds(made.packed.layout, skew);
+  made.plain = plain_streams(draw);
+}
+
+}  // namespace
+
+PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, SubjectUnit unit, const Poses& poses,
+                       const PackOptions& options, const Executor& executor) {
+  std::vector<Content> contents = contents_of(scene);
+  const std::vector<Subject> subjects = subjects_of(scene, unit);
+  std::vector<PackedDraw> all(scene.draws.size());
+  Layouts layouts(contents, options);
+  for (const std::vector<DrawId>& group : stored_groups(scene, subjects)) {
+    const Box box = stored_box(scene, group);
+    for (const auto& [id, layout] : layouts.of(group, box)) {
+      all[id].packed = {.draw = id, .layout = layout};
+      all[id].diagonal = box.diagonal();
+    }
+  }
+  const std::vector<std::vector<SubjectPart>> moved = posed_groups(scene, subjects);
+  const std::vector<Box> boxes = posed_boxes(scene, moved, poses, executor);
+  for (std::size_t g = 0; g < moved.size(); ++g) {
+    std::vector<DrawId> group;
+    for (const SubjectPart& part : moved[g]) group.push_back(part.draw);
+    std::ranges::sort(group);
+    group.erase(std::unique(group.begin(), group.end()), group.end());
+    for (const auto& [id, layout] : layouts.of(group, with_margin(boxes[g], options.margin))) {
+      all[id].packed.posed = layout;
+      all[id].posed_diagonal = boxes[g].diagonal();
+    }
+  }
+  PackedScene result;
+  for (const DrawId id : draws) {
+    if (contents[id].why_not.empty()) {
+      result.draws.push_back(std::move(all[id]));
+    } else {
+      result.left_out.push_back({id, contents[id].why_not});
+    }
+  }
+  executor.for_each(result.draws.size(),
+                    [&](std::size_t i) { pack_levels(result.draws[i], scene.draws[result.draws[i].packed.draw]); });
+  return result;
+}
+
+}  // namespace foredraw::packing

@@ -1,0 +1,3 @@
+#include "evaluators/vertex_precision/vertex_precision.h"
+
+#include <gtest/gtest.h>
