@@ -223,8 +223,9 @@ bool set_uv_lattice(PackedLayout& layout, const glm::dvec2& least, const glm::dv
     const auto most_origin = static_cast<double>(most_coordinate) - reach - 2;
     const double step = std::max({(most[i] - least[i]) / (reach - 1), largest / most_origin, 1e-12});
     layout.uv_step[i] = static_cast<float>(step);
-    const double origin = std::nearbyint(least[i] / static_cast<double>(layout.uv_step[i]));
-    if (!(largest < 1e20) || !(std::abs(origin) <= static_cast<double>(most_coordinate))) return false;
+    // In floats, as vertices are packed: of two whole numbers nearly as near it has to be the same one.
+    const float origin = std::nearbyint(static_cast<float>(least[i]) * (1.0f / layout.uv_step[i]));
+    if (!(largest < 1e20) || !(std::abs(origin) <= static_cast<float>(most_coordinate))) return false;
     layout.uv_origin[i] = static_cast<std::int32_t>(origin);
   }
   return true;

@@ -213,6 +213,7 @@ foredraw_packed_layout without_missing(const PackedLayout& layout, const PlainVe
   const auto leave_out = [&](int first, int count) {
     for (int i = first; i < first + count; ++i) some.field[i].bits = 0;
   };
+  if (from.positions.empty()) leave_out(FOREDRAW_PACKED_X, 3);
   if (from.normals.empty()) leave_out(FOREDRAW_PACKED_NORMAL_0, 4);
   if (from.tangents.empty()) leave_out(FOREDRAW_PACKED_TANGENT, 2);
   if (from.uvs.empty()) leave_out(FOREDRAW_PACKED_U, 2);
@@ -234,7 +235,7 @@ std::uint32_t pack_spherical(const PackedLayout& layout, const PlainVertices& fr
     copy(from.uvs, vertex.uv);
     told |= foredraw_packed_encode(&some, &vertex, rows.data() + 4 * v);
   }
-  return told;
+  return from.positions.empty() ? told & ~FOREDRAW_PACKED_POSITION_OUTSIDE : told;
 }
 
 }  // namespace

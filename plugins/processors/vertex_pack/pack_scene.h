@@ -17,7 +17,7 @@ enum class NormalMethod { octahedral, spherical };
 struct PackOptions {
   NormalMethod method = NormalMethod::octahedral;
   double displacement = 0.002;        ///< the largest one along normals, as part of the box's diagonal
-  double slope = 0.15;                ///< the largest one of its height, in diagonals for 1 of uv
+  double slope = 0.2;                 ///< the largest one of its height, in diagonals for 1 of uv
   double most_tangent_error = 0.065;  ///< degrees
   double most_uv_error = 0.5;         ///< texels of 4096: draws that can not keep it are not packed
   double margin = 0.02;               ///< around the posed box, on each side, as part of its extent
