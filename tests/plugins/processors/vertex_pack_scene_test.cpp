@@ -181,7 +181,7 @@ TEST(VertexPackScene, StagesForSomeDrawsAgreeOnTheLattice) {
   Registry registry;
   add_built_in_plugins(registry);
   const auto pipeline = parse_file(
-      "stages = [{ use = \"vertex-pack\", only = \"plate\" }, "
+      "pipeline = 1\nstages = [{ use = \"vertex-pack\", only = \"plate\" }, "
       "{ use = \"vertex-pack\", only = \"ball\" }]",
       "test", diagnostics);
   ASSERT_TRUE(pipeline) << to_text(diagnostics);
@@ -222,7 +222,7 @@ TEST(VertexPackScene, WhatCanNotBeHeldIsNotPacked) {
        [&](Level& level) {
          put_vec2(level, 3, {nan, 0});
        },
-       "a texture coordinate that is no number"},
+       "it has a texture coordinate that is no number"},
       {"uv 1e30",
        [&](Level& level) {
          put_vec2(level, 3, {1e30f, 0});
