@@ -41,8 +41,9 @@ void compare_precision(const std::string& file) {
   std::vector<DrawId> draws(scene.draws.size());
   std::iota(draws.begin(), draws.end(), DrawId{0});
   const Executor executor(1);
-  const packing::PackedScene packed =
-      packing::pack_scene(scene, draws, SubjectUnit::character, make_poses(scene, {.poses = "all"}), {}, executor);
+  Analyses analyses;
+  const packing::PackedScene packed = packing::pack_scene(scene, draws, SubjectUnit::character,
+                                                          make_poses(scene, {.poses = "all"}), {}, analyses, executor);
   PackedBounds ours;
   PeerErrors theirs;
   std::size_t vertices = 0;

@@ -1,6 +1,7 @@
 #include "pack_scene.h"
 
 #include "packed_boxes.h"
+#include "relief.h"
 #include "vertex_pack.h"
 
 #include <glm/common.hpp>
@@ -31,6 +32,7 @@ const VertexStream* stream_of(const VertexStreams& vertices, std::string_view se
 struct Content {
   bool normals = false, tangents = false, uvs = false;
   glm::dvec2 least_uv{std::numeric_limits<double>::infinity()}, most_uv{-std::numeric_limits<double>::infinity()};
+  std::optional<Relief> relief = {};
   std::string why_not;  ///< empty: it can be packed
 
   glm::dvec2 uv_extent() const { return uvs ? most_uv - least_uv : glm::dvec2(0); }
@@ -67,10 +69,11 @@ void add_level(Content& content, const VertexStreams& vertices) {
   }
 }
 
-std::vector<Content> contents_of(const Scene& scene) {
+std::vector<Content> contents_of(const Scene& scene, Analyses& analyses) {
   std::vector<Content> contents(scene.draws.size());
   for (DrawId id = 0; id < scene.draws.size(); ++id) {
     for (const Level& level : scene.draws[id].levels) add_level(contents[id], *level.vertices);
+    contents[id].relief = relief_of(scene, id, analyses);
     if (scene.draws[id].full().vertices->count == 0) contents[id].why_not = "it has no vertices";
   }
   return contents;
@@ -81,22 +84,25 @@ class Layouts {
  public:
   Layouts(std::vector<Content>& contents, const PackOptions& options) : contents_(contents), options_(options) {}
 
-  /// Draws that can not be packed after all are told so in their content.
-  std::map<DrawId, PackedLayout> of(std::vector<DrawId> draws, const Box& box) {
+  /// `scales`: how many units of the box one of the draw's is; 1 where it is not named. Draws that can not be packed
+  /// after all are told so in their content.
+  std::map<DrawId, PackedLayout> of(std::vector<DrawId> draws, const Box& box,
+                                    const std::map<DrawId, double>& scales = {}) {
     for (;;) {
       std::erase_if(draws, [&](DrawId id) { return !contents_[id].why_not.empty(); });
       const std::size_t count = draws.size();
-      std::map<DrawId, PackedLayout> layouts = all(draws, box);
+      std::map<DrawId, PackedLayout> layouts = all(draws, box, scales);
       std::erase_if(draws, [&](DrawId id) { return !contents_[id].why_not.empty(); });
       if (draws.size() == count) return layouts;
     }
   }
 
  private:
-  std::map<DrawId, PackedLayout> all(const std::vector<DrawId>& draws, const Box& box) {
+  std::map<DrawId, PackedLayout> all(const std::vector<DrawId>& draws, const Box& box,
+                                     const std::map<DrawId, double>& scales) {
     std::map<DrawId, PackedLayout> layouts;
     if (draws.empty()) return layouts;
-    const auto shared = best_layout(demand_of(draws, box));
+    const auto shared = best_layout(demand_of(draws, box, scales));
     for (const DrawId id : draws) {
       if (!shared) {
         contents_[id].why_not = "no layout of 128 bits holds its box and keeps the limit of tangents";
@@ -110,10 +116,22 @@ class Layouts {
     return layouts;
   }
 
-  Demand demand_of(const std::vector<DrawId>& draws, const Box& box) const {
+  Demand demand_of(const std::vector<DrawId>& draws, const Box& box, const std::map<DrawId, double>& scales) const {
+    std::optional<double> displacement, slope;
+    for (const DrawId id : draws) {
+      const std::optional<Relief>& relief = contents_[id].relief;
+      if (!relief) continue;
+      const auto scale = scales.find(id);
+      const double units = scale == scales.end() ? 1 : scale->second;
+      displacement = std::max(displacement.value_or(0), units * relief->displacement);
+      if (relief->slope) slope = std::max(slope.value_or(0), units * *relief->slope);
+    }
+    const auto chosen = [&](const std::optional<double>& option, const std::optional<double>& said, double usual) {
+      return option || !said ? option.value_or(usual) * box.diagonal() : *said;
+    };
     Demand demand{.box = box,
-                  .displacement = options_.displacement * box.diagonal(),
-                  .slope = options_.slope * box.diagonal(),
+                  .displacement = chosen(options_.displacement, displacement, usual_displacement),
+                  .slope = chosen(options_.slope, slope, usual_slope),
                   .most_tangent_error = options_.most_tangent_error,
                   .is_spherical = options_.method == NormalMethod::spherical};
     for (const DrawId id : draws) {
@@ -187,8 +205,8 @@ void pack_levels(PackedDraw& made, const Draw& draw) {
 }  // namespace
 
 PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, SubjectUnit unit, const Poses& poses,
-                       const PackOptions& options, const Executor& executor) {
-  std::vector<Content> contents = contents_of(scene);
+                       const PackOptions& options, Analyses& analyses, const Executor& executor) {
+  std::vector<Content> contents = contents_of(scene, analyses);
   const std::vector<Subject> subjects = subjects_of(scene, unit);
   std::vector<PackedDraw> all(scene.draws.size());
   Layouts layouts(contents, options);
@@ -203,10 +221,15 @@ PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, Subjec
   const std::vector<Box> boxes = posed_boxes(scene, moved, poses, executor);
   for (std::size_t g = 0; g < moved.size(); ++g) {
     std::vector<DrawId> group;
-    for (const SubjectPart& part : moved[g]) group.push_back(part.draw);
+    std::map<DrawId, double> scales;
+    for (const SubjectPart& part : moved[g]) {
+      group.push_back(part.draw);
+      double& scale = scales[part.draw];
+      scale = std::max(scale, rest_scale(scene, part));
+    }
     std::ranges::sort(group);
     group.erase(std::unique(group.begin(), group.end()), group.end());
-    for (const auto& [id, layout] : layouts.of(group, with_margin(boxes[g], options.margin))) {
+    for (const auto& [id, layout] : layouts.of(group, with_margin(boxes[g], options.margin), scales)) {
       all[id].packed.posed = layout;
       all[id].posed_diagonal = boxes[g].diagonal();
     }

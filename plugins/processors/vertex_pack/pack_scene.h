@@ -1,23 +1,30 @@
 #pragma once
 // All draws of a scene packed: those that are seen together by one lattice.
 
+#include <foredraw/analysis/analyses.h>
 #include <foredraw/analysis/packed_precision.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/subject.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace foredraw::packing {
 
+/// Of surfaces of which the scene says nothing: of cloth, skin and worn metal.
+inline constexpr double usual_displacement = 0.002, usual_slope = 0.2;
+
 enum class NormalMethod { octahedral, spherical };
 
 struct PackOptions {
   NormalMethod method = NormalMethod::octahedral;
-  double displacement = 0.002;        ///< the largest one along normals, as part of the box's diagonal
-  double slope = 0.2;                 ///< the largest one of its height, in diagonals for 1 of uv
+  std::optional<double> displacement;  ///< the largest one along normals, as part of the box's diagonal; nothing: what
+                                       ///< materials say, else usual_displacement
+  std::optional<double> slope;        ///< the largest one of its height, in diagonals for 1 of uv; nothing: that of the
+                                      ///< materials' maps, else usual_slope
   double most_tangent_error = 0.065;  ///< degrees
   double most_uv_error = 0.5;         ///< texels of 4096: draws that can not keep it are not packed
   double margin = 0.02;               ///< around the posed box, on each side, as part of its extent
@@ -45,6 +52,6 @@ struct PackedScene {
 /// Packs these draws, rising. Lattices are those of all draws of a subject, whether they are among these or not. Every
 /// vertex of what is packed was measured, and keeps the bounds; std::logic_error otherwise.
 PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, SubjectUnit unit, const Poses& poses,
-                       const PackOptions& options, const Executor& executor);
+                       const PackOptions& options, Analyses& analyses, const Executor& executor);
 
 }  // namespace foredraw::packing

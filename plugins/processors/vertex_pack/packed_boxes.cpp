@@ -4,6 +4,8 @@
 #include <foredraw/viewing/posed_positions.h>
 
 #include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +183,11 @@ std::vector<Box> posed_boxes(const Scene& scene, std::span<const std::vector<Sub
     for (std::size_t g = 0; g < groups.size(); ++g) boxes[g].add(pose[g]);
   }
   return boxes;
+}
+
+double rest_scale(const Scene& scene, const SubjectPart& part) {
+  const std::vector<glm::dmat4x3> maps = vertex_maps(scene, part, posed_nodes(scene));
+  return maps.empty() ? 1 : std::cbrt(std::abs(glm::determinant(glm::dmat3(maps.front()))));
 }
 
 }  // namespace foredraw::packing

@@ -28,7 +28,8 @@ class VertexPack final : public Processor {
   /// Rows of other draws, which an earlier stage made, stay.
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const Poses poses = make_poses(scene, options_);
-    packing::PackedScene made = packing::pack_scene(scene, draws, run.subjects, poses, options_, run.executor);
+    packing::PackedScene made =
+        packing::pack_scene(scene, draws, run.subjects, poses, options_, run.analyses, run.executor);
     for (const packing::NotPacked& left : made.left_out) run.note_at({.draw = left.draw}, "not-packed", left.why);
     if (made.draws.empty()) {
       run.keep("no draw can be packed; the notes say why");
@@ -109,12 +110,12 @@ Plugin vertex_pack_plugin() {
           "How normals are coded. octahedral: as points of an octahedron; spherical: as two angles, as in the paper",
           {{"octahedral", packing::NormalMethod::octahedral}, {"spherical", packing::NormalMethod::spherical}})
       .row(&packing::PackOptions::displacement, "displacement",
-           "Largest displacement along normals that is drawn, as part of the box's diagonal: bits are shared out so "
-           "that "
-           "displaced points move the least",
+           "Largest displacement along normals, as part of the box's diagonal: bits are shared out so that displaced "
+           "points move the least (default: what materials say, else 0.002)",
            {0, 10, "of the diagonal"})
       .row(&packing::PackOptions::slope, "slope",
-           "Largest slope of the displacement's height, in diagonals of the box for the width of the texture",
+           "Largest slope of the displacement's height, in diagonals of the box for the width of the texture (default: "
+           "that of the materials' maps, else 0.2)",
            {0, 1000, "of the diagonal"})
       .row(&packing::PackOptions::most_tangent_error, "most-tangent-error",
            "What a tangent at a right angle to its normal may be off", {0.01, 10, "degrees"})
