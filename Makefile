@@ -57,7 +57,7 @@ clang:
 
 bench:
 	packages/install build bench
-	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench han-sander-2016-bench particle-trim-bench merge-instances-bench draco-reading-bench reading-bench progressive-mesh-bench examples-bench lod-select-bench
+	cmake --preset release -DFOREDRAW_BUILD_BENCHMARKS=ON && cmake --build --preset release --target foredraw-bench techniques-bench vertex-order-bench layers-bench occlusion-order-bench overdraw-raster-bench overdraw-error-bench han-sander-2016-bench particle-trim-bench merge-instances-bench draco-reading-bench reading-bench progressive-mesh-bench examples-bench lod-select-bench vertex-pack-bench
 
 vertex-orders: bench
 	build/release/benchmarks/vertex_order/vertex-order-bench --tsv=benchmarks/vertex_order/figures.tsv

@@ -4,8 +4,7 @@
 #include <foredraw/viewing/posed_positions.h>
 
 #include <glm/common.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -187,7 +186,9 @@ std::vector<Box> posed_boxes(const Scene& scene, std::span<const std::vector<Sub
 
 double rest_scale(const Scene& scene, const SubjectPart& part) {
   const std::vector<glm::dmat4x3> maps = vertex_maps(scene, part, posed_nodes(scene));
-  return maps.empty() ? 1 : std::cbrt(std::abs(glm::determinant(glm::dmat3(maps.front()))));
+  if (maps.empty()) return 1;
+  const glm::dmat4x3& map = maps.front();
+  return std::sqrt(std::max({glm::dot(map[0], map[0]), glm::dot(map[1], map[1]), glm::dot(map[2], map[2])}));
 }
 
 }  // namespace foredraw::packing

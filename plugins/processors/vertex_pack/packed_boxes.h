@@ -29,7 +29,7 @@ Box stored_box(const Scene& scene, std::span<const DrawId> draws);
 std::vector<Box> posed_boxes(const Scene& scene, std::span<const std::vector<SubjectPart>> groups, const Poses& poses,
                              const Executor& executor);
 
-/// How many units of the world one of the part's own is, at rest: the mean over its axes, at its first vertex.
+/// How many units of the world one of the part's own is, at rest: along the longest of its axes, at its first vertex.
 double rest_scale(const Scene& scene, const SubjectPart& part);
 
 }  // namespace foredraw::packing

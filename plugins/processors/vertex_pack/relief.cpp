@@ -22,7 +22,8 @@ double steepest(const HeightMap& map) {
       if (y + 1 < map.height) up = std::max(up, std::abs(at(x, y + 1) - at(x, y)));
     }
   }
-  return std::hypot(along * per_height * map.width, up * per_height * map.height);
+  const double across = along * per_height * map.width, down = up * per_height * map.height;
+  return std::sqrt(across * across + down * down);
 }
 
 }  // namespace
