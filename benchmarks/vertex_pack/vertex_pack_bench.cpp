@@ -96,7 +96,7 @@ Vertices random_vertices(std::size_t count) {
 void measure_speed(std::size_t count) {
   const Vertices plain = random_vertices(count);
   Vertices again = plain, copied = plain;
-  packing::Demand demand{.displacement = 0.002, .slope = 0.2, .most_tangent_error = 0.065};
+  packing::Demand demand{.displacement = 0.002, .slope = 0.2, .most_angle_error = 0.065};
   demand.box.add({0, 0, 0});
   demand.box.add({1, 1, 1});
   demand.normals = demand.tangents = demand.uvs = true;

@@ -69,6 +69,14 @@ inline Scene packed(const Scene& scene, const std::string& options = "") {
   return std::move(result.scene);
 }
 
+inline std::string notes_of(const Result& result) {
+  std::string text;
+  for (const auto& stage : result.report.stages) {
+    for (const NoteRecord& note : stage.notes) text += note.code + ": " + note.message + '\n';
+  }
+  return text;
+}
+
 inline const PackedVertices& packed_of(const Scene& scene) {
   const auto* all = scene.products.find<PackedVertices>();
   if (all == nullptr) throw std::runtime_error("the scene has no packed vertices");

@@ -61,7 +61,7 @@ inline packing::Demand unit_demand(bool is_spherical = false) {
                          .uv_extent = glm::dvec2(1),
                          .displacement = 0.002,
                          .slope = 0.2,
-                         .most_tangent_error = 0.065,
+                         .most_angle_error = 0.065,
                          .is_spherical = is_spherical};
   demand.box.add({0, 0, 0});
   demand.box.add({1, 1, 1});

@@ -22,7 +22,7 @@ using Bits = std::array<std::uint32_t, FOREDRAW_PACKED_FIELDS>;
 
 constexpr std::int64_t most_coordinate = 1 << 24;
 constexpr std::uint32_t most_axis_bits = 24, least_normal_bits = 6, most_normal_bits = 16, most_tangent_bits = 16,
-                        least_uv_bits = 6, most_uv_bits = 20;
+                        least_uv_bits = 6;
 
 /// Whole steps from the first to the last one of an axis.
 struct Axis {
@@ -97,6 +97,12 @@ PackedLayout layout_of(const Candidate& candidate, const Demand& demand) {
   return layout;
 }
 
+double normal_bound(const Demand& demand, std::uint32_t bits) {
+  Candidate candidate;
+  candidate.bits[FOREDRAW_PACKED_NORMAL_0] = bits;
+  return packed_bounds(layout_of(candidate, demand)).normal;
+}
+
 /// The fewest bits with which tangents keep their limit; nothing where none suffice.
 std::optional<std::uint32_t> tangent_bits(const Demand& demand, std::uint32_t normal_bits) {
   if (!demand.tangents) return 0;
@@ -104,7 +110,7 @@ std::optional<std::uint32_t> tangent_bits(const Demand& demand, std::uint32_t no
     Candidate candidate;
     candidate.bits[FOREDRAW_PACKED_NORMAL_0] = normal_bits;
     candidate.bits[FOREDRAW_PACKED_TANGENT] = bits;
-    if (packed_bounds(layout_of(candidate, demand)).tangent <= demand.most_tangent_error) return bits;
+    if (packed_bounds(layout_of(candidate, demand)).tangent <= demand.most_angle_error) return bits;
   }
   return std::nullopt;
 }
@@ -129,13 +135,12 @@ std::vector<Candidate> with_normals(const std::vector<Candidate>& positions, con
   std::vector<Candidate> candidates;
   for (std::uint32_t bits = least_normal_bits; bits <= most_normal_bits; ++bits) {
     const auto tangent = tangent_bits(demand, bits);
-    if (!tangent) continue;
+    if (!tangent || normal_bound(demand, bits) > demand.most_angle_error) continue;
     for (Candidate candidate : positions) {
       candidate.bits[FOREDRAW_PACKED_NORMAL_0] = candidate.bits[FOREDRAW_PACKED_NORMAL_1] = bits;
       candidate.bits[FOREDRAW_PACKED_TANGENT] = *tangent;
       candidate.bits[FOREDRAW_PACKED_SIGN] = *tangent > 0 ? 1 : 0;
-      const double angle = packed_bounds(layout_of(candidate, demand)).normal * (std::numbers::pi / 180);
-      candidate.error += demand.displacement * angle;
+      candidate.error += demand.displacement * normal_bound(demand, bits) * (std::numbers::pi / 180);
       candidates.push_back(candidate);
     }
   }
@@ -151,6 +156,7 @@ std::vector<Candidate> with_uvs(const std::vector<Candidate>& others, const Dema
       alone.bits[FOREDRAW_PACKED_U] = u;
       alone.bits[FOREDRAW_PACKED_V] = v;
       const PackedBounds bounds = packed_bounds(layout_of(alone, demand));
+      if (bounds.uv() > demand.most_uv_error) continue;
       const double error = demand.slope * std::sqrt(bounds.u * bounds.u + bounds.v * bounds.v);
       for (Candidate candidate : others) {
         candidate.bits[FOREDRAW_PACKED_U] = u;

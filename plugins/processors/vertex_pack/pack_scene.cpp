@@ -89,6 +89,9 @@ class Layouts {
   std::map<DrawId, PackedLayout> of(std::vector<DrawId> draws, const Box& box,
                                     const std::map<DrawId, double>& scales = {}) {
     for (;;) {
+      for (const DrawId id : draws) {
+        if (contents_[id].why_not.empty()) contents_[id].why_not = why_never(contents_[id]);
+      }
       std::erase_if(draws, [&](DrawId id) { return !contents_[id].why_not.empty(); });
       const std::size_t count = draws.size();
       std::map<DrawId, PackedLayout> layouts = all(draws, box, scales);
@@ -105,7 +108,9 @@ class Layouts {
     const auto shared = best_layout(demand_of(draws, box, scales));
     for (const DrawId id : draws) {
       if (!shared) {
-        contents_[id].why_not = "no layout of 128 bits holds its box and keeps the limit of tangents";
+        contents_[id].why_not =
+            "no layout of 128 bits holds its box and keeps the limits of what directions and texture coordinates may "
+            "be off";
         continue;
       }
       PackedLayout layout = *shared;
@@ -132,7 +137,8 @@ class Layouts {
     Demand demand{.box = box,
                   .displacement = chosen(options_.displacement, displacement, usual_displacement),
                   .slope = chosen(options_.slope, slope, usual_slope),
-                  .most_tangent_error = options_.most_tangent_error,
+                  .most_angle_error = options_.most_angle_error,
+                  .most_uv_error = options_.most_uv_error / texels,
                   .is_spherical = options_.method == NormalMethod::spherical};
     for (const DrawId id : draws) {
       demand.normals |= contents_[id].normals;
@@ -141,6 +147,13 @@ class Layouts {
       demand.uv_extent = glm::max(demand.uv_extent, contents_[id].uv_extent());
     }
     return demand;
+  }
+
+  /// Of texture coordinates for which no number of bits is enough.
+  std::string why_never(const Content& content) const {
+    PackedLayout finest{};
+    finest.field[FOREDRAW_PACKED_U].bits = finest.field[FOREDRAW_PACKED_V].bits = most_uv_bits;
+    return why_no_uvs(finest, content);
   }
 
   /// Gives the layout the draw's uv lattice.

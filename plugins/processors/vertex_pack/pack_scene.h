@@ -23,11 +23,11 @@ struct PackOptions {
   NormalMethod method = NormalMethod::octahedral;
   std::optional<double> displacement;  ///< the largest one along normals, as part of the box's diagonal; nothing: what
                                        ///< materials say, else usual_displacement
-  std::optional<double> slope;        ///< the largest one of its height, in diagonals for 1 of uv; nothing: that of the
-                                      ///< materials' maps, else usual_slope
-  double most_tangent_error = 0.065;  ///< degrees
-  double most_uv_error = 0.5;         ///< texels of 4096: draws that can not keep it are not packed
-  double margin = 0.02;               ///< around the posed box, on each side, as part of its extent
+  std::optional<double> slope;      ///< the largest one of its height, in diagonals for 1 of uv; nothing: that of the
+                                    ///< materials' maps, else usual_slope
+  double most_angle_error = 0.065;  ///< of normals, and of tangents at right angles to them; degrees
+  double most_uv_error = 0.5;       ///< texels of 4096: draws that can not keep it are not packed
+  double margin = 0.02;             ///< around the posed box, on each side, as part of its extent
 };
 
 struct PackedDraw {

@@ -117,8 +117,8 @@ Plugin vertex_pack_plugin() {
            "Largest slope of the displacement's height, in diagonals of the box for the width of the texture (default: "
            "that of the materials' maps, else 0.2)",
            {0, 1000, "of the diagonal"})
-      .row(&packing::PackOptions::most_tangent_error, "most-tangent-error",
-           "What a tangent at a right angle to its normal may be off", {0.01, 10, "degrees"})
+      .row(&packing::PackOptions::most_angle_error, "most-angle-error",
+           "What normals, and tangents at a right angle to them, may be off", {0.01, 10, "degrees"})
       .row(&packing::PackOptions::most_uv_error, "most-uv-error",
            "Draws whose texture coordinates would be farther off are not packed", {0.001, 4096, "texels of 4096"})
       .row(&packing::PackOptions::margin, "margin",

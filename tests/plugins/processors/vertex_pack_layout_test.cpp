@@ -80,11 +80,11 @@ TEST(PackedLayoutSearch, NoLayoutByChanceIsBetter) {
     const auto best = best_layout(demand);
     ASSERT_TRUE(best);
     EXPECT_TRUE(foredraw_packed_is_layout(&*best));
-    EXPECT_LE(packed_bounds(*best).tangent, demand.most_tangent_error);
+    EXPECT_LE(packed_bounds(*best).tangent, demand.most_angle_error);
     const double least = displaced_error(*best, demand);
     for (int k = 0; k < 200'000; ++k) {
       const auto other = by_chance(demand, random);
-      if (!other || packed_bounds(*other).tangent > demand.most_tangent_error) continue;
+      if (!other || packed_bounds(*other).tangent > demand.most_angle_error) continue;
       ++tried;
       ASSERT_GE(displaced_error(*other, demand), least * (1 - 1e-12));
     }
@@ -151,7 +151,7 @@ TEST(PackedLayoutSearch, WithoutDirectionsGivesTheirBitsToPositions) {
 
 TEST(PackedLayoutSearch, TellsWhereALimitCanNotBeKept) {
   Demand demand = testing::unit_demand();
-  demand.most_tangent_error = 1e-4;
+  demand.most_angle_error = 1e-4;
   EXPECT_FALSE(best_layout(demand));
 }
 
