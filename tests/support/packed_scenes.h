@@ -3,6 +3,7 @@
 
 #include "plugins/processors/vertex_pack/packed_vertices_product.h"
 #include "support/bending_tube.h"
+#include "support/displaced.h"
 #include "support/gltf_builder.h"
 #include "support/packed_vertices.h"
 #include "support/staged.h"
@@ -12,14 +13,6 @@
 #include <glm/common.hpp>
 
 namespace foredraw::testing {
-
-template <class Vector>
-VertexStream float_stream(std::string semantic, const std::vector<Vector>& values) {
-  const auto bytes = std::as_bytes(std::span(values));
-  return {std::move(semantic),
-          {Component::float32, static_cast<std::uint8_t>(Vector::length()), false, sizeof(Vector)},
-          Shared<std::byte>({bytes.begin(), bytes.end()})};
-}
 
 inline void put_streams(Level& level, const std::vector<VertexStream>& added) {
   VertexStreams streams = *level.vertices;

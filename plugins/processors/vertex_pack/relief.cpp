@@ -35,6 +35,7 @@ std::optional<Relief> relief_of(const Scene& scene, DrawId draw, Analyses& analy
   const double offset = static_cast<double>(material->displacement->offset);
   const Texture& texture = material->displacement->texture;
   Relief relief{std::max(std::abs(offset), std::abs(offset + factor))};
+  if (!std::isfinite(relief.displacement)) return std::nullopt;
   if (!texture.image || *texture.image >= scene.images.size()) return relief;
   const auto map = height_map_of(analyses, scene.images[*texture.image]);
   const auto* heights = std::get_if<std::shared_ptr<const HeightMap>>(&map);
@@ -42,8 +43,8 @@ std::optional<Relief> relief_of(const Scene& scene, DrawId draw, Analyses& analy
   const auto [lowest, highest] = std::ranges::minmax((*heights)->texels);
   relief.displacement =
       std::max(std::abs(offset + factor * lowest * per_height), std::abs(offset + factor * highest * per_height));
-  relief.slope =
-      std::abs(factor) * steepest(**heights) * std::max(std::abs(texture.scale.x), std::abs(texture.scale.y));
+  const double scale = std::max(std::abs(texture.scale.x), std::abs(texture.scale.y));
+  if (const double slope = std::abs(factor) * steepest(**heights) * scale; std::isfinite(slope)) relief.slope = slope;
   return relief;
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace foredraw {
 namespace {
@@ -38,6 +39,8 @@ TEST(VertexPackRelief, OfAMapThatCanNotBeReadIsWhatTheMaterialSays) {
   ASSERT_TRUE(relief);
   EXPECT_DOUBLE_EQ(relief->displacement, 1.5);
   EXPECT_FALSE(relief->slope);
+  scene.materials[0].displacement->factor = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(packing::relief_of(scene, 0, analyses));
   scene.materials[0].displacement.reset();
   EXPECT_FALSE(packing::relief_of(scene, 0, analyses));
 }
