@@ -1,6 +1,7 @@
 #include <foredraw/displaced/displaced_mesh.h>
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/displaced/height_bits.h>
 #include <foredraw/displaced/shared_edges.h>
 #include <foredraw/displaced/stored_levels.h>
 #include <foredraw/runtime/displaced_surface.h>
@@ -12,9 +13,6 @@
 namespace foredraw {
 
 namespace {
-
-/// Heights are read with so many bits: the sides of a seam agree in these.
-constexpr std::uint32_t height_bits = 14;
 
 float displacement_at(const std::array<std::array<std::int32_t, 2>, 3>& corners,
                       const std::array<std::uint32_t, 3>& weights, const foredraw_height_map& map, float factor,

@@ -1,5 +1,6 @@
 #include "tessellate.h"
 
+#include <foredraw/displaced/scaled_levels.h>
 #include <foredraw/displaced/scene_displacement.h>
 #include <foredraw/displaced/stored_levels.h>
 #include <foredraw/scene/displacement_stamp.h>
@@ -19,7 +20,7 @@ namespace {
 
 struct Options {
   std::optional<float> parts;
-  double texels = 1;
+  std::optional<double> texels;
   TessellationSpacing spacing = TessellationSpacing::equal;
   int most = 4'000'000;
 };
@@ -76,17 +77,26 @@ class Tessellate final : public Processor {
     return source;
   }
 
+  /// As the options say, or else those that a stage chose, or as fine as the map.
+  std::vector<TessellationLevels> levels_of(const Level& level, std::span<const std::array<std::int32_t, 2>> places,
+                                            const DrawTessellation* chosen) const {
+    const auto indices = level.stream().indices.view();
+    if (options_.parts) {
+      const float parts = *options_.parts;
+      return std::vector<TessellationLevels>(indices.size() / 3, {{parts, parts, parts}, parts});
+    }
+    if (chosen != nullptr && !options_.texels) return scaled_levels(*chosen, 0);
+    return levels_by_texels(indices, decode_vec3(*level.vertices->find("POSITION")), places,
+                            options_.texels.value_or(1));
+  }
+
   std::variant<Divided, std::string> divided_by_map(const Scene& scene, DrawId id, Analyses& analyses) const {
     const auto map = laid_out_map(scene, id, analyses);
     if (const std::string* why = std::get_if<std::string>(&map)) return *why;
     const LaidOutMap& on_draw = std::get<LaidOutMap>(map);
     const Level& level = scene.draws[id].full();
     const auto indices = level.stream().indices.view();
-    const float parts = options_.parts.value_or(1);
-    const auto levels = options_.parts
-                            ? std::vector<TessellationLevels>(indices.size() / 3, {{parts, parts, parts}, parts})
-                            : levels_by_texels(indices, decode_vec3(*level.vertices->find("POSITION")), on_draw.places,
-                                               options_.texels);
+    const std::vector<TessellationLevels> levels = levels_of(level, on_draw.places, tessellation_of(scene, id));
     if (std::string why = too_many(levels, options_.spacing); !why.empty()) return why;
     Divided divided{tessellated_mesh(indices, level.vertices->count, levels, options_.spacing),
                     {},
@@ -183,9 +193,11 @@ Plugin tessellate_plugin() {
       .metrics = {{"triangles", "triangles", "Triangles that came out", false}},
   };
   OptionTable<Options> table;
-  table.row(&Options::parts, "parts", "Parts of every edge, a tessellator's level; without it, as fine as the map",
+  table.row(&Options::parts, "parts",
+            "Parts of every edge, a tessellator's level; without it and `texels`, the levels that "
+            "`tessellation-levels` stored",
             {1, 64});
-  table.row(&Options::texels, "texels", "Least texels of the map along a part of an edge, where `parts` is not given",
+  table.row(&Options::texels, "texels", "Least texels of the map along a part of an edge; without any levels, 1",
             {0.5, 65536, "texels"});
   table.choice(&Options::spacing, "spacing", "How the points on an edge are spaced, in the words of shaders",
                {{"equal", TessellationSpacing::equal},

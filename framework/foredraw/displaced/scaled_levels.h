@@ -1,0 +1,15 @@
+#pragma once
+// Levels that a stage stored, for the tessellator.
+
+#include <foredraw/displaced/tessellation_pattern.h>
+#include <foredraw/scene/tessellation_levels.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace foredraw {
+
+/// [triangle] With `scale` taken from the power of two of each, but not below 0.
+std::vector<TessellationLevels> scaled_levels(const DrawTessellation& stored, std::uint32_t scale);
+
+}  // namespace foredraw
