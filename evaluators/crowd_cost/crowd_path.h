@@ -27,7 +27,7 @@ class CrowdPath {
   /// The next frame.
   void step();
 
-  const std::vector<float>& distances() const { return distances_; }        ///< [instance] units
+  const std::vector<float>& distances() const { return distances_; }   ///< [instance] units
   const std::vector<std::uint8_t>& is_new() const { return is_new_; }  ///< [instance] was not in the frame before
 
  private:

@@ -32,6 +32,8 @@ const std::vector<Product> products = {
     {"FOREDRAW_geomorph", "weld, quadric-collapse, levels(keep-sequences=true), geomorphs"},
     {"FOREDRAW_progressive_stream", "weld, quadric-collapse(placement=endpoint), progressive-stream"},
     {"FOREDRAW_lod_table", "weld, quadric-collapse, levels, lod-table"},
+    {"FOREDRAW_crowd_levels", "weld, quadric-collapse, levels, crowd-levels",
+     R"(primitive/(area|levels/\d/largest) is 4294967296)"},
 };
 
 GltfBuilder file_of(const Product& product) {

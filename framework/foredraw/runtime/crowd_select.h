@@ -12,7 +12,7 @@
  * to instances of the first bucket that does not fit as a whole.
  *
  *   foredraw_crowd_prepare(levels, count, &table);                                                once
- *   r = foredraw_crowd_select(&table, distances, n, budget, 0.4f, chosen, memory);                for every frame
+ *   r = foredraw_crowd_select(&table, distances, n, budget, 0.35f, chosen, memory);               for every frame
  *   draw(instance i, level chosen[i])
  *
  * It may be called a frame ahead, or with distances of the last frame: triangles depend on the levels chosen alone, so
@@ -20,13 +20,13 @@
  * many steps as there are with distance < foredraw_crowd_reach(&table, r.price, step). Without hysteresis that holds
  * the budget too, for the distances that were counted.
  *
- * Hysteresis: an instance keeps its level of the last frame while a step to the next one would gain little: less than
- * so many triangles are worth, which are a part of those that an instance has in the mean. So a change has to pay, as
- * in foredraw_lod_hysteresis() (lod_benefit.h) for any ways. Levels that are kept are in the search for the price, and
- * the budget holds with them.
+ * Hysteresis: an instance keeps its level of the last frame while a step to the next one would gain little: no more
+ * than that part of the mean squared error, which bounds what all that is kept costs together. So a change has to pay,
+ * as with foredraw_lod_hysteresis() (lod_benefit.h) for any ways. Levels that are kept are in the search for the price,
+ * and the budget holds with them.
  *
  * The same input gives the same choice on every machine: budgets and costs are whole numbers, buckets are bits of
- * distances, and what else decides is rounded once. */
+ * distances, and nothing is added to a product, which some compilers would round once instead of twice. */
 #ifndef FOREDRAW_RUNTIME_CROWD_SELECT_H
 #define FOREDRAW_RUNTIME_CROWD_SELECT_H
 
@@ -210,6 +210,23 @@ static inline foredraw_crowd_prices foredraw_crowd_find_price(const foredraw_cro
   return prices;
 }
 
+/* Squared errors at that price, without hysteresis, in the unit of gains. Those of the best level are left out: no
+ * price would lower them, and who stands before the eye is not to decide how still all others are. */
+static inline double foredraw_crowd_squares(const foredraw_crowd_counts* counts, double price, uint8_t* steps) {
+  const foredraw_crowd_table* table = counts->table;
+  const uint32_t* all = counts->instances + (table->steps + 1) * FOREDRAW_CROWD_BUCKETS;
+  foredraw_crowd_bounds bounds;
+  double sum = 0;
+  uint32_t bucket, nearer = 0;
+  foredraw_crowd_steps_at(counts, price, &bounds, steps);
+  for (bucket = counts->first; bucket < counts->end; nearer = all[bucket++]) {
+    const double distance = (double)foredraw_crowd_distance(bucket);
+    if (all[bucket] == nearer || steps[bucket] == table->steps) continue;
+    sum += (double)(all[bucket] - nearer) * table->squared[steps[bucket]] / (distance * distance);
+  }
+  return sum;
+}
+
 /* Levels for n instances. chosen[instance]: in, the last frame's level, or FOREDRAW_CROWD_NEW; out, this frame's.
  * `hysteresis`: 0 for none, then chosen is not read; at most 1, else none. A table that was refused
  * chooses nothing. `memory`: foredraw_crowd_memory() bytes. O(n + steps * buckets that are not empty). */
@@ -227,7 +244,7 @@ static inline foredraw_crowd_result foredraw_crowd_select(const foredraw_crowd_t
   counts.table = table;
   counts.instances = (uint32_t*)memory;
   counts.last = hysteresis > 0 && hysteresis <= 1 ? chosen : NULL;
-  counts.inertia = counts.last != NULL ? (double)hysteresis * (double)budget / (double)n : 0;
+  counts.inertia = 0;
   least_steps = (uint8_t*)(counts.instances + (table->steps + 2) * FOREDRAW_CROWD_BUCKETS);
   most_steps = least_steps + FOREDRAW_CROWD_BUCKETS;
   result.triangles = (uint64_t)n * table->triangles[0];
@@ -239,6 +256,11 @@ static inline foredraw_crowd_result foredraw_crowd_select(const foredraw_crowd_t
     return result;
   }
   prices = foredraw_crowd_find_price(&counts, left);
+  if (counts.last != NULL && prices.found > 0) {
+    const double price = foredraw_crowd_price(prices.found);
+    counts.inertia = (double)hysteresis * foredraw_crowd_squares(&counts, price, least_steps) / (price * (double)n);
+    prices = foredraw_crowd_find_price(&counts, left);
+  }
   result.price = foredraw_crowd_price(prices.found);
   foredraw_crowd_steps_at(&counts, result.price, &least, least_steps);
   foredraw_crowd_steps_at(&counts, foredraw_crowd_price(prices.below), &most, most_steps);

@@ -21,6 +21,29 @@ typedef struct foredraw_crowd_level {
   float error;        /* in units; finite, and not below 0 */
 } foredraw_crowd_level;
 
+/* How an instance is drawn at a level, as crowd-levels writes it beside the level. */
+typedef enum foredraw_crowd_class {
+  FOREDRAW_CROWD_TESSELLATED,
+  FOREDRAW_CROWD_PLAIN,
+  FOREDRAW_CROWD_SIMPLIFIED
+} foredraw_crowd_class;
+
+typedef struct foredraw_crowd_mesh {
+  foredraw_crowd_class kind;
+  uint32_t number;   /* tessellated: parts of each edge; simplified: the level of detail */
+  uint32_t vertices; /* that are stored, and posed */
+  float largest;     /* distance, where the level's error is the root mean square */
+} foredraw_crowd_mesh;
+
+/* What crowd-levels writes for each character. */
+typedef struct foredraw_crowd_character {
+  const char* name;
+  const foredraw_crowd_level* level; /* [levels] from the finest on */
+  const foredraw_crowd_mesh* mesh;   /* [levels] */
+  uint32_t levels;
+  uint64_t budget; /* triangles, of so many characters as the stage was given, at the finest level */
+} foredraw_crowd_character;
+
 /* Levels that are worth their triangles, from the one with the fewest on: the hull. `step` s leads from hull[s] to
  * hull[s + 1]. */
 typedef struct foredraw_crowd_table {
@@ -28,6 +51,7 @@ typedef struct foredraw_crowd_table {
   uint8_t hull[FOREDRAW_CROWD_LEVELS];       /* [steps taken] the level */
   uint8_t steps_to[FOREDRAW_CROWD_LEVELS];   /* [level] steps taken; FOREDRAW_CROWD_NEW: it is not on the hull */
   uint32_t triangles[FOREDRAW_CROWD_LEVELS]; /* [steps taken] of one instance */
+  double squared[FOREDRAW_CROWD_LEVELS];     /* [steps taken] error at distance 1, 2^32 for the largest error of all */
   double gain[FOREDRAW_CROWD_LEVELS];        /* [step] of squared error for each triangle, at distance 1; falling */
 } foredraw_crowd_table;
 
@@ -46,8 +70,8 @@ static inline int foredraw_crowd_prepare(const foredraw_crowd_level* levels, uin
     if ((double)levels[i].error > most) most = (double)levels[i].error;
   }
   for (i = 0; i < count; ++i) {
-    const double part = most > 0 ? (double)levels[i].error / most : 0;
-    const double squared = part * part;
+    const double error = (double)levels[i].error;
+    const double squared = most > 0 ? error * error / (most * most) : 0;
     ways[i].cost = levels[i].triangles;
     ways[i].benefit = (uint32_t)((1.0 - squared) * 4294967295.0);
     table->steps_to[i] = FOREDRAW_CROWD_NEW;
@@ -63,6 +87,7 @@ static inline int foredraw_crowd_prepare(const foredraw_crowd_level* levels, uin
   for (i = 0; i <= table->steps; ++i) {
     table->steps_to[table->hull[i]] = (uint8_t)i;
     table->triangles[i] = ways[table->hull[i]].cost;
+    table->squared[i] = 4294967295.0 - (double)ways[table->hull[i]].benefit;
   }
   return 1;
 }

@@ -3,6 +3,7 @@
 #include "lod_table_product.h"
 
 #include <foredraw/base/c_literal.h>
+#include <foredraw/base/c_names.h>
 
 #include <fmt/format.h>
 
@@ -16,39 +17,6 @@ std::string float_text(float value) { return c_float(fmt::format("{}", value)); 
 
 using List = ExtensionValue::List;
 using Members = ExtensionValue::Members;
-
-/// So that it does not end a comment.
-std::string comment_text(std::string text) {
-  for (char& c : text) {
-    if (c < ' ' || c > '~' || c == '*' || c == '\\' || c == '?') c = '_';
-  }
-  return text;
-}
-
-/// A name as C takes it: letters, digits and single underscores, a letter first.
-std::string identifier(const std::string& name) {
-  std::string result;
-  for (const char c : name) {
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    const bool is_digit = c >= '0' && c <= '9';
-    if (is_letter || (is_digit && !result.empty())) {
-      result += c;
-    } else if (is_digit) {
-      result = std::string("t") + c;
-    } else if (!result.empty() && result.back() != '_') {
-      result += '_';
-    }
-  }
-  while (!result.empty() && result.back() == '_') result.pop_back();
-  return result.empty() ? "table" : result;
-}
-
-std::string in_capitals(std::string text) {
-  for (char& c : text) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return text;
-}
 
 template <class Range>
 std::string braced(const Range& values) {
@@ -113,7 +81,7 @@ FOREDRAW_LOD_TABLE_{capitals}_DATA foredraw_lod_table_draw {stem}_lod_draws[{cou
 }  // namespace
 
 std::string lod_table_header(const LodTable& table, const Scene& scene, const std::string& stem) {
-  const std::string name = identifier(stem);
+  const std::string name = c_identifier(stem);
   std::string levels, draws;
   std::size_t level_count = 0;
   for (const LodTable::OfDraw& draw : table.draws) {
@@ -124,8 +92,8 @@ std::string lod_table_header(const LodTable& table, const Scene& scene, const st
     }
     level_count += draw.levels.size();
   }
-  const std::string machine = table.costs.machine.empty() ? "not named" : comment_text(table.costs.machine);
-  return fmt::format(fmt::runtime(head), fmt::arg("scene", comment_text(scene.name)), fmt::arg("machine", machine),
+  const std::string machine = table.costs.machine.empty() ? "not named" : in_comment(table.costs.machine);
+  return fmt::format(fmt::runtime(head), fmt::arg("scene", in_comment(scene.name)), fmt::arg("machine", machine),
                      fmt::arg("capitals", in_capitals(name)), fmt::arg("count", table.draws.size()),
                      fmt::arg("stem", name), fmt::arg("values", machine_text(lod_machine(table.costs))),
                      fmt::arg("level_count", level_count), fmt::arg("levels", levels), fmt::arg("draws", draws));
