@@ -12,7 +12,7 @@ struct CrowdPathOptions {
   std::uint32_t instances = 1000;
   double near = 2;          ///< units; the eye's height over the plane, so nothing is nearer
   double far = 40;          ///< units; what is on the square around the eye is no farther, but for its height
-  double eye_speed = 4;     ///< units a second
+  double eye_speed = 1.4;   ///< units a second
   double walk_speed = 1.4;  ///< units a second, of the fastest; the slowest is half as fast
   double rate = 30;         ///< frames a second
   std::uint64_t seed = 0;

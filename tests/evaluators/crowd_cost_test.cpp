@@ -67,7 +67,7 @@ TEST(CrowdPath, KeepsEverybodyWithinTheSquare) {
       ASSERT_GE(path.distances()[i], 2);
       ASSERT_LE(path.distances()[i], std::sqrt(40.0f * 40 + 4) + 1e-3f);
       if (path.is_new()[i] == 0) {
-        ASSERT_LT(std::abs(path.distances()[i] - before[i]), (4 + 1.4f) / 30 + 1e-3f) << "nobody jumps";
+        ASSERT_LT(std::abs(path.distances()[i] - before[i]), (1.4f + 1.4f) / 30 + 1e-3f) << "nobody jumps";
       }
     }
     entered += static_cast<int>(std::ranges::count(path.is_new(), 1));

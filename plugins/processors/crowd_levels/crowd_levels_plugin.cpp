@@ -113,6 +113,7 @@ Plugin crowd_levels_plugin() {
           "takes and how far it is off",
       .reference = "Tatarchuk, Barczak, Purnomo 2008",
       .acts_on = {traits::triangles},
+      .uses = {traits::displaced},
       .pays_if = "an engine draws many of it at once, and it has levels of detail or a map of heights",
       .lossless = true,
       .measured_by = {"crowd-cost"},
