@@ -16,8 +16,9 @@ namespace {
 TEST(Presets, AreThoseThatTheDocumentsName) {
   std::vector<std::string_view> names;
   for (const Preset& preset : presets()) names.push_back(preset.name);
-  EXPECT_EQ(names, (std::vector<std::string_view>{"cache-only", "character", "city", "crowd", "default", "levels",
-                                                  "simplify", "sprites", "static-prop", "streaming", "walk"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string_view>{"cache-only", "character", "city", "crowd", "default", "displaced", "levels",
+                                           "simplify", "sprites", "static-prop", "streaming", "walk"}));
 }
 
 TEST(Presets, ParseSayWhatTheyAreForAndMeasure) {
