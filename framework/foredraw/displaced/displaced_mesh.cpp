@@ -95,7 +95,7 @@ std::vector<TessellationLevels> levels_by_texels(std::span<const std::uint32_t> 
   }
   const std::vector<std::uint32_t> first = edges_at_places(source, positions);
   for (std::size_t side = 0; side < sides.size(); ++side)
-    sides[first[side]] = std::max(sides[first[side]], sides[side]);
+    sides[first[side]] = std::min(sides[first[side]], sides[side]);
   std::vector<TessellationLevels> levels(source.size() / 3);
   for (std::size_t side = 0; side < sides.size(); ++side) levels[side / 3].outer[side % 3] = sides[first[side]];
   for (TessellationLevels& of : levels) of.inner = *std::ranges::max_element(of.outer);

@@ -32,8 +32,11 @@ std::vector<glm::vec3> displaced_positions(const TessellatedMesh& mesh, std::spa
                                            std::span<const glm::vec3> positions, std::span<const glm::vec3> directions,
                                            std::span<const float> displacements);
 
+/// The least at which `displacement-seams` makes both sides of a seam equal.
+inline constexpr double usual_texels_per_part = 1.5;
+
 /// [triangle] Levels as fine as the map: the largest power of two of parts to an edge, each at least so many texels
-/// long, up to 64; of the two sides of a seam the finer one's. `positions`: the source's. Inside, as the finest edge.
+/// long, up to 64; of the two sides of a seam the coarser one's. `positions`: the source's. Inside, as the finest edge.
 std::vector<TessellationLevels> levels_by_texels(std::span<const std::uint32_t> source,
                                                  std::span<const glm::vec3> positions,
                                                  std::span<const std::array<std::int32_t, 2>> places,

@@ -19,7 +19,7 @@ constexpr TessellationSpacing spacing = TessellationSpacing::equal;
 
 std::vector<TessellationLevels> shown_levels(const Draw& draw, std::span<const std::array<std::int32_t, 2>> places) {
   const std::vector<glm::vec3> positions = decode_vec3(*draw.full().vertices->find("POSITION"));
-  for (double texels = 1;; texels *= 2) {
+  for (double texels = usual_texels_per_part;; texels *= 2) {
     auto levels = levels_by_texels(draw.full().stream().indices.view(), positions, places, texels);
     std::size_t triangles = 0;
     for (const TessellationLevels& of : levels) triangles += tessellation_counts(of, spacing).triangles;

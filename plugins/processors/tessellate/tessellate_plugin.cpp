@@ -87,7 +87,7 @@ class Tessellate final : public Processor {
     }
     if (chosen != nullptr && !options_.texels) return scaled_levels(*chosen, 0);
     return levels_by_texels(indices, decode_vec3(*level.vertices->find("POSITION")), places,
-                            options_.texels.value_or(1));
+                            options_.texels.value_or(usual_texels_per_part));
   }
 
   std::variant<Divided, std::string> divided_by_map(const Scene& scene, DrawId id, Analyses& analyses) const {
@@ -197,7 +197,7 @@ Plugin tessellate_plugin() {
             "Parts of every edge, a tessellator's level; without it and `texels`, the levels that "
             "`tessellation-levels` stored",
             {1, 64});
-  table.row(&Options::texels, "texels", "Least texels of the map along a part of an edge; without any levels, 1",
+  table.row(&Options::texels, "texels", "Least texels of the map along a part of an edge; without any levels, 1.5",
             {0.5, 65536, "texels"});
   table.choice(&Options::spacing, "spacing", "How the points on an edge are spaced, in the words of shaders",
                {{"equal", TessellationSpacing::equal},

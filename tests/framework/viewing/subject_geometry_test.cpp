@@ -73,7 +73,7 @@ TEST(SubjectGeometry, ShowsADisplacedDrawAsItsMapMovesItAndWhoseTrianglesItsAre)
   ASSERT_EQ(part.owners.size(), part.indices.size() / 3);
   EXPECT_EQ(part.owners.back(), 7u);
   EXPECT_TRUE(std::ranges::is_sorted(part.owners));
-  EXPECT_GT(part.owners.size(), 8u * 60);
+  EXPECT_EQ(part.owners.size(), 8u * 24) << "8 texels to an edge";
   // Within the outer half texels the height is that of the slope.
   int inside = 0;
   for (const glm::vec3& p : part.positions) {
@@ -82,7 +82,7 @@ TEST(SubjectGeometry, ShowsADisplacedDrawAsItsMapMovesItAndWhoseTrianglesItsAre)
     EXPECT_NEAR(p.z, 3 * texel / 15, 0.001f) << p.x;
     ++inside;
   }
-  EXPECT_GT(inside, 200);
+  EXPECT_GT(inside, 50);
   for (std::size_t t = 0; t < part.owners.size(); ++t) {
     const auto owner = scene.draws[0].full().stream().indices.view().subspan(3 * part.owners[t], 3);
     glm::vec2 low(9), high(-9), middle(0);
