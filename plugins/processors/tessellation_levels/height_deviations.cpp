@@ -2,6 +2,7 @@
 
 #include "pattern_samples.h"
 
+#include <foredraw/displaced/displaced_mesh.h>
 #include <foredraw/displaced/height_bits.h>
 
 #include <glm/geometric.hpp>
@@ -45,15 +46,11 @@ double area_of(const HeightPart& part, std::size_t triangle) {
 }
 
 std::uint8_t finest_of(const HeightPart& part, std::size_t triangle) {
-  double longest = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto &a = part.places[part.indices[3 * triangle + c]],
-               &b = part.places[part.indices[3 * triangle + (c + 1) % 3]];
-    const double u = double(a[0]) - b[0], v = double(a[1]) - b[1];
-    longest = std::max(longest, std::sqrt(u * u + v * v) / 256);
-  }
   std::uint8_t level = 0;
-  while (level + 1u < level_count && 2u << level <= longest) ++level;
+  for (std::size_t c = 0; c < 3; ++c) {
+    level = std::max(level, level_for_texels(part.places[part.indices[3 * triangle + c]],
+                                             part.places[part.indices[3 * triangle + (c + 1) % 3]]));
+  }
   return level;
 }
 
@@ -192,6 +189,14 @@ std::vector<HeightDeviation> HeightDeviations::of(std::span<const std::uint32_t>
     });
   }
   return result;
+}
+
+std::uint8_t level_for_texels(const std::array<std::int32_t, 2>& from, const std::array<std::int32_t, 2>& to) {
+  const double u = double(from[0]) - to[0], v = double(from[1]) - to[1];
+  const double parts = std::sqrt(u * u + v * v) / (256 * usual_texels_per_part);
+  std::uint8_t level = 0;
+  while (level + 1u < level_count && 2u << level <= parts) ++level;
+  return level;
 }
 
 }  // namespace foredraw

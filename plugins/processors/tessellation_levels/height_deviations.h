@@ -50,8 +50,7 @@ class HeightDeviations {
   double unit() const { return unit_; }
   /// [triangle] of the mesh's area, 0 to 1.
   std::span<const float> shares() const { return shares_; }
-  /// [triangle] log2 of as many parts to an edge, each at least a texel long, as the longest edge has room for: no
-  /// finer level shows more of the map.
+  /// [triangle] level_for_texels() of the longest edge: no finer level shows much more of the map.
   std::span<const std::uint8_t> finest() const { return finest_; }
 
   /// Of the same level on all edges and inside, and 0 above the finest level: [triangle][log2 of the level].
@@ -72,5 +71,8 @@ class HeightDeviations {
   std::vector<float> shares_;
   std::vector<std::uint8_t> finest_;
 };
+
+/// log2 of the largest power of two, up to 64, of parts between two places that are usual_texels_per_part long.
+std::uint8_t level_for_texels(const std::array<std::int32_t, 2>& from, const std::array<std::int32_t, 2>& to);
 
 }  // namespace foredraw

@@ -57,9 +57,9 @@ Thresholds largest_thresholds(const std::array<HeightDeviation, level_count>& de
 class ContentLadder final : public LevelLadder {
  public:
   ContentLadder(std::span<const std::array<HeightDeviation, level_count>> deviations, std::span<const float> shares,
-                std::span<const std::uint8_t> finest, std::span<const std::uint32_t> edges, LevelGoal goal,
-                std::uint64_t most_added)
-      : shares_(shares), edges_(edges), goal_(goal) {
+                std::span<const std::uint8_t> finest, std::span<const std::uint32_t> edges,
+                std::span<const std::uint8_t> limits, LevelGoal goal, std::uint64_t most_added)
+      : shares_(shares), edges_(edges), limits_(limits), goal_(goal) {
     std::uint32_t affordable = level_count - 1;
     const auto added = [&](std::uint32_t level) {  // beside its neighbours, of which each gets an edge
       return cost(level) - 1 + (takes_larger() ? 3.0 * ((1u << level) + 1) : 0);
@@ -94,7 +94,8 @@ class ContentLadder final : public LevelLadder {
     }
     for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
       std::uint8_t& level = outer(edge);
-      level = edges_[edge] == edge ? (level == unknown ? std::uint8_t{0} : level) : outer(edges_[edge]);
+      const bool is_first = edges_[edge] == edge;
+      level = !is_first ? outer(edges_[edge]) : level == unknown ? std::uint8_t{0} : std::min(level, limits_[edge]);
     }
   }
 
@@ -114,6 +115,7 @@ class ContentLadder final : public LevelLadder {
 
   std::span<const float> shares_;
   std::span<const std::uint32_t> edges_;
+  std::span<const std::uint8_t> limits_;
   LevelGoal goal_;
   std::vector<Thresholds> thresholds_;  ///< [triangle] falling, but for what is never taken
   float top_ = 0;
@@ -171,9 +173,9 @@ class ConstantLadder final : public LevelLadder {
 
 std::unique_ptr<LevelLadder> content_ladder(std::span<const std::array<HeightDeviation, level_count>> deviations,
                                             std::span<const float> shares, std::span<const std::uint8_t> finest,
-                                            std::span<const std::uint32_t> edges, LevelGoal goal,
-                                            std::uint64_t most_added) {
-  return std::make_unique<ContentLadder>(deviations, shares, finest, edges, goal, most_added);
+                                            std::span<const std::uint32_t> edges, std::span<const std::uint8_t> limits,
+                                            LevelGoal goal, std::uint64_t most_added) {
+  return std::make_unique<ContentLadder>(deviations, shares, finest, edges, limits, goal, most_added);
 }
 
 std::unique_ptr<LevelLadder> edge_length_ladder(std::span<const HeightPart> parts) {
@@ -196,6 +198,21 @@ std::vector<std::uint32_t> shared_edges(std::span<const HeightPart> parts) {
     begin += part.positions.size();
   }
   return first_edges(points, static_cast<std::uint32_t>(positions.size()));
+}
+
+std::vector<std::uint8_t> edge_limits(std::span<const HeightPart> parts, std::span<const std::uint32_t> edges) {
+  std::vector<std::uint8_t> limits(edges.size(), most_log_level);
+  std::size_t begin = 0;
+  for (const HeightPart& part : parts) {
+    for (std::size_t edge = 0; edge < part.indices.size() / 3 * 3; ++edge) {
+      const EdgeEnds ends = edge_ends(part.indices, edge);
+      std::uint8_t& limit = limits[edges[begin + edge]];
+      limit = std::min(limit, level_for_texels(part.places[ends.from], part.places[ends.to]));
+    }
+    begin += part.indices.size() / 3 * 3;
+  }
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) limits[edge] = limits[edges[edge]];
+  return limits;
 }
 
 }  // namespace foredraw

@@ -38,8 +38,8 @@ enum class LevelGoal : std::uint8_t { rms, largest };
 /// (largest). `edges`: shared_edges().
 std::unique_ptr<LevelLadder> content_ladder(std::span<const std::array<HeightDeviation, level_count>> deviations,
                                             std::span<const float> shares, std::span<const std::uint8_t> finest,
-                                            std::span<const std::uint32_t> edges, LevelGoal goal,
-                                            std::uint64_t most_added);
+                                            std::span<const std::uint32_t> edges, std::span<const std::uint8_t> limits,
+                                            LevelGoal goal, std::uint64_t most_added);
 
 /// Each edge by its length, as engines do it; inside as the finest edge.
 std::unique_ptr<LevelLadder> edge_length_ladder(std::span<const HeightPart> parts);
@@ -50,5 +50,9 @@ std::unique_ptr<LevelLadder> constant_ladder(std::size_t triangles);
 /// [3t + e] of edge e of triangle t, over all parts: the first edge between the same two positions, its own number
 /// where it is the first. Seams of the texture and of parts do not part edges.
 std::vector<std::uint32_t> shared_edges(std::span<const HeightPart> parts);
+
+/// [3t + e] log2 of the most parts of an edge, of which each is usual_texels_per_part long on the shorter of its sides:
+/// at more of them a repaired seam need not be closed. `edges`: shared_edges().
+std::vector<std::uint8_t> edge_limits(std::span<const HeightPart> parts, std::span<const std::uint32_t> edges);
 
 }  // namespace foredraw

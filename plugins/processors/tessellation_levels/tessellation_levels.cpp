@@ -113,8 +113,8 @@ void within_error(const LevelLadder& ladder, double most, LevelGoal goal, Measur
 }
 
 /// Makes triangles finer until none deviates farther, as far as the map goes.
-void refine(double most, std::span<const std::uint32_t> edges, const HeightDeviations& deviations, Measured& measured,
-            std::vector<LogLevels>& levels) {
+void refine(double most, std::span<const std::uint32_t> edges, std::span<const std::uint8_t> limits,
+            const HeightDeviations& deviations, Measured& measured, std::vector<LogLevels>& levels) {
   const auto outer = [&](std::size_t edge) -> std::uint8_t& { return levels[edge / 3][edge % 3]; };
   for (bool is_finer = true; is_finer;) {
     is_finer = false;
@@ -125,7 +125,7 @@ void refine(double most, std::span<const std::uint32_t> edges, const HeightDevia
       is_finer = true;
       for (std::size_t edge = 3 * t; edge < 3 * t + 3; ++edge) {
         std::uint8_t& level = outer(edges[edge]);
-        level = std::max(level, levels[t][3]);
+        level = std::max(level, std::min(levels[t][3], limits[edge]));
       }
     }
     for (std::size_t edge = 0; edge < edges.size(); ++edge) outer(edge) = outer(edges[edge]);
@@ -150,6 +150,7 @@ LogLevels scaled(const LogLevels& levels, std::uint32_t scale) {
 ChosenLevels tessellation_levels(std::span<const HeightPart> parts, LevelMethod method,
                                  const TessellationLimits& limits, const Executor& executor) {
   const std::vector<std::uint32_t> edges = shared_edges(parts);
+  const std::vector<std::uint8_t> edge_most = edge_limits(parts, edges);
   const HeightDeviations deviations(parts, executor);
   const EqualDeviations of_equal_levels = deviations.of_equal_levels();
   Measured measured(deviations, of_equal_levels);
@@ -158,8 +159,8 @@ ChosenLevels tessellation_levels(std::span<const HeightPart> parts, LevelMethod 
   const std::uint64_t most = std::min(limits.triangles.value_or(most_triangles), most_triangles);
   const std::uint64_t most_added = most - std::min<std::uint64_t>(most, deviations.triangles());
   const std::unique_ptr<LevelLadder> ladder =
-      method == LevelMethod::content
-          ? content_ladder(of_equal_levels, deviations.shares(), deviations.finest(), edges, limits.goal, most_added)
+      method == LevelMethod::content ? content_ladder(of_equal_levels, deviations.shares(), deviations.finest(), edges,
+                                                      edge_most, limits.goal, most_added)
       : method == LevelMethod::edge_length ? edge_length_ladder(parts)
                                            : constant_ladder(deviations.triangles());
   std::vector<LogLevels>& levels = result.levels;
@@ -167,7 +168,7 @@ ChosenLevels tessellation_levels(std::span<const HeightPart> parts, LevelMethod 
   if (limits.error && method == LevelMethod::content && limits.goal == LevelGoal::largest) {
     const double error = deviations.unit() > 0 ? *limits.error / deviations.unit() : 0;
     ladder->at({static_cast<float>(error), 0}, levels);
-    refine(*limits.error, edges, deviations, measured, levels);
+    refine(*limits.error, edges, edge_most, deviations, measured, levels);
   } else if (limits.error) {
     within_error(*ladder, *limits.error, limits.goal, measured, levels);
   }

@@ -100,11 +100,33 @@ TEST(TessellationLevels, AgreeOnEdgesAlsoAlongSeams) {
           most = std::max(most, side.inner);
         }
         if (method != LevelMethod::content || least == 99) continue;
-        EXPECT_EQ(sides[0].outer, goal == LevelGoal::rms ? least : most);
+        EXPECT_EQ(sides[0].outer, std::min(goal == LevelGoal::rms ? least : most, 4)) << "texels allow 16 parts";
         mixed += least != most;
       }
       EXPECT_TRUE(method != LevelMethod::content || mixed > 50) << mixed;
     }
+  }
+}
+
+/// Both sides of a seam are equal at as many parts as are 1.5 texels long on the shorter one, and no more.
+TEST(TessellationLevels, KeepToWhatSeamsAreEqualAt) {
+  testing::TestMesh mesh = testing::joined(testing::grid(1, 1), testing::grid(1, 1));
+  for (std::size_t v = 4; v < 8; ++v) mesh.positions[v].x += 1;
+  std::vector<glm::vec2> uv = testing::square_uv(mesh, 2, 2);
+  for (std::size_t v = 4; v < 8; ++v) uv[v] = 0.5f + 0.05f * uv[v];  // 6.4 texels of 256 to an edge
+  const NoisyMesh noisy(std::move(mesh), uv, {256, 256, testing::noise(256, 9)});
+  for (const LevelGoal goal : {LevelGoal::rms, LevelGoal::largest}) {
+    const ChosenLevels levels = chosen(noisy, {.error = 0, .goal = goal});
+    int seams = 0;
+    for (const auto& [edge, sides] : edges_of(noisy.mesh, levels.levels)) {
+      const bool is_seam = std::get<0>(edge.first) == 1 && std::get<0>(edge.second) == 1;
+      for (const Side& side : sides) {
+        EXPECT_LE(side.outer, is_seam || std::get<0>(edge.second) > 1 ? 2 : 6);
+        seams += is_seam;
+      }
+    }
+    EXPECT_EQ(seams, 2);
+    EXPECT_GE(std::ranges::max(levels.levels, {}, [](const LogLevels& of) { return of[3]; })[3], 5);
   }
 }
 
