@@ -36,7 +36,7 @@ TEST_F(Calibrate, WritesCostsThatATableIsMadeOf) {
                "{ use = \"lod-table\", costs = \"../machine.txt\" }]\n");
   const std::string model = testing::project_file("benchmarks/corpus/static/spot.glb").string();
   const testing::Ended made =
-      run("optimize '" + model + "' -o out.glb -o spot.h -o lod-table:spot.json -p pipelines/table.toml");
+      run("optimize '" + model + "' -o out.glb -o lod-table:spot.h -o lod-table:spot.json -p pipelines/table.toml");
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_THAT(testing::content(folder_ / "spot.h"), HasSubstr("foredraw_lod_table_draw spot_lod_draws[1]"));
   const auto json = nlohmann::json::parse(testing::content(folder_ / "spot.json"));
