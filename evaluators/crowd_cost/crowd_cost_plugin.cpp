@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace foredraw {
@@ -83,9 +84,7 @@ void attach(const Crowd& crowd, const CrowdCost& cost, const About& about, const
 
 class CrowdCostEvaluator final : public Evaluator {
  public:
-  explicit CrowdCostEvaluator(const CrowdCostOptions& options) : options_(options) {
-    if (options_.near >= options_.far) throw std::invalid_argument("near is not below far");
-  }
+  explicit CrowdCostEvaluator(const CrowdCostOptions& options) : options_(options) {}
 
   void evaluate(const Scene& scene, Run& run) const override {
     const auto* levels = scene.products.find<CrowdLevels>();
