@@ -3,6 +3,7 @@
 #include "packed_vertices_product.h"
 
 #include <foredraw/base/c_literal.h>
+#include <foredraw/base/c_names.h>
 
 #include <fmt/format.h>
 
@@ -11,39 +12,6 @@
 namespace foredraw {
 
 namespace {
-
-/// So that it does not end a comment.
-std::string comment_text(std::string text) {
-  for (char& c : text) {
-    if (c < ' ' || c > '~' || c == '*' || c == '\\' || c == '?') c = '_';
-  }
-  return text;
-}
-
-/// A name as C takes it: letters, digits and single underscores, a letter first.
-std::string identifier(const std::string& name) {
-  std::string result;
-  for (const char c : name) {
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    const bool is_digit = c >= '0' && c <= '9';
-    if (is_letter || (is_digit && !result.empty())) {
-      result += c;
-    } else if (is_digit) {
-      result = std::string("p") + c;
-    } else if (!result.empty() && result.back() != '_') {
-      result += '_';
-    }
-  }
-  while (!result.empty() && result.back() == '_') result.pop_back();
-  return result.empty() ? "packed" : result;
-}
-
-std::string in_capitals(std::string text) {
-  for (char& c : text) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return text;
-}
 
 std::string float_text(float value) { return c_float(fmt::format("{}", value)); }
 
@@ -91,7 +59,7 @@ FOREDRAW_PACKED_{capitals}_DATA foredraw_packed_draw {stem}_packed_draws[{count}
 }  // namespace
 
 std::string packed_vertices_header(const PackedVertices& all, const Scene& scene, const std::string& stem) {
-  const std::string name = identifier(stem);
+  const std::string name = c_identifier(stem);
   const std::vector<PackedLayout> distinct = packing::distinct_layouts(all);
   const auto pointer = [&](const PackedLayout& layout) {
     return fmt::format("{}_packed_layouts + {}", name, number_of(distinct, layout));
@@ -102,7 +70,7 @@ std::string packed_vertices_header(const PackedVertices& all, const Scene& scene
     draws += fmt::format("  {{{}, {}, {}}},\n", c_string(scene.draws[draw.draw].name), pointer(draw.layout),
                          draw.posed ? pointer(*draw.posed) : "0");
   }
-  return fmt::format(fmt::runtime(head), fmt::arg("scene", comment_text(scene.name)),
+  return fmt::format(fmt::runtime(head), fmt::arg("scene", in_comment(scene.name)),
                      fmt::arg("capitals", in_capitals(name)), fmt::arg("stem", name),
                      fmt::arg("count", all.draws.size()), fmt::arg("layout_count", distinct.size()),
                      fmt::arg("layouts", layouts), fmt::arg("draws", draws));
@@ -116,7 +84,7 @@ std::string packed_vertices_shader(const PackedVertices& all, const Scene& scene
       "//   PACKED_LAYOUT  number of the layout; 0 by default. Of the draws, as stored and as posed:\n";
   for (const PackedVertices::OfDraw& draw : all.draws) {
     text +=
-        fmt::format("//     {}: {}{}\n", comment_text(scene.draws[draw.draw].name), number_of(distinct, draw.layout),
+        fmt::format("//     {}: {}{}\n", in_comment(scene.draws[draw.draw].name), number_of(distinct, draw.layout),
                     draw.posed ? fmt::format(", {}", number_of(distinct, *draw.posed)) : "");
   }
   text += "#ifndef PACKED_LAYOUT\n#define PACKED_LAYOUT 0\n#endif\n\n" + packing::packed_shader_head(language);

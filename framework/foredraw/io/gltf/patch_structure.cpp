@@ -1,8 +1,6 @@
 // Nodes, skins, animations, materials and images put back: additions, changed materials and images, and nodes without
 // the mesh that they had. Nothing else of the structure may change, and whoever changes it is told.
-#include <foredraw/io/gltf/private/displacement.h>
 #include <foredraw/io/gltf/private/instances.h>
-#include <foredraw/io/gltf/private/material_textures.h>
 #include <foredraw/io/gltf/private/write.h>
 #include <foredraw/io/image/images.h>
 #include <foredraw/scene/walk.h>
@@ -40,10 +38,6 @@ bool same(const AnimationChannel& a, const AnimationChannel& b) {
 bool same(const Animation& a, const Animation& b) {
   return a.name == b.name && std::equal(a.channels.begin(), a.channels.end(), b.channels.begin(), b.channels.end(),
                                         [](const auto& x, const auto& y) { return same(x, y); });
-}
-
-const char* word(AlphaMode mode) {
-  return mode == AlphaMode::blend ? "BLEND" : mode == AlphaMode::mask ? "MASK" : "OPAQUE";
 }
 
 const char* word(AnimatedPath path) {
@@ -121,24 +115,6 @@ Json json_of(const Animation& animation, AccessorStore& store) {
                                 {"output", store.append(floats(channel.values.view(), components, false))}});
   }
   return json;
-}
-
-/// Says only what differs from `was`.
-void put_material(Json& json, const Material& now, const Material& was) {
-  if (now.name != was.name) json["name"] = now.name;
-  if (now.alpha_mode != was.alpha_mode) json["alphaMode"] = word(now.alpha_mode);
-  if (now.alpha_mode != AlphaMode::mask && now.alpha_mode != was.alpha_mode) json.erase("alphaCutoff");
-  if (now.alpha_mode == AlphaMode::mask && now.alpha_cutoff != was.alpha_cutoff) json["alphaCutoff"] = now.alpha_cutoff;
-  if (now.double_sided != was.double_sided) json["doubleSided"] = now.double_sided;
-}
-
-/// What a texture that the material did not have makes of it. Whatever the document lists may move in memory.
-Json textured_surface(Json& document, const Material& now, const Texture& texture) {
-  Json surface = Json::object();
-  if (now.alpha != 1) surface["baseColorFactor"] = {1, 1, 1, now.alpha};
-  surface["baseColorTexture"] = texture_use(texture, document);
-  surface["metallicFactor"] = 0;
-  return surface;
 }
 
 std::string media_type_of(std::span<const std::byte> bytes) {
@@ -247,12 +223,7 @@ class StructurePatch {
         json_["materials"][i] = is_old ? Json(json_["materials"][old]) : Json::object();
       }
       const Material was = is_old ? was_.materials[old] : Material{};
-      put_material(json_["materials"][i], now, was);
-      put_displacement(i, now, was, json_);
-      const bool had_texture = is_old && was.base_colour;
-      if (!now.base_colour || !now.base_colour->image || had_texture) continue;
-      Json surface = textured_surface(json_, now, *now.base_colour);
-      json_["materials"][i]["pbrMetallicRoughness"].update(surface);
+      put_material(i, now, was, json_);
     }
     return true;
   }

@@ -38,6 +38,9 @@ Content index_content(std::span<const std::uint32_t> indices, Component was);
 bool patch_structure(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
                      Diagnostics& diagnostics);
 
+/// What differs from `was`: of material `number`, which the document has. Textures that are not there are listed.
+void put_material(std::size_t number, const Material& now, const Material& was, Json& document);
+
 /// Accessors that primitives name as attributes, targets or indices.
 std::set<std::size_t> used_by_primitives(const Json& json);
 
