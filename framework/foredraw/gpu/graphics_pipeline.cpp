@@ -60,7 +60,7 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
       .pVertexAttributeDescriptions = attributes.data()};
   const VkPipelineInputAssemblyStateCreateInfo assembly{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
-      .topology = has_patches ? VK_PRIMITIVE_TOPOLOGY_PATCH_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+      .topology = has_patches ? VK_PRIMITIVE_TOPOLOGY_PATCH_LIST : state.topology};
   const VkPipelineTessellationStateCreateInfo patches{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO, .patchControlPoints = 3};
   const VkPipelineViewportStateCreateInfo viewport{
@@ -76,7 +76,7 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
       .frontFace = state.front_face,
       .lineWidth = 1};
   const VkPipelineMultisampleStateCreateInfo samples{.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-                                                     .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
+                                                     .rasterizationSamples = state.samples};
   const VkPipelineDepthStencilStateCreateInfo depth{.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
                                                     .depthTestEnable = VK_TRUE,
                                                     .depthWriteEnable = state.writes_depth ? VK_TRUE : VK_FALSE,
@@ -86,8 +86,9 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
                                                    .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
                                                    .colorBlendOp = VK_BLEND_OP_ADD,
                                                    .colorWriteMask = state.written};
-  const VkPipelineColorBlendStateCreateInfo colours{
-      .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1, .pAttachments = &pixels};
+  const VkPipelineColorBlendStateCreateInfo colours{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+                                                    .attachmentCount = state.has_pixels ? 1u : 0u,
+                                                    .pAttachments = &pixels};
   const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
                                           .stageCount = static_cast<std::uint32_t>(stages.size()),
                                           .pStages = stages.data(),

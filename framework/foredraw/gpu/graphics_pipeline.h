@@ -33,6 +33,9 @@ struct PipelineState {
   VkShaderModule control_shader = VK_NULL_HANDLE, evaluation_shader = VK_NULL_HANDLE;
   const VkSpecializationInfo* fragment_constants = nullptr;
   std::span<const VertexInput> inputs;
+  VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;  ///< of what is no patch
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  bool has_pixels = true;  ///< no: the render pass has no attachments, fragment shaders write into buffers alone
   VkCullModeFlags culled = VK_CULL_MODE_BACK_BIT;
   VkFrontFace front_face = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   VkCompareOp passing = VK_COMPARE_OP_LESS;

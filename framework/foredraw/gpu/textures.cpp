@@ -24,17 +24,16 @@ void change_layout(VkCommandBuffer commands, VkImage image, VkImageLayout from, 
       .image = image,
       .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS}};
   vkCmdPipelineBarrier(commands, is_filled ? VK_PIPELINE_STAGE_TRANSFER_BIT : VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT,
-                       is_filled ? VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT : VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0,
-                       nullptr, 0, nullptr, 1, &barrier);
+                       is_filled ? VK_PIPELINE_STAGE_ALL_COMMANDS_BIT : VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr,
+                       0, nullptr, 1, &barrier);
 }
 
 }  // namespace
 
-Texture::Texture(Device& device, std::span<const TextureLevel> levels) {
+Texture::Texture(Device& device, std::span<const TextureLevel> levels, VkFormat format) {
   const std::uint32_t most = device.limits().maxImageDimension2D;
   while (levels.size() > 1 && std::max(levels.front().width, levels.front().height) > most) levels = levels.subspan(1);
   if (levels.empty()) throw std::runtime_error("a texture has one mip level at least");
-  constexpr VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
   const ImageShape shape{levels.front().width, levels.front().height, 1, static_cast<std::uint32_t>(levels.size())};
   image_ = LayeredImage(device, shape, format, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
   view_ = image_.view(device, 0, VK_IMAGE_ASPECT_COLOR_BIT);

@@ -9,18 +9,19 @@
 
 namespace foredraw::gpu {
 
-/// A mip level: four channels of 8 bits a texel, rows from the top.
+/// A mip level, rows from the top.
 struct TextureLevel {
   std::uint32_t width = 1, height = 1;
   std::span<const std::byte> texels;
 };
 
-/// An image with its mip levels, in the device's own memory. Channels are read as 0 to 1.
+/// An image with its mip levels, in the device's own memory.
 class Texture {
  public:
   /// `levels`: each half as wide and high as the one before, rounded down but not to 0; one at least. Those that are
-  /// larger than the device's images are left out.
-  Texture(Device& device, std::span<const TextureLevel> levels);
+  /// larger than the device's images are left out. `format`: what a texel is; usually four channels of 8 bits, which
+  /// are read as 0 to 1.
+  Texture(Device& device, std::span<const TextureLevel> levels, VkFormat format = VK_FORMAT_R8G8B8A8_UNORM);
 
   VkImageView view() const { return view_.get(); }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The vertex fetch of merged draws as functions of a shader, with the draws' constants.
 
+#include <foredraw/base/shader_language.h>
 #include <foredraw/scene/merged_instances.h>
 
 #include <cstdint>
@@ -9,8 +10,6 @@
 #include <vector>
 
 namespace foredraw {
-
-enum class ShaderLanguage : std::uint8_t { glsl, hlsl };
 
 /// All attributes of the merged meshes in one buffer of bytes, one stream behind the other: each without gaps, and
 /// beginning at a multiple of four.

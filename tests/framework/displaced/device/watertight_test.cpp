@@ -1,0 +1,289 @@
+// Closed surfaces stay closed, drawn by their shaders on Mesa's software driver: at each of the four samples of each
+// pixel as many triangles face the eye as face away. A crack as wide as one sample shows.
+
+#include <foredraw/base/random.h>
+#include <foredraw/displaced/smooth_directions.h>
+
+#include "displaced_drawing.h"
+#include "support/on_device.h"
+
+#include <cmath>
+
+namespace foredraw {
+namespace {
+
+using namespace testing;
+using enum TessellationSpacing;
+
+class Watertight : public OnDevice {
+ protected:
+  Watertight() : OnDevice("llvmpipe") {}
+  void SetUp() override {
+    OnDevice::SetUp();
+    if (!has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
+    if (!IsSkipped()) device_ = std::make_unique<gpu::Device>(choice());
+  }
+  void TearDown() override {
+    device_.reset();
+    OnDevice::TearDown();
+  }
+
+  std::unique_ptr<gpu::Device> device_;
+};
+
+/// A surface with the normals that its vertices store.
+struct ClosedSurface {
+  DisplacedSurface surface;
+  std::vector<glm::vec3> normals;
+
+  /// What is added to the positions is the direction at a position, whatever its vertices' normals.
+  void direct() {
+    const DirectedPart part{surface.positions, normals, surface.indices};
+    surface.directions = smooth_directions(std::span(&part, 1)).front();
+  }
+};
+
+glm::vec3 unit(glm::vec3 v) { return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+/// A torus on a map that repeats. Vertices at both ends of the map lie in the same places, with normals of their own.
+ClosedSurface torus_with_seams(std::uint32_t slices, std::uint32_t sides) {
+  ClosedSurface closed;
+  DisplacedSurface& surface = closed.surface;
+  Random random(5);
+  surface.heights = {64, 32, {}};
+  for (std::uint32_t i = 0; i < 64 * 32; ++i)
+    surface.heights.texels.push_back(static_cast<std::uint16_t>(random.below(65536)));
+  for (std::uint32_t j = 0; j <= sides; ++j) {
+    for (std::uint32_t i = 0; i <= slices; ++i) {
+      const double u = 6.283185307179586 * (i % slices) / slices, v = 6.283185307179586 * (j % sides) / sides;
+      const glm::dvec3 out(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
+      surface.positions.emplace_back(glm::dvec3(std::cos(u), std::sin(u), 0) + 0.4 * out);
+      const bool is_seam = i % slices == 0 || j % sides == 0;
+      const glm::vec3 tilt(i == 0 ? 0.4f : -0.4f, j == 0 ? 0.3f : -0.3f, 0);
+      closed.normals.push_back(unit(glm::vec3(out) + (is_seam ? tilt : glm::vec3(0))));
+      surface.places.push_back(
+          {foredraw_height_place(static_cast<float>(i) / static_cast<float>(slices), surface.heights.width),
+           foredraw_height_place(static_cast<float>(j) / static_cast<float>(sides), surface.heights.height)});
+    }
+  }
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return j * (slices + 1) + i; };
+  for (std::uint32_t j = 0; j < sides; ++j) {
+    for (std::uint32_t i = 0; i < slices; ++i) {
+      surface.indices.insert(surface.indices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      surface.indices.insert(surface.indices.end(), {at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  surface.shader.factor = 0.25f;
+  closed.direct();
+  return closed;
+}
+
+constexpr int quads = 3, texels = 16, steps = quads * texels;  // along an edge of the cube; of a quad; of an edge
+
+/// A sphere of a cube's six sides, each a chart of its own that is turned and mirrored at random. Along their edges the
+/// charts have the same heights, texel by texel.
+ClosedSurface sphere_of_charts(bool is_exact = true) {
+  ClosedSurface closed;
+  DisplacedSurface& surface = closed.surface;
+  Random random(17);
+  surface.heights = {256, 128, std::vector<std::uint16_t>(256 * 128)};
+  surface.shader.map.wrap[0] = surface.shader.map.wrap[1] = FOREDRAW_HEIGHT_CLAMPED;
+  std::map<std::array<int, 3>, std::uint16_t> heights;  // by where on the cube
+  for (int side = 0; side < 6; ++side) {
+    const auto cube = [&](int a, int b) {
+      std::array<int, 3> at{};
+      at[static_cast<std::size_t>(side / 2)] = side % 2 == 0 ? 0 : steps;
+      at[static_cast<std::size_t>((side / 2 + 1) % 3)] = side % 2 == 0 ? steps - a : a;
+      at[static_cast<std::size_t>((side / 2 + 2) % 3)] = b;
+      return at;
+    };
+    const std::uint64_t turn = random.below(8);
+    const auto texel = [&](int a, int b) {
+      if ((turn & 1) != 0) a = steps - a;
+      if ((turn & 2) != 0) b = steps - b;
+      if ((turn & 4) != 0) std::swap(a, b);
+      return std::array{64 * (side % 3) + 7 + a, 64 * (side / 3) + 9 + b};
+    };
+    for (int a = 0; a <= steps; ++a) {
+      for (int b = 0; b <= steps; ++b) {
+        const auto drawn = static_cast<std::uint16_t>(random.below(65536));
+        const auto [x, y] = texel(a, b);
+        const std::uint16_t height = is_exact ? heights.try_emplace(cube(a, b), drawn).first->second : drawn;
+        surface.heights.texels[static_cast<std::size_t>(256 * y + x)] = height;
+      }
+    }
+    const auto first = static_cast<std::uint32_t>(surface.positions.size());
+    for (int a = 0; a <= quads; ++a) {
+      for (int b = 0; b <= quads; ++b) {
+        const std::array<int, 3> at = cube(texels * a, texels * b);
+        const glm::vec3 out = glm::vec3(at[0], at[1], at[2]) * (2.0f / steps) - 1.0f;
+        surface.positions.push_back(1.2f * unit(out));
+        closed.normals.push_back(unit(out + (side % 2 == 0 ? 0.5f : -0.5f) * glm::vec3(0.3f, -0.2f, 0.7f)));
+        const auto [x, y] = texel(texels * a, texels * b);
+        surface.places.push_back({256 * x + 128, 256 * y + 128});
+      }
+    }
+    const auto vertex = [&](int a, int b) { return first + static_cast<std::uint32_t>(a * (quads + 1) + b); };
+    for (int a = 0; a < quads; ++a) {
+      for (int b = 0; b < quads; ++b) {
+        const std::array corners = {vertex(a, b), vertex(a + 1, b), vertex(a + 1, b + 1), vertex(a, b + 1)};
+        surface.indices.insert(surface.indices.end(), {corners[0], corners[1], corners[2]});
+        surface.indices.insert(surface.indices.end(), {corners[0], corners[2], corners[3]});
+      }
+    }
+  }
+  surface.shader.factor = 0.3f;
+  surface.shader.offset = -0.1f;
+  closed.direct();
+  return closed;
+}
+
+foredraw_cage_map random_map(Random& random, float scale) {
+  const auto part = [&] { return 2 * static_cast<float>(random.unit()) - 1; };
+  const glm::vec3 x = unit({part(), part(), part()}), other = unit({part(), part(), part()});
+  const glm::vec3 z =
+      unit({x.y * other.z - x.z * other.y, x.z * other.x - x.x * other.z, x.x * other.y - x.y * other.x});
+  const glm::vec3 y = {z.y * x.z - z.z * x.y, z.z * x.x - z.x * x.z, z.x * x.y - z.y * x.x};
+  foredraw_cage_map map;
+  const glm::vec3 rows[] = {x, y, z};
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) map.row[r][c] = scale * rows[r][c];
+    map.row[r][3] = 0.1f * part();
+  }
+  return map;
+}
+
+void pose_at_random(DisplacedSurface& surface, std::uint64_t seed) {
+  Random random(seed);
+  surface.maps = {random_map(random, 1)};
+}
+
+/// Between two joints that turn and scale it differently. Vertices at one position have the same joints and weights.
+void bend_at_random(DisplacedSurface& surface, std::uint64_t seed) {
+  Random random(seed);
+  surface.shader.joints = 3;
+  const foredraw_cage_map whole = random_map(random, 1);
+  surface.maps = {whole, whole, whole};
+  for (foredraw_cage_map& map : surface.maps) {
+    for (auto& row : map.row) {
+      for (float& number : row) number += 0.2f * (2 * static_cast<float>(random.unit()) - 1);
+    }
+  }
+  surface.skin.clear();
+  for (const glm::vec3& p : surface.positions) {
+    const float along = 0.5f + p.x / 3, rest = (1 - along) * (0.5f + p.y / 4);
+    surface.skin.push_back({{0, 1, 2, 0}, {along, rest, 1 - along - rest, 0}});
+  }
+}
+
+/// From distance 4 of the middle, in perspective.
+DisplacedFrame frame() {
+  DisplacedFrame frame;
+  frame.clip_from_posed = glm::mat4(0);
+  frame.clip_from_posed[0][0] = 2;
+  frame.clip_from_posed[1][1] = 2;
+  frame.clip_from_posed[2] = {0, 0, -0.5f, -1};
+  frame.clip_from_posed[3] = {0, 0, 2, 4};
+  frame.eye = {0, 0, 4};
+  frame.pixels_per_unit = DisplacedDrawing::size;
+  return frame;
+}
+
+struct Parity {
+  std::size_t covered = 0, odd = 0;  ///< samples
+};
+
+Parity parity(std::span<const DisplacedDrawing::Counts> counts) {
+  Parity parity;
+  for (const auto& [front, back] : counts) {
+    if (front + back > 0) ++parity.covered;
+    if (front != back) ++parity.odd;
+  }
+  return parity;
+}
+
+/// As many samples as a surface of that size covers at least.
+constexpr std::size_t many = 20000;
+
+TEST_F(Watertight, RepeatedMapsStayClosedAtAnyLevelsInAnyPose) {
+  for (const TessellationSpacing spacing : {equal, fractional_odd, fractional_even}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      DisplacedSurface surface = torus_with_seams(17, 11).surface;
+      surface.shader.spacing = spacing;
+      surface.shader.pixels_per_part = 3;
+      if (seed == 3) {
+        bend_at_random(surface, seed);
+      } else {
+        pose_at_random(surface, seed);
+      }
+      const Parity found = parity(DisplacedDrawing(*device_, surface).counted(frame()));
+      EXPECT_GT(found.covered, many);
+      EXPECT_EQ(found.odd, 0u) << "spacing " << static_cast<int>(spacing) << ", pose " << seed;
+    }
+  }
+}
+
+TEST_F(Watertight, TurnedChartsStayClosedAtTheirLevels) {
+  DisplacedSurface surface = sphere_of_charts().surface;
+  surface.shader.levels = DisplacedShader::Levels::constant;
+  for (const float level : {1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 32.0f, 64.0f}) {
+    surface.shader.level = level;
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      if (seed == 2) {
+        bend_at_random(surface, seed);
+      } else {
+        surface.shader.joints = 0;
+        pose_at_random(surface, seed);
+      }
+      const Parity found = parity(DisplacedDrawing(*device_, surface).counted(frame()));
+      EXPECT_GT(found.covered, many);
+      EXPECT_EQ(found.odd, 0u) << "level " << level << ", pose " << seed;
+    }
+  }
+}
+
+TEST_F(Watertight, ShadersInHlslAndThePosedCageShowTheSame) {
+  DisplacedSurface surface = torus_with_seams(13, 9).surface;
+  bend_at_random(surface, 5);
+  surface.shader.pixels_per_part = 4;
+  DisplacedDrawing drawing(*device_, surface), in_hlsl(*device_, surface, ShaderLanguage::hlsl);
+  const auto expected = drawing.counted(frame());
+  EXPECT_EQ(parity(expected).odd, 0u);
+  drawing.computed_cage();
+  in_hlsl.computed_cage();
+  EXPECT_TRUE(drawing.counted(frame(), DisplacedStage::vertex_of_cage) == expected);
+  EXPECT_TRUE(in_hlsl.counted(frame()) == expected);
+  EXPECT_TRUE(in_hlsl.counted(frame(), DisplacedStage::vertex_of_cage) == expected);
+}
+
+/// What the tests above would miss if they measured nothing.
+TEST_F(Watertight, NormalsInsteadOfDirectionsTear) {
+  for (ClosedSurface closed : {torus_with_seams(17, 11), sphere_of_charts()}) {
+    closed.surface.shader.levels = DisplacedShader::Levels::constant;
+    closed.surface.shader.level = 8;
+    pose_at_random(closed.surface, 1);
+    EXPECT_EQ(parity(DisplacedDrawing(*device_, closed.surface).counted(frame())).odd, 0u);
+    closed.surface.directions = closed.normals;
+    EXPECT_GT(parity(DisplacedDrawing(*device_, closed.surface).counted(frame())).odd, 100u);
+  }
+}
+
+TEST_F(Watertight, ChartsWhoseHeightsDifferTear) {
+  DisplacedSurface surface = sphere_of_charts(false).surface;
+  surface.shader.levels = DisplacedShader::Levels::constant;
+  surface.shader.level = 8;
+  EXPECT_GT(parity(DisplacedDrawing(*device_, surface).counted(frame())).odd, 100u);
+}
+
+TEST_F(Watertight, LevelsOfTrianglesInsteadOfEdgesTear) {
+  DisplacedSurface surface = torus_with_seams(17, 11).surface;
+  surface.shader.levels = DisplacedShader::Levels::stored;
+  for (std::size_t t = 0; t < surface.indices.size() / 3; ++t) {
+    const float level = t % 2 == 0 ? 7.0f : 8.0f;
+    surface.levels.push_back({{level, level, level}, level});
+  }
+  EXPECT_GT(parity(DisplacedDrawing(*device_, surface).counted(frame())).odd, 100u);
+}
+
+}  // namespace
+}  // namespace foredraw
