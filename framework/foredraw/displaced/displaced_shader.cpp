@@ -214,25 +214,11 @@ std::string displaced_shader_text(const DisplacedShader& shader, ShaderLanguage 
       {"map_set", std::to_string(shader.map_set)},
       {"map_binding", std::to_string(shader.map_binding)},
       {"spacing", spacing(shader.spacing, language)},
-      {"capture", shader.captures ? "layout(xfb_buffer = 0, xfb_stride = 24) out;" : ""},
+      {"capture", shader.captures ? "layout(xfb_buffer = 0, xfb_stride = 40) out;" : ""},
       {"at_0", shader.captures ? ", xfb_offset = 0" : ""},
-      {"at_12", shader.captures ? ", xfb_offset = 12" : ""}};
+      {"at_12", shader.captures ? ", xfb_offset = 12" : ""},
+      {"at_24", shader.captures ? ", xfb_offset = 24" : ""}};
   return filled(parts_of(shader, language, stage), words);
-}
-
-std::vector<foredraw_cage_vertex> cage_vertices(std::span<const glm::vec3> positions,
-                                                std::span<const glm::vec3> directions,
-                                                std::span<const std::array<std::int32_t, 2>> places) {
-  if (directions.size() != positions.size() || places.size() != positions.size()) {
-    throw std::invalid_argument("a cage has as many directions and places as positions");
-  }
-  std::vector<foredraw_cage_vertex> vertices;
-  vertices.reserve(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const glm::vec3 &p = positions[v], &d = directions[v];
-    vertices.push_back({{p.x, p.y, p.z}, places[v][0], {d.x, d.y, d.z}, places[v][1]});
-  }
-  return vertices;
 }
 
 }  // namespace foredraw

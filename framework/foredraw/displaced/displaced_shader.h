@@ -3,16 +3,10 @@
 
 #include <foredraw/base/shader_language.h>
 #include <foredraw/displaced/edge_division.h>
-#include <foredraw/runtime/displaced_cage.h>
 #include <foredraw/runtime/displaced_height.h>
 
-#include <glm/vec3.hpp>
-
-#include <array>
 #include <cstdint>
-#include <span>
 #include <string>
-#include <vector>
 
 namespace foredraw {
 
@@ -36,7 +30,7 @@ struct DisplacedShader {
 
   std::uint32_t vertices = 0;  ///< of the cage
   std::uint32_t joints = 0;    ///< maps that each instance has; 0: it has one, and vertices have no joints
-  bool captures = false;       ///< GLSL: the evaluation stage's point and weights go into a transform feedback buffer
+  bool captures = false;  ///< GLSL: what fragments get goes into a transform feedback buffer, too: 40 bytes a corner
 
   std::uint32_t set = 0;            ///< Vulkan's descriptor set of the buffers, or HLSL's register space
   std::uint32_t first_binding = 0;  ///< of five: rest, skin, maps, cage, levels; in HLSL registers t, and u of the cage
@@ -54,12 +48,13 @@ enum class DisplacedStage : std::uint8_t {
   evaluation,      ///< tessellation evaluation, or domain
 };
 
-/// The text of a stage, without a version line in GLSL (450 is needed, so that it can be put behind one). Entry points
-/// are called `main`.
+/// The text of a stage: GLSL for Vulkan without a version line (450 is needed, so that it can be put behind one), or
+/// HLSL of shader model 5.1. Entry points are called `main`.
 ///
-/// Buffers are laid out as displaced_cage.h says: `rest` [vertex], `skin` [vertex], `maps` [instance][joint],
-/// `cage` [instance][vertex], and `levels` [triangle] four floats. The stages from the vertex to the evaluation read
-/// a push constant (HLSL: a cbuffer at b0, or a push constant where DISPLACED_PUSH_CONSTANT is defined):
+/// Buffers are laid out as displaced_cage.h says: `rest` [vertex] and `skin` [vertex], of which cage_buffers.h makes
+/// the content, `maps` [instance][joint], `cage` [instance][vertex], and `levels` [triangle] four floats. The
+/// evaluation stage, and the control stage where levels are by pixels, read a push constant (in HLSL a constant buffer
+/// at b0, or a push constant where DISPLACED_PUSH_CONSTANT is defined):
 ///
 ///   mat4 clip_from_posed     what the posed cage is in, on the screen
 ///   vec3 eye                 in the same space
@@ -76,10 +71,5 @@ enum class DisplacedStage : std::uint8_t {
 ///
 /// Throws std::invalid_argument where a number is out of its range, or HLSL is asked to capture.
 std::string displaced_shader_text(const DisplacedShader& shader, ShaderLanguage language, DisplacedStage stage);
-
-/// [vertex] What goes into the buffer `rest`. `places`: height_places(); `directions`: displacement_directions().
-std::vector<foredraw_cage_vertex> cage_vertices(std::span<const glm::vec3> positions,
-                                                std::span<const glm::vec3> directions,
-                                                std::span<const std::array<std::int32_t, 2>> places);
 
 }  // namespace foredraw

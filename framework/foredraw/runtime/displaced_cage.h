@@ -1,11 +1,13 @@
-/* The vertices of a cage, whose triangles a tessellator divides, as a pose has them: what C, C++ and shaders compute
- * alike, to the bit, because a product and a sum round alike everywhere. C99, no allocation, no state.
+/* The vertices of a cage, whose triangles a tessellator divides, as a pose has them. C, C++ and shaders compute
+ * them alike, to the bit wherever products and sums are rounded to the nearest. C99, no allocation, no state.
  *
  * N. Tatarchuk, J. Barczak, B. Purnomo: Real-Time Tessellation on GPU, SIGGRAPH 2008: the cage of each instance is
  * posed once, into a buffer, and all passes that draw it read it from there by the vertex's number and the instance's.
  *
- *   map = foredraw_cage_blended(&maps[joints * instance], skin[v].joint, skin[v].weight);      of rigid draws:
- * maps[instance] cage[vertices * instance + v] = foredraw_cage_posed(&rest[v], &map);
+ *   map = foredraw_cage_blended(&maps[joints * instance], skin[v].joint, skin[v].weight);
+ *   cage[vertices * instance + v] = foredraw_cage_posed(&rest[v], &map);
+ *
+ * Of rigid draws the map is maps[instance].
  *
  * Vertices at one position stay together in every pose if their positions, directions, joints and weights are equal in
  * every bit. */

@@ -168,7 +168,7 @@ inline constexpr std::string_view evaluation = R"(layout(triangles, @spacing@, c
 @capture@
 layout(location = 0@at_0@) out vec3 surface;
 layout(location = 1@at_12@) out vec3 weights;
-layout(location = 2) flat out uvec4 corners;  // vertices, and the instance
+layout(location = 2@at_24@) flat out uvec4 corners;  // vertices, and the instance
 
 DisplacedVertex displaced_corner(int c) {
   return DisplacedVertex(position_in[c], place_in[c].x, direction_in[c], place_in[c].y);

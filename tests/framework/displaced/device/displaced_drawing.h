@@ -1,6 +1,7 @@
 #pragma once
 // A displaced surface drawn by the shaders whose text displaced_shader.h makes.
 
+#include <foredraw/displaced/cage_buffers.h>
 #include <foredraw/displaced/displaced_mesh.h>
 #include <foredraw/displaced/displaced_shader.h>
 #include <foredraw/gpu/capture.h>
@@ -61,7 +62,8 @@ class DisplacedDrawing {
 
   struct Corner {
     std::array<float, 3> position, weights;
-    auto operator<=>(const Corner&) const = default;
+    std::array<std::uint32_t, 3> vertices;  ///< of the patch
+    std::uint32_t instance = 0;
   };
   using Triangle = std::array<Corner, 3>;
 

@@ -12,6 +12,7 @@
 
 #include <bit>
 #include <cmath>
+#include <set>
 
 namespace foredraw {
 namespace {
@@ -123,6 +124,24 @@ std::vector<Places> expected_places(const DisplacedSurface& surface) {
   return sorted(std::move(places));
 }
 
+/// With which fragment shaders look up what else vertices have.
+void expect_numbers_of_vertices(std::span<const DisplacedDrawing::Triangle> captured, const DisplacedSurface& surface) {
+  std::set<std::array<std::uint32_t, 3>> patches, found;
+  for (std::size_t i = 0; i < surface.indices.size(); i += 3)
+    patches.insert({surface.indices[i], surface.indices[i + 1], surface.indices[i + 2]});
+  for (const DisplacedDrawing::Triangle& triangle : captured) {
+    for (const DisplacedDrawing::Corner& corner : triangle) {
+      found.insert(corner.vertices);
+      EXPECT_EQ(corner.instance, 0u);
+      glm::vec3 plane(0);  // no point is farther from it than heights reach
+      for (std::size_t c = 0; c < 3; ++c) plane += corner.weights[c] * surface.positions[corner.vertices[c]];
+      const glm::vec3 away = plane - glm::vec3(corner.position[0], corner.position[1], corner.position[2]);
+      ASSERT_LE(away.x * away.x + away.y * away.y + away.z * away.z, 0.16f);
+    }
+  }
+  EXPECT_TRUE(found == patches);
+}
+
 TEST_F(DisplacedOnDevice, SurfacesAreThoseOfTheProcessorToTheBit) {
   struct Case {
     std::array<std::uint8_t, 2> wrap;
@@ -148,9 +167,11 @@ TEST_F(DisplacedOnDevice, SurfacesAreThoseOfTheProcessorToTheBit) {
       surface.levels = random_levels(surface.indices, seed);
       const std::vector<Places> expected = expected_places(surface);
       DisplacedDrawing drawing(*device_, std::move(surface));
-      const std::vector<Places> found = places_of(drawing.captured({}, expected.size() + 1));
+      const std::vector<DisplacedDrawing::Triangle> captured = drawing.captured({}, expected.size() + 1);
+      const std::vector<Places> found = places_of(captured);
       EXPECT_GT(expected.size(), 10000u);
       EXPECT_TRUE(found == expected) << found.size() << " triangles, " << expected.size() << " expected";
+      expect_numbers_of_vertices(captured, drawing.surface());
     }
   }
 }
@@ -287,7 +308,7 @@ std::vector<Question> questions(std::size_t count, std::uint64_t seed) {
 }
 
 TEST_F(DisplacedOnDevice, FunctionsGiveTheBitsOfTheRuntimesHeaders) {
-  constexpr std::uint32_t count = 1 << 17;
+  constexpr std::uint32_t count = 1 << 18;
   struct Case {
     ShaderLanguage language;
     std::uint8_t u, v;
