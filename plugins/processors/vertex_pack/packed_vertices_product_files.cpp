@@ -83,9 +83,8 @@ std::string packed_vertices_shader(const PackedVertices& all, const Scene& scene
       "// Made by Foredraw: vertices of 128 bits. Define before including:\n"
       "//   PACKED_LAYOUT  number of the layout; 0 by default. Of the draws, as stored and as posed:\n";
   for (const PackedVertices::OfDraw& draw : all.draws) {
-    text +=
-        fmt::format("//     {}: {}{}\n", in_comment(scene.draws[draw.draw].name), number_of(distinct, draw.layout),
-                    draw.posed ? fmt::format(", {}", number_of(distinct, *draw.posed)) : "");
+    text += fmt::format("//     {}: {}{}\n", in_comment(scene.draws[draw.draw].name), number_of(distinct, draw.layout),
+                        draw.posed ? fmt::format(", {}", number_of(distinct, *draw.posed)) : "");
   }
   text += "#ifndef PACKED_LAYOUT\n#define PACKED_LAYOUT 0\n#endif\n\n" + packing::packed_shader_head(language);
   for (std::size_t i = 0; i < distinct.size(); ++i) {
