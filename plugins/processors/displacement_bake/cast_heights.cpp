@@ -42,6 +42,7 @@ Target::Target(const Surface& surface)
       points_(surface) {}
 
 double Target::height_from(const glm::dvec3& point, const glm::dvec3& direction) const {
+  if (!std::isfinite(point.x + point.y + point.z)) return 0;
   const Closest closest = points_.nearest(point);
   if (closest.triangle == no_triangle || closest.distance == 0) return 0;
   const auto above = backs_.first({point, direction}), below = fronts_.first({point, -direction});

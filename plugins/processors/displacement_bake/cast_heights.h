@@ -17,7 +17,8 @@ class Target {
 
   /// How far the surface lies from a point along a direction of length 1, up or down: where a ray meets its nearer side
   /// that looks along the direction. Where rays meet nothing, as beside a border, or only another fold far behind the
-  /// nearest point, that point counts, as far as it lies along the direction. 0 where there is no surface.
+  /// nearest point, that point counts, as far as it lies along the direction. 0 where there is no surface, or
+  /// the point is not finite.
   double height_from(const glm::dvec3& point, const glm::dvec3& direction) const;
 
  private:

@@ -203,7 +203,14 @@ TEST(CastHeights, GoToTheNearestPointAndNotThroughHoles) {
   EXPECT_NEAR(target.height_from({0, 0, 0.2}, {0, 0, 1}), -0.2, 1e-6);
 }
 
-TEST(CastHeights, OfNothingAreZero) { EXPECT_EQ(bake::Target({{}, {}}).height_from({0, 0, 0}, {0, 0, 1}), 0); }
+TEST(CastHeights, OfNothingAndOfNoPlaceAreZero) {
+  EXPECT_EQ(bake::Target({{}, {}}).height_from({0, 0, 0}, {0, 0, 1}), 0);
+  const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<std::uint32_t> indices = {0, 1, 2};
+  const bake::Target target({positions, indices});
+  EXPECT_EQ(target.height_from({INFINITY, 0, 0}, {0, 0, 1}), 0);
+  EXPECT_EQ(target.height_from({0, NAN, 0}, {0, 0, 1}), 0);
+}
 
 }  // namespace
 }  // namespace foredraw
