@@ -118,7 +118,7 @@ class DisplacedDrawing {
       draw(commands);
       capture.end(commands);
       vkCmdEndRenderPass(commands);
-      capture.copy_out(commands);
+      capture.let_read(commands);
     });
     EXPECT_EQ(capture.triangles().written, capture.triangles().drawn);
     const auto triangles = capture.as<Triangle>().first(capture.triangles().written);
@@ -165,7 +165,7 @@ class DisplacedDrawing {
       vkCmdDraw(commands, vertices(), instances(), 0, 0);
       capture.end(commands);
       vkCmdEndRenderPass(commands);
-      capture.copy_out(commands);
+      capture.let_read(commands);
     });
     const auto cage = capture.as<foredraw_cage_vertex>().first(count);
     return {cage.begin(), cage.end()};
