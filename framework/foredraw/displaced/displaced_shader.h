@@ -3,6 +3,7 @@
 
 #include <foredraw/base/shader_language.h>
 #include <foredraw/displaced/edge_division.h>
+#include <foredraw/displaced/height_bits.h>
 #include <foredraw/runtime/displaced_height.h>
 
 #include <cstdint>
@@ -17,8 +18,8 @@ struct DisplacedShader {
   /// How the texture has heights: as 0 to 1 (UNORM of 8 or 16 bits), or as whole numbers (UINT of 16 bits). Both are
   /// the same to the bit.
   enum class Texels : std::uint8_t { normalized, whole } texels = Texels::normalized;
-  float factor = 1, offset = 0;  ///< finite
-  std::uint32_t bits = 14;       ///< of a height, 1 to 16
+  float factor = 1, offset = 0;      ///< finite
+  std::uint32_t bits = height_bits;  ///< of a height, 1 to 16
 
   TessellationSpacing spacing = TessellationSpacing::equal;
   /// Where levels come from: `level` is everyone's; or each edge gets parts of `pixels_per_part` pixels
