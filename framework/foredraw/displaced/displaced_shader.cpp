@@ -7,7 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstring>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>

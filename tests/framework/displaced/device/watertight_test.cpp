@@ -1,11 +1,7 @@
 // Closed surfaces stay closed, drawn by their shaders on Mesa's software driver: at each of the four samples of each
 // pixel as many triangles face the eye as face away. A crack as wide as one sample shows.
 
-#include <foredraw/base/random.h>
-#include <foredraw/displaced/smooth_directions.h>
-
-#include "displaced_drawing.h"
-#include "support/on_device.h"
+#include "displaced_on_device.h"
 
 #include <cmath>
 
@@ -15,21 +11,7 @@ namespace {
 using namespace testing;
 using enum TessellationSpacing;
 
-class Watertight : public OnDevice {
- protected:
-  Watertight() : OnDevice("llvmpipe") {}
-  void SetUp() override {
-    OnDevice::SetUp();
-    if (!has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
-    if (!IsSkipped()) device_ = std::make_unique<gpu::Device>(choice());
-  }
-  void TearDown() override {
-    device_.reset();
-    OnDevice::TearDown();
-  }
-
-  std::unique_ptr<gpu::Device> device_;
-};
+using Watertight = DisplacedOnDevice;
 
 /// A surface with the normals that its vertices store.
 struct ClosedSurface {
