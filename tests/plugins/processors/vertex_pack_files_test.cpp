@@ -173,9 +173,9 @@ static void print(const foredraw_packed_layout* layout) {
 }
 int main(void) {
   unsigned d;
-  for (d = 0; d < P2_TUBES_PACKED_DRAW_COUNT; ++d) {
-    print(p2_tubes_packed_draws[d].stored);
-    print(p2_tubes_packed_draws[d].posed);
+  for (d = 0; d < T2_TUBES_PACKED_DRAW_COUNT; ++d) {
+    print(t2_tubes_packed_draws[d].stored);
+    print(t2_tubes_packed_draws[d].posed);
   }
   return 0;
 }
