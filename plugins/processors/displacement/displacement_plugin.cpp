@@ -60,7 +60,7 @@ Plugin displacement_plugin() {
       .name = "displacement",
       .summary = "Gives draws a map of heights, or changes how far theirs moves the surface",
       .reference = "KHR_materials_displacement",
-      .acts_on = {traits::triangles},
+      .acts_on = {traits::triangles, traits::uv0},
       .provides = {traits::displaced},
       .pays_if = "a map belongs to the model and its file does not name it",
   };
