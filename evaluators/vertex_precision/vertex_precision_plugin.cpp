@@ -37,9 +37,9 @@ class VertexPrecision final : public Evaluator {
       run.measure_at(about, metric, error, whole);
       run.measure_at(about, metric + "-bound", bound, whole);
     };
-    pair("position", of.errors.most.position, of.bounds.position, of.diagonal);
+    pair("position", of.errors.most.position, of.bounds.position, of.diagonal / 1e6);
     if (of.posed) {
-      pair("posed-position", of.posed->position, of.posed->bound, of.posed->diagonal);
+      pair("posed-position", of.posed->position, of.posed->bound, of.posed->diagonal / 1e6);
       run.count_at(about, "posed-outside", static_cast<double>(of.posed->outside));
     }
     const VertexStreams& vertices = *scene.draws[of.draw].full().vertices;
@@ -69,11 +69,11 @@ Plugin vertex_precision_plugin() {
       .acts_on = {traits::triangles},
       .metrics =
           {
-              {"position", "of the diagonal", "Largest error of a stored position", true, true},
-              {"position-bound", "of the diagonal", "What the layout promises of it", true, true},
-              {"posed-position", "of the diagonal", "Largest error of a position in all poses, packed as posed", true,
-               true},
-              {"posed-position-bound", "of the diagonal", "What the layout promises of it", true, true},
+              {"position", "millionths of the diagonal", "Largest error of a stored position", true, true},
+              {"position-bound", "millionths of the diagonal", "What the layout promises of it", true, true},
+              {"posed-position", "millionths of the diagonal",
+               "Largest error of a position in all poses, packed as posed", true, true},
+              {"posed-position-bound", "millionths of the diagonal", "What the layout promises of it", true, true},
               {"posed-outside", "vertices", "Posed vertices that the lattice does not reach, over all poses"},
               {"normal", "degrees", "Largest error of a normal", true, true},
               {"normal-bound", "degrees", "What the layout promises of it", true, true},

@@ -29,9 +29,9 @@ int quotes(const std::string& page, const std::string& sources) {
 }
 
 TEST(Embedding, DocumentationQuotesWhatIsCompiled) {
-  const std::string sources =
-      text_of("tests/embedding/functions/main.cpp") + text_of("tests/embedding/pipeline/main.cpp") +
-      text_of("hosts/embed/examples/displaced_shaders.cpp");
+  const std::string sources = text_of("tests/embedding/functions/main.cpp") +
+                              text_of("tests/embedding/pipeline/main.cpp") +
+                              text_of("hosts/embed/examples/displaced_shaders.cpp");
   EXPECT_GE(quotes(text_of("docs/embedding.md"), sources), 5);
 }
 

@@ -86,10 +86,12 @@ class DisplacementSeams final : public Processor {
     run.count_at(about, "texels", repaired.texels.empty() ? 0 : static_cast<double>(repaired.seam_texels.size()));
     run.note_at(
         about, "seams",
-        fmt::format("{} seam edges; of {} points on them {} were unequal, and {} are; {} texels changed; {} edges "
-                    "are exact at factors below those of the texel rule only",
+        fmt::format("{} seam edges; of {} points on them {} were unequal, and {} are; {} texels changed{}",
                     of.seams.seams, repaired.points, repaired.unequal_before, repaired.unequal_after,
-                    repaired.texels.empty() ? 0 : repaired.seam_texels.size(), below));
+                    repaired.texels.empty() ? 0 : repaired.seam_texels.size(),
+                    below == 0
+                        ? ""
+                        : fmt::format("; {} edges are equal only at lower factors than their texels allow", below)));
     if (of.seams.left_out > 0) {
       run.note_at(
           about, "triangles-left-out",

@@ -61,13 +61,13 @@ class VertexPack final : public Processor {
     const auto measure = [&](const char* metric, double bound, double whole, int field) {
       if (draw.packed.layout.field[field].bits != 0) run.measure_at(about, metric, bound, whole);
     };
-    measure("position-bound", draw.bounds.position, draw.diagonal, FOREDRAW_PACKED_X);
+    measure("position-bound", draw.bounds.position, draw.diagonal / 1e6, FOREDRAW_PACKED_X);
     measure("normal-bound", draw.bounds.normal, 1, FOREDRAW_PACKED_NORMAL_0);
     measure("tangent-bound", draw.bounds.tangent, 1, FOREDRAW_PACKED_TANGENT);
     measure("uv-bound", draw.bounds.uv() * texels, 1, FOREDRAW_PACKED_U);
     if (draw.packed.posed) {
       const double bound = packed_bounds(*draw.packed.posed).position;
-      run.measure_at(about, "posed-bound", bound, draw.posed_diagonal);
+      run.measure_at(about, "posed-bound", bound, draw.posed_diagonal / 1e6);
     }
     if (draw.no_direction > 0) {
       run.note_at(
@@ -96,8 +96,9 @@ Plugin vertex_pack_plugin() {
       .acts_on = {traits::triangles},
       .lossless = true,
       .measured_by = {"vertex-precision"},
-      .metrics = {{"position-bound", "of the diagonal", "Proved: no stored position is farther off", true, true},
-                  {"posed-bound", "of the diagonal", "Proved: no posed position is farther off", true, true},
+      .metrics = {{"position-bound", "millionths of the diagonal", "Proved: no stored position is farther off", true,
+                   true},
+                  {"posed-bound", "millionths of the diagonal", "Proved: no posed position is farther off", true, true},
                   {"normal-bound", "degrees", "Proved: no normal is farther off", true, true},
                   {"tangent-bound", "degrees", "Proved: no tangent is farther off", true, true},
                   {"uv-bound", "texels of 4096", "Proved: no texture coordinate is farther off", true, true}},
