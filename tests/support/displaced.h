@@ -3,6 +3,8 @@
 
 #include "support/meshes.h"
 
+#include <foredraw/scene/triangle_draw.h>
+
 #include <glm/vec2.hpp>
 
 #include <cstring>
@@ -11,14 +13,7 @@
 
 namespace foredraw::testing {
 
-template <class Row>
-VertexStream float_stream(std::string semantic, const std::vector<Row>& rows) {
-  const auto bytes = std::as_bytes(std::span(rows));
-  constexpr auto components = static_cast<std::uint8_t>(sizeof(Row) / sizeof(float));
-  return {std::move(semantic),
-          {Component::float32, components, false, sizeof(Row)},
-          Shared<std::byte>({bytes.begin(), bytes.end()})};
-}
+using foredraw::float_stream;
 
 /// Heights at (x, y), rows from the top, as an image that a stage made.
 inline Image height_image(std::uint32_t width, std::uint32_t height,

@@ -1,3 +1,4 @@
+#include <foredraw/analysis/diagonal.h>
 #include <foredraw/base/random.h>
 #include <foredraw/collapses/attribute_rows.h>
 #include <foredraw/scene/skin_weights.h>
@@ -17,17 +18,6 @@ constexpr std::size_t joint_numbers = 6, target_directions = 2;
 
 /// 1 or -1, drawn for each pair.
 float sign(std::uint64_t of, std::uint64_t number) { return derive_seed(of, number, 0) >> 63 == 0 ? 1.0f : -1.0f; }
-
-double diagonal_of(std::span<const glm::vec3> positions) {
-  glm::dvec3 least(std::numeric_limits<double>::max()), most(-least);
-  for (const glm::vec3& p : positions) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
-    least = glm::min(least, glm::dvec3(p));
-    most = glm::max(most, glm::dvec3(p));
-  }
-  const glm::dvec3 box = most - least;
-  return box.x >= 0 ? std::sqrt(box.x * box.x + box.y * box.y + box.z * box.z) : 0;
-}
 
 std::vector<std::string> semantics_of(const JoinedMesh& mesh, std::string_view word) {
   std::vector<std::string> found;

@@ -2,6 +2,7 @@
 // Levels as bytes: powers of two alone.
 
 #include <foredraw/displaced/tessellation_pattern.h>
+#include <foredraw/scene/tessellation_levels.h>
 
 #include <glm/vec3.hpp>
 
@@ -10,9 +11,6 @@
 #include <vector>
 
 namespace foredraw {
-
-/// The largest of these is 2^6 = 64.
-inline constexpr std::uint8_t most_level_log = 6;
 
 /// [triangle] levels of a triangle list by one number each, log2 of the level inside. An edge has the finest level of
 /// the triangles that lie at it, so that both sides of a seam agree.

@@ -1,6 +1,7 @@
 #include <foredraw/scene/own_material.h>
 
 #include <algorithm>
+#include <array>
 
 namespace foredraw {
 
@@ -18,6 +19,12 @@ MaterialId own_material(Scene& scene, std::optional<MaterialId> material, std::s
   scene.materials.push_back(std::move(own));
   for (const DrawId draw : draws) scene.draws[draw].material = id;
   return id;
+}
+
+void change_look(Material& material, const Stamp& by) {
+  for (std::optional<Stamp>* stamp : {&material.look, &material.kind}) {
+    if (*stamp) *stamp = combine(std::array{**stamp, by});
+  }
 }
 
 }  // namespace foredraw

@@ -10,4 +10,7 @@ namespace foredraw {
 /// a copy where others have it too; a new one where they have none.
 MaterialId own_material(Scene& scene, std::optional<MaterialId> material, std::span<const DrawId> draws);
 
+/// Marks a material as looking otherwise, by what was changed: those that were alike and change alike stay alike.
+void change_look(Material& material, const Stamp& by);
+
 }  // namespace foredraw

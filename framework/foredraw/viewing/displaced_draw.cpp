@@ -1,5 +1,6 @@
 #include <foredraw/viewing/displaced_draw.h>
 
+#include <foredraw/displaced/level_counts.h>
 #include <foredraw/displaced/scene_displacement.h>
 #include <foredraw/displaced/stored_levels.h>
 #include <foredraw/viewing/posed_positions.h>
@@ -21,17 +22,8 @@ std::vector<TessellationLevels> shown_levels(const Draw& draw, std::span<const s
   const std::vector<glm::vec3> positions = decode_vec3(*draw.full().vertices->find("POSITION"));
   for (double texels = usual_texels_per_part;; texels *= 2) {
     auto levels = levels_by_texels(draw.full().stream().indices.view(), positions, places, texels);
-    std::size_t triangles = 0;
-    for (const TessellationLevels& of : levels) triangles += tessellation_counts(of, spacing).triangles;
-    if (triangles <= std::max(most_triangles, levels.size())) return levels;
+    if (count_triangles(levels, spacing) <= std::max(most_triangles, levels.size())) return levels;
   }
-}
-
-std::vector<std::uint32_t> owners_of(std::span<const TessellationLevels> levels) {
-  std::vector<std::uint32_t> owners;
-  for (std::uint32_t t = 0; t < levels.size(); ++t)
-    owners.insert(owners.end(), tessellation_counts(levels[t], spacing).triangles, t);
-  return owners;
 }
 
 DisplacedDraw by_map(const Draw& draw, const LaidOutMap& map) {
@@ -41,7 +33,7 @@ DisplacedDraw by_map(const Draw& draw, const LaidOutMap& map) {
   result.mesh = tessellated_mesh(indices, draw.full().vertices->count, levels, spacing);
   result.displacements =
       displacements(result.mesh, indices, map.places, map.sampled(), map.displacement.factor, map.displacement.offset);
-  result.owners = owners_of(levels);
+  result.owners = sources_of(levels, spacing);
   return result;
 }
 
@@ -49,8 +41,9 @@ DisplacedDraw by_heights(const Level& level, const DrawHeights& heights) {
   return {tessellated_mesh(heights, level),
           height_displacements(heights.heights.view(), heights.bits, heights.factor, heights.offset),
           {},
-          owners_of(baked_levels(heights.levels.view(), level.stream().indices.view(),
-                                 decode_vec3(*level.vertices->find("POSITION"))))};
+          sources_of(baked_levels(heights.levels.view(), level.stream().indices.view(),
+                                  decode_vec3(*level.vertices->find("POSITION"))),
+                     spacing)};
 }
 
 Stamp stamp_of(const Level& level, const DrawHeights& heights) {

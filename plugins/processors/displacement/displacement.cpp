@@ -1,14 +1,9 @@
 #include "displacement.h"
 
+#include <foredraw/analysis/diagonal.h>
 #include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <array>
-#include <cmath>
-#include <limits>
 #include <map>
 
 namespace foredraw {
@@ -31,18 +26,14 @@ std::string why_not(const Scene& scene, DrawId id, const GivenDisplacement& give
 
 /// Of the box around all of these draws, each in its own space.
 double diagonal_of(const Scene& scene, const std::vector<DrawId>& draws) {
-  constexpr float most = std::numeric_limits<float>::infinity();
-  glm::vec3 low(most), high(-most);
+  std::vector<glm::vec3> all;
   for (const DrawId draw : draws) {
     const VertexStream* positions = scene.draws[draw].full().vertices->find("POSITION");
     if (positions == nullptr) continue;
-    for (const glm::vec3& position : decode_vec3(*positions)) {
-      if (!std::isfinite(position.x + position.y + position.z)) continue;
-      low = glm::min(low, position);
-      high = glm::max(high, position);
-    }
+    const std::vector<glm::vec3> of_draw = decode_vec3(*positions);
+    all.insert(all.end(), of_draw.begin(), of_draw.end());
   }
-  return low.x <= high.x ? glm::length(glm::dvec3(high) - glm::dvec3(low)) : 0;
+  return foredraw::diagonal_of(all);
 }
 
 }  // namespace
@@ -73,9 +64,7 @@ DisplacementAnswer displace(Scene& scene, const std::vector<DrawId>& draws, cons
     if (given.texcoord) displacement.texture.texcoord = *given.texcoord;
     if (own.displacement == displacement) continue;
     own.displacement = displacement;
-    for (std::optional<Stamp>* stamp : {&own.look, &own.kind}) {  // alike are those that were, and are moved alike
-      if (*stamp) *stamp = combine(std::array{**stamp, stamp_of(displacement)});
-    }
+    change_look(own, stamp_of(displacement));  // alike are those that were, and are moved alike
   }
   return answer;
 }

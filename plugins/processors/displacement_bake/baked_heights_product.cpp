@@ -135,7 +135,7 @@ class BakedHeightsRow final : public ProductRow {
     const auto levels = heights.levels.view();
     const auto values = heights.heights.view();
     if (levels.size() != draw.full().stream().triangle_count()) return "does not have one level for each triangle";
-    if (std::ranges::any_of(levels, [](std::uint8_t log) { return log > most_level_log; }))
+    if (std::ranges::any_of(levels, [](std::uint8_t log) { return log > most_log_level; }))
       return "has a level above 64";
     if (heights.bits < 1 || heights.bits > 16) return "has heights of no bits, or of more than 16";
     if (std::ranges::any_of(values, [&](std::uint16_t height) { return height >> heights.bits != 0; }))

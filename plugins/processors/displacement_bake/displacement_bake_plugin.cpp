@@ -2,6 +2,7 @@
 
 #include "baked_heights_product.h"
 
+#include <foredraw/analysis/diagonal.h>
 #include <foredraw/analysis/surface_distance.h>
 #include <foredraw/collapses/collapse_product.h>
 #include <foredraw/collapses/collapse_sequences.h>
@@ -10,8 +11,6 @@
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,15 +25,6 @@ struct Options {
   std::uint32_t finest = 16;
   std::optional<std::uint32_t> bits;
 };
-
-double diagonal_of(std::span<const glm::vec3> positions) {
-  glm::dvec3 low(INFINITY), high(-INFINITY);
-  for (const glm::vec3& p : positions) {
-    low = glm::min(low, glm::dvec3(p));
-    high = glm::max(high, glm::dvec3(p));
-  }
-  return glm::length(high - low);
-}
 
 /// A mesh that becomes few triangles and heights, and what it is compared with.
 struct Made {

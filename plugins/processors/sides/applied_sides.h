@@ -3,9 +3,8 @@
 
 #include "sides.h"
 
-#include <foredraw/scene/scene.h>
+#include <foredraw/scene/own_material.h>
 
-#include <array>
 #include <map>
 #include <span>
 #include <vector>
@@ -23,9 +22,7 @@ class SingleSidedMaterials {
       Material copy = scene_.materials[material];
       copy.double_sided = false;
       copy.copy_of = material;
-      for (std::optional<Stamp>* stamp : {&copy.look, &copy.kind}) {  // alike are those that were
-        if (*stamp) *stamp = combine(std::array{**stamp, Stamp{0, 1}});
-      }
+      change_look(copy, Stamp{0, 1});
       scene_.materials.push_back(std::move(copy));
     }
     return made->second;

@@ -2,6 +2,7 @@
 
 #include <foredraw/displaced/corner_normals.h>
 #include <foredraw/displaced/interpolated.h>
+#include <foredraw/scene/triangle_draw.h>
 
 #include <algorithm>
 #include <array>
@@ -12,13 +13,6 @@
 namespace foredraw {
 
 namespace {
-
-VertexStream vec3_stream(std::string semantic, std::span<const glm::vec3> rows) {
-  const auto bytes = std::as_bytes(rows);
-  return {std::move(semantic),
-          {Component::float32, 3, false, sizeof(glm::vec3)},
-          Shared<std::byte>({bytes.begin(), bytes.end()})};
-}
 
 /// [vertex] the first one at the same position with the same normal: between others there is a crease.
 std::vector<std::uint32_t> uncreased(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
@@ -49,11 +43,11 @@ Tessellated tessellate(const VertexStreams& vertices, std::span<const std::uint3
   const std::vector<glm::vec3> moved =
       displaced_positions(mesh, indices, decode_vec3(*vertices.find("POSITION")), directions, displacements);
   for (VertexStream& stream : made.vertices.base) {
-    if (stream.semantic == "POSITION") stream = vec3_stream("POSITION", moved);
+    if (stream.semantic == "POSITION") stream = float_stream("POSITION", moved);
     if (stream.semantic != "NORMAL" || keeps_normals) continue;
     std::vector<glm::vec3> normals = decode_vec3(stream);
     replace_by_face_normals(normals, moved, mesh.indices, uncreased(flat, normals));
-    stream = vec3_stream("NORMAL", normals);
+    stream = float_stream("NORMAL", normals);
   }
   return made;
 }

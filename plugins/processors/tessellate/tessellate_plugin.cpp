@@ -1,5 +1,6 @@
 #include "tessellate.h"
 
+#include <foredraw/displaced/level_counts.h>
 #include <foredraw/displaced/scaled_levels.h>
 #include <foredraw/displaced/scene_displacement.h>
 #include <foredraw/displaced/stored_levels.h>
@@ -61,20 +62,12 @@ class Tessellate final : public Processor {
   };
 
   std::string too_many(std::span<const TessellationLevels> levels, TessellationSpacing spacing) const {
-    std::size_t triangles = 0;
-    for (const TessellationLevels& of : levels) triangles += tessellation_counts(of, spacing).triangles;
-    if (triangles <= static_cast<std::size_t>(options_.most)) return {};
+    const std::uint64_t triangles = count_triangles(levels, spacing);
+    if (triangles <= static_cast<std::uint64_t>(options_.most)) return {};
     return fmt::format(
         "{} triangles would come out, more than the limit of {}; give a larger `texels`, a lower "
         "`parts` or a higher `most`",
         triangles, options_.most);
-  }
-
-  static std::vector<std::uint32_t> sources(std::span<const TessellationLevels> levels, TessellationSpacing spacing) {
-    std::vector<std::uint32_t> source;
-    for (std::uint32_t t = 0; t < levels.size(); ++t)
-      source.insert(source.end(), tessellation_counts(levels[t], spacing).triangles, t);
-    return source;
   }
 
   /// As the options say, or else those that a stage chose, or as fine as the map.
@@ -100,7 +93,7 @@ class Tessellate final : public Processor {
     if (std::string why = too_many(levels, options_.spacing); !why.empty()) return why;
     Divided divided{tessellated_mesh(indices, level.vertices->count, levels, options_.spacing),
                     {},
-                    sources(levels, options_.spacing)};
+                    sources_of(levels, options_.spacing)};
     divided.displacements = displacements(divided.mesh, indices, on_draw.places, on_draw.sampled(),
                                           on_draw.displacement.factor, on_draw.displacement.offset);
     return divided;
@@ -112,7 +105,7 @@ class Tessellate final : public Processor {
     if (std::string why = too_many(levels, TessellationSpacing::equal); !why.empty()) return why;
     return Divided{tessellated_mesh(heights, level),
                    height_displacements(heights.heights.view(), heights.bits, heights.factor, heights.offset),
-                   sources(levels, TessellationSpacing::equal)};
+                   sources_of(levels, TessellationSpacing::equal)};
   }
 
   std::optional<Draw> tessellated(const Scene& scene, DrawId id, Analyses& analyses, std::string& why_not) const {
@@ -155,9 +148,7 @@ class Tessellate final : public Processor {
     }
     for (const auto& [material, users] : by_material) {
       Material& own = scene.materials[own_material(scene, material, users)];
-      for (std::optional<Stamp>* stamp : {&own.look, &own.kind}) {
-        if (*stamp) *stamp = combine(std::array{**stamp, stamp_of(*own.displacement)});
-      }
+      change_look(own, stamp_of(*own.displacement));
       own.displacement.reset();
     }
   }

@@ -1,6 +1,6 @@
 #include "level_ladder.h"
 
-#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/displaced/displaced_mesh.h>
 #include <foredraw/displaced/shared_edges.h>
 
 #include <algorithm>
@@ -189,15 +189,13 @@ std::unique_ptr<LevelLadder> constant_ladder(std::size_t triangles) {
 std::vector<std::uint32_t> shared_edges(std::span<const HeightPart> parts) {
   std::vector<glm::vec3> positions;
   for (const HeightPart& part : parts) positions.insert(positions.end(), part.positions.begin(), part.positions.end());
-  const std::vector<std::uint32_t> first = welded(positions);
-  std::vector<std::uint32_t> points;
-  std::size_t begin = 0;
+  std::vector<std::uint32_t> corners;
+  std::uint32_t begin = 0;
   for (const HeightPart& part : parts) {
-    for (const std::uint32_t index : part.indices.first(part.indices.size() / 3 * 3))
-      points.push_back(first[begin + index]);
-    begin += part.positions.size();
+    for (const std::uint32_t index : part.indices.first(part.indices.size() / 3 * 3)) corners.push_back(begin + index);
+    begin += static_cast<std::uint32_t>(part.positions.size());
   }
-  return first_edges(points, static_cast<std::uint32_t>(positions.size()));
+  return edges_at_places(corners, positions);
 }
 
 std::vector<std::uint8_t> edge_limits(std::span<const HeightPart> parts, std::span<const std::uint32_t> edges) {

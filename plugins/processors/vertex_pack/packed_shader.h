@@ -1,14 +1,13 @@
 #pragma once
 // runtime/packed_vertex.h as functions of a shader, with a layout's constants.
 
+#include <foredraw/base/shader_language.h>
 #include <foredraw/scene/packed_vertices.h>
 
 #include <string>
 #include <vector>
 
 namespace foredraw::packing {
-
-enum class ShaderLanguage { glsl, hlsl };
 
 /// The different layouts of all draws, stored ones before posed ones, each draw's after those of the draws before.
 std::vector<PackedLayout> distinct_layouts(const PackedVertices& all);

@@ -77,7 +77,7 @@ std::string packed_vertices_header(const PackedVertices& all, const Scene& scene
 }
 
 std::string packed_vertices_shader(const PackedVertices& all, const Scene& scene, std::string_view extension) {
-  const auto language = extension == ".glsl" ? packing::ShaderLanguage::glsl : packing::ShaderLanguage::hlsl;
+  const auto language = extension == ".glsl" ? ShaderLanguage::glsl : ShaderLanguage::hlsl;
   const std::vector<PackedLayout> distinct = packing::distinct_layouts(all);
   std::string text =
       "// Made by Foredraw: vertices of 128 bits. Define before including:\n"

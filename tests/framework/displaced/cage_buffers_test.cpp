@@ -3,6 +3,7 @@
 #include "support/displaced.h"
 
 #include <gtest/gtest.h>
+#include <glm/vec4.hpp>
 
 #include <stdexcept>
 
@@ -25,18 +26,15 @@ TEST(CageBuffers, AVertexHasWhatTheShadersReadOfIt) {
 }
 
 TEST(CageBuffers, AVertexHasItsFourLargestInfluences) {
-  struct Row {
-    float number[4];
-  };
+  using Row = glm::vec4;
   VertexStreams vertices;
   vertices.count = 3;
   vertices.base = {
-      testing::float_stream("JOINTS_0", std::vector<Row>{{{5, 1, 2, 3}}, {{0, 1, 9, 0}}, {{9, 9, 9, 9}}}),
+      testing::float_stream("JOINTS_0", std::vector<Row>{{5, 1, 2, 3}, {0, 1, 9, 0}, {9, 9, 9, 9}}),
       testing::float_stream(
-          "WEIGHTS_0",
-          std::vector<Row>{{{.125f, .25f, .125f, .0625f}}, {{.25f, .25f, .5f, 0}}, {{.25f, .25f, .25f, .25f}}}),
-      testing::float_stream("JOINTS_1", std::vector<Row>{{{4, 6, 0, 0}}, {{0, 0, 0, 0}}, {{0, 0, 0, 0}}}),
-      testing::float_stream("WEIGHTS_1", std::vector<Row>{{{.375f, .0625f, 0, 0}}, {{0, 0, 0, 0}}, {{0, 0, 0, 0}}})};
+          "WEIGHTS_0", std::vector<Row>{{.125f, .25f, .125f, .0625f}, {.25f, .25f, .5f, 0}, {.25f, .25f, .25f, .25f}}),
+      testing::float_stream("JOINTS_1", std::vector<Row>{{4, 6, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}),
+      testing::float_stream("WEIGHTS_1", std::vector<Row>{{.375f, .0625f, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}})};
   const auto skin = cage_skin(vertices, 7);
   const auto joints = [&](std::size_t v) { return std::vector<std::uint32_t>(skin[v].joint, skin[v].joint + 4); };
   const auto weights = [&](std::size_t v) { return std::vector<float>(skin[v].weight, skin[v].weight + 4); };

@@ -43,7 +43,7 @@ TEST(HeightMap, IsDecodedOnceAndKeptOrItIsSaidWhyNot) {
 
 TEST(HeightMap, LiesWhereTheTextureTransformPutsIt) {
   const HeightMap map{4, 2, Heights(8)};
-  const VertexStream texcoords = testing::float_stream<glm::vec2>("TEXCOORD_0", {{0, 0}, {0.5f, 0.5f}, {1, 1}});
+  const VertexStream texcoords = float_stream("TEXCOORD_0", std::vector<glm::vec2>{{0, 0}, {0.5f, 0.5f}, {1, 1}});
   const Texture texture{.scale = {2, 1}, .offset = {0, 0.25}};
   const auto places = height_places(texcoords, texture, map);
   EXPECT_EQ(places[0], (std::array<std::int32_t, 2>{0, 128}));

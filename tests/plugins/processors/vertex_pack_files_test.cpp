@@ -1,4 +1,5 @@
 // Packed vertices in files: what comes back, what is refused, and what engines get beside the scene.
+#include "support/compiled_shader.h"
 #include "support/packed_scenes.h"
 #include "support/program.h"
 
@@ -197,7 +198,7 @@ int main(void) {
 }
 
 TEST_F(PackedSideFiles, ShadersOfEveryLayoutCompile) {
-  if (std::system("glslangValidator --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no glslangValidator";
+  if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
   const Scene scene = packed_tube();
   for (const bool glsl : {true, false}) {
     const std::string text = text_of(scene, glsl ? "out.glsl" : "out.hlsl");

@@ -1,6 +1,7 @@
 // The generated shaders: a compiler takes them, and a device gets the bits of the C header from them.
 #include "plugins/processors/vertex_pack/packed_shader.h"
 
+#include "support/compiled_shader.h"
 #include "support/packed_vertices.h"
 #include "support/program.h"
 
@@ -22,9 +23,6 @@ namespace {
 
 using packing::packed_shader_head;
 using packing::packed_shader_text;
-using packing::ShaderLanguage;
-
-bool has_compiler() { return std::system("glslangValidator --version > /dev/null 2>&1") == 0; }
 
 /// Whether the compiler takes it; `name`.spv is what it makes. Its output tells why not.
 bool compiles(const std::filesystem::path& folder, const std::string& name, const std::string& text,
@@ -145,7 +143,7 @@ std::vector<PackedLayout> layouts() {
 class PackedShader : public testing::InFolder {};
 
 TEST_F(PackedShader, IsTakenByACompilerInBothLanguages) {
-  if (!has_compiler()) GTEST_SKIP() << "there is no glslangValidator";
+  if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
   for (const PackedLayout& layout : layouts()) {
     EXPECT_TRUE(compiles(folder_, "glsl", glsl_of(layout), glsl_arguments)) << glsl_of(layout);
     EXPECT_TRUE(compiles(folder_, "hlsl", hlsl_of(layout), hlsl_arguments)) << hlsl_of(layout);
@@ -200,7 +198,7 @@ using PackedOnDevice = testing::OnDevice;
 
 /// A million random rows and vertices for each layout that has all fields; fewer for the others.
 TEST_F(PackedOnDevice, DecodesAndEncodesToTheBitsOfTheHeader) {
-  if (!has_compiler()) GTEST_SKIP() << "there is no glslangValidator";
+  if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "foredraw-packed-on-device";
   std::filesystem::create_directories(folder);
   gpu::Device device(choice());
