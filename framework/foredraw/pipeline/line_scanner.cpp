@@ -21,9 +21,16 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; 
 /// Continuation bytes of UTF-8 belong to the character before them.
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
+/// ".25" as "0.25": people write the first, TOML has only the second.
+std::string with_leading_zero(std::string word) {
+  const std::size_t dot = word.find_first_not_of("+-");
+  if (dot < 2 && word[dot] == '.') word.insert(dot, "0");
+  return word;
+}
+
 OptionValue value_of_word(const std::string& word) {
   try {
-    const toml::table table = toml::parse("value = " + word);
+    const toml::table table = toml::parse("value = " + with_leading_zero(word));
     const toml::node& node = *table.get("value");
     if (const auto* truth = node.as_boolean()) return truth->get();
     if (const auto* whole = node.as_integer()) return whole->get();

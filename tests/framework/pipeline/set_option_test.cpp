@@ -49,6 +49,20 @@ TEST(SetOption, SetsReservedWords) {
   EXPECT_EQ(pipeline.stages[0].only, "a = b.c");
 }
 
+TEST(SetOption, TakesNumbersWithoutTheirZero) {
+  const auto value = [](std::string_view assignment) {
+    Pipeline pipeline = example();
+    Diagnostics diagnostics;
+    EXPECT_TRUE(set_option(pipeline, assignment, diagnostics)) << assignment;
+    return pipeline.stages[0].settings.at("x");
+  };
+  EXPECT_EQ(value("weld.x=.25"), OptionValue(.25));
+  EXPECT_EQ(value("weld.x=-.5e-3"), OptionValue(-.5e-3));
+  for (const std::string text : {".", "..5", "./5", ".5.5", ".hidden", "-."}) {
+    EXPECT_EQ(value("weld.x=" + text), OptionValue(text));
+  }
+}
+
 TEST(SetOption, RefusesWithoutChange) {
   const Pipeline before = example();
   const auto refusal = [&before](std::string_view assignment) {
