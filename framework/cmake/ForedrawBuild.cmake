@@ -45,6 +45,7 @@ foredraw_room(io io_mesh io_sprite)
 foredraw_room(report measuring io_text)
 foredraw_room(report_page report io_image)
 foredraw_room(pipeline report platform)
+foredraw_room(c)
 
 # Where one of these packages is missing, or what compiles shaders, the room and what links it are left out.
 set(foredraw_room_needs_gpu Vulkan)

@@ -7,13 +7,14 @@
 set(foredraw_package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/foredraw")
 set_property(GLOBAL PROPERTY FOREDRAW_COMPONENTS "")
 
-# foredraw_install_component(scene): foredraw::scene, made by foredraw_add_library.
+# foredraw_install_component(scene): foredraw::scene, made by foredraw_add_library, or a shared library.
 function(foredraw_install_component name)
   if(NOT FOREDRAW_INSTALL)
     return()
   endif()
   install(TARGETS foredraw_${name} EXPORT foredraw_${name}
-          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime NAMELINK_COMPONENT development)
   install(EXPORT foredraw_${name} NAMESPACE foredraw:: FILE ${name}.cmake
           DESTINATION "${foredraw_package_folder}/components" COMPONENT development)
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_COMPONENTS ${name})

@@ -4,6 +4,7 @@
 #     CMakeLists.txt          foredraw_add_plugin()   or   foredraw_add_plugin(REQUIRES "CGAL 5.5" LINK CGAL::CGAL)
 #     <name>.h <name>.cpp     the technique as a plain function, and whatever else the folder holds for it
 #     <name>_plugin.cpp       its card and its option table; defines Plugin <name>_plugin()
+#     <name>_c.cpp            the function for C, if it has one: what foredraw/c/functions.h declares
 #     <x>_product*.cpp        what it makes beside triangles and vertices, if anything: the row of a product
 #     schemas/<x>.json        JSON Schemas of the product's extension
 #     shaders/<x>.<stage>     GLSL, if any, which the function includes as "shaders/<x>_<stage>.h": the array <x>_<stage>
@@ -18,6 +19,7 @@
 include_guard(GLOBAL)
 set_property(GLOBAL PROPERTY FOREDRAW_BUILT_IN "")
 set_property(GLOBAL PROPERTY FOREDRAW_FUNCTIONS_LINK "")
+set_property(GLOBAL PROPERTY FOREDRAW_FOR_C "")
 set_property(GLOBAL PROPERTY FOREDRAW_GPL "")
 set_property(GLOBAL PROPERTY FOREDRAW_LEFT_OUT "")
 
@@ -81,7 +83,8 @@ function(_foredraw_add_plugin folder)
 
   file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
   file(GLOB dress CONFIGURE_DEPENDS "${folder}/*_plugin.cpp" "${folder}/*_product*.cpp")
-  list(REMOVE_ITEM sources ${dress})
+  file(GLOB for_c CONFIGURE_DEPENDS "${folder}/*_c.cpp")
+  list(REMOVE_ITEM sources ${dress} ${for_c})
   foredraw_add_library(${name} SOURCES ${sources} LINK ${ARG_LINK} REQUIRES ${ARG_REQUIRES})
   target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)  # <plugins/.../name.h>
   foredraw_add_shaders(foredraw_${name} ${shaders})
@@ -99,6 +102,9 @@ function(_foredraw_add_plugin folder)
     foredraw_install_component(${name}_plugin)
   endif()
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_BUILT_IN ${name})
+  if(for_c)
+    set_property(GLOBAL APPEND PROPERTY FOREDRAW_FOR_C "${name}|${for_c}")
+  endif()
   if(ARG_GPL)
     set_property(GLOBAL APPEND PROPERTY FOREDRAW_GPL ${config_name})
   endif()

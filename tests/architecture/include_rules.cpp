@@ -131,6 +131,7 @@ std::string refused_in_plugin(const std::vector<std::string>& place, const Inclu
   const bool is_face = place.size() > 1 && file == place[place.size() - 2] + ".h";
   const std::string room = include.room();
   if (room == "runtime") return "";
+  if (room == "c") return file.ends_with("_c.cpp") ? "" : "C is spoken in the folder's _c.cpp alone";
   if (room == "gpu" || room == "frames_gpu") {
     if (!links(place, room)) return "the folder's CMakeLists.txt does not link foredraw::" + room;
     if (is_face && include.target != "foredraw/gpu/choice.h") return "who calls the function needs no header of Vulkan";

@@ -1,4 +1,4 @@
-// The code that README.md and docs/embedding.md show is code that the tests build and run.
+// The code that README.md, docs/embedding.md and docs/c-functions.md show is code that the tests build and run.
 
 #include "support/meshes.h"
 
@@ -15,9 +15,9 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// How many pieces of C++ the page shows; each has to be found in the sources.
-int quotes(const std::string& page, const std::string& sources) {
-  const std::string begin = "```cpp\n";
+/// How many pieces of code in that language the page shows; each has to be found in the sources.
+int quotes(const std::string& page, const std::string& sources, const std::string& language = "cpp") {
+  const std::string begin = "```" + language + "\n";
   int quotes = 0;
   for (std::size_t at = page.find(begin); at != std::string::npos; at = page.find(begin, at)) {
     at += begin.size();
@@ -33,6 +33,10 @@ TEST(Embedding, DocumentationQuotesWhatIsCompiled) {
                               text_of("tests/embedding/pipeline/main.cpp") +
                               text_of("hosts/embed/examples/displaced_shaders.cpp");
   EXPECT_GE(quotes(text_of("docs/embedding.md"), sources), 5);
+}
+
+TEST(Embedding, ThePageOfCQuotesWhatIsCompiled) {
+  EXPECT_EQ(quotes(text_of("docs/c-functions.md"), text_of("tests/c/functions_test.c"), "c"), 1);
 }
 
 TEST(Embedding, TheReadmeQuotesWhatIsCompiled) {

@@ -1,0 +1,132 @@
+/* Foredraw's plain functions for C, and for what calls C: orders of triangles and vertices, clusters, figures. C99;
+ * link libforedraw_functions, which needs the C++ runtime and nothing else.
+ *
+ *   const foredraw_triangles mesh = {indices, index_count, sizeof *indices, vertex_count};
+ *   uint32_t* order = malloc(index_count / 3 * sizeof *order);
+ *   int status = foredraw_lookahead(order, &mesh, FOREDRAW_LOOKAHEAD_BALANCED, FOREDRAW_LOOKAHEAD_ROBUST, 0);
+ *   if (status == FOREDRAW_DONE) status = foredraw_reorder_triangles(ordered, &mesh, order);
+ *   if (status != FOREDRAW_DONE) puts(foredraw_status_text(status));
+ *
+ * - All input is checked. What is refused leaves the output as it was, unless a function says otherwise.
+ * - The functions keep no state: several threads may call them at once on memory of their own. No exception leaves
+ * them.
+ * - An order is order[new] = old. Corners of a triangle are never rotated.
+ * - The same input gives the same output on every machine.
+ * - Outputs are the caller's arrays, aligned as their types are, and apart from the inputs. */
+#ifndef FOREDRAW_C_FUNCTIONS_H
+#define FOREDRAW_C_FUNCTIONS_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What each function returns. */
+enum {
+  FOREDRAW_DONE = 0,
+  FOREDRAW_NO_MEMORY = 1, /* memory ran out */
+  FOREDRAW_NULL_POINTER,  /* a pointer is NULL */
+  FOREDRAW_INDEX_COUNT,   /* the number of indices is no multiple of three */
+  FOREDRAW_INDEX_BYTES,   /* indices have neither 1, 2 nor 4 bytes */
+  FOREDRAW_INDEX_RANGE,   /* an index is not below the number of vertices */
+  FOREDRAW_TOO_LARGE,     /* more triangles or vertices than the function can number */
+  FOREDRAW_OPTION_RANGE,  /* an option lies outside of its range */
+  FOREDRAW_NO_CLUSTERS,   /* offsets do not begin with 0, rise, and end with the number of triangles */
+  FOREDRAW_NO_ORDER       /* an order does not name everything once */
+};
+
+/* A sentence without its full stop, in English; for any number. */
+const char* foredraw_status_text(int status);
+
+/* A triangle list. Triangles may be degenerate, equal or non-manifold. */
+typedef struct foredraw_triangles {
+  const void* indices;   /* three a triangle, at any alignment; may be NULL where there are none */
+  uint64_t index_count;  /* a multiple of three */
+  uint32_t index_bytes;  /* of each index: 1, 2 or 4 */
+  uint32_t vertex_count; /* each index is below it */
+} foredraw_triangles;
+
+/* Positions of vertices, within an interleaved buffer if need be. They may be infinite or no numbers. */
+typedef struct foredraw_positions {
+  const void* first; /* x, y and z of vertex 0, 32-bit floats at any alignment */
+  uint32_t stride;   /* bytes from one vertex to the next; 0: 12 */
+} foredraw_positions;
+
+/* Orders of triangles; each writes index_count / 3 numbers. An option of 0 means the default. */
+
+/* For a FIFO vertex cache of `cache_size` entries, 3 or more (16). The fastest.
+ * Sander, Nehab and Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007,
+ * section 3. */
+int foredraw_tipsify(uint32_t* order, const foredraw_triangles* triangles, uint32_t cache_size);
+
+/* For caches of any kind up to about `cache_size` entries, 3 to 64 (32).
+ * Forsyth: Linear-Speed Vertex Cache Optimisation, 2006. */
+int foredraw_forsyth(uint32_t* order, const foredraw_triangles* triangles, uint32_t cache_size);
+
+enum { FOREDRAW_LOOKAHEAD_FAST = 1, FOREDRAW_LOOKAHEAD_BALANCED, FOREDRAW_LOOKAHEAD_HIGH };
+enum {
+  FOREDRAW_LOOKAHEAD_ROBUST = 1, /* a FIFO of `cache_size`, and no worse than tipsify in others */
+  FOREDRAW_LOOKAHEAD_FIFO,       /* a FIFO of `cache_size` alone */
+  FOREDRAW_LOOKAHEAD_NVIDIA,     /* batches as these GPUs shade them */
+  FOREDRAW_LOOKAHEAD_AMD,
+  FOREDRAW_LOOKAHEAD_INTEL
+};
+/* The fewest misses: fans are drawn on trial. `quality` and `target`: of the enums above (BALANCED, ROBUST);
+ * `cache_size`: 3 to 256 (16). */
+int foredraw_lookahead(uint32_t* order, const foredraw_triangles* triangles, int quality, int target,
+                       uint32_t cache_size);
+
+/* Clusters: ranges of the triangles as they stand, which overdraw orders move as wholes. */
+
+/* Cuts the triangles where that costs few misses in a FIFO cache of `cache_size` entries, 3 or more (16). Cluster c
+ * holds the triangles offsets[c] to offsets[c + 1] - 1. `offsets` has room for index_count / 3 + 1 numbers, of which
+ * *cluster_count + 1 are written. `growth`: how many times a patch's own misses per triangle a cluster may have, at
+ * least 1 (1.05). Sander, Nehab and Barczak 2007, section 4. */
+int foredraw_linear_clusters(uint32_t* offsets, uint32_t* cluster_count, const foredraw_triangles* triangles,
+                             uint32_t cache_size, double growth);
+
+/* The sequence of the clusters, sequence[new] = old, that draws outward faces first, so that what they hide is not
+ * shaded. Sander, Nehab and Barczak 2007, section 5. */
+int foredraw_dot_rule(uint32_t* sequence, const foredraw_triangles* triangles, const foredraw_positions* positions,
+                      const uint32_t* offsets, uint32_t cluster_count);
+
+/* The order of the triangles in which the clusters are drawn in that sequence; offsets[cluster_count] numbers. */
+int foredraw_order_of_clusters(uint32_t* order, const uint32_t* offsets, uint32_t cluster_count,
+                               const uint32_t* sequence);
+
+/* The order of the vertices by first use. Those that no triangle uses come last; *used_count, if not NULL, is how many
+ * others there are. `order` has room for vertex_count numbers. */
+int foredraw_vertex_fetch(uint32_t* order, uint32_t* used_count, const foredraw_triangles* triangles);
+
+/* Orders applied. */
+
+/* The indices in that order of their triangles, with as many bytes each as they have. */
+int foredraw_reorder_triangles(void* reordered, const foredraw_triangles* triangles, const uint32_t* order);
+
+/* The indices after their vertices took that order, with as many bytes each as they have. */
+int foredraw_renumber_vertices(void* renumbered, const foredraw_triangles* triangles, const uint32_t* order);
+
+/* `count` elements of `bytes` bytes each, one behind the other, in that order: vertices of a buffer, say. `order` may
+ * name fewer than there are, and each once at most: the first `count` of *used_count. */
+int foredraw_reorder_elements(void* reordered, const void* elements, uint64_t element_count, uint32_t bytes,
+                              const uint32_t* order, uint64_t count);
+
+/* Figures. */
+
+typedef struct foredraw_vertex_cache_figures {
+  uint64_t misses;   /* vertices shaded */
+  uint64_t vertices; /* different ones that the triangles use */
+  double acmr;       /* misses a triangle: .5 at best on large closed meshes, 3 at worst; 0 where there are none */
+  double atvr;       /* misses a vertex that is used: 1 at best; 0 where there are none */
+} foredraw_vertex_cache_figures;
+
+/* What a FIFO cache of `cache_size` entries, 1 to 65535 (16), makes of the triangles as they stand. */
+int foredraw_vertex_cache(foredraw_vertex_cache_figures* figures, const foredraw_triangles* triangles,
+                          uint32_t cache_size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
