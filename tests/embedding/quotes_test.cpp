@@ -1,4 +1,4 @@
-// The code that README.md, docs/embedding.md and docs/c-functions.md show is code that the tests build and run.
+// The code that README.md, docs/embedding.md and the pages of C show is code that the tests build and run.
 
 #include "support/meshes.h"
 
@@ -35,8 +35,9 @@ TEST(Embedding, DocumentationQuotesWhatIsCompiled) {
   EXPECT_GE(quotes(text_of("docs/embedding.md"), sources), 5);
 }
 
-TEST(Embedding, ThePageOfCQuotesWhatIsCompiled) {
+TEST(Embedding, ThePagesOfCQuoteWhatIsCompiled) {
   EXPECT_EQ(quotes(text_of("docs/c-functions.md"), text_of("tests/c/functions_test.c"), "c"), 1);
+  EXPECT_EQ(quotes(text_of("docs/c-library.md"), text_of("tests/embedding/c/tool.c"), "c"), 1);
 }
 
 TEST(Embedding, TheReadmeQuotesWhatIsCompiled) {

@@ -7,7 +7,8 @@
  *   if (status == FOREDRAW_DONE) status = foredraw_reorder_triangles(ordered, &mesh, order);
  *   if (status != FOREDRAW_DONE) puts(foredraw_status_text(status));
  *
- * - All input is checked. What is refused leaves the output as it was, unless a function says otherwise.
+ * - All input is checked; status.h has what may be wrong. What is refused leaves the output as it was, unless a
+ * function says otherwise.
  * - The functions keep no state: several threads may call them at once on memory of their own. No exception leaves
  * them.
  * - An order is order[new] = old. Corners of a triangle are never rotated.
@@ -16,28 +17,13 @@
 #ifndef FOREDRAW_C_FUNCTIONS_H
 #define FOREDRAW_C_FUNCTIONS_H
 
+#include <foredraw/c/status.h>
+
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* What each function returns. */
-enum {
-  FOREDRAW_DONE = 0,
-  FOREDRAW_NO_MEMORY = 1, /* memory ran out */
-  FOREDRAW_NULL_POINTER,  /* a pointer is NULL */
-  FOREDRAW_INDEX_COUNT,   /* the number of indices is no multiple of three */
-  FOREDRAW_INDEX_BYTES,   /* indices have neither 1, 2 nor 4 bytes */
-  FOREDRAW_INDEX_RANGE,   /* an index is not below the number of vertices */
-  FOREDRAW_TOO_LARGE,     /* more triangles or vertices than the function can number */
-  FOREDRAW_OPTION_RANGE,  /* an option lies outside of its range */
-  FOREDRAW_NO_CLUSTERS,   /* offsets do not begin with 0, rise, and end with the number of triangles */
-  FOREDRAW_NO_ORDER       /* an order does not name everything once */
-};
-
-/* A sentence without its full stop, in English; for any number. */
-const char* foredraw_status_text(int status);
 
 /* A triangle list. Triangles may be degenerate, equal or non-manifold. */
 typedef struct foredraw_triangles {

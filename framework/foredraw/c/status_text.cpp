@@ -1,8 +1,11 @@
-#include <foredraw/c/functions.h>
+#include <foredraw/c/status.h>
 
 const char* foredraw_status_text(int status) {
   switch (status) {
     case FOREDRAW_DONE: return "done";
+    case FOREDRAW_MISTAKE: return "what was asked for is not possible; the text that came out says why";
+    case FOREDRAW_FAILED: return "something went wrong; the text that came out says what";
+    case FOREDRAW_CANCELLED: return "cancelled";
     case FOREDRAW_NO_MEMORY: return "memory ran out";
     case FOREDRAW_NULL_POINTER: return "a pointer is NULL where data or room for the answer is needed";
     case FOREDRAW_INDEX_COUNT: return "the number of indices is not a multiple of three";

@@ -1,0 +1,132 @@
+/* Foredraw as a library for C, and for what calls C: scenes from files or memory, pipelines, figures. C99; link
+ * libforedraw, which has the functions of functions.h as well.
+ *
+ *   foredraw_context* context = foredraw_context_new(NULL);
+ *   foredraw_scene *scene = NULL, *cheaper = NULL;
+ *   foredraw_text text = {0};
+ *   int status = foredraw_read(context, "house.glb", &scene, &text);
+ *   if (status == FOREDRAW_DONE) {
+ *     foredraw_text_free(&text);
+ *     status = foredraw_optimize(context, scene, "weld, lookahead, occlusion-order, vertex-fetch", &cheaper, &text);
+ *   }
+ *   if (status == FOREDRAW_DONE) ...        foredraw_write(), or foredraw_scene_draw()
+ *   puts(text.data);
+ *
+ * - Texts are UTF-8. Those that come out are JSON (docs/report.md), even where something failed: "diagnostics" says
+ * what is wrong, where, and what to do about it. Each out-parameter may be NULL where the caller does not want it.
+ * - Scenes never change; what is made of one is another. All handles may be used on several threads at once. Each is
+ *   freed once, in any sequence; freeing NULL does nothing.
+ * - No exception leaves a function. Statuses: status.h. */
+#ifndef FOREDRAW_C_FOREDRAW_H
+#define FOREDRAW_C_FOREDRAW_H
+
+#include <foredraw/c/status.h>
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The version of the library, 10000 * major + 100 * minor + patch. */
+uint32_t foredraw_version(void);
+
+/* Plugins and threads. */
+typedef struct foredraw_context foredraw_context;
+typedef struct foredraw_scene foredraw_scene;
+
+/* A text that came out, with a 0 behind its last byte; to be freed by foredraw_text_free(), which empties it. */
+typedef struct foredraw_text {
+  const char* data; /* NULL: none */
+  uint64_t length;  /* bytes */
+} foredraw_text;
+void foredraw_text_free(foredraw_text* text);
+
+typedef struct foredraw_settings {
+  uint32_t size;    /* sizeof(foredraw_settings) */
+  uint32_t threads; /* at most; 0: one for each processor */
+  /* Called as stages begin and end, on the thread that called the function: what is going on, and which part of the
+   * whole is done, 0 to 1. A number other than 0 cancels it. May be NULL. */
+  int (*progress)(void* user, const char* what, double part);
+  void* user;
+} foredraw_settings;
+
+/* NULL where memory runs out. `settings` may be NULL. */
+foredraw_context* foredraw_context_new(const foredraw_settings* settings);
+void foredraw_context_free(foredraw_context* context);
+
+/* Ends whatever runs in the context at this time, within about a second: it returns FOREDRAW_CANCELLED. From any
+ * thread. */
+void foredraw_cancel(foredraw_context* context);
+
+/* Scenes. `problems` is {"diagnostics": [...]}: errors, and warnings where there was none. */
+
+/* Reads glTF, OBJ, PLY, OFF, STL, an image or a frame list. */
+int foredraw_read(foredraw_context* context, const char* path, foredraw_scene** scene, foredraw_text* problems);
+
+/* The same of glTF in memory, .glb or .gltf. `name` is what diagnostics call it. Files beside it are not looked for. */
+int foredraw_read_memory(foredraw_context* context, const void* bytes, uint64_t size, const char* name,
+                         foredraw_scene** scene, foredraw_text* problems);
+
+/* Writes it, the extension says as what: all its files or none. */
+int foredraw_write(foredraw_context* context, const foredraw_scene* scene, const char* path, foredraw_text* problems);
+
+enum { FOREDRAW_INT8 = 1, FOREDRAW_UINT8, FOREDRAW_INT16, FOREDRAW_UINT16, FOREDRAW_UINT32, FOREDRAW_FLOAT32 };
+
+/* A vertex attribute, as it is stored. */
+typedef struct foredraw_stream {
+  const char* semantic; /* glTF's word: "NORMAL", "TEXCOORD_0", "_MINE" */
+  const void* bytes;    /* of vertex 0 */
+  uint32_t stride;      /* bytes from one vertex to the next; 0: none between them */
+  uint32_t component;   /* FOREDRAW_FLOAT32 and so on */
+  uint32_t components;  /* 1 to 16 */
+  uint32_t normalized;  /* 1: integers mean 0 to 1, or -1 to 1 */
+} foredraw_stream;
+
+/* Triangles that are drawn at once. */
+typedef struct foredraw_draw {
+  uint32_t size; /* sizeof(foredraw_draw) */
+  uint32_t vertex_count;
+  uint64_t triangle_count;
+  const char* name;        /* may be NULL */
+  const uint32_t* indices; /* three a triangle, each below vertex_count */
+  const float* positions;  /* three a vertex */
+  uint32_t stream_count;
+  const foredraw_stream* streams; /* besides positions */
+} foredraw_draw;
+
+/* A scene of draws in memory, which is copied. */
+int foredraw_make_scene(foredraw_context* context, const foredraw_draw* draws, uint64_t draw_count,
+                        foredraw_scene** scene, foredraw_text* problems);
+
+uint64_t foredraw_scene_draws(const foredraw_scene* scene);
+
+/* What a draw is now, at full detail: memory of the scene's, good while a handle of it lives. `draw->size` has to be
+ * set. Draws of lines and points are refused (FOREDRAW_MISTAKE). */
+int foredraw_scene_draw(const foredraw_scene* scene, uint64_t number, foredraw_draw* draw);
+
+/* Where triangles and vertices went: arrays of the scene's of one number for each triangle, [new] = old, and for each
+ * vertex that there was, [old] = new, or 0xffffffff where it was left out; NULL where all are as they were. */
+int foredraw_scene_moves(const foredraw_scene* scene, uint64_t number, const uint32_t** triangles,
+                         const uint32_t** vertices, uint64_t* vertex_count);
+
+foredraw_scene* foredraw_scene_copy(const foredraw_scene* scene); /* a handle of the same */
+void foredraw_scene_free(foredraw_scene* scene);
+
+/* Runs. A pipeline is "@default" or another preset, a line of stages, or the text of a pipeline's file
+ * (docs/pipelines.md). `report` is that of the program's --json. */
+
+/* Runs the stages. Where one failed the status is FOREDRAW_FAILED and `result` is what the others made; after
+ * FOREDRAW_MISTAKE and FOREDRAW_CANCELLED it is NULL. */
+int foredraw_optimize(foredraw_context* context, const foredraw_scene* scene, const char* pipeline,
+                      foredraw_scene** result, foredraw_text* report);
+
+/* Measures with these evaluators, "vertex-cache, overdraw-raster(count=30)"; NULL: those of @default. */
+int foredraw_measure(foredraw_context* context, const foredraw_scene* scene, const char* evaluators,
+                     foredraw_text* report);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,74 @@
+#pragma once
+// What the handles of foredraw.h are.
+
+#include <foredraw/base/parallel.h>
+#include <foredraw/c/foredraw.h>
+#include <foredraw/io/reading/scene_input.h>
+#include <foredraw/scene/scene.h>
+#include <foredraw/technique/registry.h>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <vector>
+
+struct foredraw_context {
+  explicit foredraw_context(const foredraw_settings& given);
+
+  foredraw::SceneInput input() const { return {registry.products(), false, {}, executor}; }
+
+  foredraw_settings settings;
+  foredraw::Registry registry;
+  foredraw::Executor executor;
+
+  std::mutex mutex;
+  std::set<std::atomic<bool>*> running;  ///< what foredraw_cancel() sets
+};
+
+namespace foredraw::c {
+
+/// A call that foredraw_cancel() may end, for as long as this lives.
+class Cancellable {
+ public:
+  explicit Cancellable(foredraw_context& context);
+  ~Cancellable();
+  Cancellable(const Cancellable&) = delete;
+  Cancellable& operator=(const Cancellable&) = delete;
+
+  void cancel() { is_cancelled_ = true; }
+  const std::atomic<bool>& is_cancelled() const { return is_cancelled_; }
+
+ private:
+  foredraw_context& context_;
+  std::atomic<bool> is_cancelled_ = false;
+};
+
+/// A scene, where its images lie, and what was decoded of it for callers.
+struct HeldScene {
+  HeldScene(Scene held, std::string from, std::uint64_t size, std::string content)
+      : scene(std::move(held)),
+        path(std::move(from)),
+        bytes(size),
+        stamp(std::move(content)),
+        lent(scene.draws.size()) {}
+
+  struct Lent {
+    std::once_flag once;
+    std::vector<float> positions;
+    std::vector<foredraw_stream> streams;
+  };
+
+  const Scene scene;
+  const std::string path;  ///< of the file that it was first read from, or empty
+  const std::uint64_t bytes;
+  const std::string stamp;
+  mutable std::vector<Lent> lent;  ///< [draw]
+};
+
+}  // namespace foredraw::c
+
+struct foredraw_scene {
+  std::shared_ptr<const foredraw::c::HeldScene> held;
+};
