@@ -7,6 +7,7 @@
 
 #include <foredraw/io/file_lender.h>
 #include <foredraw/io/image/images.h>
+#include <foredraw/pipeline/contest.h>
 #include <foredraw/pipeline/sweep.h>
 #include <foredraw/report/bound.h>
 #include <foredraw/report/fronts.h>
@@ -38,7 +39,7 @@ std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>
 }
 
 /// Pipelines to be compared, and how.
-struct Contest {
+struct Competition {
   const std::vector<NamedPipeline>& pipelines;
   const SceneInput& how;
   const Lender& lender;
@@ -53,89 +54,44 @@ struct ComparedFile {
   std::vector<std::optional<Scene>> scenes;  ///< [pipeline] nothing where it was lost
 };
 
-/// The plans of the pipelines that can be planned, and whose they are. The others are lost.
-struct Planned {
-  std::vector<Plan> plans;
-  std::vector<std::size_t> branches;  ///< [plan]
-};
-
-/// What is said of several pipelines alike, once.
-void tell_once(const std::vector<Diagnostic>& diagnostics) {
-  std::vector<Diagnostic> different;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    const auto is_said = [&](const Diagnostic& said) {
-      return said.message == diagnostic.message && said.hint == diagnostic.hint;
-    };
-    if (std::ranges::none_of(different, is_said)) different.push_back(diagnostic);
+void tell_of(const Contest& made) {
+  const std::vector<Branch>& branches = made.comparison.branches;
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    if (!branches[i].is_lost) continue;
+    Diagnostics lost;
+    lost.error({.file = made.comparison.input.path}, "can-not-be-planned",
+               fmt::format("[{}] {} cannot be planned for this file:", i + 1, branches[i].name));
+    tell(lost);
+    tell(branches[i].report.diagnostics);
   }
-  tell(different);
-}
-
-Planned planned(const Contest& contest, const Registry& registry, const Scene& scene, Comparison& comparison) {
-  Planned all;
-  std::vector<Diagnostic> warnings;
-  for (const NamedPipeline& named : contest.pipelines) {
-    const std::size_t number = comparison.branches.size();
-    Branch& branch = comparison.branches.emplace_back(Branch{named.name, {}});
-    Diagnostics diagnostics;
-    auto plan = with_memory(comparison.input.path, "plan for it", [&] {
-      return foredraw::plan(named.pipeline, registry, scene, diagnostics, &contest.lender);
-    });
-    if (plan) {
-      all.plans.push_back(std::move(*plan));
-      all.branches.push_back(number);
-      warnings.insert(warnings.end(), diagnostics.all().begin(), diagnostics.all().end());
-    } else {
-      branch.is_lost = true;
-      branch.report.pipeline = print_file(named.pipeline);
-      branch.report.diagnostics = diagnostics.all();
-      Diagnostics lost;
-      lost.error({.file = comparison.input.path}, "can-not-be-planned",
-                 fmt::format("[{}] {} cannot be planned for this file:", number + 1, named.name));
-      tell(lost);
-      tell(diagnostics);
-    }
+  tell(made.warnings);
+  for (const Branch& branch : branches) {
+    if (!branch.is_lost) tell(branch.report.diagnostics);
   }
-  tell_once(warnings);
-  return all;
 }
 
 /// All pipelines on one file; a file that can not be read has none. `worst` tells of what failed.
-ComparedFile compared(const std::string& input, const Contest& contest, const Registry& registry,
+ComparedFile compared(const std::string& input, const Competition& competition, const Registry& registry,
                       const Executor& executor, Exit& worst) {
-  ComparedFile made{{{input, 0}, {}, contest.fronts, {}}, {}, {}};
-  Comparison& comparison = made.comparison;
   Diagnostics diagnostics;
-  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, contest.how); });
-  comparison.diagnostics = diagnostics.all();
+  const auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, competition.how); });
   if (!file) {
     worst = std::max(worst, refuse_file(diagnostics));
-    return made;
+    return {{{input, 0}, {}, competition.fronts, diagnostics.all()}, {}, {}};
   }
   tell(diagnostics);
-  made.input = file->scene;
-  comparison.input = {input, file->bytes, to_text(file->stamp)};
-  const Planned all = planned(contest, registry, file->scene, comparison);
-  const std::vector<Plan>& plans = all.plans;
-  if (plans.size() < contest.pipelines.size()) worst = std::max(worst, users_mistake);
-  made.scenes.resize(comparison.branches.size());
-  if (plans.empty()) return made;
-
-  Analyses analyses(image_decoder(input, contest.how.root));
-  std::vector<Result> results = with_memory(input, "work on it", [&] {
-    return foredraw::compare(plans, file->scene, contest.rounds, {executor, analyses, nullptr, progress_line()});
+  Analyses analyses(image_decoder(input, competition.how.root));
+  Contest made = with_memory(input, "work on it", [&] {
+    return contest({input, file->bytes, to_text(file->stamp)}, file->scene, competition.pipelines, registry,
+                   &competition.lender, competition.rounds, {executor, analyses, nullptr, progress_line()});
   });
   end_progress();
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    if (results[i].failed) worst = something_failed;
-    made.scenes[all.branches[i]] = std::move(results[i].scene);
-    Report& report = comparison.branches[all.branches[i]].report;
-    report = std::move(results[i].report);
-    report.command = "compare";
-    report.input = comparison.input;
-    tell(report.diagnostics);
-  }
-  return made;
+  made.comparison.fronts = competition.fronts;
+  made.comparison.diagnostics = diagnostics.all();
+  tell_of(made);
+  if (std::ranges::any_of(made.comparison.branches, &Branch::is_lost)) worst = std::max(worst, users_mistake);
+  if (made.failed) worst = something_failed;
+  return {std::move(made.comparison), file->scene, std::move(made.scenes)};
 }
 
 /// What figures are held to.

@@ -1,8 +1,6 @@
 #include "session.h"
 
-#include <foredraw/pipeline/measured_subjects.h>
-#include <foredraw/pipeline/parse.h>
-#include <foredraw/pipeline/usual_measures.h>
+#include <foredraw/pipeline/contest.h>
 #include <foredraw/platform/terminal.h>
 
 #include <fmt/format.h>
@@ -65,14 +63,6 @@ bool set_wherever_it_is(std::vector<NamedPipeline>& pipelines, const std::string
   return found;
 }
 
-std::vector<Stage> stages_of(const std::vector<NamedPipeline>& pipelines) {
-  std::vector<Stage> stages;
-  for (const NamedPipeline& named : pipelines) {
-    stages.insert(stages.end(), named.pipeline.stages.begin(), named.pipeline.stages.end());
-  }
-  return stages;
-}
-
 }  // namespace
 
 std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments, const Registry& registry,
@@ -83,19 +73,14 @@ std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& argumen
     auto branches = load_branches(text, diagnostics);
     if (branches) std::ranges::move(*branches, std::back_inserter(pipelines));
   }
-  auto measure = arguments.with.empty() ? std::optional<std::vector<Stage>>()
+  auto measure = arguments.with.empty() ? std::optional<std::vector<Stage>>(std::in_place)
                                         : parse_stages(arguments.with, "--with", diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  if (!measure) measure = pipelines.front().pipeline.measure;
-  if (measure->empty()) measure = usual_measures(stages_of(pipelines), registry);
-  for (NamedPipeline& named : pipelines) named.pipeline.measure = *measure;
+  measure_alike(pipelines, std::move(*measure), registry);
   bool good = true;
   for (const std::string& assignment : arguments.set)
     good = set_wherever_it_is(pipelines, assignment, diagnostics) && good;
-  const SubjectChoice& first = pipelines.front().pipeline.subjects;
-  for (NamedPipeline& named : pipelines) {
-    if (named.pipeline.subjects != first) judge_subjects_of(first, named.pipeline.measure, registry);
-  }
+  judge_alike(pipelines, registry);
   return good ? std::optional(std::move(pipelines)) : std::nullopt;
 }
 

@@ -87,6 +87,29 @@ TEST_F(ForC, MeasuresWhatItIsAskedFor) {
   EXPECT_TRUE(usual.json().at("totals").at("metrics").contains("overdraw-raster"));
 }
 
+TEST_F(ForC, ComparesAsTheProgramDoes) {
+  const SceneHandle scene = read(spot);
+  const foredraw_scene* scenes[] = {scene.get(), scene.get()};
+  const char* pipelines[] = {"tipsify, vertex-fetch", "@cache-only"};
+  Told told, lost, wrong;
+  ASSERT_EQ(foredraw_compare(context_.get(), scenes, 2, pipelines, 2, 0, told.out()), FOREDRAW_DONE);
+  const Ended program =
+      run_program(folder_, "compare '" + spot + "' '" + spot + "' --json -p 'tipsify, vertex-fetch' -p @cache-only");
+  ASSERT_EQ(program.code, 0) << program.err;
+  const Json mine = told.json(), theirs = Json::parse(program.out);
+  ASSERT_EQ(mine.at("files").size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(mine.at("files").at(i).at("metrics"), theirs.at("files").at(i).at("metrics"));
+  }
+  const char* one_is_lost[] = {"tipsify", "particle-trim(required=true)"};
+  EXPECT_EQ(foredraw_compare(context_.get(), scenes, 1, one_is_lost, 2, 0, lost.out()), FOREDRAW_FAILED);
+  EXPECT_TRUE(lost.json().at("files").at(0).at("branches").at(1).at("lost"));
+  const char* one_is_wrong[] = {"tipsify", "tipsify("};
+  EXPECT_EQ(foredraw_compare(context_.get(), scenes, 1, one_is_wrong, 2, 0, wrong.out()), FOREDRAW_MISTAKE);
+  EXPECT_FALSE(wrong.json().at("diagnostics").empty());
+  EXPECT_EQ(foredraw_compare(context_.get(), scenes, 1, nullptr, 1, 0, nullptr), FOREDRAW_NULL_POINTER);
+}
+
 TEST_F(ForC, SaysWhatIsWrong) {
   foredraw_scene* scene = nullptr;
   Told missing, damaged, wrong, unwritable;

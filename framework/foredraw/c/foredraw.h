@@ -125,6 +125,12 @@ int foredraw_optimize(foredraw_context* context, const foredraw_scene* scene, co
 int foredraw_measure(foredraw_context* context, const foredraw_scene* scene, const char* evaluators,
                      foredraw_text* report);
 
+/* Each pipeline on each scene, side by side; all measure as the first does. Stages run in so many `rounds` (0: 1), and
+ * their times are the medians. `comparison` is that of the program's compare --json. A pipeline that can not be planned
+ * for some scene is lost there: the status is FOREDRAW_FAILED. */
+int foredraw_compare(foredraw_context* context, const foredraw_scene* const* scenes, uint64_t scene_count,
+                     const char* const* pipelines, uint64_t pipeline_count, uint32_t rounds, foredraw_text* comparison);
+
 #ifdef __cplusplus
 }
 #endif

@@ -24,6 +24,14 @@ Cancellable::~Cancellable() {
   context_.running.erase(&is_cancelled_);
 }
 
+std::function<void(std::string_view, double)> Cancellable::progress() {
+  if (context_.settings.progress == nullptr) return {};
+  return [this](std::string_view what, double part) {
+    const foredraw_settings& settings = context_.settings;
+    if (settings.progress(settings.user, std::string(what).c_str(), part) != 0) is_cancelled_ = true;
+  };
+}
+
 }  // namespace foredraw::c
 
 uint32_t foredraw_version(void) { return FOREDRAW_VERSION_NUMBER; }

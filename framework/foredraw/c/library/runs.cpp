@@ -1,8 +1,8 @@
 #include <foredraw/c/library/private/border.h>
 #include <foredraw/c/library/private/handles.h>
+#include <foredraw/c/library/private/pipeline_text.h>
 #include <foredraw/io/file_lender.h>
 #include <foredraw/io/image/images.h>
-#include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/pipeline/usual_measures.h>
 
@@ -12,12 +12,9 @@ namespace {
 
 using Work = Result (*)(const Plan&, Scene, const Surroundings&);
 
-/// "@preset", the text of a file, or a line of stages; with what is usual to measure, if it does not say.
+/// With what is usual to measure, if it does not say.
 std::optional<Pipeline> pipeline_of(const std::string& text, const Registry& registry, Diagnostics& diagnostics) {
-  const bool is_file = text.find('\n') != std::string::npos || text.starts_with("pipeline");
-  auto pipeline = text.starts_with('@') ? load_pipeline(text, diagnostics)
-                  : is_file             ? parse_file(text, "pipeline", diagnostics)
-                                        : parse_line(text, diagnostics);
+  auto pipeline = only_one(pipelines_in(text, diagnostics), "pipeline", diagnostics);
   if (pipeline && pipeline->measure.empty()) pipeline->measure = usual_measures(pipeline->stages, registry);
   return pipeline;
 }
@@ -37,13 +34,8 @@ int run(foredraw_context& context, const HeldScene& held, const Pipeline* pipeli
   if (!planned) return refuse(FOREDRAW_MISTAKE);
 
   Cancellable call(context);
-  const auto progress = [&](std::string_view what, double part) {
-    if (context.settings.progress(context.settings.user, std::string(what).c_str(), part) != 0) call.cancel();
-  };
   Analyses analyses(image_decoder(held.path));
-  Surroundings surroundings{context.executor, analyses, &call.is_cancelled()};
-  if (context.settings.progress != nullptr) surroundings.progress = progress;
-  Result made = work(*planned, held.scene, surroundings);
+  Result made = work(*planned, held.scene, {context.executor, analyses, &call.is_cancelled(), call.progress()});
   made.report.command = command;
   made.report.input = lost.input;
   for (const Diagnostic& diagnostic : made.report.diagnostics) diagnostics.add(diagnostic);

@@ -8,10 +8,12 @@
 #include <foredraw/technique/registry.h>
 
 #include <atomic>
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 struct foredraw_context {
@@ -37,8 +39,9 @@ class Cancellable {
   Cancellable(const Cancellable&) = delete;
   Cancellable& operator=(const Cancellable&) = delete;
 
-  void cancel() { is_cancelled_ = true; }
   const std::atomic<bool>& is_cancelled() const { return is_cancelled_; }
+  /// Tells the caller, who may end it.
+  std::function<void(std::string_view, double)> progress();
 
  private:
   foredraw_context& context_;
