@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -83,7 +84,8 @@ class LodWalkEvaluator final : public Evaluator {
   }
 
  private:
-  /// Costs of who draws the frames, from every fourth frame of the path, drawn finely, coarsely and in between.
+  /// Costs of who draws the frames, from every fourth frame of the path, drawn finely, coarsely and in between; then
+  /// twice as the costs so far would have it: where a choice is made of them, they have to be right.
   RenderingCosts fitted_costs(const FrameScene& frames, const CameraPath& path, LodWalkOptions options,
                               Run& run) const {
     CameraPath some;
@@ -91,16 +93,21 @@ class LodWalkEvaluator final : public Evaluator {
     options.methods = {Method::none, Method::by_size, Method::budget};
     options.pictures = 0;
     options.replay = false;
-    const auto walk = lod_walk(frames, some, settings_.size(), options, run.executor, run.cancel);
-    if (!walk) throw std::runtime_error("cancelled");
-    const std::vector<FrameSample> samples = samples_of(*walk);
-    const walking::WalkFit fit = walking::walk_fit(samples);
-    const Stages stages = fit.max.mean < fit.sum.mean ? Stages::max : Stages::sum;
-    run.note("fitted-costs",
-             fmt::format("costs were fitted to {} frames before the walk ({}); to use others, name a "
-                         "file of them: costs = FILE",
-                         samples.size(), stages == Stages::max ? "the slower stage counts" : "stages add up"));
-    return fit_costs(samples, stages);
+    std::vector<FrameSample> samples;
+    for (int round = 0; round < 3; ++round) {
+      const auto walk = lod_walk(frames, some, settings_.size(), options, run.executor, run.cancel);
+      if (!walk) throw std::runtime_error("cancelled");
+      std::ranges::move(samples_of(*walk), std::back_inserter(samples));
+      const walking::WalkFit fit = walking::walk_fit(samples);
+      options.costs = fit_costs(samples, fit.max.mean < fit.sum.mean ? Stages::max : Stages::sum);
+      options.methods = {Method::budget};
+    }
+    run.note(
+        "fitted-costs",
+        fmt::format("costs were fitted to {} frames before the walk ({}); to use others, name a file of them: costs = "
+                    "FILE",
+                    samples.size(), options.costs.stages == Stages::max ? "the slower stage counts" : "stages add up"));
+    return options.costs;
   }
 
   /// None: times are the model's.
