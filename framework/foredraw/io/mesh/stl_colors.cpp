@@ -1,6 +1,8 @@
 #include <foredraw/io/mesh/private/stl.h>
 #include <foredraw/io/mesh/private/stl_colors.h>
 
+#include <fmt/format.h>
+
 namespace foredraw::mesh_files {
 
 namespace {
@@ -25,13 +27,11 @@ std::uint8_t channel(std::uint16_t attribute, int shift) {
 }  // namespace
 
 StlColors::StlColors(std::string_view text, std::size_t triangles) : text_(text), whole_(header_color(text)) {
-  bool has_highest = false;
   for (std::size_t t = 0; t < triangles; ++t) {
     const std::uint16_t value = attribute(t);
     not_zero_ += value != 0;
-    has_highest = has_highest || (value & highest_bit) != 0;
+    unmarked_ += value != 0 && (value & highest_bit) == 0;
   }
-  are_there_ = whole_ || has_highest;
 }
 
 std::uint16_t StlColors::attribute(std::size_t triangle) const {
@@ -39,8 +39,26 @@ std::uint16_t StlColors::attribute(std::size_t triangle) const {
   return static_cast<std::uint16_t>(static_cast<unsigned char>(at[0]) | static_cast<unsigned char>(at[1]) << 8);
 }
 
+std::string StlColors::told() const {
+  if (whole_) {
+    return "triangles have colours, read from their attribute bytes as Materialise Magics writes them, because the "
+           "header has COLOR=";
+  }
+  if (are_there()) {
+    return fmt::format(
+        "triangles have colours, read from {} attributes as VisCAM and SolidView write them, because the header has no "
+        "COLOR= and the highest bit is 1 in every attribute that is not 0",
+        not_zero_);
+  }
+  if (not_zero_ == 0) return {};
+  return fmt::format(
+      "the attribute bytes of {} triangles are left out: they are no colours, because the header has no COLOR= and the "
+      "highest bit, which marks a colour, is 0 in {} of them",
+      not_zero_, unmarked_);
+}
+
 StlColor StlColors::of(std::size_t triangle) const {
-  if (!are_there_) return {};
+  if (!are_there()) return {};
   const std::uint16_t value = attribute(triangle);
   const bool is_marked = (value & highest_bit) != 0;
   if (!whole_)

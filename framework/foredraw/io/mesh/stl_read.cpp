@@ -87,10 +87,8 @@ bool read_binary(const Reading& reading, PolygonMesh& mesh) {
     }
     welding.end_face();
   }
-  if (colors.left_out() > 0) {
-    reading.diagnostics.note(
-        {.file = reading.name}, "attributes-left-out",
-        fmt::format("the attribute bytes of {} triangles are left out; they are no colours", colors.left_out()));
+  if (const std::string told = colors.told(); !told.empty()) {
+    reading.diagnostics.note({.file = reading.name}, colors.are_there() ? "colors-read" : "attributes-left-out", told);
   }
   if (const std::size_t more = left - count * stl_record; more > 0) {
     reading.fault_at_byte("bytes-left-out", text.size() - more, fmt::format("{} bytes follow the last triangle", more));

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 namespace foredraw {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::read_mesh;
 using Triangle = std::array<float, 9>;
 
@@ -30,11 +32,9 @@ std::string binary(std::string header, const std::vector<Triangle>& triangles, s
   return header;
 }
 
-/// Of the two triangles, or nothing.
-std::vector<std::array<int, 3>> colors(const std::string& header, const std::vector<std::uint16_t>& attributes) {
-  const auto made = read_mesh(MeshKind::stl, binary(header, {one, two}, 2, attributes));
-  if (!made.scene) throw std::runtime_error(made.error());
-  const Level& level = made.scene->draws[0].levels[0];
+/// Of the first corners of both triangles, or nothing.
+std::vector<std::array<int, 3>> colors_of(const Scene& scene) {
+  const Level& level = scene.draws[0].levels[0];
   const VertexStream* stream = level.vertices->find("COLOR_0");
   std::vector<std::array<int, 3>> found;
   for (std::size_t corner = 0; stream != nullptr && corner < 6; corner += 3) {
@@ -43,6 +43,12 @@ std::vector<std::array<int, 3>> colors(const std::string& header, const std::vec
     found.push_back({channel(0), channel(1), channel(2)});
   }
   return found;
+}
+
+std::vector<std::array<int, 3>> colors(const std::string& header, const std::vector<std::uint16_t>& attributes) {
+  const auto made = read_mesh(MeshKind::stl, binary(header, {one, two}, 2, attributes));
+  if (!made.scene) throw std::runtime_error(made.error());
+  return colors_of(*made.scene);
 }
 
 std::string facet(const std::string& vertices) {
@@ -64,7 +70,7 @@ TEST(MeshStl, ColorsAreReadByTheConventionThatTheFileFollows) {
   constexpr std::uint16_t lowest = 31, highest = 31 << 10, marked = 0x8000;
   const std::string magics = "COLOR=\x10\x20\x30\xff,MATERIAL=";
   EXPECT_EQ(colors("", {lowest | marked, highest | marked}), (Colors{{0, 0, 255}, {255, 0, 0}}));
-  EXPECT_EQ(colors("", {16 << 5 | marked, highest}), (Colors{{0, 132, 0}, {255, 255, 255}}));
+  EXPECT_EQ(colors("", {16 << 5 | marked, 0}), (Colors{{0, 132, 0}, {255, 255, 255}}));
   EXPECT_EQ(colors(magics, {lowest, highest}), (Colors{{255, 0, 0}, {0, 0, 255}}));
   EXPECT_EQ(colors(magics, {lowest | marked, 0}), (Colors{{16, 32, 48}, {0, 0, 0}}));
   EXPECT_EQ(colors(magics, {0, 0}), (Colors{{16, 32, 48}, {16, 32, 48}})) << "a program that writes no attributes";
@@ -80,9 +86,35 @@ TEST(MeshStl, VerticesOfTwoColorsAreTwo) {
 
 TEST(MeshStl, AttributesThatFollowNoConventionAreLeftOut) {
   EXPECT_TRUE(colors("", {0x2020, 0x2020}).empty());
+  EXPECT_TRUE(colors("", {0x801f, 0x7c00}).empty()) << "a number of something may set the highest bit by chance";
   EXPECT_TRUE(colors(std::string(72, ' ') + "COLOR=12", {0, 0}).empty()) << "the header ends inside the colour";
-  const auto made = read_mesh(MeshKind::stl, binary("", {one, two}, 2, {0x2020}));
-  EXPECT_EQ(made.told(), "attributes-left-out");
+}
+
+TEST(MeshStl, ANoteSaysByWhichRuleAttributesAreReadOrNot) {
+  const auto note = [](const std::string& header, std::vector<std::uint16_t> attributes) {
+    const auto made = read_mesh(MeshKind::stl, binary(header, {one, two}, 2, attributes));
+    return made.diagnostics.all().empty() ? std::string() : to_text(made.diagnostics.all().front());
+  };
+  EXPECT_EQ(note("", {}), "");
+  EXPECT_THAT(note("COLOR=1234", {}), HasSubstr("as Materialise Magics writes them"));
+  EXPECT_THAT(note("", {0x8001}), HasSubstr("as VisCAM and SolidView write them"));
+  EXPECT_THAT(note("", {0x8001}), HasSubstr("read from 1 attributes"));
+  EXPECT_THAT(note("", {0x8001, 0x0001}), HasSubstr("the attribute bytes of 2 triangles are left out"));
+  EXPECT_THAT(note("", {0x8001, 0x0001}), HasSubstr("is 0 in 1 of them"));
+}
+
+TEST(MeshStl, ColorsComeBackFromAReorderedFile) {
+  for (const bool magics : {false, true}) {
+    const std::vector<std::uint16_t> attributes{0x801f, magics ? std::uint16_t{0x0420} : std::uint16_t{0x8420}};
+    const auto made = read_mesh(MeshKind::stl, binary(magics ? "COLOR=1234" : "", {one, two}, 2, attributes));
+    ASSERT_TRUE(made.scene) << made.error();
+    Diagnostics diagnostics;
+    const auto file = encode_mesh_file(testing::reversed(*made.scene), MeshKind::stl, "out.stl", diagnostics);
+    ASSERT_TRUE(file);
+    const auto again = read_mesh(MeshKind::stl, testing::text_of(*file));
+    EXPECT_EQ(testing::drawn(*made.scene), testing::drawn(*again.scene));
+    EXPECT_NE(colors_of(*made.scene), colors_of(*again.scene)) << "the triangles have changed places";
+  }
 }
 
 TEST(MeshStl, AHeaderThatSaysSolidIsBelievedInTextAlone) {
