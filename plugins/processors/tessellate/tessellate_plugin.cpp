@@ -1,142 +1,105 @@
 #include "tessellate.h"
 
-#include <foredraw/displaced/level_counts.h>
-#include <foredraw/displaced/scaled_levels.h>
-#include <foredraw/displaced/scene_displacement.h>
-#include <foredraw/displaced/stored_levels.h>
+#include "divided_draw.h"
+
+#include <foredraw/measuring/level_processor.h>
 #include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
-#include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <variant>
 
 namespace foredraw {
 
 namespace {
 
-struct Options {
-  std::optional<float> parts;
-  std::optional<double> texels;
-  TessellationSpacing spacing = TessellationSpacing::equal;
-  int most = 4'000'000;
+using CoarserLevels = std::map<DrawId, std::vector<DividedLevel>>;
+
+/// Hands out levels that are there. Draws of a subject that have fewer show their coarsest one again.
+class LevelsThatAreThere final : public LevelMaker {
+ public:
+  explicit LevelsThatAreThere(CoarserLevels levels) : levels_(std::move(levels)) {}
+
+  SubjectLevels levels(const SubjectView& view, Run&) const override {
+    std::size_t most = 0;
+    for (const DrawId id : view.draws) most = std::max(most, levels_.at(id).size());
+    SubjectLevels made(view.draws.size());
+    for (std::size_t d = 0; d < view.draws.size(); ++d) {
+      const std::vector<DividedLevel>& own = levels_.at(view.draws[d]);
+      const Level& full = view.scene.draws[view.draws[d]].full();
+      for (const DividedLevel& level : own) made[d].push_back({level.vertices, Shared(level.indices)});
+      made[d].resize(most, own.empty() ? MadeLevel{full.vertices, full.stream().indices} : made[d].back());
+    }
+    return made;
+  }
+
+ private:
+  CoarserLevels levels_;
 };
 
 class Tessellate final : public Processor {
  public:
-  explicit Tessellate(Options options) : options_(options) {}
+  explicit Tessellate(DivisionOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
-    std::vector<std::string> why_not(draws.size());
-    std::vector<std::optional<Draw>> made(draws.size());
+    std::vector<std::variant<DividedDraw, std::string>> made(draws.size());
     run.executor.for_each(draws.size(), [&](std::size_t i) {
-      if (!run.cancelled()) made[i] = tessellated(scene, draws[i], run.analyses, why_not[i]);
+      if (!run.cancelled()) made[i] = divided(scene, draws[i], run.analyses);
     });
+    if (run.cancelled()) return {};
     std::vector<DrawId> changed;
+    CoarserLevels coarser;
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const About about{.draw = draws[i]};
-      if (!made[i]) {
-        run.note_at(about, "not-tessellated", "not tessellated: " + why_not[i]);
+      if (const std::string* why_not = std::get_if<std::string>(&made[i])) {
+        run.note_at(about, "not-tessellated", "not tessellated: " + *why_not);
         continue;
       }
-      run.count_at(about, "triangles", static_cast<double>(made[i]->full().stream().triangle_count()));
-      scene.draws[draws[i]] = std::move(*made[i]);
+      DividedDraw& of = std::get<DividedDraw>(made[i]);
+      run.count_at(about, "triangles", static_cast<double>(of.levels.front().indices.size() / 3));
+      put(of, scene.draws[draws[i]]);
+      of.levels.erase(of.levels.begin());
+      coarser[draws[i]] = std::move(of.levels);
       changed.push_back(draws[i]);
     }
     if (changed.empty()) run.keep("no draw can be tessellated");
     take_displacement(scene, changed);
     take_heights(scene, changed);
+    put_levels(std::move(coarser), scene, changed, run);
     return changed;
   }
 
  private:
-  /// How a draw is divided, and by how much its points move.
-  struct Divided {
-    TessellatedMesh mesh;
-    std::vector<float> displacements;
-    std::vector<std::uint32_t> source;  ///< [triangle of the mesh] that of the draw
-  };
-
-  std::string too_many(std::span<const TessellationLevels> levels, TessellationSpacing spacing) const {
-    const std::uint64_t triangles = count_triangles(levels, spacing);
-    if (triangles <= static_cast<std::uint64_t>(options_.most)) return {};
-    return fmt::format(
-        "{} triangles would come out, more than the limit of {}; give a larger `texels`, a lower "
-        "`parts` or a higher `most`",
-        triangles, options_.most);
-  }
-
-  /// As the options say, or else those that a stage chose, or as fine as the map.
-  std::vector<TessellationLevels> levels_of(const Level& level, std::span<const std::array<std::int32_t, 2>> places,
-                                            const DrawTessellation* chosen) const {
-    const auto indices = level.stream().indices.view();
-    if (options_.parts) {
-      const float parts = *options_.parts;
-      return std::vector<TessellationLevels>(indices.size() / 3, {{parts, parts, parts}, parts});
-    }
-    if (chosen != nullptr && !options_.texels) return scaled_levels(*chosen, 0);
-    return levels_by_texels(indices, decode_vec3(*level.vertices->find("POSITION")), places,
-                            options_.texels.value_or(usual_texels_per_part));
-  }
-
-  std::variant<Divided, std::string> divided_by_map(const Scene& scene, DrawId id, Analyses& analyses) const {
-    const auto map = laid_out_map(scene, id, analyses);
-    if (const std::string* why = std::get_if<std::string>(&map)) return *why;
-    const LaidOutMap& on_draw = std::get<LaidOutMap>(map);
-    const Level& level = scene.draws[id].full();
-    const auto indices = level.stream().indices.view();
-    const std::vector<TessellationLevels> levels = levels_of(level, on_draw.places, tessellation_of(scene, id));
-    if (std::string why = too_many(levels, options_.spacing); !why.empty()) return why;
-    Divided divided{tessellated_mesh(indices, level.vertices->count, levels, options_.spacing),
-                    {},
-                    sources_of(levels, options_.spacing)};
-    divided.displacements = displacements(divided.mesh, indices, on_draw.places, on_draw.sampled(),
-                                          on_draw.displacement.factor, on_draw.displacement.offset);
-    return divided;
-  }
-
-  std::variant<Divided, std::string> divided_by_heights(const DrawHeights& heights, const Level& level) const {
-    const auto levels = baked_levels(heights.levels.view(), level.stream().indices.view(),
-                                     decode_vec3(*level.vertices->find("POSITION")));
-    if (std::string why = too_many(levels, TessellationSpacing::equal); !why.empty()) return why;
-    return Divided{tessellated_mesh(heights, level),
-                   height_displacements(heights.heights.view(), heights.bits, heights.factor, heights.offset),
-                   sources_of(levels, TessellationSpacing::equal)};
-  }
-
-  std::optional<Draw> tessellated(const Scene& scene, DrawId id, Analyses& analyses, std::string& why_not) const {
+  std::variant<DividedDraw, std::string> divided(const Scene& scene, DrawId id, Analyses& analyses) const {
     const Draw& draw = scene.draws[id];
-    const auto refuse = [&](std::string why) {
-      why_not = std::move(why);
-      return std::nullopt;
-    };
-    if (draw.levels.size() > 1) return refuse("it has several levels of detail");
-    if (draw.full().orders.size() > 1) return refuse("it has several orders");
-    const DrawHeights* heights = heights_of(scene, id);
-    auto made = heights != nullptr ? divided_by_heights(*heights, draw.full()) : divided_by_map(scene, id, analyses);
-    if (std::string* why = std::get_if<std::string>(&made)) return refuse(std::move(*why));
-    Divided& divided = std::get<Divided>(made);
-    const IndexStream& stream = draw.full().stream();
-    const Material* material = scene.material_of(draw);
-    Tessellated triangles =
-        tessellate(*draw.full().vertices, stream.indices.view(), displacement_directions(scene, id, analyses),
-                   divided.mesh, divided.displacements, material != nullptr && material->normal_map);
-    Draw result = draw;
-    const auto of_file = stream.triangle_origin.view();
+    if (draw.levels.size() > 1) return "it has several levels of detail";
+    if (draw.full().orders.size() > 1) return "it has several orders";
+    return divided_draw(scene, id, options_, analyses);
+  }
+
+  static void put(DividedDraw& divided, Draw& draw) {
+    const auto of_file = draw.full().stream().triangle_origin.view();
     if (!of_file.empty()) {
       for (std::uint32_t& source : divided.source) source = of_file[source];
     }
-    result.full().vertices = std::make_shared<const VertexStreams>(std::move(triangles.vertices));
-    result.full().stream() = {};
-    result.full().stream().indices = Shared(std::move(triangles.indices));
-    result.full().stream().triangle_origin = Shared(std::move(divided.source));
-    result.traits.remove(traits::displaced);
-    result.traits.remove(traits::quantized);
-    return result;
+    DividedLevel& finest = divided.levels.front();
+    draw.full().vertices = std::move(finest.vertices);
+    draw.full().stream() = {.indices = Shared(std::move(finest.indices)),
+                            .triangle_origin = Shared(std::move(divided.source))};
+    draw.traits.remove(traits::displaced);
+    draw.traits.remove(traits::quantized);
+  }
+
+  void put_levels(CoarserLevels coarser, Scene& scene, const std::vector<DrawId>& changed, Run& run) const {
+    if (options_.levels == 1 || changed.empty()) return;
+    if (std::ranges::all_of(coarser, [](const auto& of) { return of.second.empty(); })) {
+      run.note("no-coarser-level", "no coarser level: every edge is in one part already");
+      return;
+    }
+    level_processor(std::make_unique<const LevelsThatAreThere>(std::move(coarser)))->process(scene, changed, run);
+    run.findings.nothing_to_gain.reset();  // draws that no node shows get no levels, and are divided all the same
   }
 
   /// What is moved for good is not moved again.
@@ -165,7 +128,7 @@ class Tessellate final : public Processor {
     }
   }
 
-  Options options_;
+  DivisionOptions options_;
 };
 
 }  // namespace
@@ -181,21 +144,27 @@ Plugin tessellate_plugin() {
       .breaks = {traits::displaced, traits::quantized, traits::welded, traits::clustered, traits::cache_ordered,
                  traits::overdraw_ordered, traits::fetch_ordered, traits::progressive},
       .pays_if = "an engine or tool shows the surface and has no tessellation",
-      .metrics = {{"triangles", "triangles", "Triangles that came out", false}},
+      .metrics = {{"triangles", "triangles", "Triangles that came out at full detail", false}},
   };
-  OptionTable<Options> table;
-  table.row(&Options::parts, "parts",
+  std::ranges::copy(level_metrics(), std::back_inserter(plugin.card.metrics));
+  OptionTable<DivisionOptions> table;
+  table.row(&DivisionOptions::parts, "parts",
             "Parts of every edge, a tessellator's level; without it and `texels`, the levels that "
             "`tessellation-levels` stored",
             {1, 64});
-  table.row(&Options::texels, "texels", "Least texels of the map along a part of an edge; without any levels, 1.5",
-            {0.5, 65536, "texels"});
-  table.choice(&Options::spacing, "spacing", "How the points on an edge are spaced, in the words of shaders",
+  table.row(&DivisionOptions::texels, "texels",
+            "Least texels of the map along a part of an edge; without any levels, 1.5", {0.5, 65536, "texels"});
+  table.choice(&DivisionOptions::spacing, "spacing", "How the points on an edge are spaced, in the words of shaders",
                {{"equal", TessellationSpacing::equal},
                 {"fractional-odd", TessellationSpacing::fractional_odd},
                 {"fractional-even", TessellationSpacing::fractional_even}});
-  table.row(&Options::most, "most", "Most triangles that a draw may have afterwards", {1, 100'000'000, "triangles"});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<Tessellate>(options); });
+  table.row(&DivisionOptions::most, "most", "Most triangles that a draw may have afterwards",
+            {1, 100'000'000, "triangles"});
+  table.row(&DivisionOptions::levels, "levels",
+            "Levels of detail that come out: each has half as many parts to an edge as the one before, and an error "
+            "that is proved",
+            {1, 7});
+  bind_options(plugin, table, [](const DivisionOptions& options) { return std::make_unique<Tessellate>(options); });
   return plugin;
 }
 
