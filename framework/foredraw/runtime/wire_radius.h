@@ -1,0 +1,160 @@
+/* Wires, ropes, rails: what is long and thin, drawn without gaps however far away it is. C99, no allocation, no state.
+ *
+ * E. Persson: Graphics Gems for Games, SIGGRAPH 2012, "Phone-wire anti-aliasing": a wire is never drawn thinner than a
+ * pixel; where it is thinner, it fades by as much as it was widened. Beyond the paper, a fragment can find by itself
+ * which part of its pixel the wire covers: then one sample is enough.
+ *
+ * A vertex of a wire knows the vector to its centre line, the half width of the section at its least, and the line's
+ * direction, all in the mesh's space (`_FOREDRAW_WIRE`, `_FOREDRAW_WIRE_AXIS`):
+ *
+ *   half width > 0   it may be widened
+ *   half width < 0   a joint with something else: it stays where it is, and the half width is that without its sign
+ *   half width = 0   no wire
+ *
+ * How wide a wire is on the screen comes from the projection's Jacobian at the centre line, J (2 x 3, pixels for each
+ * unit of the mesh). The line runs along J axis; with n the unit normal of that on the screen, a round section of half
+ * width r is r |J^T n| wide to either side. In the middle of an upright picture that is the paper's
+ * r / (w * pixel scale) in half pixels, with pixel scale = 1 / (P[1][1] * height). It holds as well for orthographic,
+ * jittered, rolled and off-axis cameras, and for nodes that scale unevenly or mirror, as nothing is asked but the
+ * matrix from the mesh to clip space and the size of the picture.
+ *
+ *   at = foredraw_wire_section_at(&view, centre, axis);              vertex: centre = position + to_centre
+ *   half_pixel = foredraw_wire_half_pixel(&at);
+ *   drawn = foredraw_wire_drawn(half_width, half_pixel);
+ *   foredraw_wire_moved(position, to_centre, half_width, drawn, moved);
+ *   alpha = foredraw_wire_fade(radius, drawn);                       fragment: radius = |half_width|, both interpolated
+ *
+ * Interpolate both radii and divide in the fragment: on a long segment the quotient is no straight line. Draw a wire's
+ * fragments of alpha 1 like everything else, and the others after everything opaque: blended, without writing depth. */
+#ifndef FOREDRAW_RUNTIME_WIRE_RADIUS_H
+#define FOREDRAW_RUNTIME_WIRE_RADIUS_H
+
+#include <math.h>
+
+/* From the mesh's space to the screen: row[0] and row[1] give a point's pixels times w, row[2] gives w. */
+typedef struct foredraw_wire_view {
+  float row[3][4];
+} foredraw_wire_view;
+
+/* A wire where its centre line passes a point. */
+typedef struct foredraw_wire_section {
+  float place[2];  /* of the point on the screen, in pixels */
+  float across[2]; /* on the screen, of length 1, at right angles to the line */
+  float pixels;    /* to either side, for each unit of half width; 0: the point is not ahead of the eye */
+} foredraw_wire_section;
+
+/* `clip_from_mesh`: column by column. Pixels are counted along clip space's axes from its lower corner, whichever way
+ * its y runs. `width`, `height`: of the picture, in pixels. */
+static inline foredraw_wire_view foredraw_wire_view_of(const float clip_from_mesh[16], float width, float height) {
+  foredraw_wire_view view;
+  int c;
+  for (c = 0; c < 4; ++c) {
+    const float x = clip_from_mesh[4 * c], y = clip_from_mesh[4 * c + 1], w = clip_from_mesh[4 * c + 3];
+    view.row[0][c] = 0.5f * width * (x + w);
+    view.row[1][c] = 0.5f * height * (y + w);
+    view.row[2][c] = w;
+  }
+  return view;
+}
+
+static inline float foredraw_wire_row(const float row[4], const float point[3]) {
+  return row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + row[3];
+}
+
+/* `axis`: along the line, of any length above 0. Where it points at the eye, the line is a point on the screen, and any
+ * direction is across it. Nothing is divided by 0, whatever is put in. */
+static inline foredraw_wire_section foredraw_wire_section_at(const foredraw_wire_view* view, const float centre[3],
+                                                             const float axis[3]) {
+  foredraw_wire_section at = {{0.0f, 0.0f}, {0.0f, 1.0f}, 0.0f};
+  const float w = foredraw_wire_row(view->row[2], centre);
+  float x[3], y[3]; /* the Jacobian's rows, times w */
+  float along_x = 0.0f, along_y = 0.0f, squares = 0.0f, length;
+  int c;
+  if (!(w > 0.0f)) return at;
+  at.place[0] = foredraw_wire_row(view->row[0], centre) / w;
+  at.place[1] = foredraw_wire_row(view->row[1], centre) / w;
+  for (c = 0; c < 3; ++c) {
+    x[c] = view->row[0][c] - at.place[0] * view->row[2][c];
+    y[c] = view->row[1][c] - at.place[1] * view->row[2][c];
+    along_x += x[c] * axis[c];
+    along_y += y[c] * axis[c];
+  }
+  length = sqrtf(along_x * along_x + along_y * along_y);
+  if (length > 0.0f) {
+    at.across[0] = -along_y / length;
+    at.across[1] = along_x / length;
+  }
+  for (c = 0; c < 3; ++c) {
+    const float gradient = at.across[0] * x[c] + at.across[1] * y[c];
+    squares += gradient * gradient;
+  }
+  at.pixels = sqrtf(squares) / w;
+  return at;
+}
+
+/* The half width that is half a pixel there: a wire of it is a pixel wide. 0 where the point is not ahead of the eye.
+ */
+static inline float foredraw_wire_half_pixel(const foredraw_wire_section* at) {
+  return at->pixels > 0.0f ? 0.5f / at->pixels : 0.0f;
+}
+
+/* To be drawn for `half_width`: at least half a pixel, where it may be widened. */
+static inline float foredraw_wire_drawn(float half_width, float half_pixel) {
+  return half_width > 0.0f && half_pixel > half_width ? half_pixel : fabsf(half_width);
+}
+
+/* To be drawn where fragments compute their coverage: so much that the centre of every pixel that the wire touches is
+ * inside. */
+static inline float foredraw_wire_covering(float half_width, const foredraw_wire_section* at) {
+  const float to_corner = 0.5f * (fabsf(at->across[0]) + fabsf(at->across[1])), room = 1.0f / 64.0f;
+  if (!(half_width > 0.0f) || !(at->pixels > 0.0f)) return fabsf(half_width);
+  return half_width + (to_corner + room) / at->pixels;
+}
+
+/* The vertex, where its wire is drawn so wide. What is not widened stays where it is, to the bit. */
+static inline void foredraw_wire_moved(const float position[3], const float to_centre[3], float half_width, float drawn,
+                                       float moved[3]) {
+  const float outwards = half_width > 0.0f ? drawn / half_width - 1.0f : 0.0f;
+  int c;
+  for (c = 0; c < 3; ++c) moved[c] = outwards > 0.0f ? position[c] - to_centre[c] * outwards : position[c];
+}
+
+/* Alpha: what part of a widened wire is there. */
+static inline float foredraw_wire_fade(float radius, float drawn) {
+  return drawn > radius && drawn > 0.0f ? radius / drawn : 1.0f;
+}
+
+/* How much of the difference between lighting and a constant colour is shown: all of it from a wire of two pixels on,
+ * nothing of it up to one pixel. What is lit and thin flickers, though its outline does not. */
+static inline float foredraw_wire_lit(float radius, float half_pixel) {
+  const float lit = half_pixel > 0.0f ? radius / half_pixel - 1.0f : 1.0f;
+  return lit > 0.0f ? lit < 1.0f ? lit : 1.0f : 0.0f;
+}
+
+/* What part of a pixel's square lies on one side of a line: `distance` pixels from the square's middle, positive on
+ * that side. The square's width along the line's normal is a trapezoid. */
+static inline float foredraw_wire_side(float distance, const float across[2]) {
+  const float a = fabsf(across[0]), b = fabsf(across[1]), most = a > b ? a : b, least = a > b ? b : a;
+  const float to_corner = 0.5f * (a + b), to_flat = 0.5f * (most - least), size = fabsf(distance);
+  float outside; /* of the half that lies farther on */
+  if (size >= to_corner) {
+    outside = 0.0f;
+  } else if (size <= to_flat) {
+    outside = 0.5f - size / most;
+  } else {
+    outside = (to_corner - size) * (to_corner - size) / (2.0f * most * least);
+  }
+  return distance > 0.0f ? 1.0f - outside : outside;
+}
+
+/* Alpha of a fragment: what part of its pixel's square a straight wire of that radius covers, exactly but for the
+ * rounding of floats. `at`: of the centre line that the fragment's triangle interpolates. `x`, `y`: of the pixel's
+ * middle, as the view counts them. */
+static inline float foredraw_wire_coverage(const foredraw_wire_section* at, float radius, float x, float y) {
+  const float distance = (x - at->place[0]) * at->across[0] + (y - at->place[1]) * at->across[1];
+  const float half = radius * at->pixels;
+  if (!(at->pixels > 0.0f)) return 1.0f;
+  return foredraw_wire_side(half + distance, at->across) + foredraw_wire_side(half - distance, at->across) - 1.0f;
+}
+
+#endif
