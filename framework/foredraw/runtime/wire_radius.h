@@ -148,12 +148,12 @@ static inline float foredraw_wire_side(float distance, const float across[2]) {
 }
 
 /* Alpha of a fragment: what part of its pixel's square a straight wire of that radius covers, exactly but for the
- * rounding of floats. `at`: of the centre line that the fragment's triangle interpolates. `x`, `y`: of the pixel's
- * middle, as the view counts them. */
+ * rounding of floats; 1 where there is no wire. `at`: of the centre line that the fragment's triangle interpolates.
+ * `x`, `y`: of the pixel's middle, as the view counts them. */
 static inline float foredraw_wire_coverage(const foredraw_wire_section* at, float radius, float x, float y) {
   const float distance = (x - at->place[0]) * at->across[0] + (y - at->place[1]) * at->across[1];
   const float half = radius * at->pixels;
-  if (!(at->pixels > 0.0f)) return 1.0f;
+  if (!(half > 0.0f)) return 1.0f;
   return foredraw_wire_side(half + distance, at->across) + foredraw_wire_side(half - distance, at->across) - 1.0f;
 }
 
