@@ -152,6 +152,31 @@ static void check_coverage(void) {
   }
 }
 
+/* Regular sections: the mean of their widths, measured. */
+static void check_mean(void) {
+  int sides, i, s;
+  for (sides = 3; sides <= 16; ++sides) {
+    const double pi = 3.14159265358979;
+    const float corner[3] = {0, 0.6f, 0.8f};
+    double sum = 0;
+    for (i = 0; i < 1000; ++i) {
+      double low = 2, high = -2;
+      for (s = 0; s < sides; ++s) {
+        const double at = cos(2 * pi * s / sides + 2 * pi * i / 1000);
+        if (at < low) low = at;
+        if (at > high) high = at;
+      }
+      sum += (high - low) / 2 / 1000;
+    }
+    CHECK(fabs((double)foredraw_wire_mean(corner, (float)cos(pi / sides)) / sum - 1) < 0.01);
+  }
+  {
+    static const float nowhere[3] = {0, 0, 0}, ribbon[3] = {0.3f, 0, 0};
+    CHECK(foredraw_wire_mean(nowhere, 0.5f) == 0.5f && foredraw_wire_mean(nowhere, -0.5f) == 0.5f);
+    CHECK(foredraw_wire_mean(ribbon, 0.3f) == 0.3f);
+  }
+}
+
 /* Beside each other the squares of a row leave nothing out: a wire has all its ink, in whatever direction it runs. */
 static void check_ink(void) {
   int i, x, y;
@@ -179,7 +204,7 @@ static void check_ends(void) {
   foredraw_wire_section at = foredraw_wire_section_at(&view, behind, axis);
   CHECK(at.pixels == 0.0f && foredraw_wire_half_pixel(&at) == 0.0f);
   CHECK(foredraw_wire_drawn(0.2f, foredraw_wire_half_pixel(&at)) == 0.2f);
-  CHECK(foredraw_wire_covering(0.2f, &at) == 0.2f);
+  CHECK(foredraw_wire_covering(0.2f, 0.3f, &at) == 0.2f);
   at = foredraw_wire_section_at(&view, eye, axis);
   CHECK(at.pixels == 0.0f);
   at = foredraw_wire_section_at(&view, nowhere, nowhere);
@@ -203,6 +228,7 @@ int main(void) {
   check_pixel_scale();
   check_long_segment();
   check_coverage();
+  check_mean();
   check_ink();
   check_ends();
   return failures;

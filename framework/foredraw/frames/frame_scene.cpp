@@ -24,6 +24,25 @@ std::vector<glm::vec2> places_of(const VertexStreams& vertices, const std::optio
   return {places.begin(), places.end()};
 }
 
+/// A stream of so many floats a vertex; null where there is none.
+const VertexStream* floats_of(const VertexStreams& vertices, const char* semantic, std::uint8_t components) {
+  const VertexStream* stream = vertices.find(semantic);
+  const bool fits =
+      stream != nullptr && stream->format.component == Component::float32 && stream->format.components == components;
+  return fits ? stream : nullptr;
+}
+
+void add_wires(FrameLevel& to, const VertexStreams& vertices) {
+  const VertexStream *wires = floats_of(vertices, "_FOREDRAW_WIRE", 4),
+                     *axes = floats_of(vertices, "_FOREDRAW_WIRE_AXIS", 3);
+  if (wires == nullptr || axes == nullptr) return;
+  to.wires.resize(vertices.count);
+  for (std::size_t v = 0; v < to.wires.size(); ++v) {
+    for (int c = 0; c < 4; ++c) to.wires[v][c] = decode_component(*wires, v, static_cast<std::size_t>(c));
+  }
+  to.wire_axes = decode_vec3(*axes);
+}
+
 FrameLevel frame_level(const Level& level, const Material* material, Analyses& analyses) {
   FrameLevel made;
   made.positions = positions_of(analyses, *level.vertices);
@@ -32,6 +51,7 @@ FrameLevel frame_level(const Level& level, const Material* material, Analyses& a
     made.base_places = places_of(*level.vertices, material->base_colour);
     made.normal_map_places = places_of(*level.vertices, material->normal_map);
   }
+  add_wires(made, *level.vertices);
   made.indices = level.stream().indices.view();
   for (const std::uint32_t v : made.indices) made.vertices = std::max<std::size_t>(made.vertices, v + std::size_t{1});
   made.error = static_cast<double>(level.error);

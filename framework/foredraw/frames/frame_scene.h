@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <memory>
 #include <optional>
@@ -30,6 +31,8 @@ struct FrameLevel {
   std::shared_ptr<const Positions> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> base_places, normal_map_places;
+  std::vector<glm::vec4> wires;      ///< _FOREDRAW_WIRE, as wire_radius.h has it; empty where it or the axis is missing
+  std::vector<glm::vec3> wire_axes;  ///< _FOREDRAW_WIRE_AXIS
   std::span<const std::uint32_t> indices;
   std::size_t vertices = 0;  ///< the first so many, which the triangles use
   double error = 0;          ///< largest distance from full detail, in the draw's units

@@ -22,17 +22,21 @@ ReferenceRenderer::ReferenceRenderer(FrameSize size, int samples, glm::dvec2 shi
 }
 
 void ReferenceRenderer::draw(const FrameScene& scene, const FrameMoment& moment, const FrameCamera& camera,
-                             std::span<const DrawnObject> objects, FrameStyle style) {
+                             std::span<const DrawnObject> objects, FrameStyle style, const FrameDetail& detail) {
   const std::size_t count = static_cast<std::size_t>(all_.size.width) * static_cast<std::size_t>(all_.size.height);
   all_.nearness.assign(count, 0);
   all_.colours.assign(count, style == FrameStyle::lit ? sky_colour : glm::vec3(0.1f, 0.15f, 0.3f));
+  all_.wires.assign(detail.marks_wires ? count : 0, 0);
   all_.work = {};
-  DrawPainter painter(all_, camera);
-  const auto draw_all_of = [&](const DrawnObject& drawn, bool is_blended) {
+  DrawPainter painter(all_, camera, detail);
+  const auto draw_all_of = [&](const DrawnObject& drawn, DrawPainter::Turn turn) {
+    const bool is_blended = turn == DrawPainter::Turn::blended;
     const PlacedObject& object = scene.objects()[drawn.object];
     const FrameMesh& mesh = scene.mesh_of(drawn.object);
     const bool is_turned = is_mirrored(scene, moment, drawn.object);
     for (const FrameDraw& draw : mesh.draws) {
+      const std::size_t first_triangles = detail.backs_of == nullptr ? ~std::size_t{0} : (*detail.backs_of)[draw.draw];
+      if (first_triangles == 0) continue;
       if ((draw.surface.alpha_mode == AlphaMode::blend) != is_blended) continue;
       const std::size_t number = std::min<std::size_t>(drawn.level, draw.levels.size() - 1);
       const FrameLevel& level = draw.levels[number];
@@ -45,15 +49,19 @@ void ReferenceRenderer::draw(const FrameScene& scene, const FrameMoment& moment,
         const Level& posed = scene.scene().draws[draw.draw].levels[number];
         const VerticesInPose vertices = vertices_in_pose(scene.scene(), *posed.vertices, object.node, moment.nodes);
         painter.draw({level, draw.surface, vertices.positions, vertices.normals, glm::dmat4(1), is_turned,
-                      drawn.rendering, flat_colour});
+                      drawn.rendering, flat_colour, turn, true, first_triangles});
       } else {
         painter.draw({level, draw.surface, std::span(level.positions->values).first(level.vertices), level.normals,
-                      moment.world[drawn.object], is_turned, drawn.rendering, flat_colour});
+                      moment.world[drawn.object], is_turned, drawn.rendering, flat_colour, turn, false,
+                      first_triangles});
       }
     }
   };
-  for (const DrawnObject& object : objects) draw_all_of(object, false);
-  for (std::size_t i = objects.size(); i-- > 0;) draw_all_of(objects[i], true);
+  for (const DrawnObject& object : objects) draw_all_of(object, DrawPainter::Turn::opaque);
+  if (detail.wires != FrameWires::as_they_are) {
+    for (std::size_t i = objects.size(); i-- > 0;) draw_all_of(objects[i], DrawPainter::Turn::faded);
+  }
+  for (std::size_t i = objects.size(); i-- > 0;) draw_all_of(objects[i], DrawPainter::Turn::blended);
 }
 
 FramePicture ReferenceRenderer::picture() const {

@@ -42,12 +42,34 @@ enum class FrameStyle {
   objects,  ///< red is the object's number in the scene; exact below 2^24
 };
 
+/// What is done with wires that have the attributes of wire_radius.h. Those that joints or morph targets move are drawn
+/// as they are.
+enum class FrameWires : std::uint8_t {
+  as_they_are,  ///< like everything else
+  widened,      ///< to a pixel at least, and faded
+  covering,     ///< so wide that their coverage can be computed in the middle of each pixel that they touch
+};
+
+/// How a frame is drawn, where it is not drawn plainly. What is widened and not opaque is drawn after everything
+/// opaque: blended, without depth, and before the blended surfaces.
+struct FrameDetail {
+  FrameWires wires = FrameWires::as_they_are;
+  bool marks_wires = false;  ///< FrameSamples::wires is filled
+  /// With one sample a pixel: a surface is shaded in the pixel's middle where it covers that, and in the sample where
+  /// it does not, as renderers do that have several samples a pixel (with centroid interpolation).
+  bool shades_middles = false;
+  /// [draw] Only the back faces of so many first triangles of full detail are drawn: the second depth. Null: all that
+  /// is seen.
+  const std::vector<std::uint32_t>* backs_of = nullptr;
+};
+
 /// A frame before it is a picture.
 struct FrameSamples {
   FrameSize size = {};                  ///< in samples
   glm::dvec2 shift{0};                  ///< as ReferenceRenderer has it
   std::vector<float> nearness = {};     ///< [sample] 1 / distance, rows from below; 0 where nothing is
   std::vector<glm::vec3> colours = {};  ///< [sample]
+  std::vector<float> wires = {};        ///< [sample] what share of the colour is a wire's; empty where nobody asked
   FrameWork work = {};
 };
 
@@ -65,7 +87,7 @@ class ReferenceRenderer {
   /// The objects in their sequence, those with blended surfaces last, the farthest first. Nearest objects should come
   /// first: what is hidden then is not shaded.
   void draw(const FrameScene& scene, const FrameMoment& moment, const FrameCamera& camera,
-            std::span<const DrawnObject> objects, FrameStyle style = FrameStyle::lit);
+            std::span<const DrawnObject> objects, FrameStyle style = FrameStyle::lit, const FrameDetail& detail = {});
 
   const FrameWork& work() const { return all_.work; }  ///< of the last frame
   FramePicture picture() const;                        ///< the mean of each pixel's samples
@@ -73,6 +95,8 @@ class ReferenceRenderer {
   std::span<const glm::vec3> colours() const { return all_.colours; }
   /// [sample] 1 / distance ahead of the camera, rows from below; 0 where nothing is.
   std::span<const float> nearness() const { return all_.nearness; }
+  /// [sample] as FrameSamples has them, rows from below.
+  std::span<const float> wires() const { return all_.wires; }
 
  private:
   FrameSize size_;

@@ -51,10 +51,16 @@ float wire_drawn(float half_width, float half_pixel) {
   return half_width > 0.0 && half_pixel > half_width ? half_pixel : abs(half_width);
 }
 
-float wire_covering(float half_width, WireSection at) {
+float wire_mean(vec3 to_centre, float half_width) {
+  precise float squares = (to_centre.x * to_centre.x + to_centre.y * to_centre.y) + to_centre.z * to_centre.z;
+  float r = abs(half_width), corner = sqrt(squares);
+  return corner > r ? (2.0 * corner + r) / 3.0 : r;
+}
+
+float wire_covering(float half_width, float mean, WireSection at) {
   float to_corner = 0.5 * (abs(at.across.x) + abs(at.across.y));
   if (!(half_width > 0.0) || !(at.pixels > 0.0)) return abs(half_width);
-  precise float wide = half_width + (to_corner + 0.015625) / at.pixels;
+  precise float wide = mean + (to_corner + 0.015625) / at.pixels;
   return wide;
 }
 
@@ -146,11 +152,11 @@ void main() {
   WireSection at = wire_section(view, wire_centre, wire_axis);
   float half_pixel = wire_half_pixel(at);
 #ifdef WIRE_COVERAGE
-  float drawn = wire_covering(wire.w, at);
+  float radius = wire_mean(wire.xyz, wire.w), drawn = wire_covering(wire.w, radius, at);
 #else
-  float drawn = wire_drawn(wire.w, half_pixel);
+  float radius = abs(wire.w), drawn = wire_drawn(wire.w, half_pixel);
 #endif
-  wire_radii = vec3(abs(wire.w), drawn, half_pixel);
+  wire_radii = vec3(radius, drawn, half_pixel);
   gl_Position = wire_frame.clip_from_mesh * vec4(wire_moved(position, wire.xyz, wire.w, drawn), 1.0);
 }
 #endif
@@ -207,11 +213,11 @@ WireOut main([[vk::location(0)]] float3 position : POSITION, [[vk::location(1)]]
   WireSection at = wire_section(view, result.corner.centre, axis);
   float half_pixel = wire_half_pixel(at);
 #ifdef WIRE_COVERAGE
-  float drawn = wire_covering(wire.w, at);
+  float radius = wire_mean(wire.xyz, wire.w), drawn = wire_covering(wire.w, radius, at);
 #else
-  float drawn = wire_drawn(wire.w, half_pixel);
+  float radius = abs(wire.w), drawn = wire_drawn(wire.w, half_pixel);
 #endif
-  result.corner.radii = float3(abs(wire.w), drawn, half_pixel);
+  result.corner.radii = float3(radius, drawn, half_pixel);
   result.position = mul(wire_frame.clip_from_mesh, float4(wire_moved(position, wire.xyz, wire.w, drawn), 1.0));
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // From the triangles of a draw to samples of a frame.
 
+#include <foredraw/frames/private/wire_vertices.h>
 #include <foredraw/frames/reference_renderer.h>
 #include <foredraw/frames/screen_triangle.h>
 #include <foredraw/frames/surface_shading.h>
@@ -17,12 +18,20 @@ namespace foredraw {
 /// sample that is seen.
 class DrawPainter {
  public:
-  DrawPainter(FrameSamples& to, const FrameCamera& camera) : to_(to), camera_(camera) {
+  DrawPainter(FrameSamples& to, const FrameCamera& camera, const FrameDetail& detail)
+      : to_(to), camera_(camera), detail_(detail) {
     const double scale = subpixels * to.size.height / (2 * camera.half_height);
     right_ = camera.right * scale;
     up_ = camera.up * scale;
     middle_ = glm::dvec2(to.size.width, to.size.height) * (subpixels / 2.0) - to.shift * double{subpixels};
   }
+
+  /// What is drawn when, all objects after each other.
+  enum class Turn : std::uint8_t {
+    opaque,   ///< and masked
+    faded,    ///< fragments of opaque draws' wires that are not opaque
+    blended,  ///< draws
+  };
 
   struct Task {
     const FrameLevel& level;
@@ -32,9 +41,13 @@ class DrawPainter {
     bool is_mirrored;
     Rendering rendering;
     const glm::vec3* flat_colour;  ///< of the levels' style; else null
+    Turn turn;
+    bool is_posed;
+    std::size_t first_triangles;  ///< only so many are drawn
   };
 
   void draw(const Task& task) {
+    if (task.turn == Turn::faded && (task.is_posed || task.level.wires.empty())) return;
     task_ = &task;
     world_ = glm::mat4(task.world);
     const glm::dmat3 turn(task.world);
@@ -48,7 +61,7 @@ class DrawPainter {
     work_ = &work;
     ++work.draws;
     work.vertices += vertices;
-    const auto indices = task.level.indices;
+    const auto indices = task.level.indices.first(std::min(task.level.indices.size() / 3, task.first_triangles) * 3);
     work.triangles += indices.size() / 3;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       draw_triangle({indices[i], indices[i + 1], indices[i + 2]});
@@ -91,8 +104,13 @@ class DrawPainter {
     corners_.resize(count);
     inverse_.resize(count);
     const auto near = static_cast<float>(camera_.near);
+    std::array<glm::vec4, 3> in_pixels = rows;
+    for (std::size_t r = 0; r < 2; ++r) in_pixels[r] /= static_cast<float>(subpixels);
+    const bool keeps_wires = task_->is_posed || task_->turn == Turn::blended;
+    const std::span<const glm::vec3> positions =
+        wires_.moved(task_->level, task_->positions, keeps_wires ? FrameWires::as_they_are : detail_.wires, in_pixels);
     for (std::size_t v = 0; v < count; ++v) {
-      const glm::vec3& p = task_->positions[v];
+      const glm::vec3& p = positions[v];
       const auto by = [&p](const glm::vec4& row) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; };
       const ViewVertex at{by(rows[0]), by(rows[1]), by(rows[2])};
       moved_[v] = at;
@@ -105,6 +123,8 @@ class DrawPainter {
   void draw_triangle(const std::array<std::uint32_t, 3>& v) {
     vertices_ = v;
     has_data_ = false;
+    is_wire_ = wires_.is_wire(v);
+    if (task_->turn == Turn::faded && !is_wire_) return;
     const std::array<float, 3> inverse = {inverse_[v[0]], inverse_[v[1]], inverse_[v[2]]};
     if (inverse[0] > 0 && inverse[1] > 0 && inverse[2] > 0) {
       cover({corners_[v[0]], corners_[v[1]], corners_[v[2]]}, inverse, nullptr);
@@ -136,7 +156,8 @@ class DrawPainter {
     const bool is_clockwise = area < 0;
     if (area == 0) return;
     const bool is_back = is_clockwise != is_mirrored_;
-    if (is_back && !task_->surface.is_double_sided) return;
+    const bool is_shown = detail_.backs_of == nullptr ? !is_back || task_->surface.is_double_sided : is_back;
+    if (!is_shown) return;
     area_ = static_cast<double>(std::abs(area)) / (subpixels * subpixels);
     is_back_ = is_back;
     std::array<std::size_t, 3> from = {0, 1, 2};
@@ -147,26 +168,46 @@ class DrawPainter {
     }
     const float scale = 1 / static_cast<float>(area);
     const std::array<float, 3> scaled = {inverse[from[0]] * scale, inverse[from[1]] * scale, inverse[from[2]] * scale};
+    const std::array<EdgeFunction, 3> edges = edges_of(corners[0], corners[1], corners[2]);
     const auto visit = [&](std::int32_t x, std::int32_t y, const std::array<std::int64_t, 3>& weights) {
-      const float a = static_cast<float>(weights[0]) * scaled[0], b = static_cast<float>(weights[1]) * scaled[1],
-                  c = static_cast<float>(weights[2]) * scaled[2];
+      float a = static_cast<float>(weights[0]) * scaled[0], b = static_cast<float>(weights[1]) * scaled[1],
+            c = static_cast<float>(weights[2]) * scaled[2];
       const float nearness = a + b + c;
       const std::size_t sample =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(to_.size.width) + static_cast<std::size_t>(x);
       if (!(nearness > to_.nearness[sample])) return;
+      float whole = nearness;
+      if (detail_.shades_middles) {
+        std::array<double, 3> middle{};
+        for (std::size_t i = 0; i < 3; ++i) {
+          middle[i] = static_cast<double>(weights[i]) - to_.shift.x * static_cast<double>(edges[i].per_column()) -
+                      to_.shift.y * static_cast<double>(edges[i].per_row());
+        }
+        if (middle[0] >= 0 && middle[1] >= 0 && middle[2] >= 0) {
+          a = static_cast<float>(middle[0]) * scaled[0];
+          b = static_cast<float>(middle[1]) * scaled[1];
+          c = static_cast<float>(middle[2]) * scaled[2];
+          whole = a + b + c;
+        }
+      }
       glm::vec3 parts(0);
-      parts[static_cast<int>(from[0])] = a / nearness;
-      parts[static_cast<int>(from[1])] = b / nearness;
-      parts[static_cast<int>(from[2])] = c / nearness;
+      parts[static_cast<int>(from[0])] = a / whole;
+      parts[static_cast<int>(from[1])] = b / whole;
+      parts[static_cast<int>(from[2])] = c / whole;
       if (shares != nullptr) parts = blend(*shares, parts);
-      shade(sample, nearness, parts);
+      float alpha = 1;
+      if (is_wire_) {
+        alpha = wires_.alpha(vertices_, parts, static_cast<float>(x + 0.5 - to_.shift.x),
+                             static_cast<float>(y + 0.5 - to_.shift.y));
+        if ((alpha < 1) != (task_->turn == Turn::faded)) return;
+      }
+      shade(sample, nearness, parts, alpha);
     };
     const std::int32_t columns = box.last_x - box.first_x + 1, rows = box.last_y - box.first_y + 1;
     if (columns > 8 || rows > 8) {
       for_each_covered(corners[0], corners[1], corners[2], box, visit);
       return;
     }
-    const std::array<EdgeFunction, 3> edges = edges_of(corners[0], corners[1], corners[2]);
     for (std::int32_t y = box.first_y; y <= box.last_y; ++y) {
       for (std::int32_t x = box.first_x; x <= box.last_x; ++x) {
         if (edges[0].contains(x, y) && edges[1].contains(x, y) && edges[2].contains(x, y)) {
@@ -176,11 +217,11 @@ class DrawPainter {
     }
   }
 
-  void shade(std::size_t sample, float nearness, const glm::vec3& parts) {
+  /// `alpha`: of a wire's fragment, 1 of any other.
+  void shade(std::size_t sample, float nearness, const glm::vec3& parts, float alpha) {
     ++work_->samples;
     if (task_->flat_colour != nullptr && task_->surface.alpha_mode != AlphaMode::mask) {
-      to_.nearness[sample] = nearness;
-      to_.colours[sample] = *task_->flat_colour;
+      put(sample, nearness, *task_->flat_colour, alpha, task_->turn == Turn::faded);
       return;
     }
     if (!has_data_) prepare();
@@ -197,13 +238,21 @@ class DrawPainter {
       point.normal_map_place = blend(data_.normal_map_places, parts);
       colour = shaded(task_->surface, task_->rendering, point, colour);
     }
+    if (task_->turn == Turn::blended) alpha = base.w;
+    put(sample, nearness, colour, alpha, task_->turn != Turn::opaque);
+  }
+
+  void put(std::size_t sample, float nearness, const glm::vec3& colour, float alpha, bool is_blended) {
     glm::vec3& to = to_.colours[sample];
-    if (task_->surface.alpha_mode == AlphaMode::blend) {
-      to = to * (1 - base.w) + colour * base.w;
+    const float wire = is_wire_ ? 1.0f : 0.0f;
+    if (is_blended) {
+      to = to * (1 - alpha) + colour * alpha;
+      if (detail_.marks_wires) to_.wires[sample] = to_.wires[sample] * (1 - alpha) + wire * alpha;
       return;
     }
     to = colour;
     to_.nearness[sample] = nearness;
+    if (detail_.marks_wires) to_.wires[sample] = wire;
   }
 
   void prepare() {
@@ -241,6 +290,7 @@ class DrawPainter {
 
   FrameSamples& to_;
   const FrameCamera& camera_;
+  const FrameDetail& detail_;
   glm::dvec3 right_, up_;
   glm::dvec2 middle_;
 
@@ -253,8 +303,10 @@ class DrawPainter {
   std::vector<Corner> corners_;
   std::vector<float> inverse_;
   std::vector<CutCorner> polygon_;
+  WireVertices wires_;
 
   std::array<std::uint32_t, 3> vertices_{};
+  bool is_wire_ = false;
   bool is_back_ = false;
   double area_ = 1;  // twice the triangle's, in samples
   bool has_data_ = false;
