@@ -15,7 +15,7 @@
  *   colour = bilinear(x + offset[0], y + offset[1])          of the frame as it was drawn, linear, before tone mapping
  *
  * Three things beyond the paper. The pixel's own depth decides which face a crease leaves it on. Two samples are of one
- * body only if their depths overlap, from the front to the back face: a thin thing and what lies behind it do not. And
+ * body only if their depths overlap, from the front to the back face, or their fronts are on a line with a third. And
  * at a round rim, where the thickness goes as a root, its square is the line. Each axis decides by itself, and where
  * the sky or the frame's border leaves nothing to go by, there is no edge. */
 #ifndef FOREDRAW_RUNTIME_SECOND_DEPTH_H
@@ -74,15 +74,23 @@ static inline float foredraw_second_depth_crease(const float depth[7], float lea
   return FOREDRAW_SECOND_DEPTH_NONE;
 }
 
+/* Whether the first two samples are of one body: their depths overlap, or the third front is on the line of theirs. Of
+ * a thin thing and what lies behind it neither is so. */
+static inline int foredraw_second_depth_is_one_body(const float front[3], const float back[3], int has_third) {
+  if (front[0] <= back[1] && front[1] <= back[0]) return 1;
+  return has_third && foredraw_second_depth_bend(front[0], front[1], front[2]) <=
+                          FOREDRAW_SECOND_DEPTH_STRAIGHT * fabsf(front[1] - front[0]);
+}
+
 /* How far a body goes on beyond the first of three samples, in pixels, until its thickness is zero; NONE where it does
- * not come to zero there, or the first two are not of one body. The third tells whether the rim is round, where it
- * has_third. `front` and `back` rise with the distance. */
+ * not come to zero there, or the first two are not of one body. The third, if it is there, tells whether the rim is
+ * round. `front` and `back` rise with the distance. */
 static inline float foredraw_second_depth_rim(const float front[3], const float back[3], int has_third, float least,
                                               float round_rims) {
   const float t0 = back[0] - front[0], t1 = back[1] - front[1], t2 = back[2] - front[2], slope = t1 - t0;
   const float bend = foredraw_second_depth_bend(t0, t1, t2);
   const float q0 = t0 * t0, q1 = t1 * t1, q_slope = q1 - q0, q_bend = foredraw_second_depth_bend(q0, q1, t2 * t2);
-  if (!(t0 >= 0.0f) || !(slope > least) || !(front[0] <= back[1]) || !(front[1] <= back[0]))
+  if (!(t0 > 0.0f) || !(slope > least) || !foredraw_second_depth_is_one_body(front, back, has_third))
     return FOREDRAW_SECOND_DEPTH_NONE;
   if (has_third && round_rims > 0.0f && q_bend <= FOREDRAW_SECOND_DEPTH_STRAIGHT * q_slope &&
       q_bend * slope < bend * q_slope)
