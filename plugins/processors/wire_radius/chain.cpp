@@ -1,0 +1,169 @@
+#include "chain.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foredraw::wiring {
+
+namespace {
+
+constexpr std::size_t most_steps = 256;  // triangles round a wire
+constexpr std::size_t most_walk = 512;
+constexpr double usual_step = 0.75;  // half widths
+
+/// Which of the 13 lines through a cube's centre, to its faces, edges and corners, the direction is nearest to.
+int line_near(const glm::dvec3& direction) {
+  static constexpr int lines[13][3] = {{1, 0, 0}, {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {1, -1, 0}, {1, 0, 1}, {1, 0, -1},
+                                       {0, 1, 1}, {0, 1, -1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}};
+  int best = 0;
+  double most = -1;
+  for (int i = 0; i < 13; ++i) {
+    const glm::dvec3 line(lines[i][0], lines[i][1], lines[i][2]);
+    const double along = glm::dot(line, direction);
+    const double squared = along * along / glm::dot(line, line);
+    if (squared > most) {
+      most = squared;
+      best = i;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+double Chain::length() const {
+  if (sections.empty()) return 0;
+  const double way = sections.back().along;
+  return closed ? way + glm::distance(sections.back().section.centre, sections.front().section.centre) : way;
+}
+
+ChainFollower::ChainFollower(const WeldedMesh& mesh, const ChainLimits& limits)
+    : mesh_(mesh), limits_(limits), cutter_(mesh), tried_(mesh.triangles.size(), 0), last_cut_(mesh.triangles.size()) {}
+
+bool ChainFollower::was_tried(std::uint32_t triangle, const glm::dvec3& direction) const {
+  return (tried_[triangle] >> line_near(direction) & 1) != 0;
+}
+
+void ChainFollower::mark(std::span<const std::uint32_t> triangles, const glm::dvec3& direction) {
+  const auto bit = static_cast<std::uint16_t>(1u << line_near(direction));
+  for (const std::uint32_t t : triangles) tried_[t] |= bit;
+}
+
+bool ChainFollower::is_steady(const Section& before, const Section& after, double step) const {
+  if (before.closed != after.closed) return false;
+  const double was = before.half_width(), is = after.half_width();
+  if (!(was > 0) || !(is > 0)) return false;
+  // What ends soon after is approached by smaller steps, along which less may change.
+  const double steps = std::max(0.2, step / (usual_step * before.mean_half_width()));
+  return std::abs(is - was) <= limits_.steadiness * steps * std::max(was, is) &&
+         after.mean_half_width() <= (1 + limits_.steadiness * std::max(1.0, steps)) * 1.5 * before.mean_half_width();
+}
+
+void ChainFollower::keep_cut(std::uint32_t triangle, const Plane& plane, At& at) const {
+  at.section = {cutter_.section(), plane.normal, triangle, 0};
+  at.next_corner = cutter_.next_corner(plane);
+  at.triangles.assign(cutter_.triangles().begin(), cutter_.triangles().end());
+}
+
+bool ChainFollower::cut_at(std::uint32_t triangle, const Plane& plane, At& at) {
+  if (!cutter_.cut(triangle, plane, most_steps, most_perimeter_)) {
+    mark(cutter_.triangles(), plane.normal);
+    return false;
+  }
+  keep_cut(triangle, plane, at);
+  const Plane turned{at.section.section.centre, cutter_.axis(plane)};
+  if (glm::dot(turned.normal, plane.normal) > 0.9999) return true;
+  const std::uint32_t there = cutter_.walk(triangle, turned, most_walk);
+  if (there == none || !cutter_.cut(there, turned, most_steps, most_perimeter_)) return true;
+  const Section& own = cutter_.section();
+  const bool is_better = own.closed == at.section.section.closed && own.half_width() <= 1.05 * at.section.section.half_width();
+  if (is_better) keep_cut(there, turned, at);
+  return true;
+}
+
+/// Sections one after the other cut the same triangles; what was cut earlier, and not since, lies behind.
+int ChainFollower::turns_back(std::span<const std::uint32_t> triangles, int number) {
+  constexpr int most_apart = 4;
+  int turns = 0;
+  for (const std::uint32_t t : triangles) {
+    if (last_cut_[t].chain == chain_ && std::abs(last_cut_[t].number - number) > most_apart) {
+      turns = std::max(turns, std::abs(last_cut_[t].number - number));
+    }
+    last_cut_[t] = {chain_, number};
+  }
+  return turns;
+}
+
+/// Adds the sections that follow on one side, of which the axes point away from the first one.
+void ChainFollower::extend(const At& first, double sign, std::vector<ChainSection>& sections, bool& closed) {
+  At last = first, next;
+  if (sign < 0) {
+    const Plane back{first.section.section.centre, -first.section.axis};
+    if (!cutter_.cut(first.section.triangle, back, most_steps, most_perimeter_)) return;
+    keep_cut(first.section.triangle, back, last);
+  }
+  const double began = first.section.section.half_width();
+  for (int number = 1;; ++number) {
+    const ChainSection& now = last.section;
+    const double half = now.section.mean_half_width();
+    // Where corners are far apart, sections change evenly up to just before the next ones.
+    double step = last.next_corner > 2 * usual_step * half ? last.next_corner - 0.05 * half : usual_step * half;
+    bool found = false;
+    for (int halving = 0; halving < 6 && !found; ++halving, step /= 2) {
+      const Plane plane{now.section.centre + step * now.axis, now.axis};
+      const std::uint32_t there = cutter_.walk(now.triangle, plane, most_walk);
+      if (there == none || !cut_at(there, plane, next)) continue;
+      const glm::dvec3 moved = next.section.section.centre - now.section.centre;
+      found = is_steady(now.section, next.section.section, step) &&
+              glm::length(moved - step * now.axis) <= half + 0.5 * step &&
+              glm::dot(moved, now.axis) > 0.25 * glm::length(moved);
+    }
+    const double is = found ? next.section.section.half_width() : 0;
+    if (!found || is > limits_.taper * began || began > limits_.taper * is) return;
+    mark(next.triangles, next.section.axis);
+    if (const int turns = turns_back(next.triangles, sign > 0 ? number : -number); turns > 0) {
+      closed = sign > 0 && turns >= number - 1;
+      return;
+    }
+    sections.push_back(next.section);
+    std::swap(last, next);
+  }
+}
+
+Chain ChainFollower::follow(std::uint32_t triangle, const glm::dvec3& direction) {
+  Chain chain;
+  if (was_tried(triangle, direction)) return chain;
+  const auto& [a, b, c] = mesh_.triangles[triangle];
+  const glm::dvec3 middle = (mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3.0;
+  const Plane plane{middle, direction};
+  if (!cutter_.crosses(triangle, plane)) return chain;
+  const double area = mesh_.shell_area[mesh_.shell[triangle]];
+  // A tube of circumference P and length l has the area P l, of which the shell has no more.
+  most_perimeter_ = 1.2 * std::sqrt(std::numbers::pi * area / limits_.slender);
+  At first;
+  const bool is_cut = cut_at(triangle, plane, first);
+  mark(is_cut ? std::span<const std::uint32_t>(first.triangles) : cutter_.triangles(), direction);
+  if (!is_cut || !(first.section.section.half_width() > 0)) return chain;
+  ++chain_;
+  turns_back(first.triangles, 0);
+  std::vector<ChainSection> backwards;
+  chain.sections.push_back(first.section);
+  extend(first, 1, chain.sections, chain.closed);
+  if (!chain.closed) {
+    bool closed = false;
+    extend(first, -1, backwards, closed);
+    std::ranges::reverse(backwards);
+    for (ChainSection& section : backwards) section.axis = -section.axis;
+    chain.sections.insert(chain.sections.begin(), backwards.begin(), backwards.end());
+  }
+  for (std::size_t i = 1; i < chain.sections.size(); ++i) {
+    chain.sections[i].along = chain.sections[i - 1].along +
+                              glm::distance(chain.sections[i - 1].section.centre, chain.sections[i].section.centre);
+  }
+  return chain;
+}
+
+}  // namespace foredraw::wiring

@@ -1,0 +1,19 @@
+#pragma once
+// Ribbons that cross and hang together, such as shrouds with ratlines.
+
+#include "wire_points.h"
+
+namespace foredraw::wiring {
+
+struct Net {
+  std::uint32_t shell = 0;
+  double length = 0;      ///< of all its ribbons: half its borders
+  double half_width = 0;  ///< of a ribbon, on average
+  WireParts parts;
+};
+
+/// Shells that are open, and very much longer along their borders than their area would have it. A point's centre is in
+/// the middle of its shortest edge, which leads across its ribbon.
+std::vector<Net> find_nets(const WeldedMesh& mesh);
+
+}  // namespace foredraw::wiring

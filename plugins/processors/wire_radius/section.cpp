@@ -1,0 +1,267 @@
+#include "section.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foredraw::wiring {
+
+namespace {
+
+/// Two directions square to this one and to each other.
+std::array<glm::dvec3, 2> square_to(const glm::dvec3& normal) {
+  const glm::dvec3 size = glm::abs(normal);
+  const glm::dvec3 other = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
+                           : size.y <= size.z                   ? glm::dvec3(0, 1, 0)
+                                                                : glm::dvec3(0, 0, 1);
+  const glm::dvec3 u = glm::normalize(glm::cross(normal, other));
+  return {u, glm::cross(normal, u)};
+}
+
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Counter-clockwise, without points on its edges (Andrew 1979). `points` are sorted.
+void convex_hull(std::vector<glm::dvec2>& points, std::vector<glm::dvec2>& hull) {
+  std::ranges::sort(points,
+                    [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  hull.clear();
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = hull.size();
+    for (const glm::dvec2& point : points) {
+      while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
+      hull.push_back(point);
+    }
+    hull.pop_back();
+    std::ranges::reverse(points);
+  }
+}
+
+/// The box with one side along this edge of the hull.
+struct HullBox {
+  glm::dvec2 along{0};
+  double low = 0, high = 0, depth = 0;
+};
+
+HullBox box_at(std::span<const glm::dvec2> hull, std::size_t edge) {
+  const glm::dvec2 from = hull[edge], to = hull[(edge + 1) % hull.size()];
+  HullBox box{glm::normalize(to - from)};
+  const glm::dvec2 inwards(-box.along.y, box.along.x);
+  for (const glm::dvec2& point : hull) {
+    const glm::dvec2 way = point - from;
+    box.low = std::min(box.low, glm::dot(way, box.along));
+    box.high = std::max(box.high, glm::dot(way, box.along));
+    box.depth = std::max(box.depth, glm::dot(way, inwards));
+  }
+  return box;
+}
+
+}  // namespace
+
+double Plane::height(const glm::dvec3& point) const { return glm::dot(point - at, normal); }
+
+bool Cutter::crosses(std::uint32_t triangle, const Plane& plane) const {
+  const auto& [a, b, c] = mesh_.triangles[triangle];
+  const bool first = plane.height(mesh_.points[a]) >= 0;
+  return first != (plane.height(mesh_.points[b]) >= 0) || first != (plane.height(mesh_.points[c]) >= 0);
+}
+
+std::uint32_t Cutter::walk(std::uint32_t triangle, const Plane& plane, std::size_t most_steps) const {
+  for (std::size_t step = 0; step < most_steps && triangle != none; ++step) {
+    const auto& corners = mesh_.triangles[triangle];
+    double heights[3];
+    int above = 0;
+    for (int i = 0; i < 3; ++i) {
+      heights[i] = plane.height(mesh_.points[corners[i]]);
+      above += heights[i] >= 0;
+    }
+    if (above == 1 || above == 2) return triangle;
+    std::uint32_t next = none;
+    double least = 0;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const double away = std::abs(heights[e] + heights[(e + 1) % 3]);
+      if (mesh_.across[triangle][e] == none || (next != none && away >= least)) continue;
+      next = mesh_.across[triangle][e];
+      least = away;
+    }
+    triangle = next;
+  }
+  return none;
+}
+
+/// From the triangle across that edge, and on; `outline` gets a point for each edge.
+bool Cutter::trace(std::uint32_t triangle, std::uint32_t edge, const Plane& plane, double most_perimeter,
+                   std::size_t most_steps, std::vector<glm::dvec3>& outline, bool& closed) {
+  const std::uint32_t start = triangle;
+  outline.clear();
+  closed = false;
+  double way = 0;
+  for (;;) {
+    const auto& corners = mesh_.triangles[triangle];
+    const std::uint32_t from = corners[edge], to = corners[(edge + 1) % 3];
+    const double below = plane.height(mesh_.points[from]), above = plane.height(mesh_.points[to]);
+    outline.push_back(mesh_.points[from] + (mesh_.points[to] - mesh_.points[from]) * (below / (below - above)));
+    if (outline.size() > 1) way += glm::distance(outline[outline.size() - 2], outline.back());
+    const std::uint32_t next = mesh_.across[triangle][edge];
+    if (next == none) {
+      const glm::dvec3 border = mesh_.points[to] - mesh_.points[from];
+      borders_ += glm::normalize(above >= 0 ? border : -border);
+      return true;
+    }
+    if (next == start) {
+      closed = true;
+      return true;
+    }
+    if (triangles_.size() >= most_steps || way > most_perimeter) return false;
+    triangles_.push_back(next);
+    const auto& others = mesh_.triangles[next];
+    bool is_above[3];
+    for (int i = 0; i < 3; ++i) is_above[i] = plane.height(mesh_.points[others[i]]) >= 0;
+    std::uint32_t out = none;
+    for (std::uint32_t e = 0; e < 3; ++e) {
+      const std::uint32_t a = others[e], b = others[(e + 1) % 3];
+      const bool came_by = (a == from && b == to) || (a == to && b == from);
+      if (!came_by && is_above[e] != is_above[(e + 1) % 3]) out = e;
+    }
+    triangle = next;
+    edge = out;
+  }
+}
+
+bool Cutter::cut(std::uint32_t triangle, const Plane& plane, std::size_t most_steps, double most_perimeter) {
+  triangles_.assign(1, triangle);
+  std::uint32_t out[2] = {none, none};
+  const auto& corners = mesh_.triangles[triangle];
+  for (std::uint32_t e = 0; e < 3; ++e) {
+    const bool from = plane.height(mesh_.points[corners[e]]) >= 0;
+    const bool to = plane.height(mesh_.points[corners[(e + 1) % 3]]) >= 0;
+    if (from != to) (out[0] == none ? out[0] : out[1]) = e;
+  }
+  if (out[1] == none) return false;
+  borders_ = glm::dvec3(0);
+  bool closed = false;
+  if (!trace(triangle, out[0], plane, most_perimeter, most_steps, outline_, closed)) return false;
+  section_.closed = closed;
+  if (!closed) {
+    if (!trace(triangle, out[1], plane, most_perimeter, most_steps, backwards_, closed)) return false;
+    std::ranges::reverse(backwards_);
+    outline_.insert(outline_.begin(), backwards_.begin(), backwards_.end());
+  }
+  measure(plane);
+  return section_.perimeter <= most_perimeter;
+}
+
+void Cutter::measure(const Plane& plane) {
+  const auto [u, v] = square_to(plane.normal);
+  flat_.clear();
+  for (const glm::dvec3& point : outline_)
+    flat_.emplace_back(glm::dot(point - plane.at, u), glm::dot(point - plane.at, v));
+  section_.perimeter = 0;
+  double area = 0;
+  glm::dvec2 middle(0), of_line(0);
+  for (std::size_t i = 0; i + (section_.closed ? 0 : 1) < flat_.size(); ++i) {
+    const glm::dvec2 a = flat_[i], b = flat_[(i + 1) % flat_.size()];
+    const double length = glm::distance(a, b), doubled = a.x * b.y - a.y * b.x;
+    section_.perimeter += length;
+    of_line += (a + b) * (length / 2);
+    area += doubled / 2;
+    middle += (a + b) * (doubled / 6);
+  }
+  convex_hull(flat_, hull_);
+  const auto in_space = [&](const glm::dvec2& at) { return plane.at + at.x * u + at.y * v; };
+  section_.least = section_.greatest = 0;
+  HullBox least_box;
+  std::size_t least_edge = 0;
+  glm::dvec2 across(1, 0);
+  for (std::size_t e = 0; e < hull_.size() && hull_.size() > 1; ++e) {
+    const HullBox box = box_at(hull_, e);
+    if (e == 0 || box.depth < least_box.depth) {
+      least_box = box;
+      least_edge = e;
+    }
+    if (box.depth > 2 * section_.greatest) {
+      section_.greatest = box.depth / 2;
+      across = {-box.along.y, box.along.x};
+    }
+    if (box.high - box.low > 2 * section_.greatest) {
+      section_.greatest = (box.high - box.low) / 2;
+      across = box.along;
+    }
+  }
+  section_.least = least_box.depth / 2;
+  section_.across = across.x * u + across.y * v;
+  const double round = section_.perimeter * section_.perimeter / (4 * std::numbers::pi);
+  section_.roundness = section_.closed && round > 0 ? std::abs(area) / round : 0;
+  if (section_.closed && section_.roundness > 1e-3) {
+    section_.centre = in_space(middle / area);
+  } else if (hull_.size() > 1 && !section_.closed) {
+    const glm::dvec2 inwards(-least_box.along.y, least_box.along.x);
+    section_.centre = in_space(hull_[least_edge] + least_box.along * ((least_box.low + least_box.high) / 2) +
+                               inwards * (least_box.depth / 2));
+  } else {
+    section_.centre = in_space(section_.perimeter > 0 ? of_line / section_.perimeter : flat_.front());
+  }
+}
+
+glm::dvec3 Cutter::axis(const Plane& plane) const {
+  if (!section_.closed) {
+    const double length = glm::length(borders_);
+    return length > 0 ? borders_ / length : plane.normal;
+  }
+  glm::dmat3 normals(0);
+  double sum = 0;
+  for (const std::uint32_t t : triangles_) {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    const glm::dvec3 normal = glm::cross(mesh_.points[b] - mesh_.points[a], mesh_.points[c] - mesh_.points[a]);
+    const double length = glm::length(normal);
+    if (!(length > 0)) continue;
+    // The part of the section that lies in this triangle.
+    const glm::dvec3 line = glm::cross(normal / length, plane.normal);
+    double low = 0, high = 0;
+    bool is_first = true;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const glm::dvec3 &from = mesh_.points[mesh_.triangles[t][e]], &to = mesh_.points[mesh_.triangles[t][(e + 1) % 3]];
+      const double below = plane.height(from), above = plane.height(to);
+      if ((below >= 0) == (above >= 0)) continue;
+      const double at = glm::dot(from + (to - from) * (below / (below - above)) - plane.at, line);
+      low = is_first ? at : std::min(low, at);
+      high = is_first ? at : std::max(high, at);
+      is_first = false;
+    }
+    const glm::dvec3 unit = normal / length;
+    normals += glm::outerProduct(unit, unit) * (high - low);
+    sum += high - low;
+  }
+  if (!(sum > 0)) return plane.normal;
+  // Inverse iteration; where normals are all alike, it stays next to the plane's.
+  normals = normals / sum + glm::dmat3(0.01);
+  const double determinant = glm::dot(normals[0], glm::cross(normals[1], normals[2]));
+  if (!(determinant > 0)) return plane.normal;
+  glm::dvec3 axis = plane.normal;
+  for (int i = 0; i < 3; ++i) {
+    axis = glm::normalize(glm::dvec3(glm::dot(glm::cross(normals[1], normals[2]), axis),
+                                     glm::dot(glm::cross(normals[2], normals[0]), axis),
+                                     glm::dot(glm::cross(normals[0], normals[1]), axis)));
+  }
+  return glm::dot(axis, plane.normal) < 0 ? -axis : axis;
+}
+
+double Cutter::next_corner(const Plane& plane) const {
+  double next = 0;
+  bool is_first = true;
+  for (const std::uint32_t t : triangles_) {
+    for (const std::uint32_t point : mesh_.triangles[t]) {
+      const double height = plane.height(mesh_.points[point]);
+      if (height < 0 || (!is_first && height >= next)) continue;
+      next = height;
+      is_first = false;
+    }
+  }
+  return next;
+}
+
+}  // namespace foredraw::wiring
