@@ -200,13 +200,14 @@ KnownMesh lamp_post(Random& random) {
   KnownMesh mesh = named("lamp post");
   const double r = between(random, 0.03, 0.06), height = between(random, 3, 6);
   const auto sides = 6 + static_cast<std::uint32_t>(random.below(7));
-  const Line line = {{0, 0, 0}, {0, 0.6, 0}, {0, 0.65, 0}, {0, height, 0}, {0, height + 0.02, 0}, {0, height + 0.3, 0}};
+  const Line line = {{0, 0, 0},      {0, 0.6, 0},           {0, 0.65, 0},        {0, 0.7, 0}, {0, height - 0.05, 0},
+                     {0, height, 0}, {0, height + 0.02, 0}, {0, height + 0.3, 0}};
   Outline outline = circle(sides);
   for (glm::dvec2& at : outline) at *= r;
-  sweep(mesh, line, outline, {.scale = {3, 3, 1, 1, 4, 5}, .wire = no_wire}, random);
-  for (std::uint32_t t = 0; t < 2 * sides; ++t) mesh.wire_of[2 * sides * 2 + t] = 0;
+  sweep(mesh, line, outline, {.scale = {3, 3, 1, 1, 1, 1, 4, 5}, .wire = no_wire}, random);
+  for (std::uint32_t t = 0; t < 6 * sides; ++t) mesh.wire_of[2 * sides * 2 + t] = 0;
   for (std::uint32_t v = 0; v < mesh.half_width.size(); ++v) {
-    if (v < 2 * sides || v >= 4 * sides) mesh.half_width[v] = 0;
+    if (v < 3 * sides || v >= 5 * sides) mesh.half_width[v] = 0;  // joints too
   }
   mesh.length = {height - 0.65};
   return mesh;

@@ -56,10 +56,9 @@ bool ChainFollower::is_steady(const Section& before, const Section& after, doubl
   if (before.closed != after.closed) return false;
   const double was = before.half_width(), is = after.half_width();
   if (!(was > 0) || !(is > 0)) return false;
-  // What ends soon after is approached by smaller steps, along which less may change.
-  const double steps = std::max(0.2, step / (usual_step * before.mean_half_width()));
-  return std::abs(is - was) <= limits_.steadiness * steps * std::max(was, is) &&
-         after.mean_half_width() <= (1 + limits_.steadiness * std::max(1.0, steps)) * 1.5 * before.mean_half_width();
+  // As a slope, so that smaller steps towards an end allow for less.
+  const double most = limits_.steadiness * std::max(step / usual_step, 0.02 * was);
+  return std::abs(is - was) <= most && after.mean_half_width() <= 1.5 * before.mean_half_width() + most;
 }
 
 void ChainFollower::keep_cut(std::uint32_t triangle, const Plane& plane, At& at) const {
@@ -79,7 +78,8 @@ bool ChainFollower::cut_at(std::uint32_t triangle, const Plane& plane, At& at) {
   const std::uint32_t there = cutter_.walk(triangle, turned, most_walk);
   if (there == none || !cutter_.cut(there, turned, most_steps, most_perimeter_)) return true;
   const Section& own = cutter_.section();
-  const bool is_better = own.closed == at.section.section.closed && own.half_width() <= 1.05 * at.section.section.half_width();
+  const bool is_better =
+      own.closed == at.section.section.closed && own.half_width() <= 1.05 * at.section.section.half_width();
   if (is_better) keep_cut(there, turned, at);
   return true;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Ribbons that are painted on something.
+// Ribbons that are painted on something, and mouldings on a wall.
 
 #include "wire_run.h"
 
@@ -7,18 +7,22 @@
 
 namespace foredraw::wiring {
 
-/// A place on a ribbon.
-struct RibbonSample {
-  glm::dvec3 at, normal;  ///< the normal has length 1
-  double breadth = 0;
+/// Lines at one place of a wire, that a surface which it belongs to would cross.
+struct BackProbe {
+  struct Line {
+    glm::dvec3 from, to;
+  };
+  std::vector<Line> lines;    ///< one of them must be crossed,
+  std::vector<Line> outside;  ///< but not all of these, as where there is a pipe in a pipe
 };
 
-/// At most so many places along the run of flat sections.
-std::vector<RibbonSample> ribbon_samples(const Chain& chain, const WireRun& run);
-std::vector<RibbonSample> ribbon_samples(const WeldedMesh& mesh, std::span<const std::uint32_t> triangles,
-                                         double breadth);
+/// Places along a run: before and behind of what is flat, and where a channel has no wall of its own, as far as `reach`
+/// times its breadth; across a tube, within its walls.
+std::vector<BackProbe> back_probes(const Chain& chain, const WireRun& run, double reach);
+/// The same of a net.
+std::vector<BackProbe> back_probes(const WeldedMesh& mesh, std::span<const std::uint32_t> triangles, double distance);
 
-/// Whether at half of the places or more something stands within `reach` breadths before or behind them.
-bool is_decal(std::span<const RibbonSample> samples, double reach, const RayTree& surfaces);
+/// Whether at half of the places or more something is there.
+bool is_decal(std::span<const BackProbe> probes, const RayTree& surfaces);
 
 }  // namespace foredraw::wiring

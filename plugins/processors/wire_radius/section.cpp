@@ -205,6 +205,12 @@ void Cutter::measure(const Plane& plane) {
   } else {
     section_.centre = in_space(section_.perimeter > 0 ? of_line / section_.perimeter : flat_.front());
   }
+  section_.opening = glm::dvec3(0);
+  if (!section_.closed && section_.perimeter > 0) {
+    const glm::dvec3 way = section_.centre - in_space(of_line / section_.perimeter);
+    const double length = glm::length(way);
+    if (length > 1e-3 * section_.greatest) section_.opening = way / length;
+  }
 }
 
 glm::dvec3 Cutter::axis(const Plane& plane) const {

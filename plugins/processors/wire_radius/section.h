@@ -19,6 +19,7 @@ struct Section {
   glm::dvec3 centre{0};            ///< of a loop: of its area; else of the least box round it
   double least = 0, greatest = 0;  ///< half widths across, of the hull
   glm::dvec3 across{0};            ///< the direction of the greatest, of length 1
+  glm::dvec3 opening{0};           ///< of an open one that is not flat: to where it has no wall, of length 1
   double perimeter = 0;
   double roundness = 0;  ///< of a loop: 4 pi area / perimeter^2; 1 is a circle, .785 a square
 

@@ -50,7 +50,9 @@ const WirePoints::Seen& WirePoints::look_at(std::uint32_t point, std::uint32_t t
   seen.section = static_cast<std::uint32_t>(section);
   seen.triangle = triangle;
   seen.beyond = at_end ? std::abs(along) : 0;
-  seen.is_along = off <= 1.5 * greatest && seen.beyond <= 1.1 * nearest.section.mean_half_width();
+  // At a bend the section is wider, where two pieces meet.
+  const double mitre = std::sqrt((1 + std::max(0.0, glm::dot(nearest.axis, all[next].axis))) / 2);
+  seen.is_along = off * mitre <= 1.5 * greatest && seen.beyond <= 1.1 * nearest.section.mean_half_width();
   return seen;
 }
 

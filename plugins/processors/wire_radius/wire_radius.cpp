@@ -19,7 +19,7 @@ using namespace wiring;
 struct Candidate {
   FoundWire wire;
   WireParts parts;
-  std::vector<RibbonSample> samples;  ///< of ribbons and nets
+  std::vector<BackProbe> probes;
 };
 
 class Finder {
@@ -51,7 +51,7 @@ class Finder {
         refuse_net(WireRefusal::small);
       } else {
         Candidate candidate{{WireKind::net, net.length, net.half_width, false}, std::move(net.parts), {}};
-        candidate.samples = ribbon_samples(mesh_, candidate.parts.triangles, 2 * net.half_width);
+        candidate.probes = back_probes(mesh_, candidate.parts.triangles, options_.decal * 2 * net.half_width);
         found_.push_back(std::move(candidate));
       }
     }
@@ -97,10 +97,13 @@ class Finder {
     }
     Candidate candidate{{run->kind, run->length, run->half_width, run->closed}, points.along(chain, *run), {}};
     if (!run->closed) candidate.wire.length += candidate.parts.beyond;
+    // What another wire left of it, and what has more elsewhere, is its end.
+    const std::size_t all = candidate.parts.triangles.size();
     std::erase_if(candidate.parts.triangles, [&](std::uint32_t t) { return taken_[t]; });
+    if (2 * candidate.parts.triangles.size() <= all) return;
     for (const std::uint32_t t : candidate.parts.triangles) taken_[t] = true;
-    if (run->kind == WireKind::ribbon) candidate.samples = ribbon_samples(chain, *run);
-    if (!candidate.parts.triangles.empty()) found_.push_back(std::move(candidate));
+    if (options_.decal > 0) candidate.probes = back_probes(chain, *run, options_.decal);
+    found_.push_back(std::move(candidate));
   }
 
   const WeldedMesh& mesh_;
@@ -111,14 +114,13 @@ class Finder {
   std::vector<RefusedWire> refused_;
 };
 
-/// Takes out ribbons that lie on what is no ribbon itself.
-void leave_decals_out(const WeldedMesh& mesh, double reach, std::vector<Candidate>& found,
-                      std::vector<RefusedWire>& refused) {
-  const auto has_samples = [](const Candidate& candidate) { return !candidate.samples.empty(); };
-  if (!(reach > 0) || std::ranges::none_of(found, has_samples)) return;
+/// Takes out what lies on a surface. Ribbons and channels are no such surface for each other.
+void leave_decals_out(const WeldedMesh& mesh, std::vector<Candidate>& found, std::vector<RefusedWire>& refused) {
+  if (std::ranges::all_of(found, [](const Candidate& candidate) { return candidate.probes.empty(); })) return;
   std::vector<Blocks> blocks(mesh.triangles.size(), Blocks::both);
   for (const Candidate& candidate : found) {
-    if (!has_samples(candidate)) continue;
+    const bool is_tube = !candidate.probes.empty() && !candidate.probes.front().outside.empty();
+    if (is_tube) continue;
     for (const std::uint32_t t : candidate.parts.triangles) blocks[t] = Blocks::neither;
   }
   std::vector<glm::vec3> points(mesh.points.begin(), mesh.points.end());
@@ -126,7 +128,7 @@ void leave_decals_out(const WeldedMesh& mesh, double reach, std::vector<Candidat
   for (const auto& triangle : mesh.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
   const RayTree surfaces(points, indices, blocks);
   std::erase_if(found, [&](const Candidate& candidate) {
-    if (!has_samples(candidate) || !is_decal(candidate.samples, reach, surfaces)) return false;
+    if (!is_decal(candidate.probes, surfaces)) return false;
     refused.push_back(
         {WireRefusal::decal, candidate.parts.triangles.front(), candidate.wire.length, 2 * candidate.wire.radius});
     return true;
@@ -191,7 +193,7 @@ FoundWires find_wires(std::span<const glm::vec3> positions, std::span<const std:
   std::vector<Candidate> found = finder.find();
   FoundWires result;
   result.refused = finder.refused();
-  leave_decals_out(mesh, options.decal, found, result.refused);
+  leave_decals_out(mesh, found, result.refused);
   Owners owners(mesh, indices, found);
 
   // Wires without a triangle of their own go.
