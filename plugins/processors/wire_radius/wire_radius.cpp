@@ -24,8 +24,8 @@ struct Candidate {
 
 class Finder {
  public:
-  Finder(const WeldedMesh& mesh, const WireOptions& options, const WireSearch& search)
-      : mesh_(mesh), options_(options), search_(search), taken_(mesh.triangles.size(), false) {}
+  Finder(const WeldedMesh& mesh, const WireOptions& options, const WireSearch& search, std::vector<bool> taken)
+      : mesh_(mesh), options_(options), search_(search), taken_(std::move(taken)) {}
 
   std::vector<Candidate> find() {
     add_nets();
@@ -44,11 +44,14 @@ class Finder {
       const auto refuse_net = [&](WireRefusal why) {
         refuse(why, net.parts.triangles.front(), net.length, 2 * net.half_width);
       };
+      if (std::ranges::any_of(net.parts.triangles, [&](std::uint32_t t) { return taken_[t]; })) continue;
       for (const std::uint32_t t : net.parts.triangles) taken_[t] = true;  // its ribbons are not looked at one by one
       if (!options_.ribbons) {
         refuse_net(WireRefusal::ribbon);
       } else if (net.length < options_.least_length) {
         refuse_net(WireRefusal::small);
+      } else if (!(static_cast<float>(net.half_width) > 0)) {
+        refuse_net(WireRefusal::tiny);
       } else {
         Candidate candidate{{WireKind::net, net.length, net.half_width, false}, std::move(net.parts), {}};
         candidate.probes = back_probes(mesh_, candidate.parts.triangles, options_.decal * 2 * net.half_width);
@@ -101,6 +104,11 @@ class Finder {
     const std::size_t all = candidate.parts.triangles.size();
     std::erase_if(candidate.parts.triangles, [&](std::uint32_t t) { return taken_[t]; });
     if (2 * candidate.parts.triangles.size() <= all) return;
+    const auto is_tiny = [](const WirePoint& point) { return !(static_cast<float>(point.half_width) > 0); };
+    if (std::ranges::any_of(candidate.parts.points, is_tiny)) {
+      refuse(WireRefusal::tiny, triangle, run->length, run->mean_width);
+      return;
+    }
     for (const std::uint32_t t : candidate.parts.triangles) taken_[t] = true;
     if (options_.decal > 0) candidate.probes = back_probes(chain, *run, options_.decal);
     found_.push_back(std::move(candidate));
@@ -187,9 +195,13 @@ class Owners {
 }  // namespace
 
 FoundWires find_wires(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                      const WireOptions& options, const WireSearch& search) {
+                      const WireOptions& options, const WireSearch& search, std::size_t first_fixed) {
   const WeldedMesh mesh = weld_mesh(positions, indices);
-  Finder finder(mesh, options, search);
+  std::vector<bool> is_fixed(mesh.triangles.size(), false);
+  for (std::size_t t = first_fixed; t < mesh.triangle_of.size(); ++t) {
+    if (mesh.triangle_of[t] != FoundWires::none) is_fixed[mesh.triangle_of[t]] = true;
+  }
+  Finder finder(mesh, options, search, std::move(is_fixed));
   std::vector<Candidate> found = finder.find();
   FoundWires result;
   result.refused = finder.refused();

@@ -32,6 +32,7 @@ enum class WireRefusal : std::uint8_t {
   decal,   ///< it lies on a surface
   small,   ///< shorter than `least_length`
   joined,  ///< all its corners join it to something else
+  tiny,    ///< its width is 0 in 32-bit floats
 };
 
 struct FoundWire {
@@ -73,7 +74,8 @@ struct WireSearch {
 /// alike. Each vertex gets the section through itself. O(n log n) where wires have few triangles round them. The
 /// technique is Persson's: "Graphics Gems for Games", SIGGRAPH 2012, "Phone-wire AA"; how wires are found is our own.
 FoundWires find_wires(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                      const WireOptions& options = {}, const WireSearch& search = {});
+                      const WireOptions& options = {}, const WireSearch& search = {},
+                      std::size_t first_fixed = std::numeric_limits<std::size_t>::max());
 
 struct Plugin;
 Plugin wire_radius_plugin();

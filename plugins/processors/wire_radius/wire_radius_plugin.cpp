@@ -1,11 +1,179 @@
-#include "wire_radius.h"
+#include "scene_wires.h"
+#include "wires_product.h"
 
+#include <foredraw/base/counted.h>
 #include <foredraw/technique/plugin.h>
+#include <atomic>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
 namespace foredraw {
+
+namespace {
+
+using wiring::UnitWires;
+using wiring::WireUnit;
+
+const char* text_of(WireRefusal why) {
+  switch (why) {
+    case WireRefusal::stout: return "too stout (`slender`)";
+    case WireRefusal::flat: return "too flat or dented for a tube (`aspect`)";
+    case WireRefusal::ribbon: return "a ribbon (`ribbons = false`)";
+    case WireRefusal::decal: return "lies on a surface (`decal`)";
+    case WireRefusal::small: return "too short (`least-length`)";
+    case WireRefusal::joined:
+      return "joins other things at all its corners, so none can move: it needs a ring of vertices between its ends";
+    case WireRefusal::tiny: break;
+  }
+  return "too thin for 32-bit floats";
+}
+
+/// Which draw of the unit a triangle is in.
+std::optional<std::size_t> draw_of(const UnitWires& wires, std::size_t triangle) {
+  const auto next = std::ranges::upper_bound(wires.first_triangle, triangle);
+  const auto draw = static_cast<std::size_t>(next - wires.first_triangle.begin()) - 1;
+  if (draw + 1 >= wires.first_triangle.size()) return std::nullopt;
+  return draw;
+}
+
+class WireRadius final : public Processor {
+ public:
+  explicit WireRadius(WireOptions options) : options_(options) {}
+
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
+    wiring::WireUnits units = wiring::wire_units(scene, draws);
+    for (const wiring::LeftDraw& left : units.left) {
+      run.note_at({.draw = left.draw}, "left-alone", "its wires are left alone: " + left.why);
+    }
+    std::vector<UnitWires> found(units.units.size());
+    const double part = 1 / static_cast<double>(std::max<std::size_t>(1, found.size()));
+    std::atomic<std::size_t> done = 0;
+    run.executor.for_each(found.size(), [&](std::size_t u) {
+      if (run.cancelled()) return;
+      WireSearch search{.cancel = run.cancel};
+      if (run.progress && found.size() == 1) search.progress = run.progress;
+      found[u] = wiring::find_unit_wires(scene, units.units[u], options_, search, run.analyses);
+      if (run.progress) run.progress(part * static_cast<double>(++done));
+    });
+    if (run.cancelled()) return {};
+    Wires all;
+    if (const Wires* before = scene.products.find<Wires>()) all = *before;
+    std::vector<DrawId> changed;
+    for (std::size_t u = 0; u < found.size(); ++u) {
+      tell_refused(units.units[u], found[u], run);
+      for (DrawWires& of : wiring::put_wires(scene, units.units[u], found[u])) {
+        tell(scene, of, run);
+        changed.push_back(of.draw);
+        std::erase_if(all.draws, [&](const DrawWires& old) { return old.draw == of.draw; });
+        all.draws.push_back(std::move(of));
+      }
+    }
+    if (changed.empty()) {
+      run.keep(run.findings.notes.empty() ? "nothing in it is long and thin" : "no wire was taken; the notes say why");
+      return {};
+    }
+    std::ranges::sort(all.draws, {}, &DrawWires::draw);
+    std::ranges::sort(changed);
+    scene.products.set(std::move(all));
+    return changed;
+  }
+
+ private:
+  static void tell(const Scene& scene, const DrawWires& of, const Run& run) {
+    const About about{.draw = of.draw};
+    std::array<double, 3> kinds{};
+    double length = 0;
+    for (const Wire& wire : of.wires) {
+      ++kinds[static_cast<std::size_t>(wire.kind)];
+      length += wire.length;
+    }
+    const std::size_t triangles = scene.draws[of.draw].full().stream().triangle_count();
+    run.count_at(about, "tubes", kinds[0]);
+    run.count_at(about, "ribbons", kinds[1]);
+    run.count_at(about, "nets", kinds[2]);
+    run.measure_at(about, "share", static_cast<double>(triangles - of.first_triangle), static_cast<double>(triangles));
+    run.note_at(about, "wires",
+                fmt::format("wires: {}, {}, {}; together {:.4g} units long, and {} of {} triangles",
+                            counted(static_cast<std::uint64_t>(kinds[0]), "tube"),
+                            counted(static_cast<std::uint64_t>(kinds[1]), "ribbon"),
+                            counted(static_cast<std::uint64_t>(kinds[2]), "net"), length, triangles - of.first_triangle,
+                            triangles));
+  }
+
+  /// What is nearly a wire, draw by draw, with the longest of each kind.
+  static void tell_refused(const WireUnit& unit, const UnitWires& wires, const Run& run) {
+    struct Sum {
+      std::size_t count = 0;
+      RefusedWire longest;
+    };
+    std::map<std::pair<std::size_t, WireRefusal>, Sum> sums;
+    for (const RefusedWire& refused : wires.found.refused) {
+      const auto draw = draw_of(wires, refused.triangle);
+      if (!draw) continue;
+      Sum& sum = sums[{*draw, refused.why}];
+      ++sum.count;
+      if (refused.length > sum.longest.length) sum.longest = refused;
+    }
+    for (const auto& [key, sum] : sums) {
+      const auto& [draw, why] = key;
+      run.note_at({.draw = unit.draws[draw]}, "no-wire",
+                  fmt::format("{} not taken: {}; the longest is {:.3g} units long and {:.3g} wide, at triangle {}",
+                              counted(sum.count, "thing"), text_of(why), sum.longest.length,
+                              sum.longest.width, sum.longest.triangle - wires.first_triangle[draw]));
+    }
+    for (const std::uint32_t wire : wires.bent) {
+      run.note_at({.draw = unit.draws.front()}, "bent",
+                  fmt::format("a wire of {:.3g} units is not taken: round it, vertices follow different joints",
+                              wires.found.wires[wire].length));
+    }
+  }
+
+  WireOptions options_;
+};
+
+}  // namespace
+
 Plugin wire_radius_plugin() {
+  OptionTable<WireOptions> table;
+  table
+      .row(&WireOptions::slender, "slender", "A wire is at least so many times as long as it is wide, on average",
+           {2, 1000, ""})
+      .row(&WireOptions::aspect, "aspect",
+           "The section of a tube is at most so many times as wide as thick; what is flatter is a board", {1, 100, ""})
+      .row(&WireOptions::taper, "taper", "By which factor the width of a wire may change from end to end", {1, 100, ""})
+      .row(&WireOptions::ribbons, "ribbons", "Take flat ribbons, and nets of them, too")
+      .row(&WireOptions::decal, "decal",
+           "Something flat with a surface within so many of its breadths before or behind it is painted on that "
+           "surface, and no wire; 0: it is one all the same",
+           {0, 100, "breadths"})
+      .row(&WireOptions::least_length, "least-length", "What is shorter is no wire", {0, 1e30, "units"});
+
   Plugin plugin;
   plugin.kind = Kind::processor;
-  plugin.card = {.name = "wire-radius", .summary = "stub", .reference = "own"};
+  plugin.card = {
+      .name = "wire-radius",
+      .summary =
+          "Finds wires, such as ropes, cables, railings and antennae, and tells each vertex its centre line and "
+          "radius, so that shaders keep them at least a pixel wide",
+      .reference = "Persson 2012, Phone-wire AA",
+      .acts_on = {traits::triangles},
+      .breaks = {traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},
+      .pays_if = "a draw has something long and thin in it",
+      .measured_by = {},
+      .metrics = {{"tubes", "wires", "Found with a closed section, or one open at the back", false},
+                  {"ribbons", "wires", "Found that are flat", false},
+                  {"nets", "wires", "Found of flat ribbons that cross", false},
+                  {"share", "per triangle", "Triangles of wires", false}},
+  };
+  plugin.products = {wires_product()};
+  bind_options(plugin, std::move(table),
+               [](const WireOptions& options) { return std::make_unique<WireRadius>(options); });
   return plugin;
 }
+
 }  // namespace foredraw

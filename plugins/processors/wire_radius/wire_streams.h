@@ -1,0 +1,25 @@
+#pragma once
+// The two streams of vertices that know their wire.
+
+#include "wire_radius.h"
+
+#include <foredraw/scene/draw.h>
+
+#include <glm/vec4.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace foredraw::wiring {
+
+/// The streams of the mesh's vertices from `first` on, in place of any of that name.
+std::shared_ptr<const VertexStreams> with_wire_streams(const VertexStreams& vertices, const FoundWires& found,
+                                                       std::size_t first);
+
+std::shared_ptr<const VertexStreams> without_wire_streams(const VertexStreams& vertices);
+
+/// What WIRE says of each vertex. Nothing where one of the two streams is missing, or of another type, or a number is
+/// not finite.
+std::optional<std::vector<glm::vec4>> wire_rows(const VertexStreams& vertices);
+
+}  // namespace foredraw::wiring
