@@ -1,0 +1,68 @@
+"""Foredraw: make real-time scenes cheaper to draw, before they are drawn.
+
+>>> import foredraw as fd
+>>> order = fd.tipsify(indices)                                      # doctest: +SKIP
+>>> done = fd.optimize(fd.read("house.glb"), "@default")             # doctest: +SKIP
+>>> done.scene.write("cheaper.glb")                                  # doctest: +SKIP
+>>> fd.compare(["a.glb", "b.glb"], ["@default", "weld, lookahead"])  # doctest: +SKIP
+
+The package calls the C library libforedraw, which it looks for at the first call: the file that the environment variable
+FOREDRAW_LIBRARY names, then one beside the package or in the same installation, then the system's.
+"""
+
+from ._library import library_version
+from .comparisons import Comparison, compare
+from .contexts import Context
+from .draws import Draw, Moves
+from .errors import Cancelled, Error
+from .figures import figures
+from .functions import (
+    VertexCache,
+    dot_rule,
+    forsyth,
+    linear_clusters,
+    lookahead,
+    order_of_clusters,
+    renumber_vertices,
+    reorder_elements,
+    reorder_triangles,
+    tipsify,
+    vertex_cache,
+    vertex_fetch,
+)
+from .runs import Optimized, measure, optimize
+from .scenes import Scene, make, read, read_bytes, write
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Cancelled",
+    "Comparison",
+    "Context",
+    "Draw",
+    "Error",
+    "Moves",
+    "Optimized",
+    "Scene",
+    "VertexCache",
+    "compare",
+    "dot_rule",
+    "figures",
+    "forsyth",
+    "library_version",
+    "linear_clusters",
+    "lookahead",
+    "make",
+    "measure",
+    "optimize",
+    "order_of_clusters",
+    "read",
+    "read_bytes",
+    "renumber_vertices",
+    "reorder_elements",
+    "reorder_triangles",
+    "tipsify",
+    "vertex_cache",
+    "vertex_fetch",
+    "write",
+]

@@ -1,0 +1,101 @@
+"""The C headers as ctypes sees them: status.h, functions.h and foredraw.h. A test holds this to what a compiler says."""
+
+from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_uint32, c_uint64, c_void_p
+
+# Statuses.
+DONE, MISTAKE, FAILED, CANCELLED, NO_MEMORY, NULL_POINTER = range(6)
+INDEX_COUNT, INDEX_BYTES, INDEX_RANGE, TOO_LARGE, OPTION_RANGE, NO_CLUSTERS, NO_ORDER = range(6, 13)
+
+LOOKAHEAD_FAST, LOOKAHEAD_BALANCED, LOOKAHEAD_HIGH = range(1, 4)
+LOOKAHEAD_ROBUST, LOOKAHEAD_FIFO, LOOKAHEAD_NVIDIA, LOOKAHEAD_AMD, LOOKAHEAD_INTEL = range(1, 6)
+
+# What a component of a stream is.
+INT8, UINT8, INT16, UINT16, UINT32, FLOAT32 = range(1, 7)
+
+
+class Triangles(Structure):
+    _fields_ = [
+        ("indices", c_void_p),
+        ("index_count", c_uint64),
+        ("index_bytes", c_uint32),
+        ("vertex_count", c_uint32),
+    ]
+
+
+class Positions(Structure):
+    _fields_ = [("first", c_void_p), ("stride", c_uint32)]
+
+
+class VertexCacheFigures(Structure):
+    _fields_ = [("misses", c_uint64), ("vertices", c_uint64), ("acmr", c_double), ("atvr", c_double)]
+
+
+class Text(Structure):
+    _fields_ = [("data", c_void_p), ("length", c_uint64)]
+
+
+Progress = CFUNCTYPE(c_int, c_void_p, c_char_p, c_double)
+
+
+class Settings(Structure):
+    _fields_ = [("size", c_uint32), ("threads", c_uint32), ("progress", Progress), ("user", c_void_p)]
+
+
+class Stream(Structure):
+    _fields_ = [
+        ("semantic", c_char_p),
+        ("bytes", c_void_p),
+        ("stride", c_uint32),
+        ("component", c_uint32),
+        ("components", c_uint32),
+        ("normalized", c_uint32),
+    ]
+
+
+class Draw(Structure):
+    _fields_ = [
+        ("size", c_uint32),
+        ("vertex_count", c_uint32),
+        ("triangle_count", c_uint64),
+        ("name", c_char_p),
+        ("indices", c_void_p),
+        ("positions", c_void_p),
+        ("stream_count", c_uint32),
+        ("streams", POINTER(Stream)),
+    ]
+
+
+_triangles, _text, _pointer = POINTER(Triangles), POINTER(Text), POINTER(c_void_p)
+
+#: By the name without its "foredraw_": what the function returns, and what it takes. Arrays and handles are addresses.
+PROTOTYPES = {
+    "status_text": (c_char_p, [c_int]),
+    "tipsify": (c_int, [c_void_p, _triangles, c_uint32]),
+    "forsyth": (c_int, [c_void_p, _triangles, c_uint32]),
+    "lookahead": (c_int, [c_void_p, _triangles, c_int, c_int, c_uint32]),
+    "linear_clusters": (c_int, [c_void_p, POINTER(c_uint32), _triangles, c_uint32, c_double]),
+    "dot_rule": (c_int, [c_void_p, _triangles, POINTER(Positions), c_void_p, c_uint32]),
+    "order_of_clusters": (c_int, [c_void_p, c_void_p, c_uint32, c_void_p]),
+    "vertex_fetch": (c_int, [c_void_p, POINTER(c_uint32), _triangles]),
+    "reorder_triangles": (c_int, [c_void_p, _triangles, c_void_p]),
+    "renumber_vertices": (c_int, [c_void_p, _triangles, c_void_p]),
+    "reorder_elements": (c_int, [c_void_p, c_void_p, c_uint64, c_uint32, c_void_p, c_uint64]),
+    "vertex_cache": (c_int, [POINTER(VertexCacheFigures), _triangles, c_uint32]),
+    "version": (c_uint32, []),
+    "text_free": (None, [_text]),
+    "context_new": (c_void_p, [POINTER(Settings)]),
+    "context_free": (None, [c_void_p]),
+    "cancel": (None, [c_void_p]),
+    "read": (c_int, [c_void_p, c_char_p, _pointer, _text]),
+    "read_memory": (c_int, [c_void_p, c_void_p, c_uint64, c_char_p, _pointer, _text]),
+    "write": (c_int, [c_void_p, c_void_p, c_char_p, _text]),
+    "make_scene": (c_int, [c_void_p, POINTER(Draw), c_uint64, _pointer, _text]),
+    "scene_draws": (c_uint64, [c_void_p]),
+    "scene_draw": (c_int, [c_void_p, c_uint64, POINTER(Draw)]),
+    "scene_moves": (c_int, [c_void_p, c_uint64, _pointer, _pointer, POINTER(c_uint64)]),
+    "scene_copy": (c_void_p, [c_void_p]),
+    "scene_free": (None, [c_void_p]),
+    "optimize": (c_int, [c_void_p, c_void_p, c_char_p, _pointer, _text]),
+    "measure": (c_int, [c_void_p, c_void_p, c_char_p, _text]),
+    "compare": (c_int, [c_void_p, _pointer, c_uint64, POINTER(c_char_p), c_uint64, c_uint32, _text]),
+}
