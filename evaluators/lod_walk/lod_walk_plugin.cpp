@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -84,20 +83,26 @@ class LodWalkEvaluator final : public Evaluator {
   }
 
  private:
-  /// Costs of who draws the frames, from every fourth frame of the path, drawn finely, coarsely and in between; then
-  /// twice as the costs so far would have it: where a choice is made of them, they have to be right.
+  /// Costs of who draws the frames, from every fourth frame of the path: drawn finely, coarsely and in between; then as
+  /// the costs so far would have it, until these foretell what was drawn so to a tenth. For where a choice is made by
+  /// costs, they have to be right.
   RenderingCosts fitted_costs(const FrameScene& frames, const CameraPath& path, LodWalkOptions options,
                               Run& run) const {
+    constexpr int most_rounds = 8;
+    constexpr double good = 0.1;
     CameraPath some;
     for (std::size_t i = 0; i < path.size(); i += 4) some.push_back(path[i]);
     options.methods = {Method::none, Method::by_size, Method::budget};
     options.pictures = 0;
     options.replay = false;
     std::vector<FrameSample> samples;
-    for (int round = 0; round < 3; ++round) {
+    bool is_good = false;
+    for (int round = 0; round < most_rounds && !is_good; ++round) {
       const auto walk = lod_walk(frames, some, settings_.size(), options, run.executor, run.cancel);
       if (!walk) throw std::runtime_error("cancelled");
-      std::ranges::move(samples_of(*walk), std::back_inserter(samples));
+      const std::vector<FrameSample> drawn = samples_of(*walk);
+      is_good = round > 0 && fit_error(options.costs, drawn).mean < good;
+      samples.insert(samples.end(), drawn.begin(), drawn.end());
       const walking::WalkFit fit = walking::walk_fit(samples);
       options.costs = fit_costs(samples, fit.max.mean < fit.sum.mean ? Stages::max : Stages::sum);
       options.methods = {Method::budget};
