@@ -25,10 +25,34 @@ namespace {
 
 using testing::Landmarks;
 
+/// Changes nothing, and says where ranges begin.
+class TellsBounds final : public Processor {
+ public:
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
+    for (const DrawId draw : draws) {
+      for (const std::uint32_t bound : run.bounds(scene, {draw, 0}, "none of these")) {
+        run.keep("a range begins at " + std::to_string(bound));
+      }
+    }
+    return draws;
+  }
+};
+
+struct NoOptions {};
+
+Plugin tells_bounds_plugin() {
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {.name = "tells-bounds", .summary = "Says where ranges begin", .reference = "own"};
+  bind_options(plugin, OptionTable<NoOptions>(), [](const NoOptions&) { return std::make_unique<TellsBounds>(); });
+  return plugin;
+}
+
 Registry registry() {
   Registry made;
   add_built_in_plugins(made);
   made.add(testing::landmarks_plugin());
+  made.add(tells_bounds_plugin());
   return made;
 }
 
@@ -145,6 +169,19 @@ TEST(Product, WithRangesHasEveryOrderWithinThem) {
     }
   }
   EXPECT_GE(changed, 10u);
+}
+
+/// Who makes a product anew is not bound by the one that it takes the place of.
+TEST(Product, WithRangesTellsThemToProcessorsThatOrder) {
+  const Scene scene = run("landmarks(parts=true)", doubled()).scene;
+  const auto rows = registry().products();
+  const auto third = static_cast<std::uint32_t>(scene.draws[0].full().stream().triangle_count() / 3);
+  EXPECT_EQ(bounds_of(scene, {0, 0}, rows), (std::vector<std::uint32_t>{third}));
+  EXPECT_TRUE(bounds_of(scene, {0, 0}, rows, Landmarks::product).empty());
+  EXPECT_TRUE(bounds_of(doubled(), {0, 0}, rows).empty()) << "a scene without landmarks";
+  const Result asked = run("landmarks(parts=true), tells-bounds", doubled());
+  ASSERT_EQ(asked.report.stages.at(1).skipped.size(), 1u);
+  EXPECT_EQ(asked.report.stages[1].skipped[0].reason, "a range begins at " + std::to_string(third));
 }
 
 TEST(Product, WithRangesCutsTheClustersThatThereWere) {

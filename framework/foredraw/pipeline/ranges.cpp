@@ -9,29 +9,10 @@ namespace foredraw {
 
 namespace {
 
-/// Between the first triangle and the last, rising, each once.
-std::vector<std::uint32_t> bounds_of(const Scene& whole, DrawLevel at, std::size_t triangles, const ProductRows& rows) {
-  std::vector<std::uint32_t> bounds;
-  for (const auto& row : rows) {
-    const auto of_row = row->bounds(whole, at);
-    bounds.insert(bounds.end(), of_row.begin(), of_row.end());
-  }
-  std::erase_if(bounds, [&](std::uint32_t bound) { return bound == 0 || bound >= triangles; });
-  std::ranges::sort(bounds);
-  bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
-  return bounds;
-}
-
 Shared<std::uint32_t> part_of(const Shared<std::uint32_t>& values, std::size_t first, std::size_t end) {
   if (values.empty()) return {};
   return Shared<std::uint32_t>({values.view().begin() + static_cast<std::ptrdiff_t>(first),
                                 values.view().begin() + static_cast<std::ptrdiff_t>(end)});
-}
-
-ProductRows held_rows(const Scene& scene, const ProductRows& rows) {
-  ProductRows held = rows;
-  std::erase_if(held, [&](const auto& row) { return !scene.products.has(row->card().name); });
-  return held;
 }
 
 Clusters part_of(const Clusters& clusters, std::uint32_t first, std::uint32_t end) {
@@ -82,14 +63,13 @@ void each_range(DrawId draw, const RangedScene& in, Run& run, Each each) {
 
 std::optional<RangedScene> RangedScene::of(const Scene& scene, const Scene& whole, std::size_t level,
                                            const ProductRows& rows) {
-  const ProductRows held = held_rows(whole, rows);
   std::optional<RangedScene> in;
   for (DrawId id = 0; id < scene.draws.size(); ++id) {
     const Draw& draw = scene.draws[id];
     if (draw.topology != Topology::triangles || level >= whole.draws[id].levels.size()) continue;
-    const auto triangles = static_cast<std::uint32_t>(draw.full().stream().triangle_count());
-    std::vector<std::uint32_t> ends = bounds_of(whole, {id, level}, triangles, held);
+    std::vector<std::uint32_t> ends = bounds_of(whole, {id, level}, rows);
     if (ends.empty()) continue;
+    const auto triangles = static_cast<std::uint32_t>(draw.full().stream().triangle_count());
     if (!in) {
       in = RangedScene{scene, {}};
       in->scene.products = {};  // they know no draws but whole ones
@@ -106,12 +86,11 @@ std::optional<RangedScene> RangedScene::of(const Scene& scene, const Scene& whol
 }
 
 void cut_clusters(Scene& scene, const ProductRows& rows) {
-  const ProductRows held = held_rows(scene, rows);
-  for (DrawId id = 0; !held.empty() && id < scene.draws.size(); ++id) {
+  for (DrawId id = 0; !scene.products.empty() && id < scene.draws.size(); ++id) {
     for (std::size_t level = 0; level < scene.draws[id].levels.size(); ++level) {
       IndexStream& stream = scene.draws[id].levels[level].stream();
       if (!stream.clusters) continue;
-      const auto bounds = bounds_of(scene, {id, level}, stream.triangle_count(), held);
+      const auto bounds = bounds_of(scene, {id, level}, rows);
       std::vector<std::uint32_t> offsets;
       std::ranges::set_union(stream.clusters->offsets, bounds, std::back_inserter(offsets));
       stream.clusters->offsets = std::move(offsets);

@@ -225,7 +225,8 @@ class StageRunner {
               .progress = count == 1 ? progress_ : nullptr,
               .loans = plan_.loans,
               .subjects = plan_.pipeline.subjects.subject,
-              .original = stage_.plugin->kind == Kind::evaluator ? &original_ : nullptr};
+              .original = stage_.plugin->kind == Kind::evaluator ? &original_ : nullptr,
+              .products = plan_.products};
       try {
         if (run.cancelled()) throw std::runtime_error("cancelled");
         task(i, run, outcome);

@@ -65,4 +65,17 @@ std::optional<std::vector<std::uint32_t>> moved_bounds(std::span<const std::uint
   return moved;
 }
 
+std::uint32_t kept_first(std::uint32_t count, const IndexStream& before, const IndexStream& after) {
+  const auto was = before.triangle_origin.view(), is = after.triangle_origin.view();
+  if (is.empty() && after.triangle_count() != before.triangle_count()) return 0;
+  std::vector<std::uint32_t> first;  // numbers in the file
+  for (std::uint32_t i = 0; i < std::min<std::size_t>(count, before.triangle_count()); ++i) {
+    first.push_back(was.empty() ? i : was[i]);
+  }
+  std::ranges::sort(first);
+  std::uint32_t kept = 0;
+  while (kept < after.triangle_count() && std::ranges::binary_search(first, is.empty() ? kept : is[kept])) ++kept;
+  return kept;
+}
+
 }  // namespace foredraw

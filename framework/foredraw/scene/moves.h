@@ -19,4 +19,9 @@ std::optional<std::vector<std::uint32_t>> triangle_moves(const IndexStream& befo
 std::optional<std::vector<std::uint32_t>> moved_bounds(std::span<const std::uint32_t> bounds, const IndexStream& before,
                                                        const IndexStream& after);
 
+/// How many triangles at the start of `after` come from the first `count` of `before`: what is left of a range that
+/// comes first in its draw, where triangles were taken out of it to stand behind, or are gone. 0 where it is not known
+/// from which they come.
+std::uint32_t kept_first(std::uint32_t count, const IndexStream& before, const IndexStream& after);
+
 }  // namespace foredraw

@@ -138,6 +138,12 @@ class ProductRow {
 
 using ProductRows = std::vector<std::shared_ptr<const ProductRow>>;
 
+/// Where ranges of the draw's triangles begin that products of the scene count on: what their rows' bounds() say,
+/// between the first triangle and the last, rising, each once. `but`: a product that is not asked, as who makes it
+/// anew.
+std::vector<std::uint32_t> bounds_of(const Scene& scene, DrawLevel at, const ProductRows& rows,
+                                     std::string_view but = {});
+
 /// Marks the draws that products hold as `extended`.
 void mark_held_draws(Scene& scene, const ProductRows& rows);
 

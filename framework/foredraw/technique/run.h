@@ -6,6 +6,7 @@
 #include <foredraw/scene/draw.h>
 #include <foredraw/scene/lender.h>
 #include <foredraw/scene/poses.h>
+#include <foredraw/scene/product_row.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/scene/views.h>
 #include <foredraw/technique/attachment.h>
@@ -63,6 +64,8 @@ struct Findings {
   std::optional<std::string> nothing_to_gain;  ///< why what there is stays
 };
 
+inline const ProductRows no_products;
+
 struct Run {
   Analyses& analyses;
   const Executor& executor;
@@ -80,6 +83,14 @@ struct Run {
   /// is measured against it. Draws keep their numbers; stages add theirs behind. Null for those that change a scene:
   /// what they answer hangs on what they are given alone.
   const Scene* original = nullptr;
+  const ProductRows& products = no_products;  ///< rows of all that the scene may hold
+
+  /// For processors that order triangles: where ranges begin that other products than `own` count on. What orders
+  /// leaves every triangle in its range, or takes it out of the ranges of which it knows that they may lose it.
+  /// Orderers and clusterers need not ask: each range is handed to them as a draw.
+  std::vector<std::uint32_t> bounds(const Scene& of, DrawLevel at, std::string_view own) const {
+    return bounds_of(of, at, products, own);
+  }
 
   /// What an option names. std::invalid_argument where it names nothing, or nothing that was lent: a plan that exists
   /// has lent all that its options name.

@@ -73,5 +73,19 @@ TEST(Moves, OfBoundsStayUnderOrdersWithinRangesAndMoveWhereTrianglesAreDropped) 
   EXPECT_EQ(moved_bounds(bounds, kept(first, {0, 3}), first), std::nullopt) << "triangles that were not there";
 }
 
+TEST(Moves, OfAFirstRangeCountWhatIsStillInFront) {
+  const IndexStream first = testing::draw_of(testing::soup(5, 1)).full().stream();
+  EXPECT_EQ(kept_first(3, first, first), 3u);
+  const IndexStream within = with_triangle_order(first, Numbers{1, 2, 0, 4, 3});
+  EXPECT_EQ(kept_first(3, first, within), 3u);
+  EXPECT_EQ(kept_first(3, within, first), 3u);
+  const IndexStream taken = with_triangle_order(within, Numbers{0, 2, 3, 4, 1});  // one went to the end
+  EXPECT_EQ(kept_first(3, within, taken), 2u);
+  EXPECT_EQ(kept_first(5, first, taken), 5u);
+  EXPECT_EQ(kept_first(2, first, with_triangle_order(first, Numbers{4, 0, 1, 2, 3})), 0u) << "another came before";
+  IndexStream made_anew = testing::draw_of(testing::soup(4, 1)).full().stream();
+  EXPECT_EQ(kept_first(3, first, made_anew), 0u);
+}
+
 }  // namespace
 }  // namespace foredraw
