@@ -96,7 +96,7 @@ def make(draws: Iterable[Any], *, context: Optional[Context] = None) -> Scene:
 
 
 def write(scene: Scene, path: Path, *, context: Optional[Context] = None) -> List[Diagnostic]:
-    """Write the scene, as what the extension says: all its files or none. Warnings come back."""
+    """Write the scene, as what the extension says: all its files or none. Warnings and notes come back."""
     told = Told()
     context = context or default_context()
     status = library().write(context._pointer, scene._handle.pointer, path_for_c(path), told.out)
