@@ -118,18 +118,18 @@ function fibonacci(count) {
 }
 
 /** What a pane counts from all the views of the evaluator, over all subjects, is the figure of the page's own table. */
-export async function check_table_ratios(page, { metrics }, subjects) {
+export async function check_table_ratios(page, { metrics }, { subjects, directions }) {
   const row = metrics.find(({ evaluator, metric }) => evaluator === 'overdraw-raster' && metric === 'ratio');
   for (const [state, expected] of [row.input, ...row.values].entries()) {
     const ratio = await page.evaluate(
-      async ([shown_state, directions, count]) => {
+      async ([shown_state, views, count]) => {
         const { viewer: shown } = window.foredraw;
         let [shaded, visible] = [0, 0];
         for (let subject = 0; subject < count; ++subject) {
           shown.set_subject(subject);
           shown.set_state(1, null);
           shown.set_state(0, shown_state);
-          for (const direction of directions) {
+          for (const direction of views) {
             shown.set_direction(direction);
             const seen = await shown.overdraw(0);
             shaded += seen.shaded;
@@ -138,9 +138,9 @@ export async function check_table_ratios(page, { metrics }, subjects) {
         }
         return shaded / visible;
       },
-      [state, fibonacci(100), subjects],
+      [state, fibonacci(directions), subjects],
     );
-    check_near(`ratio: state ${state} from 100 directions is that of the table`, ratio, expected, 0.005);
+    check_near(`ratio: state ${state} from ${directions} directions is that of the table`, ratio, expected, 0.005);
   }
 }
 

@@ -1,9 +1,10 @@
 // Every model of a folder goes through the program, and what comes out must be as valid as what went in:
-//   node corpus.mjs PROGRAM FOLDER OUTPUT_FOLDER OPTIONS...
+//   node corpus.mjs PROGRAM FOLDER OUTPUT_FOLDER [--up-to=BYTES] OPTIONS...
+// With --up-to, models whose files are larger are left out.
 // Exit 1 where the program failed, or wrote a file with an error that its input did not have.
 
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readdirSync } from 'node:fs';
+import { mkdirSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { new_errors, validate } from './validate.mjs';
 
@@ -18,7 +19,9 @@ function models_below(folder) {
 }
 
 const [program, folder, output_folder, ...options] = process.argv.slice(2);
-const models = models_below(folder);
+const limit = options[0]?.match(/^--up-to=(\d+)$/)?.[1];
+if (limit !== undefined) options.shift();
+const models = models_below(folder).filter((model) => limit === undefined || statSync(model).size <= Number(limit));
 let failures = 0;
 for (const model of models) {
   const name = path.relative(folder, model);
