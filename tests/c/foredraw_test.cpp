@@ -2,9 +2,9 @@
 
 #include <foredraw/c/foredraw.h>
 
-#include <support/program.h>
+#include "handles.h"
 
-#include <nlohmann/json.hpp>
+#include <support/program.h>
 
 #include <atomic>
 #include <chrono>
@@ -14,26 +14,6 @@
 
 namespace foredraw::testing {
 namespace {
-
-using Json = nlohmann::json;
-
-struct Free {
-  void operator()(foredraw_context* context) const { foredraw_context_free(context); }
-  void operator()(foredraw_scene* scene) const { foredraw_scene_free(scene); }
-};
-using Context = std::unique_ptr<foredraw_context, Free>;
-using SceneHandle = std::unique_ptr<foredraw_scene, Free>;
-
-/// A text that came out.
-class Told {
- public:
-  ~Told() { foredraw_text_free(&text_); }
-  foredraw_text* out() { return &text_; }
-  Json json() const { return Json::parse(std::string(text_.data, text_.length)); }
-
- private:
-  foredraw_text text_{};
-};
 
 const std::string spot = FOREDRAW_SOURCE_DIR "/benchmarks/corpus/static/spot.glb";
 

@@ -20,6 +20,7 @@
 #ifndef FOREDRAW_C_FOREDRAW_H
 #define FOREDRAW_C_FOREDRAW_H
 
+#include <foredraw/c/plugin.h>
 #include <foredraw/c/status.h>
 
 #include <stdint.h>
@@ -55,6 +56,10 @@ typedef struct foredraw_settings {
 foredraw_context* foredraw_context_new(const foredraw_settings* settings);
 void foredraw_context_free(foredraw_context* context);
 
+/* Adds a technique of the caller's own, which stages and evaluators then name like any other. `plugin` and all that it
+ * points to have to live as long as the context. To be done before another thread uses the context. */
+int foredraw_add_plugin(foredraw_context* context, const foredraw_plugin* plugin, foredraw_text* problems);
+
 /* Ends whatever runs in the context at this time, within about a second: it returns FOREDRAW_CANCELLED. From any
  * thread. */
 void foredraw_cancel(foredraw_context* context);
@@ -70,30 +75,6 @@ int foredraw_read_memory(foredraw_context* context, const void* bytes, uint64_t 
 
 /* Writes it, the extension says as what: all its files or none. */
 int foredraw_write(foredraw_context* context, const foredraw_scene* scene, const char* path, foredraw_text* problems);
-
-enum { FOREDRAW_INT8 = 1, FOREDRAW_UINT8, FOREDRAW_INT16, FOREDRAW_UINT16, FOREDRAW_UINT32, FOREDRAW_FLOAT32 };
-
-/* A vertex attribute, as it is stored. */
-typedef struct foredraw_stream {
-  const char* semantic; /* glTF's word: "NORMAL", "TEXCOORD_0", "_MINE" */
-  const void* bytes;    /* of vertex 0 */
-  uint32_t stride;      /* bytes from one vertex to the next; 0: none between them */
-  uint32_t component;   /* FOREDRAW_FLOAT32 and so on */
-  uint32_t components;  /* 1 to 16 */
-  uint32_t normalized;  /* 1: integers mean 0 to 1, or -1 to 1 */
-} foredraw_stream;
-
-/* Triangles that are drawn at once. */
-typedef struct foredraw_draw {
-  uint32_t size; /* sizeof(foredraw_draw) */
-  uint32_t vertex_count;
-  uint64_t triangle_count;
-  const char* name;        /* may be NULL */
-  const uint32_t* indices; /* three a triangle, each below vertex_count */
-  const float* positions;  /* three a vertex */
-  uint32_t stream_count;
-  const foredraw_stream* streams; /* besides positions */
-} foredraw_draw;
 
 /* A scene of draws in memory, which is copied. */
 int foredraw_make_scene(foredraw_context* context, const foredraw_draw* draws, uint64_t draw_count,

@@ -1,37 +1,18 @@
 #include <foredraw/c/library/private/border.h>
 #include <foredraw/c/library/private/handles.h>
+#include <foredraw/c/library/private/lent.h>
 
 namespace foredraw::c {
 
 namespace {
 
-std::uint32_t number_of(Component component) {
-  switch (component) {
-    case Component::int8: return FOREDRAW_INT8;
-    case Component::uint8: return FOREDRAW_UINT8;
-    case Component::int16: return FOREDRAW_INT16;
-    case Component::uint16: return FOREDRAW_UINT16;
-    case Component::uint32: return FOREDRAW_UINT32;
-    case Component::float32: return FOREDRAW_FLOAT32;
-  }
-  return 0;
-}
-
 /// What callers see and the scene does not hold like that, made at the first ask.
 const HeldScene::Lent& lent_of(const HeldScene& held, std::size_t number) {
   HeldScene::Lent& lent = held.lent[number];
   std::call_once(lent.once, [&] {
-    for (const VertexStream& stream : held.scene.draws[number].full().vertices->base) {
-      if (stream.semantic == "POSITION") {
-        for (const glm::vec3& place : decode_vec3(stream)) {
-          lent.positions.insert(lent.positions.end(), {place.x, place.y, place.z});
-        }
-      } else {
-        lent.streams.push_back({stream.semantic.c_str(), stream.bytes.view().data(), stream.format.bytes,
-                                number_of(stream.format.component), stream.format.components,
-                                stream.format.normalized});
-      }
-    }
+    const VertexStreams& vertices = *held.scene.draws[number].full().vertices;
+    if (const VertexStream* positions = vertices.find("POSITION")) lent.positions = decode_vec3(*positions);
+    lent.streams = streams_for_c(vertices);
   });
   return lent;
 }
@@ -55,15 +36,11 @@ int foredraw_scene_draw(const foredraw_scene* scene, uint64_t number, foredraw_d
     const Draw& drawn = held.scene.draws[number];
     if (drawn.topology != Topology::triangles) return FOREDRAW_MISTAKE;
     const HeldScene::Lent& lent = lent_of(held, number);
-    const Level& full = drawn.full();
-    *draw = {.size = sizeof *draw,
-             .vertex_count = full.vertices->count,
-             .triangle_count = full.stream().triangle_count(),
-             .name = drawn.name.c_str(),
-             .indices = full.stream().indices.view().data(),
-             .positions = lent.positions.data(),
-             .stream_count = static_cast<std::uint32_t>(lent.streams.size()),
-             .streams = lent.streams.data()};
+    const IndexStream& stream = drawn.full().stream();
+    *draw = draw_for_c(*drawn.full().vertices, stream.indices.view(),
+                       lent.positions.empty() ? nullptr : &lent.positions.front().x, lent.streams,
+                       stream.clusters ? &*stream.clusters : nullptr);
+    draw->name = drawn.name.c_str();
     return FOREDRAW_DONE;
   });
 }

@@ -26,6 +26,7 @@ class GivenDraw {
     if (given_.size != sizeof(foredraw_draw)) {
       refuse(fmt::format("size is {}, but must be sizeof(foredraw_draw), {}", given_.size, sizeof(foredraw_draw)));
     }
+    if (given_.cluster_count > 0) refuse("clusters can not be given; a stage finds them");
     if (given_.indices == nullptr && given_.triangle_count > 0) refuse("indices are NULL");
     if (given_.positions == nullptr && given_.vertex_count > 0) refuse("positions are NULL");
     if (given_.streams == nullptr && given_.stream_count > 0) refuse("streams are NULL");

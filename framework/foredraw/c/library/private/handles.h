@@ -59,7 +59,7 @@ struct HeldScene {
 
   struct Lent {
     std::once_flag once;
-    std::vector<float> positions;
+    std::vector<glm::vec3> positions;
     std::vector<foredraw_stream> streams;
   };
 
