@@ -162,4 +162,13 @@ std::optional<RayTree::Hit> RayTree::first(const Ray& ray) const {
   return nearest;
 }
 
+int RayTree::winding(const Ray& ray) const {
+  int winding = 0;
+  for_each_met(ray, [&](const Triangle&, bool faces_beginning, double) {
+    winding += faces_beginning ? -1 : 1;
+    return std::numeric_limits<double>::infinity();
+  });
+  return winding;
+}
+
 }  // namespace foredraw

@@ -50,6 +50,10 @@ class RayTree {
   /// the ray comes in at its front. Of equally near ones that of the lowest number.
   std::optional<Hit> first(const Ray& ray) const;
 
+  /// How many more backs than fronts the ray meets, whatever they block. In a heap of closed shells: how often these
+  /// wind around where the ray begins, up to edges that the ray meets exactly.
+  int winding(const Ray& ray) const;
+
  private:
   struct Triangle {
     glm::vec3 corners[3];

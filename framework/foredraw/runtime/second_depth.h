@@ -27,7 +27,7 @@
 #define FOREDRAW_SECOND_DEPTH_REACH 3
 
 /* Stands for the place of an edge: there is none. */
-#define FOREDRAW_SECOND_DEPTH_NONE 1.0f
+#define FOREDRAW_SECOND_DEPTH_NONE 2.0f
 
 /* Three samples are on a line if the bend, |a - 2 b + c|, is at most this part of the line's slope. */
 #define FOREDRAW_SECOND_DEPTH_STRAIGHT 0.25f
@@ -107,7 +107,7 @@ static inline float foredraw_second_depth_silhouette(const float front[4], const
   rim = foredraw_second_depth_rim(front, back, 1, least, round_rims);
   if (rim <= 0.5f) return -rim;
   rim = foredraw_second_depth_rim(front + 1, back + 1, there > 2, least, round_rims);
-  return rim >= 0.5f && rim < 1.0f ? 1.0f - rim : FOREDRAW_SECOND_DEPTH_NONE;
+  return rim >= 0.5f && rim <= 1.0f ? 1.0f - rim : FOREDRAW_SECOND_DEPTH_NONE;
 }
 
 /* Where the nearest edge crosses the row or column, from the pixel's middle: -1/2 to 1/2, or NONE. Of the seven samples
