@@ -99,26 +99,27 @@ static inline float foredraw_second_depth_rim(const float front[3], const float 
 }
 
 /* Where the body that lies towards the samples behind the pixel begins, from the pixel's middle: at most 0 if the pixel
- * is on it. front[0] and back[0] are the pixel's own, `there` is the number of samples behind it. */
-static inline float foredraw_second_depth_silhouette(const float front[4], const float back[4], int there, float least,
-                                                     float round_rims) {
+ * is on it. front[0] and back[0] are the pixel's own; so many samples are `there` behind it, and `opposite` before it.
+ */
+static inline float foredraw_second_depth_silhouette(const float front[4], const float back[4], int there, int opposite,
+                                                     float least, float round_rims) {
   float rim;
   if (there < 2) return FOREDRAW_SECOND_DEPTH_NONE;
   rim = foredraw_second_depth_rim(front, back, 1, least, round_rims);
-  if (rim <= 0.5f) return -rim;
+  if (rim <= 0.5f) return opposite > 0 ? -rim : FOREDRAW_SECOND_DEPTH_NONE;
   rim = foredraw_second_depth_rim(front + 1, back + 1, there > 2, least, round_rims);
   return rim >= 0.5f && rim <= 1.0f ? 1.0f - rim : FOREDRAW_SECOND_DEPTH_NONE;
 }
 
 /* Where the nearest edge crosses the row or column, from the pixel's middle: -1/2 to 1/2, or NONE. Of the seven samples
  * `before` are in the frame ahead of the pixel's own, and `behind` behind it, 0 to 3 each; the others are not used, but
- * must be finite. A pixel that has no neighbour on one side has no edge. */
+ * must be finite. What lies on the edge's other side is in the frame. */
 static inline float foredraw_second_depth_edge(const foredraw_second_depth_rule* rule, const float depth[7],
                                                const float second[7], int before, int behind) {
   const float least = rule->absolute + rule->relative * fmaxf(fabsf(depth[3]), fmaxf(fabsf(depth[2]), fabsf(depth[4])));
   float edge = FOREDRAW_SECOND_DEPTH_NONE, left, right, front[4], back[4];
   int i;
-  if (before < 1 || behind < 1 || !(foredraw_second_depth_bend(depth[2], depth[3], depth[4]) > 0.5f * least))
+  if (before > 0 && behind > 0 && !(foredraw_second_depth_bend(depth[2], depth[3], depth[4]) > 0.5f * least))
     return edge;
   if (before > 1 && behind > 1) edge = foredraw_second_depth_crease(depth, least);
   if (edge < FOREDRAW_SECOND_DEPTH_NONE) return edge;
@@ -126,12 +127,12 @@ static inline float foredraw_second_depth_edge(const foredraw_second_depth_rule*
     front[i] = depth[3 + i] * rule->towards_far;
     back[i] = second[3 + i] * rule->towards_far;
   }
-  right = foredraw_second_depth_silhouette(front, back, behind, least, rule->round_rims);
+  right = foredraw_second_depth_silhouette(front, back, behind, before, least, rule->round_rims);
   for (i = 0; i < 4; ++i) {
     front[i] = depth[3 - i] * rule->towards_far;
     back[i] = second[3 - i] * rule->towards_far;
   }
-  left = foredraw_second_depth_silhouette(front, back, before, least, rule->round_rims);
+  left = foredraw_second_depth_silhouette(front, back, before, behind, least, rule->round_rims);
   return fabsf(left) < fabsf(right) ? -left : right;
 }
 

@@ -59,10 +59,10 @@ float second_depth_rim($3 front, $3 back, bool has_third, float least, float rou
   return t.x / slope;
 }
 
-float second_depth_silhouette(float front[4], float back[4], int there, float least, float round_rims) {
+float second_depth_silhouette(float front[4], float back[4], int there, int opposite, float least, float round_rims) {
   if (there < 2) return SECOND_DEPTH_NONE;
   float rim = second_depth_rim($3(front[0], front[1], front[2]), $3(back[0], back[1], back[2]), true, least, round_rims);
-  if (rim <= 0.5) return -rim;
+  if (rim <= 0.5) return opposite > 0 ? -rim : SECOND_DEPTH_NONE;
   rim = second_depth_rim($3(front[1], front[2], front[3]), $3(back[1], back[2], back[3]), there > 2, least, round_rims);
   precise float edge = 1.0 - rim;
   return rim >= 0.5 && rim <= 1.0 ? edge : SECOND_DEPTH_NONE;
@@ -71,7 +71,7 @@ float second_depth_silhouette(float front[4], float back[4], int there, float le
 float second_depth_edge(SecondDepthRule rule, float depth[7], float second[7], int before, int behind) {
   precise float least = rule.relative * max(abs(depth[3]), max(abs(depth[2]), abs(depth[4])));
   least = rule.absolute + least;
-  if (before < 1 || behind < 1 || !(second_depth_bend(depth[2], depth[3], depth[4]) > 0.5 * least)) {
+  if (before > 0 && behind > 0 && !(second_depth_bend(depth[2], depth[3], depth[4]) > 0.5 * least)) {
     return SECOND_DEPTH_NONE;
   }
   float edge = SECOND_DEPTH_NONE;
@@ -83,12 +83,12 @@ float second_depth_edge(SecondDepthRule rule, float depth[7], float second[7], i
     front[i] = depth[3 + i] * rule.towards_far;
     back[i] = second[3 + i] * rule.towards_far;
   }
-  float right = second_depth_silhouette(front, back, behind, least, rule.round_rims);
+  float right = second_depth_silhouette(front, back, behind, before, least, rule.round_rims);
   for (int j = 0; j < 4; ++j) {
     front[j] = depth[3 - j] * rule.towards_far;
     back[j] = second[3 - j] * rule.towards_far;
   }
-  float left = second_depth_silhouette(front, back, before, least, rule.round_rims);
+  float left = second_depth_silhouette(front, back, before, behind, least, rule.round_rims);
   return abs(left) < abs(right) ? -left : right;
 }
 

@@ -128,7 +128,9 @@ TEST(SecondDepthResolve, TheSkyIsNoBody) {
 
 TEST(SecondDepthResolve, WhatIsNotInTheFrameIsNotAsked) {
   const foredraw_second_depth_rule rule = foredraw_second_depth_float(0);
-  EXPECT_EQ(edge_of(silhouette(0.3f), rule, 0, 3), none) << "at the border there is nothing to blend with";
+  EXPECT_EQ(edge_of(silhouette(-0.3f), rule, 0, 3), none) << "at the border there is nothing to blend with";
+  EXPECT_NEAR(edge_of(silhouette(0.3f), rule, 0, 3), 0.3f, 1e-3) << "but on the other side there is";
+  EXPECT_NEAR(edge_of(silhouette(0.3f).mirrored(), rule, 3, 0), -0.3f, 1e-3);
   EXPECT_EQ(edge_of(silhouette(0.3f), rule, 3, 0), none);
   EXPECT_EQ(edge_of(silhouette(0.3f), rule, 3, 1), none) << "two samples of the body are needed";
   EXPECT_NEAR(edge_of(silhouette(0.3f), rule, 1, 2), 0.3f, 1e-3);
@@ -236,7 +238,7 @@ class Judge {
     const SmallFrame frame = testing::drawn(bodies, size, camera_);
     const std::size_t pixels = frame.colour.size();
     std::vector<double> truth(pixels), msaa4(pixels);
-    std::vector<bool> is_edge(pixels), is_judged(pixels);
+    std::vector<bool> is_edge(pixels);
     const auto add_sample = [&](std::vector<double>& to, const glm::dvec2& place, int of, bool marks) {
       const SmallFrame sample = testing::drawn(bodies, size, camera_, place);
       for (std::size_t i = 0; i < pixels; ++i) {
@@ -252,12 +254,14 @@ class Judge {
     for (const glm::dvec2& place : {glm::dvec2(-2, -6), {6, -2}, {-6, 2}, {2, 6}}) {
       add_sample(msaa4, place / 16.0, 4, false);
     }
-    for (int y = 1; y + 1 < size; ++y) {
-      for (int x = 1; x + 1 < size; ++x) {
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
+        bool is_judged = false;
         for (int n = 0; n < 9; ++n) {
-          if (is_edge[static_cast<std::size_t>((y + n / 3 - 1) * size + x + n % 3 - 1)]) is_judged[index(x, y)] = true;
+          const int nx = std::clamp(x + n % 3 - 1, 0, size - 1), ny = std::clamp(y + n / 3 - 1, 0, size - 1);
+          is_judged = is_judged || is_edge[index(nx, ny)];
         }
-        if (!is_judged[index(x, y)]) continue;
+        if (!is_judged) continue;
         const double wanted = truth[index(x, y)];
         const auto squared = [&](double is) { return (is - wanted) * (is - wanted); };
         ++error.pixels;
