@@ -48,6 +48,9 @@ class Memory(unittest.TestCase):
 
         self.assert_nothing_stays(call, 10_000, 200)
 
+    def test_of_contexts(self):
+        self.assert_nothing_stays(fd.Context, 200, 10_000)
+
     def test_of_runs(self):
         scene = fd.make([DRAW])
 

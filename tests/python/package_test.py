@@ -3,6 +3,7 @@
 import ast
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -57,6 +58,20 @@ class Package(unittest.TestCase):
         self.assertIn("foredraw.errors.Error: FOREDRAW_LIBRARY names '/none.so', which can not be loaded", said)
         said = run(call, FOREDRAW_LIBRARY="")
         self.assertIn("Name it by the environment variable FOREDRAW_LIBRARY", said)
+
+    def test_finds_the_library_in_its_installation(self):
+        with tempfile.TemporaryDirectory() as folder:
+            prefix = Path(folder).resolve()
+            packages = prefix / "lib/python3/dist-packages"
+            packages.mkdir(parents=True)
+            shutil.copytree(FOLDER / "foredraw", packages / "foredraw", ignore=shutil.ignore_patterns("__pycache__"))
+            for place in ["lib64", "lib/x86_64-linux-gnu", "lib", "lib/python3/dist-packages/foredraw"]:  # each before the last
+                library = prefix / place / "libforedraw.so.1"
+                library.parent.mkdir(exist_ok=True)
+                library.symlink_to(os.environ["FOREDRAW_LIBRARY"])
+                said = run("from foredraw._library import library; print(library()._path)", FOREDRAW_LIBRARY="",
+                           PYTHONPATH=str(packages))
+                self.assertEqual(said, f"{library}\n")
 
     def test_says_what_a_library_lacks(self):
         said = run("import foredraw; foredraw.tipsify([0, 1, 2])", FOREDRAW_LIBRARY="libc.so.6")

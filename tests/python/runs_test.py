@@ -107,20 +107,26 @@ class Progress(unittest.TestCase):
         self.assertEqual({thread for _, _, thread in heard}, {threading.get_ident()})
 
     def test_may_end_its_run_and_no_other(self):
-        scene, context, done = fd.read(SPOT), fd.Context(), []
-        other = threading.Thread(target=lambda: done.append(fd.optimize(scene, "@default", context=context)))
-        other.start()
-        heard = []
+        scene, context, heard, statuses, done = fd.read(SPOT), fd.Context(), [], {}, []
+        in_c = library().optimize
+
+        def optimize(*arguments):
+            status = statuses[arguments[2]] = in_c(*arguments)
+            return status
 
         def stops(what, part):
             heard.append(what)
             if len(heard) == 2:
                 raise RuntimeError("enough")
 
-        with self.assertRaisesRegex(RuntimeError, "enough"):
-            fd.optimize(scene, LINE, context=context, progress=stops)
+        other = threading.Thread(target=lambda: done.append(fd.optimize(scene, "@default", context=context)))
+        with mock.patch.object(library(), "optimize", optimize):
+            other.start()
+            with self.assertRaisesRegex(RuntimeError, "enough"):
+                fd.optimize(scene, LINE, context=context, progress=stops)
+            other.join()
         self.assertEqual(len(heard), 2)
-        other.join()
+        self.assertEqual(statuses, {LINE.encode(): _header.CANCELLED, b"@default": _header.DONE})
         self.assertEqual(len(done), 1)
         fd.optimize(scene, "tipsify", context=context)  # which goes on to be of use
 
