@@ -10,6 +10,7 @@
 
 #include <evaluators/antialiasing/antialiasing.h>
 #include <foredraw/io/gltf/gltf.h>
+#include <foredraw/io/image/images.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/technique/built_in_plugins.h>

@@ -38,7 +38,8 @@ void for_ten_lines(FrameSize size, Add add) {
   const float edge = static_cast<float>(std::min(size.width, size.height));
   for (int i = 0; i < 10; ++i) {
     const float angle = pi * (static_cast<float>(i) / 10 + 0.013f), turn = 2 * pi * static_cast<float>(3 * i % 10) / 10;
-    const glm::vec3 middle(0.3f * edge * std::cos(turn), 0.3f * edge * std::sin(turn), 8 * static_cast<float>(i));
+    const glm::vec3 middle(0.3f * edge * std::cos(turn), 0.3f * edge * std::sin(turn),
+                           0.03f * edge * static_cast<float>(i));
     add(middle, glm::vec3(std::cos(angle), std::sin(angle), 0), 0.32f * edge);
   }
 }

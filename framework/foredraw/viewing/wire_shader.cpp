@@ -140,19 +140,22 @@ layout(push_constant) uniform WireFrame {
 #ifdef WIRE_VERTEX
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 wire;
-layout(location = 2) in vec3 wire_axis_in;
+layout(location = 2) in vec3 axis;
 layout(location = 0) out vec3 wire_radii;  // as it is, as it is drawn, and half a pixel
+#ifdef WIRE_COVERAGE
 layout(location = 1) out vec3 wire_centre;
 layout(location = 2) out vec3 wire_axis;
+#endif
 
 void main() {
   WireView view = wire_view(wire_frame.clip_from_mesh, wire_frame.viewport);
-  wire_centre = position + wire.xyz;
-  wire_axis = wire_axis_in;
-  WireSection at = wire_section(view, wire_centre, wire_axis);
+  vec3 centre = position + wire.xyz;
+  WireSection at = wire_section(view, centre, axis);
   float half_pixel = wire_half_pixel(at);
 #ifdef WIRE_COVERAGE
   float radius = wire_mean(wire.xyz, wire.w), drawn = wire_covering(wire.w, radius, at);
+  wire_centre = centre;
+  wire_axis = axis;
 #else
   float radius = abs(wire.w), drawn = wire_drawn(wire.w, half_pixel);
 #endif
@@ -163,8 +166,10 @@ void main() {
 
 #ifdef WIRE_FRAGMENT
 layout(location = 0) in vec3 wire_radii;
+#ifdef WIRE_COVERAGE
 layout(location = 1) in vec3 wire_centre;
 layout(location = 2) in vec3 wire_axis;
+#endif
 layout(location = 0) out vec4 colour;
 
 void main() {
@@ -182,7 +187,7 @@ void main() {
 
 constexpr std::string_view stages_hlsl = R"(#if defined(WIRE_VERTEX) || defined(WIRE_FRAGMENT)
 struct WireFrame {
-  float4x4 clip_from_mesh;
+  column_major float4x4 clip_from_mesh;
   float2 viewport;
 };
 #ifdef WIRE_VULKAN
@@ -193,8 +198,10 @@ ConstantBuffer<WireFrame> wire_frame : register(b0);
 
 struct WireCorner {
   [[vk::location(0)]] float3 radii : WIRE_RADII;  // as it is, as it is drawn, and half a pixel
+#ifdef WIRE_COVERAGE
   [[vk::location(1)]] float3 centre : WIRE_CENTRE;
   [[vk::location(2)]] float3 axis : WIRE_AXIS;
+#endif
 };
 #endif
 
@@ -208,12 +215,13 @@ WireOut main([[vk::location(0)]] float3 position : POSITION, [[vk::location(1)]]
              [[vk::location(2)]] float3 axis : FOREDRAW_WIRE_AXIS) {
   WireView view = wire_view(wire_frame.clip_from_mesh, wire_frame.viewport);
   WireOut result;
-  result.corner.centre = position + wire.xyz;
-  result.corner.axis = axis;
-  WireSection at = wire_section(view, result.corner.centre, axis);
+  float3 centre = position + wire.xyz;
+  WireSection at = wire_section(view, centre, axis);
   float half_pixel = wire_half_pixel(at);
 #ifdef WIRE_COVERAGE
   float radius = wire_mean(wire.xyz, wire.w), drawn = wire_covering(wire.w, radius, at);
+  result.corner.centre = centre;
+  result.corner.axis = axis;
 #else
   float radius = abs(wire.w), drawn = wire_drawn(wire.w, half_pixel);
 #endif

@@ -1,0 +1,109 @@
+#include "wire_drawing.h"
+
+#include "support/on_device.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <memory>
+
+namespace foredraw {
+namespace {
+
+using testing::ThinMesh;
+using testing::WireFrame;
+
+class WiresOnDevice : public testing::OnDevice {
+ protected:
+  WiresOnDevice() : OnDevice("llvmpipe") {}
+  void SetUp() override {
+    OnDevice::SetUp();
+    if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
+    if (!IsSkipped()) device_ = std::make_unique<gpu::Device>(choice());
+  }
+  void TearDown() override {
+    device_.reset();
+    OnDevice::TearDown();
+  }
+  std::unique_ptr<gpu::Device> device_;
+};
+
+/// Off-axis, so that rows and columns of the matrix are not taken for each other.
+glm::mat4 projection(bool is_orthographic, bool is_reversed) {
+  glm::mat4 clip(0);
+  if (is_orthographic) {
+    clip[0][0] = 0.11f;
+    clip[1][1] = 0.13f;
+    clip[3] = {0.07f, -0.05f, 0.5f, 1};
+    clip[2][2] = -0.002f;
+    return clip;
+  }
+  clip[0][0] = 1.3f;
+  clip[1][1] = 1.7f;
+  clip[2] = {0.21f, -0.16f, is_reversed ? 0.0f : -1.0f, -1};  // with its far plane at infinity
+  clip[3][2] = is_reversed ? 0.1f : -0.1f;
+  return clip;
+}
+
+glm::mat4 camera() {
+  const glm::mat4 rolled = glm::rotate(glm::mat4(1), 0.5f, glm::vec3(0.1f, 0.2f, 0.95f));
+  return rolled * glm::translate(glm::mat4(1), glm::vec3(0.3f, -0.2f, -22));
+}
+
+/// Straight ones at all angles, and a long one towards the camera.
+ThinMesh wires(float radius) {
+  ThinMesh mesh = testing::lines_at_all_angles(radius, {16, 16});
+  mesh.add_tube({{-2, -1.5f, 12}, {3, 2, -200}}, radius, 6);
+  return mesh;
+}
+
+/// Every sample is covered as often, but one in a thousand, which a corner on the border between two places of 1/256
+/// pixel may lose or gain; and every pixel has the same alpha to a step of eight bits.
+void expect_equal(gpu::Device& device, const ThinMesh& mesh, const WireFrame& frame, bool covers, int samples,
+                  ShaderLanguage language) {
+  const auto drawn = testing::WireDrawing(device).drawn(mesh, frame, covers, samples, language);
+  const auto computed = testing::computed(mesh, frame, covers, samples);
+  ASSERT_EQ(drawn.size(), computed.size());
+  const auto n = static_cast<std::size_t>(samples);
+  std::size_t covered = 0, differ = 0;
+  double farthest = 0;
+  for (std::size_t pixel = 0; pixel < drawn.size(); pixel += n) {
+    double apart = 0;
+    for (std::size_t i = pixel; i < pixel + n; ++i) {
+      covered += computed[i].triangles > 0 ? 1 : 0;
+      differ += drawn[i].triangles != computed[i].triangles ? 1 : 0;
+      if (drawn[i].triangles != computed[i].triangles || drawn[i].triangles == 0) continue;
+      apart +=
+          std::abs(static_cast<double>(drawn[i].alpha) - static_cast<double>(computed[i].alpha)) / drawn[i].triangles;
+    }
+    farthest = std::max(farthest, apart / 65536 / samples);
+  }
+  EXPECT_GT(covered, 300 * n);
+  EXPECT_LE(differ, covered / 1000) << "of " << covered;
+  EXPECT_LE(farthest, 1.0 / 255);
+}
+
+TEST_F(WiresOnDevice, DrawWhatTheHeaderSays) {
+  glm::mat4 uneven = glm::mat4(1);
+  uneven[0][0] = -1;  // mirrored
+  uneven[2][2] = 5;
+  for (const int samples : {1, 4}) {
+    for (const bool covers : {false, true}) {
+      for (const ShaderLanguage language : {ShaderLanguage::glsl, ShaderLanguage::hlsl}) {
+        for (const auto& [is_orthographic, is_reversed] : {std::pair{false, false}, {false, true}, {true, false}}) {
+          WireFrame frame;
+          frame.viewport = glm::vec2(testing::wire_picture);
+          frame.clip_from_mesh = projection(is_orthographic, is_reversed) * camera();
+          SCOPED_TRACE(::testing::Message()
+                       << samples << covers << static_cast<int>(language) << is_orthographic << is_reversed);
+          expect_equal(*device_, wires(0.004f), frame, covers, samples, language);
+          if (is_reversed) continue;
+          frame.clip_from_mesh = frame.clip_from_mesh * uneven;
+          expect_equal(*device_, testing::lines_at_all_angles(0.01f, {14, 14}), frame, covers, samples, language);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foredraw
