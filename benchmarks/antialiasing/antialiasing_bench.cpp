@@ -94,8 +94,8 @@ void print(const std::string& name, const Antialiasing& found) {
 }
 
 /// Every frame is a view of its own for the errors, but for flicker, which needs two.
-AntialiasingViews in_pairs(const std::vector<FrameCamera>& frames) {
-  AntialiasingViews views;
+SlidingViews in_pairs(const std::vector<FrameCamera>& frames) {
+  SlidingViews views;
   for (std::size_t f = 0; f + 1 < frames.size(); f += 2) views.push_back({frames[f], frames[f + 1]});
   return views;
 }
@@ -118,7 +118,7 @@ void measure(const Case& of, const Settings& settings, const Executor& executor)
                               .truth_samples = settings.truth,
                               .rendering = of.has_wires ? Rendering::unlit : Rendering::full,
                               .closed = &closed};
-  AntialiasingViews views;
+  SlidingViews views;
   if (of.has_wires) {
     views = in_pairs(testing::sliding(of.camera, settings.frames, step * of.step));
   } else {
@@ -155,7 +155,7 @@ void measure_model(const std::string& model, const std::string& line, const Sett
   for (const double across : {205.0, 66.0}) {
     const int edge = static_cast<int>(across * 1.25);
     AntialiasingOptions options{.size = {edge, edge}, .truth_samples = settings.truth};
-    const auto views = antialiasing_views(frames, moment, options.size, across, settings.views, 3, 0.37, 20260101);
+    const auto views = sliding_views(frames, moment, options.size, across, settings.views, 3, 0.37, 20260101);
     print(fmt::format("{}, {:.0f} px", name, across), *antialiasing(frames, moment, views, options, executor));
   }
 }

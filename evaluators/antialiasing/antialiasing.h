@@ -6,6 +6,8 @@
 #include "picture_figures.h"
 #include "ways.h"
 
+#include <foredraw/frames/sliding_views.h>
+
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -21,15 +23,6 @@ struct AntialiasingOptions {
   Rendering rendering = Rendering::full;
   const std::vector<std::uint32_t>* closed = nullptr;  ///< as antialias::Frame has it; null: without second_depth
 };
-
-/// A place to look from, and the camera's frames there: so near each other that what changes is how edges lie among
-/// pixels.
-using AntialiasingViews = std::vector<std::vector<FrameCamera>>;
-
-/// Views from all around the scene, the camera sliding sideways by `step` pixels a frame. `across`: pixels of the
-/// sphere around everything.
-AntialiasingViews antialiasing_views(const FrameScene& scene, const FrameMoment& moment, FrameSize size, double across,
-                                     int views, int frames, double step, std::uint64_t seed);
 
 /// A figure, and its standard deviation by leaving out one view after another; 0 where there is one view alone.
 struct AntialiasingFigure {
@@ -52,9 +45,9 @@ struct Antialiasing {
 };
 
 /// None: it was cancelled. `progress`: the part done, 0 to 1; from any thread; may be empty.
-std::optional<Antialiasing> antialiasing(const FrameScene& scene, const FrameMoment& moment,
-                                         const AntialiasingViews& views, const AntialiasingOptions& options,
-                                         const Executor& executor, const std::atomic<bool>* cancel = nullptr,
+std::optional<Antialiasing> antialiasing(const FrameScene& scene, const FrameMoment& moment, const SlidingViews& views,
+                                         const AntialiasingOptions& options, const Executor& executor,
+                                         const std::atomic<bool>* cancel = nullptr,
                                          const std::function<void(double)>& progress = {});
 
 struct Plugin;

@@ -92,8 +92,8 @@ class AntialiasingEvaluator final : public Evaluator {
     const FrameMoment moment = frame_moment(frames, 0);
     const int edge = static_cast<int>(std::lround(settings_.size / part_of_picture));
     AntialiasingOptions options{.size = {edge, edge}, .truth_samples = settings_.truth_samples, .ways = ways_};
-    const AntialiasingViews views = antialiasing_views(frames, moment, options.size, settings_.size, settings_.views,
-                                                       settings_.frames, settings_.step, run.seed);
+    const SlidingViews views = sliding_views(frames, moment, options.size, settings_.size, settings_.views,
+                                             settings_.frames, settings_.step, run.seed);
     const auto found = antialiasing(frames, moment, views, options, run.executor, run.cancel, run.progress);
     if (!found) throw std::runtime_error("cancelled");
     for (const Antialiasing::OfWay& of : found->ways) {

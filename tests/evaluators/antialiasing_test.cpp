@@ -33,7 +33,7 @@ Contested contested(const ThinMesh& mesh, std::vector<Way> ways, bool has_wires,
                                     .ways = std::move(ways),
                                     .rendering = has_wires ? Rendering::unlit : Rendering::full,
                                     .closed = &closed};
-  AntialiasingViews views;
+  SlidingViews views;
   for (const FrameCamera& camera : cameras) views.push_back(testing::sliding(camera, 3, step * glm::dvec2(0.37, 0.23)));
   return {*antialiasing(frames, frame_moment(frames, 0), views, options, executor)};
 }
