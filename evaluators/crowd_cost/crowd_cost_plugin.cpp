@@ -144,12 +144,11 @@ Plugin crowd_cost_plugin() {
   table.row(&CrowdCostOptions::eye_speed, "eye-speed", "How fast the eye walks; characters walk at up to 1.4",
             {0, 1000, "sizes a second"});
   table.row(&CrowdCostOptions::hysteresis, "hysteresis",
-            "What a change of level has to be worth, as a part of the mean squared error", {0, 1});
-  table.choice(
-      &CrowdCostOptions::fetching, "fetching",
-      "Who fetches posed vertices of a triangle that is divided: each stored vertex once a pass, as Vulkan and "
-      "Direct3D 11 do, or each vertex that is made three, as the paper's device did",
-      {{"patch", CrowdFetching::by_patch}, {"vertex", CrowdFetching::by_vertex}});
+            "What a change of level has to gain, as a part of the mean squared error", {0, 1});
+  table.choice(&CrowdCostOptions::fetching, "fetching",
+               "How posed vertices of divided triangles are fetched. patch: each stored vertex once a pass, as Vulkan "
+               "and Direct3D 11 do; vertex: three for each vertex that is made, as the paper's device did",
+               {{"patch", CrowdFetching::by_patch}, {"vertex", CrowdFetching::by_vertex}});
   table.row(&CrowdCostOptions::passes, "passes", "Passes that draw the crowd: the picture, and maps of shadows",
             {1, 16, "passes"});
 
@@ -162,10 +161,10 @@ Plugin crowd_cost_plugin() {
       .metrics =
           {
               {"triangles", "triangles", "Triangles of a frame, in one pass"},
-              {"use", "%", "The same, of the budget", false, false, true},
+              {"use", "%", "Share of the budget that these triangles use", false, false, true},
               {"over-budget", "%", "Frames with more triangles than the budget"},
-              {"rms", "mrad", "Root mean square of how far instances are off, by their distance"},
-              {"largest", "mrad", "The largest of what surfaces are off, by their distance", true, true},
+              {"rms", "mrad", "Root mean square error of the instances, divided by their distance"},
+              {"largest", "mrad", "Largest error of an instance, divided by its distance", true, true},
               {"pops", "instances", "Instances at another level than in the frame before, for each frame"},
               {"posed", "vertices", "Vertices that are posed for a frame"},
               {"written", "bytes", "Bytes of posed vertices that are written for a frame"},

@@ -147,15 +147,14 @@ Plugin lod_walk_plugin() {
       OptionType::views);
   table.row(&WalkSettings::budget, "budget", "Time of a frame (default: a share of what full detail costs)",
             {0.0001, 1e6, "ms"});
-  table.row(&WalkSettings::share, "share", "Share of what full detail costs in the mean that is the budget",
-            {0.001, 10, ""});
+  table.row(&WalkSettings::share, "share", "Budget as a share of the mean cost of full detail", {0.001, 10, ""});
   table.choice(
       &WalkSettings::times, "times",
       "What frames take: what the model says, with noise; or what drawing them takes, on the processor or on a "
       "Vulkan device, which differs from run to run",
       {{"model", FrameTimes::model}, {"drawn", FrameTimes::drawn}, {"vulkan", FrameTimes::vulkan}});
-  table.row(&WalkSettings::noise, "noise", "How far a frame's time is off what the model says, at most", {0, 0.9, ""});
-  table.row(&WalkSettings::occlusion, "occlusion", "What something hides is neither chosen for nor drawn");
+  table.row(&WalkSettings::noise, "noise", "Largest difference of a frame's time from the model's", {0, 0.9, ""});
+  table.row(&WalkSettings::occlusion, "occlusion", "Objects that others hide are neither chosen for nor drawn");
   table.row(&WalkSettings::renderings, "renderings", "Objects may be drawn without normal map, or unlit");
   table.row(&WalkSettings::pixels, "pixels",
             "Largest triangle of static, on the screen (default: as large as the budget asks for)",
@@ -164,10 +163,11 @@ Plugin lod_walk_plugin() {
                "What accuracies are taken from: what pictures of each object lose, the errors of its levels on the "
                "screen, or samples, its numbers of vertices",
                {{"pictures", Accuracy::pictures}, {"errors", Accuracy::errors}, {"samples", Accuracy::samples}});
-  table.row(&WalkSettings::focus, "focus", "What an object in a corner is worth, beside one in the middle", {0, 1, ""});
+  table.row(&WalkSettings::focus, "focus", "What an object in a corner is worth, relative to one in the middle",
+            {0, 1, ""});
   table.row(&WalkSettings::motion, "motion", "What moves fast over the picture is worth less");
   table.row(&WalkSettings::hysteresis, "hysteresis",
-            "How much less the last frame's way of an object is thought to lose, so that it stays; 0: no less",
+            "Share taken off the loss of the way that an object had in the last frame, so that it stays; 0: nothing",
             {0, 1, ""});
   table.row(&WalkSettings::pictures, "pictures", "Frames whose pictures are compared with full detail",
             {0, 10000, "frames"});
@@ -182,18 +182,18 @@ Plugin lod_walk_plugin() {
       .reference = "Funkhouser, Sequin 1993",
       .metrics =
           {
-              {"frame", "ms", "Time of a frame, in the mean"},
+              {"frame", "ms", "Mean time of a frame"},
               {"longest-frame", "ms", "Time of the longest frame", true, true},
               {"frame-deviation", "ms", "Standard deviation of the frames' times"},
               {"over-budget", "%", "Frames that take longer than the budget"},
               {"benefit", "% of the bound",
                "Benefit of what was chosen, of the most that any choice within the budget can have", false},
-              {"switched", "of 1000 objects", "Objects that are drawn otherwise than in the frame before"},
+              {"switched", "of 1000 objects", "Objects whose level or rendering differs from the frame before"},
               {"selecting", "ms", "Time that the choice takes for a frame, where frames are drawn"},
               {"picture-error", "%", "Root mean square difference from full detail, of a channel's range"},
               {"picture-floor", "%", "The same between two pictures of full detail from samples in different places",
                true, false, true},
-              {"model-error", "%", "How far the model's time is off that of the frame, in the mean"},
+              {"model-error", "%", "Mean error of the model's time of a frame"},
               {"fitted-error", "%", "The same of a model that was fitted to every second frame, on the others"},
           },
   };

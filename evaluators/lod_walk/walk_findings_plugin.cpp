@@ -69,8 +69,8 @@ void attach(const LodWalk& walk, const Run& run) {
   Chart times{"frame time", "The dashed line is the budget.", "frame", "time of a frame", "ms", {}, {}};
   times.mark = Chart::Mark{"budget", walk.budget};
   Chart benefits{"benefit", "Of the most that any choice within the budget can have.", "frame", "benefit", "%", {}, {}};
-  Chart switches{"switches", "Objects that are drawn otherwise than in the frame before.", "frame", "objects", "", {},
-                 {}};
+  Chart switches{
+      "switches", "Objects whose level or rendering differs from the frame before.", "frame", "objects", "", {}, {}};
   for (const MethodWalk& method : walk.methods) {
     const std::string name(to_text(method.method));
     times.lines.push_back({name, method.milliseconds});

@@ -88,7 +88,7 @@ Plugin seam_gap_plugin() {
   OptionTable<SeamGapOptions> table;
   table.row(&SeamGapOptions::samples, "samples", "Points on each seam edge at which the gap is taken",
             {2, 100'000, "points"});
-  table.row(&SeamGapOptions::bits, "bits", "In which the heights of both sides have to agree", {1, 16, "bits"});
+  table.row(&SeamGapOptions::bits, "bits", "How many bits of the heights have to agree on both sides", {1, 16, "bits"});
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;

@@ -109,20 +109,20 @@ Plugin crowd_levels_plugin() {
   plugin.card = {
       .name = "crowd-levels",
       .summary =
-          "Tells at which levels the instances of a crowd can be drawn: tessellated, plain and simplified, what each "
-          "takes and how far it is off",
+          "Makes a table of the levels at which instances of a crowd can be drawn: what each takes, and how far it is "
+          "off",
       .reference = "Tatarchuk, Barczak, Purnomo 2008",
       .acts_on = {traits::triangles},
       .uses = {traits::displaced},
-      .pays_if = "an engine draws many of it at once, and it has levels of detail or a map of heights",
+      .pays_if = "an engine draws it many times at once, and it has levels of detail or a map of heights",
       .lossless = true,
       .measured_by = {"crowd-cost"},
   };
   plugin.products = {crowd_levels_product()};
   OptionTable<CrowdLevelsOptions> table;
-  table.row(&CrowdLevelsOptions::characters, "characters", "Characters at the finest level that are the budget of all",
-            {1, 1'000'000});
-  table.row(&CrowdLevelsOptions::most, "most", "Parts of an edge at the finest level of what is tessellated", {1, 64});
+  table.row(&CrowdLevelsOptions::characters, "characters",
+            "The budget: as many triangles as this many characters take at the finest level", {1, 1'000'000});
+  table.row(&CrowdLevelsOptions::most, "most", "Parts of an edge at the finest tessellated level", {1, 64});
   table.choice(&CrowdLevelsOptions::spacing, "spacing", "How the points on an edge are spaced, in the words of shaders",
                {{"equal", FOREDRAW_SPACING_EQUAL},
                 {"fractional-odd", FOREDRAW_SPACING_FRACTIONAL_ODD},

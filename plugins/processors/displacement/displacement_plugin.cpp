@@ -58,21 +58,21 @@ Plugin displacement_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "displacement",
-      .summary = "Gives draws a map of heights, or changes how far theirs moves the surface",
+      .summary = "Gives draws a map of heights, or changes how far their own map moves the surface",
       .reference = "KHR_materials_displacement",
       .acts_on = {traits::triangles, traits::uv0},
       .provides = {traits::displaced},
-      .pays_if = "a map belongs to the model and its file does not name it",
+      .pays_if = "the model comes with a map that its file does not name",
   };
   OptionTable<Options> table;
   table.row(&Options::map, "map", "Image with the heights in its first channel; without it, each material's own stays");
   table.row(&Options::factor, "factor",
             "How far a height of 1 moves the surface; without it, as the material says, or 2 % of the diagonal",
             {-1e30, 1e30, "units"});
-  table.row(&Options::offset, "offset", "How far every height moves it besides; without it, as the material says, or 0",
+  table.row(&Options::offset, "offset", "How far every point moves besides; without it, as the material says, or 0",
             {-1e30, 1e30, "units"});
-  table.row(&Options::uv, "uv", "Which set of texture coordinates lays the map out; without it, the material's, or 0",
-            {0, 15});
+  table.row(&Options::uv, "uv",
+            "Number of the texture coordinates that place the map; without it, the material's, or 0", {0, 15});
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<GiveDisplacement>(options); });
   return plugin;
 }

@@ -215,7 +215,7 @@ Plugin displacement_bake_plugin() {
   plugin.card = {
       .name = "displacement-bake",
       .summary =
-          "Turns many triangles into few with heights, for a tessellator, if simplification alone takes more bytes",
+          "Turns many triangles into few with heights, for a tessellator, where simplification alone takes more bytes",
       .reference = "Tatarchuk, Barczak, Purnomo 2008",
       .acts_on = {traits::triangles},
       .needs = {traits::progressive},
@@ -227,18 +227,20 @@ Plugin displacement_bake_plugin() {
       .metrics = {{"triangles", "triangles", "Triangles of the cage"},
                   {"drawn", "triangles", "Triangles that a tessellator makes of them", false},
                   {"bytes", "bytes", "Positions, indices, levels and heights as a GPU holds them"},
-                  {"simplified-bytes", "bytes", "Positions and indices of triangles alone that lie as near", false},
+                  {"simplified-bytes", "bytes",
+                   "Positions and indices of a simplified mesh that is as near, without heights", false},
                   {"rms", "units", "Distance from the surface before, root of the mean square"},
-                  {"largest", "units", "Largest distance from the surface before that was found"}},
+                  {"largest", "units", "Largest distance found from the surface before"}},
   };
   plugin.products = {baked_heights_product(), collapse_product()};
   OptionTable<Options> table;
-  table.row(&Options::rms, "rms", "Distance from the surface that is aimed at, as a share of the box's diagonal",
+  table.row(&Options::rms, "rms",
+            "Distance from the surface to aim at, root of the mean square, as a share of the box's diagonal",
             {.least = 1e-7, .most = 0.1});
-  table.row(&Options::cage, "cage", "Share of the triangles that is left; without it several are tried",
+  table.row(&Options::cage, "cage", "Share of the triangles that the cage keeps; without it, several are tried",
             {.least = 0, .most = 0.5});
   table.row(&Options::finest, "finest", "Most parts of an edge, a power of two", {.least = 1, .most = 64});
-  table.row(&Options::bits, "bits", "Bits of a height; without it as many as the error needs",
+  table.row(&Options::bits, "bits", "Bits of a height; without it, as many as the error needs",
             {.least = 4, .most = 16, .unit = "bits"});
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<DisplacementBake>(options); });
   return plugin;

@@ -138,20 +138,20 @@ class DisplacementSeams final : public Processor {
 Plugin displacement_seams_plugin() {
   OptionTable<Options> table;
   table.choice(&Options::method, "method",
-               "exact: equal whole numbers at the points of a tessellation; average: the paper's, texels that meet are "
-               "averaged again and again",
+               "exact: equal whole numbers at the points of a tessellation; average: the paper's way, which averages "
+               "texels that meet, again and again",
                {{"exact", SeamMethod::exact}, {"average", SeamMethod::average}});
   table.row(&Options::iterations, "iterations", "How often the paper's method goes over all seams", {1, 1000, ""});
-  table.row(&Options::bits, "bits", "In which the heights of both sides have to agree", {1, 16, "bits"});
+  table.row(&Options::bits, "bits", "How many bits of the heights have to agree on both sides", {1, 16, "bits"});
 
   Plugin plugin;
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "displacement-seams",
-      .summary = "Makes a displacement map say the same on both sides of every seam of the layout",
+      .summary = "Makes the heights of a displacement map equal on both sides of every seam of its layout",
       .reference = "own; the averaging is that of Tatarchuk, Barczak, Purnomo 2008",
       .acts_on = {traits::displaced},
-      .pays_if = "the layout of a displaced draw is cut, and the heights of the sides differ",
+      .pays_if = "the layout of the map has seams, and heights differ across them",
       .measured_by = {"seam-gap"},
   };
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<DisplacementSeams>(options); });

@@ -98,8 +98,8 @@ Plugin lod_table_plugin() {
   plugin.card = {
       .name = "lod-table",
       .summary =
-          "Tells what each draw costs and is worth at each level by each rendering, and which of these ways are "
-          "worth a look",
+          "Makes a table of what each draw costs and is worth at each level by each rendering, for choices within a "
+          "budget",
       .reference = "Funkhouser and Sequin 1993, sections 3 to 5",
       .acts_on = {traits::triangles},
       .lossless = true,
@@ -112,7 +112,7 @@ Plugin lod_table_plugin() {
                       "in its name (default: an example's costs, of no real machine)",
                       OptionType::views)
       .row(&LodTableOptions::importance, "importance",
-           "What the draws are worth beside others; give some less by stages of their own, with `only`", {0, 1});
+           "What the draws are worth relative to others; to give some less, add a stage for them with `only`", {0, 1});
   bind_options(plugin, table, [](const LodTableOptions& options) { return std::make_unique<MakeLodTable>(options); });
   return plugin;
 }

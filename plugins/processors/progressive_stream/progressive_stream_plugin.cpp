@@ -100,7 +100,7 @@ Plugin progressive_stream_plugin() {
       .row(&StageOptions::other_bits, "other-bits", "How finely other numbers are stored, if they are floats",
            {4, 24, "bits"})
       .row(&StageOptions::lossless, "lossless", "Store all floats exactly; position-bits then only guides the coder")
-      .row(&StageOptions::chunk_size, "chunk-size", "Size of a chunk, about", {1024, 1 << 24, "bytes"})
+      .row(&StageOptions::chunk_size, "chunk-size", "Approximate size of a chunk", {1024, 1 << 24, "bytes"})
       .row(&StageOptions::growth, "growth",
            "How many times as many vertices a pass over the mesh may reach as the one before: near 1 for chunks that "
            "are closer to the best mesh of their size, more for smaller streams",

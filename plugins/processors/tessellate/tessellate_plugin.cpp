@@ -153,7 +153,8 @@ Plugin tessellate_plugin() {
             "`tessellation-levels` stored",
             {1, 64});
   table.row(&DivisionOptions::texels, "texels",
-            "Least texels of the map along a part of an edge; without any levels, 1.5", {0.5, 65536, "texels"});
+            "Fewest texels of the map along a part of an edge; 1.5 where nothing else says how finely to divide",
+            {0.5, 65536, "texels"});
   table.choice(&DivisionOptions::spacing, "spacing", "How the points on an edge are spaced, in the words of shaders",
                {{"equal", TessellationSpacing::equal},
                 {"fractional-odd", TessellationSpacing::fractional_odd},

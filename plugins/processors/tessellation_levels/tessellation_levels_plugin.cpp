@@ -184,7 +184,7 @@ Plugin tessellation_levels_plugin() {
       .reference = "own; levels for each edge: Tatarchuk, Barczak, Purnomo 2008",
       .acts_on = {traits::triangles, traits::displaced},
       .uses = {traits::clustered},
-      .pays_if = "the map shows more on some triangles than they show undivided",
+      .pays_if = "some triangles have to be divided further than others to show the map",
       .lossless = true,
       .metrics = {{"triangles", "triangles", "Triangles that a tessellator makes of the levels", true},
                   {.name = "rms-error",
@@ -205,11 +205,12 @@ Plugin tessellation_levels_plugin() {
                 {"constant", LevelMethod::constant}});
   table.choice(&Options::goal, "goal", "Which error is to be small",
                {{"rms", LevelGoal::rms}, {"max", LevelGoal::largest}});
-  table.row(&Options::triangles, "triangles",
-            "Most triangles that a tessellator may make of a mesh; without it and `error`, four times those there are",
-            {1, 4'000'000'000, "triangles"});
+  table.row(
+      &Options::triangles, "triangles",
+      "Most triangles that a tessellator may make of a mesh; without it and `error`, four times as many as it has",
+      {1, 4'000'000'000, "triangles"});
   table.row(&Options::error, "error",
-            "Error to reach with as few triangles as possible, of displacements; `triangles` is not exceeded for it",
+            "Error of displacements to reach with as few triangles as possible, and never with more than `triangles`",
             {0, 1e30, "units"});
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<MakeTessellationLevels>(options); });
   return plugin;

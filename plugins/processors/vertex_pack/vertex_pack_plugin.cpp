@@ -119,7 +119,7 @@ Plugin vertex_pack_plugin() {
            "that of the materials' maps, else 0.2)",
            {0, 1000, "of the diagonal"})
       .row(&packing::PackOptions::most_angle_error, "most-angle-error",
-           "What normals, and tangents at a right angle to them, may be off", {0.01, 10, "degrees"})
+           "Largest error of normals, and of tangents at a right angle to them", {0.01, 10, "degrees"})
       .row(&packing::PackOptions::most_uv_error, "most-uv-error",
            "Draws whose texture coordinates would be farther off are not packed", {0.001, 4096, "texels of 4096"})
       .row(&packing::PackOptions::margin, "margin",
