@@ -37,7 +37,7 @@ class AttributeErrorEvaluator final : public DrawEvaluator {
   void evaluate(const DrawView& draw, Run& run) const override {
     const Scene& original = run.original != nullptr ? *run.original : draw.scene;
     if (draw.id >= original.draws.size() || original.draws[draw.id].topology != Topology::triangles) {
-      return run.note("no-original", "the scene that the run began with has nothing to compare it with");
+      return run.note("no-original", "the scene that the run began with has no such draw to compare it with");
     }
     const DecodedSurface now(run.analyses, draw.draw().full());
     const DecodedSurface before(run.analyses, original.draws[draw.id].full());
@@ -48,7 +48,8 @@ class AttributeErrorEvaluator final : public DrawEvaluator {
       if (figure) run.measure(metric, is_same ? 0 : figure->value, 1, is_same ? 0 : figure->error);
     };
     const auto error = attribute_error(now.view(), before.view(), options_, run.seed, run.executor);
-    if (!error) return run.note("nothing-left", "of it and its original one alone has triangles with finite positions");
+    if (!error)
+      return run.note("nothing-left", "only one of the draw and its original has triangles with finite positions");
     measure("uv-rms", error->uv());
     measure("normal-rms", error->normal());
     measure("to-original.uv-rms", error->to_original.uv);

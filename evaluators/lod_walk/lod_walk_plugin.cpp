@@ -39,7 +39,9 @@ std::vector<Method> methods_in(const std::string& text) {
     }
     if (std::ranges::find(methods, *found) == methods.end()) methods.push_back(*found);
   }
-  if (methods.empty()) throw std::invalid_argument("methods is empty, but one at least must walk");
+  if (methods.empty())
+    throw std::invalid_argument(
+        "methods is empty; name at least one of none, static, feedback, value, incremental and budget");
   return methods;
 }
 
@@ -72,7 +74,9 @@ class LodWalkEvaluator final : public Evaluator {
     options.seed = run.seed;
     options.timer = timer(frames, run);
     if (settings_.costs_file.empty() && !options.timer) {
-      run.note("example-costs", "costs are an example's, not those of a machine; name a file of them: costs = FILE");
+      run.note("example-costs",
+               "costs are those of an example, not of a machine; measure yours with `foredraw calibrate -o FILE` and "
+               "name the file: costs = FILE");
     } else if (settings_.costs_file.empty()) {
       options.costs = fitted_costs(frames, std::get<CameraPath>(path), options, run);
     }

@@ -59,8 +59,8 @@ void foretell(const LodWalk& walk, const Run& run) {
   const walking::WalkFit fit = walking::walk_fit(samples_of(walk));
   run.measure("fitted-error", 100 * std::min(fit.max.mean, fit.sum.mean), 1);
   run.note("fit",
-           fmt::format("fitted to every second frame, the model foretells the others to {:.1f} % in the mean, "
-                       "{:.1f} % at most, where stages add up; to {:.1f} and {:.1f} % where the slower one counts",
+           fmt::format("fitted to every second frame, the model predicts the others to {:.1f} % on average, {:.1f} % "
+                       "at most, where stages add up; to {:.1f} and {:.1f} % where the slower one counts",
                        100 * fit.sum.mean, 100 * fit.sum.most, 100 * fit.max.mean, 100 * fit.max.most));
 }
 

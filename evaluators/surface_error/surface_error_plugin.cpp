@@ -74,7 +74,7 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
   void evaluate(const DrawView& draw, Run& run) const override {
     const Scene& original = run.original != nullptr ? *run.original : draw.scene;
     if (draw.id >= original.draws.size() || original.draws[draw.id].topology != Topology::triangles) {
-      return run.note("no-original", "the scene that the run began with has nothing to compare it with");
+      return run.note("no-original", "the scene that the run began with has no such draw to compare it with");
     }
     at_rest(draw, original, run);
     if (draw.draw().traits.has(traits::animated)) in_poses(draw, original, run);
@@ -90,7 +90,8 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
     const auto of_draw = points_of(now, draw.draw().full(), run.analyses);
     const auto error = surface_error({{now.positions, now.indices}, *of_draw}, {from, *of_original}, options_, run.seed,
                                      run.executor, run.cancel);
-    if (!error) return run.note("nothing-left", "of it and its original one alone has triangles with finite positions");
+    if (!error)
+      return run.note("nothing-left", "only one of the draw and its original has triangles with finite positions");
     const double unit = diagonal_of(from) / 100;
     measure(run, "rms", error->rms(), unit);
     measure(run, "mean", error->mean(), unit);

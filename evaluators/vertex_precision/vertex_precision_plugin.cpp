@@ -21,7 +21,7 @@ class VertexPrecision final : public Evaluator {
 
   void evaluate(const Scene& scene, Run& run) const override {
     if (!scene.products.has(PackedVertices::product)) {
-      return run.note("nothing-packed", "no vertices are packed; run vertex-pack before");
+      return run.note("nothing-packed", "no vertices are packed; put vertex-pack before it");
     }
     for (const DrawPrecision& of : vertex_precision(scene, run.subjects, make_poses(scene, options_), run.executor)) {
       measure(of, scene, run);

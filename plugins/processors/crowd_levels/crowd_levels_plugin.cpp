@@ -36,7 +36,8 @@ class MakeCrowdLevels final : public Processor {
       }
     }
     if (levels.draws.empty()) {
-      run.keep("nothing has a second level: run levels before it, or give it a map of heights");
+      run.keep(
+          "no draw has a second level; put levels before it, or give the draws a map of heights with displacement");
       return {};
     }
     std::ranges::sort(levels.draws, {}, &CrowdLevels::OfDraw::draw);

@@ -35,7 +35,7 @@ const ExtensionValue& member(const ExtensionValue& of, const char* name) {
 float distance(const ExtensionValue& of, const char* name) {
   const auto number = member(of, name).number();
   if (!number || !(*number >= 0 && *number <= most_length)) {
-    throw Wrong(fmt::format("has a '{}' that is no number from 0 to 3.4e38", name));
+    throw Wrong(fmt::format("has a '{}' that is not a number from 0 to 3.4e38", name));
   }
   return static_cast<float>(*number);
 }
@@ -43,7 +43,7 @@ float distance(const ExtensionValue& of, const char* name) {
 std::uint32_t whole(const ExtensionValue& of, const char* name, std::uint32_t least, std::uint32_t most) {
   const auto number = member(of, name).whole();
   if (!number || *number < least || *number > most) {
-    throw Wrong(fmt::format("has a '{}' that is no whole number from {} to {}", name, least, most));
+    throw Wrong(fmt::format("has a '{}' that is not a whole number from {} to {}", name, least, most));
   }
   return *number;
 }
@@ -83,7 +83,8 @@ void check_sequence(const std::vector<CrowdLevel>& levels, foredraw_spacing spac
     if (foredraw_tessellation_parts(static_cast<float>(parts), spacing) != parts) {
       throw Wrong(fmt::format("has {} parts of an edge, which its spacing has not", parts));
     }
-    if (at > 0 && parts >= levels[at - 1].number) throw Wrong("has parts of edges that do not fall");
+    if (at > 0 && parts >= levels[at - 1].number)
+      throw Wrong("has parts of edges that do not fall from level to level");
   }
   if (at == levels.size() || levels[at].kind != CrowdClass::plain)
     throw Wrong("has no plain level behind tessellated ones");
@@ -101,7 +102,7 @@ CrowdLevels::OfDraw draw_from(const ExtensionValue& value, DrawId id, foredraw_s
   draw.area = distance(value, "area");
   const List* levels = member(value, "levels").list();
   if (levels == nullptr || levels->empty() || levels->size() > CrowdLevels::most_levels) {
-    throw Wrong(fmt::format("has 'levels' that are no array of 1 to {}", CrowdLevels::most_levels));
+    throw Wrong(fmt::format("has 'levels' that are not an array of 1 to {}", CrowdLevels::most_levels));
   }
   for (const ExtensionValue& level : *levels) draw.levels.push_back(level_from(level));
   check_sequence(draw.levels, spacing);

@@ -177,7 +177,7 @@ class DisplacementBake final : public Processor {
       used_up.push_back(mesh);
     }
     if (changed.empty()) {
-      run.keep(meshes.size() == 1 ? reasons : "no mesh becomes smaller");
+      run.keep(meshes.size() == 1 ? reasons : "no mesh takes fewer bytes as a cage with heights");
       return {};
     }
     std::ranges::sort(all.draws, {}, &DrawHeights::draw);

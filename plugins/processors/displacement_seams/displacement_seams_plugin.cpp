@@ -51,7 +51,7 @@ class DisplacementSeams final : public Processor {
     std::size_t edges = 0;
     for (const MapSeams& of : found.maps) edges += of.seams.seams;
     if (edges == 0) {
-      run.keep("0 seam edges: no layout of a displaced draw is cut");
+      run.keep("0 seam edges: the layout of no displaced draw has seams");
       return {};
     }
     std::vector<RepairedMap> repaired(found.maps.size());
@@ -70,8 +70,7 @@ class DisplacementSeams final : public Processor {
       if (!put(scene, of, repaired[i], run)) continue;
       changed.insert(changed.end(), of.draws.begin(), of.draws.end());
     }
-    if (changed.empty())
-      run.keep("no map can be bettered: the sides of its seams are equal already, as far as they can be");
+    if (changed.empty()) run.keep("no map can be improved: the sides of its seams are already as equal as they can be");
     std::ranges::sort(changed);
     return changed;
   }

@@ -92,7 +92,7 @@ class CutLevels final : public LevelMaker {
  private:
   CutMesh cut_mesh(const DrawsCollapse& of, const Scene& scene, Run& run) const {
     auto joined = joined_mesh(scene, of.draws, run.analyses);
-    if (!joined) throw std::runtime_error("a draw of a sequence of collapses is gone");
+    if (!joined) throw std::runtime_error("a stage removed a draw of a sequence of collapses");
     CutMesh cut{of, std::move(*joined), {}, {}, false};
     Replay all = replay(*of.sequence, cut.mesh.positions, cut.mesh.indices, cut.mesh.part);
     if (!all.mistake.empty()) throw std::runtime_error(all.mistake);

@@ -62,8 +62,8 @@ class MakeLodTable final : public Processor {
     for (LodTable::OfDraw& row : table.draws) row.hulls = lod_hulls(costs_, row);
     if (is_example_) {
       run.note("example-costs",
-               "costs are an example's, not those of a machine, and so is which ways are worth their cost; measure a "
-               "machine with `foredraw calibrate -o FILE` and name the file: costs = FILE");
+               "costs are those of an example, not of a machine, and they decide which ways are worth their cost; "
+               "measure yours with `foredraw calibrate -o FILE` and name the file: costs = FILE");
     }
     scene.products.set(std::move(table));
     return changed;

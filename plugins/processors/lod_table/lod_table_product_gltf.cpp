@@ -27,7 +27,7 @@ const ExtensionValue& member(const ExtensionValue& of, const char* name) {
 double number(const ExtensionValue& value, const char* name, double least, double most) {
   const auto number = value.number();
   if (!number || !(*number >= least && *number <= most)) {
-    throw Wrong(std::string("has a '") + name + "' that is no number from " + std::to_string(least) + " to " +
+    throw Wrong(std::string("has a '") + name + "' that is not a number from " + std::to_string(least) + " to " +
                 std::to_string(most));
   }
   return *number;
@@ -39,14 +39,14 @@ double number(const ExtensionValue& of, const char* name, double most) {
 
 std::uint32_t whole(const ExtensionValue& value, const char* name) {
   const auto number = value.whole();
-  if (!number) throw Wrong(std::string("has a '") + name + "' that is no whole number below 2^32");
+  if (!number) throw Wrong(std::string("has a '") + name + "' that is not a whole number below 2^32");
   return *number;
 }
 
 const List& list(const ExtensionValue& value, const char* name, std::size_t least, std::size_t most) {
   const List* held = value.list();
   if (held == nullptr || held->size() < least || held->size() > most) {
-    throw Wrong(std::string("has '") + name + "' that are no array of " + std::to_string(least) +
+    throw Wrong(std::string("has '") + name + "' that are not an array of " + std::to_string(least) +
                 (least == most ? "" : " to " + std::to_string(most)));
   }
   return *held;
@@ -102,7 +102,8 @@ LodTable::OfDraw draw_from(const ExtensionValue& value, DrawId id) {
     const List& masks = list(hulls[octave], "hulls", LodTable::renderings, LodTable::renderings);
     for (std::size_t i = 0; i < masks.size(); ++i) {
       const std::uint32_t mask = whole(masks[i], "hulls");
-      if ((std::uint64_t{mask} >> draw.levels.size()) != 0) throw Wrong("has a hull with levels that are not there");
+      if ((std::uint64_t{mask} >> draw.levels.size()) != 0)
+        throw Wrong("has a hull with levels that the draw does not have");
       draw.hulls[octave][i] = mask;
     }
   }

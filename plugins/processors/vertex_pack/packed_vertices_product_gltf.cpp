@@ -32,7 +32,7 @@ const ExtensionValue& member(const ExtensionValue& of, const char* name) {
 const List& list(const ExtensionValue& value, const char* name, std::size_t count) {
   const List* held = value.list();
   if (held == nullptr || held->size() != count) {
-    throw Wrong(std::string("has '") + name + "' that are no array of " + std::to_string(count));
+    throw Wrong(std::string("has '") + name + "' that are not an array of " + std::to_string(count));
   }
   return *held;
 }
@@ -40,7 +40,7 @@ const List& list(const ExtensionValue& value, const char* name, std::size_t coun
 std::int32_t integer(const ExtensionValue& value, const char* name, std::int32_t most) {
   const auto number = value.number();
   if (!number || !(std::abs(*number) <= most) || *number != std::floor(*number)) {
-    throw Wrong(std::string("has a '") + name + "' that is no whole number of at most " + std::to_string(most));
+    throw Wrong(std::string("has a '") + name + "' that is not a whole number of at most " + std::to_string(most));
   }
   return static_cast<std::int32_t>(*number);
 }
@@ -48,7 +48,8 @@ std::int32_t integer(const ExtensionValue& value, const char* name, std::int32_t
 void add_field(PackedLayout& layout, const ExtensionValue& value, std::uint32_t word, std::uint32_t& used) {
   const std::string* name = member(value, "field").text();
   const auto bits = member(value, "bits").whole();
-  if (name == nullptr || !bits || *bits < 1 || *bits > 32) throw Wrong("has a field without a name and bits, 1 to 32");
+  if (name == nullptr || !bits || *bits < 1 || *bits > 32)
+    throw Wrong("has a field without a name and bits, 1 to 32");
   if (used + *bits > 32) throw Wrong("has a word of more than 32 bits");
   if (*name != spare) {
     const auto* found = std::ranges::find(field_names, *name);
@@ -83,7 +84,7 @@ PackedLayout layout_from(const ExtensionValue& value) {
     for (std::size_t i = 0; i < 2; ++i) {
       layout.uv_origin[i] = integer(uv_origin[i], "uvOrigin", most);
       const auto step = uv_step[i].number();
-      if (!step || !(*step > 0 && *step < 1e30)) throw Wrong("has a 'uvStep' that is no number above 0");
+      if (!step || !(*step > 0 && *step < 1e30)) throw Wrong("has a 'uvStep' that is not a number above 0");
       layout.uv_step[i] = static_cast<float>(*step);
     }
   }
@@ -122,7 +123,7 @@ Members layout_value(const PackedLayout& layout) {
 Shared<std::uint32_t> rows_from(const ExtensionValue& value, ExtensionReader& from) {
   const auto data = value.whole() ? from.accessor(*value.whole()) : std::nullopt;
   const Format wanted{Component::uint32, 4, false, 16};
-  if (!data || !(data->format == wanted)) throw Wrong("has rows that are missing, or no four unsigned ints");
+  if (!data || !(data->format == wanted)) throw Wrong("has rows that are missing or are not four unsigned ints");
   std::vector<std::uint32_t> rows(std::size_t{4} * data->count);
   std::memcpy(rows.data(), data->bytes.view().data(), data->bytes.size());
   return Shared<std::uint32_t>(std::move(rows));

@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"error_other", [](GltfJson&, GltfJson& ball) { ball["levels"][1]["error"] = 0.5; }, "an error of"},
         Wrong{"hulls_short", [](GltfJson&, GltfJson& ball) { ball["hulls"].erase(0); }, "array of 10"},
         Wrong{"masks_short", [](GltfJson&, GltfJson& ball) { ball["hulls"][4].erase(0); }, "array of 3"},
-        Wrong{"mask_beyond_levels", [](GltfJson&, GltfJson& ball) { ball["hulls"][4][0] = 8; }, "are not there"},
+        Wrong{"mask_beyond_levels", [](GltfJson&, GltfJson& ball) { ball["hulls"][4][0] = 8; }, "does not have"},
         Wrong{"mask_2_to_32", [](GltfJson&, GltfJson& ball) { ball["hulls"][4][0] = two_to_32; }, "below 2^32"},
         Wrong{"mask_other",
               [](GltfJson&, GltfJson& ball) { ball["hulls"][9][0] = ball["hulls"][9][0].get<int>() ^ 1; },

@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"field_twice", [](GltfJson&, GltfJson& ball) { field(ball, "z")["field"] = "y"; }, "the field 'y' twice"},
         Wrong{"field_unknown", [](GltfJson&, GltfJson& ball) { field(ball, "z")["field"] = "w"; }, "no known name"},
         Wrong{"no_sign", [](GltfJson&, GltfJson& ball) { field(ball, "sign")["field"] = "spare"; }, "out of range"},
-        Wrong{"three_words", [](GltfJson&, GltfJson& ball) { ball["layout"]["words"].erase(3); }, "no array of 4"},
+        Wrong{"three_words", [](GltfJson&, GltfJson& ball) { ball["layout"]["words"].erase(3); }, "not an array of 4"},
         Wrong{"word_no_array", [](GltfJson&, GltfJson& ball) { ball["layout"]["words"][1] = 32; }, "0 bits, not 32"},
         Wrong{"many_fields",
               [](GltfJson&, GltfJson& ball) {
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"uv_step_tiny", [](GltfJson&, GltfJson& ball) { ball["layout"]["uvStep"][0] = 1e-300; }, "out of range"},
         Wrong{"uv_step_missing", [](GltfJson&, GltfJson& ball) { ball["layout"].erase("uvStep"); }, "has no 'uvStep'"},
         Wrong{"posed_empty", [](GltfJson&, GltfJson& ball) { ball["posed"] = GltfJson::object(); }, "has no 'method'"},
-        Wrong{"levels_missing", [](GltfJson&, GltfJson& ball) { ball["rows"].erase(2); }, "no array of 3"},
+        Wrong{"levels_missing", [](GltfJson&, GltfJson& ball) { ball["rows"].erase(2); }, "not an array of 3"},
         Wrong{"rows_of_another_level", [](GltfJson&, GltfJson& ball) { ball["rows"][0] = ball["rows"][1]; },
               "four words for each vertex"},
         Wrong{"rows_not_there", [](GltfJson&, GltfJson& ball) { ball["rows"][0] = 100'000; }, "rows that are missing"},

@@ -39,7 +39,7 @@ std::optional<Scene> scene_from(std::shared_ptr<MeshSource> source, const std::s
     faults.found("utf-16", {.file = name}, "the text is UTF-16");
     auto text = utf8_of(reading.text);
     if (!text) {
-      reading.refuse({.file = name}, "the text begins as UTF-16 does, and is none");
+      reading.refuse({.file = name}, "the file begins with the byte order mark of UTF-16, but the rest is not UTF-16");
       return std::nullopt;
     }
     source->utf8 = std::move(*text);

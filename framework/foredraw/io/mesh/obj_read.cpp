@@ -55,7 +55,7 @@ class ObjReader {
     } else if (std::ranges::count(left_out_elements, key) > 0) {
       reading_.fault("elements-left-out", key, fmt::format("'{}' makes no faces, and only faces are read", key));
     } else if (std::ranges::count(without_faces, key) == 0) {
-      reading_.fault("unknown-line", key, fmt::format("{} is no keyword of OBJ", shown(key)));
+      reading_.fault("unknown-line", key, fmt::format("{} is not a keyword of OBJ", shown(key)));
     }
     return true;
   }

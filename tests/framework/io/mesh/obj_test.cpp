@@ -207,7 +207,8 @@ TEST(MeshObj, Utf16IsReadByItsByteOrderMark) {
     EXPECT_EQ(made.told(), "utf-16");
     EXPECT_EQ(made.scene->meshes[0].name, "caf\xC3\xA9 \xF0\x9F\x98\x80");
     for (const std::u16string bad : {u"\xD83D", u"\xDE00\xD83D", u"\xD83Dv"}) {
-      EXPECT_EQ(error(in_bytes(text + bad)), "input.obj: error: the text begins as UTF-16 does, and is none");
+      EXPECT_EQ(error(in_bytes(text + bad)),
+                "input.obj: error: the file begins with the byte order mark of UTF-16, but the rest is not UTF-16");
     }
     EXPECT_NE(error(in_bytes(text) + " "), "");
   }
@@ -346,7 +347,7 @@ TEST_F(MeshObjMaterials, FaultsAreRefusedWhereTheReaderIsStrict) {
   const std::string prefix = "input.obj:";
   for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
            {good, "m.mtl: error: the texture 'gone.png' is missing"},
-           {square + "f 1 2 3\nnonsense\n", prefix + "6:1: error: 'nonsense' is no keyword of OBJ"},
+           {square + "f 1 2 3\nnonsense\n", prefix + "6:1: error: 'nonsense' is not a keyword of OBJ"},
            {square + "f 1 2 3\nl 1 2\np 3\n",
             prefix + "6:1: error: 'l' makes no faces, and only faces are read (and 1 more like it)"},
            {"mtllib n.mtl\n" + square + "f 1 2 3\n", prefix + " error: the material library 'n.mtl' is missing"},
