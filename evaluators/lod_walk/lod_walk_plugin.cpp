@@ -100,12 +100,11 @@ class LodWalkEvaluator final : public Evaluator {
     options.pictures = 0;
     options.replay = false;
     std::vector<FrameSample> samples;
-    bool is_good = false;
-    for (int round = 0; round < most_rounds && !is_good; ++round) {
+    for (int round = 0; round < most_rounds; ++round) {
       const auto walk = lod_walk(frames, some, settings_.size(), options, run.executor, run.cancel);
       if (!walk) throw std::runtime_error("cancelled");
       const std::vector<FrameSample> drawn = samples_of(*walk);
-      is_good = round > 0 && fit_error(options.costs, drawn).mean < good;
+      if (round > 0 && fit_error(options.costs, drawn).mean < good) break;
       samples.insert(samples.end(), drawn.begin(), drawn.end());
       const walking::WalkFit fit = walking::walk_fit(samples);
       options.costs = fit_costs(samples, fit.max.mean < fit.sum.mean ? Stages::max : Stages::sum);
