@@ -49,7 +49,7 @@ class Memory(unittest.TestCase):
         self.assert_nothing_stays(call, 10_000, 200)
 
     def test_of_contexts(self):
-        self.assert_nothing_stays(fd.Context, 200, 10_000)
+        self.assert_nothing_stays(fd.Context, 100, 20_000)
 
     def test_of_runs(self):
         scene = fd.make([DRAW])
@@ -58,7 +58,7 @@ class Memory(unittest.TestCase):
             done = fd.optimize(scene, PIPELINE)
             return done.scene.moves(0), done.scene.draws[0].positions
 
-        self.assert_nothing_stays(call, 800, 1_000)
+        self.assert_nothing_stays(call, 400, 2_000)
 
     def test_of_files_that_are_none(self):
         def call():

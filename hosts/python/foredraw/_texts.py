@@ -47,5 +47,7 @@ def check(status: int, said: Dict[str, Any], result: Any = None) -> None:
     if status == NO_MEMORY:
         raise MemoryError("memory ran out")
     diagnostics = said.get("diagnostics") or []
-    text = told(diagnostics) or library().status_text(status).decode()
-    raise (Cancelled if status == CANCELLED else Error)(text, diagnostics, result)
+    said_by_status = library().status_text(status).decode()
+    if status == CANCELLED:
+        raise Cancelled(said_by_status, diagnostics)
+    raise Error(told(diagnostics) or said_by_status, diagnostics, result)

@@ -28,8 +28,12 @@ def wait_for(work: Callable[[], T], cancel: Callable[[], None], progress: Option
     goes_on: SimpleQueue = SimpleQueue()  # an answer to each
     outcome: list = []
     raised: list = []
+    permit = threading.Lock()  # to begin: the worker takes it, or whoever was interrupted before
+    ended = threading.Event()
 
     def on_worker() -> None:
+        if not permit.acquire(blocking=False):
+            return
         if progress is not None:
             _here.tell = ask
         try:
@@ -37,6 +41,7 @@ def wait_for(work: Callable[[], T], cancel: Callable[[], None], progress: Option
         except BaseException as problem:
             raised.append(problem)
         finally:
+            ended.set()
             news.put(None)
 
     def ask(what: str, part: float) -> int:
@@ -57,10 +62,11 @@ def wait_for(work: Callable[[], T], cancel: Callable[[], None], progress: Option
         while (one := news.get()) is not None:
             hear(*one)
     except BaseException:
-        while worker.is_alive():  # a cancel that comes before the run begins is none
-            cancel()
-            goes_on.put(False)
-            worker.join(0.02)
+        if not permit.acquire(blocking=False):
+            while not ended.wait(0.02):  # a cancel that comes before the library has begun is none
+                cancel()
+                goes_on.put(False)
+            worker.join()
         raise
     worker.join()
     if raised:
