@@ -3,8 +3,8 @@
 
     FOREDRAW_LIBRARY=libforedraw.so.1 PYTHONPATH=hosts/python benchmarks/python_calls/python_calls.py
 
-Debian's python3, for the sake of its numpy. Each time is the least of many batches, so that other work on the machine hardly
-shows. "Bare" is the C function by ctypes with everything prepared: what is above it is the package.
+Debian's python3, for the sake of its numpy. Each time is the least of many batches, so that other work on the machine
+hardly shows. "Bare" is the C function by ctypes with everything prepared: what is above it is the package.
 """
 
 import tracemalloc
@@ -33,9 +33,10 @@ def sheet(cells):
 def bare_calls(indices):
     """The C functions on the same memory, by name."""
     mesh = _arrays.triangles(indices)
-    order, used, figures = np.empty(max(len(indices), mesh.vertex_count) + 1, np.uint32), c_uint32(), _header.VertexCacheFigures()
-    room, c = _arrays.address(order), library()
-    return order, {
+    answer = np.empty(max(len(indices), mesh.vertex_count) + 1, np.uint32)
+    used, figures = c_uint32(), _header.VertexCacheFigures()
+    room, c = _arrays.address(answer), library()
+    return answer, {
         "tipsify": lambda: c.tipsify(room, byref(mesh), 16),
         "forsyth": lambda: c.forsyth(room, byref(mesh), 32),
         "lookahead": lambda: c.lookahead(room, byref(mesh), 2, 1, 16),
@@ -64,7 +65,8 @@ def print_million():
     print("\na million triangles     | bare, ms | uint32 | int32 | int64, times that")
     for name in ["tipsify", "linear_clusters", "vertex_fetch", "vertex_cache"]:
         ours = getattr(fd, name)
-        rounds = [[least(call, 1, 1) for call in [bare[name], *(lambda f=f: ours(f) for f in forms.values())]] for _ in range(15)]
+        calls = [bare[name], *(lambda form=form: ours(form) for form in forms.values())]
+        rounds = [[least(call, 1, 1) for call in calls] for _ in range(15)]
         times = [min(column) for column in zip(*rounds)]
         parts = " | ".join(f"{time / times[0]:5.2f}" for time in times[1:])
         print(f"{name:24}| {times[0] / 1000:8.1f} |  {parts}")

@@ -11,7 +11,6 @@ from pathlib import Path
 import foredraw as fd
 from meshes import PROGRAM, SPOT, sheet
 
-PIPELINES = ["tipsify, vertex-fetch", "pipeline = 1\nstages = ['lookahead']\nmeasure = ['vertex-cache']\n"]
 BOTH = ["tipsify, vertex-fetch", "@cache-only"]
 
 
@@ -33,8 +32,8 @@ class Comparisons(unittest.TestCase):
             return float(text) if text else None
 
         expected = {
-            (row["file"], row["pipeline"] or "input", row["evaluator"], row["metric"], number(row["value"]), row["unit"],
-             number(row["error"]))
+            (row["file"], row["pipeline"] or "input", row["evaluator"], row["metric"], number(row["value"]),
+             row["unit"], number(row["error"]))
             for row in theirs if row["evaluator"] not in ("time", "memory")
         }
         mine = {row[:1] + row[2:] for row in rows_without_times(ours)}

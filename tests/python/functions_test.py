@@ -40,6 +40,9 @@ class Functions(unittest.TestCase):
         targets = {fd.lookahead(INDICES, target=t).tobytes() for t in ["robust", "fifo", "nvidia", "amd", "intel"]}
         self.assertGreater(len(targets), 3)
         cached = INDICES[fd.tipsify(INDICES)]
+        np.testing.assert_array_equal(
+            fd.linear_clusters(cached, growth=np.float32(1.5)), fd.linear_clusters(cached, growth=1.5)
+        )
         few, many = fd.linear_clusters(cached, growth=1.0), fd.linear_clusters(cached, growth=1.5)
         self.assertLess(len(few), len(many))
 

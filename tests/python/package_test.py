@@ -49,7 +49,8 @@ class Package(unittest.TestCase):
             self.assertTrue(getattr(fd, name).__doc__, name)
 
     def test_does_nothing_when_it_is_imported(self):
-        said = run("import foredraw, threading; print(threading.active_count(), 'imported')", FOREDRAW_LIBRARY="/none.so")
+        code = "import foredraw, threading; print(threading.active_count(), 'imported')"
+        said = run(code, FOREDRAW_LIBRARY="/none.so")
         self.assertEqual(said, "1 imported\n")
 
     def test_says_where_the_library_is_not(self):
@@ -65,7 +66,8 @@ class Package(unittest.TestCase):
             packages = prefix / "lib/python3/dist-packages"
             packages.mkdir(parents=True)
             shutil.copytree(FOLDER / "foredraw", packages / "foredraw", ignore=shutil.ignore_patterns("__pycache__"))
-            for place in ["lib64", "lib/x86_64-linux-gnu", "lib", "lib/python3/dist-packages/foredraw"]:  # each before the last
+            places = ["lib64", "lib/x86_64-linux-gnu", "lib", "lib/python3/dist-packages/foredraw"]
+            for place in places:  # each goes before the last
                 library = prefix / place / "libforedraw.so.1"
                 library.parent.mkdir(exist_ok=True)
                 library.symlink_to(os.environ["FOREDRAW_LIBRARY"])
@@ -87,8 +89,8 @@ class Package(unittest.TestCase):
                 copy = sources / path.relative_to(FOLDER)
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 copy.write_bytes(path.read_bytes())
-            subprocess.run([sys.executable, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w",
-                            folder, sources], check=True, capture_output=True)
+            options = ["--no-build-isolation", "--no-deps", "--no-index", "-w", folder]
+            subprocess.run([sys.executable, "-m", "pip", "wheel", *options, sources], check=True, capture_output=True)
             (wheel,) = Path(folder).glob("*.whl")
             self.assertEqual(wheel.name, f"foredraw-{fd.__version__}-py3-none-any.whl")
             with zipfile.ZipFile(wheel) as content:

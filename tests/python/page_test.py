@@ -21,7 +21,8 @@ class Page(unittest.TestCase):
 
     def run_page(self, page, names):
         """Its pieces one after the other, and what they print."""
-        pieces = re.findall(r"^```python\n(.*?)^```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+        text = (ROOT / page).read_text(encoding="utf-8")
+        pieces = re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
             for piece in pieces:

@@ -6,8 +6,8 @@
 >>> done.scene.write("cheaper.glb")                                  # doctest: +SKIP
 >>> fd.compare(["a.glb", "b.glb"], ["@default", "weld, lookahead"])  # doctest: +SKIP
 
-The package calls the C library libforedraw, which it looks for at the first call: the file that the environment variable
-FOREDRAW_LIBRARY names, then one beside the package or in the same installation, then the system's.
+The package calls the C library libforedraw, which it looks for at the first call: the file that the environment
+variable FOREDRAW_LIBRARY names, then one beside the package or in the same installation, then the system's.
 """
 
 from ._library import library_version

@@ -1,4 +1,4 @@
-"""The C headers as ctypes sees them: status.h, functions.h and foredraw.h. A test holds this to what a compiler says."""
+"""The C headers as ctypes sees them: status.h, functions.h, foredraw.h. A test holds this to what a compiler says."""
 
 from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_uint32, c_uint64, c_void_p
 

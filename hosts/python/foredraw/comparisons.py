@@ -1,5 +1,6 @@
 """Several pipelines side by side."""
 
+import os
 from ctypes import c_char_p, c_void_p
 from html import escape
 from typing import Any, Dict, Iterable, List, Optional, Union
@@ -11,15 +12,15 @@ from ._waiting import Tell
 from .contexts import Context, default_context
 from .figures import Row, figures
 from .runs import Pipeline, pipeline_text
-from .scenes import Path, Scene, read
+from .scenes import FilePath, Scene, read
 
 
 class Comparison(List[Row]):
     """Figures of several pipelines on several scenes, as rows, which pandas.DataFrame takes. A notebook shows a table.
 
-    A row has the figures that the program's ``compare --csv`` has of all draws of a scene together: ``file``, ``branch``
-    (0 for the input, 1 and up for the pipelines), ``pipeline`` ("input" for the input), ``evaluator``, ``metric``,
-    ``value``, ``unit`` and ``error``; of each pipeline's time the evaluator is "time".
+    A row has the figures that the program's ``compare --csv`` has of all draws of a scene together: ``file``,
+    ``branch`` (0 for the input, 1 and up for the pipelines), ``pipeline`` ("input" for the input), ``evaluator``,
+    ``metric``, ``value``, ``unit`` and ``error``; of each pipeline's time the evaluator is "time".
 
     Attributes
     ----------
@@ -37,7 +38,7 @@ class Comparison(List[Row]):
 
 
 def compare(
-    scenes: Union[Path, Scene, Iterable[Union[Path, Scene]]],
+    scenes: Union[FilePath, Scene, Iterable[Union[FilePath, Scene]]],
     pipelines: Union[Pipeline, Iterable[Pipeline]],
     *,
     rounds: int = 1,
@@ -63,9 +64,8 @@ def compare(
         `result` is the comparison of the others.
     """
     context = context or default_context()
-    given = [scenes] if _is_one(scenes) or isinstance(scenes, Scene) else scenes
-    held = [one if isinstance(one, Scene) else read(one, context=context) for one in given]  # type: ignore[union-attr]
-    texts = [pipeline_text(one) for one in ([pipelines] if _is_one(pipelines) else pipelines)]  # type: ignore
+    held = [one if isinstance(one, Scene) else read(one, context=context) for one in _several(scenes)]
+    texts = [pipeline_text(one) for one in _several(pipelines)]
     handles = (c_void_p * len(held))(*(scene._handle.pointer for scene in held))
     lines = (c_char_p * len(texts))(*texts)
     times = count(rounds, "rounds")
@@ -81,8 +81,8 @@ def compare(
     return context._run(work, progress)
 
 
-def _is_one(value: Any) -> bool:
-    return isinstance(value, str) or hasattr(value, "__fspath__")
+def _several(given: Any) -> Iterable[Any]:
+    return [given] if isinstance(given, (str, os.PathLike, Scene)) else given
 
 
 def _rows(file: Dict[str, Any]) -> Iterable[Row]:

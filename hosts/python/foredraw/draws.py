@@ -4,7 +4,7 @@ import ctypes
 from collections.abc import Sequence
 from ctypes import byref, c_uint64, c_void_p, sizeof
 from functools import cached_property
-from typing import Any, Dict, FrozenSet, Mapping, NamedTuple, Optional
+from typing import Any, Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Union, overload
 
 import numpy as np
 
@@ -56,7 +56,7 @@ class Draw:
 
 
 class LentDraw:
-    """What a draw of a scene is now, at full detail. Arrays are read-only views of the scene's memory and keep it alive."""
+    """What a draw of a scene is now, at full detail. Arrays are read-only views of the scene, and keep it alive."""
 
     def __init__(self, handle: "Handle", number: int) -> None:
         self._handle = handle
@@ -141,7 +141,7 @@ class Handle:
         raise TypeError("a scene stays in its process; write it to a file, and read that in the other")
 
 
-class Draws(Sequence):
+class Draws(Sequence[LentDraw]):
     """The draws of a scene by number."""
 
     def __init__(self, handle: Handle) -> None:
@@ -150,7 +150,13 @@ class Draws(Sequence):
     def __len__(self) -> int:
         return library().scene_draws(self._handle.pointer)
 
-    def __getitem__(self, number: Any) -> Any:
+    @overload
+    def __getitem__(self, number: int) -> LentDraw: ...
+
+    @overload
+    def __getitem__(self, number: slice) -> List[LentDraw]: ...
+
+    def __getitem__(self, number: Union[int, slice]) -> Union[LentDraw, List[LentDraw]]:
         wanted = range(len(self))[number]
         if isinstance(wanted, range):
             return [LentDraw(self._handle, one) for one in wanted]

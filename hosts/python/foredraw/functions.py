@@ -1,8 +1,8 @@
 """The plain functions: orders of triangles and vertices, clusters, figures, on arrays.
 
-Indices are of the shape (n, 3) or (3 n,) and of any integer type. Unsigned ones of 1, 2 or 4 bytes, one behind the other,
-are taken in place, and signed ones too; others are copied. `vertex_count` is the largest index plus one where it is not
-given. An order is ``order[new] = old``. What is wrong with an array is a ValueError, or a TypeError.
+Indices are of the shape (n, 3) or (3 n,) and of any integer type. Those of 1, 2 or 4 bytes, one behind the other, are
+taken in place; others are copied. `vertex_count` is the largest index plus one where it is not given. An order is
+``order[new] = old``. What is wrong with an array is a ValueError, or a TypeError.
 """
 
 from ctypes import byref, c_uint32
@@ -11,7 +11,7 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from . import _header as c
-from ._arrays import _LARGEST, address, count, numbers, positions, triangles, unsigned
+from ._arrays import _LARGEST, address, count, numbers, positions, triangles
 from ._library import library
 
 _QUALITIES = {"fast": c.LOOKAHEAD_FAST, "balanced": c.LOOKAHEAD_BALANCED, "high": c.LOOKAHEAD_HIGH}
@@ -27,7 +27,8 @@ _TARGETS = {
 def tipsify(indices: Any, vertex_count: Optional[int] = None, *, cache_size: int = 16) -> np.ndarray:
     """Order triangles for a FIFO vertex cache; the fastest.
 
-    Sander, Nehab and Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007, section 3.
+    Sander, Nehab and Barczak: Fast Triangle Reordering for Vertex Locality and Reduced Overdraw, SIGGRAPH 2007,
+    section 3.
 
     Parameters
     ----------
@@ -67,8 +68,8 @@ def lookahead(
     vertex_count : int, optional
     quality : {"fast", "balanced", "high"}
     target : {"robust", "fifo", "nvidia", "amd", "intel"}
-        "fifo" is for a FIFO of `cache_size` alone, "robust" no worse than tipsify in others; the rest are for batches as
-        these GPUs shade them.
+        "fifo" is for a FIFO of `cache_size` alone, "robust" for it and no worse than tipsify in others; the rest are
+        for batches as these GPUs shade them.
     cache_size : int
         Entries of the cache, 3 to 256.
 
@@ -104,8 +105,10 @@ def linear_clusters(
     mesh = triangles(indices, vertex_count)
     room = np.empty(mesh.index_count // 3 + 1, np.uint32)
     clusters = c_uint32()
-    size, growth = _option("cache_size", cache_size), _option("growth", growth)
-    status = library().linear_clusters(address(room), byref(clusters), byref(mesh), size, growth)
+    size = _option("cache_size", cache_size)
+    if growth == 0:
+        raise ValueError("growth must not be 0")
+    status = library().linear_clusters(address(room), byref(clusters), byref(mesh), size, float(growth))
     _check(status, mesh, cache_size=cache_size, growth=growth)
     return room[: clusters.value + 1].copy()
 
@@ -171,7 +174,7 @@ def reorder_triangles(indices: Any, order: Any) -> np.ndarray:
 
 
 def renumber_vertices(indices: Any, order: Any) -> np.ndarray:
-    """The indices after their vertices took that order, which names each once; a new array of the same type and shape."""
+    """The indices after their vertices took that order, which names each once, in a new array of the same type."""
     wanted = numbers(order, "the order")
     mesh = triangles(indices, len(wanted))
     made = np.empty_like(mesh.array)
@@ -229,15 +232,12 @@ def _order(function: Any, indices: Any, vertex_count: Optional[int], *options: i
     return order
 
 
-def _option(name: str, value: Any) -> Any:
+def _option(name: str, value: Any) -> int:
     """C takes 0 for the default, which here is written in the signature."""
-    if isinstance(value, float):
-        if value == 0:
-            raise ValueError(f"{name} must not be 0")
-        return value
-    if count(value, name) == 0:
+    number = count(value, name)
+    if number == 0:
         raise ValueError(f"{name} must not be 0")
-    return int(value)
+    return number
 
 
 def _choice(name: str, value: str, choices: Dict[str, int]) -> int:

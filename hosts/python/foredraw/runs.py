@@ -34,14 +34,14 @@ def optimize(
         :class:`pathlib.Path` names such a file.
     context : Context, optional
     progress : callable, optional
-        Called with what is going on, and which part of the whole is done, 0 to 1, on the calling thread. What it raises
-        ends the run.
+        Called with what is going on, and which part of the whole is done, 0 to 1, on the calling thread. What it
+        raises ends the run.
 
     Raises
     ------
     Error
-        For a pipeline that is wrong or cannot be used. Where a stage failed, and left what it found, the error's `result`
-        is what the others made.
+        For a pipeline that is wrong or cannot be used. Where a stage failed, and left what it found, the error's
+        `result` is what the others made.
     """
     context = context or default_context()
     text = pipeline_text(pipeline)

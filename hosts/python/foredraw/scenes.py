@@ -14,7 +14,7 @@ from .contexts import Context, default_context
 from .draws import Draws, Handle, Moves, draw_for_c, moves_of
 from .errors import Diagnostic
 
-Path = Union[str, "os.PathLike[str]"]
+FilePath = Union[str, "os.PathLike[str]"]
 
 
 class Scene:
@@ -39,7 +39,7 @@ class Scene:
         """Where triangles and vertices of that draw went, from what was read to what they are now."""
         return moves_of(self._handle, range(len(self.draws))[number])
 
-    def write(self, path: Path, *, context: Optional[Context] = None) -> List[Diagnostic]:
+    def write(self, path: FilePath, *, context: Optional[Context] = None) -> List[Diagnostic]:
         """:func:`write` of this."""
         return write(self, path, context=context)
 
@@ -47,7 +47,7 @@ class Scene:
         return f"<foredraw scene of {len(self.draws)} draws>"
 
 
-def read(path: Path, *, context: Optional[Context] = None) -> Scene:
+def read(path: FilePath, *, context: Optional[Context] = None) -> Scene:
     """Read glTF, OBJ, PLY, OFF, STL, an image or a frame list."""
     pointer, told = c_void_p(), Told()
     context = context or default_context()
@@ -95,7 +95,7 @@ def make(draws: Iterable[Any], *, context: Optional[Context] = None) -> Scene:
     return _scene(status, pointer, told)
 
 
-def write(scene: Scene, path: Path, *, context: Optional[Context] = None) -> List[Diagnostic]:
+def write(scene: Scene, path: FilePath, *, context: Optional[Context] = None) -> List[Diagnostic]:
     """Write the scene, as what the extension says: all its files or none. Warnings and notes come back."""
     told = Told()
     context = context or default_context()
