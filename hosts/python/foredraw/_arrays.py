@@ -7,7 +7,7 @@ import numpy as np
 
 from ._header import Positions, Triangles
 
-_LARGEST = 0xFFFFFFFF  # that 32 bits hold
+LARGEST = 0xFFFFFFFF  # that 32 bits hold
 
 
 def address(array: np.ndarray) -> int:
@@ -18,8 +18,8 @@ def address(array: np.ndarray) -> int:
 def count(value: Any, what: str) -> int:
     """`value` as a number that C's uint32_t holds."""
     number = operator.index(value)
-    if not 0 <= number <= _LARGEST:
-        raise ValueError(f"{what} must be 0 to {_LARGEST}, but is {number}")
+    if not 0 <= number <= LARGEST:
+        raise ValueError(f"{what} must be 0 to {LARGEST}, but is {number}")
     return number
 
 
@@ -33,8 +33,8 @@ def unsigned(values: Any, what: str) -> np.ndarray:
     size = array.dtype.itemsize
     if array.size > 0 and (size == 8 or array.dtype.kind == "i"):
         least, most = int(array.min()), int(array.max())
-        if least < 0 or most > _LARGEST:
-            raise ValueError(f"{what} must be 0 to {_LARGEST}, but one is {least if least < 0 else most}")
+        if least < 0 or most > LARGEST:
+            raise ValueError(f"{what} must be 0 to {LARGEST}, but one is {least if least < 0 else most}")
     if size == 8:
         return array.astype(np.uint32, order="C")
     if array.dtype.kind == "i":
@@ -79,7 +79,7 @@ def rows_of_floats(values: Any, what: str) -> np.ndarray:
 def without_gaps(rows: np.ndarray) -> np.ndarray:
     """Elements of a row one behind the other; rows forward, at any distance that C's uint32_t holds."""
     between, within = rows.strides
-    if within != rows.itemsize or not 0 < between <= _LARGEST:
+    if within != rows.itemsize or not 0 < between <= LARGEST:
         return np.ascontiguousarray(rows)
     return rows
 

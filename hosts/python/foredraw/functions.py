@@ -11,7 +11,7 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from . import _header as c
-from ._arrays import _LARGEST, address, count, numbers, positions, triangles
+from ._arrays import LARGEST, address, count, numbers, positions, triangles
 from ._library import library
 
 _QUALITIES = {"fast": c.LOOKAHEAD_FAST, "balanced": c.LOOKAHEAD_BALANCED, "high": c.LOOKAHEAD_HIGH}
@@ -164,7 +164,7 @@ def vertex_fetch(indices: Any, vertex_count: Optional[int] = None) -> Tuple[np.n
 
 def reorder_triangles(indices: Any, order: Any) -> np.ndarray:
     """The indices in that order of their triangles, in a new array of the same type and shape."""
-    mesh = triangles(indices, _LARGEST)
+    mesh = triangles(indices, LARGEST)
     wanted = numbers(order, "the order")
     if len(wanted) != mesh.index_count // 3:
         raise ValueError(f"the order has {len(wanted)} entries, but there are {mesh.index_count // 3} triangles")

@@ -8,7 +8,7 @@ from ._library import library
 from ._texts import Told, check, text_for_c
 from ._waiting import Tell
 from .contexts import Context, default_context
-from .draws import Handle
+from .lent_draws import Handle
 from .scenes import Scene
 
 Pipeline = Union[str, "os.PathLike[str]"]

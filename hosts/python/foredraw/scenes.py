@@ -11,8 +11,9 @@ from ._arrays import address
 from ._library import library
 from ._texts import Told, check, path_for_c, text_for_c
 from .contexts import Context, default_context
-from .draws import Draws, Handle, Moves, draw_for_c, moves_of
 from .errors import Diagnostic
+from .given_draws import draw_for_c
+from .lent_draws import Draws, Handle, Moves, moves_of
 
 FilePath = Union[str, "os.PathLike[str]"]
 

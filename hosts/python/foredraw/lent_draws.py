@@ -1,64 +1,38 @@
-"""Draws: triangles that are drawn at once. Those that a caller hands over, and those that a scene lends."""
+"""Draws as a scene lends them: views of its memory, which keep it alive."""
 
-import ctypes
 from collections.abc import Sequence
 from ctypes import byref, c_uint64, c_void_p, sizeof
 from functools import cached_property
-from typing import Any, Dict, FrozenSet, List, Mapping, NamedTuple, Optional, Union, overload
+from typing import Any, Dict, FrozenSet, List, NamedTuple, Optional, Union, overload
 
 import numpy as np
 
 from . import _header as c
-from ._arrays import address, count, lent, rows_of_floats, triangles, without_gaps
+from ._arrays import lent
 from ._library import library
-from ._texts import text_for_c
+from .given_draws import COMPONENTS
 
-_COMPONENTS = {
-    np.dtype(np.int8): c.INT8,
-    np.dtype(np.uint8): c.UINT8,
-    np.dtype(np.int16): c.INT16,
-    np.dtype(np.uint16): c.UINT16,
-    np.dtype(np.uint32): c.UINT32,
-    np.dtype(np.float32): c.FLOAT32,
-}
-_TYPES = {number: dtype for dtype, number in _COMPONENTS.items()}
+_TYPES = {number: dtype for dtype, number in COMPONENTS.items()}
 
 
-class Draw:
-    """Triangles to make a scene of: :func:`make`.
+class Handle:
+    """A scene of the library's, which is freed with the last who keeps this."""
 
-    Parameters
-    ----------
-    indices : array of integers, (n, 3) or (3 n,)
-    positions : array of numbers, (vertices, 3)
-    streams : mapping, optional
-        Further attributes of the vertices by glTF's words for them, "NORMAL", "TEXCOORD_0", "_MINE": arrays of shape
-        (vertices, components) or (vertices,), of int8, uint8, int16, uint16, uint32 or floats.
-    name : str, optional
-        What reports call it.
-    normalized : set of str, optional
-        The streams whose integers mean 0 to 1, or -1 to 1.
-    """
+    def __init__(self, pointer: int) -> None:
+        self.pointer = pointer
+        self._free = library().scene_free
 
-    def __init__(
-        self,
-        indices: Any,
-        positions: Any,
-        streams: Optional[Mapping[str, Any]] = None,
-        name: Optional[str] = None,
-        normalized: FrozenSet[str] = frozenset(),
-    ) -> None:
-        self.indices = indices
-        self.positions = positions
-        self.streams = streams or {}
-        self.name = name
-        self.normalized = normalized
+    def __del__(self) -> None:
+        self._free(self.pointer)
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a scene stays in its process; write it to a file, and read that in the other")
 
 
 class LentDraw:
     """What a draw of a scene is now, at full detail. Arrays are read-only views of the scene, and keep it alive."""
 
-    def __init__(self, handle: "Handle", number: int) -> None:
+    def __init__(self, handle: Handle, number: int) -> None:
         self._handle = handle
         self._number = number
 
@@ -127,20 +101,6 @@ class LentDraw:
         return f"<foredraw draw {self.name!r}: {self.triangle_count} triangles, {self.vertex_count} vertices>"
 
 
-class Handle:
-    """A scene of the library's, which is freed with the last who keeps this."""
-
-    def __init__(self, pointer: int) -> None:
-        self.pointer = pointer
-        self._free = library().scene_free
-
-    def __del__(self) -> None:
-        self._free(self.pointer)
-
-    def __reduce__(self) -> Any:
-        raise TypeError("a scene stays in its process; write it to a file, and read that in the other")
-
-
 class Draws(Sequence[LentDraw]):
     """The draws of a scene by number."""
 
@@ -183,51 +143,3 @@ def moves_of(handle: Handle, number: int) -> Moves:
 
     triangle_count = LentDraw(handle, number).triangle_count if triangles_at.value else 0
     return Moves(array(triangles_at, triangle_count), array(vertices_at, vertex_count.value))
-
-
-def draw_for_c(given: Any) -> c.Draw:
-    """Of a Draw or a LentDraw; it keeps the arrays that it points to, as `arrays`."""
-    mesh = triangles(given.indices)
-    indices = mesh.array.astype(np.uint32, copy=False)
-    positions = np.ascontiguousarray(rows_of_floats(given.positions, "positions"))
-    streams = [_stream_for_c(name, values, given, len(positions)) for name, values in given.streams.items()]
-    row = (c.Stream * len(streams))(*streams)
-    name = None if given.name is None else text_for_c(given.name, "a name")
-    made = c.Draw(
-        size=sizeof(c.Draw),
-        vertex_count=count(len(positions), "the number of vertices"),
-        triangle_count=indices.size // 3,
-        name=name,
-        indices=address(indices),
-        positions=address(positions),
-        stream_count=len(streams),
-        streams=ctypes.cast(row, ctypes.POINTER(c.Stream)),
-    )
-    made.arrays = indices, positions, streams, row, name
-    return made
-
-
-def _stream_for_c(semantic: str, values: Any, given: Any, vertex_count: int) -> c.Stream:
-    array = np.asarray(values)
-    if array.dtype.kind == "f":
-        with np.errstate(over="ignore"):
-            array = array.astype(np.float32, copy=False)
-    array = array.astype(array.dtype.newbyteorder("="), copy=False)
-    if array.dtype not in _COMPONENTS:
-        types = ", ".join(str(dtype) for dtype in _COMPONENTS)
-        raise TypeError(f"{semantic} must be of one of the types {types}, but is of {array.dtype}")
-    if array.ndim == 1:
-        array = array.reshape(-1, 1)
-    if array.ndim != 2 or len(array) != vertex_count:
-        raise ValueError(f"{semantic} must have the shape ({vertex_count}, components), but has {np.shape(values)}")
-    array = without_gaps(array)
-    made = c.Stream(
-        semantic=text_for_c(semantic, "a semantic"),
-        bytes=address(array),
-        stride=array.strides[0] if len(array) else 0,
-        component=_COMPONENTS[array.dtype],
-        components=count(array.shape[1], "components"),
-        normalized=semantic in given.normalized,
-    )
-    made.array = array
-    return made
