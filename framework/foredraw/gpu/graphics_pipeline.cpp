@@ -74,6 +74,8 @@ OwnedPipeline graphics_pipeline(const Device& device, const PipelineState& state
       .rasterizerDiscardEnable = has_fragments ? VK_FALSE : VK_TRUE,
       .cullMode = state.culled,
       .frontFace = state.front_face,
+      .depthBiasEnable = state.depth_bias_by_slope != 0,
+      .depthBiasSlopeFactor = state.depth_bias_by_slope,
       .lineWidth = 1};
   const VkPipelineMultisampleStateCreateInfo samples{.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
                                                      .rasterizationSamples = state.samples};

@@ -40,6 +40,7 @@ struct PipelineState {
   VkFrontFace front_face = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   VkCompareOp passing = VK_COMPARE_OP_LESS;
   bool writes_depth = true;
+  float depth_bias_by_slope = 0;  ///< away, times the depth's slope per pixel
   VkColorComponentFlags written = VK_COLOR_COMPONENT_R_BIT;
   bool blends = false;  ///< by the alpha that the fragment shader gives
 };

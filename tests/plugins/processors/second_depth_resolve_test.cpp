@@ -192,7 +192,7 @@ struct Error {
 
 class Judge {
  public:
-  static constexpr int size = 96;
+  static constexpr int size = 128;
 
   Judge(SmallCamera camera, foredraw_second_depth_rule rule) : camera_(camera), rule_(rule) {}
 

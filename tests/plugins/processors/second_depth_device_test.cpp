@@ -1,0 +1,443 @@
+// On a device: the pass with front faces culled changes no pixel, and the shaders resolve the device's own depths as
+// runtime/second_depth.h says.
+#include "plugins/processors/second_depth/second_depth_shader.h"
+#include "plugins/processors/second_depth/shells.h"
+
+#include "hidden_shapes.h"
+#include "support/closed_bodies.h"
+#include "support/compiled_shader.h"
+#include "support/small_frames.h"
+
+#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/base/random.h>
+#include <foredraw/runtime/second_depth.h>
+
+#include <gtest/gtest.h>
+
+#ifdef FOREDRAW_HAS_GPU
+#include "support/on_device.h"
+
+#include <foredraw/gpu/graphics_pipeline.h>
+#include <foredraw/gpu/memory.h>
+#include <foredraw/gpu/pictures.h>
+#include <foredraw/gpu/storage_sets.h>
+#endif
+
+#include <bit>
+#include <cstdint>
+
+namespace foredraw {
+namespace {
+
+using testing::SmallCamera;
+using testing::TestMesh;
+
+constexpr std::string_view resolve_in_glsl = R"(
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(std430, set = 0, binding = 0) readonly buffer Depths { float depths[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Seconds { float seconds[]; };
+layout(std430, set = 0, binding = 2) writeonly buffer Offsets { vec2 offsets[]; };
+layout(push_constant) uniform Frame { float towards_far, absolute, relative, round_rims; int size; };
+float edge(ivec2 at, ivec2 step, int along) {
+  int before = min(along, 3), behind = min(size - 1 - along, 3);
+  float depth[7], second[7];
+  for (int k = -3; k <= 3; ++k) {
+    ivec2 from = at + step * clamp(k, -before, behind);
+    depth[k + 3] = depths[from.y * size + from.x];
+    second[k + 3] = seconds[from.y * size + from.x];
+  }
+  return second_depth_edge(SecondDepthRule(towards_far, absolute, relative, round_rims), depth, second, before, behind);
+}
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  offsets[at.y * size + at.x] = second_depth_offset(edge(at, ivec2(1, 0), at.x), edge(at, ivec2(0, 1), at.y));
+}
+)";
+constexpr std::string_view resolve_in_hlsl = R"(
+[[vk::binding(0)]] StructuredBuffer<float> depths : register(t0);
+[[vk::binding(1)]] StructuredBuffer<float> seconds : register(t1);
+[[vk::binding(2)]] RWStructuredBuffer<float2> offsets : register(u2);
+struct Frame { float towards_far, absolute, relative, round_rims; int size; };
+[[vk::push_constant]] ConstantBuffer<Frame> frame;
+float edge(int2 at, int2 stride, int along) {
+  int before = min(along, 3), behind = min(frame.size - 1 - along, 3);
+  float depth[7], second[7];
+  for (int k = -3; k <= 3; ++k) {
+    int2 from = at + stride * clamp(k, -before, behind);
+    depth[k + 3] = depths[from.y * frame.size + from.x];
+    second[k + 3] = seconds[from.y * frame.size + from.x];
+  }
+  SecondDepthRule rule;
+  rule.towards_far = frame.towards_far;
+  rule.absolute = frame.absolute;
+  rule.relative = frame.relative;
+  rule.round_rims = frame.round_rims;
+  return second_depth_edge(rule, depth, second, before, behind);
+}
+[numthreads(8, 8, 1)] void main(uint3 id : SV_DispatchThreadID) {
+  int2 at = int2(id.xy);
+  offsets[at.y * frame.size + at.x] = second_depth_offset(edge(at, int2(1, 0), at.x), edge(at, int2(0, 1), at.y));
+}
+)";
+
+std::vector<std::uint32_t> resolve_shader(ShaderLanguage language) {
+  const std::string_view main = language == ShaderLanguage::glsl ? resolve_in_glsl : resolve_in_hlsl;
+  return testing::compiled_shader(second_depth_shader_text(language) + std::string(main), language, "comp");
+}
+
+TEST(SecondDepthShader, CompilesInBothLanguages) {
+  if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
+  for (const ShaderLanguage language : {ShaderLanguage::glsl, ShaderLanguage::hlsl}) {
+    EXPECT_FALSE(resolve_shader(language).empty());
+  }
+}
+
+#ifdef FOREDRAW_HAS_GPU
+
+constexpr int size = 256;
+
+/// As the camera sees it.
+struct Piece {
+  TestMesh mesh;
+  bool is_closed = false;  ///< it goes into the pass before
+  bool is_masked = false;  ///< it has holes
+};
+
+constexpr std::string_view vertex_shader = R"(
+layout(location = 0) in vec4 position;
+layout(location = 1) in uint number;
+layout(location = 0) flat out uint piece;
+invariant gl_Position;
+void main() {
+  gl_Position = position;
+  piece = number;
+}
+)";
+constexpr std::string_view depth_shader = R"(
+layout(location = 0) flat in uint piece;
+layout(location = 0) out uint pixel;
+void main() { pixel = floatBitsToUint(gl_FragCoord.z); }
+)";
+constexpr std::string_view number_shader = R"(
+layout(location = 0) flat in uint piece;
+layout(location = 0) out uint pixel;
+void main() {
+  if ((piece & 1u) != 0u && ((uint(gl_FragCoord.x) ^ uint(gl_FragCoord.y)) & 2u) == 0u) discard;
+  pixel = piece;
+}
+)";
+
+VkResult create_compute(VkDevice device, const VkComputePipelineCreateInfo* info, const VkAllocationCallbacks* by,
+                        VkPipeline* pipeline) {
+  return vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, info, by, pipeline);
+}
+using OwnedCompute = gpu::Owned<VkPipeline, create_compute, vkDestroyPipeline>;
+
+class Drawing {
+ public:
+  explicit Drawing(gpu::Device& device)
+      : device_(device), render_pass_(gpu::make_render_pass(device)), pictures_(device, render_pass_.get(), size) {
+    layout_ = gpu::pipeline_layout(device, {}, 0, 0);
+    const auto shader = [&](std::string_view text, const char* stage) {
+      return gpu::make_shader(device, testing::compiled_shader(std::string(text), ShaderLanguage::glsl, stage));
+    };
+    vertex_ = shader(vertex_shader, "vert");
+    numbers_ = shader(number_shader, "frag");
+    depths_ = shader(depth_shader, "frag");
+    scene_ = pipeline(numbers_.get(), VK_CULL_MODE_BACK_BIT, VK_COLOR_COMPONENT_R_BIT);
+    plain_before_ = pipeline(numbers_.get(), VK_CULL_MODE_FRONT_BIT, 0);
+    before_ = pipeline(numbers_.get(), VK_CULL_MODE_FRONT_BIT, 0, 1);
+    front_ = pipeline(depths_.get(), VK_CULL_MODE_BACK_BIT, VK_COLOR_COMPONENT_R_BIT);
+    back_ = pipeline(depths_.get(), VK_CULL_MODE_FRONT_BIT, VK_COLOR_COMPONENT_R_BIT);
+  }
+
+  enum class Before { nothing, plain, biased };
+
+  /// Which triangle of which piece each pixel shows. `before`: the pass with the back faces of what is closed.
+  std::vector<std::uint32_t> scene(const std::vector<Piece>& pieces, const SmallCamera& camera, Before before) {
+    const Uploaded up(device_, pieces, camera);
+    return drawn(up, [&](VkCommandBuffer commands) {
+      const VkPipeline pass = before == Before::biased ? before_.get() : plain_before_.get();
+      if (before != Before::nothing) draw(commands, pass, pieces, [](const Piece& piece) { return piece.is_closed; });
+      draw(commands, scene_.get(), pieces, [](const Piece&) { return true; });
+    });
+  }
+
+  /// What the device's depth buffer holds of front faces, or of back faces.
+  std::vector<float> depths(const std::vector<Piece>& pieces, const SmallCamera& camera, bool of_backs) {
+    const Uploaded up(device_, pieces, camera);
+    std::vector<float> depths;
+    const auto pixels = drawn(up, [&](VkCommandBuffer commands) {
+      draw(commands, of_backs ? back_.get() : front_.get(), pieces,
+           [&](const Piece& piece) { return piece.is_closed || !of_backs; });
+    });
+    for (const std::uint32_t bits : pixels) {
+      depths.push_back(bits == gpu::empty_pixel ? camera.clear() : std::bit_cast<float>(bits));
+    }
+    return depths;
+  }
+
+  /// The shader's offsets, x and y a pixel.
+  std::vector<float> resolved(std::span<const std::uint32_t> code, const std::vector<float>& depth,
+                              const std::vector<float>& second, const foredraw_second_depth_rule& rule) {
+    const gpu::OwnedShader shader = gpu::make_shader(device_, code);
+    const gpu::OwnedSetLayout set_layout = gpu::storage_layout(device_, 3, VK_SHADER_STAGE_COMPUTE_BIT);
+    const VkDescriptorSetLayout layouts[] = {set_layout.get()};
+    const gpu::OwnedPipelineLayout layout = gpu::pipeline_layout(device_, layouts, VK_SHADER_STAGE_COMPUTE_BIT, 20);
+    VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    info.stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                  .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                  .module = shader.get(),
+                  .pName = "main"};
+    info.layout = layout.get();
+    const OwnedCompute pipeline(device_.get(), info, "vkCreateComputePipelines");
+    constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const gpu::DeviceBuffer depths(device_, std::as_bytes(std::span(depth)), storage);
+    const gpu::DeviceBuffer seconds(device_, std::as_bytes(std::span(second)), storage);
+    const gpu::VisibleBuffer offsets(device_, 8 * depth.size(), storage);
+    gpu::StorageSets sets(device_, set_layout.get(), 3, 1);
+    const VkDescriptorSet set = sets.add();
+    const VkBuffer buffers[] = {depths.get(), seconds.get(), offsets.get()};
+    sets.write(set, buffers);
+    struct {
+      foredraw_second_depth_rule rule;
+      std::int32_t frame_size;
+    } constants{rule, size};
+    device_.run([&](VkCommandBuffer commands) {
+      vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
+      vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout.get(), 0, 1, &set, 0, nullptr);
+      vkCmdPushConstants(commands, layout.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(constants), &constants);
+      vkCmdDispatch(commands, size / 8, size / 8, 1);
+      gpu::let_see(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
+                   VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT);
+    });
+    return {offsets.as<float>().begin(), offsets.as<float>().end()};
+  }
+
+ private:
+  /// Corners one behind the other, in clip space.
+  struct Uploaded {
+    gpu::DeviceBuffer positions, numbers;
+
+    Uploaded(gpu::Device& device, const std::vector<Piece>& pieces, const SmallCamera& camera) {
+      std::vector<std::array<float, 4>> clip;
+      std::vector<std::uint32_t> number;
+      for (const Piece& piece : pieces) {
+        for (const std::uint32_t v : piece.mesh.indices) {
+          const glm::dvec3 p(piece.mesh.positions[v]);
+          const double n = camera.near, f = camera.far, scale = SmallCamera::focal();
+          clip.push_back({static_cast<float>(scale * p.x), static_cast<float>(-scale * p.y),
+                          static_cast<float>(f / (f - n) * (-p.z - n)), static_cast<float>(-p.z)});
+          number.push_back(static_cast<std::uint32_t>(number.size() / 3 * 2) + (piece.is_masked ? 1 : 0));
+        }
+      }
+      positions = gpu::DeviceBuffer(device, std::as_bytes(std::span(clip)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+      numbers = gpu::DeviceBuffer(device, std::as_bytes(std::span(number)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    }
+  };
+
+  gpu::OwnedPipeline pipeline(VkShaderModule fragments, VkCullModeFlags culled, VkColorComponentFlags written,
+                              float bias_by_slope = 0) const {
+    static constexpr gpu::VertexInput inputs[] = {{0, 0, 16, VK_FORMAT_R32G32B32A32_SFLOAT},
+                                                  {1, 1, 4, VK_FORMAT_R32_UINT}};
+    gpu::PipelineState state;
+    state.layout = layout_.get();
+    state.render_pass = render_pass_.get();
+    state.vertex_shader = vertex_.get();
+    state.fragment_shader = fragments;
+    state.inputs = inputs;
+    state.culled = culled;
+    state.passing = VK_COMPARE_OP_LESS_OR_EQUAL;
+    state.written = written;
+    state.depth_bias_by_slope = bias_by_slope;
+    return gpu::graphics_pipeline(device_, state);
+  }
+
+  template <class Draw>
+  std::vector<std::uint32_t> drawn(const Uploaded& up, Draw draw) {
+    device_.run([&](VkCommandBuffer commands) {
+      pictures_.begin(commands, 0);
+      const VkBuffer buffers[] = {up.positions.get(), up.numbers.get()};
+      const VkDeviceSize offsets[] = {0, 0};
+      vkCmdBindVertexBuffers(commands, 0, 2, buffers, offsets);
+      draw(commands);
+      vkCmdEndRenderPass(commands);
+      pictures_.copy_out(commands, 1);
+    });
+    const auto pixels = pictures_.pixels(0);
+    return {pixels.begin(), pixels.end()};
+  }
+
+  template <class Goes>
+  static void draw(VkCommandBuffer commands, VkPipeline pipeline, const std::vector<Piece>& pieces, Goes goes) {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    std::uint32_t first = 0;
+    for (const Piece& piece : pieces) {
+      const auto corners = static_cast<std::uint32_t>(piece.mesh.indices.size());
+      if (goes(piece)) vkCmdDraw(commands, corners, 1, first, 0);
+      first += corners;
+    }
+  }
+
+  gpu::Device& device_;
+  gpu::OwnedRenderPass render_pass_;
+  gpu::Pictures pictures_;
+  gpu::OwnedPipelineLayout layout_;
+  gpu::OwnedShader vertex_, numbers_, depths_;
+  gpu::OwnedPipeline scene_, plain_before_, before_, front_, back_;
+};
+
+/// Turned about all axes and put before the camera.
+TestMesh placed(TestMesh mesh, Random& random, const glm::dvec3& at) {
+  const auto any = [&] { return 6.28 * static_cast<double>(random.below(1 << 20)) / (1 << 20); };
+  const double angles[] = {any(), any(), any()};
+  for (glm::vec3& p : mesh.positions) {
+    glm::dvec3 q(p);
+    for (int axis = 0; axis < 3; ++axis) {
+      double &a = q[axis], &b = q[(axis + 1) % 3];
+      const double c = std::cos(angles[axis]), s = std::sin(angles[axis]), x = a * c - b * s;
+      b = a * s + b * c;
+      a = x;
+    }
+    p = glm::vec3(q + at);
+  }
+  return mesh;
+}
+
+/// Bodies that touch, pass through each other and stand before each other; those that the tool would name are closed.
+std::vector<Piece> scene(Random& random) {
+  const auto any = [&](double most) { return most * (static_cast<double>(random.below(1 << 20)) / (1 << 19) - 1); };
+  const auto place = [&] { return glm::dvec3(any(2.5), any(2.5), -6 + any(2)); };
+  std::vector<Piece> pieces;
+  const auto add = [&](const TestMesh& mesh, bool is_masked = false) {
+    const TestMesh there = placed(mesh, random, place());
+    const auto kinds = shells::kinds_of(there.positions, welded(there.positions), there.indices);
+    Piece closed{there, true, false}, other{there, false, is_masked};
+    closed.mesh.indices.clear();
+    other.mesh.indices.clear();
+    for (std::size_t t = 0; t < kinds.size(); ++t) {
+      auto& to = kinds[t] == shells::Kind::closed && !is_masked ? closed.mesh.indices : other.mesh.indices;
+      to.insert(to.end(), &there.indices[3 * t], &there.indices[3 * t] + 3);
+    }
+    for (const Piece& piece : {closed, other}) {
+      if (!piece.mesh.indices.empty()) pieces.push_back(piece);
+    }
+  };
+  add(testing::closed_sphere(24, 12, 0.8f));
+  add(testing::closed_torus(32, 12, 0.9f, 0.3f));
+  add(testing::closed_cylinder(16, 0.4f, 1));
+  add(testing::joined(testing::box(0.6f), testing::box(0.6f, {1.2f, 0, 0})));     // a wall in common
+  add(testing::joined(testing::box(0.4f), testing::box(0.4f, {0.8f, 0.8f, 0})));  // an edge
+  add(testing::joined(testing::box(0.5f), testing::turned(testing::box(0.3f))));  // a double-walled one
+  add(testing::box(0.5f, {0, 0, 0}, true));                                       // open
+  add(testing::turned(testing::closed_sphere(16, 8, 0.6f)));                      // inside out
+  add(testing::joined(testing::box(0.5f), testing::grid(2, 2)));                  // with a sheet in it
+  add(testing::closed_sphere(16, 8, 0.7f), true);                                 // masked
+  TestMesh twisted = testing::box(0.6f);
+  for (std::size_t i = 4; i < 8; ++i) twisted.positions[i].x *= -0.5f;
+  add(twisted);
+  add(testing::grid(4, 4));
+  return pieces;
+}
+
+std::size_t different(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i];
+  return count;
+}
+
+using SecondDepthOnDevice = testing::OnDevice;
+using enum Drawing::Before;
+
+/// Vertices are moved to whole 1/256 pixels, so a back face may come before the front within that of the edge where
+/// both meet. Moved away by its slope per pixel it does not. As it is, it takes one pixel in 10,000 at most.
+TEST_F(SecondDepthOnDevice, ThePassBeforeChangesNoPixel) {
+  if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
+  gpu::Device device(choice());
+  Drawing drawing(device);
+  Random random(5);
+  std::size_t changed = 0, changed_without_bias = 0, shown = 0;
+  for (int view = 0; view < 24; ++view) {
+    const std::vector<Piece> pieces = scene(random);
+    const SmallCamera camera;
+    const auto without = drawing.scene(pieces, camera, nothing);
+    changed += different(drawing.scene(pieces, camera, biased), without);
+    changed_without_bias += different(drawing.scene(pieces, camera, plain), without);
+    shown += static_cast<std::size_t>(std::ranges::count_if(without, [](auto p) { return p != gpu::empty_pixel; }));
+  }
+  EXPECT_EQ(changed, 0u) << "of " << shown;
+  EXPECT_LT(changed_without_bias, shown / 10000);
+}
+
+/// Whatever is named wrongly does change the picture: the test above can fail.
+TEST_F(SecondDepthOnDevice, ThePassBeforeMustNotHaveWhatIsOpenOrHoldsTheCamera) {
+  if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
+  gpu::Device device(choice());
+  Drawing drawing(device);
+  Random random(6);
+  const SmallCamera camera;
+  std::vector<Piece> pieces = scene(random);
+  const auto without = drawing.scene(pieces, camera, nothing);
+  for (Piece& piece : pieces) piece.is_closed = true;
+  EXPECT_GT(different(drawing.scene(pieces, camera, biased), without), 100u);
+
+  // The camera in a closed room, whose walls are culled from within.
+  pieces = scene(random);
+  TestMesh room = testing::box(20);
+  pieces.push_back({room, false, false});
+  const auto outside = drawing.scene(pieces, camera, nothing);
+  EXPECT_EQ(different(drawing.scene(pieces, camera, biased), outside), 0u) << "left out, it does no harm";
+  pieces.back().mesh = testing::box(4);  // around the camera, before the bodies
+  const auto within = drawing.scene(pieces, camera, nothing);
+  pieces.back().is_closed = true;
+  EXPECT_GT(different(drawing.scene(pieces, camera, biased), within), 100u);
+}
+
+TEST_F(SecondDepthOnDevice, ResolvesItsOwnDepthsAsTheHeaderDoes) {
+  if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
+  gpu::Device device(choice());
+  Drawing drawing(device);
+  Random random(7);
+  const SmallCamera camera;
+  const foredraw_second_depth_rule rule = foredraw_second_depth_float(0);
+  const auto glsl = resolve_shader(ShaderLanguage::glsl), hlsl = resolve_shader(ShaderLanguage::hlsl);
+  std::size_t edges = 0;
+  for (int view = 0; view < 6; ++view) {
+    const std::vector<Piece> pieces = scene(random);
+    const std::vector<float> depth = drawing.depths(pieces, camera, false);
+    const std::vector<float> second = drawing.depths(pieces, camera, true);
+    std::vector<float> wanted;
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
+        const auto edge = [&](int at, int dx, int dy) {
+          float depths[7], seconds[7];
+          const int before = std::min(at, 3), behind = std::min(size - 1 - at, 3);
+          for (int k = -3; k <= 3; ++k) {
+            const int step = std::clamp(k, -before, behind);
+            const auto from = static_cast<std::size_t>((y + dy * step) * size + x + dx * step);
+            depths[k + 3] = depth[from];
+            seconds[k + 3] = second[from];
+          }
+          return foredraw_second_depth_edge(&rule, depths, seconds, before, behind);
+        };
+        float offset[2];
+        foredraw_second_depth_offset(edge(x, 1, 0), edge(y, 0, 1), offset);
+        edges += offset[0] != 0 || offset[1] != 0;
+        wanted.insert(wanted.end(), offset, offset + 2);
+      }
+    }
+    for (const auto* code : {&glsl, &hlsl}) {
+      const std::vector<float> given = drawing.resolved(*code, depth, second, rule);
+      ASSERT_EQ(given.size(), wanted.size());
+      std::size_t wrong = 0;
+      for (std::size_t i = 0; i < given.size(); ++i) wrong += !(std::abs(given[i] - wanted[i]) <= 1e-6f);
+      EXPECT_EQ(wrong, 0u) << view;
+    }
+  }
+  EXPECT_GT(edges, 5000u);
+}
+
+#endif
+
+}  // namespace
+}  // namespace foredraw
