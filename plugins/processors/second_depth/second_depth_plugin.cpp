@@ -44,6 +44,7 @@ class ClosedShellsFirst final : public Processor {
         put_closed_first(scene.draws[draw.draw], draw.kinds);
       }
     }
+    if (run.cancelled()) return {};
     if (all.draws.empty()) {
       run.keep("no draw has a closed shell that may be drawn without its front faces; the notes say why");
       return {};
@@ -102,7 +103,7 @@ class ClosedShellsFirst final : public Processor {
     const auto share = [&](ShellKind kind) {
       return whole > 0 ? 100 * areas[static_cast<std::size_t>(kind)] / whole : 0;
     };
-    run.measure_at({.draw = draw.draw}, "closed-area", areas[0], whole);
+    if (whole > 0) run.measure_at({.draw = draw.draw}, "closed-area", areas[0], whole);
     std::string text = fmt::format("{:.1f} % of its area is closed", share(ShellKind::closed));
     for (const auto& [kind, word] : words) {
       const std::size_t count = counts[static_cast<std::size_t>(kind)];
