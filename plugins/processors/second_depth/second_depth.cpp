@@ -77,7 +77,7 @@ std::string why_not_in_second_depth(const Scene& scene, DrawId id, const SecondD
   if (material != nullptr) {
     if (material->alpha_mode == AlphaMode::blend) return "is blended: what lies behind it is seen";
     if (material->alpha_mode == AlphaMode::mask) return "is masked: what lies behind its holes is seen";
-    if (material->double_sided) return "is double-sided: its back faces are drawn";
+    if (material->double_sided) return "is double-sided: its back faces are drawn; put `sides` before this stage";
     if (material->keeps_sides)
       return "has a material that light passes through, or that an animation or a variant changes";
     if (material->displacement) return "is displaced by a map of heights";
@@ -87,6 +87,17 @@ std::string why_not_in_second_depth(const Scene& scene, DrawId id, const SecondD
   }
   if (!options.skinned && draw.full().vertices->find("JOINTS_0") != nullptr) return "follows joints";
   return {};
+}
+
+double area_of(const Draw& draw, Analyses& analyses) {
+  const auto positions = positions_of(analyses, *draw.full().vertices);
+  const auto indices = draw.full().stream().indices.view();
+  double area = 0;
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    area +=
+        area_of(positions->values[indices[i]], positions->values[indices[i + 1]], positions->values[indices[i + 2]]);
+  }
+  return area;
 }
 
 std::vector<DrawShells> shells_of(const Scene& scene, std::span<const DrawId> draws,

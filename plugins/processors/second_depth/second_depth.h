@@ -34,6 +34,9 @@ std::vector<DrawShells> shells_of(const Scene& scene, std::span<const DrawId> dr
                                   std::span<const std::uint32_t> triangles, Analyses& analyses,
                                   const shells::Limits& limits = {});
 
+/// Of all triangles of the draw, in its units; those that are not finite have none.
+double area_of(const Draw& draw, Analyses& analyses);
+
 struct Plugin;
 Plugin second_depth_plugin();
 

@@ -62,8 +62,16 @@ class ClosedShellsFirst final : public Processor {
     if (why.empty() && scene.draws[id].full().orders.size() > 1) {
       why = "has several orders; put this stage before the one that makes them";
     }
-    if (!why.empty()) run.note_at({.draw = id}, "not-closed", "none of it: it " + why);
-    return why.empty();
+    if (why.empty()) return true;
+    run.note_at({.draw = id}, "not-closed", "none of it: it " + why);
+    measure(scene.draws[id], id, 0, run);
+    return false;
+  }
+
+  static double measure(const Draw& draw, DrawId id, double closed, Run& run) {
+    const double whole = draw.full().vertices->find("POSITION") == nullptr ? 0 : area_of(draw, run.analyses);
+    if (whole > 0) run.measure_at({.draw = id}, "closed-area", closed, whole);
+    return whole;
   }
 
   /// What lies behind belongs to other products, as wires do, and stays where it is.
@@ -92,18 +100,16 @@ class ClosedShellsFirst final : public Processor {
                                                                   {ShellKind::flat, "flat, both walls in one place"},
                                                                   {ShellKind::inside_out, "inside out"},
                                                                   {ShellKind::turned, "partly inside out"}};
-    double whole = 0;
     std::array<double, 5> areas{};
     std::array<std::size_t, 5> counts{};
     for (std::size_t t = 0; t < draw.kinds.size(); ++t) {
-      whole += draw.areas[t];
       areas[static_cast<std::size_t>(draw.kinds[t])] += draw.areas[t];
       ++counts[static_cast<std::size_t>(draw.kinds[t])];
     }
+    const double whole = measure(scene.draws[draw.draw], draw.draw, areas[0], run);
     const auto share = [&](ShellKind kind) {
       return whole > 0 ? 100 * areas[static_cast<std::size_t>(kind)] / whole : 0;
     };
-    if (whole > 0) run.measure_at({.draw = draw.draw}, "closed-area", areas[0], whole);
     std::string text = fmt::format("{:.1f} % of its area is closed", share(ShellKind::closed));
     for (const auto& [kind, word] : words) {
       const std::size_t count = counts[static_cast<std::size_t>(kind)];
