@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace foredraw::wiring {
@@ -71,23 +72,33 @@ bool Cutter::crosses(std::uint32_t triangle, const Plane& plane) const {
 }
 
 std::uint32_t Cutter::walk(std::uint32_t triangle, const Plane& plane, std::size_t most_steps) const {
-  for (std::size_t step = 0; step < most_steps && triangle != none; ++step) {
-    const auto& corners = mesh_.triangles[triangle];
+  // At an end of the surface the way leads round the end, and no nearer to the plane.
+  constexpr std::size_t most_in_vain = 32;
+  double nearest = std::numeric_limits<double>::infinity();
+  std::uint32_t before = none;
+  for (std::size_t step = 0, in_vain = 0; step < most_steps && in_vain < most_in_vain; ++step, ++in_vain) {
     double heights[3];
     int above = 0;
     for (int i = 0; i < 3; ++i) {
-      heights[i] = plane.height(mesh_.points[corners[i]]);
+      heights[i] = plane.height(mesh_.points[mesh_.triangles[triangle][static_cast<std::size_t>(i)]]);
       above += heights[i] >= 0;
     }
     if (above == 1 || above == 2) return triangle;
+    for (const double height : heights) {
+      if (std::abs(height) < nearest) in_vain = 0;
+      nearest = std::min(nearest, std::abs(height));
+    }
     std::uint32_t next = none;
     double least = 0;
     for (std::size_t e = 0; e < 3; ++e) {
+      const std::uint32_t other = mesh_.across[triangle][e];
       const double away = std::abs(heights[e] + heights[(e + 1) % 3]);
-      if (mesh_.across[triangle][e] == none || (next != none && away >= least)) continue;
-      next = mesh_.across[triangle][e];
+      if (other == none || other == before || (next != none && away >= least)) continue;
+      next = other;
       least = away;
     }
+    if (next == none) return none;
+    before = triangle;
     triangle = next;
   }
   return none;
