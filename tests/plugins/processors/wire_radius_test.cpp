@@ -1,1 +1,190 @@
+// What is found to be long and thin, and what is not, held against meshes of which it is known.
+#include "plugins/processors/wire_radius/wire_radius.h"
+
+#include "benchmarks/wire_radius/wire_scores.h"
+
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace foredraw {
+namespace {
+
+using bench::KnownMesh;
+
+FoundWires found_in(const KnownMesh& mesh, const WireOptions& options = {}) {
+  return find_wires(mesh.positions, mesh.indices, options);
+}
+
+double median(std::vector<double> values) {
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+  return values[values.size() / 2];
+}
+
+KnownMesh made(const std::string& name, std::uint64_t seed = 201) {
+  for (KnownMesh& mesh : bench::made_meshes(seed)) {
+    if (mesh.name == name) return std::move(mesh);
+  }
+  throw std::invalid_argument(name);
+}
+
+/// Triangles of wires have wire vertices alone, one of which moves; those of others have none that moves.
+void expect_sound(const KnownMesh& mesh, const FoundWires& found) {
+  ASSERT_EQ(found.wire_of.size(), mesh.indices.size() / 3);
+  ASSERT_EQ(found.half_width.size(), mesh.positions.size());
+  std::set<std::uint32_t> used;
+  for (std::size_t t = 0; t < found.wire_of.size(); ++t) {
+    bool all = true, moves = false;
+    for (std::size_t i = 3 * t; i < 3 * t + 3; ++i) {
+      const float half = found.half_width[mesh.indices[i]];
+      all &= half != 0;
+      moves |= half > 0;
+    }
+    const bool is_wire = found.wire_of[t] != FoundWires::none;
+    ASSERT_EQ(is_wire, is_wire ? all && moves : moves) << mesh.name << ", triangle " << t;
+    if (is_wire) used.insert(found.wire_of[t]);
+  }
+  ASSERT_EQ(used.size(), found.wires.size()) << mesh.name;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const auto finite = [](const glm::vec3& a) {
+      return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+    };
+    ASSERT_TRUE(finite(found.to_centre[v]) && finite(found.axis[v]) && std::isfinite(found.half_width[v]));
+    if (found.half_width[v] == 0) {
+      ASSERT_EQ(found.to_centre[v], glm::vec3(0));
+    }
+  }
+}
+
+TEST(WireRadius, FindsMadeWiresWithTheirCentreAndRadius) {
+  bench::WireScore all;
+  for (const std::uint64_t seed : {201, 202, 203}) {
+    for (const KnownMesh& mesh : bench::made_meshes(seed)) {
+      const FoundWires found = found_in(mesh);
+      expect_sound(mesh, found);
+      const bench::WireScore of = bench::score(mesh, found);
+      EXPECT_GE(of.recall(), 0.95) << seed << ' ' << mesh.name;
+      EXPECT_GE(of.precision(), 0.9) << seed << ' ' << mesh.name;
+      all.add(of);
+    }
+  }
+  EXPECT_GE(all.recall(), 0.98);
+  EXPECT_GE(all.precision(), 0.99);
+  EXPECT_LE(median(all.centre_error), 0.05);
+  EXPECT_LE(median(all.radius_error), 0.01);
+}
+
+/// By hand, and by length. Models outside the repository's corpus are left out.
+TEST(WireRadius, FindsWhatPeopleCallWires) {
+  const std::filesystem::path root = FOREDRAW_SOURCE_DIR;
+  bench::WireScore all;
+  for (const KnownMesh& mesh :
+       bench::labelled_meshes(root / "benchmarks/wire_radius/labels.tsv", root / "benchmarks/corpus")) {
+    const FoundWires found = found_in(mesh);
+    expect_sound(mesh, found);
+    all.add(bench::score(mesh, found));
+  }
+  EXPECT_GT(all.known, 1000);
+  EXPECT_GE(all.recall(), 0.95);
+  EXPECT_GE(all.precision(), 0.95);
+}
+
+TEST(WireRadius, LeavesAloneWhatIsNoWire) {
+  for (const char* name : {"road marking", "plank", "bumper", "sword", "finger", "sail hem", "bar 5:1:1", "fat ring",
+                           "egg", "blade of grass"}) {
+    EXPECT_TRUE(found_in(made(name)).wires.empty()) << name;
+  }
+}
+
+TEST(WireRadius, SaysWhyNot) {
+  const auto says = [](const FoundWires& found, WireRefusal why) {
+    return std::ranges::any_of(found.refused, [&](const RefusedWire& refused) { return refused.why == why; });
+  };
+  EXPECT_TRUE(says(found_in(made("bar 5:1:1")), WireRefusal::stout));
+  EXPECT_TRUE(says(found_in(made("plank")), WireRefusal::flat));
+  EXPECT_TRUE(says(found_in(made("road marking")), WireRefusal::decal));
+  EXPECT_TRUE(says(found_in(made("flat rope"), {.ribbons = false}), WireRefusal::ribbon));
+  EXPECT_TRUE(says(found_in(made("catenary"), {.least_length = 100}), WireRefusal::small));
+}
+
+TEST(WireRadius, OptionsMoveTheBounds) {
+  EXPECT_EQ(found_in(made("bar 5:1:1"), {.slender = 4}).wires.size(), 1u);
+  EXPECT_EQ(found_in(made("plank"), {.aspect = 8}).wires.size(), 1u);
+  EXPECT_EQ(found_in(made("road marking"), {.decal = 0}).wires.size(), 1u);
+  EXPECT_TRUE(found_in(made("net"), {.ribbons = false}).wires.empty());
+}
+
+TEST(WireRadius, RingsAreClosed) {
+  const FoundWires found = found_in(made("ring"));
+  ASSERT_EQ(found.wires.size(), 1u);
+  EXPECT_TRUE(found.wires[0].closed);
+  EXPECT_NEAR(found.wires[0].length, 6.28, 0.1);
+}
+
+/// What the post is welded to stays where it is, and so do the corners that it shares with the post.
+TEST(WireRadius, JointsStay) {
+  const KnownMesh mesh = made("lamp post");
+  const FoundWires found = found_in(mesh);
+  ASSERT_EQ(found.wires.size(), 1u);
+  const auto joints = std::ranges::count_if(found.half_width, [](float half) { return half < 0; });
+  const auto moved = std::ranges::count_if(found.half_width, [](float half) { return half > 0; });
+  EXPECT_EQ(joints, moved) << "one ring at the foot and one at the head; two between them";
+}
+
+TEST(WireRadius, FixedTrianglesHoldWhatTheyJoin) {
+  const KnownMesh mesh = made("catenary");
+  const std::size_t triangles = mesh.indices.size() / 3;
+  KnownMesh longer = mesh;
+  longer.indices.insert(longer.indices.end(), {0, 1, static_cast<std::uint32_t>(mesh.positions.size())});
+  longer.positions.push_back(mesh.positions[0] + glm::vec3(0, 5, 0));
+  const FoundWires found = find_wires(longer.positions, longer.indices, {}, {}, triangles);
+  ASSERT_EQ(found.wires.size(), 1u);
+  EXPECT_EQ(found.wire_of.back(), FoundWires::none);
+  EXPECT_LT(found.half_width[0], 0);
+  EXPECT_LT(found.half_width[1], 0);
+}
+
+/// Neither the unit nor where it stands matters.
+TEST(WireRadius, IsTheSameAtEveryScale) {
+  const KnownMesh mesh = made("coil");
+  const FoundWires found = found_in(mesh);
+  for (const float scale : {0x1p-90f, 0x1p90f}) {
+    KnownMesh scaled = mesh;
+    for (glm::vec3& at : scaled.positions) at *= scale;
+    const FoundWires again = found_in(scaled);
+    ASSERT_EQ(again.wires.size(), found.wires.size());
+    EXPECT_EQ(again.wire_of, found.wire_of);
+    for (std::size_t v = 0; v < found.half_width.size(); ++v)
+      ASSERT_EQ(again.half_width[v], found.half_width[v] * scale);
+  }
+}
+
+TEST(WireRadius, TurnedTrianglesAndSecondSidesDoNotMatter) {
+  KnownMesh mesh = made("flat rope");
+  const FoundWires found = found_in(mesh);
+  const std::size_t count = mesh.indices.size();
+  for (std::size_t i = 0; i < count; i += 3) {
+    const std::uint32_t corners[] = {mesh.indices[i + 2], mesh.indices[i + 1], mesh.indices[i]};
+    mesh.indices.insert(mesh.indices.end(), std::begin(corners), std::end(corners));
+    mesh.wire_of.push_back(0);
+  }
+  const FoundWires again = found_in(mesh);
+  ASSERT_EQ(again.wires.size(), 1u);
+  EXPECT_EQ(again.half_width, found.half_width);
+  expect_sound(mesh, again);
+  KnownMesh tube = made("catenary");
+  for (std::size_t i = 0; i < tube.indices.size(); i += 3) std::swap(tube.indices[i], tube.indices[i + 1]);
+  EXPECT_EQ(found_in(tube).half_width, found_in(made("catenary")).half_width) << "inside out";
+}
+
+TEST(WireRadius, OfNothingIsNothing) {
+  const FoundWires found = find_wires({}, {});
+  EXPECT_TRUE(found.wires.empty() && found.wire_of.empty());
+}
+
+}  // namespace
+}  // namespace foredraw
