@@ -22,7 +22,7 @@ struct BuildingModels {
       bust_feet;  ///< how much smaller a bust is placed, and how far its model reaches below 0
 };
 
-BuildingModels add_models(GltfDocument& to, const WalkOptions& options) {
+BuildingModels add_building_models(GltfDocument& to, const WalkOptions& options) {
   BuildingModels models{};
   Palette palette(to);
   const auto add = [&](const std::string& name, std::vector<ModelPart> parts) {
@@ -204,7 +204,7 @@ CameraPath path_through(const BuildingPlan& plan) {
 
 Scene building_walk(const WalkOptions& options) {
   GltfDocument document;
-  const BuildingModels models = add_models(document, options);
+  const BuildingModels models = add_building_models(document, options);
   const Kit models_alone = kit_of(document, models.all, "building");
   const std::uint64_t wanted = options.instances == 0 ? 4000 : options.instances;
   for (std::uint64_t side = 3;; ++side) {

@@ -27,7 +27,7 @@ std::vector<ModelPart> block_ground() {
   return {{std::move(paving), "paving"}};
 }
 
-CityModels add_models(GltfDocument& to, const WalkOptions& options) {
+CityModels add_city_models(GltfDocument& to, const WalkOptions& options) {
   CityModels models;
   KitDocument kit(to);
   const auto folder = options.corpus / "scenes/kaykit_city";
@@ -74,7 +74,7 @@ CameraPath path_through(const std::vector<Placement>& placements) {
 
 Scene city_walk(const WalkOptions& options) {
   GltfDocument document;
-  const CityModels models = add_models(document, options);
+  const CityModels models = add_city_models(document, options);
   const LayoutOptions layout{.instances = options.instances == 0 ? 100'000 : options.instances, .seed = options.seed};
   // Where things stand is known from the models alone; the camera, which depends on it, joins the document then.
   const std::vector<Placement> placements = city_layout(kit_of(document, models.all, "city"), layout, models.dressing);
