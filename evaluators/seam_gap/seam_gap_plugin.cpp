@@ -73,7 +73,7 @@ class SeamGapEvaluator final : public Evaluator {
       const auto sides = of.seams.sides_of(of.seams.edges[order[i]]);
       run.note_at({.draw = of.draws[sides.front().mesh]}, "seam",
                   fmt::format("between {} and {} heights differ by {:.2g} of the map's range; equal at tessellation "
-                              "factors up to {}, of {}",
+                              "levels up to {} (the factor is {})",
                               side_text(scene, of, sides.front()), side_text(scene, of, sides.back()),
                               gap.largest_of[order[i]], gap.factors[order[i]], gap.rule[order[i]]));
     }

@@ -85,7 +85,7 @@ class DisplacementSeams final : public Processor {
     run.count_at(about, "texels", repaired.texels.empty() ? 0 : static_cast<double>(repaired.seam_texels.size()));
     run.note_at(
         about, "seams",
-        fmt::format("{} seam edges; of {} points on them {} were unequal, and {} are; {} texels changed{}",
+        fmt::format("{} seam edges; of {} points on them {} were unequal before, and {} are now; {} texels changed{}",
                     of.seams.seams, repaired.points, repaired.unequal_before, repaired.unequal_after,
                     repaired.texels.empty() ? 0 : repaired.seam_texels.size(),
                     below == 0

@@ -110,7 +110,7 @@ class TessellationRow final : public ProductRow {
       std::optional<DrawTessellation> now;
       std::string why = "it is gone";
       if (of.draw < before.draws.size() && of.draw < after.draws.size()) {
-        why = "its displacement is another one";
+        why = "its displacement has changed";
         if (is_displaced_alike(before, after, of.draw)) {
           now = moved(of, before.draws[of.draw].full().stream(), after.draws[of.draw].full().stream());
           why = now ? tessellation_difference(*now, after) : "its triangles were made into others";
@@ -161,9 +161,9 @@ class TessellationRow final : public ProductRow {
     for (const DrawTessellation& of : scene.products.find<StoredTessellations>()->draws) {
       const std::string& name = scene.draws[of.draw].name;
       const TessellationScale& finest = of.scales.front();
-      text.lines.push_back(fmt::format("{}: triangles {} of {}, error rms {:.4g}, largest {:.4g}; scales {}, ranges {}",
-                                       name, finest.triangles, of.levels.size(), finest.rms, finest.largest,
-                                       of.scales.size(), of.ranges.size()));
+      text.lines.push_back(fmt::format(
+          "{}: {} triangles from {}, error rms {:.4g}, largest {:.4g}; scales {}, ranges {}", name, finest.triangles,
+          of.levels.size(), finest.rms, finest.largest, of.scales.size(), of.ranges.size()));
       text.value.push(
           Members{{"draw", name}, {"source", of.levels.size()}, {"scales", scales(of)}, {"ranges", of.ranges.size()}});
     }
