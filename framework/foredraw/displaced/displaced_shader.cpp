@@ -3,10 +3,10 @@
 #include <foredraw/displaced/private/shader_functions.h>
 #include <foredraw/displaced/private/shader_stages_glsl.h>
 #include <foredraw/displaced/private/shader_stages_hlsl.h>
+#include <foredraw/displaced/private/shader_words.h>
 
 #include <charconv>
 #include <cmath>
-#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -16,27 +16,6 @@ namespace foredraw {
 namespace {
 
 namespace parts = displaced_shader_parts;
-
-using Words = std::span<const std::pair<std::string_view, std::string>>;
-
-std::string_view value_of(Words words, std::string_view name) {
-  for (const auto& [from, to] : words)
-    if (from == name) return to;
-  throw std::logic_error("a shader's text has no word " + std::string(name));
-}
-
-/// With what stands between @ filled in.
-std::string filled(std::string_view text, Words words) {
-  std::string result;
-  while (true) {
-    const std::size_t from = text.find('@');
-    result += text.substr(0, from);
-    if (from == std::string_view::npos) return result;
-    const std::size_t to = text.find('@', from + 1);
-    result += value_of(words, text.substr(from + 1, to - from - 1));
-    text.remove_prefix(to + 1);
-  }
-}
 
 std::string number(std::uint32_t value) { return std::to_string(value) + 'u'; }
 
@@ -108,6 +87,12 @@ std::string parts_of(const DisplacedShader& shader, ShaderLanguage language, Dis
       either(parts::glsl::normalized_map, parts::hlsl::normalized_map);
     }
   };
+  const auto displacement = [&] {
+    for (const auto part : {parts::heights, parts::displacement}) both(part);
+    if (!shader.reads_seams) return;
+    either(parts::glsl::seams, parts::hlsl::seams);
+    both(parts::seams);
+  };
   const auto posed = [&] {
     both(parts::posing);
     either(parts::glsl::rest, parts::hlsl::rest);
@@ -134,8 +119,9 @@ std::string parts_of(const DisplacedShader& shader, ShaderLanguage language, Dis
   switch (stage) {
     case DisplacedStage::functions:
       map();
-      for (const auto part : {parts::posing, parts::heights, parts::lengths, parts::surface, parts::edge_level})
-        both(part);
+      both(parts::posing);
+      displacement();
+      for (const auto part : {parts::lengths, parts::surface, parts::edge_level}) both(part);
       break;
     case DisplacedStage::cage:
       posed();
@@ -163,7 +149,8 @@ std::string parts_of(const DisplacedShader& shader, ShaderLanguage language, Dis
       break;
     case DisplacedStage::evaluation:
       map();
-      for (const auto part : {parts::heights, parts::lengths, parts::surface}) both(part);
+      displacement();
+      for (const auto part : {parts::lengths, parts::surface}) both(part);
       either(parts::glsl::frame, parts::hlsl::frame);
       either(parts::glsl::patch_in, parts::hlsl::corner);
       if (!glsl) text += parts::hlsl::patch;
@@ -178,6 +165,7 @@ std::string parts_of(const DisplacedShader& shader, ShaderLanguage language, Dis
 std::string displaced_shader_text(const DisplacedShader& shader, ShaderLanguage language, DisplacedStage stage) {
   check(shader, language, stage);
   const auto binding = [&](std::uint32_t place) { return std::to_string(shader.first_binding + place); };
+  const std::string triangle = language == ShaderLanguage::glsl ? "uint(gl_PrimitiveID)" : "levels.triangle_number";
   const std::pair<std::string_view, std::string> words[] = {
       {"set", std::to_string(shader.set)},
       {"rest", binding(0)},
@@ -185,6 +173,12 @@ std::string displaced_shader_text(const DisplacedShader& shader, ShaderLanguage 
       {"maps", binding(2)},
       {"cage", binding(3)},
       {"levels", binding(4)},
+      {"seams", binding(5)},
+      {"height", shader.reads_seams ? "displaced_seamed_height(a, b, c, w, " + triangle + ")"
+                                    : std::string("displaced_point_height(a, b, c, w)")},
+      // Not every compiler of HLSL lets a domain shader ask for SV_PrimitiveID.
+      {"triangle_member", shader.reads_seams ? "\n  uint triangle_number : DISPLACED_TRIANGLE;" : ""},
+      {"triangle_set", shader.reads_seams ? "\n  levels.triangle_number = number;" : ""},
       {"map_set", std::to_string(shader.map_set)},
       {"map_binding", std::to_string(shader.map_binding)},
       {"spacing", spacing(shader.spacing, language)},
@@ -192,7 +186,7 @@ std::string displaced_shader_text(const DisplacedShader& shader, ShaderLanguage 
       {"at_0", shader.captures ? ", xfb_offset = 0" : ""},
       {"at_12", shader.captures ? ", xfb_offset = 12" : ""},
       {"at_24", shader.captures ? ", xfb_offset = 24" : ""}};
-  return filled(parts_of(shader, language, stage), words);
+  return parts::filled(parts_of(shader, language, stage), words);
 }
 
 }  // namespace foredraw

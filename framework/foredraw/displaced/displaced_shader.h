@@ -31,10 +31,12 @@ struct DisplacedShader {
 
   std::uint32_t vertices = 0;  ///< of the cage
   std::uint32_t joints = 0;    ///< maps that each instance has; 0: it has one, and vertices have no joints
+  bool reads_seams = false;    ///< heights of seams come from a buffer, and are equal on both sides at any level
   bool captures = false;  ///< GLSL: what fragments get goes into a transform feedback buffer, too: 40 bytes a corner
 
-  std::uint32_t set = 0;            ///< Vulkan's descriptor set of the buffers, or HLSL's register space
-  std::uint32_t first_binding = 0;  ///< of five: rest, skin, maps, cage, levels; in HLSL registers t, and u of the cage
+  std::uint32_t set = 0;  ///< Vulkan's descriptor set of the buffers, or HLSL's register space
+  std::uint32_t first_binding =
+      0;  ///< of six: rest, skin, maps, cage, levels, seams; in HLSL registers t, and u of the cage
   std::uint32_t map_set = 1, map_binding = 0;  ///< of the map
 };
 
@@ -53,7 +55,8 @@ enum class DisplacedStage : std::uint8_t {
 /// HLSL of shader model 5.1. Entry points are called `main`.
 ///
 /// Buffers are laid out as displaced_cage.h says: `rest` [vertex] and `skin` [vertex], of which cage_buffers.h makes
-/// the content, `maps` [instance][joint], `cage` [instance][vertex], and `levels` [triangle] four floats. The
+/// the content, `maps` [instance][joint], `cage` [instance][vertex], `levels` [triangle] four floats, and `seams` the
+/// words of stored_seams.h. Levels and seams are those of the patch's number in its draw call: draw all at once. The
 /// evaluation stage, and the control stage where levels are by pixels, read a push constant (in HLSL a constant buffer
 /// at b0, or a push constant where DISPLACED_PUSH_CONSTANT is defined):
 ///

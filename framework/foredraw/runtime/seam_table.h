@@ -4,16 +4,13 @@
  * On an edge of a patch one barycentric coordinate is 0. If it lies on a seam, its height comes from the table, and at
  * its ends from the map, whose corners are equal once displacement-seams has repaired it:
  *
- *   side = foredraw_seam_side_of(sides, side_count, 3 * triangle + corner);
- *   if (side != NULL) {
- *     ends[0] = foredraw_displaced_height(&map, x[corner], y[corner], 14);
- *     ends[1] = foredraw_displaced_height(&map, x[next], y[next], 14);
- *     foredraw_height_weights(tess_coord, w);
- *     h = foredraw_seam_height(&table, side, ends, w[next], 14);
- *   }
+ *   foredraw_height_weights(tess_coord, w);
+ *   h = foredraw_seamed_height(&map, &table, sides, side_count, triangle, x, y, w, 14);
  */
 #ifndef FOREDRAW_RUNTIME_SEAM_TABLE_H
 #define FOREDRAW_RUNTIME_SEAM_TABLE_H
+
+#include <foredraw/runtime/displaced_height.h>
 
 #include <stddef.h>
 #include <stdint.h>
@@ -86,6 +83,27 @@ static inline uint32_t foredraw_seam_height(const foredraw_seam_table* table, co
   first = foredraw_seam_height_of(table, edge, along, at >> 16, used);
   second = foredraw_seam_height_of(table, edge, along, (at >> 16) + 1, used);
   return (first * (65536u - part) + second * part) >> 16;
+}
+
+/* The height in `bits` bits (1 to 16) of a point of a triangle: on a seam by the table, and else by the map. `x` and
+ * `y`: of the corners, foredraw_height_place(); `weight`: together 65536. Triangles with an edge in common get equal
+ * heights along it if their corners' are equal. */
+static inline uint32_t foredraw_seamed_height(const foredraw_height_map* map, const foredraw_seam_table* table,
+                                              const foredraw_seam_side* sides, size_t side_count, uint32_t triangle,
+                                              const int32_t x[3], const int32_t y[3], const uint32_t weight[3],
+                                              uint32_t bits) {
+  uint32_t c, ends[2];
+  for (c = 0; c < 3; ++c) { /* the edge from corner c to the next one, which is across from the third */
+    const uint32_t next = (c + 1) % 3;
+    const foredraw_seam_side* side;
+    if (weight[(c + 2) % 3] != 0) continue;
+    side = foredraw_seam_side_of(sides, side_count, 3 * triangle + c);
+    if (side == NULL) continue;
+    ends[0] = foredraw_displaced_height(map, x[c], y[c], bits);
+    ends[1] = foredraw_displaced_height(map, x[next], y[next], bits);
+    return foredraw_seam_height(table, side, ends, weight[next], bits);
+  }
+  return foredraw_displaced_height(map, foredraw_height_between(x, weight), foredraw_height_between(y, weight), bits);
 }
 
 #endif

@@ -1,6 +1,11 @@
 #include "displacement_seams.h"
 
+#include "gutter.h"
+#include "seam_heights_product.h"
+
 #include <foredraw/displaced/map_seams.h>
+#include <foredraw/displaced/seam_table.h>
+#include <foredraw/image/texture_uv.h>
 #include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
 #include <foredraw/technique/plugin.h>
@@ -20,6 +25,8 @@ struct Options {
   SeamMethod method = SeamMethod::exact;
   int iterations = 20;
   int bits = 14;
+  int gutter = 0;
+  bool table = false;
 };
 
 Image image_of(const RepairedMap& repaired, const HeightMap& heights, const Image& old) {
@@ -50,25 +57,31 @@ class DisplacementSeams final : public Processor {
     for (const auto& [draw, why] : found.left_out) run.note_at({.draw = draw}, "not-repaired", "not repaired: " + why);
     std::size_t edges = 0;
     for (const MapSeams& of : found.maps) edges += of.seams.seams;
+    if (found.maps.empty()) {
+      run.keep("no displaced draw has a map of heights that can be read along its seams; the notes say why");
+      return {};
+    }
     if (edges == 0) {
       run.keep("0 seam edges: the layout of no displaced draw has seams");
       return {};
     }
     std::vector<RepairedMap> repaired(found.maps.size());
+    std::vector<std::size_t> filled(found.maps.size(), 0);  // texels of gutters
     run.executor.for_each(found.maps.size(), [&](std::size_t i) {
       const MapSeams& of = found.maps[i];
       if (run.cancelled()) return;
       repaired[i] = displacement_seams(
           of.seams, of.sampled(), {options_.method, options_.iterations, static_cast<std::uint32_t>(options_.bits)});
+      if (options_.gutter > 0) filled[i] = fill_gutter(scene, of, repaired[i]);
     });
     if (run.cancelled()) return {};
     std::vector<DrawId> changed;
     for (std::size_t i = 0; i < repaired.size(); ++i) {
       const MapSeams& of = found.maps[i];
-      tell(of, repaired[i], run);
-      if (repaired[i].texels.empty()) continue;
-      if (!put(scene, of, repaired[i], run)) continue;
-      changed.insert(changed.end(), of.draws.begin(), of.draws.end());
+      tell(of, repaired[i], filled[i], run);
+      const bool is_new = !repaired[i].texels.empty() && put(scene, of, repaired[i], run);
+      if (options_.table) put_table(scene, of, is_new ? repaired[i].texels : of.heights->texels, run);
+      if (is_new || options_.table) changed.insert(changed.end(), of.draws.begin(), of.draws.end());
     }
     if (changed.empty()) run.keep("no map can be improved: the sides of its seams are already as equal as they can be");
     std::ranges::sort(changed);
@@ -76,21 +89,39 @@ class DisplacementSeams final : public Processor {
   }
 
  private:
-  static void tell(const MapSeams& of, const RepairedMap& repaired, const Run& run) {
+  /// Around the charts of all draws of the map; how many texels changed.
+  std::size_t fill_gutter(const Scene& scene, const MapSeams& of, RepairedMap& repaired) const {
+    std::vector<UvTriangle> triangles;
+    for (const DrawId id : of.draws) {
+      const Texture& texture = scene.material_of(scene.draws[id])->displacement->texture;
+      const Level& level = scene.draws[id].full();
+      const auto uvs = texture_uv(*level.vertices->find("TEXCOORD_" + std::to_string(texture.texcoord)), texture);
+      const auto indices = level.stream().indices.view();
+      for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+        triangles.push_back({uvs[indices[i]], uvs[indices[i + 1]], uvs[indices[i + 2]]});
+    }
+    std::vector<std::uint16_t> texels = repaired.texels.empty() ? of.heights->texels : repaired.texels;
+    const std::size_t changed = foredraw::fill_gutter(texels, of.sampled(), triangles, options_.gutter);
+    if (changed > 0) repaired.texels = std::move(texels);
+    return changed;
+  }
+
+  static void tell(const MapSeams& of, const RepairedMap& repaired, std::size_t filled, const Run& run) {
     std::size_t below = 0;
     for (std::size_t e = 0; e < repaired.rule.size(); ++e) below += repaired.factors[e] < repaired.rule[e] ? 1 : 0;
     const About about{.draw = of.draws.front()};
     run.count_at(about, "edges", static_cast<double>(of.seams.seams));
     run.count_at(about, "unequal", static_cast<double>(repaired.unequal_after));
-    run.count_at(about, "texels", repaired.texels.empty() ? 0 : static_cast<double>(repaired.seam_texels.size()));
+    run.count_at(about, "texels", static_cast<double>(repaired.seam_texels.size()));
     run.note_at(
         about, "seams",
         fmt::format("{} seam edges; of {} points on them {} were unequal before, and {} are now; {} texels changed{}",
                     of.seams.seams, repaired.points, repaired.unequal_before, repaired.unequal_after,
-                    repaired.texels.empty() ? 0 : repaired.seam_texels.size(),
+                    repaired.seam_texels.size(),
                     below == 0
                         ? ""
                         : fmt::format("; {} edges are equal only at lower factors than their texels allow", below)));
+    if (filled > 0) run.note_at(about, "gutter", fmt::format("{} texels beside the charts changed, too", filled));
     if (of.seams.left_out > 0) {
       run.note_at(
           about, "triangles-left-out",
@@ -129,6 +160,35 @@ class DisplacementSeams final : public Processor {
     return true;
   }
 
+  /// Heights of the map's seams, for its draws.
+  static void put_table(Scene& scene, const MapSeams& of, std::span<const std::uint16_t> texels, const Run& run) {
+    foredraw_height_map map = of.sampled();
+    map.texels = texels.data();
+    SeamTable table = seam_table(of.seams, map, of.draws.size());
+    const std::size_t edges = table.firsts.size(), bytes = table.stored_bytes();
+    if (edges == 0) return;
+    const Shared parts(std::move(table.parts_log2));
+    const Shared heights(std::move(table.heights));
+    const SeamHeights* before = scene.products.find<SeamHeights>();
+    SeamHeights all = before == nullptr ? SeamHeights{} : *before;
+    std::size_t sides = 0;
+    for (std::size_t d = 0; d < of.draws.size(); ++d) {
+      std::erase_if(all.draws, [&](const DrawSeams& other) { return other.draw == of.draws[d]; });
+      sides += table.sides[d].size();
+      if (!table.sides[d].empty())
+        all.draws.push_back({of.draws[d], parts, heights, Shared(std::move(table.sides[d]))});
+    }
+    std::ranges::sort(all.draws, {}, &DrawSeams::draw);
+    scene.products.set(std::move(all));
+    const About about{.draw = of.draws.front()};
+    run.measure_at(about, "table", static_cast<double>(bytes), static_cast<double>(edges));
+    run.note_at(about, "seam-table",
+                fmt::format("heights of {} seam edges are stored apart: {} bytes, {:.1f} an edge, and {} more that say "
+                            "which edges of triangles they are of",
+                            edges, bytes, static_cast<double>(bytes) / static_cast<double>(edges),
+                            sides * sizeof(foredraw_seam_side)));
+  }
+
   Options options_;
 };
 
@@ -143,6 +203,12 @@ Plugin displacement_seams_plugin() {
   table.row(&Options::iterations, "iterations", "How often the paper's method goes over all seams", {1, 1000, ""});
   table.row(&Options::bits, "bits", "How many bits of the heights have to agree on both sides", {1, 16, "bits"});
 
+  table.row(&Options::gutter, "gutter",
+            "How far around the charts texels get the heights beside them, for filters that read there; 0: they stay",
+            {0, 64, "texels"});
+  table.row(&Options::table, "table",
+            "Store the heights of seams apart, too: both sides are then equal at any level and spacing");
+
   Plugin plugin;
   plugin.kind = Kind::processor;
   plugin.card = {
@@ -152,7 +218,13 @@ Plugin displacement_seams_plugin() {
       .acts_on = {traits::displaced},
       .pays_if = "the layout of the map has seams, and heights differ across them",
       .measured_by = {"seam-gap"},
+      .metrics = {{"edges", "edges", "Edges at which the layout is cut", true, false, true},
+                  {"unequal", "points", "Points of seam edges whose sides still differ"},
+                  {"texels", "texels", "Texels that were changed"},
+                  {"table", "bytes", "Bytes that the heights of a seam edge take when stored apart", true, false,
+                   true}},
   };
+  plugin.products = {seam_heights_product()};
   bind_options(plugin, table, [](const Options& options) { return std::make_unique<DisplacementSeams>(options); });
   return plugin;
 }

@@ -5,9 +5,11 @@
 
 #include <foredraw/displaced/level_counts.h>
 #include <foredraw/displaced/scaled_levels.h>
+#include <foredraw/displaced/seamed_displacements.h>
 #include <foredraw/displaced/stored_levels.h>
 
 #include <array>
+#include <utility>
 
 namespace foredraw {
 
@@ -44,6 +46,7 @@ class DrawDivision {
         heights_(heights),
         directions_(displacement_directions(scene, id, analyses)) {
     const Material* material = scene.material_of(scene.draws[id]);
+    if (const DrawSeams* seams = seams_of(scene, id)) seams_.emplace(*seams);
     keeps_normals_ = material != nullptr && material->normal_map;
   }
 
@@ -73,21 +76,25 @@ class DrawDivision {
     return tessellated_mesh(indices(), level_.vertices->count, levels, spacing_);
   }
 
-  /// Baked heights belong to the points of the finest mesh; coarser ones have no others.
   DividedLevel own_vertices(const TessellatedMesh& mesh) const {
-    const std::vector<float> moved =
-        heights_ != nullptr
-            ? height_displacements(heights_->heights.view(), heights_->bits, heights_->factor, heights_->offset)
-            : displacements(mesh, indices(), map_->places, map_->sampled(), map_->displacement.factor,
-                            map_->displacement.offset);
-    Tessellated made = tessellate(*level_.vertices, indices(), directions_, mesh, moved, keeps_normals_);
+    Tessellated made = tessellate(*level_.vertices, indices(), directions_, mesh, moved_by(mesh), keeps_normals_);
     return {std::make_shared<const VertexStreams>(std::move(made.vertices)), std::move(made.indices)};
+  }
+
+  /// Baked heights belong to the points of the finest mesh; coarser ones have no others.
+  std::vector<float> moved_by(const TessellatedMesh& mesh) const {
+    if (heights_ != nullptr)
+      return height_displacements(heights_->heights.view(), heights_->bits, heights_->factor, heights_->offset);
+    const auto [factor, offset] = std::pair(map_->displacement.factor, map_->displacement.offset);
+    if (seams_) return seamed_displacements(mesh, indices(), map_->places, map_->sampled(), factor, offset, *seams_);
+    return displacements(mesh, indices(), map_->places, map_->sampled(), factor, offset);
   }
 
   const Level& level_;
   TessellationSpacing spacing_;
   const LaidOutMap* map_;
   const DrawHeights* heights_;
+  std::optional<StoredSeams> seams_;
   std::vector<glm::vec3> directions_;
   bool keeps_normals_ = false;
 };

@@ -108,12 +108,71 @@ float displaced_height_part(uint height) {
   return part;
 }
 
-float displaced_displacement(DisplacedVertex a, DisplacedVertex b, DisplacedVertex c, vec3 weight) {
-  uvec3 w = displaced_height_weights(weight);
-  ivec2 place = ivec2(displaced_height_between(ivec3(a.x, b.x, c.x), w),
-                      displaced_height_between(ivec3(a.y, b.y, c.y), w));
-  precise float displacement = displaced_offset + displaced_factor * displaced_height_part(displaced_height(place));
+)";
+
+inline constexpr std::string_view displacement = R"(uint displaced_point_height(DisplacedVertex a, DisplacedVertex b, DisplacedVertex c, uvec3 w) {
+  return displaced_height(ivec2(displaced_height_between(ivec3(a.x, b.x, c.x), w),
+                                displaced_height_between(ivec3(a.y, b.y, c.y), w)));
+}
+
+float displaced_displacement(uint height) {
+  precise float displacement = displaced_offset + displaced_factor * displaced_height_part(height);
   return displacement;
+}
+
+)";
+
+/// Behind displaced_seam(), which gives a word of the buffer that seam_words() fills.
+inline constexpr std::string_view seams = R"(// Twice the number of an edge, and 1 more where the side is turned; none: 0xffffffff.
+uint displaced_seam_of(uint side) {
+  uint from = 0u, count = displaced_seam(0u);
+  while (count > 0u) {
+    uint middle = count / 2u, at = displaced_seam(2u + 2u * (from + middle));
+    if (at == side) return displaced_seam(3u + 2u * (from + middle));
+    if (at < side) {
+      from += middle + 1u;
+      count -= middle + 1u;
+    } else {
+      count = middle;
+    }
+  }
+  return 4294967295u;
+}
+
+// Number `i` of the heights from end to end. `edge`: 8 times the number of its first height, and log2 of its parts.
+uint displaced_seam_height_of(uint edge, uvec2 ends, uint i) {
+  if (i == 0u) return ends.x;
+  if (i >= (1u << (edge & 7u))) return ends.y;
+  uint at = (edge >> 3) + i - 1u;
+  uint two = displaced_seam(2u + 2u * displaced_seam(0u) + displaced_seam(1u) + at / 2u);
+  return ((two >> (16u * (at & 1u))) & 65535u) >> (16u - displaced_bits);
+}
+
+uint displaced_seam_height(uint side, uvec2 ends, uint place) {
+  uint edge = displaced_seam(2u + 2u * displaced_seam(0u) + side / 2u), within = min(place, 65536u);
+  bool is_reversed = (side & 1u) != 0u;
+  uvec2 along = is_reversed ? ends.yx : ends;
+  uint at = (is_reversed ? 65536u - within : within) << (edge & 7u), part = at & 65535u;
+  uint first = displaced_seam_height_of(edge, along, at >> 16), second = displaced_seam_height_of(edge, along, (at >> 16) + 1u);
+  return (first * (65536u - part) + second * part) >> 16;
+}
+
+// On a seam by the table, and else by the map.
+uint displaced_seamed_height(DisplacedVertex a, DisplacedVertex b, DisplacedVertex c, uvec3 w, uint number) {
+  for (uint e = 0u; e < 3u; ++e) {  // from corner e to the next one, across from the third
+    uint next = (e + 1u) % 3u;
+    if (w[(e + 2u) % 3u] != 0u) continue;
+    uint side = displaced_seam_of(3u * number + e);
+    if (side == 4294967295u) continue;
+    DisplacedVertex from = c, to = a;
+    if (e == 0u) from = a;
+    if (e == 1u) from = b;
+    if (next == 1u) to = b;
+    if (next == 2u) to = c;
+    return displaced_seam_height(side, uvec2(displaced_height(ivec2(from.x, from.y)), displaced_height(ivec2(to.x, to.y))),
+                                 w[next]);
+  }
+  return displaced_point_height(a, b, c, w);
 }
 
 )";

@@ -136,6 +136,13 @@ void displaced_levels(out vec3 outer, out float inner) {
 
 )";
 
+inline constexpr std::string_view seams =
+    R"(layout(std430, set = @set@, binding = @seams@) readonly buffer DisplacedSeams { uint displaced_seam_words[]; };
+
+uint displaced_seam(uint word) { return displaced_seam_words[word]; }
+
+)";
+
 inline constexpr std::string_view patch_in = R"(layout(location = 0) in vec3 position_in[];
 layout(location = 1) in vec3 direction_in[];
 layout(location = 2) in ivec2 place_in[];
@@ -176,7 +183,8 @@ DisplacedVertex displaced_corner(int c) {
 
 void main() {
   DisplacedVertex a = displaced_corner(0), b = displaced_corner(1), c = displaced_corner(2);
-  surface = displaced_point(a, b, c, gl_TessCoord, displaced_displacement(a, b, c, gl_TessCoord));
+  uvec3 w = displaced_height_weights(gl_TessCoord);
+  surface = displaced_point(a, b, c, gl_TessCoord, displaced_displacement(@height@));
   weights = gl_TessCoord;
   corners = uvec4(number_in[0].x, number_in[1].x, number_in[2].x, number_in[0].y);
   precise vec4 at = displaced_frame.clip_from_posed * vec4(surface, 1.0);

@@ -104,14 +104,14 @@ inline constexpr std::string_view vertex =
 
 inline constexpr std::string_view patch = R"(struct DisplacedLevels {
   float outer[3] : SV_TessFactor;
-  float inner : SV_InsideTessFactor;
+  float inner : SV_InsideTessFactor;@triangle_member@
 };
 
 )";
 
 inline constexpr std::string_view constant_levels =
-    R"(DisplacedLevels displaced_levels(InputPatch<DisplacedCorner, 3> corner) {
-  DisplacedLevels levels;
+    R"(DisplacedLevels displaced_levels(InputPatch<DisplacedCorner, 3> corner, uint number : SV_PrimitiveID) {
+  DisplacedLevels levels;@triangle_set@
   for (int e = 0; e < 3; ++e) levels.outer[e] = displaced_level;
   levels.inner = displaced_level;
   return levels;
@@ -123,8 +123,8 @@ inline constexpr std::string_view levels_by_pixels = R"(float displaced_level(fl
   return displaced_edge_level(one, other, displaced_frame.eye, displaced_frame.pixels_per_unit, displaced_pixels_per_part);
 }
 
-DisplacedLevels displaced_levels(InputPatch<DisplacedCorner, 3> corner) {
-  DisplacedLevels levels;
+DisplacedLevels displaced_levels(InputPatch<DisplacedCorner, 3> corner, uint number : SV_PrimitiveID) {
+  DisplacedLevels levels;@triangle_set@
   levels.outer[0] = displaced_level(corner[1].position, corner[2].position);
   levels.outer[1] = displaced_level(corner[2].position, corner[0].position);
   levels.outer[2] = displaced_level(corner[0].position, corner[1].position);
@@ -139,13 +139,20 @@ inline constexpr std::string_view stored_levels =
 
 DisplacedLevels displaced_levels(InputPatch<DisplacedCorner, 3> corner, uint number : SV_PrimitiveID) {
   float4 stored = displaced_stored_levels[number];
-  DisplacedLevels levels;
+  DisplacedLevels levels;@triangle_set@
   levels.outer[0] = stored.x;
   levels.outer[1] = stored.y;
   levels.outer[2] = stored.z;
   levels.inner = stored.w;
   return levels;
 }
+
+)";
+
+inline constexpr std::string_view seams =
+    R"(StructuredBuffer<uint> displaced_seam_words : register(t@seams@, space@set@);
+
+uint displaced_seam(uint word) { return displaced_seam_words[word]; }
 
 )";
 
@@ -180,7 +187,8 @@ DisplacedSurface main(DisplacedLevels levels, float3 weights : SV_DomainLocation
                       const OutputPatch<DisplacedCorner, 3> corner) {
   DisplacedVertex a = displaced_corner(corner[0]), b = displaced_corner(corner[1]), c = displaced_corner(corner[2]);
   DisplacedSurface result;
-  result.surface = displaced_point(a, b, c, weights, displaced_displacement(a, b, c, weights));
+  uint3 w = displaced_height_weights(weights);
+  result.surface = displaced_point(a, b, c, weights, displaced_displacement(@height@));
   result.weights = weights;
   result.corners = uint4(corner[0].number.x, corner[1].number.x, corner[2].number.x, corner[0].number.y);
   precise float4 at = mul(displaced_frame.clip_from_posed, float4(result.surface, 1.0));

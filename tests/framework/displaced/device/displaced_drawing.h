@@ -55,10 +55,10 @@ class DisplacedDrawing : public DisplacedPipelines {
   std::vector<Answer> answered(const std::string& text, const std::vector<Question>& questions) {
     const gpu::VisibleBuffer asked = filled_buffer(device_, std::span<const Question>(questions));
     const gpu::VisibleBuffer given(device_, questions.size() * sizeof(Answer), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    gpu::StorageSets sets(device_, set_layout_.get(), 6, 1);
+    gpu::StorageSets sets(device_, set_layout_.get(), 7, 1);
     const VkDescriptorSet set = sets.add();
     const VkBuffer unused = buffers_[2].get();
-    sets.write(set, std::array{asked.get(), given.get(), unused, unused, unused, unused});
+    sets.write(set, std::array{asked.get(), given.get(), unused, unused, unused, unused, unused});
     const std::string functions = displaced_shader_text(surface_.shader, language_, DisplacedStage::functions);
     compute(compiled_shader(functions + text, language_, "comp"), set, questions.size() / 64, 1);
     const auto answers = given.as<Answer>();
@@ -94,7 +94,7 @@ class DisplacedDrawing : public DisplacedPipelines {
   };
   /// [pixel][sample] How many triangles cover it.
   std::vector<Counts> counted(const DisplacedFrame& frame, DisplacedStage first = DisplacedStage::vertex) {
-    std::ranges::fill(buffers_[5].as<std::uint32_t>(), 0u);
+    std::ranges::fill(buffers_[6].as<std::uint32_t>(), 0u);
     const gpu::OwnedPipeline pipeline = pipeline_of(surface_.shader, first, true);
     device_.run([&](VkCommandBuffer commands) {
       const VkRect2D whole{{0, 0}, {size, size}};
@@ -112,7 +112,7 @@ class DisplacedDrawing : public DisplacedPipelines {
       gpu::let_see(commands, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
                    VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT);
     });
-    const auto counts = buffers_[5].as<Counts>().first(std::size_t{size} * size * samples);
+    const auto counts = buffers_[6].as<Counts>().first(std::size_t{size} * size * samples);
     return {counts.begin(), counts.end()};
   }
 };

@@ -38,7 +38,7 @@ void main() {
   answer.x = displaced_height_between(ivec3(q.a.x, q.b.x, q.c.x), w);
   answer.y = displaced_height_between(ivec3(q.a.y, q.b.y, q.c.y), w);
   answer.sum = displaced_height_sum(ivec2(answer.x, answer.y));
-  float by = displaced_displacement(q.a, q.b, q.c, q.weights);
+  float by = displaced_displacement(displaced_point_height(q.a, q.b, q.c, displaced_height_weights(q.weights)));
   vec3 point = displaced_point(q.a, q.b, q.c, q.weights, by);
   answer.displacement = floatBitsToUint(by);
   answer.point_x = floatBitsToUint(point.x);
@@ -61,7 +61,7 @@ void main(uint3 number : SV_DispatchThreadID) {
   answer.x = displaced_height_between(int3(q.a.x, q.b.x, q.c.x), w);
   answer.y = displaced_height_between(int3(q.a.y, q.b.y, q.c.y), w);
   answer.sum = displaced_height_sum(int2(answer.x, answer.y));
-  float by = displaced_displacement(q.a, q.b, q.c, q.weights);
+  float by = displaced_displacement(displaced_point_height(q.a, q.b, q.c, displaced_height_weights(q.weights)));
   float3 at = displaced_point(q.a, q.b, q.c, q.weights, by);
   answer.displacement = asuint(by);
   answer.point_x = asuint(at.x);

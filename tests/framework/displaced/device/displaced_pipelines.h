@@ -52,11 +52,12 @@ class DisplacedPipelines {
     buffers_[3] = gpu::VisibleBuffer(device_, instances() * vertices() * sizeof(foredraw_cage_vertex),
                                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     buffers_[4] = filled_buffer(device_, std::span<const std::array<float, 4>>(levels));
-    buffers_[5] = gpu::VisibleBuffer(device_, std::size_t{2} * size * size * samples * sizeof(std::uint32_t),
+    buffers_[5] = filled_buffer(device_, std::span<const std::uint32_t>(surface_.seams));
+    buffers_[6] = gpu::VisibleBuffer(device_, std::size_t{2} * size * size * samples * sizeof(std::uint32_t),
                                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     indices_ =
         filled_buffer(device_, std::span<const std::uint32_t>(surface_.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    std::array<VkBuffer, 6> buffers;
+    std::array<VkBuffer, 7> buffers;
     for (std::size_t b = 0; b < buffers.size(); ++b) buffers[b] = buffers_[b].get();
     sets_.write(set_, buffers);
     const std::vector<std::byte> texels = texel_bytes();
@@ -133,9 +134,11 @@ class DisplacedPipelines {
   }
   void draw(VkCommandBuffer commands) const {
     vkCmdBindIndexBuffer(commands, indices_.get(), 0, VK_INDEX_TYPE_UINT32);
-    // Mesa numbers what a draw's patches become with 16 bits. Stored levels are found by the number within the draw.
+    // Mesa numbers what a draw's patches become with 16 bits. Stored levels and seams are found by the number within
+    // the draw.
     const auto count = static_cast<std::uint32_t>(surface_.indices.size());
-    const std::uint32_t most = surface_.shader.levels == DisplacedShader::Levels::stored ? count : 3 * 20;
+    const bool is_numbered = surface_.shader.levels == DisplacedShader::Levels::stored || surface_.shader.reads_seams;
+    const std::uint32_t most = is_numbered ? count : 3 * 20;
     for (std::uint32_t from = 0; from < count; from += most)
       vkCmdDrawIndexed(commands, std::min(most, count - from), instances(), from, 0, 0);
   }
@@ -172,7 +175,7 @@ class DisplacedPipelines {
   gpu::Device& device_;
   DisplacedSurface surface_;
   ShaderLanguage language_;
-  std::array<gpu::VisibleBuffer, 6> buffers_;
+  std::array<gpu::VisibleBuffer, 7> buffers_;
   gpu::VisibleBuffer indices_;
   std::unique_ptr<gpu::Texture> texture_;
   gpu::OwnedRenderPass render_pass_ = make_render_pass(device_);
@@ -181,10 +184,10 @@ class DisplacedPipelines {
   gpu::OwnedFramebuffer framebuffer_{device_.get(), framebuffer_of(empty_pass_.get()), "vkCreateFramebuffer"};
   gpu::OwnedSampler sampler_ =
       make_sampler(device_, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_REPEAT);
-  gpu::OwnedSetLayout set_layout_ = gpu::storage_layout(device_, 6, all_stages);
+  gpu::OwnedSetLayout set_layout_ = gpu::storage_layout(device_, 7, all_stages);
   gpu::OwnedSetLayout texture_layout_ =
       gpu::set_layout(device_, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, all_stages);
-  gpu::StorageSets sets_{device_, set_layout_.get(), 6, 1};
+  gpu::StorageSets sets_{device_, set_layout_.get(), 7, 1};
   gpu::TextureSets texture_sets_{device_, texture_layout_.get(), 1, 1};
   VkDescriptorSet set_ = sets_.add(), texture_set_ = texture_sets_.add();
   gpu::OwnedPipelineLayout layout_ = pipeline_layout(device_, std::array{set_layout_.get(), texture_layout_.get()},

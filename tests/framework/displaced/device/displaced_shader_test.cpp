@@ -1,5 +1,6 @@
 // What shaders make of displaced surfaces, against what the processor makes of them.
 
+#include <foredraw/displaced/seamed_displacements.h>
 #include <foredraw/runtime/displaced_surface.h>
 
 #include "displaced_on_device.h"
@@ -51,15 +52,17 @@ std::vector<Places> places_of(std::span<const DisplacedDrawing::Triangle> triang
 }
 
 /// As the processor has the draw's surface in its first instance, which is not moved.
-std::vector<Places> expected_places(const DisplacedSurface& surface) {
+std::vector<Places> expected_places(const DisplacedSurface& surface, const StoredSeams* seams = nullptr) {
   const auto count = static_cast<std::uint32_t>(surface.positions.size());
   const TessellatedMesh mesh = tessellated_mesh(surface.indices, count, surface.levels, surface.shader.spacing);
   foredraw_height_map map = surface.shader.map;
   map.texels = surface.heights.texels.data();
   map.width = surface.heights.width;
   map.height = surface.heights.height;
-  const auto by =
-      displacements(mesh, surface.indices, surface.places, map, surface.shader.factor, surface.shader.offset);
+  const auto [factor, offset] = std::pair(surface.shader.factor, surface.shader.offset);
+  const auto by = seams != nullptr
+                      ? seamed_displacements(mesh, surface.indices, surface.places, map, factor, offset, *seams)
+                      : displacements(mesh, surface.indices, surface.places, map, factor, offset);
   const auto positions = displaced_positions(mesh, surface.indices, surface.positions, surface.directions, by);
   std::vector<Places> places;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -121,6 +124,46 @@ TEST_F(DisplacedOnDevice, SurfacesAreThoseOfTheProcessorToTheBit) {
       EXPECT_TRUE(found == expected) << found.size() << " triangles, " << expected.size() << " expected";
       expect_numbers_of_vertices(captured, drawing.surface());
     }
+  }
+}
+
+/// Every second edge of a triangle is said to lie on a seam, of one to 64 parts.
+DrawSeams random_seams(std::span<const std::uint32_t> indices, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<foredraw_seam_side> sides;
+  std::vector<std::uint8_t> parts;
+  std::vector<std::uint16_t> heights;
+  for (std::uint32_t side = 0; side < indices.size(); side += 2) {
+    sides.push_back({side, static_cast<std::uint32_t>(2 * parts.size() + random.below(2))});
+    parts.push_back(static_cast<std::uint8_t>(random.below(7)));
+    for (std::uint32_t i = 1; i < 1u << parts.back(); ++i)
+      heights.push_back(static_cast<std::uint16_t>(random.below(65536)));
+  }
+  return {0, Shared(std::move(parts)), Shared(std::move(heights)), Shared(std::move(sides))};
+}
+
+TEST_F(DisplacedOnDevice, StoredSeamsAreReadAsTheProcessorReadsThem) {
+  for (const TessellationSpacing spacing : {equal, fractional_odd, fractional_even}) {
+    // Each triangle has vertices of its own: on the processor, too, each then makes all points of its edges.
+    const TestMesh torus = testing::torus(9, 7);
+    TestMesh apart;
+    for (const std::uint32_t v : torus.indices) {
+      apart.indices.push_back(static_cast<std::uint32_t>(apart.positions.size()));
+      apart.positions.push_back(torus.positions[v]);
+    }
+    DisplacedSurface surface = torus_on_noise(31, noise(37, 64, 31), apart);
+    surface.shader.spacing = spacing;
+    surface.shader.levels = DisplacedShader::Levels::stored;
+    surface.shader.reads_seams = true;
+    surface.levels = random_levels(surface.indices, 31);
+    const DrawSeams seams = random_seams(surface.indices, 32);
+    const StoredSeams stored(seams);
+    ASSERT_TRUE(stored.is_sound(surface.indices.size() / 3));
+    surface.seams = seam_words(stored);
+    const std::vector<Places> expected = expected_places(surface, &stored);
+    EXPECT_FALSE(expected == expected_places(surface)) << "the table says something else than the map";
+    DisplacedDrawing drawing(*device_, std::move(surface));
+    EXPECT_TRUE(places_of(drawing.captured({}, expected.size() + 1)) == expected);
   }
 }
 

@@ -30,6 +30,7 @@ struct DisplacedSurface {
   std::vector<foredraw_cage_skin> skin;
   std::vector<foredraw_cage_map> maps = {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
   std::vector<TessellationLevels> levels;  ///< where they are stored
+  std::vector<std::uint32_t> seams;        ///< words, where they are read
 };
 
 }  // namespace foredraw::testing

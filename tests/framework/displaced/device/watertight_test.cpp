@@ -1,6 +1,9 @@
 // Closed surfaces stay closed, drawn by their shaders on Mesa's software driver: at each of the four samples of each
 // pixel as many triangles face the eye as face away. A crack as wide as one sample shows.
 
+#include <foredraw/displaced/seam_table.h>
+#include <foredraw/displaced/stored_seams.h>
+
 #include "displaced_on_device.h"
 
 #include <cmath>
@@ -60,11 +63,12 @@ ClosedSurface torus_with_seams(std::uint32_t slices, std::uint32_t sides) {
   return closed;
 }
 
-constexpr int quads = 3, texels = 16, steps = quads * texels;  // along an edge of the cube; of a quad; of an edge
+constexpr int steps = 48;  // texels along an edge of the cube
 
 /// A sphere of a cube's six sides, each a chart of its own that is turned and mirrored at random. Along their edges the
-/// charts have the same heights, texel by texel.
-ClosedSurface sphere_of_charts(bool is_exact = true) {
+/// charts have the same heights at each `exact_every`th texel, a divisor of `steps`; 0: nowhere.
+ClosedSurface sphere_of_charts(int exact_every = 1, int quads = 3) {
+  const int texels = steps / quads;
   ClosedSurface closed;
   DisplacedSurface& surface = closed.surface;
   Random random(17);
@@ -90,6 +94,7 @@ ClosedSurface sphere_of_charts(bool is_exact = true) {
       for (int b = 0; b <= steps; ++b) {
         const auto drawn = static_cast<std::uint16_t>(random.below(65536));
         const auto [x, y] = texel(a, b);
+        const bool is_exact = exact_every > 0 && a % exact_every == 0 && b % exact_every == 0;
         const std::uint16_t height = is_exact ? heights.try_emplace(cube(a, b), drawn).first->second : drawn;
         surface.heights.texels[static_cast<std::size_t>(256 * y + x)] = height;
       }
@@ -231,6 +236,44 @@ TEST_F(Watertight, TurnedChartsStayClosedAtTheirLevels) {
   }
 }
 
+/// Heights of its seams, apart from its map.
+DrawSeams seams_of(const DisplacedSurface& surface) {
+  std::vector<glm::vec2> uvs;
+  for (const auto& [x, y] : surface.places)
+    uvs.emplace_back(x / (256.0f * float(surface.heights.width)), y / (256.0f * float(surface.heights.height)));
+  foredraw_height_map map = surface.shader.map;
+  map.texels = surface.heights.texels.data();
+  map.width = surface.heights.width;
+  map.height = surface.heights.height;
+  const SeamTable table = seam_table(seam_edges(std::array{UvMesh{surface.positions, uvs, surface.indices}}), map, 1);
+  return {0, Shared(table.parts_log2), Shared(table.heights), Shared(table.sides[0])};
+}
+
+/// Their maps are equal at the corners of triangles alone.
+TEST_F(Watertight, ChartsWithStoredSeamsStayClosedAtAnyLevelInEverySpacing) {
+  DisplacedSurface surface = sphere_of_charts(steps, 1).surface;
+  const DrawSeams seams = seams_of(surface);
+  EXPECT_EQ(seams.sides.size(), 24u);
+  surface.seams = seam_words(StoredSeams(seams));
+  surface.shader.levels = DisplacedShader::Levels::constant;
+  pose_at_random(surface, 3);
+  for (const TessellationSpacing spacing : {equal, fractional_odd, fractional_even}) {
+    surface.shader.spacing = spacing;
+    for (const float level : {1.0f, 2.0f, 7.0f, 12.3f, 64.0f}) {
+      surface.shader.level = level;
+      surface.shader.reads_seams = true;
+      const Parity found = parity(DisplacedDrawing(*device_, surface).counted(frame()));
+      EXPECT_GT(found.covered, many / 2);
+      EXPECT_EQ(found.odd, 0u) << "level " << level << ", spacing " << static_cast<int>(spacing);
+      if (level != 7 || spacing != equal) continue;
+      const auto in_hlsl = DisplacedDrawing(*device_, surface, ShaderLanguage::hlsl).counted(frame());
+      EXPECT_TRUE(in_hlsl == DisplacedDrawing(*device_, surface).counted(frame()));
+      surface.shader.reads_seams = false;
+      EXPECT_GT(parity(DisplacedDrawing(*device_, surface).counted(frame())).odd, 100u) << "the table does it";
+    }
+  }
+}
+
 TEST_F(Watertight, ShadersInHlslAndThePosedCageShowTheSame) {
   DisplacedSurface surface = torus_with_seams(13, 9).surface;
   bend_at_random(surface, 5, 4);
@@ -258,7 +301,7 @@ TEST_F(Watertight, NormalsInsteadOfDirectionsTear) {
 }
 
 TEST_F(Watertight, ChartsWhoseHeightsDifferTear) {
-  DisplacedSurface surface = sphere_of_charts(false).surface;
+  DisplacedSurface surface = sphere_of_charts(0).surface;
   surface.shader.levels = DisplacedShader::Levels::constant;
   surface.shader.level = 8;
   EXPECT_GT(parity(DisplacedDrawing(*device_, surface).counted(frame())).odd, 100u);

@@ -4,7 +4,7 @@ layout(location = 0) in vec3 surface;
 layout(location = 1) in vec3 weights;
 layout(location = 2) flat in uvec4 corners;
 
-layout(set = 0, binding = 5) buffer Counts {
+layout(set = 0, binding = 6) buffer Counts {
   uint counts[];  // [row][column][sample] of front faces and of back faces
 };
 
