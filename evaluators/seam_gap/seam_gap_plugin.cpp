@@ -1,3 +1,4 @@
+#include "direction_gap.h"
 #include "seam_gap.h"
 
 #include <foredraw/displaced/map_seams.h>
@@ -37,6 +38,7 @@ class SeamGapEvaluator final : public Evaluator {
     });
     measure(gaps, run);
     for (std::size_t i = 0; i < gaps.size(); ++i) name_edges(scene, found.maps[i], gaps[i], run);
+    measure_directions(scene, found, run);
   }
 
  private:
@@ -79,6 +81,38 @@ class SeamGapEvaluator final : public Evaluator {
     }
   }
 
+  /// Of the draws that were measured, those of a mesh together.
+  static void measure_directions(const Scene& scene, const SceneSeams& found, const Run& run) {
+    std::vector<bool> is_measured(scene.draws.size(), false);
+    for (const MapSeams& of : found.maps) {
+      for (const DrawId id : of.draws) is_measured[id] = true;
+    }
+    DirectionGap all;
+    for (const Mesh& mesh : scene.meshes) {
+      std::vector<std::vector<glm::vec3>> positions, normals;
+      std::vector<DrawId> draws;
+      for (const DrawId id : mesh.draws) {
+        if (!is_measured[id]) continue;
+        is_measured[id] = false;  // a draw of several meshes counts once
+        draws.push_back(id);
+        const VertexStreams& vertices = *scene.draws[id].full().vertices;
+        const VertexStream* stored = vertices.find("NORMAL");
+        positions.push_back(decode_vec3(*vertices.find("POSITION")));
+        normals.push_back(stored == nullptr ? std::vector<glm::vec3>{} : decode_vec3(*stored));
+      }
+      std::vector<DirectedPart> parts;
+      for (std::size_t i = 0; i < draws.size(); ++i)
+        parts.push_back({positions[i], normals[i], scene.draws[draws[i]].full().stream().indices.view()});
+      const DirectionGap gap = direction_gap(parts);
+      all.shared += gap.shared;
+      all.split += gap.split;
+      all.largest = std::max(all.largest, gap.largest);
+    }
+    if (all.shared == 0) return;
+    run.measure("split", static_cast<double>(all.split), static_cast<double>(all.shared) / 100);
+    run.measure("direction", all.largest, 1);
+  }
+
   SeamGapOptions options_;
 };
 
@@ -104,6 +138,8 @@ Plugin seam_gap_plugin() {
               {"rms", "% of the range", "Root mean square gap along the seams"},
               {"below", "% of the edges", "Seam edges that gape at the largest factor that their texels allow"},
               {"torn", "% of the edges", "Seam edges that gape at an end, and so at every factor"},
+              {"split", "% of the positions", "Positions of several vertices whose normals differ"},
+              {"direction", "degrees", "Largest angle from such a normal to the position's direction"},
               {"edges", "edges", "Seam edges", true, false, true},
           },
   };

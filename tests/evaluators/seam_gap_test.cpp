@@ -1,5 +1,7 @@
 #include "evaluators/seam_gap/seam_gap.h"
 
+#include "evaluators/seam_gap/direction_gap.h"
+
 #include "support/displaced.h"
 #include "support/uv_charts.h"
 
@@ -37,6 +39,42 @@ TEST(SeamGap, OfTwoHeightsIsTheirDifference) {
   EXPECT_EQ(gap.unequal, gap.points);
   EXPECT_EQ(gap.below, 1u);
   EXPECT_EQ(gap.torn, 1u);
+}
+
+/// Two squares that meet at a right angle, with vertices of their own along the edge.
+TEST(DirectionGap, IsHalfOfTheAngleBetweenTwoNormals) {
+  const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0},  {0, 1, 0}, {1, 1, 0},
+                                            {1, 0, 0}, {1, 0, -1}, {1, 1, 0}, {1, 1, -1}};
+  const std::vector<std::uint32_t> indices = {0, 1, 2, 1, 3, 2, 4, 5, 6, 5, 7, 6};
+  std::vector<glm::vec3> normals(8, glm::vec3(0, 0, 1));
+  const DirectedPart part{positions, normals, indices};
+  const DirectionGap same = direction_gap(std::span(&part, 1));
+  EXPECT_EQ(same.shared, 2u);
+  EXPECT_EQ(same.split, 0u);
+  EXPECT_EQ(same.largest, 0);
+  std::fill(normals.begin() + 4, normals.end(), glm::vec3(2, 0, 0));
+  const DirectionGap split = direction_gap(std::span(&part, 1));
+  EXPECT_EQ(split.split, 2u);
+  EXPECT_NEAR(split.largest, 45, 20) << "of directions that weigh both faces' angles";
+  normals[4] = normals[6] = glm::vec3(0);
+  EXPECT_EQ(direction_gap(std::span(&part, 1)).shared, 0u) << "one of two points nowhere";
+}
+
+TEST(DirectionGap, OfPartsIsTheSameAsOfOne) {
+  const Charts charts = cube_sphere(3, turned_places());
+  std::vector<glm::vec3> normals;
+  for (std::size_t v = 0; v < charts.positions.size(); ++v)
+    normals.push_back(glm::normalize(charts.positions[v] + glm::vec3(v < charts.positions.size() / 2 ? 0.2f : 0.0f)));
+  const DirectedPart whole{charts.positions, normals, charts.indices};
+  const std::size_t half = charts.indices.size() / 2;
+  const std::span all(charts.indices);
+  const std::array halves = {DirectedPart{charts.positions, normals, all.first(half)},
+                             DirectedPart{charts.positions, {}, all.subspan(half)}};
+  const DirectionGap gap = direction_gap(std::span(&whole, 1));
+  EXPECT_GT(gap.shared, 20u);
+  EXPECT_GT(gap.split, 0u);
+  EXPECT_LT(gap.split, gap.shared) << "charts of one half have equal normals";
+  EXPECT_EQ(direction_gap(halves).shared, gap.shared) << "what has no normals is asked for none";
 }
 
 TEST(SeamGap, OfEqualHeightsIsNone) {
