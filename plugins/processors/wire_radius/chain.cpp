@@ -10,7 +10,7 @@ namespace foredraw::wiring {
 
 namespace {
 
-constexpr std::size_t most_steps = 256;  // triangles round a wire
+constexpr std::size_t most_steps = 128;  // triangles round a wire
 constexpr std::size_t most_walk = 512;
 constexpr double usual_step = 0.75;  // half widths
 
@@ -58,7 +58,7 @@ bool ChainFollower::is_steady(const Section& before, const Section& after, doubl
   if (!(was > 0) || !(is > 0)) return false;
   // As a slope, so that smaller steps towards an end allow for less.
   const double most = limits_.steadiness * std::max(step / usual_step, 0.02 * was);
-  return std::abs(is - was) <= most && after.mean_half_width() <= 1.5 * before.mean_half_width() + most;
+  return std::abs(is - was) <= most && after.mean_half_width() <= 1.25 * before.mean_half_width() + most;
 }
 
 void ChainFollower::keep_cut(std::uint32_t triangle, const Plane& plane, At& at) const {
@@ -146,7 +146,10 @@ Chain ChainFollower::follow(std::uint32_t triangle, const glm::dvec3& direction)
   At first;
   const bool is_cut = cut_at(triangle, plane, first);
   mark(is_cut ? std::span<const std::uint32_t>(first.triangles) : cutter_.triangles(), direction);
-  if (!is_cut || !(first.section.section.half_width() > 0)) return chain;
+  const Section& section = first.section.section;
+  if (!is_cut || !(section.half_width() > 0)) return chain;
+  // Sections may be a little oblique, but not so much.
+  if (section.closed && section.greatest > 2 * limits_.aspect * section.least) return chain;
   ++chain_;
   turns_back(first.triangles, 0);
   std::vector<ChainSection> backwards;

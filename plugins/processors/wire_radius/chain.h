@@ -22,8 +22,9 @@ struct Chain {
 };
 
 struct ChainLimits {
-  double slender = 8;  ///< how many times as long as wide a wire is at least: what is too stout for it is not followed
-  double taper = 3;    ///< by which factor the half width may change from where it began, either way
+  double slender = 8;   ///< how many times as long as wide a wire is at least: what is too stout for it is not followed
+  double aspect = 2.2;  ///< what is twice as flat is not followed
+  double taper = 3;     ///< by which factor the half width may change from where it began, either way
   double steadiness = 0.25;  ///< by how much the half width may change over a step as long as itself
 };
 

@@ -19,8 +19,8 @@ bool is_crossed(const BackProbe::Line& line, const RayTree& surfaces) {
 
 /// Two lines across a tube, and the four halves of these.
 BackProbe across_tube(const ChainSection& at, const glm::dvec3& centre) {
-  // Within its own walls, which a triangle has at two thirds of its half width.
-  const double within = at.section.roundness < 0.7 ? 0.6 : 0.9;
+  // Within its own walls, which a triangle has at .67 of its half width, and a pentagon at .89.
+  const double within = at.section.roundness < 0.7 ? 0.6 : 0.8;
   const glm::dvec3 wide = at.section.across * (within * at.section.least);
   const glm::dvec3 square = glm::normalize(glm::cross(at.axis, at.section.across)) * (within * at.section.least);
   return {{{centre - wide, centre + wide}, {centre - square, centre + square}},

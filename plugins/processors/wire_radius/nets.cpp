@@ -49,7 +49,6 @@ std::size_t loops_of(const Borders& borders) {
   return loops;
 }
 
-/// From the middle of a triangle's area to where the ribbon goes: along its longest edge.
 void add_points(const WeldedMesh& mesh, Net& net) {
   struct Edge {
     std::uint32_t point, other;
@@ -74,9 +73,13 @@ void add_points(const WeldedMesh& mesh, Net& net) {
     std::size_t end = i + 1;
     while (end < edges.size() && edges[end].point == edges[i].point) ++end;
     const glm::dvec3 &at = mesh.points[edges[i].point], &other = mesh.points[edges[i].other];
-    const glm::dvec3 farthest = mesh.points[edges[end - 1].other] - at;
     const glm::dvec3 across = (other - at) / edges[i].length;
-    const glm::dvec3 square = farthest - across * glm::dot(farthest, across);
+    glm::dvec3 square(0);  // where its ribbon goes, or one of those that cross here
+    for (std::size_t e = i; e < end; ++e) {
+      const glm::dvec3 way = mesh.points[edges[e].other] - at;
+      const glm::dvec3 aside = way - across * glm::dot(way, across);
+      if (glm::dot(aside, aside) > glm::dot(square, square)) square = aside;
+    }
     const double length = glm::length(square);
     net.parts.points.push_back(
         {edges[i].point, (other - at) / 2.0, length > 0 ? square / length : glm::dvec3(0), edges[i].length / 2});

@@ -188,7 +188,10 @@ void Cutter::measure(const Plane& plane) {
   HullBox least_box;
   std::size_t least_edge = 0;
   glm::dvec2 across(1, 0);
-  for (std::size_t e = 0; e < hull_.size() && hull_.size() > 1; ++e) {
+  // Of a hull with many edges a part is enough: next to each other, they differ little.
+  constexpr std::size_t enough_edges = 24;
+  const std::size_t stride = std::max<std::size_t>(1, hull_.size() / enough_edges);
+  for (std::size_t e = 0; e < hull_.size() && hull_.size() > 1; e += stride) {
     const HullBox box = box_at(hull_, e);
     if (e == 0 || box.depth < least_box.depth) {
       least_box = box;

@@ -61,7 +61,7 @@ class Finder {
   }
 
   void add_chains() {
-    ChainFollower follower(mesh_, {.slender = options_.slender, .taper = options_.taper});
+    ChainFollower follower(mesh_, {.slender = options_.slender, .aspect = options_.aspect, .taper = options_.taper});
     WirePoints points(mesh_);
     constexpr std::uint32_t between_reports = 4096;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {

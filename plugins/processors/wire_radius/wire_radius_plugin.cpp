@@ -123,8 +123,8 @@ class WireRadius final : public Processor {
       const auto& [draw, why] = key;
       run.note_at({.draw = unit.draws[draw]}, "no-wire",
                   fmt::format("{} not taken: {}; the longest is {:.3g} units long and {:.3g} wide, at triangle {}",
-                              counted(sum.count, "thing"), text_of(why), sum.longest.length,
-                              sum.longest.width, sum.longest.triangle - wires.first_triangle[draw]));
+                              counted(sum.count, "thing"), text_of(why), sum.longest.length, sum.longest.width,
+                              sum.longest.triangle - wires.first_triangle[draw]));
     }
     for (const std::uint32_t wire : wires.bent) {
       run.note_at({.draw = unit.draws.front()}, "bent",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <numbers>
 
 namespace foredraw::wiring {
 
@@ -62,8 +63,9 @@ std::optional<WireRefusal> shape_refusal(const Chain& chain, const WireRun& run,
   if (run.length < options.slender * run.mean_width) return WireRefusal::stout;
   if (run.kind == WireKind::ribbon && !options.ribbons) return WireRefusal::ribbon;
   if (chain.sections[run.first].section.closed) {
-    // Half of what a circle has for its circumference: a square has .79, a triangle .6.
-    constexpr double least_roundness = 0.5;
+    // Three quarters of what the flattest box has that will do, at least.
+    const double side = options.aspect;
+    const double least_roundness = 0.75 * std::numbers::pi * side / ((1 + side) * (1 + side));
     const auto aspect = [](const Section& s) { return s.least > 0 ? s.greatest / s.least : 1e300; };
     if (median(chain, run, aspect) > options.aspect ||
         median(chain, run, [](const Section& s) { return s.roundness; }) < least_roundness) {

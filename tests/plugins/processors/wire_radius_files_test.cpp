@@ -178,7 +178,7 @@ TEST(WireRadiusFiles, LaterStagesKeepThem) {
 }
 
 TEST(WireRadiusFiles, AreLeftOutWhereTrianglesGo) {
-  const Result result = testing::run("wire-radius, simplify(triangles=0.5)", plain());
+  const Result result = testing::run("wire-radius, quadric-collapse, simplify(ratio=0.5)", plain());
   EXPECT_FALSE(result.scene.products.has(Wires::product));
   EXPECT_EQ(result.scene.draws[0].full().vertices->find(wire_semantic), nullptr);
 }
