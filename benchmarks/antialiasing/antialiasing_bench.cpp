@@ -1,24 +1,31 @@
 // Ways against jagged edges: how far from the truth, how much they flicker, what of wires is broken and how much ink is
 // drawn, on scenes made for them and on models after pipelines.
 //
-//   antialiasing-bench [--frames=12] [--views=12] [--truth=256] [SCENE...] [MODEL.glb PIPELINE]...
+//   antialiasing-bench [--frames=12] [--views=12] [--truth=256] [--step=0.43] [--pictures=FOLDER] [SCENE...]
+//                      [MODEL.glb PIPELINE]...
 //
-// SCENE is a part of a scene's name; without any, and without models, all scenes are measured. Tab-separated.
+// SCENE is a part of a scene's name; without any, and without models, all scenes are measured. PIPELINE may be "-".
+// Steps are pixels from frame to frame. Tab-separated. With a folder, a strip of pictures is written for each scene:
+// none, four samples, what is made for it, and the truth; 64 x 64 pixels of each, three times as large.
 
 #include "support/meshes.h"
 #include "support/thin_scenes.h"
 
 #include <evaluators/antialiasing/antialiasing.h>
+#include <foredraw/frames/picture_error.h>
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/image/images.h>
+#include <foredraw/io/image/picture.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
+#include <foredraw/scene/second_depth.h>
 #include <foredraw/technique/built_in_plugins.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -31,10 +38,12 @@ using testing::ThinMesh;
 
 struct Settings {
   int frames = 12, views = 12, truth = 256;
+  double step = 0.43;  ///< pixels
+  std::string pictures;
 };
 
 constexpr FrameSize size{256, 256};
-constexpr glm::dvec2 step{0.37, 0.23};
+constexpr glm::dvec2 slide{0.849, 0.528};  ///< of length 1
 
 /// A scene of one colour, so that nothing is told but how edges are drawn.
 struct Case {
@@ -84,7 +93,40 @@ std::vector<Case> cases() {
   return all;
 }
 
-void print(const std::string& name, const Antialiasing& found) {
+/// The middle of each picture, magnified, one beside the other.
+void write_strip(const std::string& folder, const std::string& name, const Antialiasing& found) {
+  using enum antialias::Way;
+  constexpr int crop = 64, times = 3, gap = 6, edge = crop * times;
+  std::vector<const FramePicture*> pictures;
+  for (const antialias::Way way : {none, msaa_4, second_depth, wire_clamp_msaa_4, wire_coverage}) {
+    const auto of = std::ranges::find(found.ways, way, &Antialiasing::OfWay::way);
+    if (of != found.ways.end() && (way != second_depth || !found.has_wires)) pictures.push_back(&of->picture);
+  }
+  pictures.push_back(&found.truth);
+  const int width = static_cast<int>(pictures.size()) * (edge + gap) - gap;
+  std::vector<std::uint8_t> strip(static_cast<std::size_t>(3 * width * edge), 255);
+  for (std::size_t p = 0; p < pictures.size(); ++p) {
+    const std::vector<std::uint8_t> from = as_rgb(*pictures[p]);
+    const FrameSize whole = pictures[p]->size;
+    for (int y = 0; y < edge; ++y) {
+      for (int x = 0; x < edge; ++x) {
+        const int row = (whole.height - crop) / 2 + y / times, column = (whole.width - crop) / 2 + x / times;
+        const int to = y * width + static_cast<int>(p) * (edge + gap) + x;
+        std::copy_n(&from[static_cast<std::size_t>(3 * (row * whole.width + column))], 3,
+                    &strip[static_cast<std::size_t>(3 * to)]);
+      }
+    }
+  }
+  std::string file = name.substr(0, name.find(", "));
+  std::ranges::replace_if(
+      file, [](char c) { return c == ' ' || c == '.'; }, '-');
+  const std::vector<std::byte> png = images::png_of_pixels(width, edge, strip);
+  std::ofstream(folder + "/" + file + ".png", std::ios::binary)
+      .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+}
+
+void print(const std::string& name, const Antialiasing& found, const Settings& settings) {
+  if (!settings.pictures.empty()) write_strip(settings.pictures, name, found);
   for (const Antialiasing::OfWay& of : found.ways) {
     fmt::print("{}\t{}\t{:.4f}\t{:.4f}\t{:.4f}\t{:.4f}\t{:.1f}\t{:+.1f}\t{:.4f}\n", name, to_text(of.way),
                of.rmse.value, of.rmse.error, of.flicker.value, of.flicker.error, 100 * of.broken.value,
@@ -120,13 +162,13 @@ void measure(const Case& of, const Settings& settings, const Executor& executor)
                               .closed = &closed};
   SlidingViews views;
   if (of.has_wires) {
-    views = in_pairs(testing::sliding(of.camera, settings.frames, step * of.step));
+    views = in_pairs(testing::sliding(of.camera, settings.frames, slide * (settings.step * of.step)));
   } else {
     for (const FrameCamera& camera : testing::pixel_cameras_around(size, settings.views)) {
-      views.push_back(testing::sliding(camera, 2, step));
+      views.push_back(testing::sliding(camera, 2, slide * settings.step));
     }
   }
-  print(of.name, *antialiasing(frames, frame_moment(frames, 0), views, options, executor));
+  print(of.name, *antialiasing(frames, frame_moment(frames, 0), views, options, executor), settings);
 }
 
 /// The scene after the pipeline, or as it is read where that is "-".
@@ -151,12 +193,19 @@ void measure_model(const std::string& model, const std::string& line, const Sett
   Analyses analyses(image_decoder({}));
   const FrameScene frames(scene, analyses, executor);
   const FrameMoment moment = frame_moment(frames, 0);
-  const std::string name = model.substr(model.rfind('/') + 1) + ", " + line;
+  const std::string name = model.substr(model.rfind('/') + 1);
+  std::vector<std::uint32_t> closed(scene.draws.size());
+  const auto* product = scene.products.find<SecondDepth>();
+  if (product != nullptr) {
+    for (const SecondDepth::OfDraw& of : product->draws) closed[of.draw] = of.triangles;
+  }
   for (const double across : {205.0, 66.0}) {
     const int edge = static_cast<int>(across * 1.25);
-    AntialiasingOptions options{.size = {edge, edge}, .truth_samples = settings.truth};
-    const auto views = sliding_views(frames, moment, options.size, across, settings.views, 3, 0.37, 20260101);
-    print(fmt::format("{}, {:.0f} px", name, across), *antialiasing(frames, moment, views, options, executor));
+    AntialiasingOptions options{
+        .size = {edge, edge}, .truth_samples = settings.truth, .closed = product != nullptr ? &closed : nullptr};
+    const auto views = sliding_views(frames, moment, options.size, across, settings.views, 3, settings.step, 20260101);
+    print(fmt::format("{} {:.0f} px, {}", name, across, line), *antialiasing(frames, moment, views, options, executor),
+          settings);
   }
 }
 
@@ -176,6 +225,10 @@ int main(int count, char** arguments) {
       settings.views = value();
     else if (word.starts_with("--truth="))
       settings.truth = value();
+    else if (word.starts_with("--step="))
+      settings.step = std::stod(word.substr(word.find('=') + 1));
+    else if (word.starts_with("--pictures="))
+      settings.pictures = word.substr(word.find('=') + 1);
     else
       words.push_back(word);
   }

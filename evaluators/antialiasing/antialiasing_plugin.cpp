@@ -1,6 +1,7 @@
 #include "antialiasing.h"
 
 #include <foredraw/frames/picture_error.h>
+#include <foredraw/scene/second_depth.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>
@@ -92,6 +93,11 @@ class AntialiasingEvaluator final : public Evaluator {
     const FrameMoment moment = frame_moment(frames, 0);
     const int edge = static_cast<int>(std::lround(settings_.size / part_of_picture));
     AntialiasingOptions options{.size = {edge, edge}, .truth_samples = settings_.truth_samples, .ways = ways_};
+    std::vector<std::uint32_t> closed(scene.draws.size());
+    if (const auto* product = scene.products.find<SecondDepth>()) {
+      for (const SecondDepth::OfDraw& of : product->draws) closed[of.draw] = of.triangles;
+      options.closed = &closed;
+    }
     const SlidingViews views = sliding_views(frames, moment, options.size, settings_.size, settings_.views,
                                              settings_.frames, settings_.step, run.seed);
     const auto found = antialiasing(frames, moment, views, options, run.executor, run.cancel, run.progress);

@@ -160,6 +160,7 @@ class DrawPainter {
     if (!is_shown) return;
     area_ = static_cast<double>(std::abs(area)) / (subpixels * subpixels);
     is_back_ = is_back;
+    if (task_->turn == Turn::faded && wires_.is_far_side(vertices_, is_back)) return;
     std::array<std::size_t, 3> from = {0, 1, 2};
     if (is_clockwise) {
       std::swap(corners[1], corners[2]);

@@ -4,6 +4,8 @@
 #include <foredraw/frames/reference_renderer.h>
 #include <foredraw/runtime/wire_radius.h>
 
+#include <glm/geometric.hpp>
+
 #include <array>
 #include <span>
 #include <vector>
@@ -47,6 +49,16 @@ class WireVertices {
     if (level_->wires.empty()) return false;
     const float a = level_->wires[v[0]].w, b = level_->wires[v[1]].w, c = level_->wires[v[2]].w;
     return a != 0 && b != 0 && c != 0 && (a > 0 || b > 0 || c > 0);
+  }
+
+  /// Whether a triangle of a tube shows its far side, which must not be blended behind the near one. Of what is flat
+  /// there is one side alone. `is_back`: of the triangle in the picture.
+  bool is_far_side(const std::array<std::uint32_t, 3>& v, bool is_back) const {
+    const glm::vec3 a = positions_[v[0]], normal = glm::cross(positions_[v[1]] - a, positions_[v[2]] - a);
+    const glm::vec3 inwards(level_->wires[v[0]] + level_->wires[v[1]] + level_->wires[v[2]]);
+    const float along = glm::dot(normal, inwards), all = glm::length(normal) * glm::length(inwards);
+    if (!(std::abs(along) > 0.3f * all)) return false;
+    return (along < 0) == is_back;
   }
 
   /// Of a fragment. `parts`: of the triangle's corners in it; `x`, `y`: the pixel's middle, as the rows count.
