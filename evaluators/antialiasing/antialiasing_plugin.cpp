@@ -19,7 +19,8 @@ namespace {
 using antialias::Way;
 
 struct AntialiasingSettings {
-  std::string ways = "msaa-4 none msaa-2 msaa-8 post second-depth wire-clamp wire-clamp-msaa-4 wire-coverage";
+  std::string ways =
+      "msaa-4 none msaa-2 msaa-8 post second-depth wire-clamp wire-clamp-msaa-4 wire-coverage wire-coverage-msaa-4";
   int size = 205;
   int views = 4;
   int frames = 4;
@@ -38,7 +39,7 @@ std::vector<Way> ways_in(const std::string& text) {
     if (found == antialias::all_ways.end()) {
       throw std::invalid_argument(
           fmt::format("there is no way '{}'; expected none, msaa-2, msaa-4, msaa-8, post, second-depth, wire-clamp, "
-                      "wire-clamp-msaa-4 or wire-coverage, separated by spaces",
+                      "wire-clamp-msaa-4, wire-coverage or wire-coverage-msaa-4, separated by spaces",
                       word));
     }
     if (std::ranges::find(ways, *found) == ways.end()) ways.push_back(*found);
@@ -142,7 +143,8 @@ Plugin antialiasing_plugin() {
   OptionTable<AntialiasingSettings> table;
   table.row(&AntialiasingSettings::ways, "ways",
             "What is compared: none, msaa-2, msaa-4, msaa-8, post (a filter like FXAA), second-depth, wire-clamp, "
-            "wire-clamp-msaa-4 and wire-coverage, separated by spaces; the scene's own figures are those of the first");
+            "wire-clamp-msaa-4, wire-coverage and wire-coverage-msaa-4, separated by spaces; the scene's own figures "
+            "are those of the first");
   table.row(&AntialiasingSettings::size, "size", "How large the sphere around the scene is in the pictures",
             {16, 3000, "pixels"});
   table.row(&AntialiasingSettings::views, "views", "From how many places the scene is seen", {1, 1000, "views"});

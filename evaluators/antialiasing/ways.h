@@ -16,20 +16,36 @@ enum class Way : std::uint8_t {
   msaa_2,
   msaa_4,
   msaa_8,
-  post,               ///< post_filter.h
-  wire_clamp,         ///< wires are a pixel wide at least, and fade; one sample
-  wire_clamp_msaa_4,  ///< the same with four
-  wire_coverage,      ///< wires compute their coverage; one sample
-  second_depth,       ///< runtime/second_depth.h
+  post,                  ///< post_filter.h
+  wire_clamp,            ///< wires are a pixel wide at least, and fade; one sample
+  wire_clamp_msaa_4,     ///< the same with four
+  wire_coverage,         ///< wires compute their coverage; one sample
+  wire_coverage_msaa_4,  ///< the same with four, for what is no wire
+  second_depth,          ///< runtime/second_depth.h
 };
 
-inline constexpr std::array all_ways = {
-    Way::none,          Way::msaa_2,      Way::msaa_4, Way::msaa_8, Way::post, Way::wire_clamp, Way::wire_clamp_msaa_4,
-    Way::wire_coverage, Way::second_depth};
+inline constexpr std::array all_ways = {Way::none,
+                                        Way::msaa_2,
+                                        Way::msaa_4,
+                                        Way::msaa_8,
+                                        Way::post,
+                                        Way::wire_clamp,
+                                        Way::wire_clamp_msaa_4,
+                                        Way::wire_coverage,
+                                        Way::wire_coverage_msaa_4,
+                                        Way::second_depth};
 
 constexpr std::string_view to_text(Way way) {
-  constexpr std::string_view texts[] = {
-      "none", "msaa-2", "msaa-4", "msaa-8", "post", "wire-clamp", "wire-clamp-msaa-4", "wire-coverage", "second-depth"};
+  constexpr std::string_view texts[] = {"none",
+                                        "msaa-2",
+                                        "msaa-4",
+                                        "msaa-8",
+                                        "post",
+                                        "wire-clamp",
+                                        "wire-clamp-msaa-4",
+                                        "wire-coverage",
+                                        "wire-coverage-msaa-4",
+                                        "second-depth"};
   return texts[static_cast<std::size_t>(way)];
 }
 
