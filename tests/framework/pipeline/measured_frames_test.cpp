@@ -15,7 +15,7 @@ namespace foredraw {
 namespace {
 
 /// The settings of the measures that the plan of this text has.
-std::vector<Settings> measured(const std::string& text, const std::string& name = "p.toml") {
+std::vector<Settings> frames_settings(const std::string& text, const std::string& name = "p.toml") {
   Registry registry;
   add_built_in_plugins(registry);
   Diagnostics diagnostics;
@@ -30,7 +30,7 @@ std::vector<Settings> measured(const std::string& text, const std::string& name 
 }
 
 TEST(MeasuredFrames, EvaluatorsOfFramesTakeWhatTheyDoNotSay) {
-  const auto settings = measured(
+  const auto settings = frames_settings(
       "pipeline = 1\nmeasure = ['vertex-cache', 'lod-walk(frames=9)']\n"
       "[frames]\npath = 'around'\nframes = 30\nangle = 45.5\n");
   EXPECT_TRUE(settings[0].empty());
@@ -43,8 +43,8 @@ TEST(MeasuredFrames, EvaluatorsOfFramesTakeWhatTheyDoNotSay) {
 TEST(MeasuredFrames, PathsOfFilesCountFromThePipelinesFolder) {
   const std::filesystem::path folder = ::testing::TempDir();
   std::ofstream(folder / "a.walk") << "0  0 0 5  0 0 0\n";
-  const auto settings =
-      measured("pipeline = 1\nmeasure = ['lod-walk']\n[frames]\npath = 'a.walk'\n", (folder / "p.toml").string());
+  const auto settings = frames_settings("pipeline = 1\nmeasure = ['lod-walk']\n[frames]\npath = 'a.walk'\n",
+                                        (folder / "p.toml").string());
   EXPECT_EQ(settings[0].at("path"), OptionValue((folder / "a.walk").string()));
 }
 

@@ -5,7 +5,7 @@
 namespace foredraw {
 namespace {
 
-std::string refused(std::string_view text) {
+std::string refused_branches(std::string_view text) {
   Diagnostics diagnostics;
   EXPECT_FALSE(parse_file(text, "p.toml", diagnostics));
   return to_text(diagnostics);
@@ -54,14 +54,14 @@ TEST(ParseBranches, AFileWithoutThemIsOne) {
 }
 
 TEST(ParseBranches, WhatIsWrongInThemIsTold) {
-  EXPECT_EQ(refused("pipeline = 1\ncompare = {}\n"),
+  EXPECT_EQ(refused_branches("pipeline = 1\ncompare = {}\n"),
             "p.toml:2:11: error: compare: 'compare' has no pipelines\n"
             "    hint: add rows such as sorted = [\"linear-clusters\", \"dot-rule\"]\n");
-  EXPECT_EQ(refused("pipeline = 1\ncompare = 3\n"),
+  EXPECT_EQ(refused_branches("pipeline = 1\ncompare = 3\n"),
             "p.toml:2:11: error: 'compare' must be a table, not a whole number\n    hint: begin it with [compare]\n");
-  EXPECT_EQ(refused("pipeline = 1\n[compare]\na = 3\n"),
+  EXPECT_EQ(refused_branches("pipeline = 1\n[compare]\na = 3\n"),
             "p.toml:3:5: error: 'compare.a' must be a list, not a whole number\n    hint: write a = [ ... ]\n");
-  EXPECT_EQ(refused("pipeline = 1\n[compare]\na = []\nb = []\n"),
+  EXPECT_EQ(refused_branches("pipeline = 1\n[compare]\na = []\nb = []\n"),
             "p.toml: error: compare: the file has 2 pipelines, but this command runs one\n"
             "    hint: foredraw compare runs them side by side\n");
 }

@@ -16,7 +16,7 @@ std::vector<std::string> values(const std::string& text) {
   return sweep ? sweep->values : std::vector<std::string>{};
 }
 
-std::string refused(const std::string& text) {
+std::string refused_sweep(const std::string& text) {
   Diagnostics diagnostics;
   EXPECT_FALSE(parse_sweep(text, diagnostics)) << text;
   return to_text(diagnostics);
@@ -37,17 +37,17 @@ TEST(ParseSweep, OrTakesThemOneByOne) {
 }
 
 TEST(ParseSweep, SaysWhatItIsNot) {
-  EXPECT_THAT(refused("growth"), HasSubstr("--sweep:1:1: error: expected stage.option=values, found 'growth'"));
-  EXPECT_THAT(refused("=1:2:1"), HasSubstr("expected stage.option=values"));
-  EXPECT_THAT(refused("a.b="), HasSubstr("a value is empty"));
-  EXPECT_THAT(refused("a.b=1,,2"), HasSubstr("a value is empty"));
-  EXPECT_THAT(refused("a.b=1:2"),
+  EXPECT_THAT(refused_sweep("growth"), HasSubstr("--sweep:1:1: error: expected stage.option=values, found 'growth'"));
+  EXPECT_THAT(refused_sweep("=1:2:1"), HasSubstr("expected stage.option=values"));
+  EXPECT_THAT(refused_sweep("a.b="), HasSubstr("a value is empty"));
+  EXPECT_THAT(refused_sweep("a.b=1,,2"), HasSubstr("a value is empty"));
+  EXPECT_THAT(refused_sweep("a.b=1:2"),
               HasSubstr("--sweep:1:5: error: expected FIRST:LAST:STEP, three numbers, found '1:2'"));
-  EXPECT_THAT(refused("a.b=1:x:1"), HasSubstr("three numbers"));
-  EXPECT_THAT(refused("a.b=1:inf:1"), HasSubstr("three numbers"));
-  EXPECT_THAT(refused("a.b=1:2:0"), HasSubstr("steps of 0 do not lead from 1 to 2"));
-  EXPECT_THAT(refused("a.b=1:2:-1"), HasSubstr("steps of -1 do not lead from 1 to 2"));
-  EXPECT_THAT(refused("a.b=0:1e300:1e-300"), HasSubstr("more than 1000 values"));
+  EXPECT_THAT(refused_sweep("a.b=1:x:1"), HasSubstr("three numbers"));
+  EXPECT_THAT(refused_sweep("a.b=1:inf:1"), HasSubstr("three numbers"));
+  EXPECT_THAT(refused_sweep("a.b=1:2:0"), HasSubstr("steps of 0 do not lead from 1 to 2"));
+  EXPECT_THAT(refused_sweep("a.b=1:2:-1"), HasSubstr("steps of -1 do not lead from 1 to 2"));
+  EXPECT_THAT(refused_sweep("a.b=0:1e300:1e-300"), HasSubstr("more than 1000 values"));
 }
 
 class Swept : public ::testing::Test {
