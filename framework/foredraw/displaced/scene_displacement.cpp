@@ -4,6 +4,7 @@
 #include <foredraw/scene/displacement_stamp.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace foredraw {
 
@@ -53,6 +54,8 @@ std::variant<LaidOutMap, std::string> laid_out_map(const Scene& scene, DrawId id
   if (draw.topology != Topology::triangles) return "it has no triangles";
   if (material == nullptr || !material->displacement) return "its material names no map of heights";
   const Texture& texture = material->displacement->texture;
+  if (!std::isfinite(std::abs(material->displacement->factor) + std::abs(material->displacement->offset)))
+    return "its factor and offset move points farther than a float holds";
   if (!texture.image || *texture.image >= scene.images.size()) return "its map is of a kind that is not known here";
   const VertexStreams& vertices = *draw.full().vertices;
   const std::string semantic = "TEXCOORD_" + std::to_string(texture.texcoord);

@@ -21,6 +21,8 @@ foredraw_seam_table StoredSeams::table() const {
 bool StoredSeams::is_sound(std::size_t triangles) const {
   const foredraw_seam_table all = table();
   if (foredraw_seam_table_is_sound(&all) == 0) return false;
+  const std::size_t named = firsts_.empty() ? 0 : firsts_.back() + (std::size_t{1} << parts_log2_.back()) - 1;
+  if (named != heights_.size()) return false;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     const bool is_rising = s == 0 || sides_[s - 1].side < sides_[s].side;
     if (!is_rising || sides_[s].side >= 3 * triangles || sides_[s].edge / 2 >= firsts_.size()) return false;

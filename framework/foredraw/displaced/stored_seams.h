@@ -17,7 +17,7 @@ class StoredSeams {
 
   foredraw_seam_table table() const;
   std::span<const foredraw_seam_side> sides() const { return sides_; }
-  /// Whether every side and height that is named is there; `triangles`: the draw's.
+  /// Whether every side and height that is named is there, and no height besides; `triangles`: the draw's.
   bool is_sound(std::size_t triangles) const;
 
  private:

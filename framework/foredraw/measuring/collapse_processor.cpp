@@ -55,8 +55,9 @@ class CollapseProcessor final : public Processor {
     }
     if (const auto small = std::ranges::count(is_small, 1); small > 0) {
       run.note("few-triangles",
-               fmt::format("{} fewer than {} triangles and stay as they are",
-                           small == 1 ? "a mesh has" : fmt::format("{} meshes have", small), least_triangles));
+               small == 1 ? fmt::format("a mesh has fewer than {} triangles and stays as it is", least_triangles)
+                          : fmt::format("{} meshes have fewer than {} triangles and stay as they are", small,
+                                        least_triangles));
     }
     if (sequences.meshes.empty()) {
       run.keep("no mesh has an edge that can be collapsed");

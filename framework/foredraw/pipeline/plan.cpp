@@ -238,7 +238,7 @@ class Planner {
     for (const std::string& trait : card.breaks) {
       const auto made = provider_.find(trait);
       if (made == provider_.end() || made->second == card.name || card.provides.has(trait)) continue;
-      if (card.needs.has(trait)) {  // used up, not undone
+      if (card.needs.has(trait) || card.acts_on.has(trait)) {  // used up, not undone
         provider_.erase(made);
         continue;
       }

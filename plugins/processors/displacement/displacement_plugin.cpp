@@ -1,4 +1,5 @@
 #include "displacement.h"
+#include "storable_map.h"
 
 #include <foredraw/technique/plugin.h>
 
@@ -26,10 +27,16 @@ class GiveDisplacement final : public Processor {
     if (options_.uv) given.texcoord = static_cast<std::uint32_t>(*options_.uv);
     Scene changed = scene;
     if (!options_.map.path.empty()) {
+      auto found = storable_map(run.image(options_.map), run.analyses);
+      if (const std::string* why = std::get_if<std::string>(&found)) {
+        run.keep("the map " + *why);
+        return {};
+      }
+      StorableMap& map = std::get<StorableMap>(found);
+      tell(map, run);
+      map.image.name = std::filesystem::path(options_.map.path).stem().string();
       given.map = static_cast<ImageId>(scene.images.size());
-      Image map = run.image(options_.map);
-      map.name = std::filesystem::path(options_.map.path).stem().string();
-      changed.images.push_back(std::move(map));
+      changed.images.push_back(std::move(map.image));
     }
     const DisplacementAnswer answer = displace(changed, draws, given);
     for (const auto& [draw, why] : answer.why_not)
@@ -48,6 +55,18 @@ class GiveDisplacement final : public Processor {
   }
 
  private:
+  static void tell(const StorableMap& map, const Run& run) {
+    if (map.is_converted)
+      run.note("map-converted", "the map becomes a PNG of 16 bits, since glTF holds PNG and JPEG alone");
+    if (map.outside > 0) {
+      run.note(
+          "heights-cut-off",
+          fmt::format("{} texels of the map are below 0 or above 1, or no numbers, and are cut off; scale the map to "
+                      "0 to 1, and give `factor` and `offset`",
+                      map.outside));
+    }
+  }
+
   Options options_;
 };
 

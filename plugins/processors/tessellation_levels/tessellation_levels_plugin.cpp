@@ -77,7 +77,12 @@ class MakeTessellationLevels final : public Processor {
     StoredTessellations all = before == nullptr ? StoredTessellations{} : *before;
     std::vector<DrawId> made;
     double undivided = 0;
-    for (const DisplacedDraws& mesh : meshes(scene, draws, run)) {
+    const std::vector<DisplacedDraws> measured = meshes(scene, draws, run);
+    if (measured.empty()) {
+      run.keep("no draw shows a map of heights that can be measured; the notes say why");
+      return {};
+    }
+    for (const DisplacedDraws& mesh : measured) {
       if (run.cancelled()) return {};
       const std::vector<HeightPart> parts = mesh.parts(scene);
       const TessellationLimits limits = limits_of(parts);

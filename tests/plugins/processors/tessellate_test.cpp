@@ -99,6 +99,16 @@ TEST(Tessellate, KeepsCreases) {
   EXPECT_EQ(shared, 5);
 }
 
+/// It is there to be used up: nobody is to be told to tessellate first.
+TEST(Tessellate, DoesNotUndoWhatDisplacementMade) {
+  Registry registry;
+  add_built_in_plugins(registry);
+  Diagnostics diagnostics;
+  const auto pipeline = parse_line("displacement(factor=2), tessellate", diagnostics);
+  EXPECT_TRUE(plan(*pipeline, registry, testing::displaced_grid(2, 2, hill(8)), diagnostics));
+  EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+}
+
 TEST(Tessellate, RefusesMoreTrianglesThanItMayMake) {
   const Scene scene = testing::displaced_grid(4, 4, hill(64), 2);
   const Result result = testing::run("tessellate(parts=64, most=1000)", scene);
