@@ -48,8 +48,7 @@ std::int32_t integer(const ExtensionValue& value, const char* name, std::int32_t
 void add_field(PackedLayout& layout, const ExtensionValue& value, std::uint32_t word, std::uint32_t& used) {
   const std::string* name = member(value, "field").text();
   const auto bits = member(value, "bits").whole();
-  if (name == nullptr || !bits || *bits < 1 || *bits > 32)
-    throw Wrong("has a field without a name and bits, 1 to 32");
+  if (name == nullptr || !bits || *bits < 1 || *bits > 32) throw Wrong("has a field without a name and bits, 1 to 32");
   if (used + *bits > 32) throw Wrong("has a word of more than 32 bits");
   if (*name != spare) {
     const auto* found = std::ranges::find(field_names, *name);
