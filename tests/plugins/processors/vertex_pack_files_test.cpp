@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
               [](GltfJson& json, GltfJson& ball) {
                 ball["rows"][0] = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
               },
-              "no four unsigned ints"},
+              "not four unsigned ints"},
         Wrong{"rows_fewer",
               [](GltfJson& json, GltfJson& ball) {
                 GltfJson& count = json["accessors"][ball["rows"][0].get<std::size_t>()]["count"];
