@@ -2,6 +2,7 @@
 #include "lod_walk.h"
 #include "walk_findings_plugin.h"
 
+#include <foredraw/scene/levels.h>
 #include <foredraw/technique/frame_options.h>
 #include <foredraw/technique/plugin.h>
 
@@ -68,6 +69,7 @@ class LodWalkEvaluator final : public Evaluator {
   void evaluate(const Scene& scene, Run& run) const override {
     const FrameScene frames(scene, run.analyses, run.executor);
     if (frames.objects().empty()) return run.note("nothing-to-see", "no node shows triangles");
+    tell_displaced(scene, run);
     auto path = camera_path(frames, settings_);
     if (const auto* why = std::get_if<std::string>(&path)) throw std::runtime_error(*why);
     LodWalkOptions options = settings_;
@@ -87,6 +89,16 @@ class LodWalkEvaluator final : public Evaluator {
   }
 
  private:
+  static void tell_displaced(const Scene& scene, const Run& run) {
+    const auto displaced =
+        std::ranges::count_if(scene.draws, [](const Draw& draw) { return traits_of(draw).has(traits::displaced); });
+    if (displaced == 0) return;
+    run.note("not-displaced",
+             fmt::format("frames show {} displaced {} as stored, without the heights: put `tessellate` "
+                         "before, with `levels` for levels of detail",
+                         displaced, displaced == 1 ? "draw" : "draws"));
+  }
+
   /// Costs of who draws the frames, from every fourth frame of the path: drawn finely, coarsely and in between; then as
   /// the costs so far would have it, until these foretell what was drawn so to a tenth. For where a choice is made by
   /// costs, they have to be right.
