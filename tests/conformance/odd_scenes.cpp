@@ -1,5 +1,6 @@
 #include "odd_scenes.h"
 
+#include "support/displaced.h"
 #include "support/meshes.h"
 #include "support/sprite_scenes.h"
 
@@ -115,6 +116,40 @@ void add_sprite(Scene& scene) {
   scene.images = std::move(sprite.images);
 }
 
+/// A square on a map of heights, cut in the middle: the right half lies turned by a quarter. One vertex lies nowhere.
+void add_displaced(Scene& scene) {
+  TestMesh mesh = joined(grid(2, 4), grid(2, 4));
+  std::vector<glm::vec2> uv;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    glm::vec3& at = mesh.positions[v];
+    const glm::vec2 chart(0.05f + 0.2f * at.x, 0.1f + 0.2f * at.y);
+    if (v < 15) {
+      uv.push_back(chart);
+    } else {
+      uv.emplace_back(1 - chart.y, 1 - chart.x);
+      at.x += 2;
+    }
+  }
+  uv[3] = {nan, infinity};
+  Scene displaced =
+      displaced_scene(mesh, uv,
+                      height_image(12, 16,
+                                   [](std::uint32_t x, std::uint32_t y) {
+                                     return static_cast<std::uint16_t>((x * 7919 + y * y * 12345) % 65536);
+                                   }),
+                      0.5f, -0.1f);
+  Draw draw = std::move(displaced.draws[0]);
+  draw.name = "displaced";
+  draw.material = static_cast<MaterialId>(scene.materials.size());
+  Material material = std::move(displaced.materials[0]);
+  material.displacement->texture.image = static_cast<ImageId>(scene.images.size());
+  scene.nodes.push_back({.name = "displaced", .mesh = static_cast<MeshId>(scene.meshes.size())});
+  scene.meshes.push_back({.name = "displaced", .draws = {static_cast<DrawId>(scene.draws.size())}});
+  scene.draws.push_back(std::move(draw));
+  scene.materials.push_back(std::move(material));
+  scene.images.push_back(std::move(displaced.images[0]));
+}
+
 }  // namespace
 
 Scene odd_scene() {
@@ -157,6 +192,7 @@ Scene odd_scene() {
   draws.push_back(std::move(glass));
   Scene scene = scene_of(std::move(draws));
   add_sprite(scene);
+  add_displaced(scene);
   return scene;
 }
 
