@@ -167,7 +167,8 @@ bool Cutter::cut(std::uint32_t triangle, const Plane& plane, std::size_t most_st
 }
 
 void Cutter::measure(const Plane& plane) {
-  const auto [u, v] = square_to(plane.normal);
+  const std::array<glm::dvec3, 2> axes = square_to(plane.normal);
+  const glm::dvec3 &u = axes[0], &v = axes[1];
   flat_.clear();
   for (const glm::dvec3& point : outline_)
     flat_.emplace_back(glm::dot(point - plane.at, u), glm::dot(point - plane.at, v));
