@@ -74,11 +74,13 @@ void ThinMesh::add_box(const glm::vec3& half, const glm::vec3& along_x, const gl
   const glm::vec3 axes_of[3] = {along_x * half.x, along_y * half.y, along_z * half.z};
   for (int face = 0; face < 6; ++face) {
     const float side = face < 3 ? 1.0f : -1.0f;
-    const glm::vec3 out = axes_of[face % 3] * side, right = axes_of[(face + 1) % 3] * side,
-                    up = axes_of[(face + 2) % 3];
     const auto first = static_cast<std::uint32_t>(positions.size());
     for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
-      positions.push_back(centre + out + corner.x * right + corner.y * up);
+      glm::vec3 by(0);  // along each axis, summed in one sequence, so that faces meet to the bit
+      by[face % 3] = side;
+      by[(face + 1) % 3] = corner.x * side;
+      by[(face + 2) % 3] = corner.y;
+      positions.push_back(centre + by.x * axes_of[0] + by.y * axes_of[1] + by.z * axes_of[2]);
       wires.emplace_back(0);
       axes.emplace_back(0);
     }
