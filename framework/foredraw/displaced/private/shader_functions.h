@@ -110,7 +110,8 @@ float displaced_height_part(uint height) {
 
 )";
 
-inline constexpr std::string_view displacement = R"(uint displaced_point_height(DisplacedVertex a, DisplacedVertex b, DisplacedVertex c, uvec3 w) {
+inline constexpr std::string_view displacement =
+    R"(uint displaced_point_height(DisplacedVertex a, DisplacedVertex b, DisplacedVertex c, uvec3 w) {
   return displaced_height(ivec2(displaced_height_between(ivec3(a.x, b.x, c.x), w),
                                 displaced_height_between(ivec3(a.y, b.y, c.y), w)));
 }
@@ -123,7 +124,8 @@ float displaced_displacement(uint height) {
 )";
 
 /// Behind displaced_seam(), which gives a word of the buffer that seam_words() fills.
-inline constexpr std::string_view seams = R"(// Twice the number of an edge, and 1 more where the side is turned; none: 0xffffffff.
+inline constexpr std::string_view seams =
+    R"(// Twice the number of an edge, and 1 more where the side is turned; none: 0xffffffff.
 uint displaced_seam_of(uint side) {
   uint from = 0u, count = displaced_seam(0u);
   while (count > 0u) {
