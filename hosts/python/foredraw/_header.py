@@ -1,6 +1,6 @@
-"""The C headers as ctypes sees them: status.h, functions.h, foredraw.h. A test holds this to what a compiler says."""
+"""The C headers as ctypes sees them: status.h, draw.h, functions.h, plugin.h, foredraw.h. A test holds this to what a compiler says."""
 
-from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_uint32, c_uint64, c_void_p
+from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_int64, c_uint32, c_uint64, c_void_p
 
 # Statuses.
 DONE, MISTAKE, FAILED, CANCELLED, NO_MEMORY, NULL_POINTER = range(6)
@@ -62,6 +62,77 @@ class Draw(Structure):
         ("positions", c_void_p),
         ("stream_count", c_uint32),
         ("streams", POINTER(Stream)),
+        ("cluster_count", c_uint32),
+        ("cluster_offsets", c_void_p),
+    ]
+
+
+# What a technique is, and what its options are of.
+TRIANGLE_ORDERER, VERTEX_ORDERER, CLUSTERER, EVALUATOR = range(1, 5)
+BOOLEAN, INTEGER, NUMBER, TEXT, CHOICE = range(1, 6)
+
+
+class Value(Structure):
+    _fields_ = [("integer", c_int64), ("number", c_double), ("text", c_char_p)]
+
+
+class Option(Structure):
+    _fields_ = [
+        ("name", c_char_p),
+        ("doc", c_char_p),
+        ("unit", c_char_p),
+        ("type", c_uint32),
+        ("choice_count", c_uint32),
+        ("choices", POINTER(c_char_p)),
+        ("initial", Value),
+        ("least", c_double),
+        ("most", c_double),
+    ]
+
+
+class Metric(Structure):
+    _fields_ = [("name", c_char_p), ("unit", c_char_p), ("doc", c_char_p), ("higher_is_better", c_uint32)]
+
+
+class Answer(Structure):
+    _fields_ = [("values", POINTER(c_uint32)), ("count", c_uint64)]
+
+
+class Host(Structure):
+    _fields_ = [
+        ("size", c_uint32),
+        ("reserved", c_uint32),
+        ("seed", c_uint64),
+        ("self", c_void_p),
+        ("cancelled", CFUNCTYPE(c_int, c_void_p)),
+        ("keep", CFUNCTYPE(None, c_void_p, c_char_p)),
+        ("fail", CFUNCTYPE(None, c_void_p, c_char_p)),
+        ("note", CFUNCTYPE(None, c_void_p, c_char_p, c_char_p)),
+        ("count", CFUNCTYPE(None, c_void_p, c_char_p, c_double)),
+        ("measure", CFUNCTYPE(None, c_void_p, c_char_p, c_double, c_double, c_double)),
+    ]
+
+
+Run = CFUNCTYPE(c_int, c_void_p, POINTER(Draw), POINTER(Value), POINTER(Answer), POINTER(Host))
+
+
+class Plugin(Structure):
+    _fields_ = [
+        ("size", c_uint32),
+        ("kind", c_uint32),
+        ("name", c_char_p),
+        ("summary", c_char_p),
+        ("reference", c_char_p),
+        ("needs", c_char_p),
+        ("provides", c_char_p),
+        ("breaks", c_char_p),
+        ("options", POINTER(Option)),
+        ("metrics", POINTER(Metric)),
+        ("option_count", c_uint32),
+        ("metric_count", c_uint32),
+        ("runs_on_many_threads", c_uint32),
+        ("user", c_void_p),
+        ("run", Run),
     ]
 
 
@@ -85,6 +156,7 @@ PROTOTYPES = {
     "text_free": (None, [_text]),
     "context_new": (c_void_p, [POINTER(Settings)]),
     "context_free": (None, [c_void_p]),
+    "add_plugin": (c_int, [c_void_p, POINTER(Plugin), _text]),
     "cancel": (None, [c_void_p]),
     "read": (c_int, [c_void_p, c_char_p, _pointer, _text]),
     "read_memory": (c_int, [c_void_p, c_void_p, c_uint64, c_char_p, _pointer, _text]),

@@ -4,7 +4,7 @@ import os
 import weakref
 from ctypes import byref, sizeof
 from functools import lru_cache
-from typing import Any, Callable, Optional, TypeVar
+from typing import Any, Callable, List, Optional, TypeVar
 
 from ._arrays import count
 from ._header import Settings
@@ -31,6 +31,7 @@ class Context:
         if not self._pointer:
             raise MemoryError("memory ran out")
         weakref.finalize(self, library().context_free, self._pointer)
+        self._techniques: List[Any] = []  # that were added, which live as long
 
     def cancel(self) -> None:
         """End whatever runs in the context at this time: it raises :class:`Cancelled`. From any thread."""

@@ -53,7 +53,7 @@ TEST(TessellationLevelsFiles, AreInspected) {
   const ProductRows rows{tessellation_levels_product()};
   const DrawTessellation& of = *tessellation_of(scene, 0);
   const std::string text = inspection_text(scene, rows, analyses, Executor(1));
-  EXPECT_THAT(text, HasSubstr("mesh: triangles " + std::to_string(of.scales[0].triangles) + " of 128, error rms "));
+  EXPECT_THAT(text, HasSubstr("mesh: " + std::to_string(of.scales[0].triangles) + " triangles from 128, error rms "));
   const auto json = nlohmann::json::parse(inspection_json(scene, rows, {}, analyses, Executor(1)));
   EXPECT_EQ(json["products"]["tessellation-levels"][0]["scales"].size(), of.scales.size());
 }
