@@ -59,7 +59,7 @@ function(foredraw_install_package)
                conformance/option_settings.h conformance/same_results.cpp conformance/same_results.h conformance/odd_scenes.cpp
                conformance/odd_scenes.h conformance/all_plugins.h conformance/answers_test.cpp
                conformance/same_bytes_test.cpp conformance/cards_test.cpp conformance/printed_pipelines_test.cpp
-               support/meshes.cpp support/meshes.h support/sprite_scenes.cpp support/sprite_scenes.h)
+               support/displaced.h support/meshes.cpp support/meshes.h support/sprite_scenes.cpp support/sprite_scenes.h)
     get_filename_component(folder "${test}" DIRECTORY)
     install(FILES "${PROJECT_SOURCE_DIR}/tests/${test}" DESTINATION "${foredraw_package_folder}/tests/${folder}"
             COMPONENT development)

@@ -42,10 +42,12 @@ def integer(name: str, initial: int, least: float = -_INFINITE, most: float = _I
 
 
 def boolean(name: str, initial: bool, doc: str = "") -> Option:
+    """True or false."""
     return Option(name, c.BOOLEAN, bool(initial), doc)
 
 
 def text(name: str, initial: str, doc: str = "") -> Option:
+    """Any text."""
     return Option(name, c.TEXT, initial, doc)
 
 
@@ -143,24 +145,39 @@ def add(technique: Technique, *, context: Optional[Context] = None) -> Technique
     return technique
 
 
-def _maker(kind: int) -> Callable[..., Callable[[Callable[..., Any]], Technique]]:
+def _maker(kind: int, doc: str) -> Callable[..., Callable[[Callable[..., Any]], Technique]]:
     def decorator(name: str, options: Sequence[Option] = (), *, metrics: Sequence[Metric] = (), needs: str = "",
                   provides: str = "", breaks: str = "",
                   reference: str = "own") -> Callable[[Callable[..., Any]], Technique]:
         return lambda function: Technique(kind, name, function, options, metrics, (needs, provides, breaks), reference)
 
+    decorator.__doc__ = doc
     return decorator
 
 
-#: ``@orderer("my-radial", options=[number("power", 1, .1, 4)])``: of a function of a draw and its options, which answers
-#: with an order of the triangles, ``order[new] = old``. Options' hyphens are underscores in Python.
-orderer = _maker(c.TRIANGLE_ORDERER)
-#: The same, of vertices.
-vertex_orderer = _maker(c.VERTEX_ORDERER)
-#: The same; it answers with offsets into the triangles, from 0 to their number.
-clusterer = _maker(c.CLUSTERER)
-#: The same; it answers with a dict of figures: a count, or (numerator, denominator), or these and a standard error.
-evaluator = _maker(c.EVALUATOR)
+_PARAMETERS = """
+
+    Parameters
+    ----------
+    name : str
+        Lower-case letters, digits and hyphens; that of no other technique.
+    options : sequence of Option
+        The function is called with the draw and these by name; hyphens are underscores in Python.
+    metrics : sequence of Metric
+        Of an evaluator.
+    needs, provides, breaks : str
+        Traits with blanks between, such as "clustered": without which a plan is refused; that hold afterwards; that may
+        hold no longer.
+    """
+
+orderer = _maker(c.TRIANGLE_ORDERER, "Decorate a function that answers with an order of a draw's triangles, "
+                                     "``order[new] = old``." + _PARAMETERS)
+vertex_orderer = _maker(c.VERTEX_ORDERER, "Decorate a function that answers with an order of vertices, "
+                                          "``order[new] = old``." + _PARAMETERS)
+clusterer = _maker(c.CLUSTERER, "Decorate a function that answers with offsets into a draw's triangles, from 0 to "
+                                "their number." + _PARAMETERS)
+evaluator = _maker(c.EVALUATOR, "Decorate a function that answers with a dict of figures: a count, or (numerator, "
+                                "denominator), or these and a standard error." + _PARAMETERS)
 
 
 def _bytes(words: str) -> bytes:
