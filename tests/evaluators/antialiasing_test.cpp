@@ -42,7 +42,7 @@ Contested contested(const ThinMesh& mesh, std::vector<Way> ways, bool has_wires,
 TEST(Antialiasing, ThinWiresAreWholeAndFlickerLess) {
   const Contested of = contested(testing::lines_at_all_angles(0.05f, size),
                                  {Way::msaa_4, Way::wire_clamp_msaa_4, Way::wire_coverage}, true, 256);
-  EXPECT_GT(of[Way::msaa_4].broken.value, 0.15);
+  EXPECT_GT(of[Way::msaa_4].broken.value, 0.1);
   // None is, but where a wire runs along the border of two pixels, both get half of it: the most that still counts.
   EXPECT_LE(of[Way::wire_clamp_msaa_4].broken.value, 0.02);
   EXPECT_LE(of[Way::wire_coverage].broken.value, 0.001);

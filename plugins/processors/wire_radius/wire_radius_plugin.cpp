@@ -164,7 +164,7 @@ Plugin wire_radius_plugin() {
       .acts_on = {traits::triangles},
       .breaks = {traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},
       .pays_if = "a draw has something long and thin in it",
-      .measured_by = {},
+      .measured_by = {"thin-parts"},
       .metrics = {{"tubes", "wires", "Found with a closed section, or one open at the back", false},
                   {"ribbons", "wires", "Found that are flat", false},
                   {"nets", "wires", "Found of flat ribbons that cross", false},
