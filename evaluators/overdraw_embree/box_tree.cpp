@@ -25,7 +25,7 @@ void set_bounds(const RTCBoundsFunctionArguments* arguments) {
 }  // namespace
 
 /// What goes through Embree with a ray.
-struct BoxTree::Query : RTCIntersectContext {
+struct EmbreeBoxTree::Query : RTCIntersectContext {
   Call call;
   std::exception_ptr failure;  ///< Embree's own functions are not made for exceptions
 
@@ -41,7 +41,7 @@ struct BoxTree::Query : RTCIntersectContext {
   }
 };
 
-struct BoxTree::Tree {
+struct EmbreeBoxTree::Tree {
   // As many threads as there are: to limit them is to limit oneTBB's in the whole process.
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene scene = nullptr;
@@ -83,9 +83,9 @@ struct BoxTree::Tree {
   }
 };
 
-BoxTree::BoxTree(std::span<const Box> boxes) : tree_(std::make_shared<const Tree>(boxes)) {}
+EmbreeBoxTree::EmbreeBoxTree(std::span<const Box> boxes) : tree_(std::make_shared<const Tree>(boxes)) {}
 
-void BoxTree::trace(const Ray& ray, const Call& call) const {
+void EmbreeBoxTree::trace(const Ray& ray, const Call& call) const {
   Query query{{}, call, {}};
   rtcInitIntersectContext(&query);
   RTCRay traced{};

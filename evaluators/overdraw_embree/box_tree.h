@@ -21,11 +21,11 @@ struct Ray {
 };
 
 /// Boxes sorted into a tree. Any number of threads may ask at once.
-class BoxTree {
+class EmbreeBoxTree {
  public:
   /// O(n log n). Shared out over the threads of the Executor that this runs in, over all processors where there is
   /// none. Throws std::runtime_error where Embree refuses.
-  explicit BoxTree(std::span<const Box> boxes);
+  explicit EmbreeBoxTree(std::span<const Box> boxes);
 
   /// Calls meet(i) once for each box that the ray meets, in any order. Embree computes in floats: where coordinates are
   /// c or less, a ray that passes within some c / 2^21 of a box's sides may be told of or not.

@@ -35,7 +35,7 @@ class TracedParts {
 
  private:
   Surface surface_;
-  BoxTree tree_;  ///< around the triangles
+  EmbreeBoxTree tree_;  ///< around the triangles
 };
 
 }  // namespace foredraw

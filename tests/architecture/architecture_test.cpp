@@ -11,6 +11,7 @@
 #include "shape_rules.h"
 #include "source_tree.h"
 #include "text_rules.h"
+#include "type_rules.h"
 
 namespace foredraw::architecture {
 namespace {
@@ -67,6 +68,17 @@ TEST_F(Architecture, plugins_are_whole_folders) {
 TEST_F(Architecture, names_say_something) {
   Breaches breaches;
   for (const SourceFile& file : source_files(root)) add(breaches, name_breaches(file.path));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, types_are_defined_once) {
+  TypeFiles types;
+  for (const TextFile& file : texts()) {
+    const std::string top = parts_of(file.path).front();
+    if (is_cpp(file.path) && top != "tests" && top != "benchmarks") add_types(file.path, file.text, types);
+  }
+  EXPECT_GT(types.size(), 500u);
+  const Breaches breaches = type_breaches(types);
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 

@@ -7,6 +7,7 @@
 #include "product_rules.h"
 #include "shape_rules.h"
 #include "text_rules.h"
+#include "type_rules.h"
 
 namespace foredraw::architecture {
 namespace {
@@ -213,6 +214,19 @@ TEST(TextRules, unfinished_work_and_machine_paths_are_found) {
                 .front()
                 .find("a.md:2: "),
             0u);
+}
+
+TEST(TypeRules, TypesOfOneNameAreTold) {
+  TypeFiles types;
+  add_types("a.h", "namespace x {\n\nstruct Same {\n};\nclass Own final : public Base {\n};\n\n}  // namespace x\n",
+            types);
+  add_types("b.cpp",
+            "namespace x {\n\nnamespace {\n\nstruct Same {\n};\n\n}  // namespace\n\n"
+            "struct Same::Inner : Base {\n};\nstruct Own;\n\n}  // namespace x\n",
+            types);
+  EXPECT_TRUE(type_breaches(types).empty());
+  add_types("c.h", "namespace x {\nstruct Same {};\n}  // namespace x\n", types);
+  EXPECT_EQ(type_breaches(types), Breaches{"x::Same is defined in a.h and c.h; call one of them otherwise"});
 }
 
 }  // namespace

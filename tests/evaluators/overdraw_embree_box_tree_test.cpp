@@ -13,7 +13,7 @@ TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
   std::vector<Box> boxes;
   for (int i = 0; i < 100; ++i)
     boxes.push_back({glm::vec3(i % 10, i / 10, i) * 0.1f, glm::vec3(i % 10 + 1, i / 10 + 1, i + 1) * 0.1f});
-  const BoxTree tree(boxes);
+  const EmbreeBoxTree tree(boxes);
   std::vector<std::uint32_t> met;
   tree.for_each_met({{0.45f, 0.75f, -1}, {0, 0, 1}, 20}, [&](std::uint32_t i) { met.push_back(i); });
   EXPECT_EQ(met, std::vector<std::uint32_t>{74});
@@ -23,7 +23,7 @@ TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
   EXPECT_THROW(
       tree.for_each_met({{0.45f, 0.75f, -1}, {0, 0, 1}, 20}, [](std::uint32_t) { throw std::out_of_range("x"); }),
       std::out_of_range);
-  BoxTree({}).for_each_met({{0, 0, 0}, {0, 0, 1}, 1}, [](std::uint32_t) { FAIL(); });
+  EmbreeBoxTree({}).for_each_met({{0, 0, 0}, {0, 0, 1}, 1}, [](std::uint32_t) { FAIL(); });
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ glm::vec3 unit(const glm::vec3& v) {
   return squared > 0 ? v / std::sqrt(squared) : v;
 }
 
-glm::vec3 bent_normal(const FrameSurface& surface, const SurfacePoint& point, const glm::vec3& normal) {
+glm::vec3 bent_normal(const FrameSurface& surface, const ShadedPoint& point, const glm::vec3& normal) {
   const glm::vec3 texel = glm::vec3(
       sampled(*surface.normal_map, surface.normal_map_sampling, point.normal_map_mip, point.normal_map_place));
   const glm::vec3 bent = texel * 2.0f - 1.0f;
@@ -33,13 +33,13 @@ float highlight(const glm::vec3& normal, const glm::vec3& to_eye) {
 
 }  // namespace
 
-glm::vec4 base_colour(const FrameSurface& surface, const SurfacePoint& point) {
+glm::vec4 base_colour(const FrameSurface& surface, const ShadedPoint& point) {
   if (!surface.base) return surface.colour;
   const glm::vec4 texel = sampled(*surface.base, surface.base_sampling, point.base_mip, point.base_place);
   return surface.colour * glm::vec4(texel.x * texel.x, texel.y * texel.y, texel.z * texel.z, texel.w);
 }
 
-glm::vec3 shaded(const FrameSurface& surface, Rendering rendering, const SurfacePoint& point, const glm::vec3& base) {
+glm::vec3 shaded(const FrameSurface& surface, Rendering rendering, const ShadedPoint& point, const glm::vec3& base) {
   if (rendering == Rendering::unlit) return base * frame_light.unlit;
   glm::vec3 normal = unit(point.normal);
   if (rendering == Rendering::full && surface.normal_map) normal = bent_normal(surface, point, normal);

@@ -10,7 +10,7 @@
 namespace foredraw {
 
 /// In world space; vectors need not have length 1.
-struct SurfacePoint {
+struct ShadedPoint {
   glm::vec3 normal{0, 0, 1};         ///< towards the side that is seen
   glm::vec3 along_u{0}, along_v{0};  ///< of the normal map; 0 where it has none
   glm::vec3 to_eye{0, 0, 1};
@@ -34,10 +34,10 @@ inline constexpr FrameLight frame_light{{0.3713907f, 0.7427814f, 0.5570860f},
 
 /// The base colour: the image's, times the surface's. Linear, alpha last. Images are taken to be stored by their square
 /// root, which is nearly sRGB and needs no power.
-glm::vec4 base_colour(const FrameSurface& surface, const SurfacePoint& point);
+glm::vec4 base_colour(const FrameSurface& surface, const ShadedPoint& point);
 
 /// As the eye sees it: one sun, light from the sky and from the ground, and a highlight; or, unlit, the base colour.
-glm::vec3 shaded(const FrameSurface& surface, Rendering rendering, const SurfacePoint& point, const glm::vec3& base);
+glm::vec3 shaded(const FrameSurface& surface, Rendering rendering, const ShadedPoint& point, const glm::vec3& base);
 
 /// What is where no surface is.
 inline constexpr glm::vec3 sky_colour{0.42f, 0.52f, 0.66f};

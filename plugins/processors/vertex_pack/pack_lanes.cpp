@@ -16,12 +16,12 @@ namespace foredraw::packing::HWY_NAMESPACE {
 using Mask = hn::Mask<Floats>;
 
 /// Rows as they are put together, and which vertices they do not hold as they were.
-struct Rows {
+struct WrittenRows {
   const foredraw_packed_layout& layout;
   Word words[4];
   Mask position_outside, uv_outside, no_normal, no_tangent;
 
-  HWY_INLINE explicit Rows(const foredraw_packed_layout& of) : layout(of) {
+  HWY_INLINE explicit WrittenRows(const foredraw_packed_layout& of) : layout(of) {
     for (Word& word : words) word = hn::Zero(Words());
     position_outside = uv_outside = no_normal = no_tangent = hn::FirstN(Floats(), 0);
   }
@@ -49,7 +49,7 @@ HWY_INLINE Whole cell(Number value, Number folded, Number size, std::int32_t hal
 }
 
 /// Writes the nearest one of the cell's corners, and answers with what it decodes to.
-HWY_INLINE Three write_normal(Rows& rows, const Three& unit) {
+HWY_INLINE Three write_normal(WrittenRows& rows, const Three& unit) {
   const std::int32_t half = (1 << (rows.layout.field[FOREDRAW_PACKED_NORMAL_0].bits - 1)) - 1;
   const Number size = number(static_cast<float>(half));
   const Number x = hn::Abs(unit.x), y = hn::Abs(unit.y);
@@ -98,7 +98,7 @@ HWY_INLINE Three unit_of(const Three& from, Mask& is_none) {
           hn::IfThenElse(holds, hn::Mul(from.z, per_length), number(1))};
 }
 
-HWY_INLINE void write_tangent(Rows& rows, const Three& normal, const Three& tangent, Number handedness) {
+HWY_INLINE void write_tangent(WrittenRows& rows, const Three& normal, const Three& tangent, Number handedness) {
   const Number zero = hn::Zero(Floats());
   const std::uint32_t bits = rows.layout.field[FOREDRAW_PACKED_TANGENT].bits;
   const Mask is_x = hn::Gt(hn::Abs(normal.x), hn::Abs(normal.z));
@@ -124,7 +124,7 @@ HWY_INLINE void write_tangent(Rows& rows, const Three& normal, const Three& tang
 }
 
 /// As many vertices as a register has lanes. Null pointers: that is not there.
-HWY_INLINE void pack_some(Rows& rows, const float* positions, const float* normals, const float* tangents,
+HWY_INLINE void pack_some(WrittenRows& rows, const float* positions, const float* normals, const float* tangents,
                           const float* uvs, std::uint32_t* to) {
   const Floats f;
   const foredraw_packed_layout& layout = rows.layout;
@@ -161,7 +161,7 @@ HWY_ATTR std::uint32_t pack(const foredraw_packed_layout& layout, std::size_t co
                             const float* normals, const float* tangents, const float* uvs, std::uint32_t* to) {
   const std::size_t lanes = hn::Lanes(Floats());
   const auto at = [](const float* values, std::size_t offset) { return values == nullptr ? nullptr : values + offset; };
-  Rows rows(layout);
+  WrittenRows rows(layout);
   std::size_t v = 0;
   for (; v + lanes <= count; v += lanes) {
     pack_some(rows, at(positions, 3 * v), at(normals, 3 * v), at(tangents, 4 * v), at(uvs, 2 * v), to + 4 * v);

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace foredraw::packing::HWY_NAMESPACE {
 
 /// The rows' words as they are taken apart.
-struct Rows {
+struct ReadRows {
   const foredraw_packed_layout& layout;
   Word words[4];
 
@@ -29,7 +29,7 @@ struct Rows {
   }
 };
 
-HWY_INLINE Three normal_of(const Rows& rows) {
+HWY_INLINE Three normal_of(const ReadRows& rows) {
   const Whole half = whole((1 << (rows.layout.field[FOREDRAW_PACKED_NORMAL_0].bits - 1)) - 1);
   return octahedral(hn::Sub(hn::BitCast(Ints(), rows.read(FOREDRAW_PACKED_NORMAL_0)), half),
                     hn::Sub(hn::BitCast(Ints(), rows.read(FOREDRAW_PACKED_NORMAL_1)), half), half);
@@ -62,7 +62,7 @@ HWY_INLINE void unpack_some(const foredraw_packed_layout& layout, const std::uin
                             float* normals, float* tangents, float* uvs) {
   const Floats f;
   const Words u;
-  Rows rows{layout, {}};
+  ReadRows rows{layout, {}};
   hn::LoadInterleaved4(u, from, rows.words[0], rows.words[1], rows.words[2], rows.words[3]);
   if (positions != nullptr) {
     hn::StoreInterleaved3(rows.read_number(FOREDRAW_PACKED_X, layout.origin[0], layout.step),

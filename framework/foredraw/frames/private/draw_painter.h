@@ -88,7 +88,7 @@ class DrawPainter {
   struct CornerData {
     std::array<glm::vec3, 3> normals, to_eye;
     std::array<glm::vec2, 3> base_places, normal_map_places;
-    SurfacePoint point;  ///< what all samples have in common
+    ShadedPoint point;  ///< what all samples have in common
   };
 
   void move_vertices(std::size_t count) {
@@ -226,7 +226,7 @@ class DrawPainter {
       return;
     }
     if (!has_data_) prepare();
-    SurfacePoint& point = data_.point;
+    ShadedPoint& point = data_.point;
     point.base_place = blend(data_.base_places, parts);
     const glm::vec4 base = base_colour(task_->surface, point);
     if (task_->surface.alpha_mode == AlphaMode::mask && base.w < task_->surface.alpha_cutoff) return;
@@ -276,7 +276,7 @@ class DrawPainter {
     if (is_back_) {
       for (glm::vec3& normal : data_.normals) normal = -normal;
     }
-    SurfacePoint& point = data_.point;
+    ShadedPoint& point = data_.point;
     point.base_mip = mip_level(doubled_span(data_.base_places) * texels_of(task_->surface.base) / area_);
     if (!task_->surface.normal_map) return;
     point.normal_map_mip =

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// The buffers that were read from files, by where these lie: a thousand may name the same.
 using FileBuffers = std::map<fs::path, Bytes>;
 
-Surroundings surroundings(const Gate& gate) { return {gate.document().folder, gate.how().root}; }
+FilePlaces surroundings(const Gate& gate) { return {gate.document().folder, gate.how().root}; }
 
 /// The first `length` bytes of a file, or all where it has fewer; what may follow is not read.
 std::optional<Bytes> bytes_beside(Gate& gate, const std::string& uri, std::uint64_t length, const std::string& place,

@@ -13,7 +13,7 @@ namespace foredraw {
 namespace {
 
 /// Or why it is not read.
-std::variant<std::vector<std::byte>, std::string> bytes_beside(const std::string& uri, const Surroundings& where) {
+std::variant<std::vector<std::byte>, std::string> bytes_beside(const std::string& uri, const FilePlaces& where) {
   const FileBeside beside = uri_beside(uri, where);
   if (!beside.why_not.empty()) return fmt::format("the image '{}' {}", uri, beside.why_not);
   Diagnostics reading;
@@ -82,7 +82,7 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
 
 ImageDecoder image_decoder(const std::filesystem::path& scene_file, const std::filesystem::path& root) {
   const bool has_folder = scene_file.empty() || scene_file.has_parent_path();
-  const Surroundings where{has_folder ? scene_file.parent_path() : std::filesystem::path("."), root};
+  const FilePlaces where{has_folder ? scene_file.parent_path() : std::filesystem::path("."), root};
   return [where](const Image& image) -> std::variant<Texels, std::string> {
     std::span<const std::byte> bytes = image.bytes.view();
     std::variant<std::vector<std::byte>, std::string> file;

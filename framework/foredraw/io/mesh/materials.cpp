@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using gltf::Json;
 
 /// A path as libraries write it, with either slash, to one that may be opened; empty, with a fault, where it may not.
-std::string path_beside(std::string_view written, const char* what, const Where& told_at, const Surroundings& where,
+std::string path_beside(std::string_view written, const char* what, const Where& told_at, const FilePlaces& where,
                         Faults& faults) {
   std::string path(written);
   std::ranges::replace(path, '\\', '/');
@@ -33,7 +33,7 @@ std::string path_beside(std::string_view written, const char* what, const Where&
 
 class LibraryReader {
  public:
-  LibraryReader(const Surroundings& where, Faults& faults, Diagnostics& diagnostics)
+  LibraryReader(const FilePlaces& where, Faults& faults, Diagnostics& diagnostics)
       : where_(where), faults_(faults), diagnostics_(diagnostics) {}
 
   void read(const std::string& path) {
@@ -112,7 +112,7 @@ class LibraryReader {
     library.json.back()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", found->second}};
   }
 
-  const Surroundings& where_;
+  const FilePlaces& where_;
   Faults& faults_;
   Diagnostics& diagnostics_;
   std::string name_;
@@ -123,7 +123,7 @@ class LibraryReader {
 };
 
 /// A line may name several libraries, and a name may hold spaces: the whole is one where there is such a file.
-std::vector<std::string> names_on(const std::string& line, const Surroundings& where) {
+std::vector<std::string> names_on(const std::string& line, const FilePlaces& where) {
   std::string_view rest = std::string_view(line).substr(0, comment_in(line));
   for (const std::string& whole : {line, std::string(trimmed(rest))}) {
     if (file_beside(whole, where).why_not.empty()) return {whole};
@@ -164,7 +164,7 @@ void part_from_textures(Json& materials, Scene& scene) {
 
 }  // namespace
 
-MaterialLibrary read_libraries(const std::vector<std::string>& names, const std::string& obj, const Surroundings& where,
+MaterialLibrary read_libraries(const std::vector<std::string>& names, const std::string& obj, const FilePlaces& where,
                                Faults& faults, Diagnostics& diagnostics) {
   LibraryReader reader(where, faults, diagnostics);
   std::set<std::string> done;

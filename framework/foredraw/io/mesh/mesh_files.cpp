@@ -32,7 +32,7 @@ bool read_polygons(MeshKind kind, const Reading& reading, PolygonMesh& mesh, std
   return false;
 }
 
-std::optional<Scene> scene_from(std::shared_ptr<MeshSource> source, const std::string& name, const Surroundings& where,
+std::optional<Scene> scene_from(std::shared_ptr<MeshSource> source, const std::string& name, const FilePlaces& where,
                                 Faults& faults, Diagnostics& diagnostics) {
   Reading reading{name, source->text(), diagnostics, &faults};
   if (source->kind == MeshKind::obj && is_utf16(reading.text)) {

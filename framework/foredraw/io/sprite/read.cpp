@@ -122,7 +122,7 @@ void fill(Scene& scene, const std::vector<FrameEntry>& entries) {
 }
 
 /// Where a list's image lies; nullopt, with an error, where it may not be opened.
-std::optional<fs::path> image_file(const std::string& image, const std::string& list, const Surroundings& where,
+std::optional<fs::path> image_file(const std::string& image, const std::string& list, const FilePlaces& where,
                                    Diagnostics& diagnostics) {
   FileBeside beside = file_beside(image, where);
   if (beside.why_not.empty()) return std::move(beside.path);

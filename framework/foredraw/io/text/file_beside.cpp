@@ -61,7 +61,7 @@ FileBeside outside(const fs::path& root) {
 
 fs::path utf8_path(std::string_view text) { return fs::path(std::u8string(text.begin(), text.end())); }
 
-FileBeside file_beside(std::string_view name, const Surroundings& where) {
+FileBeside file_beside(std::string_view name, const FilePlaces& where) {
   if (const std::string_view why = why_no_path(name); !why.empty()) return refused(why);
   if (climbs(name) && where.root.empty()) return outside({});
   if (where.folder.empty()) {
@@ -76,7 +76,7 @@ FileBeside file_beside(std::string_view name, const Surroundings& where) {
   return {std::move(path), {}};
 }
 
-FileBeside uri_beside(std::string_view uri, const Surroundings& where) {
+FileBeside uri_beside(std::string_view uri, const FilePlaces& where) {
   const auto name = gltf::percent_decoded(uri);
   return name ? file_beside(*name, where) : refused("is not well-formed");
 }

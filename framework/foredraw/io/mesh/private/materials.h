@@ -14,7 +14,7 @@ struct MaterialLibrary {
 };
 
 /// Reads the libraries that `where` allows. What is missing, or leads out of there, is left out: a fault.
-MaterialLibrary read_libraries(const std::vector<std::string>& names, const std::string& obj, const Surroundings& where,
+MaterialLibrary read_libraries(const std::vector<std::string>& names, const std::string& obj, const FilePlaces& where,
                                Faults& faults, Diagnostics& diagnostics);
 
 /// A document that holds nothing but the scene's materials and images, for the glTF writer to add the rest to.

@@ -8,7 +8,7 @@
 namespace foredraw {
 
 /// Where the files may lie that a file names.
-struct Surroundings {
+struct FilePlaces {
   std::filesystem::path folder;     ///< of the file that names them; empty: it was not read from a folder
   std::filesystem::path root = {};  ///< a path with `..` may lead to anywhere below it; empty: it must not have any
 };
@@ -23,10 +23,10 @@ struct FileBeside {
 
 /// By a relative path in UTF-8, with slashes. All symbolic links followed, the file lies in the folder or below, or in
 /// the root.
-FileBeside file_beside(std::string_view name, const Surroundings& where);
+FileBeside file_beside(std::string_view name, const FilePlaces& where);
 
 /// By a path as a URI writes it.
-FileBeside uri_beside(std::string_view uri, const Surroundings& where);
+FileBeside uri_beside(std::string_view uri, const FilePlaces& where);
 
 /// A path in UTF-8, on any system.
 std::filesystem::path utf8_path(std::string_view text);
