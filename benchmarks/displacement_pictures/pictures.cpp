@@ -64,7 +64,7 @@ void write_png(const std::filesystem::path& path, const std::vector<FramePicture
   const std::vector<std::byte> png = encode_png(texels);
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-  if (!file.flush()) throw std::runtime_error("can not write " + path.string());
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
 }  // namespace foredraw::bench

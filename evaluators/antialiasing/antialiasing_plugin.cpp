@@ -37,14 +37,14 @@ std::vector<Way> ways_in(const std::string& text) {
   for (std::string word; words >> word;) {
     const auto found = std::ranges::find(antialias::all_ways, word, [](Way way) { return to_text(way); });
     if (found == antialias::all_ways.end()) {
-      throw std::invalid_argument(
-          fmt::format("there is no way '{}'; expected none, msaa-2, msaa-4, msaa-8, post, second-depth, wire-clamp, "
-                      "wire-clamp-msaa-4, wire-coverage or wire-coverage-msaa-4, separated by spaces",
-                      word));
+      throw std::invalid_argument(fmt::format(
+          "'{}' is not one of the ways; expected none, msaa-2, msaa-4, msaa-8, post, second-depth, wire-clamp, "
+          "wire-clamp-msaa-4, wire-coverage or wire-coverage-msaa-4, separated by spaces",
+          word));
     }
     if (std::ranges::find(ways, *found) == ways.end()) ways.push_back(*found);
   }
-  if (ways.empty()) throw std::invalid_argument("ways is empty, but one at least must be measured");
+  if (ways.empty()) throw std::invalid_argument("ways is empty; name at least one, such as msaa-4");
   return ways;
 }
 
@@ -83,8 +83,8 @@ class AntialiasingEvaluator final : public Evaluator {
   explicit AntialiasingEvaluator(const AntialiasingSettings& settings)
       : settings_(settings), ways_(ways_in(settings.ways)) {
     if (!std::has_single_bit(static_cast<unsigned>(settings.truth_samples))) {
-      throw std::invalid_argument(
-          fmt::format("truth-samples is {}, but must be a power of two, as 64, 128 or 256", settings.truth_samples));
+      throw std::invalid_argument(fmt::format("truth-samples is {}, but must be a power of two, such as 64, 128 or 256",
+                                              settings.truth_samples));
     }
   }
 
@@ -124,12 +124,12 @@ class AntialiasingEvaluator final : public Evaluator {
              std::ranges::find(found.ways, way, &Antialiasing::OfWay::way) == found.ways.end();
     };
     if (std::ranges::any_of(ways_, [&](Way way) { return antialias::is_for_wires(way) && is_left_out(way); })) {
-      run.note("no-wires", "no vertex knows of a wire, so ways for wires are left out; put wire-radius before it");
+      run.note("no-wires", "no vertex stores a wire, so the ways for wires are left out; put wire-radius before it");
     }
     if (is_left_out(Way::second_depth)) {
-      run.note(
-          "no-second-depth",
-          "no draw says which of its triangles are closed, so second-depth is left out; put second-depth before it");
+      run.note("no-second-depth",
+               "no draw stores which of its triangles are closed, so the way second-depth is left out; put the stage "
+               "second-depth before it");
     }
   }
 
@@ -152,22 +152,23 @@ Plugin antialiasing_plugin() {
             {1, 1000, "frames"});
   table.row(&AntialiasingSettings::step, "step", "How far it slides from frame to frame", {0, 10, "pixels"});
   table.row(&AntialiasingSettings::truth_samples, "truth-samples",
-            "Samples of a pixel of the truth, a power of two; two truths differ by about 1 / samples",
+            "Samples of each pixel of the truth, a power of two; two truths differ by about 1 / samples",
             {16, 65536, "samples"});
 
   Plugin plugin;
   plugin.kind = Kind::evaluator;
   plugin.card = {
       .name = "antialiasing",
-      .summary = "Compares ways against jagged edges with a supersampled truth, under motion of parts of a pixel",
+      .summary =
+          "Compares ways to smooth jagged edges with a supersampled truth, while the camera moves by parts of a pixel",
       .reference = "Persson 2012",
       .metrics =
           {
               {"rmse", "%", "Root mean square difference from the truth at edges, of a linear channel's range"},
-              {"psnr", "dB", "The same as a ratio of signal to noise", false},
-              {"flicker", "%", "Root mean square of what changes from frame to frame beside what changes in the truth"},
+              {"psnr", "dB", "The same error as a signal-to-noise ratio", false},
+              {"flicker", "%", "Root mean square of how far changes from frame to frame differ from the truth's"},
               {"broken", "%", "Pixels of wires with less than half of the contrast that they should have"},
-              {"ink", "%", "How much more of wires is drawn than there is", true, false, true},
+              {"ink", "%", "How much more of the wires is drawn than there is", true, false, true},
               {"floor", "%", "Root mean square difference between two truths", true, false, true},
           },
   };

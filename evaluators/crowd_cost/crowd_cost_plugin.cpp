@@ -66,7 +66,7 @@ void tell(const Crowd& crowd, const CrowdCost& cost, const About& about, const R
 void attach(const Crowd& crowd, const CrowdCost& cost, const About& about, const Run& run) {
   Chart triangles{"triangles", "The dashed line is the budget.", "frame", "triangles of a pass", "", {}, {}};
   triangles.mark = Chart::Mark{"budget", static_cast<double>(crowd.budget)};
-  Chart errors{"error", "Root mean square over all instances.", "frame", "distance beside the finest level", "mrad", {},
+  Chart errors{"error", "Root mean square over all instances.", "frame", "distance from the finest level", "mrad", {},
                {}};
   Chart pops{"level changes", "Instances at another level than in the frame before.", "frame", "instances", "", {}, {}};
   for (const CrowdMethodCost& of : cost.methods) {
@@ -139,7 +139,7 @@ Plugin crowd_cost_plugin() {
   table.row(&CrowdCostOptions::instances, "instances", "Characters around the eye", {1, 1'000'000});
   table.row(&CrowdCostOptions::frames, "frames", "Frames of the path, 30 a second", {1, 100'000, "frames"});
   table.row(&CrowdCostOptions::near, "near", "How high the eye is, in sizes of a character", {0.01, 1e6, "sizes"});
-  table.row(&CrowdCostOptions::far, "far", "How far the corners of the square around the eye are",
+  table.row(&CrowdCostOptions::far, "far", "How far away the corners of the square around the eye are",
             {0.02, 1e6, "sizes"});
   table.row(&CrowdCostOptions::eye_speed, "eye-speed", "How fast the eye walks; characters walk at up to 1.4",
             {0, 1000, "sizes a second"});

@@ -13,7 +13,8 @@ CrowdChooser::CrowdChooser(CrowdMethod method, const Crowd& crowd, std::uint32_t
   std::vector<foredraw_crowd_level> levels;
   for (const CrowdLevel& level : crowd.levels) levels.push_back({level.triangles, level.rms});
   if (foredraw_crowd_prepare(levels.data(), static_cast<std::uint32_t>(levels.size()), &table_) == 0) {
-    throw std::invalid_argument("the levels of the crowd are no table for crowd_select.h");
+    throw std::invalid_argument(
+        "the levels of the crowd do not make a table for crowd_select.h; run crowd-levels again");
   }
   memory_.resize(foredraw_crowd_memory(&table_) / sizeof(std::uint32_t) + 1);
 }

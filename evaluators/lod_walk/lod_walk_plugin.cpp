@@ -93,10 +93,9 @@ class LodWalkEvaluator final : public Evaluator {
     const auto displaced =
         std::ranges::count_if(scene.draws, [](const Draw& draw) { return traits_of(draw).has(traits::displaced); });
     if (displaced == 0) return;
-    run.note("not-displaced",
-             fmt::format("frames show {} displaced {} as stored, without the heights: put `tessellate` "
-                         "before, with `levels` for levels of detail",
-                         displaced, displaced == 1 ? "draw" : "draws"));
+    run.note("not-displaced", fmt::format("frames show {} displaced {} as stored, without the heights: put "
+                                          "`tessellate` before lod-walk, with `levels` for levels of detail",
+                                          displaced, displaced == 1 ? "draw" : "draws"));
   }
 
   /// Costs of who draws the frames, from every fourth frame of the path: drawn finely, coarsely and in between; then as

@@ -95,7 +95,8 @@ class ThinPartsEvaluator final : public Evaluator {
 Plugin thin_parts_plugin() {
   OptionTable<ThinPartsSettings> table;
   table.row(&ThinPartsSettings::size, "size",
-            "How large the sphere around the scene is in the largest pictures; others have it half as large, and so on",
+            "How large the sphere around the scene is in the largest pictures; in the next ones it is half as large, "
+            "and so on",
             {16, 800, "pixels"});
   table.row(&ThinPartsSettings::views, "views", "From how many places the scene is seen", {1, 1000, "views"});
 
@@ -107,11 +108,11 @@ Plugin thin_parts_plugin() {
       .reference = "Persson 2012",
       .metrics =
           {
-              {"sub-pixel", "%", "What is seen that is thinner than a pixel", true, false, true},
+              {"sub-pixel", "%", "Share of what is seen that is thinner than a pixel", true, false, true},
               {"least-feature", "pixels", "Width that a twentieth of what is seen is narrower than", false, false,
                true},
               {"closed-area", "%", "Surface of closed bodies, welded by positions", false, false, true},
-              {"wire-share", "%", "Surface that knows of a wire", false, false, true},
+              {"wire-share", "%", "Surface whose vertices store a wire", false, false, true},
           },
   };
   bind_options(plugin, std::move(table),

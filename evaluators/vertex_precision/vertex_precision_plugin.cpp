@@ -64,24 +64,26 @@ Plugin vertex_precision_plugin() {
   plugin.kind = Kind::evaluator;
   plugin.card = {
       .name = "vertex-precision",
-      .summary = "Measures how far packed vertices are from the plain streams, beside what their layout promises",
+      .summary =
+          "Measures how far packed vertices are from the plain streams, compared with what their layout promises",
       .reference = "own",
       .acts_on = {traits::triangles},
       .metrics =
           {
               {"position", "millionths of the diagonal", "Largest error of a stored position", true, true},
-              {"position-bound", "millionths of the diagonal", "What the layout promises of it", true, true},
+              {"position-bound", "millionths of the diagonal", "The bound that the layout promises for it", true, true},
               {"posed-position", "millionths of the diagonal",
                "Largest error of a position in all poses, packed as posed", true, true},
-              {"posed-position-bound", "millionths of the diagonal", "What the layout promises of it", true, true},
+              {"posed-position-bound", "millionths of the diagonal", "The bound that the layout promises for it", true,
+               true},
               {"posed-outside", "vertices", "Posed vertices that the lattice does not reach, over all poses"},
               {"normal", "degrees", "Largest error of a normal", true, true},
-              {"normal-bound", "degrees", "What the layout promises of it", true, true},
+              {"normal-bound", "degrees", "The bound that the layout promises for it", true, true},
               {"tangent", "degrees", "Largest error of a tangent", true, true},
-              {"tangent-bound", "degrees", "What the layout promises of it", true, true},
-              {"handedness", "tangents", "Tangents whose sign is another"},
+              {"tangent-bound", "degrees", "The bound that the layout promises for it", true, true},
+              {"handedness", "tangents", "Tangents whose sign differs"},
               {"uv", "texels of 4096", "Largest error of a texture coordinate, along u or v", true, true},
-              {"uv-bound", "texels of 4096", "What the layout promises of it", true, true},
+              {"uv-bound", "texels of 4096", "The bound that the layout promises for it", true, true},
               {"size", "of the plain bytes", "Bytes of the rows against those of the streams that they stand for"},
           },
   };

@@ -80,7 +80,9 @@ class CommandLine {
                     "extensions; none: it is left out (default: keep)")
         ->check(CLI::IsMember({"keep", "none"}));
     heat_maps(optimize_app, ", before and after,");
-    json(optimize_app, "Print the record of the run, as JSON, to standard output");
+    json(optimize_app,
+         "Print the record of the run, as JSON, to standard output; the tables go to standard error, with or without "
+         "it");
     threads(optimize_app);
 
     auto& plan_app = add("plan", "Show what would run, what would be skipped and why", plan);
@@ -146,9 +148,10 @@ class CommandLine {
                           "Print the schemas of this product's glTF extension instead, by file name");
 
     auto& calibrate_app =
-        add("calibrate", "Measure what this machine takes to draw, for choices of levels within a budget", calibrate);
+        add("calibrate", "Measure what drawing costs on this machine, so that levels can be chosen within a budget",
+            calibrate);
     calibrate_app.add_option("-o,--output", arguments_.costs,
-                             "Write them to this file, for options called costs (default: print them)");
+                             "Write the costs to this file, for options called costs (default: print them)");
     calibrate_app
         .add_option("--rounds", arguments_.rounds, "Draw each frame this many times; medians count (default: 7)")
         ->check(CLI::Range(1, 1000));
@@ -209,10 +212,12 @@ class CommandLine {
                                extensions_that_hold(Holds::frame_list), takes_folder ? "; or a folder of these" : ""))
         ->required()
         ->expected(1);
-    app.add_flag("--strict", arguments_.strict,
-                 "Refuse a file with any fault, instead of mending what has one meaning only and warning of it");
-    app.add_option("--root", arguments_.root,
-                   "Let a scene name files outside of its folder, such as \"../meshes.bin\", if they lie in this one")
+    app.add_flag(
+        "--strict", arguments_.strict,
+        "Refuse a file with any fault, instead of mending faults that can have only one meaning, with a warning");
+    app.add_option(
+           "--root", arguments_.root,
+           "Let a scene name files outside of its own folder, such as \"../meshes.bin\", if they are in this folder")
         ->type_name("FOLDER");
     memory_limit(app);
   }

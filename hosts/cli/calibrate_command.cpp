@@ -30,7 +30,7 @@ Exit calibrate(const Arguments& arguments, const Registry&) {
   Calibration found = foredraw::calibrate(reference_machine(), options);
   end_progress();
   found.costs.machine = "reference renderer, one thread, " + machine_text();
-  const std::string told = fmt::format("Fitted to half of {} frames, the costs foretell the other half:", found.frames);
+  const std::string told = fmt::format("Fitted to half of {} frames, the costs predict the other half:", found.frames);
   std::string text = costs_text(found.costs);
   for (const std::string& line :
        {told, error_text(Stages::max, found.max_error), error_text(Stages::sum, found.sum_error),

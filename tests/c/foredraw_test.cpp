@@ -210,9 +210,9 @@ TEST_F(ForC, WrongDrawsAreNamed) {
   bad = good, bad.vertex_count = 3;
   EXPECT_EQ(problem(bad), "sheet: an index names a position that does not exist");
   bad = good, bad.indices = nullptr;
-  EXPECT_EQ(problem(bad), "sheet: indices are NULL");
+  EXPECT_EQ(problem(bad), "sheet: indices is NULL, but triangle_count is above 0");
   bad = good, bad.positions = nullptr;
-  EXPECT_EQ(problem(bad), "sheet: positions are NULL");
+  EXPECT_EQ(problem(bad), "sheet: positions is NULL, but vertex_count is above 0");
   bad = good, bad.triangle_count = ~std::uint64_t{0};
   EXPECT_NE(problem(bad).find("too many"), std::string::npos);
   sheet.normals.component = 9;

@@ -142,7 +142,7 @@ TEST_F(OwnPlugins, WhatIsWrongIsRefusedAndTheDrawStays) {
   EXPECT_NE(failure([](void*, Draw, Values, Answer, Asked host) -> int {
               host->measure(host->self, "mine", 1, 0, NAN);
               return FOREDRAW_DONE;
-            }).find("no finite number"),
+            }).find("not a finite number"),
             std::string::npos);
 }
 
@@ -239,7 +239,7 @@ TEST_F(OwnPlugins, WrongOnesAreNotAdded) {
   bad = good, bad.name = "tipsify";
   EXPECT_EQ(problem(bad), "there is already a plugin 'tipsify'");
   bad = good, bad.kind = 9;
-  EXPECT_EQ(problem(bad), "kind is 9, which is none");
+  EXPECT_EQ(problem(bad), "kind is 9; expected FOREDRAW_TRIANGLE_ORDERER to FOREDRAW_EVALUATOR");
   bad = good, bad.run = nullptr;
   EXPECT_EQ(problem(bad), "run is NULL");
   bad = good, bad.option_count = 1;
@@ -255,7 +255,7 @@ TEST_F(OwnPlugins, WrongOnesAreNotAdded) {
   option.initial.text = "one";
   EXPECT_NE(problem(bad).find("no choices"), std::string::npos);
   option.type = 77;
-  EXPECT_NE(problem(bad).find("type is none"), std::string::npos);
+  EXPECT_NE(problem(bad).find("type is not one"), std::string::npos);
   EXPECT_EQ(foredraw_add_plugin(nullptr, &good, nullptr), FOREDRAW_NULL_POINTER);
   EXPECT_EQ(foredraw_add_plugin(context_.get(), nullptr, nullptr), FOREDRAW_NULL_POINTER);
 }

@@ -56,7 +56,7 @@ class Package(unittest.TestCase):
     def test_says_where_the_library_is_not(self):
         call = "import foredraw; foredraw.tipsify([0, 1, 2])"
         said = run(call, FOREDRAW_LIBRARY="/none.so")
-        self.assertIn("foredraw.errors.Error: FOREDRAW_LIBRARY names '/none.so', which can not be loaded", said)
+        self.assertIn("foredraw.errors.Error: FOREDRAW_LIBRARY names '/none.so', which cannot be loaded", said)
         said = run(call, FOREDRAW_LIBRARY="")
         self.assertIn("Name it by the environment variable FOREDRAW_LIBRARY", said)
 

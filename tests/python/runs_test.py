@@ -64,7 +64,7 @@ class Runs(unittest.TestCase):
         self.assertIsNone(caught.exception.result)
         with self.assertRaisesRegex(fd.Error, "vertex-cach"):
             fd.measure(scene, "vertex-cach")
-        with self.assertRaisesRegex(ValueError, "a 0 in it"):
+        with self.assertRaisesRegex(ValueError, "a zero byte"):
             fd.optimize(scene, "weld\0")
         copy = pickle.loads(pickle.dumps(caught.exception))
         self.assertEqual((str(copy), copy.diagnostics), (str(caught.exception), caught.exception.diagnostics))

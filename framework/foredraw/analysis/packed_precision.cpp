@@ -118,11 +118,11 @@ PackedErrors packed_errors(const VertexStreams& vertices, const PackedLayout& la
 
 std::string broken_promise(const VertexStreams& vertices, const PackedLayout& layout,
                            std::span<const std::uint32_t> rows) {
-  if (foredraw_packed_is_layout(&layout) == 0) return "has a layout that is none";
+  if (foredraw_packed_is_layout(&layout) == 0) return "has a layout whose fields or numbers are out of range";
   if (rows.size() != std::size_t{4} * vertices.count) return "does not have four words for each vertex";
   const PackedErrors errors = packed_errors(vertices, layout, rows);
   const PackedBounds bounds = packed_bounds(layout, errors.skew);
-  if (errors.not_finite > 0) return "has a position or texture coordinate that is no number";
+  if (errors.not_finite > 0) return "has a position or texture coordinate that is not finite";
   if (errors.most.position > bounds.position)
     return "has a position that is farther off than half a cell of its lattice";
   if (errors.most.normal > bounds.normal) return "has a normal that is farther off than its bits allow";
@@ -130,7 +130,7 @@ std::string broken_promise(const VertexStreams& vertices, const PackedLayout& la
   if (errors.most.u > bounds.u || errors.most.v > bounds.v) {
     return "has a texture coordinate that is farther off than half a step";
   }
-  if (errors.handedness > 0) return "has a tangent of the other handedness";
+  if (errors.handedness > 0) return "has a tangent whose handedness differs";
   return {};
 }
 

@@ -3,8 +3,8 @@
 const char* foredraw_status_text(int status) {
   switch (status) {
     case FOREDRAW_DONE: return "done";
-    case FOREDRAW_MISTAKE: return "what was asked for is not possible; the text that came out says why";
-    case FOREDRAW_FAILED: return "something went wrong; the text that came out says what";
+    case FOREDRAW_MISTAKE: return "the request is not possible; the text that was returned says why";
+    case FOREDRAW_FAILED: return "something went wrong; the text that was returned says what";
     case FOREDRAW_CANCELLED: return "cancelled";
     case FOREDRAW_NO_MEMORY: return "memory ran out";
     case FOREDRAW_NULL_POINTER: return "a pointer is NULL where data or room for the answer is needed";

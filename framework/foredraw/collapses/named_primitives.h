@@ -24,9 +24,9 @@ template <class Meshes, class WhyNot>
 std::string first_difference(const Meshes& meshes, const Scene& scene, const WhyNot& why_not) {
   std::vector<bool> is_named(scene.draws.size(), false);
   for (const auto& mesh : meshes) {
-    if (mesh.draws.empty()) return "one is of no draw";
+    if (mesh.draws.empty()) return "one of them names no draw";
     for (const DrawId id : mesh.draws) {
-      if (id >= scene.draws.size() || is_named[id]) return "a draw is in two of them, or in none";
+      if (id >= scene.draws.size() || is_named[id]) return "a draw is named twice, or does not exist";
       is_named[id] = true;
     }
     if (std::string why = why_not(mesh); !why.empty()) return why;

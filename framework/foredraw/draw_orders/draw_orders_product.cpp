@@ -90,7 +90,7 @@ class DrawOrdersRow final : public ProductRow {
   }
 
   void leave_out(Scene& scene) const override {
-    forget_tables(scene, [](const OrderTable&) { return "nobody wants them"; });
+    forget_tables(scene, [](const OrderTable&) { return "they are left out"; });
     scene.products.erase(DrawOrders::product);
     for (Draw& draw : scene.draws) draw.levels[0].orders.resize(1);
   }

@@ -49,7 +49,7 @@ void add_evaluator_rows(OptionTable<Options>& table) {
   table.template choice<SequenceFrom>(
       &OverdrawOptions::sequence, "sequence",
       "In which sequence draws are drawn. table: as tables of orders say, else as in the file; file: as in the file, "
-      "whatever tables say; material: by the material's number, near to what engines do that sort",
+      "whatever tables say; material: by the material's number, much as engines do that sort",
       {{"table", SequenceFrom::table}, {"file", SequenceFrom::file}, {"material", SequenceFrom::material}});
   table.template row<bool>(
       &OverdrawOptions::details, "details",

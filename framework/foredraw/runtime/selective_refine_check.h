@@ -93,7 +93,7 @@ static inline const char* foredraw_refine_check_counts(const foredraw_refine_che
       mesh->nodes[splits].first_need != check->arrays->needs)
     return "counts do not end at those of the arrays";
   for (i = 0; i < check->arrays->vertices; ++i) {
-    if (check->arrays->point[i] >= check->arrays->points) return "a vertex is of no point";
+    if (check->arrays->point[i] >= check->arrays->points) return "a vertex belongs to no point";
   }
   for (i = 0; i < 3 * mesh->triangles; ++i) {
     if (mesh->corners[i] >= check->arrays->vertices) return "a corner names no vertex";

@@ -55,7 +55,7 @@ std::uint32_t joints_of(const foredraw::Scene& scene, foredraw::DrawId draw) {
 void write(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!file.flush()) throw std::runtime_error("can not write " + path.string());
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
 void write_shaders(const foredraw::DisplacedShader& shader, const std::filesystem::path& folder) {

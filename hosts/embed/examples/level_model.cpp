@@ -41,7 +41,7 @@ level_model* model_of(const foredraw::Scene& scene) {
     foredraw::RefineRecords records = refine_records(*one.sequence, mesh->positions, mesh->indices);
     return new level_model{scene.draws[one.draws.front()], *morph, std::move(*mesh), std::move(records)};
   }
-  throw std::runtime_error("no draw has all that is walked past: a sequence whose vertices stay, levels, geomorphs");
+  throw std::runtime_error("no draw has all three: a sequence of collapses whose vertices stay, levels, and geomorphs");
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ class Library:
             function = getattr(self._shared, "foredraw_" + name)
         except AttributeError:
             raise Error(
-                f"{self._path} has no function foredraw_{name}: it is of another version than this package, "
-                "or was built without it"
+                f"{self._path} has no function foredraw_{name}: it is not of the version of this package, "
+                "or was built without it; install both together"
             ) from None
         function.restype, function.argtypes = PROTOTYPES[name]
         setattr(self, name, function)
@@ -50,7 +50,7 @@ def library() -> Library:
         try:
             return Library(named)
         except OSError as problem:
-            raise Error(f"FOREDRAW_LIBRARY names '{named}', which can not be loaded: {problem}") from None
+            raise Error(f"FOREDRAW_LIBRARY names '{named}', which cannot be loaded: {problem}") from None
     places = _places()
     found = [place / _NAME for place in places if (place / _NAME).exists()]
     try:
@@ -58,7 +58,7 @@ def library() -> Library:
     except OSError as problem:
         looked = ", ".join(map(str, places))
         raise Error(
-            f"{_NAME} can not be loaded: {problem}. It was looked for in {looked}, and where the system has its "
+            f"{_NAME} cannot be loaded: {problem}. It was looked for in {looked}, and where the system has its "
             "libraries. Name it by the environment variable FOREDRAW_LIBRARY"
         ) from None
 

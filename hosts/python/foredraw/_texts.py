@@ -22,7 +22,7 @@ def path_for_c(path: Union[str, "os.PathLike[str]"]) -> bytes:
 
 def _whole(data: bytes, what: str) -> bytes:
     if b"\0" in data:
-        raise ValueError(f"{what} has a 0 in it")
+        raise ValueError(f"{what} contains a zero byte")
     return data
 
 

@@ -41,7 +41,7 @@ class Context:
         return wait_for(work, self.cancel, progress)
 
     def __reduce__(self) -> Any:
-        raise TypeError("a context stays in its process; make one in the other")
+        raise TypeError("a context stays in its process; make one in each process")
 
 
 @lru_cache(maxsize=1)

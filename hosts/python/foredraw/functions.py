@@ -198,7 +198,7 @@ def reorder_elements(elements: Any, order: Any) -> np.ndarray:
     given = np.ascontiguousarray(elements)
     wanted = numbers(order, "the order")
     if given.dtype.hasobject:
-        raise TypeError(f"elements must be plain memory, but are {given.dtype}")
+        raise TypeError(f"elements must be numbers or structs of numbers, but are {given.dtype}")
     made = np.empty((len(wanted), *given.shape[1:]), given.dtype)
     size = count(given.dtype.itemsize * int(np.prod(given.shape[1:])), "bytes of an element")
     reorder = library().reorder_elements

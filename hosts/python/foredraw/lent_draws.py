@@ -26,7 +26,7 @@ class Handle:
         self._free(self.pointer)
 
     def __reduce__(self) -> Any:
-        raise TypeError("a scene stays in its process; write it to a file, and read that in the other")
+        raise TypeError("a scene stays in its process; write it to a file, and read the file in the other process")
 
 
 class LentDraw:

@@ -50,7 +50,7 @@ Plugin lookahead_plugin() {
             "How many centres of the next fan of triangles are tried; more take longer. 0: set by `quality`",
             {0, 64, "fans"});
   table.row(&LookaheadOptions::depth, "depth",
-            "How many further fans are tried behind each candidate; more take longer. 0: set by `quality`",
+            "How many further fans are tried after each candidate; more take longer. 0: set by `quality`",
             {0, 64, "fans"});
   table.choice(&LookaheadOptions::target, "target",
                "Cache to order for. robust: a FIFO of `cache-size`, but good for other caches too; fifo: that FIFO "

@@ -169,7 +169,7 @@ Plugin occlusion_order_plugin() {
   table.row<std::int64_t>(&Options::start, "seed", "Seed of the starting looks, added to the pipeline's seed");
   table.row<bool>(&Options::sequences, "sequences",
                   "With k above 1: give each order a sequence of the subject's draws, in which the engine draws them; "
-                  "false for engines that can not draw in a sequence that changes");
+                  "false for engines that cannot draw in a sequence that changes");
   table.row<int>(&Options::theta_steps, "theta-steps",
                  "Rows of the table from which the engine reads which order to draw: steps of the view from straight "
                  "above to straight below",

@@ -94,7 +94,7 @@ class MakeCrowdLevels final : public Processor {
       return std::isfinite(draw.area) && std::ranges::all_of(draw.levels, is_finite);
     });
     if (is_whole) return made;
-    why_not = "its size, or how far it is off, is no finite number, or it has too many triangles";
+    why_not = "its size or its error is not finite, or it has too many triangles";
     return {};
   }
 
@@ -110,7 +110,7 @@ Plugin crowd_levels_plugin() {
   plugin.card = {
       .name = "crowd-levels",
       .summary =
-          "Makes a table of the levels at which instances of a crowd can be drawn: what each takes, and how far it is "
+          "Makes a table of the levels at which instances of a crowd can be drawn: what each costs, and how far it is "
           "off",
       .reference = "Tatarchuk, Barczak, Purnomo 2008",
       .acts_on = {traits::triangles},

@@ -105,7 +105,7 @@ class CrowdLevelsRow final : public ProductRow {
       lost.push_back(row.crowd);
       told.push_back("the levels of a crowd leave " +
                      (row.draw < before.draws.size() ? before.draws[row.draw].name : "a draw") +
-                     " out: its triangles were made into others");
+                     " out: its triangles were replaced");
     }
     std::erase_if(levels.draws,
                   [&](const CrowdLevels::OfDraw& row) { return std::ranges::find(lost, row.crowd) != lost.end(); });

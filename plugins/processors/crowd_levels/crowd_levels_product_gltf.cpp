@@ -81,13 +81,13 @@ void check_sequence(const std::vector<CrowdLevel>& levels, foredraw_spacing spac
   for (; at < levels.size() && levels[at].kind == CrowdClass::tessellated; ++at) {
     const std::uint32_t parts = levels[at].number;
     if (foredraw_tessellation_parts(static_cast<float>(parts), spacing) != parts) {
-      throw Wrong(fmt::format("has {} parts of an edge, which its spacing has not", parts));
+      throw Wrong(fmt::format("has {} parts of an edge, which its spacing does not allow", parts));
     }
     if (at > 0 && parts >= levels[at - 1].number)
       throw Wrong("has parts of edges that do not fall from level to level");
   }
   if (at == levels.size() || levels[at].kind != CrowdClass::plain)
-    throw Wrong("has no plain level behind tessellated ones");
+    throw Wrong("has no plain level after tessellated ones");
   for (std::uint32_t number = 1; ++at < levels.size(); ++number) {
     if (levels[at].kind != CrowdClass::simplified || levels[at].number != number) {
       throw Wrong("has simplified levels that are not 1, 2, ... in turn");

@@ -59,11 +59,9 @@ class GiveDisplacement final : public Processor {
     if (map.is_converted)
       run.note("map-converted", "the map becomes a PNG of 16 bits, since glTF holds PNG and JPEG alone");
     if (map.outside > 0) {
-      run.note(
-          "heights-cut-off",
-          fmt::format("{} texels of the map are below 0 or above 1, or no numbers, and are cut off; scale the map to "
-                      "0 to 1, and give `factor` and `offset`",
-                      map.outside));
+      run.note("heights-cut-off", fmt::format("{} texels of the map are not numbers from 0 to 1, and are clamped; "
+                                              "scale the map to 0 to 1, and give `factor` and `offset`",
+                                              map.outside));
     }
   }
 

@@ -52,7 +52,8 @@ class BakedHeightsRow final : public ProductRow {
       const ExtensionValue* bits = value->member("bits");
       const auto factor = number_of(*value, "factor"), offset = number_of(*value, "offset");
       if (!levels || !heights) return "an accessor is missing, or of another type";
-      if (!bits || !bits->whole() || !factor || !offset) return "'bits', 'factor' or 'offset' is missing or no number";
+      if (!bits || !bits->whole() || !factor || !offset)
+        return "'bits', 'factor' or 'offset' is missing, or not a number";
       all.draws.push_back({id, *levels, *heights, *bits->whole(), *factor, *offset});
       scene.draws[id].traits.add(traits::displaced);
     }
@@ -97,7 +98,7 @@ class BakedHeightsRow final : public ProductRow {
         continue;
       }
       told.push_back("the baked heights of " + before.draws[draw.draw].name +
-                     " are left out: its triangles are others");
+                     " are left out: its triangles were replaced");
       if (draw.draw < after.draws.size()) after.draws[draw.draw].traits.remove(traits::displaced);
     }
     if (left.draws.empty()) {

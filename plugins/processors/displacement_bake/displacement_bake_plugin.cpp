@@ -111,7 +111,7 @@ class MeshBake {
     made.simplified_triangles = simplified.indices.size() / 3;
     made.simplified_bytes = mesh_bytes(simplified.vertices->count, made.simplified_triangles);
     if (made.bytes < made.simplified_bytes) return;
-    made.why_not = fmt::format("{} triangles alone lie as near in {} bytes; {} triangles with heights take {}",
+    made.why_not = fmt::format("{} triangles alone are as close in {} bytes; {} triangles with heights take {}",
                                made.simplified_triangles, made.simplified_bytes, made.baked.levels.size(), made.bytes);
   }
 
@@ -228,7 +228,7 @@ Plugin displacement_bake_plugin() {
                   {"drawn", "triangles", "Triangles that a tessellator makes of them", false},
                   {"bytes", "bytes", "Positions, indices, levels and heights as a GPU holds them"},
                   {"simplified-bytes", "bytes",
-                   "Positions and indices of a simplified mesh that is as near, without heights", false},
+                   "Positions and indices of a simplified mesh that is as close, without heights", false},
                   {"rms", "units", "Distance from the surface before, root of the mean square"},
                   {"largest", "units", "Largest distance found from the surface before"}},
   };

@@ -204,7 +204,8 @@ Plugin displacement_seams_plugin() {
   table.row(&Options::bits, "bits", "How many bits of the heights have to agree on both sides", {1, 16, "bits"});
 
   table.row(&Options::gutter, "gutter",
-            "How far around the charts texels get the heights beside them, for filters that read there; 0: they stay",
+            "How far around the charts texels take the heights next to them, for filters that read there; 0: they stay "
+            "as they are",
             {0, 64, "texels"});
   table.row(&Options::table, "table",
             "Store the heights of seams apart, too: both sides are then equal at any level and spacing");

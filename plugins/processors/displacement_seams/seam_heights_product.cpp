@@ -91,7 +91,7 @@ class SeamHeightsRow final : public ProductRow {
       const ExtensionValue* value = from.of_draw(id);
       if (value == nullptr) continue;
       DrawSeams of{.draw = id};
-      std::string why = from.is_list(id) ? read_seams(from, *value, of) : "is no list of triangles with indices";
+      std::string why = from.is_list(id) ? read_seams(from, *value, of) : "is not a list of triangles with indices";
       if (!why.empty()) return scene.draws[id].name + ' ' + why;
       all.draws.push_back(std::move(of));
     }
@@ -136,7 +136,7 @@ class SeamHeightsRow final : public ProductRow {
       std::string why = "no map displaces it, or another one does";
       if (was != nullptr && is != nullptr && was->texture == is->texture) {
         now = moved(of, before.draws[of.draw].full().stream(), after.draws[of.draw].full().stream());
-        why = now ? difference_of(*now, after) : "its triangles were made into others";
+        why = now ? difference_of(*now, after) : "its triangles were replaced";
         if (!why.empty()) now.reset();
       }
       if (now) {

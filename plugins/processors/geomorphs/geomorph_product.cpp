@@ -106,8 +106,7 @@ class GeomorphRow final : public ProductRow {
       if (difference(now, after, analyses).empty()) {
         left.draws.push_back(std::move(now));
       } else {
-        told.push_back("the geomorphs of " + before.draws[draw.draw].name +
-                       " are left out: its levels were made into others");
+        told.push_back("the geomorphs of " + before.draws[draw.draw].name + " are left out: its levels were replaced");
       }
     }
     if (left.draws.empty()) {

@@ -33,8 +33,7 @@ class GeomorphsOfLevels final : public Processor {
       if (made[i].empty()) {
         run.note_at(
             {.draw = meshes[i].draws.front()}, "other-levels",
-            "no geomorphs: its levels are not those of its sequence of collapses any more; put this stage right "
-            "behind `levels`");
+            "no geomorphs: its levels no longer match its sequence of collapses; put this stage right after `levels`");
       }
       std::ranges::move(made[i], std::back_inserter(all.draws));
     }
@@ -92,7 +91,7 @@ Plugin geomorphs_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "geomorphs",
-      .summary = "Tells what each vertex of a level becomes in the next coarser one, so that levels change smoothly",
+      .summary = "Stores what each vertex of a level becomes in the next coarser one, so that levels change smoothly",
       .reference = "Hoppe 1996, section 4.1",
       .acts_on = {traits::triangles},
       .needs = {traits::progressive},

@@ -37,7 +37,7 @@ std::vector<glm::dmat4> boxes_of(const Options& options) {
     const auto corners = hidden::points_in(options.box);
     if (!corners || corners->size() != 2) {
       throw std::invalid_argument(
-          "seen-from = \"box\" wants two corners, in the space of the scene: box = \"x y z; x y z\"");
+          "seen-from = \"box\" needs two corners, in the space of the scene: box = \"x y z; x y z\"");
     }
     add(corners->front(), corners->back());
   }
@@ -45,7 +45,7 @@ std::vector<glm::dmat4> boxes_of(const Options& options) {
     const auto points = hidden::points_in(options.points);
     if (!points) {
       throw std::invalid_argument(
-          "seen-from = \"points\" wants points, in the space of the scene: points = \"x y z; x y z\"");
+          "seen-from = \"points\" needs points, in the space of the scene: points = \"x y z; x y z\"");
     }
     for (const glm::dvec3& point : *points) add(point, point);
   }
@@ -55,8 +55,8 @@ std::vector<glm::dmat4> boxes_of(const Options& options) {
 hidden::HiddenSearchOptions search_options(const Options& options) {
   if (!options.seen_from) {
     throw std::invalid_argument(
-        "say where cameras may be: seen-from = \"outside\", \"above\", \"box\" or \"points\"; what they never see "
-        "goes");
+        "say where cameras may be: seen-from = \"outside\", \"above\", \"box\" or \"points\"; what they never see is "
+        "removed");
   }
   hidden::HiddenSearchOptions search;
   static_cast<HiddenOptions&>(search) = options;
@@ -153,12 +153,12 @@ Plugin hidden_plugin() {
       .row(&Options::points, "points",
            "With seen-from points: where cameras are, in the space of the scene, as 'x y z; x y z; ...'")
       .choice(&HiddenOptions::unit, "unit",
-              "What goes or stays as one. component: all that hangs together; triangle: single triangles, but for two "
-              "rings around what is seen",
+              "What goes or stays as one. component: triangles that are connected, all together; triangle: single "
+              "triangles, except two rings around what is seen",
               {{"component", hidden::Unit::component}, {"triangle", hidden::Unit::triangle}})
       .choice(&Options::moving, "moving",
-              "What parts of a character hide of each other. apart: only what follows the same joint alone, so that "
-              "it holds in every pose; clips: what is hidden in all keys of all clips",
+              "What parts of a character may hide of each other. apart: only what follows one and the same joint, so "
+              "that it holds in every pose; clips: what is hidden in all keys of all clips",
               {{"apart", Moving::apart}, {"clips", Moving::clips}})
       .row(&HiddenOptions::views, "views",
            "Pictures that decide what is seen; a quarter as many more are taken from nearby, with perspective",
@@ -174,7 +174,7 @@ Plugin hidden_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "hidden",
-      .summary = "Removes what cameras can not see: parts inside others, by pictures and rays from where cameras are",
+      .summary = "Removes what cameras cannot see: parts inside others, by pictures and rays from where cameras are",
       .reference = "own",
       .acts_on = {traits::triangles},
       .breaks = {traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered, traits::clustered,

@@ -161,7 +161,7 @@ Plugin levels_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "levels",
-      .summary = "Puts coarser levels of detail behind each mesh, with the largest error of each",
+      .summary = "Adds coarser levels of detail to each mesh, with the largest error of each",
       .reference = "Hoppe 1996, section 3",
       .acts_on = {traits::triangles},
       .needs = {traits::progressive},

@@ -112,7 +112,7 @@ class LodTableRow final : public ProductRow {
       if (bring_up(row, table.costs, after)) return false;
       told.push_back("the table of levels and renderings leaves " +
                      (row.draw < before.draws.size() ? before.draws[row.draw].name : "a draw") +
-                     " out: its levels were made into others");
+                     " out: its levels were replaced");
       return true;
     });
     if (table.draws.empty()) {

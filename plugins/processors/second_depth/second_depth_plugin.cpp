@@ -63,7 +63,7 @@ class ClosedShellsFirst final : public Processor {
       why = "has several orders; put this stage before the one that makes them";
     }
     if (why.empty()) return true;
-    run.note_at({.draw = id}, "not-closed", "none of it: it " + why);
+    run.note_at({.draw = id}, "not-closed", "left out: it " + why);
     measure(scene.draws[id], id, 0, run);
     return false;
   }
@@ -143,7 +143,7 @@ Plugin second_depth_plugin() {
   plugin.products = {second_depth_product()};
   OptionTable<SecondDepthOptions> table;
   table.row(&SecondDepthOptions::skinned, "skinned",
-            "Let shells go that follow joints: they stay closed, but a pose may fold them through themselves");
+            "Take shells that follow joints, too: they stay closed, but a pose may fold them through themselves");
   bind_options(plugin, table,
                [](const SecondDepthOptions& options) { return std::make_unique<ClosedShellsFirst>(options); });
   return plugin;

@@ -83,7 +83,7 @@ class SecondDepthRow final : public ProductRow {
     }
     for (const SecondDepth::OfDraw& of : before.products.find<SecondDepth>()->draws) {
       if (now.triangles_of(of.draw) > 0) continue;
-      told.push_back("second depth of " + before.draws[of.draw].name + " is left out: its triangles were made anew; " +
+      told.push_back("second depth of " + before.draws[of.draw].name + " is left out: its triangles were replaced; " +
                      card().remedy);
     }
     std::ranges::sort(left.draws, {}, &SecondDepth::OfDraw::draw);
@@ -146,7 +146,7 @@ class SecondDepthRow final : public ProductRow {
     for (const DrawShells& draw : shells_of(scene, draws, triangles, analyses)) {
       const bool is_closed =
           std::ranges::all_of(draw.kinds, [](shells::Kind kind) { return kind == shells::Kind::closed; });
-      if (!is_closed) return "the first triangles of " + scene.draws[draw.draw].name + " are no closed shells";
+      if (!is_closed) return "the first triangles of " + scene.draws[draw.draw].name + " are not closed shells";
     }
     return {};
   }

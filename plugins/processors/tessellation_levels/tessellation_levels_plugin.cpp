@@ -164,15 +164,10 @@ class MakeTessellationLevels final : public Processor {
     const double error = limits.goal == LevelGoal::rms ? of.chosen.rms : of.chosen.largest;
     if (limits.error && error > *limits.error) {
       run.note_at(about, "error-not-reached",
-                  fmt::format("the error is {:.4g}, and not {:.4g}: {}", error, *limits.error,
+                  fmt::format("the error is {:.4g}, above the requested {:.4g}: {}", error, *limits.error,
                               limits.triangles ? "it would take more triangles than `triangles` allows, or a finer map"
                                                : "no level of 64 or fewer parts, each a texel long, comes closer"));
     }
-    run.note_at(about, "error",
-                fmt::format("{} triangles, undivided {}; error rms {:.4g}, undivided {:.4g}; largest {:.4g}, "
-                            "undivided {:.4g}",
-                            of.chosen.triangles, of.plain.triangles, of.chosen.rms, of.plain.rms, of.chosen.largest,
-                            of.plain.largest));
   }
 
   Options options_;

@@ -66,7 +66,8 @@ class TessellationRow final : public ProductRow {
       const ExtensionValue* value = from.of_draw(id);
       if (value == nullptr) continue;
       DrawTessellation of{.draw = id};
-      std::string why = from.is_list(id) ? read_tessellation(from, *value, of) : "is no list of triangles with indices";
+      std::string why =
+          from.is_list(id) ? read_tessellation(from, *value, of) : "is not a list of triangles with indices";
       if (!why.empty()) return scene.draws[id].name + ' ' + why;
       stored.draws.push_back(std::move(of));
     }
@@ -113,7 +114,7 @@ class TessellationRow final : public ProductRow {
         why = "its displacement has changed";
         if (is_displaced_alike(before, after, of.draw)) {
           now = moved(of, before.draws[of.draw].full().stream(), after.draws[of.draw].full().stream());
-          why = now ? tessellation_difference(*now, after) : "its triangles were made into others";
+          why = now ? tessellation_difference(*now, after) : "its triangles were replaced";
           if (!why.empty()) now.reset();
         }
       }
@@ -160,10 +161,12 @@ class TessellationRow final : public ProductRow {
                      .value = List()};
     for (const DrawTessellation& of : scene.products.find<StoredTessellations>()->draws) {
       const std::string& name = scene.draws[of.draw].name;
-      const TessellationScale& finest = of.scales.front();
+      const TessellationScale &finest = of.scales.front(), &undivided = of.scales.back();
       text.lines.push_back(fmt::format(
-          "{}: {} triangles from {}, error rms {:.4g}, largest {:.4g}; scales {}, ranges {}", name, finest.triangles,
-          of.levels.size(), finest.rms, finest.largest, of.scales.size(), of.ranges.size()));
+          "{}: {} triangles from {}, error rms {:.4g} (undivided {:.4g}), largest {:.4g} (undivided {:.4g}); "
+          "scales {}, ranges {}",
+          name, finest.triangles, of.levels.size(), finest.rms, undivided.rms, finest.largest, undivided.largest,
+          of.scales.size(), of.ranges.size()));
       text.value.push(
           Members{{"draw", name}, {"source", of.levels.size()}, {"scales", scales(of)}, {"ranges", of.ranges.size()}});
     }

@@ -101,7 +101,7 @@ std::string tessellation_difference(const DrawTessellation& of, const Scene& sce
     const bool is_rising = begins[r] < triangles && (r == 0 || begins[r] > begins[r - 1]);
     const DisplacementRange& range = of.ranges.view()[r];
     const bool is_range = std::isfinite(range.least) && std::isfinite(range.most) && range.least <= range.most;
-    if (!is_rising || !is_range) return fmt::format("have a displacement range that is none: number {}", r);
+    if (!is_rising || !is_range) return fmt::format("have an invalid displacement range: number {}", r);
   }
   return {};
 }

@@ -53,9 +53,9 @@ void add_level(Content& content, const VertexStreams& vertices) {
   if (positions == nullptr) {
     content.why_not = "it has no positions";
   } else if (!is_finite(*positions, vertices.count, 3)) {
-    content.why_not = "it has a position that is no number";
+    content.why_not = "it has a position that is not finite";
   } else if (uvs != nullptr && !is_finite(*uvs, vertices.count, 2)) {
-    content.why_not = "it has a texture coordinate that is no number";
+    content.why_not = "it has a texture coordinate that is not finite";
   }
   if (!content.why_not.empty()) return;
   content.normals |= stream_of(vertices, "NORMAL", 3) != nullptr;
@@ -109,8 +109,7 @@ class Layouts {
     for (const DrawId id : draws) {
       if (!shared) {
         contents_[id].why_not =
-            "no layout of 128 bits holds its box and keeps the limits of what directions and texture coordinates may "
-            "be off";
+            "no layout of 128 bits holds its box and keeps directions and texture coordinates within their limits";
         continue;
       }
       PackedLayout layout = *shared;

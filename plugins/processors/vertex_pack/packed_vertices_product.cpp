@@ -119,7 +119,7 @@ class PackedVerticesRow final : public ProductRow {
       } else {
         told.push_back("the packed vertices of " +
                        (packed.draw < before.draws.size() ? before.draws[packed.draw].name : "a draw") +
-                       " are left out: its vertices or levels were made into others; pack them behind that stage");
+                       " are left out: its vertices or levels were replaced; pack them after that stage");
       }
     }
     if (left.draws.empty()) {

@@ -52,7 +52,7 @@ void add_field(PackedLayout& layout, const ExtensionValue& value, std::uint32_t 
   if (used + *bits > 32) throw Wrong("has a word of more than 32 bits");
   if (*name != spare) {
     const auto* found = std::ranges::find(field_names, *name);
-    if (found == field_names.end()) throw Wrong("has a field of no known name");
+    if (found == field_names.end()) throw Wrong("has a field whose name is not known");
     foredraw_packed_field& field = layout.field[found - field_names.begin()];
     if (field.bits != 0) throw Wrong("has the field '" + *name + "' twice");
     field = {word, used, *bits};

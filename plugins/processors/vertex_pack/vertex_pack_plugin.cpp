@@ -70,10 +70,9 @@ class VertexPack final : public Processor {
       run.measure_at(about, "posed-bound", bound, draw.posed_diagonal / 1e6);
     }
     if (draw.no_direction > 0) {
-      run.note_at(
-          about, "no-direction",
-          fmt::format("vertices with a normal or tangent that points nowhere, and is packed as one that does: {}",
-                      draw.no_direction));
+      run.note_at(about, "no-direction",
+                  fmt::format("vertices whose normal or tangent has no direction, so that a default is packed: {}",
+                              draw.no_direction));
     }
     if (!draw.plain.empty()) {
       run.note_at(about, "stays-plain", "not packed, and still read from its own streams: " + draw.plain);

@@ -19,13 +19,13 @@ namespace {
 
 /// Empty: its wires may be taken.
 std::string why_left(const Scene& scene, const Draw& draw) {
-  if (draw.topology != Topology::triangles) return "it draws lines or points, of which no width is known";
+  if (draw.topology != Topology::triangles) return "it draws lines or points, whose width is not known";
   if (draw.full().orders.size() > 1) return "it has several orders of its triangles";
   if (draw.traits.has(traits::morphed)) return "morph targets may move its vertices and not their centre line";
   const Material* material = scene.material_of(draw);
   if (material != nullptr && material->alpha_mode == AlphaMode::blend) return "it is blended already";
   if (material != nullptr && material->alpha_mode == AlphaMode::mask) {
-    return "an image cuts its shape out, which no vertex knows";
+    return "an image cuts out its shape, which its vertices do not show";
   }
   return {};
 }

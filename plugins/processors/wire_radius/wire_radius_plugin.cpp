@@ -74,7 +74,8 @@ class WireRadius final : public Processor {
       }
     }
     if (changed.empty()) {
-      run.keep(run.findings.notes.empty() ? "nothing in it is long and thin" : "no wire was taken; the notes say why");
+      run.keep(run.findings.notes.empty() ? "nothing in it is long and thin"
+                                          : "no part was taken as a wire; the notes say why");
       return {};
     }
     std::ranges::sort(all.draws, {}, &DrawWires::draw);
@@ -84,25 +85,16 @@ class WireRadius final : public Processor {
   }
 
  private:
+  /// Figures alone: what was found is told by the product's row.
   static void tell(const Scene& scene, const DrawWires& of, const Run& run) {
     const About about{.draw = of.draw};
     std::array<double, 3> kinds{};
-    double length = 0;
-    for (const Wire& wire : of.wires) {
-      ++kinds[static_cast<std::size_t>(wire.kind)];
-      length += wire.length;
-    }
+    for (const Wire& wire : of.wires) ++kinds[static_cast<std::size_t>(wire.kind)];
     const std::size_t triangles = scene.draws[of.draw].full().stream().triangle_count();
     run.count_at(about, "tubes", kinds[0]);
     run.count_at(about, "ribbons", kinds[1]);
     run.count_at(about, "nets", kinds[2]);
     run.measure_at(about, "share", static_cast<double>(triangles - of.first_triangle), static_cast<double>(triangles));
-    run.note_at(about, "wires",
-                fmt::format("wires: {}, {}, {}; together {:.4g} units long, and {} of {} triangles",
-                            counted(static_cast<std::uint64_t>(kinds[0]), "tube"),
-                            counted(static_cast<std::uint64_t>(kinds[1]), "ribbon"),
-                            counted(static_cast<std::uint64_t>(kinds[2]), "net"), length, triangles - of.first_triangle,
-                            triangles));
   }
 
   /// What is nearly a wire, draw by draw, with the longest of each kind.
@@ -121,14 +113,15 @@ class WireRadius final : public Processor {
     }
     for (const auto& [key, sum] : sums) {
       const auto& [draw, why] = key;
-      run.note_at({.draw = unit.draws[draw]}, "no-wire",
-                  fmt::format("{} not taken: {}; the longest is {:.3g} units long and {:.3g} wide, at triangle {}",
-                              counted(sum.count, "thing"), text_of(why), sum.longest.length, sum.longest.width,
-                              sum.longest.triangle - wires.first_triangle[draw]));
+      run.note_at(
+          {.draw = unit.draws[draw]}, "no-wire",
+          fmt::format("{} not taken as wires: {}; the longest is {:.3g} units long and {:.3g} wide, at triangle {}",
+                      counted(sum.count, "part"), text_of(why), sum.longest.length, sum.longest.width,
+                      sum.longest.triangle - wires.first_triangle[draw]));
     }
     for (const std::uint32_t wire : wires.bent) {
       run.note_at({.draw = unit.draws.front()}, "bent",
-                  fmt::format("a wire of {:.3g} units is not taken: round it, vertices follow different joints",
+                  fmt::format("a wire of {:.3g} units is not taken: vertices around it follow different joints",
                               wires.found.wires[wire].length));
     }
   }
@@ -141,25 +134,26 @@ class WireRadius final : public Processor {
 Plugin wire_radius_plugin() {
   OptionTable<WireOptions> table;
   table
-      .row(&WireOptions::slender, "slender", "A wire is at least so many times as long as it is wide, on average",
+      .row(&WireOptions::slender, "slender", "A wire is at least this many times as long as it is wide, on average",
            {2, 1000, ""})
       .row(&WireOptions::aspect, "aspect",
-           "The section of a tube is at most so many times as wide as thick; what is flatter is a board", {1, 100, ""})
+           "The section of a tube is at most this many times as wide as thick; what is flatter is a board",
+           {1, 100, ""})
       .row(&WireOptions::taper, "taper", "By which factor the width of a wire may change from end to end", {1, 100, ""})
       .row(&WireOptions::ribbons, "ribbons", "Take flat ribbons, and nets of them, too")
       .row(&WireOptions::decal, "decal",
-           "Something flat with a surface within so many of its breadths before or behind it is painted on that "
-           "surface, and no wire; 0: it is one all the same",
+           "A flat part is taken as painted on a surface, and not as a wire, if the surface lies within this many of "
+           "its breadths in front of it or behind it; 0: it is taken as a wire",
            {0, 100, "breadths"})
-      .row(&WireOptions::least_length, "least-length", "What is shorter is no wire", {0, 1e30, "units"});
+      .row(&WireOptions::least_length, "least-length", "Shorter parts are not wires", {0, 1e30, "units"});
 
   Plugin plugin;
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "wire-radius",
       .summary =
-          "Finds wires, such as ropes, cables, railings and antennae, and tells each vertex its centre line and "
-          "radius, so that shaders keep them at least a pixel wide",
+          "Finds wires, such as ropes, cables, railings and antennae, and stores their centre line and radius in each "
+          "vertex, so that shaders keep them at least a pixel wide",
       .reference = "Persson 2012, Phone-wire AA",
       .acts_on = {traits::triangles},
       .breaks = {traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered, traits::clustered},

@@ -3,6 +3,7 @@
 #include "schemas.h"
 #include "wire_streams.h"
 
+#include <foredraw/base/counted.h>
 #include <foredraw/scene/moves.h>
 #include <foredraw/viewing/wire_shader.h>
 
@@ -62,7 +63,7 @@ std::string difference_of(const DrawWires& of, const Scene& scene) {
   const std::size_t triangles = level.stream().triangle_count();
   std::uint64_t sum = of.first_triangle;
   for (const Wire& wire : of.wires) sum += wire.triangles;
-  if (of.wires.empty() || sum != triangles) return name + " has another number of triangles";
+  if (of.wires.empty() || sum != triangles) return name + " has a different number of triangles";
   const auto rows = wiring::wire_rows(*level.vertices);
   if (!rows) return name + " lacks one of their streams, or it has another type";
   const auto indices = level.stream().indices.view();
@@ -75,7 +76,7 @@ std::string difference_of(const DrawWires& of, const Scene& scene) {
     if (t < of.first_triangle ? moves : !all || !moves) {
       return fmt::format(
           "triangle {} of {} is {}", t, name,
-          t < of.first_triangle ? "no wire's, but a vertex of it is" : "a wire's, but its vertices are not");
+          t < of.first_triangle ? "not in a wire, but one of its vertices is" : "in a wire, but its vertices are not");
     }
   }
   return {};
@@ -118,7 +119,7 @@ class WiresRow final : public ProductRow {
       const ExtensionValue* value = from.of_draw(id);
       if (value == nullptr) continue;
       const std::string& name = scene.draws[id].name;
-      if (!from.is_list(id)) return name + " is no list of triangles";
+      if (!from.is_list(id)) return name + " is not a list of triangles";
       const ExtensionValue *first = value->member("firstTriangle"), *list = value->member("wires");
       const auto number = first == nullptr ? std::nullopt : first->whole();
       if (!number) return name + " has no 'firstTriangle', a whole number";
@@ -127,7 +128,9 @@ class WiresRow final : public ProductRow {
       for (const ExtensionValue& one : *list->list()) {
         const auto wire = wire_of(one);
         if (!wire)
-          return fmt::format("wire {} of {} lacks a member, or one is not what it must be", of.wires.size(), name);
+          return fmt::format(
+              "wire {} of {} lacks 'triangles', 'kind', 'length' or 'radius', or one of them is out of range",
+              of.wires.size(), name);
         of.wires.push_back(*wire);
       }
       wires.draws.push_back(std::move(of));
@@ -167,7 +170,7 @@ class WiresRow final : public ProductRow {
     for (const DrawWires& of : wires.draws) {
       const bool is_new = was == nullptr || std::ranges::find(was->draws, of) == was->draws.end();
       std::optional<DrawWires> now = is_new ? of : moved(of, before, after);
-      std::string why = now ? difference_of(*now, after) : "its triangles were made into others";
+      std::string why = now ? difference_of(*now, after) : "its triangles were replaced";
       if (why.empty()) {
         left.draws.push_back(std::move(*now));
         continue;
@@ -212,9 +215,10 @@ class WiresRow final : public ProductRow {
       }
       const std::string& name = scene.draws[of.draw].name;
       const std::size_t triangles = scene.draws[of.draw].full().stream().triangle_count();
-      text.lines.push_back(fmt::format(
-          "{}: tubes {}, ribbons {}, nets {}; triangles {} of {}, length {:.4g}, radius {:.4g} to {:.4g}", name,
-          kinds[0], kinds[1], kinds[2], triangles - of.first_triangle, triangles, length, least, most));
+      text.lines.push_back(
+          fmt::format("{}: {}, {} and {}, together {:.4g} units long, radius {:.4g} to {:.4g}; {} of {} triangles",
+                      name, counted(kinds[0], "tube"), counted(kinds[1], "ribbon"), counted(kinds[2], "net"), length,
+                      least, most, triangles - of.first_triangle, triangles));
       text.value.push(Members{{"draw", name},
                               {"firstTriangle", of.first_triangle},
                               {"tubes", kinds[0]},

@@ -133,7 +133,7 @@ TEST_F(RefineDamage, Patches) {
 
 TEST_F(RefineDamage, Vertices) {
   damaged_.point[2] = damaged_.points;
-  refuse(damaged_, "of no point");
+  refuse(damaged_, "to no point");
   damaged_ = one_.records;
   damaged_.corners[7] = static_cast<std::uint32_t>(damaged_.point.size());
   refuse(damaged_, "no vertex");

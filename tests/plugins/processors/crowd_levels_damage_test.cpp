@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                 file["spacing"] = "fractional-even";
                 ball["levels"][0]["class"] = "tessellated", ball["levels"][0]["number"] = 3;
               },
-              "which its spacing has not"},
+              "which its spacing does not allow"},
         Wrong{"tessellated_where_nothing_moves",
               [](GltfJson&, GltfJson& ball) {
                 GltfJson finer = ball["levels"][0];

@@ -190,7 +190,7 @@ TEST(CrowdLevels, LosesACrowdThatIsMadeIntoOtherTrianglesAndTheReportSaysSo) {
     change(after);
     return crowd_levels_product()->follow(before, after);
   };
-  const std::string lost = "the levels of a crowd leave ball out: its triangles were made into others";
+  const std::string lost = "the levels of a crowd leave ball out: its triangles were replaced";
   EXPECT_THAT(told([](Scene&) {}), ElementsAre());
   EXPECT_THAT(told([](Scene& scene) { scene.draws[0].levels.pop_back(); }), ElementsAre(lost));
   EXPECT_THAT(told([](Scene& scene) { scene.draws[0].levels[1].error = 0.5f; }), ElementsAre(lost));

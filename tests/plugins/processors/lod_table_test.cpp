@@ -196,7 +196,7 @@ TEST(LodTable, LosesADrawWhoseLevelsAreMadeIntoOthersAndTheReportSaysSo) {
     EXPECT_EQ(lod_table_product()->difference(after), "");
     return lines;
   };
-  const std::string lost = "the table of levels and renderings leaves ball out: its levels were made into others";
+  const std::string lost = "the table of levels and renderings leaves ball out: its levels were replaced";
   EXPECT_THAT(told([](Scene&) {}), ElementsAre());
   EXPECT_THAT(told([](Scene& scene) { scene.draws[0].levels.pop_back(); }), ElementsAre(lost));
   EXPECT_THAT(told([](Scene& scene) { scene.draws[0].levels[1].error = 0.5f; }), ElementsAre(lost));

@@ -90,8 +90,8 @@ TEST(SecondDepthFiles, ThatAreWrongAreLeftOutWithAWarning) {
     EXPECT_THAT(why(number), HasSubstr("no whole number above 0 in 'triangles'"));
   }
   EXPECT_THAT(why(21), HasSubstr("has 20 triangles, not 21"));
-  EXPECT_THAT(why(13), HasSubstr("are no closed shells"));
-  EXPECT_THAT(why(11), HasSubstr("are no closed shells"));
+  EXPECT_THAT(why(13), HasSubstr("are not closed shells"));
+  EXPECT_THAT(why(11), HasSubstr("are not closed shells"));
   EXPECT_THAT(why(12, true), HasSubstr("is masked"));
 }
 

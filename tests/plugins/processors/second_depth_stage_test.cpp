@@ -114,7 +114,7 @@ TEST(SecondDepth, IsLeftOutWhereAStageOpensAShellOrMakesOthers) {
   stream.triangle_origin = Shared<std::uint32_t>(origin);
   const auto told = second_depth_product()->follow(before, after);
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0], HasSubstr("the first triangles of cut are no closed shells"));
+  EXPECT_THAT(told[0], HasSubstr("the first triangles of cut are not closed shells"));
   EXPECT_EQ(closed_of(after, 0), 0u);
   EXPECT_EQ(closed_of(after, 1), closed_of(before, 1));
 

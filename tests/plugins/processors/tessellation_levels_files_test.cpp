@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"range_nan",
               [](GltfJson& file, GltfJson& value,
                  Bytes& bin) { std::memset(bin.data() + begin_of(file, value["ranges"]["displacements"]), 255, 4); },
-              "range that is none"},
+              "invalid displacement range"},
         Wrong{"not_displaced",
               [](GltfJson& file, GltfJson&,
                  Bytes&) { file["materials"][0]["extensions"].erase("KHR_materials_displacement"); },

@@ -185,7 +185,7 @@ TEST(TessellationLevelsStage, AreLeftOutWithTheReasonWhereTheyDoNotHold) {
   EXPECT_THAT(said(moved.report.stages[0]), HasSubstr("are left out: its displacement has changed"));
   const Result fewer = testing::run("weld, quadric-collapse, simplify(ratio=0.5)", before);
   EXPECT_EQ(tessellation_of(fewer.scene, 0), nullptr);
-  EXPECT_THAT(said(fewer.report.stages[2]), HasSubstr("are left out: its triangles were made into others"));
+  EXPECT_THAT(said(fewer.report.stages[2]), HasSubstr("are left out: its triangles were replaced"));
 }
 
 /// Two draws of a mesh, one of which moves hardly: a level at their common edge, and a table of its own for each.

@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"bits_text", [](GltfJson&, GltfJson& ball) { field(ball, "u")["bits"] = "12"; }, "name and bits"},
         Wrong{"no_z", [](GltfJson&, GltfJson& ball) { field(ball, "z")["field"] = "spare"; }, "out of range"},
         Wrong{"field_twice", [](GltfJson&, GltfJson& ball) { field(ball, "z")["field"] = "y"; }, "the field 'y' twice"},
-        Wrong{"field_unknown", [](GltfJson&, GltfJson& ball) { field(ball, "z")["field"] = "w"; }, "no known name"},
+        Wrong{"field_unknown", [](GltfJson&, GltfJson& ball) { field(ball, "z")["field"] = "w"; }, "whose name is not known"},
         Wrong{"no_sign", [](GltfJson&, GltfJson& ball) { field(ball, "sign")["field"] = "spare"; }, "out of range"},
         Wrong{"three_words", [](GltfJson&, GltfJson& ball) { ball["layout"]["words"].erase(3); }, "not an array of 4"},
         Wrong{"word_no_array", [](GltfJson&, GltfJson& ball) { ball["layout"]["words"][1] = 32; }, "0 bits, not 32"},

@@ -43,7 +43,7 @@ TEST(PackedVerticesFollow, IsLeftOutWhereVerticesWereMadeAnew) {
       testing::run("weld, quadric-collapse, vertex-pack, levels", testing::scene_of(testing::sphere(48, 24)));
   EXPECT_FALSE(result.failed);
   EXPECT_FALSE(result.scene.products.has(PackedVertices::product));
-  EXPECT_THAT(notes_of(result), HasSubstr("pack them behind that stage"));
+  EXPECT_THAT(notes_of(result), HasSubstr("pack them after that stage"));
 }
 
 }  // namespace

@@ -209,13 +209,13 @@ void put_position(Level& level, std::size_t vertex, float x) {
 TEST(VertexPackScene, WhatCanNotBeHeldIsNotPacked) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
   const Odd odd[] = {
-      {"position NaN", [&](Level& level) { put_position(level, 3, nan); }, "it has a position that is no number"},
-      {"position inf", [&](Level& level) { put_position(level, 3, infinite); }, "it has a position that is no number"},
+      {"position NaN", [&](Level& level) { put_position(level, 3, nan); }, "it has a position that is not finite"},
+      {"position inf", [&](Level& level) { put_position(level, 3, infinite); }, "it has a position that is not finite"},
       {"uv NaN",
        [&](Level& level) {
          put_vec2(level, 3, {nan, 0});
        },
-       "it has a texture coordinate that is no number"},
+       "it has a texture coordinate that is not finite"},
       {"uv 1e30",
        [&](Level& level) {
          put_vec2(level, 3, {1e30f, 0});

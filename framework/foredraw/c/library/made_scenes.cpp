@@ -26,11 +26,14 @@ class GivenDraw {
     if (given_.size != sizeof(foredraw_draw)) {
       refuse(fmt::format("size is {}, but must be sizeof(foredraw_draw), {}", given_.size, sizeof(foredraw_draw)));
     }
-    if (given_.cluster_count > 0) refuse("clusters can not be given; a stage finds them");
-    if (given_.indices == nullptr && given_.triangle_count > 0) refuse("indices are NULL");
-    if (given_.positions == nullptr && given_.vertex_count > 0) refuse("positions are NULL");
-    if (given_.streams == nullptr && given_.stream_count > 0) refuse("streams are NULL");
-    if (given_.triangle_count > most_triangles) refuse(fmt::format("{} triangles are too many", given_.triangle_count));
+    if (given_.cluster_count > 0) refuse("clusters cannot be given; set cluster_count to 0, and let a stage find them");
+    if (given_.indices == nullptr && given_.triangle_count > 0)
+      refuse("indices is NULL, but triangle_count is above 0");
+    if (given_.positions == nullptr && given_.vertex_count > 0)
+      refuse("positions is NULL, but vertex_count is above 0");
+    if (given_.streams == nullptr && given_.stream_count > 0) refuse("streams is NULL, but stream_count is above 0");
+    if (given_.triangle_count > most_triangles)
+      refuse(fmt::format("{} triangles are too many; a draw has at most 2^31", given_.triangle_count));
     std::vector<glm::vec3> positions(given_.vertex_count);
     if (!positions.empty()) std::memcpy(positions.data(), given_.positions, positions.size() * sizeof(glm::vec3));
     std::vector<std::uint32_t> indices(3 * static_cast<std::size_t>(given_.triangle_count));
@@ -49,7 +52,8 @@ class GivenDraw {
     if (given.semantic == nullptr) refuse("a stream has no semantic");
     if (given.bytes == nullptr && given_.vertex_count > 0) refuse(fmt::format("{} is NULL", given.semantic));
     if (given.component < FOREDRAW_INT8 || given.component > FOREDRAW_FLOAT32) {
-      refuse(fmt::format("{} has component type {}, which is none", given.semantic, given.component));
+      refuse(fmt::format("{} has component type {}; expected FOREDRAW_INT8 to FOREDRAW_FLOAT32", given.semantic,
+                         given.component));
     }
     if (given.components < 1 || given.components > 16) {
       refuse(fmt::format("{} has {} components; there must be 1 to 16", given.semantic, given.components));

@@ -50,7 +50,7 @@ class Host {
   bool are_numbers(const char* metric, std::initializer_list<double> numbers) {
     for (const double number : numbers) {
       if (std::isfinite(number)) continue;
-      failure_ = fmt::format("its figure '{}' is no finite number", text_of(metric));
+      failure_ = fmt::format("its figure '{}' is not a finite number", text_of(metric));
       return false;
     }
     return true;
@@ -203,7 +203,7 @@ OptionSpec spec_of(const foredraw_option& option) {
       spec.type = option.type == FOREDRAW_TEXT ? OptionType::text : OptionType::choice;
       spec.default_value = text_of(option.initial.text);
       break;
-    default: refuse("its type is none of FOREDRAW_BOOLEAN to FOREDRAW_CHOICE");
+    default: refuse("its type is not one of FOREDRAW_BOOLEAN to FOREDRAW_CHOICE");
   }
   if (option.type == FOREDRAW_INTEGER || option.type == FOREDRAW_NUMBER) {
     spec.least = option.least, spec.most = option.most;
@@ -223,7 +223,7 @@ Plugin plugin_of(const foredraw_plugin& given) {
   }
   if (given.name == nullptr) refuse("the plugin has no name");
   if (given.kind < FOREDRAW_TRIANGLE_ORDERER || given.kind > FOREDRAW_EVALUATOR) {
-    refuse(fmt::format("kind is {}, which is none", given.kind));
+    refuse(fmt::format("kind is {}; expected FOREDRAW_TRIANGLE_ORDERER to FOREDRAW_EVALUATOR", given.kind));
   }
   if (given.run == nullptr) refuse("run is NULL");
   constexpr std::uint32_t most_rows = 1000;

@@ -61,11 +61,10 @@ class DracoPlacing {
   /// What the buffer holds is read, whatever its accessors say; a file is mostly all of one exporter.
   void tell_odd(const DracoUse& use, const DracoMesh& mesh) {
     if (std::exchange(is_odd_, true)) return;
-    gate_.warning(
-        use.place, "compressed-count",
-        fmt::format("the accessors claim {} vertices and {} triangles, but the Draco buffer holds {} and {}; it is "
-                    "believed, here and wherever else they differ",
-                    use.points, use.triangles, mesh.points, mesh.indices.size() / 3));
+    gate_.warning(use.place, "compressed-count",
+                  fmt::format("the accessors claim {} vertices and {} triangles, but the Draco buffer holds {} and {}; "
+                              "the buffer is used, here and wherever else they differ",
+                              use.points, use.triangles, mesh.points, mesh.indices.size() / 3));
   }
 
   /// So that the greatest number of the type stays free, as glTF wants.

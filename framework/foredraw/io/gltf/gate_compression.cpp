@@ -187,7 +187,7 @@ class CompressionCheck {
                 fmt::format("the compressed views up to this one stand for {} bytes, which is too much for the {} of "
                             "all buffers",
                             made_, bytes_there_),
-                "export the file without compression, if it is right");
+                "if the file is right, export it without compression");
     return false;
   }
 

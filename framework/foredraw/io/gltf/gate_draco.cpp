@@ -18,10 +18,10 @@ bool is_affordable(Gate& gate, const std::vector<DracoBuffer>& buffers) {
   for (const DracoBuffer& buffer : buffers) {
     claimed += buffer.claim.bytes();
     if (claimed <= most) continue;
-    gate.error(
-        buffer.place, "compressed-count",
-        fmt::format("the accessors up to these claim {} bytes, which no so small a file holds", counted(claimed)),
-        export_again);
+    gate.error(buffer.place, "compressed-count",
+               fmt::format("the accessors up to these claim {} bytes, more than a file of this size can hold",
+                           counted(claimed)),
+               export_again);
     return false;
   }
   return true;

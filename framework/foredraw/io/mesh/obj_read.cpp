@@ -216,7 +216,7 @@ bool read_obj(const Reading& reading, PolygonMesh& mesh, std::vector<std::string
   if (!std::ranges::all_of(rest, [](char c) { return c == '\0' || is_space(c); })) {
     return reading.refuse(reading.at_byte(zero), "found a zero byte: the file is not text");
   }
-  reading.fault("zero-bytes", rest, "found zero bytes behind the text");
+  reading.fault("zero-bytes", rest, "found zero bytes after the text");
   Reading before = reading;
   before.text = reading.text.substr(0, zero);
   return ObjReader(before, mesh, libraries).run();

@@ -178,7 +178,7 @@ class OffReader {
                                 fmt::format("the colours of {} faces are left out", faces_with_more_));
     }
     if (const std::string_view line = take_off_line(text_); !line.empty()) {
-      reading_.fault("lines-left-out", line, "the file goes on behind its last face");
+      reading_.fault("lines-left-out", line, "the file continues after its last face");
     }
   }
 

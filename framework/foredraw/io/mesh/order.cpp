@@ -191,16 +191,16 @@ class OrderMaking {
           where, "polygons-stay-whole",
           fmt::format("polygons stay whole in the file: {} triangles move with the first triangle of their polygon",
                       torn_),
-          "a .glb keeps the triangles' own order");
+          "write a .glb to keep the triangles' own order");
     }
     if (!std::ranges::equal(scene_.meshes, source_.as_read.meshes, {}, &Mesh::draws, &Mesh::draws)) {
-      diagnostics_.note(where, "sequence-stays", "the sequence of draws stays in the file what it was",
-                        "a .glb has the new one");
+      diagnostics_.note(where, "sequence-stays", "the file keeps its sequence of draws",
+                        "write a .glb for the new one");
     }
     if (kept_ > 0) {
       diagnostics_.note(where, "vertices-stay",
                         fmt::format("{} vertices that were merged or left out stay in the file", kept_),
-                        "a .glb leaves them out");
+                        "write a .glb to leave them out");
     }
   }
 

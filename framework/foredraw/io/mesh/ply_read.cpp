@@ -171,7 +171,7 @@ class PlyReader {
       reading_.fault("header-line", header_.unknown_word,
                      fmt::format("{} is not a keyword of a PLY header", shown(header_.unknown_word)));
     } else if (has_more && is_text()) {
-      reading_.fault("lines-left-out", token, "the file goes on behind its last record");
+      reading_.fault("lines-left-out", token, "the file continues after its last record");
     } else if (has_more) {
       reading_.fault_at_byte("bytes-left-out", end, fmt::format("{} bytes follow the last record", size));
     }

@@ -52,7 +52,8 @@ std::string StlColors::told() const {
   }
   if (not_zero_ == 0) return {};
   return fmt::format(
-      "the attribute bytes of {} triangles are left out: they are no colours, because the header has no COLOR= and the "
+      "the attribute bytes of {} triangles are left out: they are not colours, because the header has no COLOR= and "
+      "the "
       "highest bit, which marks a colour, is 0 in {} of them",
       not_zero_, unmarked_);
 }
