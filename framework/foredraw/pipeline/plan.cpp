@@ -151,11 +151,11 @@ class Planner {
     }
     if (planned.loops_over() == "scene" && !planned.stage.only.empty() && planned.plugin->kind == Kind::evaluator) {
       error(planned.stage.where, "bad-option",
-            fmt::format("'{}' measures the scene as a whole; it takes no 'only'", card.name));
+            fmt::format("'{}' measures the scene as a whole; it takes no 'only'", card.name), "leave 'only' out");
     }
     if (planned.stage.level > 0 && planned.plugin->kind != Kind::evaluator) {
       error(planned.stage.where, "bad-option",
-            fmt::format("'{}' works on every level; 'level' is for evaluators", card.name));
+            fmt::format("'{}' works on every level; 'level' is for evaluators", card.name), "leave 'level' out");
     }
     for (DrawId id = 0; id < scene_.draws.size(); ++id) {
       if (auto skip = why_not(planned, scene_, id, traits_[id], holders_)) {
@@ -273,7 +273,8 @@ class Planner {
     const Plugin* plugin = find(stage);
     if (plugin == nullptr) return nullptr;
     if (!plugin->overdraw_service) {
-      error(stage.where, "no-service", fmt::format("'{}' does not measure overdraw", stage.use));
+      error(stage.where, "no-service", fmt::format("'{}' does not measure overdraw", stage.use),
+            "name an evaluator that does, such as overdraw-raster, or remove [services]");
       return nullptr;
     }
     if (const auto why = plugin->unavailable ? plugin->unavailable() : std::nullopt) {

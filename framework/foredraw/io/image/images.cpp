@@ -39,7 +39,8 @@ std::optional<images::Header> checked_header(std::span<const std::byte> bytes, c
   if (texels > limits.texels) {
     diagnostics.error(
         where, "image-size",
-        fmt::format("has {} x {} texels, more than the limit of {}", facts.width, facts.height, limits.texels));
+        fmt::format("has {} x {} texels, more than the limit of {}", facts.width, facts.height, limits.texels),
+        "scale it down");
     return std::nullopt;
   }
   if (texels > header->most_texels) {
@@ -72,7 +73,7 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
   const bool is_exr = header->kind == images::Kind::exr;
   auto made = is_exr ? images::exr_texels(bytes) : images::stb_texels(bytes, *header);
   if (const std::string* why = std::get_if<std::string>(&made)) {
-    diagnostics.error(where, "image-data", "cannot be decoded: " + *why);
+    diagnostics.error(where, "image-data", "cannot be decoded: " + *why, "save it again, or as a PNG");
     return std::nullopt;
   }
   Texels result{header->facts, std::move(std::get<std::vector<std::byte>>(made))};
