@@ -1,5 +1,6 @@
 #include <foredraw/draw_orders/draw_orders_product.h>
 
+#include <foredraw/base/counted.h>
 #include <foredraw/draw_orders/order_memory.h>
 #include <foredraw/viewing/pose_set.h>
 
@@ -109,7 +110,7 @@ class DrawOrdersRow final : public ProductRow {
       std::string line =
           fmt::format("{}: {} x {} directions", fmt::join(names, ", "), table.theta_steps, table.phi_steps);
       if (!table.clips.empty())
-        line += fmt::format(", {} keyframes of {} clips", table.keyframes(), table.clips.size());
+        line += ", " + counted(table.keyframes(), "keyframe") + " of " + counted(table.clips.size(), "clip");
       line += "; " + memory_text(memory, table.keyframes());
       if (!table.parts.empty()) line += fmt::format("; {} draws in a sequence for each order", table.parts.size());
       text.lines.push_back(std::move(line));
