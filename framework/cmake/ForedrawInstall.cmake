@@ -1,11 +1,17 @@
-# What `cmake --install` puts where, in two components: runtime (the program) and development (libraries, headers, the
-# package for find_package).
+# What `cmake --install` puts where, in four components: runtime (the program, presets, the schema of pipelines), libraries
+# (those for C), development (libraries, headers, the package for find_package) and python.
 #
 # Every library of ours is a component of the package foredraw with a file of its own, so that an engine gets the targets
 # that it asks for and what they link, and needs no package besides theirs.
 
 set(foredraw_package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/foredraw")
 set_property(GLOBAL PROPERTY FOREDRAW_COMPONENTS "")
+
+# Of each component, the Debian package that it becomes.
+set(foredraw_package_of_runtime foredraw)
+set(foredraw_package_of_libraries libforedraw1)
+set(foredraw_package_of_development libforedraw-dev)
+set(foredraw_package_of_python python3-foredraw)
 
 # foredraw_install_component(scene): foredraw::scene, made by foredraw_add_library, or a shared library.
 function(foredraw_install_component name)
@@ -14,10 +20,23 @@ function(foredraw_install_component name)
   endif()
   install(TARGETS foredraw_${name} EXPORT foredraw_${name}
           ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
-          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime NAMELINK_COMPONENT development)
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libraries NAMELINK_COMPONENT development)
   install(EXPORT foredraw_${name} NAMESPACE foredraw:: FILE ${name}.cmake
           DESTINATION "${foredraw_package_folder}/components" COMPONENT development)
   set_property(GLOBAL APPEND PROPERTY FOREDRAW_COMPONENTS ${name})
+endfunction()
+
+# foredraw_add_interface(runtime): foredraw::runtime, which is headers alone, and what it links.
+function(foredraw_add_interface name)
+  cmake_parse_arguments(ARG "" "" "LINK;REQUIRES" ${ARGN})
+  add_library(foredraw_${name} INTERFACE)
+  add_library(foredraw::${name} ALIAS foredraw_${name})
+  set_target_properties(foredraw_${name} PROPERTIES EXPORT_NAME ${name} FOREDRAW_REQUIRES "${ARG_REQUIRES}"
+                        LINK_LIBRARIES "${ARG_LINK}")
+  target_link_libraries(foredraw_${name} INTERFACE ${ARG_LINK})
+  target_include_directories(foredraw_${name} INTERFACE $<BUILD_INTERFACE:${foredraw_include_root}>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/foredraw>)
+  foredraw_install_component(${name})
 endfunction()
 
 # Headers of a folder: <foredraw/...> and <plugins/...> below one folder that no other project has.
@@ -65,8 +84,8 @@ function(foredraw_install_package)
             COMPONENT development)
   endforeach()
   foredraw_install_headers("${PROJECT_SOURCE_DIR}/framework/foredraw" "")
-  foreach(component runtime development)
+  foreach(component runtime libraries development python)
     install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/LICENSES.md"
-            DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT ${component})
+            DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/${foredraw_package_of_${component}}" COMPONENT ${component})
   endforeach()
 endfunction()

@@ -1,5 +1,6 @@
-# Plugins in a project of their own, which has found the package foredraw with the components cli and built_in_plugins. Their
-# folders lie as they do in Foredraw's tree and call foredraw_add_plugin(); behind them the project calls
+# Plugins in a project of their own, which has found the package foredraw with the component cli, for the program, and the
+# component conformance, for the tests. Their folders lie as they do in Foredraw's tree and call foredraw_add_plugin(); behind
+# them the project calls
 #
 #   foredraw_add_program(studio)              the program foredraw with these plugins besides the built-in ones
 #   foredraw_add_conformance_test(studio_test)   what every plugin has to do, asked of all of them; wants GoogleTest

@@ -175,7 +175,7 @@ static void nothing_is_a_mesh_too(void) {
 
 static void each_status_has_a_text_of_its_own(void) {
   int one, other;
-  for (one = FOREDRAW_DONE; one <= FOREDRAW_NO_ORDER + 1; ++one) {
+  for (one = FOREDRAW_DONE; one <= FOREDRAW_NO_TRANSFORM + 1; ++one) {
     for (other = FOREDRAW_DONE; other < one; ++other) {
       CHECK(strcmp(foredraw_status_text(one), foredraw_status_text(other)) != 0);
     }

@@ -38,8 +38,8 @@ class Header(unittest.TestCase):
 
     def test_functions_are_the_headers(self):
         declared = {}
-        for header in ["status", "functions", "plugin", "foredraw"]:
-            text = (ROOT / f"framework/foredraw/c/{header}.h").read_text()
+        for name in ["status", "functions", "simplification", "sprites", "instances", "plugin", "foredraw"]:
+            text = (ROOT / f"framework/foredraw/c/{name}.h").read_text()
             text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
             for result, name, taken in re.findall(r"^([\w ]+\*?) ?foredraw_(\w+)\(([^)]*)\);", text, re.MULTILINE):
                 declared[name] = (result.strip(), [] if taken == "void" else taken.split(","))

@@ -1,8 +1,13 @@
 #include <foredraw/base/parallel.h>
 
+#if defined(__SANITIZE_THREAD__) && !defined(FOREDRAW_PLAIN_THREADS)
+#define FOREDRAW_PLAIN_THREADS
+#endif
+#ifndef FOREDRAW_PLAIN_THREADS
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#endif
 
 #include <algorithm>
 #include <atomic>
@@ -18,15 +23,12 @@ namespace foredraw {
 
 namespace {
 
-int threads_for(int wanted) {
-  const int processors = tbb::info::default_concurrency();
-  return wanted > 0 ? std::min(wanted, processors) : processors;
-}
-
-#ifdef __SANITIZE_THREAD__
+#ifdef FOREDRAW_PLAIN_THREADS
 
 // ThreadSanitizer sees nothing of TBB's library and calls every hand-over in it a race. Under it, plain threads keep
-// the same promise, so that what it reports is ours.
+// the same promise, so that what it reports is ours. And libraries that shall need no other one ask for them.
+int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
 ParallelLoop loop_over(int threads) {
   return [threads](std::size_t count, const std::function<void(std::size_t)>& task) {
     std::atomic<std::size_t> next = 0;
@@ -41,6 +43,8 @@ ParallelLoop loop_over(int threads) {
 }
 
 #else
+
+int processors() { return tbb::info::default_concurrency(); }
 
 ParallelLoop loop_over(int threads) {
   return [arena = std::make_shared<tbb::task_arena>(threads)](std::size_t count,
@@ -63,6 +67,8 @@ ParallelLoop loop_over(int threads) {
 }
 
 #endif
+
+int threads_for(int wanted) { return wanted > 0 ? std::min(wanted, processors()) : processors(); }
 
 }  // namespace
 

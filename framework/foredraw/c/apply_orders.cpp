@@ -1,5 +1,6 @@
 #include <foredraw/c/checked_input.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace foredraw::c {
@@ -15,14 +16,17 @@ void gather(void* to, const void* from, std::size_t bytes, std::span<const std::
   }
 }
 
-template <class Index>
-void renumber(void* to, std::span<const std::uint32_t> indices, std::span<const std::uint32_t> new_of) {
-  auto* next = static_cast<std::byte*>(to);
+/// Writes the indices by a number for each vertex, if all of these fit into the indices' bytes; else nothing.
+int renumber(void* to, const foredraw_triangles& triangles, std::span<const std::uint32_t> indices,
+             std::span<const std::uint32_t> new_of) {
+  std::vector<std::uint32_t> numbered;
+  numbered.reserve(indices.size());
   for (const std::uint32_t index : indices) {
-    const auto narrow = static_cast<Index>(new_of[index]);
-    std::memcpy(next, &narrow, sizeof narrow);
-    next += sizeof narrow;
+    if (triangles.index_bytes < 4 && new_of[index] >> (8 * triangles.index_bytes) != 0) return FOREDRAW_TOO_LARGE;
+    numbered.push_back(new_of[index]);
   }
+  write_indices(to, triangles.index_bytes, numbered);
+  return FOREDRAW_DONE;
 }
 
 }  // namespace
@@ -50,16 +54,19 @@ int foredraw_renumber_vertices(void* renumbered, const foredraw_triangles* trian
     if (const int status = order_status({order, count}, count); status != FOREDRAW_DONE) return status;
     std::vector<std::uint32_t> new_of(count);
     for (std::uint32_t i = 0; i < count; ++i) new_of[order[i]] = i;
-    // An index of few bytes may get a number that these cannot hold.
-    if (triangles->index_bytes < 4) {
-      for (const std::uint32_t index : checked.indices()) {
-        if (new_of[index] >> (8 * triangles->index_bytes) != 0) return FOREDRAW_TOO_LARGE;
-      }
-    }
-    if (triangles->index_bytes == 1) renumber<std::uint8_t>(renumbered, checked.indices(), new_of);
-    if (triangles->index_bytes == 2) renumber<std::uint16_t>(renumbered, checked.indices(), new_of);
-    if (triangles->index_bytes == 4) renumber<std::uint32_t>(renumbered, checked.indices(), new_of);
-    return FOREDRAW_DONE;
+    return renumber(renumbered, *triangles, checked.indices(), new_of);
+  });
+}
+
+int foredraw_move_vertices(void* moved, const foredraw_triangles* triangles, const uint32_t* destination) {
+  return with_triangles(triangles, moved, [&](const CheckedTriangles& checked) -> int {
+    if (checked.triangle_count() == 0) return FOREDRAW_DONE;
+    if (destination == nullptr) return FOREDRAW_NULL_POINTER;
+    constexpr std::uint32_t nowhere = 0xffffffff;
+    const bool is_left_out =
+        std::ranges::any_of(checked.indices(), [&](std::uint32_t index) { return destination[index] == nowhere; });
+    if (is_left_out) return FOREDRAW_NO_ORDER;
+    return renumber(moved, *triangles, checked.indices(), {destination, checked.vertex_count()});
   });
 }
 

@@ -20,6 +20,16 @@ void widen(const void* from, std::span<std::uint32_t> to) {
   }
 }
 
+template <class Index>
+void narrow(void* to, std::span<const std::uint32_t> indices) {
+  auto* next = static_cast<std::byte*>(to);
+  for (const std::uint32_t index : indices) {
+    const auto narrow = static_cast<Index>(index);
+    std::memcpy(next, &narrow, sizeof narrow);
+    next += sizeof narrow;
+  }
+}
+
 bool is_aligned(const void* pointer) { return reinterpret_cast<std::uintptr_t>(pointer) % alignof(std::uint32_t) == 0; }
 
 }  // namespace
@@ -59,6 +69,28 @@ int order_status(std::span<const std::uint32_t> order, std::size_t count) {
 int offsets_status(std::span<const std::uint32_t> offsets) {
   const bool is_rising = std::ranges::adjacent_find(offsets, std::greater_equal()) == offsets.end();
   return offsets.front() == 0 && is_rising ? FOREDRAW_DONE : FOREDRAW_NO_CLUSTERS;
+}
+
+std::vector<std::uint16_t> numbers_of(const foredraw_alpha& image) {
+  std::vector<std::uint16_t> numbers;
+  numbers.reserve(std::size_t{image.width} * image.height);
+  const std::size_t step = image.texel_stride == 0 ? image.bytes : image.texel_stride;
+  const std::size_t row = image.row_stride == 0 ? image.width * step : image.row_stride;
+  for (std::size_t y = 0; y < image.height; ++y) {
+    const auto* texel = static_cast<const std::uint8_t*>(image.first) + y * row;
+    for (std::size_t x = 0; x < image.width; ++x, texel += step) {
+      std::uint16_t number = static_cast<std::uint16_t>(*texel * 257);  // 255 becomes 65535
+      if (image.bytes == 2) std::memcpy(&number, texel, sizeof number);
+      numbers.push_back(number);
+    }
+  }
+  return numbers;
+}
+
+void write_indices(void* to, std::uint32_t bytes, std::span<const std::uint32_t> indices) {
+  if (bytes == 1) narrow<std::uint8_t>(to, indices);
+  if (bytes == 2) narrow<std::uint16_t>(to, indices);
+  if (bytes == 4) narrow<std::uint32_t>(to, indices);
 }
 
 }  // namespace foredraw::c

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <new>
 #include <span>
 #include <vector>
@@ -36,6 +37,37 @@ int order_status(std::span<const std::uint32_t> order, std::size_t count);
 
 /// Whether the offsets begin with 0 and rise: FOREDRAW_NO_CLUSTERS if not. At least one.
 int offsets_status(std::span<const std::uint32_t> offsets);
+
+/// Whether there are positions of so many vertices.
+inline int positions_status(const foredraw_positions* positions, std::size_t count) {
+  return count > 0 && (positions == nullptr || positions->first == nullptr) ? FOREDRAW_NULL_POINTER : FOREDRAW_DONE;
+}
+
+/// Elements of `stride` bytes from one to the next (0: none between them), one behind the other.
+template <class Element>
+std::vector<Element> elements_at(const void* first, std::size_t stride, std::size_t count) {
+  std::vector<Element> elements(count);
+  const auto* from = static_cast<const std::byte*>(first);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::memcpy(&elements[i], from + i * (stride == 0 ? sizeof(Element) : stride), sizeof(Element));
+  }
+  return elements;
+}
+
+/// Writes indices, one behind the other, with so many bytes each. They fit.
+void write_indices(void* to, std::uint32_t bytes, std::span<const std::uint32_t> indices);
+
+/// Whether an image can be read.
+inline int alpha_status(const foredraw_alpha* image) {
+  constexpr std::uint32_t most = 32768;
+  if (image == nullptr || image->first == nullptr) return FOREDRAW_NULL_POINTER;
+  const bool is_good = image->width >= 1 && image->height >= 1 && (image->bytes == 1 || image->bytes == 2);
+  if (!is_good) return FOREDRAW_OPTION_RANGE;
+  return image->width > most || image->height > most ? FOREDRAW_TOO_LARGE : FOREDRAW_DONE;
+}
+
+/// The numbers of its texels, row after row, 0 to 65535.
+std::vector<std::uint16_t> numbers_of(const foredraw_alpha& image);
 
 /// Calls work(), which returns a status, with exceptions turned into one. Memory is all that the functions throw for.
 template <class Work>

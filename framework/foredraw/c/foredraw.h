@@ -20,6 +20,7 @@
 #ifndef FOREDRAW_C_FOREDRAW_H
 #define FOREDRAW_C_FOREDRAW_H
 
+#include <foredraw/c/mesh.h>
 #include <foredraw/c/plugin.h>
 #include <foredraw/c/status.h>
 
@@ -61,7 +62,7 @@ void foredraw_context_free(foredraw_context* context);
 int foredraw_add_plugin(foredraw_context* context, const foredraw_plugin* plugin, foredraw_text* problems);
 
 /* Ends whatever runs in the context at this time, within about a second: it returns FOREDRAW_CANCELLED. From any
- * thread. */
+ * thread. A call that is to be ended alone gets a context of its own: scenes belong to none. */
 void foredraw_cancel(foredraw_context* context);
 
 /* Scenes. `problems` is {"diagnostics": [...]}: errors, and warnings where there was none. */
@@ -104,6 +105,23 @@ int foredraw_optimize(foredraw_context* context, const foredraw_scene* scene, co
 
 /* Measures with these evaluators, "vertex-cache, overdraw-raster(count=30)"; NULL: those of @default. */
 int foredraw_measure(foredraw_context* context, const foredraw_scene* scene, const char* evaluators,
+                     foredraw_text* report);
+
+/* Orders of one draw, without a scene. `stages` is one stage or a line of them, "lookahead,
+ * occlusion-order(quality=high)", that order or cluster triangles; or one that orders vertices. Positions are needed
+ * for all. Where a stage finds that nothing can be gained, what there is stays. `report` is that of
+ * foredraw_optimize(), and says what is wrong with the draw. After FOREDRAW_FAILED, too, the outputs are good, of the
+ * other stages; after FOREDRAW_MISTAKE and FOREDRAW_CANCELLED they are as they were. */
+
+/* order[new] = old: a number for each triangle, or of a stage that orders vertices for each vertex. */
+int foredraw_order(foredraw_context* context, const char* stages, const foredraw_triangles* triangles,
+                   const foredraw_positions* positions, uint32_t* order, foredraw_text* report);
+
+/* The same with stages of which one clusters: cluster c holds the triangles offsets[c] to offsets[c + 1] - 1 of that
+ * order, which may be NULL where no stage orders. `offsets` has room for one number more than there are triangles, of
+ * which *cluster_count + 1 are written. */
+int foredraw_cluster(foredraw_context* context, const char* stages, const foredraw_triangles* triangles,
+                     const foredraw_positions* positions, uint32_t* order, uint32_t* offsets, uint32_t* cluster_count,
                      foredraw_text* report);
 
 /* Each pipeline on each scene, side by side; all measure as the first does. Stages run in so many `rounds` (0: 1), and

@@ -17,6 +17,10 @@
 #ifndef FOREDRAW_C_FUNCTIONS_H
 #define FOREDRAW_C_FUNCTIONS_H
 
+#include <foredraw/c/instances.h>
+#include <foredraw/c/mesh.h>
+#include <foredraw/c/simplification.h>
+#include <foredraw/c/sprites.h>
 #include <foredraw/c/status.h>
 
 #include <stdint.h>
@@ -24,20 +28,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* A triangle list. Triangles may be degenerate, equal or non-manifold. */
-typedef struct foredraw_triangles {
-  const void* indices;   /* three a triangle, at any alignment; may be NULL where there are none */
-  uint64_t index_count;  /* a multiple of three */
-  uint32_t index_bytes;  /* of each index: 1, 2 or 4 */
-  uint32_t vertex_count; /* each index is below it */
-} foredraw_triangles;
-
-/* Positions of vertices, within an interleaved buffer if need be. They may be infinite or no numbers. */
-typedef struct foredraw_positions {
-  const void* first; /* x, y and z of vertex 0, 32-bit floats at any alignment */
-  uint32_t stride;   /* bytes from one vertex to the next; 0: 12 */
-} foredraw_positions;
 
 /* Orders of triangles; each writes index_count / 3 numbers. An option of 0 means the default. */
 
@@ -62,6 +52,15 @@ enum {
  * `cache_size`: 3 to 256 (16). */
 int foredraw_lookahead(uint32_t* order, const foredraw_triangles* triangles, int quality, int target,
                        uint32_t cache_size);
+
+enum { FOREDRAW_OCCLUSION_FAST = 1, FOREDRAW_OCCLUSION_BALANCED, FOREDRAW_OCCLUSION_HIGH };
+/* Draws first what hides most, as seen from 80 sides: least is then shaded that something nearer hides later. The
+ * triangles as they stand should suit the vertex cache (foredraw_lookahead): they are moved in small groups, and the
+ * misses of a FIFO cache of `cache_size` entries, 3 to 65535 (16), become at most `acmr_budget` times as many, at least
+ * 1 (1.05). Where nothing can be gained the order is the one there is. `quality`: of the enum above (BALANCED).
+ * `shows_back_faces`: 0 or 1. What would take more than 256 MB of layers is FOREDRAW_TOO_LARGE. */
+int foredraw_occlusion_order(uint32_t* order, const foredraw_triangles* triangles, const foredraw_positions* positions,
+                             int quality, double acmr_budget, uint32_t cache_size, int shows_back_faces);
 
 /* Clusters: ranges of the triangles as they stand, which overdraw orders move as wholes. */
 
@@ -98,7 +97,33 @@ int foredraw_renumber_vertices(void* renumbered, const foredraw_triangles* trian
 int foredraw_reorder_elements(void* reordered, const void* elements, uint64_t element_count, uint32_t bytes,
                               const uint32_t* order, uint64_t count);
 
+/* The indices after their vertices went there, as foredraw_weld() says it, with as many bytes each as they have. */
+int foredraw_move_vertices(void* moved, const foredraw_triangles* triangles, const uint32_t* destination);
+
+/* Meshes made smaller. */
+
+/* Makes one of vertices that are equal in every byte of all `attribute_count` attributes, 1 or more. The first of
+ * equals stays; those that no triangle uses go, unless `keep_unused` is 1. destination[old] = new, or 0xffffffff where
+ * one goes: vertex_count numbers. kept[new] = old, as foredraw_reorder_elements() takes it: room for vertex_count,
+ * *kept_count are written; may be NULL. */
+int foredraw_weld(uint32_t* destination, uint32_t* kept, uint32_t* kept_count, const foredraw_triangles* triangles,
+                  const foredraw_attribute* attributes, uint32_t attribute_count, int keep_unused);
+
 /* Figures. */
+
+typedef struct foredraw_overdraw_figures {
+  uint64_t shaded;   /* fragments that pass the depth test, over all views */
+  uint64_t visible;  /* fragments that stay */
+  uint64_t ties;     /* fragments equally near as what was there before them */
+  double ratio;      /* shaded / visible: 1 at best; 0 where nothing is seen */
+  double error;      /* its standard error, which the choice of views leaves */
+  double worst_view; /* the highest ratio of a view */
+} foredraw_overdraw_figures;
+
+/* What is drawn of the triangles as they stand and does not stay, by drawing them from `view_count` sides all round, 1
+ * to 100000 (100), into pictures of `size` x `size` pixels, 16 to 4096 (256). `shows_back_faces`: 0 or 1. */
+int foredraw_overdraw(foredraw_overdraw_figures* figures, const foredraw_triangles* triangles,
+                      const foredraw_positions* positions, uint32_t view_count, uint32_t size, int shows_back_faces);
 
 typedef struct foredraw_vertex_cache_figures {
   uint64_t misses;   /* vertices shaded */

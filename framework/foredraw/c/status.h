@@ -22,7 +22,8 @@ enum {
   FOREDRAW_TOO_LARGE,    /* more triangles or vertices than the function can number */
   FOREDRAW_OPTION_RANGE, /* an option lies outside of its range */
   FOREDRAW_NO_CLUSTERS,  /* offsets do not begin with 0, rise, and end with the number of triangles */
-  FOREDRAW_NO_ORDER      /* an order does not name everything once */
+  FOREDRAW_NO_ORDER,     /* an order does not name everything once */
+  FOREDRAW_NO_TRANSFORM  /* a place or a transform is flat or not finite */
 };
 
 /* A sentence without its full stop, in English; for any number. */

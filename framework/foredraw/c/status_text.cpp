@@ -15,6 +15,7 @@ const char* foredraw_status_text(int status) {
     case FOREDRAW_OPTION_RANGE: return "an option is out of its range";
     case FOREDRAW_NO_CLUSTERS: return "cluster offsets must begin with 0, rise, and end with the number of triangles";
     case FOREDRAW_NO_ORDER: return "an order must name each element at most once, and no other";
+    case FOREDRAW_NO_TRANSFORM: return "places and transforms must be finite, and transforms not flat";
   }
   return "this is not a status of Foredraw";
 }

@@ -30,9 +30,24 @@ from .functions import (
     vertex_fetch,
 )
 from .given_draws import Draw
+from .instances import Merged, merge_instances
 from .lent_draws import Moves
+from .meshes import (
+    Collapses,
+    Overdraw,
+    Simplified,
+    Welded,
+    move_vertices,
+    occlusion_order,
+    overdraw,
+    quadric_collapse,
+    simplify,
+    weld,
+)
+from .one_draw import Clustered, cluster, order
 from .runs import Optimized, measure, optimize
 from .scenes import Scene, make, read, read_bytes, write
+from .sprites import Trimmed, particle_trim, sprite_frames
 from .techniques import (
     HandedDraw,
     Keep,
@@ -55,22 +70,30 @@ __version__ = "0.1.0"
 
 __all__ = [
     "Cancelled",
+    "Clustered",
+    "Collapses",
     "Comparison",
     "Context",
     "Draw",
     "Error",
     "HandedDraw",
     "Keep",
+    "Merged",
     "Metric",
     "Moves",
     "Optimized",
     "Option",
+    "Overdraw",
     "Scene",
+    "Simplified",
     "Technique",
+    "Trimmed",
     "VertexCache",
+    "Welded",
     "add",
     "boolean",
     "choice",
+    "cluster",
     "clusterer",
     "compare",
     "dot_rule",
@@ -83,19 +106,29 @@ __all__ = [
     "lookahead",
     "make",
     "measure",
+    "merge_instances",
+    "move_vertices",
     "number",
+    "occlusion_order",
     "optimize",
+    "order",
     "order_of_clusters",
     "orderer",
+    "overdraw",
+    "particle_trim",
+    "quadric_collapse",
     "read",
     "read_bytes",
     "renumber_vertices",
     "reorder_elements",
     "reorder_triangles",
+    "simplify",
+    "sprite_frames",
     "text",
     "tipsify",
     "vertex_cache",
     "vertex_fetch",
     "vertex_orderer",
+    "weld",
     "write",
 ]

@@ -1,13 +1,18 @@
-"""The C headers as ctypes sees them: status.h, draw.h, functions.h, plugin.h, foredraw.h. A test holds this to what a compiler says."""
+"""The C headers as ctypes sees them: status.h, draw.h, functions.h and its parts, plugin.h, foredraw.h. A test holds this to what a compiler says."""
 
-from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int, c_int64, c_uint32, c_uint64, c_void_p
+from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int, c_int64, c_uint32, c_uint64, c_void_p
 
 # Statuses.
 DONE, MISTAKE, FAILED, CANCELLED, NO_MEMORY, NULL_POINTER = range(6)
-INDEX_COUNT, INDEX_BYTES, INDEX_RANGE, TOO_LARGE, OPTION_RANGE, NO_CLUSTERS, NO_ORDER = range(6, 13)
+INDEX_COUNT, INDEX_BYTES, INDEX_RANGE, TOO_LARGE, OPTION_RANGE, NO_CLUSTERS, NO_ORDER, NO_TRANSFORM = range(6, 14)
 
 LOOKAHEAD_FAST, LOOKAHEAD_BALANCED, LOOKAHEAD_HIGH = range(1, 4)
 LOOKAHEAD_ROBUST, LOOKAHEAD_FIFO, LOOKAHEAD_NVIDIA, LOOKAHEAD_AMD, LOOKAHEAD_INTEL = range(1, 6)
+
+OCCLUSION_FAST, OCCLUSION_BALANCED, OCCLUSION_HIGH = range(1, 4)
+WRAP_REPEAT, WRAP_MIRRORED, WRAP_CLAMPED = range(3)
+UV_FLOAT32, UV_FLOAT16, UV_UNORM16 = range(3)
+TRIMMED, RECTANGLE, EMPTY, FULL, NO_SAVING = range(5)
 
 # What a component of a stream is.
 INT8, UINT8, INT16, UINT16, UINT32, FLOAT32 = range(1, 7)
@@ -24,6 +29,137 @@ class Triangles(Structure):
 
 class Positions(Structure):
     _fields_ = [("first", c_void_p), ("stride", c_uint32)]
+
+
+class Attribute(Structure):
+    _fields_ = [("first", c_void_p), ("stride", c_uint32), ("bytes", c_uint32)]
+
+
+class Collapse(Structure):
+    _fields_ = [("removed", c_uint32), ("kept", c_uint32), ("blend", c_float), ("error", c_float)]
+
+
+class VertexPair(Structure):
+    _fields_ = [("removed", c_uint32), ("kept", c_uint32)]
+
+
+class Collapses(Structure):
+    _fields_ = [
+        ("collapses", c_void_p),
+        ("pairs", c_void_p),
+        ("first_pair", c_void_p),
+        ("places", c_void_p),
+        ("count", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class WeightedAttribute(Structure):
+    _fields_ = [("first", c_void_p), ("stride", c_uint32), ("components", c_uint32), ("weight", c_double)]
+
+
+class Simplified(Structure):
+    _fields_ = [("index_count", c_uint64), ("collapses", c_uint32), ("reserved", c_uint32), ("error", c_double)]
+
+
+class Alpha(Structure):
+    _fields_ = [
+        ("first", c_void_p),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("bytes", c_uint32),
+        ("texel_stride", c_uint32),
+        ("row_stride", c_uint64),
+    ]
+
+
+class Rectangle(Structure):
+    _fields_ = [("x", c_uint32), ("y", c_uint32), ("width", c_uint32), ("height", c_uint32)]
+
+
+class TrimOptions(Structure):
+    _fields_ = [
+        ("size", c_uint32),
+        ("vertices", c_uint32),
+        ("threshold", c_double),
+        ("padding", c_double),
+        ("least_saving", c_double),
+        ("mip_levels", c_uint32),
+        ("wrap_u", c_uint32),
+        ("wrap_v", c_uint32),
+        ("is_nearest", c_uint32),
+        ("uv", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class Trimmed(Structure):
+    _fields_ = [
+        ("outcome", c_uint32),
+        ("corner_count", c_uint32),
+        ("area", c_double),
+        ("frame_area", c_double),
+        ("lost", c_double),
+    ]
+
+
+class PackedMesh(Structure):
+    _fields_ = [
+        ("triangles", Triangles),
+        ("positions", Positions),
+        ("first_vertex", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class PlacedMesh(Structure):
+    _fields_ = [("mesh", c_uint32), ("transform", c_float * 12)]
+
+
+class MergedSlot(Structure):
+    _fields_ = [("index_offset", c_uint32), ("instance", c_uint32)]
+
+
+class MergedDraw(Structure):
+    _fields_ = [("group", c_uint32), ("frequency", c_uint32), ("first_slot", c_uint32), ("slot_count", c_uint32)]
+
+
+class MergedGroup(Structure):
+    _fields_ = [
+        ("least", c_float * 3),
+        ("most", c_float * 3),
+        ("first_instance", c_uint32),
+        ("instance_count", c_uint32),
+    ]
+
+
+class Merged(Structure):
+    _fields_ = [
+        ("indices", c_void_p),
+        ("slots", c_void_p),
+        ("transforms", c_void_p),
+        ("placed", c_void_p),
+        ("draws", c_void_p),
+        ("groups", c_void_p),
+        ("index_count", c_uint64),
+        ("slot_count", c_uint64),
+        ("instance_count", c_uint32),
+        ("draw_count", c_uint32),
+        ("group_count", c_uint32),
+        ("reserved", c_uint32),
+        ("owner", c_void_p),
+    ]
+
+
+class OverdrawFigures(Structure):
+    _fields_ = [
+        ("shaded", c_uint64),
+        ("visible", c_uint64),
+        ("ties", c_uint64),
+        ("ratio", c_double),
+        ("error", c_double),
+        ("worst_view", c_double),
+    ]
 
 
 class VertexCacheFigures(Structure):
@@ -136,6 +272,7 @@ class Plugin(Structure):
     ]
 
 
+_places = POINTER(Positions)
 _triangles, _text, _pointer = POINTER(Triangles), POINTER(Text), POINTER(c_void_p)
 
 #: By the name without its "foredraw_": what the function returns, and what it takes. Arrays and handles are addresses.
@@ -145,12 +282,31 @@ PROTOTYPES = {
     "forsyth": (c_int, [c_void_p, _triangles, c_uint32]),
     "lookahead": (c_int, [c_void_p, _triangles, c_int, c_int, c_uint32]),
     "linear_clusters": (c_int, [c_void_p, POINTER(c_uint32), _triangles, c_uint32, c_double]),
-    "dot_rule": (c_int, [c_void_p, _triangles, POINTER(Positions), c_void_p, c_uint32]),
+    "dot_rule": (c_int, [c_void_p, _triangles, _places, c_void_p, c_uint32]),
     "order_of_clusters": (c_int, [c_void_p, c_void_p, c_uint32, c_void_p]),
     "vertex_fetch": (c_int, [c_void_p, POINTER(c_uint32), _triangles]),
     "reorder_triangles": (c_int, [c_void_p, _triangles, c_void_p]),
     "renumber_vertices": (c_int, [c_void_p, _triangles, c_void_p]),
     "reorder_elements": (c_int, [c_void_p, c_void_p, c_uint64, c_uint32, c_void_p, c_uint64]),
+    "move_vertices": (c_int, [c_void_p, _triangles, c_void_p]),
+    "weld": (c_int, [c_void_p, c_void_p, POINTER(c_uint32), _triangles, POINTER(Attribute), c_uint32, c_int]),
+    "occlusion_order": (c_int, [c_void_p, _triangles, _places, c_int, c_double, c_uint32, c_int]),
+    "quadric_collapse": (
+        c_int,
+        [POINTER(Collapses), _triangles, _places, POINTER(WeightedAttribute), c_uint32, c_uint32],
+    ),
+    "simplify": (
+        c_int,
+        [c_void_p, c_void_p, POINTER(Simplified), _triangles, _places, POINTER(Collapses), c_uint32, c_double],
+    ),
+    "sprite_frames": (c_int, [c_void_p, POINTER(c_uint32), POINTER(Alpha), c_double, c_uint32]),
+    "particle_trim": (c_int, [c_void_p, c_void_p, POINTER(Alpha), c_void_p, c_uint32, POINTER(TrimOptions)]),
+    "merge_instances": (
+        c_int,
+        [POINTER(Merged), POINTER(PackedMesh), c_uint32, POINTER(PlacedMesh), c_uint32, c_uint32, c_double],
+    ),
+    "merged_free": (None, [POINTER(Merged)]),
+    "overdraw": (c_int, [POINTER(OverdrawFigures), _triangles, _places, c_uint32, c_uint32, c_int]),
     "vertex_cache": (c_int, [POINTER(VertexCacheFigures), _triangles, c_uint32]),
     "version": (c_uint32, []),
     "text_free": (None, [_text]),
@@ -167,6 +323,11 @@ PROTOTYPES = {
     "scene_moves": (c_int, [c_void_p, c_uint64, _pointer, _pointer, POINTER(c_uint64)]),
     "scene_copy": (c_void_p, [c_void_p]),
     "scene_free": (None, [c_void_p]),
+    "order": (c_int, [c_void_p, c_char_p, _triangles, _places, c_void_p, _text]),
+    "cluster": (
+        c_int,
+        [c_void_p, c_char_p, _triangles, _places, c_void_p, c_void_p, POINTER(c_uint32), _text],
+    ),
     "optimize": (c_int, [c_void_p, c_void_p, c_char_p, _pointer, _text]),
     "measure": (c_int, [c_void_p, c_void_p, c_char_p, _text]),
     "compare": (c_int, [c_void_p, _pointer, c_uint64, POINTER(c_char_p), c_uint64, c_uint32, _text]),

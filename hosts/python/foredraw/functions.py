@@ -41,7 +41,7 @@ def tipsify(indices: Any, vertex_count: Optional[int] = None, *, cache_size: int
     -------
     order : array of uint32, (n,)
     """
-    return _order(library().tipsify, indices, vertex_count, _option("cache_size", cache_size))
+    return _order(library().tipsify, indices, vertex_count, option("cache_size", cache_size))
 
 
 def forsyth(indices: Any, vertex_count: Optional[int] = None, *, cache_size: int = 32) -> np.ndarray:
@@ -49,7 +49,7 @@ def forsyth(indices: Any, vertex_count: Optional[int] = None, *, cache_size: int
 
     Forsyth: Linear-Speed Vertex Cache Optimisation, 2006. Parameters and result: as of :func:`tipsify`.
     """
-    return _order(library().forsyth, indices, vertex_count, _option("cache_size", cache_size))
+    return _order(library().forsyth, indices, vertex_count, option("cache_size", cache_size))
 
 
 def lookahead(
@@ -77,8 +77,8 @@ def lookahead(
     -------
     order : array of uint32, (n,)
     """
-    chosen = _choice("quality", quality, _QUALITIES), _choice("target", target, _TARGETS)
-    return _order(library().lookahead, indices, vertex_count, *chosen, _option("cache_size", cache_size))
+    chosen = choice("quality", quality, _QUALITIES), choice("target", target, _TARGETS)
+    return _order(library().lookahead, indices, vertex_count, *chosen, option("cache_size", cache_size))
 
 
 def linear_clusters(
@@ -105,11 +105,11 @@ def linear_clusters(
     mesh = triangles(indices, vertex_count)
     room = np.empty(mesh.index_count // 3 + 1, np.uint32)
     clusters = c_uint32()
-    size = _option("cache_size", cache_size)
+    size = option("cache_size", cache_size)
     if growth == 0:
         raise ValueError("growth must not be 0")
     status = library().linear_clusters(address(room), byref(clusters), byref(mesh), size, float(growth))
-    _check(status, mesh, cache_size=cache_size, growth=growth)
+    check(status, mesh, cache_size=cache_size, growth=growth)
     return room[: clusters.value + 1].copy()
 
 
@@ -137,7 +137,7 @@ def dot_rule(indices: Any, positions_of_vertices: Any, offsets: Any) -> np.ndarr
     clusters = max(len(begins) - 1, 0)
     sequence = np.empty(clusters, np.uint32)
     status = library().dot_rule(address(sequence), byref(mesh), byref(places), address(begins), clusters)
-    _check(status, mesh)
+    check(status, mesh)
     return sequence
 
 
@@ -149,7 +149,7 @@ def order_of_clusters(offsets: Any, sequence: Any) -> np.ndarray:
     if begins[0] != 0 or (begins[1:] <= begins[:-1]).any():  # before memory is asked for by them
         raise ValueError(_text(c.NO_CLUSTERS))
     order = np.empty(int(begins[-1]), np.uint32)
-    _check(library().order_of_clusters(address(order), address(begins), len(clusters), address(clusters)))
+    check(library().order_of_clusters(address(order), address(begins), len(clusters), address(clusters)))
     return order
 
 
@@ -158,7 +158,7 @@ def vertex_fetch(indices: Any, vertex_count: Optional[int] = None) -> Tuple[np.n
     mesh = triangles(indices, vertex_count)
     order = np.empty(mesh.vertex_count, np.uint32)
     used = c_uint32()
-    _check(library().vertex_fetch(address(order), byref(used), byref(mesh)), mesh)
+    check(library().vertex_fetch(address(order), byref(used), byref(mesh)), mesh)
     return order, used.value
 
 
@@ -169,8 +169,8 @@ def reorder_triangles(indices: Any, order: Any) -> np.ndarray:
     if len(wanted) != mesh.index_count // 3:
         raise ValueError(f"the order has {len(wanted)} entries, but there are {mesh.index_count // 3} triangles")
     made = np.empty_like(mesh.array)
-    _check(library().reorder_triangles(address(made), byref(mesh), address(wanted)), mesh)
-    return _as_given(made, indices)
+    check(library().reorder_triangles(address(made), byref(mesh), address(wanted)), mesh)
+    return as_given(made, indices)
 
 
 def renumber_vertices(indices: Any, order: Any) -> np.ndarray:
@@ -178,8 +178,8 @@ def renumber_vertices(indices: Any, order: Any) -> np.ndarray:
     wanted = numbers(order, "the order")
     mesh = triangles(indices, len(wanted))
     made = np.empty_like(mesh.array)
-    _check(library().renumber_vertices(address(made), byref(mesh), address(wanted)), mesh)
-    return _as_given(made, indices)
+    check(library().renumber_vertices(address(made), byref(mesh), address(wanted)), mesh)
+    return as_given(made, indices)
 
 
 def reorder_elements(elements: Any, order: Any) -> np.ndarray:
@@ -202,7 +202,7 @@ def reorder_elements(elements: Any, order: Any) -> np.ndarray:
     made = np.empty((len(wanted), *given.shape[1:]), given.dtype)
     size = count(given.dtype.itemsize * int(np.prod(given.shape[1:])), "bytes of an element")
     reorder = library().reorder_elements
-    _check(reorder(address(made), address(given), len(given), size, address(wanted), len(wanted)))
+    check(reorder(address(made), address(given), len(given), size, address(wanted), len(wanted)))
     return made
 
 
@@ -219,8 +219,8 @@ def vertex_cache(indices: Any, vertex_count: Optional[int] = None, *, cache_size
     """Count what a FIFO cache of `cache_size` entries, 1 to 65535, misses of the triangles as they stand."""
     mesh = triangles(indices, vertex_count)
     figures = c.VertexCacheFigures()
-    status = library().vertex_cache(byref(figures), byref(mesh), _option("cache_size", cache_size))
-    _check(status, mesh, cache_size=cache_size)
+    status = library().vertex_cache(byref(figures), byref(mesh), option("cache_size", cache_size))
+    check(status, mesh, cache_size=cache_size)
     return VertexCache(figures.misses, figures.vertices, figures.acmr, figures.atvr)
 
 
@@ -228,11 +228,11 @@ def _order(function: Any, indices: Any, vertex_count: Optional[int], *options: i
     """Of triangles; the last option is the size of a cache."""
     mesh = triangles(indices, vertex_count)
     order = np.empty(mesh.index_count // 3, np.uint32)
-    _check(function(address(order), byref(mesh), *options), mesh, cache_size=options[-1])
+    check(function(address(order), byref(mesh), *options), mesh, cache_size=options[-1])
     return order
 
 
-def _option(name: str, value: Any) -> int:
+def option(name: str, value: Any) -> int:
     """C takes 0 for the default, which here is written in the signature."""
     number = count(value, name)
     if number == 0:
@@ -240,14 +240,14 @@ def _option(name: str, value: Any) -> int:
     return number
 
 
-def _choice(name: str, value: str, choices: Dict[str, int]) -> int:
+def choice(name: str, value: str, choices: Dict[str, int]) -> int:
     try:
         return choices[value]
     except (KeyError, TypeError):
         raise ValueError(f"{name} is {value!r}, but must be one of {', '.join(choices)}") from None
 
 
-def _as_given(made: np.ndarray, given: Any) -> np.ndarray:
+def as_given(made: np.ndarray, given: Any) -> np.ndarray:
     """Of the type in which the caller has indices; a list's is numpy's own."""
     return made.astype(np.asarray(given).dtype, copy=False) if len(made) else made
 
@@ -256,7 +256,7 @@ def _text(status: int) -> str:
     return library().status_text(status).decode()
 
 
-def _check(status: int, mesh: Optional[c.Triangles] = None, **options: Any) -> None:
+def check(status: int, mesh: Optional[c.Triangles] = None, **options: Any) -> None:
     """Raises what a status says, with the figures that it is about."""
     if status == c.DONE:
         return

@@ -1,0 +1,250 @@
+"""Meshes made smaller, and what is drawn of them: weld, simplification, overdraw, on arrays.
+
+Arrays, and what is wrong with them: as of the functions of functions.py.
+"""
+
+from ctypes import byref, c_uint32
+from typing import Any, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _header as c
+from ._arrays import address, count, numbers, positions, triangles, without_gaps
+from ._library import library
+from .functions import as_given, check, choice, option
+
+_QUALITIES = {"fast": c.OCCLUSION_FAST, "balanced": c.OCCLUSION_BALANCED, "high": c.OCCLUSION_HIGH}
+
+
+def occlusion_order(
+    indices: Any,
+    positions_of_vertices: Any,
+    *,
+    quality: str = "balanced",
+    acmr_budget: float = 1.05,
+    cache_size: int = 16,
+    shows_back_faces: bool = False,
+) -> np.ndarray:
+    """Order triangles so that what hides most is drawn first, as seen from 80 sides.
+
+    The triangles as they stand should suit the vertex cache (:func:`lookahead`): they are moved in small groups.
+
+    Parameters
+    ----------
+    indices : array of integers, (n, 3) or (3 n,)
+    positions_of_vertices : array of numbers, (vertices, 3)
+    quality : {"fast", "balanced", "high"}
+    acmr_budget : float
+        Misses of the vertex cache at most, as a multiple of what there are, at least 1.
+    cache_size : int
+        Entries of a FIFO cache, 3 to 65535.
+    shows_back_faces : bool
+
+    Returns
+    -------
+    order : array of uint32, (n,)
+    """
+    mesh, places = _mesh(indices, positions_of_vertices)
+    order = np.empty(mesh.index_count // 3, np.uint32)
+    wanted = choice("quality", quality, _QUALITIES)
+    if acmr_budget == 0:
+        raise ValueError("acmr_budget must not be 0")
+    status = library().occlusion_order(
+        address(order), byref(mesh), byref(places), wanted, float(acmr_budget), option("cache_size", cache_size),
+        bool(shows_back_faces),
+    )
+    check(status, mesh, acmr_budget=acmr_budget, cache_size=cache_size)
+    return order
+
+
+class Welded(NamedTuple):
+    """Vertices made one."""
+
+    indices: np.ndarray  #: into the vertices that are kept, in the type and shape of what was given
+    kept: np.ndarray  #: [new vertex] = old one: ``attribute[kept]`` is what is left of an attribute
+    destination: np.ndarray  #: [old vertex] = new one, 0xffffffff where it went
+
+
+def weld(indices: Any, *attributes: Any, keep_unused: bool = False) -> Welded:
+    """Make one of vertices that are equal in every byte of all attributes; the first of equals stays.
+
+    Parameters
+    ----------
+    indices : array of integers, (n, 3) or (3 n,)
+    attributes : arrays of any type, (vertices, ...)
+    keep_unused : bool
+        Keep vertices that no triangle uses.
+    """
+    if not attributes:
+        raise ValueError("there must be an attribute")
+    rows = [np.ascontiguousarray(attribute) for attribute in attributes]
+    for row in rows:
+        if row.dtype.hasobject:
+            raise TypeError(f"attributes must be plain memory, but one is {row.dtype}")
+        if row.ndim == 0 or len(row) != len(rows[0]):
+            raise ValueError(f"attributes must be as long as each other, but have {[np.shape(r) for r in rows]}")
+    vertices = len(rows[0])
+    mesh = triangles(indices, vertices)
+    sizes = [row.dtype.itemsize * int(np.prod(row.shape[1:])) for row in rows]
+    given = (c.Attribute * len(rows))(*[c.Attribute(address(row), 0, size) for row, size in zip(rows, sizes)])
+    destination, kept, left = np.empty(vertices, np.uint32), np.empty(vertices, np.uint32), c_uint32()
+    status = library().weld(
+        address(destination), address(kept), byref(left), byref(mesh), given, len(rows), bool(keep_unused)
+    )
+    check(status, mesh, bytes=sizes)
+    return Welded(move_vertices(indices, destination), kept[: left.value].copy(), destination)
+
+
+def move_vertices(indices: Any, destination: Any) -> np.ndarray:
+    """The indices after their vertices went there: ``destination[indices]``, checked, in the type and shape given."""
+    where = numbers(destination, "the destination")
+    mesh = triangles(indices, len(where))
+    made = np.empty_like(mesh.array)
+    check(library().move_vertices(address(made), byref(mesh), address(where)), mesh)
+    return as_given(made, indices)
+
+
+class Collapses:
+    """A mesh made coarser edge by edge: :func:`quadric_collapse` makes it, :func:`simplify` cuts levels out of it."""
+
+    def __init__(self, vertices: int, moves: bool) -> None:
+        room = max(vertices, 1)
+        self.collapses = np.zeros(room, [("removed", "u4"), ("kept", "u4"), ("blend", "f4"), ("error", "f4")])
+        self.pairs = np.zeros(room, [("removed", "u4"), ("kept", "u4")])
+        self.first_pair = np.zeros(room + 1, np.uint32)
+        self.places = np.zeros((room, 3), np.float32) if moves else None
+        self._arrays = c.Collapses(
+            address(self.collapses),
+            address(self.pairs),
+            address(self.first_pair),
+            None if self.places is None else address(self.places),
+        )
+
+    def __len__(self) -> int:
+        return self._arrays.count
+
+
+Weighted = Tuple[Any, float]
+
+
+def quadric_collapse(
+    indices: Any,
+    positions_of_vertices: Any,
+    attributes: Sequence[Weighted] = (),
+    *,
+    moves: bool = False,
+    least: int = 0,
+) -> Collapses:
+    """The edges of a mesh in the sequence in which it costs least to collapse them.
+
+    Hoppe: Progressive Meshes, SIGGRAPH 1996; costs after Garland and Heckbert 1997, Lindstrom and Turk 1998, Hoppe
+    1999.
+
+    Parameters
+    ----------
+    indices : array of integers, (n, 3) or (3 n,)
+    positions_of_vertices : array of numbers, (vertices, 3)
+    attributes : sequence of (array, weight), optional
+        What counts beside distances, of shape (vertices,) or (vertices, components): a difference times the weight is
+        a length.
+    moves : bool
+        Points may move to where the cost is least. Otherwise all levels use the vertices that there are.
+    least : int
+        Triangles to stop at.
+    """
+    mesh, places = _mesh(indices, positions_of_vertices)
+    rows, given = [], []
+    for values, weight in attributes:
+        row = np.asarray(values, np.float32)
+        row = without_gaps(row.reshape(-1, 1) if row.ndim == 1 else row)
+        if row.ndim != 2 or len(row) != mesh.vertex_count:
+            raise ValueError(f"an attribute must have a row for each of {mesh.vertex_count} vertices: {row.shape}")
+        rows.append(row)
+        given.append(c.WeightedAttribute(address(row), row.strides[0] if len(row) else 0, row.shape[1], float(weight)))
+    made = Collapses(mesh.vertex_count, moves)
+    status = library().quadric_collapse(
+        byref(made._arrays), byref(mesh), byref(places), (c.WeightedAttribute * len(given))(*given), len(given),
+        count(least, "least"),
+    )
+    check(status, mesh, attributes=[(row.shape[1], weight) for row, (_, weight) in zip(rows, attributes)])
+    return made
+
+
+class Simplified(NamedTuple):
+    """A level that was cut out."""
+
+    indices: np.ndarray  #: (n, 3), in the type of what was given
+    positions: np.ndarray  #: (vertices, 3), float32: of all vertices, where they lie then
+    collapses: int  #: that were done
+    error: float  #: proved: no point of either surface is farther from the other
+
+
+def simplify(
+    indices: Any,
+    positions_of_vertices: Any,
+    collapses: Optional[Collapses] = None,
+    *,
+    triangles_left: int = 0,
+    error: float = float("inf"),
+) -> Simplified:
+    """Leave as few triangles as are asked for, or more where that would exceed an error.
+
+    Parameters
+    ----------
+    indices : array of integers, (n, 3) or (3 n,)
+    positions_of_vertices : array of numbers, (vertices, 3)
+    collapses : Collapses, optional
+        Of the same mesh; :func:`quadric_collapse` where it is not given. Who wants several levels gives it.
+    triangles_left : int
+    error : float
+        The largest distance of the two surfaces, either way, in units of the positions.
+    """
+    sequence = quadric_collapse(indices, positions_of_vertices) if collapses is None else collapses
+    mesh, places = _mesh(indices, positions_of_vertices)
+    if len(sequence.first_pair) != max(mesh.vertex_count, 1) + 1:
+        raise ValueError(f"the collapses are of another mesh than this one of {mesh.vertex_count} vertices")
+    few = np.empty(mesh.index_count, mesh.array.dtype)
+    moved = np.empty((mesh.vertex_count, 3), np.float32)
+    made = c.Simplified()
+    status = library().simplify(
+        address(few), address(moved), byref(made), byref(mesh), byref(places), byref(sequence._arrays),
+        count(triangles_left, "triangles_left"), float(error),
+    )
+    check(status, mesh, error=error)
+    level = few[: made.index_count].reshape(-1, 3).copy()
+    return Simplified(as_given(level, indices), moved, made.collapses, made.error)
+
+
+class Overdraw(NamedTuple):
+    """What is drawn of triangles as they stand and does not stay."""
+
+    shaded: int  #: fragments that pass the depth test, over all views
+    visible: int  #: fragments that stay
+    ties: int  #: fragments equally near as what was there before them
+    ratio: float  #: shaded / visible: 1 at best
+    error: float  #: its standard error
+    worst_view: float  #: the highest ratio of a view
+
+
+def overdraw(
+    indices: Any,
+    positions_of_vertices: Any,
+    *,
+    views: int = 100,
+    size: int = 256,
+    shows_back_faces: bool = False,
+) -> Overdraw:
+    """Draw the triangles from `views` sides all round, into pictures of `size` x `size` pixels, and count."""
+    mesh, places = _mesh(indices, positions_of_vertices)
+    figures = c.OverdrawFigures()
+    status = library().overdraw(
+        byref(figures), byref(mesh), byref(places), option("views", views), option("size", size),
+        bool(shows_back_faces),
+    )
+    check(status, mesh, views=views, size=size)
+    return Overdraw(*[getattr(figures, name) for name in Overdraw._fields])
+
+
+def _mesh(indices: Any, positions_of_vertices: Any) -> Tuple[c.Triangles, c.Positions]:
+    places, vertices = positions(positions_of_vertices)
+    return triangles(indices, vertices), places

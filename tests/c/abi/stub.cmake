@@ -1,0 +1,16 @@
+# Makes a C file of HEADERS, a list, with an empty body for each function that they declare: cmake -D HEADERS=... -D OUTPUT=...
+# A compiler makes a library of it whose binary interface is that of the headers, whatever the functions do.
+set(bodies "")
+set(includes "")
+foreach(header IN LISTS HEADERS)
+  string(APPEND includes "#include <${header}>\n")
+  file(READ "${ROOT}/${header}" text)
+  string(REGEX REPLACE "/\\*([^*]|\\*+[^*/])*\\*+/" "" text "${text}")
+  string(REPLACE ";" "@" text "${text}")
+  string(REGEX MATCHALL "\n(int|void|uint32_t|uint64_t|const char\\*|foredraw_[a-z_]+\\*) foredraw_[a-z_]+\\([^@{}]*\\)@" found "${text}")
+  foreach(function IN LISTS found)
+    string(REPLACE "@" " { abort(); }\n" function "${function}")
+    string(APPEND bodies "${function}")
+  endforeach()
+endforeach()
+file(WRITE "${OUTPUT}" "#include <stdlib.h>\n${includes}${bodies}")
