@@ -5,7 +5,7 @@ SEED ?= 1
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test long-test clang bench real-files city level-walk vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances asan tsan fuzz clean
+.PHONY: help demo build test long-test clang bench real-files city level-walk vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances asan tsan fuzz packages clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
@@ -27,6 +27,7 @@ help:
 	@echo 'make level-walk  cameras walk through a city, a field and a building: build/walk/, with a page for each'
 	@echo 'make asan     run the tests with memory and undefined behaviour watched; make tsan: with threads watched'
 	@echo 'make fuzz     let each fuzz target run for a minute (clang)'
+	@echo 'make packages  Debian packages and a Python wheel, in build/release/packages; the same bytes from the same sources'
 	@echo 'make clean    remove build/'
 
 demo: build
@@ -111,6 +112,13 @@ level-walk:
 	  $(FOREDRAW) optimize build/walk/$$scene.glb -o build/walk/$$scene.lod.glb -p benchmarks/level_walk/levels.toml && \
 	  $(FOREDRAW) optimize build/walk/$$scene.lod.glb -o build/walk/$$scene.out.glb -p benchmarks/level_walk/walk.toml --html build/walk/$$scene.html || exit 1; \
 	done
+
+packages: export SOURCE_DATE_EPOCH ?= $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
+packages:
+	packages/install build package
+	cmake --preset release && cmake --build --preset release
+	cd build/release && cpack -G DEB
+	hosts/python/make_wheel build/release/packages
 
 clean:
 	rm -rf build

@@ -1,7 +1,7 @@
 # cmake -D BUILD=... -D SOURCE=... -D PREFIX=... -P install.cmake: installs the build, moves what was installed to PREFIX,
 # and looks whether any of it remembers a place of this machine.
 file(REMOVE_RECURSE "${PREFIX}" "${PREFIX}.before")
-foreach(component runtime development python)
+foreach(component runtime libraries development python)
   execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}.before" --component ${component}
                   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
