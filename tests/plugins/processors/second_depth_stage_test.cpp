@@ -143,7 +143,7 @@ TEST(SecondDepth, ShrinksWhereWholeShellsLeaveItAndGoesWhereOneIsTorn) {
   Scene torn = put_last(4);
   const auto told = second_depth_product()->follow(before, torn);
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0], HasSubstr("are no closed shells; run second-depth again"));
+  EXPECT_THAT(told[0], HasSubstr("are not closed shells; run second-depth again"));
   EXPECT_EQ(closed_of(torn), 0u);
 }
 

@@ -10,6 +10,8 @@
 #include <foredraw/io/side_files.h>
 #include <foredraw/report/inspection.h>
 
+#include <fmt/format.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +56,7 @@ TEST(TessellationLevelsFiles, AreInspected) {
   const DrawTessellation& of = *tessellation_of(scene, 0);
   const std::string text = inspection_text(scene, rows, analyses, Executor(1));
   EXPECT_THAT(text, HasSubstr("mesh: " + std::to_string(of.scales[0].triangles) + " triangles from 128, error rms "));
+  EXPECT_THAT(text, HasSubstr(fmt::format(" (undivided {:.4g}), largest ", of.scales.back().rms)));
   const auto json = nlohmann::json::parse(inspection_json(scene, rows, {}, analyses, Executor(1)));
   EXPECT_EQ(json["products"]["tessellation-levels"][0]["scales"].size(), of.scales.size());
 }

@@ -39,7 +39,10 @@ std::string said(const StageRecord& stage) {
 }
 
 TEST(TessellationLevelsStage, StoresLevelsThatTessellateTakes) {
-  const Scene scene = testing::run("tessellation-levels(triangles=3000)", noisy()).scene;
+  const Result stored = testing::run("tessellation-levels(triangles=3000)", noisy());
+  ASSERT_EQ(stored.report.stages[0].notes.size(), 1u) << "the product's line alone: " << said(stored.report.stages[0]);
+  EXPECT_THAT(stored.report.stages[0].notes[0].message, HasSubstr("triangles from 288, error rms "));
+  const Scene& scene = stored.scene;
   const DrawTessellation& levels = levels_in(scene);
   EXPECT_EQ(levels.levels.size(), 288u);
   EXPECT_LE(levels.scales[0].triangles, 3000u);

@@ -254,8 +254,9 @@ TEST(VertexPackScene, NormalsOfNoLengthArePackedAndTold) {
   testing::put_streams(scene.draws[1].full(), {testing::float_stream("NORMAL", normals)});
   const Result result = testing::run("vertex-pack", scene);
   EXPECT_EQ(packed_of(result.scene).draws.size(), 2u);
-  EXPECT_THAT(notes_of(result), HasSubstr("no-direction: vertices with a normal or tangent that points nowhere, and is "
-                                          "packed as one that does: 2\n"));
+  EXPECT_THAT(
+      notes_of(result),
+      HasSubstr("no-direction: vertices whose normal or tangent has no direction, so that a default is packed: 2\n"));
 }
 
 TEST(VertexPackScene, IsTheSameAtAnyNumberOfThreads) {

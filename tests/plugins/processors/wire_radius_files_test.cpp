@@ -110,6 +110,17 @@ std::vector<std::array<float, 9>> triangles_of(const Scene& scene, std::size_t f
   return all;
 }
 
+TEST(WireRadiusFiles, AReportTellsOnceWhatWasFoundInTheWordsOfTheProduct) {
+  const Result result = testing::run("wire-radius", plain());
+  std::vector<std::string> found;
+  for (const NoteRecord& note : result.report.stages[0].notes) {
+    if (note.message.find("1 ribbon") != std::string::npos) found.push_back(note.message);
+  }
+  EXPECT_EQ(found, wires_product()->told(result.scene).lines);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0], HasSubstr("1 tube, 1 ribbon and 0 nets, together "));
+}
+
 TEST(WireRadiusFiles, WiresAreTheLastTriangles) {
   const Wires* wires = with_wires().products.find<Wires>();
   ASSERT_NE(wires, nullptr);
