@@ -3,6 +3,7 @@
 
 #include "check.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -69,6 +70,29 @@ static void sheets_get_cheaper(void) {
   CHECK(first.vertices == VERTICES && last.vertices == VERTICES);
   CHECK(first.acmr > 1.5 && last.acmr < .75);
   CHECK(last.atvr >= 1 && last.atvr < 1.5);
+}
+
+static void levels_are_cut_out_of_a_sequence(void) {
+  static uint16_t half[3 * TRIANGLES], near_to_it[3 * TRIANGLES];
+  static foredraw_collapse collapses[VERTICES];
+  static foredraw_vertex_pair pairs[VERTICES];
+  static uint32_t first_pair[VERTICES + 1];
+  const foredraw_triangles mesh = list_of(indices);
+  foredraw_collapses sequence;
+  foredraw_simplified simplified, close;
+  foredraw_positions positions;
+  positions.first = vertices[0].position;
+  positions.stride = sizeof vertices[0];
+  memset(&sequence, 0, sizeof sequence);
+  sequence.collapses = collapses;
+  sequence.pairs = pairs;
+  sequence.first_pair = first_pair;
+  CHECK(foredraw_quadric_collapse(&sequence, &mesh, &positions, NULL, 0, 0) == FOREDRAW_DONE);
+  CHECK(foredraw_simplify(half, NULL, &simplified, &mesh, &positions, &sequence, TRIANGLES / 2, HUGE_VAL) ==
+        FOREDRAW_DONE);
+  CHECK(foredraw_simplify(near_to_it, NULL, &close, &mesh, &positions, &sequence, 0, .01) == FOREDRAW_DONE);
+  CHECK(simplified.index_count <= 3 * TRIANGLES / 2);
+  CHECK(close.error < .011 && close.index_count < 3 * TRIANGLES);
 }
 
 static void what_is_wrong_is_refused(void) {
@@ -186,6 +210,7 @@ static void each_status_has_a_text_of_its_own(void) {
 int main(void) {
   make_sheet();
   sheets_get_cheaper();
+  levels_are_cut_out_of_a_sequence();
   what_is_wrong_is_refused();
   numbers_have_to_fit();
   nothing_is_a_mesh_too();
