@@ -96,6 +96,12 @@ TEST(WithoutMemory, MeshesSayThatItRanOut) {
   expect_survives([&] { return foredraw_quadric_collapse(&sequence, &list, &places, nullptr, 0, 0); }, 7);
   expect_survives([&] { return foredraw_simplify(few.data(), nullptr, &simplified, &list, &places, &sequence, 20, 1); },
                   7);
+  foredraw_surface_error_figures error;
+  std::vector<float> flat(3 * vertices);
+  const foredraw_positions flat_places{flat.data(), 0};
+  for (std::size_t i = 0; i < vertices; ++i)
+    flat[3 * i] = sheet.vertices[i].position[0], flat[3 * i + 2] = static_cast<float>(i);
+  expect_survives([&] { return foredraw_surface_error(&error, &list, &places, &list, &flat_places, 20, 1); }, 5);
   expect_survives([&] { return foredraw_occlusion_order(order.data(), &list, &places, 0, 0, 0, 1); }, 97);
 }
 

@@ -79,7 +79,7 @@ TEST_F(OneDraw, HasTheOrdersOfTheFunctions) {
 }
 
 TEST_F(OneDraw, HasTheOrderOfItsVertices) {
-  BumpySheet sheet(250);  // more than the caches between hold
+  BumpySheet sheet(250);                            // more than the caches between hold
   const std::size_t count = sheet.vertices.size();  // which 619 does not divide, so that each number comes once
   for (std::uint16_t& index : sheet.indices) index = static_cast<std::uint16_t>(index * 619u % count);
   const foredraw_triangles triangles = sheet.triangles();
@@ -193,6 +193,17 @@ TEST_F(OneDraw, IsRefusedInWords) {
             FOREDRAW_NULL_POINTER);
   EXPECT_EQ(foredraw_order(context_.get(), "tipsify", &triangles_, &positions_, nullptr, nullptr),
             FOREDRAW_NULL_POINTER);
+}
+
+TEST_F(OneDraw, IsEndedInItsOwnContextAlone) {
+  const Context other(foredraw_context_new(nullptr));
+  std::atomic<bool> is_done = false;
+  std::thread canceller([&] {
+    while (!is_done) foredraw_cancel(other.get());
+  });
+  EXPECT_FALSE(std::ranges::is_sorted(order("lookahead, occlusion-order(quality=fast)")));  // and it was done
+  is_done = true;
+  canceller.join();
 }
 
 TEST_F(OneDraw, IsOrderedByEightThreadsAtOnceOnOneContext) {

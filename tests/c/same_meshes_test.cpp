@@ -1,6 +1,7 @@
 // Meshes, sprites and instances have the answers of the functions for C++, and what is wrong with them is refused.
 
 #include <evaluators/overdraw_raster/overdraw_raster.h>
+#include <evaluators/surface_error/surface_error.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/c/functions.h>
 #include <foredraw/scene/draw.h>
@@ -95,6 +96,30 @@ TEST(MeshesForC, HaveTheOverdrawOfTheFunction) {
   const foredraw_triangles nothing{nullptr, 0, 4, 0};
   ASSERT_EQ(foredraw_overdraw(&figures, &nothing, nullptr, 0, 0, 0), FOREDRAW_DONE);
   EXPECT_EQ(figures.ratio, 0);
+}
+
+TEST(MeshesForC, HaveTheSurfaceErrorOfTheFunction) {
+  const BumpySheet sheet(12);
+  BumpySheet moved = sheet;
+  for (BumpySheet::Vertex& vertex : moved.vertices) vertex.position[1] += 0.25f;
+  const foredraw_triangles triangles = sheet.triangles();
+  const foredraw_positions before = sheet.positions(), after = moved.positions();
+  foredraw_surface_error_figures figures;
+  ASSERT_EQ(foredraw_surface_error(&figures, &triangles, &after, &triangles, &before, 500, 7), FOREDRAW_DONE);
+  const std::vector<std::uint32_t> indices(sheet.indices.begin(), sheet.indices.end());
+  const std::vector<glm::vec3> places = sheet.places(), moved_places = moved.places();
+  const auto made = surface_error({moved_places, indices}, {places, indices}, {.samples = 500}, 7, Executor(1));
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(figures.largest, made->largest());
+  EXPECT_EQ(figures.found, made->found());
+  EXPECT_EQ(figures.rms, made->rms().value);
+  EXPECT_EQ(figures.p99_error, made->p99().error);
+  EXPECT_GT(figures.largest, 0.1);
+  EXPECT_LT(figures.largest, 0.26);
+  const foredraw_triangles nothing{nullptr, 0, 4, 0};
+  EXPECT_EQ(foredraw_surface_error(&figures, &nothing, nullptr, &triangles, &before, 0, 0), FOREDRAW_NO_TRANSFORM);
+  EXPECT_EQ(foredraw_surface_error(&figures, &nothing, nullptr, &nothing, nullptr, 0, 0), FOREDRAW_DONE);
+  EXPECT_EQ(foredraw_surface_error(&figures, &triangles, nullptr, &triangles, &before, 0, 0), FOREDRAW_NULL_POINTER);
 }
 
 /// A sequence with room for a mesh.

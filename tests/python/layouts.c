@@ -199,6 +199,15 @@ int main(void) {
   OFFSET(foredraw_overdraw_figures, ratio);
   OFFSET(foredraw_overdraw_figures, error);
   OFFSET(foredraw_overdraw_figures, worst_view);
+  SIZE(foredraw_surface_error_figures);
+  OFFSET(foredraw_surface_error_figures, largest);
+  OFFSET(foredraw_surface_error_figures, found);
+  OFFSET(foredraw_surface_error_figures, rms);
+  OFFSET(foredraw_surface_error_figures, rms_error);
+  OFFSET(foredraw_surface_error_figures, mean);
+  OFFSET(foredraw_surface_error_figures, mean_error);
+  OFFSET(foredraw_surface_error_figures, p99);
+  OFFSET(foredraw_surface_error_figures, p99_error);
   VALUE(FOREDRAW_DONE);
   VALUE(FOREDRAW_MISTAKE);
   VALUE(FOREDRAW_FAILED);

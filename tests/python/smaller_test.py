@@ -63,6 +63,15 @@ class Simplify(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "a row for each"):
             fd.quadric_collapse(INDICES, BUMPS, [([1.0], 1)])
 
+    def test_its_error_is_measured(self):
+        half = fd.simplify(INDICES, BUMPS, triangles_left=400)
+        measured = fd.surface_error(half.indices, half.positions, INDICES, BUMPS, samples=500)
+        self.assertAlmostEqual(measured.largest, half.error, delta=0.05 * half.error)
+        self.assertLessEqual(measured.rms, measured.largest)
+        self.assertGreater(measured.mean_error, 0)
+        with self.assertRaisesRegex(ValueError, "no triangle"):
+            fd.surface_error(np.empty((0, 3), int), BUMPS, INDICES, BUMPS)
+
     def test_of_nothing(self):
         nothing = fd.simplify(np.empty((0, 3), np.uint32), np.empty((0, 3)))
         self.assertEqual(nothing.indices.shape, (0, 3))

@@ -125,6 +125,21 @@ typedef struct foredraw_overdraw_figures {
 int foredraw_overdraw(foredraw_overdraw_figures* figures, const foredraw_triangles* triangles,
                       const foredraw_positions* positions, uint32_t view_count, uint32_t size, int shows_back_faces);
 
+typedef struct foredraw_surface_error_figures {
+  double largest;        /* proved: no point of either surface is farther from the other, a float's precision aside */
+  double found;          /* a point is so far away */
+  double rms, rms_error; /* root of the mean square, both ways, by area; its standard error */
+  double mean, mean_error;
+  double p99, p99_error; /* 99 of 100 points are no farther */
+} foredraw_surface_error_figures;
+
+/* How far a surface lies from the one that it stands for, in units of the positions. `samples`: points on each of them,
+ * 1 to 100000000 (10000); `seed`: of these. FOREDRAW_NO_TRANSFORM where one of them, and not the other, has no triangle
+ * with finite positions. */
+int foredraw_surface_error(foredraw_surface_error_figures* figures, const foredraw_triangles* changed,
+                           const foredraw_positions* changed_positions, const foredraw_triangles* original,
+                           const foredraw_positions* original_positions, uint32_t samples, uint64_t seed);
+
 typedef struct foredraw_vertex_cache_figures {
   uint64_t misses;   /* vertices shaded */
   uint64_t vertices; /* different ones that the triangles use */

@@ -162,6 +162,19 @@ class OverdrawFigures(Structure):
     ]
 
 
+class SurfaceErrorFigures(Structure):
+    _fields_ = [
+        ("largest", c_double),
+        ("found", c_double),
+        ("rms", c_double),
+        ("rms_error", c_double),
+        ("mean", c_double),
+        ("mean_error", c_double),
+        ("p99", c_double),
+        ("p99_error", c_double),
+    ]
+
+
 class VertexCacheFigures(Structure):
     _fields_ = [("misses", c_uint64), ("vertices", c_uint64), ("acmr", c_double), ("atvr", c_double)]
 
@@ -307,6 +320,10 @@ PROTOTYPES = {
     ),
     "merged_free": (None, [POINTER(Merged)]),
     "overdraw": (c_int, [POINTER(OverdrawFigures), _triangles, _places, c_uint32, c_uint32, c_int]),
+    "surface_error": (
+        c_int,
+        [POINTER(SurfaceErrorFigures), _triangles, _places, _triangles, _places, c_uint32, c_uint64],
+    ),
     "vertex_cache": (c_int, [POINTER(VertexCacheFigures), _triangles, c_uint32]),
     "version": (c_uint32, []),
     "text_free": (None, [_text]),

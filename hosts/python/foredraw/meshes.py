@@ -245,6 +245,42 @@ def overdraw(
     return Overdraw(*[getattr(figures, name) for name in Overdraw._fields])
 
 
+class SurfaceError(NamedTuple):
+    """How far a surface lies from another one, in units of the positions."""
+
+    largest: float  #: proved: no point of either surface is farther from the other
+    found: float  #: a point is so far away
+    rms: float  #: root of the mean square, both ways, by area
+    rms_error: float  #: its standard error
+    mean: float
+    mean_error: float
+    p99: float  #: 99 of 100 points are no farther
+    p99_error: float
+
+
+def surface_error(
+    indices: Any,
+    positions_of_vertices: Any,
+    original_indices: Any,
+    original_positions: Any,
+    *,
+    samples: int = 10000,
+    seed: int = 0,
+) -> SurfaceError:
+    """How far a surface lies from the one that it stands for, by `samples` points on each, and proved."""
+    changed, places = _mesh(indices, positions_of_vertices)
+    original, original_places = _mesh(original_indices, original_positions)
+    figures = c.SurfaceErrorFigures()
+    status = library().surface_error(
+        byref(figures), byref(changed), byref(places), byref(original), byref(original_places),
+        option("samples", samples), seed,
+    )
+    if status == c.NO_TRANSFORM:
+        raise ValueError("one of the surfaces has no triangle with finite positions")
+    check(status, None, samples=samples)
+    return SurfaceError(*[getattr(figures, name) for name in SurfaceError._fields])
+
+
 def _mesh(indices: Any, positions_of_vertices: Any) -> Tuple[c.Triangles, c.Positions]:
     places, vertices = positions(positions_of_vertices)
     return triangles(indices, vertices), places
