@@ -1,10 +1,14 @@
-// The pictures of docs/displacement.md, of a displaced head.
-//   displacement-pictures MOVED.glb FOLDER
+// The pictures of docs/displacement.md.
+//   displacement-pictures MOVED.glb COW.glb FOLDER
 //
-// MOVED.glb is a head of one draw with its map, after `displacement`. Two files are written: displaced_head.png (cage,
-// and what it shows), and displaced_levels.png (the cage's triangles by their levels, and what they show).
+// Both are of one draw with its map, after `displacement`: a head, and a surface on which the map's seams gape. Files
+// are written for the head: displaced_head.png (cage, and what it shows), displaced_levels.png (the cage's triangles by
+// their levels, and what they show), displaced_seams.png (the seams by their gaps) and displaced_crowd.png (a crowd
+// by who chooses how it is drawn); and displaced_cracks.png of the other.
 
+#include "crowd_pictures.h"
 #include "pictures.h"
+#include "seam_pictures.h"
 
 #include <foredraw/io/scene_file.h>
 #include <foredraw/scene/tessellation_levels.h>
@@ -19,7 +23,7 @@
 namespace foredraw::bench {
 namespace {
 
-constexpr FrameSize half{320, 352};
+constexpr FrameSize half{320, 352}, third{280, 300};
 
 Scene read(const std::string& path) {
   Registry registry;
@@ -74,13 +78,18 @@ Scene by_levels(const Scene& shown, std::span<const LogLevels> levels, std::span
   return scene;
 }
 
-void write(const Scene& moved, const std::filesystem::path& folder) {
-  const Placed head = placed(moved);
-  const double radius = head.sphere.radius;
-  const auto camera_at = [&](const glm::dvec3& from) {
-    return looking_at(head.sphere.centre + radius * from, head.sphere.centre);
-  };
-  const FrameCamera face = camera_at({0.55, 0.15, 1.45});
+FrameCamera camera_at(const Scene& scene, const glm::dvec3& from, const glm::dvec3& to = glm::dvec3(0)) {
+  const BoundingSphere sphere = placed(scene).sphere;
+  return looking_at(sphere.centre + sphere.radius * from, sphere.centre + sphere.radius * to);
+}
+
+void write(const Scene& moved, const Scene& cow, const std::filesystem::path& folder) {
+  write_png(folder / "displaced_seams.png", seam_lines(moved, camera_at(moved, {0.6, 0.35, -1.35}), third));
+  write_png(folder / "displaced_cracks.png",
+            seam_cracks(cow, camera_at(cow, {-0.6, -0.25, -0.85}, {-0.05, -0.3, -0.25}), third));
+  write_png(folder / "displaced_crowd.png", crowd_pictures(moved, {420, 300}));
+
+  const FrameCamera face = camera_at(moved, {0.55, 0.15, 1.45});
   const glm::vec3 skin(0.62f, 0.45f, 0.38f);
   const Scene fine = after("displacement-seams, tessellate(texels=8)", moved);
   write_png(folder / "displaced_head.png",
@@ -99,8 +108,8 @@ void write(const Scene& moved, const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 3) throw std::runtime_error("displacement-pictures MOVED.glb FOLDER");
-    foredraw::bench::write(foredraw::bench::read(argv[1]), argv[2]);
+    if (argc != 4) throw std::runtime_error("displacement-pictures MOVED.glb COW.glb FOLDER");
+    foredraw::bench::write(foredraw::bench::read(argv[1]), foredraw::bench::read(argv[2]), argv[3]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return 1;
