@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <tuple>
 
 namespace foredraw {
@@ -13,13 +15,12 @@ namespace {
 bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 bool is_finite(const glm::vec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
+/// Known by the number of its first corner among those of all meshes.
 struct HalfEdge {
   std::array<std::uint32_t, 2> points;
-  std::uint32_t mesh, triangle;
-  std::uint8_t corner;
-  bool is_reversed;
+  std::uint32_t corner;
 
-  auto key() const { return std::tie(points, mesh, triangle, corner); }
+  auto key() const { return std::tie(points, corner); }
 };
 
 struct Wedge {
@@ -30,16 +31,33 @@ struct Wedge {
 
 /// What the meshes' triangles say, one by one.
 struct Collected {
+  std::vector<std::uint32_t> first_corners;  ///< [mesh], among those of all
+  std::vector<bool> is_reversed;             ///< [corner] whether its edge leads from the larger point to the smaller
   std::vector<HalfEdge> edges;
   std::vector<Wedge> wedges;  ///< one a vertex that a triangle uses
   std::size_t left_out = 0;
 };
 
-Collected collected(std::span<const UvMesh> meshes) {
+std::vector<std::uint32_t> points_of(std::span<const UvMesh> meshes) {
+  if (meshes.size() == 1) return welded(meshes.front().positions);
   std::vector<glm::vec3> positions;
   for (const UvMesh& mesh : meshes) positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
-  const std::vector<std::uint32_t> point_of = welded(positions);
+  return welded(positions);
+}
+
+Collected collected(std::span<const UvMesh> meshes) {
+  const std::vector<std::uint32_t> point_of = points_of(meshes);
   Collected all;
+  std::size_t corners = 0;
+  for (const UvMesh& mesh : meshes) {
+    all.first_corners.push_back(static_cast<std::uint32_t>(corners));
+    corners += mesh.indices.size();
+  }
+  if (corners > std::numeric_limits<std::uint32_t>::max())
+    throw std::length_error("more than 2^32 - 1 indices on one map: give the draws maps of their own");
+  all.edges.reserve(corners);
+  all.wedges.reserve(point_of.size());
+  all.is_reversed.resize(corners);
   std::uint32_t base = 0;
   for (std::uint32_t m = 0; m < meshes.size(); ++m) {
     const UvMesh& mesh = meshes[m];
@@ -55,7 +73,9 @@ Collected collected(std::span<const UvMesh> meshes) {
       }
       for (std::uint8_t c = 0; c < 3; ++c) {
         const std::uint32_t from = point[c], to = point[(c + 1) % 3];
-        all.edges.push_back({{std::min(from, to), std::max(from, to)}, m, t, c, from > to});
+        const std::uint32_t corner = all.first_corners[m] + 3 * t + c;
+        all.edges.push_back({{std::min(from, to), std::max(from, to)}, corner});
+        all.is_reversed[corner] = from > to;
         if (is_used[v[c]]) continue;
         is_used[v[c]] = true;
         all.wedges.push_back({point[c], static_cast<std::uint32_t>(all.wedges.size()), mesh.uvs[v[c]]});
@@ -66,32 +86,37 @@ Collected collected(std::span<const UvMesh> meshes) {
   return all;
 }
 
-EdgeSide side_of(const HalfEdge& edge, const UvMesh& mesh) {
-  const std::uint32_t* v = &mesh.indices[3 * std::size_t{edge.triangle}];
-  EdgeSide side{edge.mesh,
-                edge.triangle,
-                edge.corner,
-                edge.is_reversed,
-                {mesh.uvs[v[edge.corner]], mesh.uvs[v[(edge.corner + 1) % 3]]}};
-  if (edge.is_reversed) std::swap(side.uv[0], side.uv[1]);
+EdgeSide side_of(std::uint32_t corner, const Collected& all, std::span<const UvMesh> meshes) {
+  const auto mesh = std::ranges::upper_bound(all.first_corners, corner) - all.first_corners.begin() - 1;
+  const auto of_mesh = corner - all.first_corners[static_cast<std::size_t>(mesh)];
+  const UvMesh& from = meshes[static_cast<std::size_t>(mesh)];
+  const std::uint32_t triangle = of_mesh / 3, first = of_mesh % 3;
+  const std::uint32_t* v = &from.indices[3 * std::size_t{triangle}];
+  EdgeSide side{static_cast<std::uint32_t>(mesh),
+                triangle,
+                static_cast<std::uint8_t>(first),
+                all.is_reversed[corner],
+                {from.uvs[v[first]], from.uvs[v[(first + 1) % 3]]}};
+  if (side.is_reversed) std::swap(side.uv[0], side.uv[1]);
   return side;
 }
 
-void add_edges(std::vector<HalfEdge>& edges, std::span<const UvMesh> meshes, SeamEdges& to) {
+void add_edges(Collected& all, std::span<const UvMesh> meshes, SeamEdges& to) {
+  std::vector<HalfEdge>& edges = all.edges;
   std::ranges::sort(edges, {}, &HalfEdge::key);
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     while (end < edges.size() && edges[end].points == edges[i].points) ++end;
     const auto count = static_cast<std::uint32_t>(end - i);
     if (count > 2) ++to.of_many_faces;
-    const EdgeSide first = side_of(edges[i], meshes[edges[i].mesh]);
+    const EdgeSide first = side_of(edges[i].corner, all, meshes);
     const bool is_seam = std::any_of(edges.begin() + i + 1, edges.begin() + end, [&](const HalfEdge& other) {
-      return side_of(other, meshes[other.mesh]).uv != first.uv;
+      return side_of(other.corner, all, meshes).uv != first.uv;
     });
     if (!is_seam && count > 1) continue;
     if (is_seam) ++to.seams;
     to.edges.push_back({edges[i].points, is_seam ? EdgeKind::seam : EdgeKind::border,
                         static_cast<std::uint32_t>(to.sides.size()), count});
-    for (; i < end; ++i) to.sides.push_back(side_of(edges[i], meshes[edges[i].mesh]));
+    for (; i < end; ++i) to.sides.push_back(side_of(edges[i].corner, all, meshes));
   }
 }
 
@@ -115,7 +140,8 @@ SeamEdges seam_edges(std::span<const UvMesh> meshes) {
   Collected all = collected(meshes);
   SeamEdges found;
   found.left_out = all.left_out;
-  add_edges(all.edges, meshes, found);
+  add_edges(all, meshes, found);
+  all.edges = {};
   add_corners(all.wedges, found);
   return found;
 }

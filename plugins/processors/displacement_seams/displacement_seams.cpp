@@ -56,18 +56,28 @@ class Settling {
   std::vector<std::uint32_t> factors_;  ///< [edge]
 };
 
-struct Solution {
-  std::vector<std::uint16_t> texels;
-  double at_zero = 0, at_one = most_height;
-  std::vector<std::uint32_t> seam_texels;
-};
-
 std::uint16_t rounded(double height) {
   return static_cast<std::uint16_t>(std::floor(std::clamp(height, 0.0, most_height) + 0.5));
 }
 
-Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map, std::uint32_t bits) {
-  Solution solution;
+/// Into the range between a new 0 and 1.
+std::uint16_t scaled(double height, double at_zero, double at_one) {
+  return rounded((height - at_zero) * (most_height / (at_one - at_zero)));
+}
+
+/// New heights of texels that the seams lie in. If the range is another one, all texels are scaled.
+struct Solution {
+  double at_zero = 0, at_one = most_height;
+  std::vector<std::uint32_t> seam_texels;  ///< ascending
+  std::vector<std::uint16_t> values;       ///< of these
+
+  bool is_scaled() const { return at_zero != 0 || at_one != most_height; }
+  std::uint16_t scaled(double height) const { return foredraw::scaled(height, at_zero, at_one); }
+};
+
+/// Of the texels that the seams lie in, nearly equal on both sides; and which texels these are.
+std::vector<double> nearly_equal(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map,
+                                 std::vector<std::uint32_t>& seam_texels) {
   std::vector<EqualityRow> at_points = seams::rows_of_points(points, map);
   std::vector<EqualityRow> along;
   if (map.is_nearest == 0) {
@@ -75,35 +85,43 @@ Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw
     at_points.insert(at_points.end(), exact.begin(), exact.end());
     along = seams::rows_along_seams(seams, map);
   }
-  solution.seam_texels = seams::numbered(along, at_points);
-
+  seam_texels = seams::numbered(along, at_points);
   std::vector<double> heights;
-  for (const std::uint32_t texel : solution.seam_texels) heights.push_back(map.texels[texel]);
-  heights = seams::equal_heights(heights, along, at_points);
-  for (const double height : heights) {
-    solution.at_zero = std::min(solution.at_zero, height);
-    solution.at_one = std::max(solution.at_one, height);
-  }
-  const bool is_scaled = solution.at_zero < 0 || solution.at_one > most_height;
-  const double scale = most_height / (solution.at_one - solution.at_zero);
-  const auto scaled = [&](double height) { return rounded((height - solution.at_zero) * scale); };
-  solution.texels.assign(map.texels, map.texels + std::size_t{map.width} * map.height);
-  if (is_scaled) {
-    for (std::uint16_t& texel : solution.texels) texel = scaled(texel);
-  }
-  std::vector<std::uint16_t> values;
-  for (const double height : heights) values.push_back(is_scaled ? scaled(height) : rounded(height));
+  heights.reserve(seam_texels.size());
+  for (const std::uint32_t texel : seam_texels) heights.push_back(map.texels[texel]);
+  return seams::equal_heights(std::move(heights), std::move(along), std::move(at_points));
+}
 
+Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map, std::uint32_t bits) {
+  Solution solution;
+  std::vector<std::uint16_t> values;
+  {
+    const std::vector<double> heights = nearly_equal(seams, points, map, solution.seam_texels);
+    for (const double height : heights) {
+      solution.at_zero = std::min(solution.at_zero, height);
+      solution.at_one = std::max(solution.at_one, height);
+    }
+    values.reserve(heights.size());
+    for (const double height : heights) values.push_back(solution.scaled(height));
+  }
   IntegerHeights integers(points, map, solution.seam_texels, std::move(values), bits);
   Settling(seams, points, integers).run();
+  solution.values = integers.values();
+  return solution;
+}
+
+/// What it changes beside the scale, ascending.
+std::vector<std::uint32_t> put_solution(const Solution& solution, std::vector<std::uint16_t>& texels) {
+  if (solution.is_scaled()) {
+    for (std::uint16_t& texel : texels) texel = solution.scaled(texel);
+  }
   std::vector<std::uint32_t> changed;
   for (std::size_t i = 0; i < solution.seam_texels.size(); ++i) {
-    std::uint16_t& texel = solution.texels[solution.seam_texels[i]];
-    if (texel != integers.values()[i]) changed.push_back(solution.seam_texels[i]);
-    texel = integers.values()[i];
+    std::uint16_t& texel = texels[solution.seam_texels[i]];
+    if (texel != solution.values[i]) changed.push_back(solution.seam_texels[i]);
+    texel = solution.values[i];
   }
-  solution.seam_texels = std::move(changed);
-  return solution;
+  return changed;
 }
 
 std::size_t count(const std::vector<bool>& is_unequal) {
@@ -112,30 +130,54 @@ std::size_t count(const std::vector<bool>& is_unequal) {
 
 /// Solutions as long as each leaves fewer points unequal than the one before.
 void solve(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map map, std::uint32_t bits,
-           RepairedMap& result) {
+           SeamRepair& result) {
+  std::vector<std::uint16_t> texels(map.texels, map.texels + std::size_t{map.width} * map.height);
+  map.texels = texels.data();
   while (result.unequal_after > 0) {
-    Solution solution = solved(seams, points, map, bits);
-    map.texels = solution.texels.data();
+    const Solution solution = solved(seams, points, map, bits);
+    std::vector<std::uint16_t> before;  // all texels where all are scaled
+    if (solution.is_scaled()) before = texels;
+    for (const std::uint32_t texel : solution.seam_texels)
+      if (!solution.is_scaled()) before.push_back(texels[texel]);
+    std::vector<std::uint32_t> changed = put_solution(solution, texels);
     const std::vector<bool> is_unequal = unequal_points(points, map, bits);
-    if (count(is_unequal) >= result.unequal_after) return;
+    if (count(is_unequal) >= result.unequal_after) {
+      for (std::size_t i = 0; i < before.size(); ++i)
+        texels[solution.is_scaled() ? i : solution.seam_texels[i]] = before[i];
+      break;
+    }
+    result.is_new = true;
     result.unequal_after = count(is_unequal);
     result.factors = exact_factors(seams, points, is_unequal);
+    if (solution.is_scaled()) result.scales.push_back({solution.at_zero, solution.at_one});
     const double from = result.at_zero, range = (result.at_one - result.at_zero) / most_height;
     result.at_zero = from + range * solution.at_zero;
     result.at_one = from + range * solution.at_one;
-    result.texels = std::move(solution.texels);
-    std::vector<std::uint32_t> changed;
-    std::ranges::set_union(result.seam_texels, solution.seam_texels, std::back_inserter(changed));
-    result.seam_texels = std::move(changed);
-    map.texels = result.texels.data();
+    std::vector<std::uint32_t> all;
+    std::ranges::set_union(result.seam_texels, changed, std::back_inserter(all));
+    result.seam_texels = std::move(all);
   }
+  for (const std::uint32_t texel : result.seam_texels) result.values.push_back(texels[texel]);
+}
+
+void average(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map map,
+             const DisplacementSeamsOptions& options, SeamRepair& result) {
+  seams::AveragedMap averaged = seams::averaged_seams(seams, map, options.iterations);
+  if (averaged.changed.empty()) return;
+  map.texels = averaged.texels.data();
+  const std::vector<bool> is_unequal = unequal_points(points, map, options.bits);
+  result.is_new = true;
+  result.unequal_after = count(is_unequal);
+  result.factors = exact_factors(seams, points, is_unequal);
+  result.seam_texels = std::move(averaged.changed);
+  for (const std::uint32_t texel : result.seam_texels) result.values.push_back(averaged.texels[texel]);
 }
 
 }  // namespace
 
-RepairedMap displacement_seams(const SeamEdges& seams, const foredraw_height_map& map,
-                               const DisplacementSeamsOptions& options) {
-  RepairedMap result;
+SeamRepair seam_repair(const SeamEdges& seams, const foredraw_height_map& map,
+                       const DisplacementSeamsOptions& options) {
+  SeamRepair result;
   result.rule = seam_factors(seams, {map.width, map.height});
   const SeamPoints points = seam_points(seams, result.rule, map);
   const std::vector<bool> is_unequal = unequal_points(points, map, options.bits);
@@ -145,17 +187,25 @@ RepairedMap displacement_seams(const SeamEdges& seams, const foredraw_height_map
   if (result.unequal_before == 0) return result;
   if (options.method == SeamMethod::exact) {
     solve(seams, points, map, options.bits, result);
-    return result;
+  } else {
+    average(seams, points, map, options, result);
   }
-  seams::AveragedMap averaged = seams::averaged_seams(seams, map, options.iterations);
-  if (averaged.changed.empty()) return result;
-  result.texels = std::move(averaged.texels);
-  result.seam_texels = std::move(averaged.changed);
-  foredraw_height_map now = map;
-  now.texels = result.texels.data();
-  const std::vector<bool> is_unequal_now = unequal_points(points, now, options.bits);
-  result.unequal_after = count(is_unequal_now);
-  result.factors = exact_factors(seams, points, is_unequal_now);
+  return result;
+}
+
+void put(const SeamRepair& repair, std::span<std::uint16_t> texels) {
+  for (const auto& [at_zero, at_one] : repair.scales) {
+    for (std::uint16_t& texel : texels) texel = scaled(texel, at_zero, at_one);
+  }
+  for (std::size_t i = 0; i < repair.seam_texels.size(); ++i) texels[repair.seam_texels[i]] = repair.values[i];
+}
+
+RepairedMap displacement_seams(const SeamEdges& seams, const foredraw_height_map& map,
+                               const DisplacementSeamsOptions& options) {
+  RepairedMap result{seam_repair(seams, map, options), {}};
+  if (!result.is_new) return result;
+  result.texels.assign(map.texels, map.texels + std::size_t{map.width} * map.height);
+  put(result, result.texels);
   return result;
 }
 

@@ -6,7 +6,9 @@
 
 #include <foredraw/analysis/seam_points.h>
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace foredraw {
@@ -22,15 +24,22 @@ struct DisplacementSeamsOptions {
   std::uint32_t bits = 14;  ///< that heights have to agree in, 1 to 16
 };
 
-struct RepairedMap {
-  std::vector<std::uint16_t> texels;  ///< the new map; empty: the old one stays
+/// What a map becomes, without its texels: those of large maps are put where they are wanted.
+struct SeamRepair {
+  bool is_new = false;  ///< false: the old map stays
   /// What the old heights were at the new ones' 0 and 1: other than 0 and 1 where the solution left the range.
   double at_zero = 0, at_one = 1;
-  std::vector<std::uint32_t> seam_texels;  ///< that were changed, but for scaling; by place, ascending
-  std::vector<std::uint32_t> rule;         ///< [edge] seam_factors()
+  std::vector<std::array<double, 2>> scales;  ///< to which all texels are scaled, one after the other: new 0 and 1
+  std::vector<std::uint32_t> seam_texels;     ///< that were changed, but for scaling; by place, ascending
+  std::vector<std::uint16_t> values;          ///< of these, new
+  std::vector<std::uint32_t> rule;            ///< [edge] seam_factors()
   std::vector<std::uint32_t> factors;  ///< [edge] up to which it is equal now, in powers of two; 0: not even its ends
   std::size_t points = 0;              ///< at the factors of the rule
   std::size_t unequal_before = 0, unequal_after = 0;  ///< of them
+};
+
+struct RepairedMap : SeamRepair {
+  std::vector<std::uint16_t> texels;  ///< the new map; empty: the old one stays
 };
 
 /// The map with seams whose sides are equal at k/factor of every edge, as displaced_height.h reads heights, in the
@@ -41,6 +50,13 @@ struct RepairedMap {
 /// O(s) for seams of s texels together, where seams form lines and not a felt. The same bytes on every machine.
 RepairedMap displacement_seams(const SeamEdges& seams, const foredraw_height_map& map,
                                const DisplacementSeamsOptions& options = {});
+
+/// The same without texels. Memory: 2 bytes for each texel of the map, given back in the end, and what the seams take.
+SeamRepair seam_repair(const SeamEdges& seams, const foredraw_height_map& map,
+                       const DisplacementSeamsOptions& options = {});
+
+/// Makes the new texels of the old ones.
+void put(const SeamRepair& repair, std::span<std::uint16_t> texels);
 
 struct Plugin;
 Plugin displacement_seams_plugin();

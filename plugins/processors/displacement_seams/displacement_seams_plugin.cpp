@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <map>
 
 namespace foredraw {
@@ -29,16 +30,35 @@ struct Options {
   bool table = false;
 };
 
-Image image_of(const RepairedMap& repaired, const HeightMap& heights, const Image& old) {
-  const auto bytes = std::as_bytes(std::span(repaired.texels));
-  Image image{.name = old.name, .bytes = Shared<std::byte>({bytes.begin(), bytes.end()})};
-  image.is_texels = true;
-  image.facts = {heights.width, heights.height, 1, 16};
-  return image;
-}
+/// Texels that are an image's bytes from the beginning: of large maps one copy more counts.
+class NewTexels {
+ public:
+  explicit NewTexels(const HeightMap& old) : bytes_(old.bytes()) {
+    std::memcpy(bytes_.data(), old.texels.data(), bytes_.size());
+  }
+
+  std::span<std::uint16_t> view() { return {reinterpret_cast<std::uint16_t*>(bytes_.data()), bytes_.size() / 2}; }
+
+  Image image(const HeightMap& old, const std::string& name) && {
+    Image image{.name = name, .bytes = Shared<std::byte>(std::move(bytes_))};
+    image.is_texels = true;
+    image.facts = {old.width, old.height, 1, 16};
+    return image;
+  }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+/// What becomes of a map. No texels: it stays.
+struct Repaired {
+  SeamRepair seams;
+  std::optional<NewTexels> texels;
+  std::size_t filled = 0;  ///< texels of gutters
+};
 
 /// The same surface by heights of another range; nullopt where floats do not hold it.
-std::optional<Displacement> of_range(Displacement displacement, const RepairedMap& repaired) {
+std::optional<Displacement> of_range(Displacement displacement, const SeamRepair& repaired) {
   const double factor = displacement.factor, offset = displacement.offset;
   if (repaired.at_zero != 0 || repaired.at_one != 1) {
     displacement.factor = static_cast<float>(factor * (repaired.at_one - repaired.at_zero));
@@ -65,22 +85,20 @@ class DisplacementSeams final : public Processor {
       run.keep("0 seam edges: the layout of no displaced draw has seams");
       return {};
     }
-    std::vector<RepairedMap> repaired(found.maps.size());
-    std::vector<std::size_t> filled(found.maps.size(), 0);  // texels of gutters
+    std::vector<Repaired> repaired(found.maps.size());
     run.executor.for_each(found.maps.size(), [&](std::size_t i) {
-      const MapSeams& of = found.maps[i];
-      if (run.cancelled()) return;
-      repaired[i] = displacement_seams(
-          of.seams, of.sampled(), {options_.method, options_.iterations, static_cast<std::uint32_t>(options_.bits)});
-      if (options_.gutter > 0) filled[i] = fill_gutter(scene, of, repaired[i]);
+      if (!run.cancelled()) repaired[i] = repair(scene, found.maps[i]);
     });
     if (run.cancelled()) return {};
     std::vector<DrawId> changed;
     for (std::size_t i = 0; i < repaired.size(); ++i) {
       const MapSeams& of = found.maps[i];
-      tell(of, repaired[i], filled[i], run);
-      const bool is_new = !repaired[i].texels.empty() && put(scene, of, repaired[i], run);
-      if (options_.table) put_table(scene, of, is_new ? repaired[i].texels : of.heights->texels, run);
+      tell(of, repaired[i].seams, repaired[i].filled, run);
+      const bool is_new = repaired[i].texels && can_put(scene, of, repaired[i].seams, run);
+      if (options_.table)
+        put_table(scene, of, is_new ? std::span<const std::uint16_t>(repaired[i].texels->view()) : of.heights->texels,
+                  run);
+      if (is_new) put(scene, of, std::move(repaired[i]), run);
       if (is_new || options_.table) changed.insert(changed.end(), of.draws.begin(), of.draws.end());
     }
     if (changed.empty()) run.keep("no map can be improved: the sides of its seams are already as equal as they can be");
@@ -89,8 +107,20 @@ class DisplacementSeams final : public Processor {
   }
 
  private:
+  Repaired repair(const Scene& scene, const MapSeams& of) const {
+    Repaired result{seam_repair(of.seams, of.sampled(),
+                                {options_.method, options_.iterations, static_cast<std::uint32_t>(options_.bits)}),
+                    std::nullopt};
+    if (!result.seams.is_new && options_.gutter == 0) return result;
+    result.texels.emplace(*of.heights);
+    foredraw::put(result.seams, result.texels->view());
+    if (options_.gutter > 0) result.filled = fill_gutter(scene, of, result.texels->view());
+    if (!result.seams.is_new && result.filled == 0) result.texels.reset();
+    return result;
+  }
+
   /// Around the charts of all draws of the map; how many texels changed.
-  std::size_t fill_gutter(const Scene& scene, const MapSeams& of, RepairedMap& repaired) const {
+  std::size_t fill_gutter(const Scene& scene, const MapSeams& of, std::span<std::uint16_t> texels) const {
     std::vector<UvTriangle> triangles;
     for (const DrawId id : of.draws) {
       const Texture& texture = scene.material_of(scene.draws[id])->displacement->texture;
@@ -100,13 +130,10 @@ class DisplacementSeams final : public Processor {
       for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
         triangles.push_back({uvs[indices[i]], uvs[indices[i + 1]], uvs[indices[i + 2]]});
     }
-    std::vector<std::uint16_t> texels = repaired.texels.empty() ? of.heights->texels : repaired.texels;
-    const std::size_t changed = foredraw::fill_gutter(texels, of.sampled(), triangles, options_.gutter);
-    if (changed > 0) repaired.texels = std::move(texels);
-    return changed;
+    return foredraw::fill_gutter(texels, of.sampled(), triangles, options_.gutter);
   }
 
-  static void tell(const MapSeams& of, const RepairedMap& repaired, std::size_t filled, const Run& run) {
+  static void tell(const MapSeams& of, const SeamRepair& repaired, std::size_t filled, const Run& run) {
     std::size_t below = 0;
     for (std::size_t e = 0; e < repaired.rule.size(); ++e) below += repaired.factors[e] < repaired.rule[e] ? 1 : 0;
     const About about{.draw = of.draws.front()};
@@ -129,19 +156,22 @@ class DisplacementSeams final : public Processor {
     }
   }
 
-  /// Whether the new map could be given to the materials.
-  static bool put(Scene& scene, const MapSeams& of, const RepairedMap& repaired, const Run& run) {
-    std::map<MaterialId, std::vector<DrawId>> by_material;
+  static bool can_put(const Scene& scene, const MapSeams& of, const SeamRepair& repaired, const Run& run) {
     for (const DrawId id : of.draws) {
-      const MaterialId material = *scene.draws[id].material;
-      if (!of_range(*scene.materials[material].displacement, repaired)) {
-        run.note_at({.draw = id}, "not-repaired", "not repaired: its factor or offset would be infinite");
-        return false;
-      }
-      by_material[material].push_back(id);
+      if (of_range(*scene.material_of(scene.draws[id])->displacement, repaired)) continue;
+      run.note_at({.draw = id}, "not-repaired", "not repaired: its factor or offset would be infinite");
+      return false;
     }
+    return true;
+  }
+
+  /// Gives the new map to the materials.
+  static void put(Scene& scene, const MapSeams& of, Repaired made, const Run& run) {
+    const SeamRepair& repaired = made.seams;
+    std::map<MaterialId, std::vector<DrawId>> by_material;
+    for (const DrawId id : of.draws) by_material[*scene.draws[id].material].push_back(id);
     const auto image = static_cast<ImageId>(scene.images.size());
-    scene.images.push_back(image_of(repaired, *of.heights, scene.images[of.image]));
+    scene.images.push_back(std::move(*made.texels).image(*of.heights, scene.images[of.image].name));
     for (const auto& [material, draws] : by_material) {
       Material& own = scene.materials[own_material(scene, material, draws)];
       own.displacement = of_range(*own.displacement, repaired);
@@ -157,7 +187,6 @@ class DisplacementSeams final : public Processor {
                       "offset of the materials adjusted",
                       repaired.at_zero, repaired.at_one));
     }
-    return true;
   }
 
   /// Heights of the map's seams, for its draws.

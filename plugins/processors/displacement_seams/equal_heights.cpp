@@ -25,58 +25,85 @@ struct RowsOfTexels {
 };
 
 struct WeighedRows {
-  std::span<const EqualityRow> rows;
+  const std::vector<EqualityRow>& rows;
   double weight;
 };
 
-/// The identity, and the rows' squares.
-SymmetricMatrix normal_matrix(std::size_t texels, std::initializer_list<WeighedRows> all) {
-  std::vector<RowsOfTexels> of_texels;
-  for (const WeighedRows& part : all) of_texels.emplace_back(texels, part.rows);
-  SymmetricMatrix matrix;
-  matrix.starts.push_back(0);
-  std::vector<std::size_t> entry_of(texels, 0);
-  for (std::uint32_t t = 0; t < texels; ++t) {
-    const std::size_t begin = matrix.columns.size();
-    const auto add = [&](std::uint32_t column, double value) {
-      std::size_t& entry = entry_of[column];
-      if (entry < begin || entry >= matrix.columns.size() || matrix.columns[entry] != column) {
-        entry = matrix.columns.size();
-        matrix.columns.push_back(column);
-        matrix.values.push_back(0);
-      }
-      matrix.values[entry] += value;
-    };
+/// The identity, and the rows' squares. Entries are counted before they are made: vectors that grow hold twice as much.
+class NormalMatrix {
+ public:
+  NormalMatrix(std::size_t texels, std::initializer_list<WeighedRows> all) : parts_(all), entry_of_(texels, 0) {
+    for (const WeighedRows& part : parts_) of_texels_.emplace_back(texels, part.rows);
+  }
+
+  SymmetricMatrix made() {
+    const std::size_t texels = entry_of_.size();
+    SymmetricMatrix matrix;
+    matrix.starts.reserve(texels + 1);
+    matrix.starts.push_back(0);
+    std::vector<std::uint32_t> seen_for(texels, no_row);
+    for (std::uint32_t t = 0; t < texels; ++t) {
+      std::size_t count = 0;
+      for_entries(t, [&](std::uint32_t column, double) {
+        count += seen_for[column] != t ? 1 : 0;
+        seen_for[column] = t;
+      });
+      matrix.starts.push_back(matrix.starts.back() + count);
+    }
+    matrix.columns.reserve(matrix.starts.back());
+    matrix.values.reserve(matrix.starts.back());
+    for (std::uint32_t t = 0; t < texels; ++t) {
+      for_entries(t, [&](std::uint32_t column, double value) {
+        std::size_t& entry = entry_of_[column];
+        const bool is_there = entry >= matrix.starts[t] && entry < matrix.columns.size();
+        if (!is_there || matrix.columns[entry] != column) {
+          entry = matrix.columns.size();
+          matrix.columns.push_back(column);
+          matrix.values.push_back(0);
+        }
+        matrix.values[entry] += value;
+      });
+    }
+    return matrix;
+  }
+
+ private:
+  /// Of a row of the matrix, in one sequence; some columns come several times.
+  template <class Add>
+  void for_entries(std::uint32_t t, const Add& add) const {
     add(t, 1);
-    for (std::size_t p = 0; p < all.size(); ++p) {
-      const WeighedRows& part = all.begin()[p];
-      for (std::size_t i = of_texels[p].starts[t]; i < of_texels[p].starts[t + 1]; ++i) {
-        const EqualityRow& row = part.rows[of_texels[p].rows[i]];
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      for (std::size_t i = of_texels_[p].starts[t]; i < of_texels_[p].starts[t + 1]; ++i) {
+        const EqualityRow& row = parts_[p].rows[of_texels_[p].rows[i]];
         double own = 0;
-        for (std::uint32_t k = 0; k < row.count; ++k) own += row.texels[k] == t ? part.weight * row.weights[k] : 0;
+        for (std::uint32_t k = 0; k < row.count; ++k) own += row.texels[k] == t ? parts_[p].weight * row.weights[k] : 0;
         for (std::uint32_t k = 0; k < row.count; ++k) add(row.texels[k], own * row.weights[k]);
       }
     }
-    matrix.starts.push_back(matrix.columns.size());
   }
-  return matrix;
-}
+
+  std::vector<WeighedRows> parts_;
+  std::vector<RowsOfTexels> of_texels_;
+  std::vector<std::size_t> entry_of_;
+};
 
 }  // namespace
 
-std::vector<double> equal_heights(std::span<const double> texels, std::span<const EqualityRow> along,
-                                  std::span<const EqualityRow> points, const EqualHeightsWeights& weights) {
-  std::vector<double> heights(texels.begin(), texels.end());
-  for (const auto rows : {along, along.first(0)}) {
-    const SymmetricMatrix matrix = normal_matrix(texels.size(), {{rows, weights.along}, {points, weights.points}});
+std::vector<double> equal_heights(std::vector<double> texels, std::vector<EqualityRow> along,
+                                  std::vector<EqualityRow> points, const EqualHeightsWeights& weights) {
+  for (;;) {
+    const bool has_along = !along.empty();
+    const SymmetricMatrix matrix =
+        NormalMatrix(texels.size(), {{along, weights.along}, {points, weights.points}}).made();
+    along = {};  // rows are as large as the matrix, and not asked again
     const std::vector<std::uint32_t> order = minimum_degree(matrix);
     LdltFactor factor(matrix, order);
-    if (factor.multiplications() > weights.most_multiplications && !rows.empty()) continue;
+    if (factor.multiplications() > weights.most_multiplications && has_along) continue;
+    points = {};
     factor.compute();
-    factor.solve(heights);
-    break;
+    factor.solve(texels);
+    return texels;
   }
-  return heights;
 }
 
 }  // namespace foredraw::seams

@@ -1,7 +1,6 @@
 #pragma once
 #include "seam_rows.h"
 
-#include <span>
 #include <vector>
 
 namespace foredraw::seams {
@@ -16,7 +15,7 @@ struct EqualHeightsWeights {
 /// points nearly exactly, those along seams as far as the weights say. `texels` in any unit, by the rows' numbers.
 /// Points that need nearly the same texels for nearly the same place are what a solution in two steps, first one and
 /// then the other, breaks at; this is one step.
-std::vector<double> equal_heights(std::span<const double> texels, std::span<const EqualityRow> along,
-                                  std::span<const EqualityRow> points, const EqualHeightsWeights& weights = {});
+std::vector<double> equal_heights(std::vector<double> texels, std::vector<EqualityRow> along,
+                                  std::vector<EqualityRow> points, const EqualHeightsWeights& weights = {});
 
 }  // namespace foredraw::seams

@@ -12,7 +12,7 @@ enum class State : std::uint8_t { free, waits, said };
 
 class Gutter {
  public:
-  Gutter(std::vector<std::uint16_t>& texels, const foredraw_height_map& map)
+  Gutter(std::span<std::uint16_t> texels, const foredraw_height_map& map)
       : texels_(texels), map_(map), states_(texels.size(), State::free) {}
 
   void mark(const UvTriangle& uv) {
@@ -115,14 +115,14 @@ class Gutter {
     return static_cast<std::uint16_t>((sum + count / 2) / count);
   }
 
-  std::vector<std::uint16_t>& texels_;
+  std::span<std::uint16_t> texels_;
   const foredraw_height_map& map_;
   std::vector<State> states_;
 };
 
 }  // namespace
 
-std::size_t fill_gutter(std::vector<std::uint16_t>& texels, const foredraw_height_map& map,
+std::size_t fill_gutter(std::span<std::uint16_t> texels, const foredraw_height_map& map,
                         std::span<const UvTriangle> triangles, int width) {
   Gutter gutter(texels, map);
   for (const UvTriangle& triangle : triangles) gutter.mark(triangle);

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace foredraw {
 
@@ -20,7 +19,7 @@ using UvTriangle = std::array<glm::dvec2, 3>;
 /// those texels stay byte for byte. `texels`: the map's, which says size and wrapping alone. Triangles with a
 /// coordinate that is not finite are passed over. Returns how many texels changed: a second time none. O(texels + width
 /// * ring).
-std::size_t fill_gutter(std::vector<std::uint16_t>& texels, const foredraw_height_map& map,
+std::size_t fill_gutter(std::span<std::uint16_t> texels, const foredraw_height_map& map,
                         std::span<const UvTriangle> triangles, int width);
 
 }  // namespace foredraw

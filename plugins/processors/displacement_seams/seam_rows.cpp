@@ -49,6 +49,9 @@ struct TexelLine {
     return std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y)}) < most;
   }
 
+  /// At most so many borders of texels lie on it.
+  std::size_t most_crossings() const { return static_cast<std::size_t>(std::abs(along.x) + std::abs(along.y)) + 4; }
+
   double length() const { return std::sqrt(along.x * along.x + along.y * along.y); }
 
   /// Where it goes over to the next row or column.
@@ -138,6 +141,7 @@ void add_rows_between(const TexelLine& a, const TexelLine& b, const foredraw_hei
 
 std::vector<EqualityRow> rows_of_points(const SeamPoints& points, const foredraw_height_map& map) {
   std::vector<EqualityRow> rows;
+  rows.reserve(points.places.size() - points.points.size());
   for (const SeamPoint& point : points.points) {
     const auto places = points.places_of(point);
     for (std::size_t side = 1; side < places.size(); ++side) {
@@ -172,22 +176,25 @@ std::vector<EqualityRow> rows_of_exact_points(const SeamEdges& seams, std::span<
 }
 
 std::vector<EqualityRow> rows_along_seams(const SeamEdges& seams, const foredraw_height_map& map) {
-  std::vector<EqualityRow> rows;
   const glm::dvec2 size(map.width, map.height);
-  for (const SidePair& pair : side_pairs(seams)) {
+  std::vector<SidePair> pairs = side_pairs(seams);
+  std::size_t most = 0;
+  std::erase_if(pairs, [&](const SidePair& pair) {
     const TexelLine a(pair.uv[0], size), b(pair.uv[1], size);
     const auto [shorter, longer] = std::minmax({a.length(), b.length()});
     const double of_map = longer / std::max(size.x, size.y);
-    if (!a.is_near() || !b.is_near()) continue;
-    if (of_map <= most_of_map && (of_map <= long_of_map || longer <= most_stretch * shorter)) {
-      add_rows_between(a, b, map, rows);
-    }
-  }
+    const bool is_used = a.is_near() && b.is_near() && of_map <= most_of_map &&
+                         (of_map <= long_of_map || longer <= most_stretch * shorter);
+    if (is_used) most += 3 * (a.most_crossings() + b.most_crossings());
+    return !is_used;
+  });
+  std::vector<EqualityRow> rows;
+  rows.reserve(most);
+  for (const SidePair& pair : pairs) add_rows_between({pair.uv[0], size}, {pair.uv[1], size}, map, rows);
   return rows;
 }
 
 std::vector<std::uint32_t> numbered(std::span<EqualityRow> rows, std::span<EqualityRow> more) {
-  std::vector<std::uint32_t> all;
   const auto for_each = [&](auto use) {
     for (const auto part : {rows, more}) {
       for (EqualityRow& row : part) {
@@ -195,9 +202,16 @@ std::vector<std::uint32_t> numbered(std::span<EqualityRow> rows, std::span<Equal
       }
     }
   };
-  for_each([&](std::uint32_t texel) { all.push_back(texel); });
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<bool> is_named;
+  for_each([&](std::uint32_t texel) {
+    if (texel >= is_named.size()) is_named.resize(std::max<std::size_t>(texel + std::size_t{1}, 2 * is_named.size()));
+    is_named[texel] = true;
+  });
+  std::vector<std::uint32_t> all;
+  all.reserve(static_cast<std::size_t>(std::ranges::count(is_named, true)));
+  for (std::size_t texel = 0; texel < is_named.size(); ++texel) {
+    if (is_named[texel]) all.push_back(static_cast<std::uint32_t>(texel));
+  }
   for_each([&](std::uint32_t& texel) {
     texel = static_cast<std::uint32_t>(std::ranges::lower_bound(all, texel) - all.begin());
   });

@@ -145,11 +145,11 @@ TEST(EqualHeights, ChangeAsLittleAsMayBe) {
   one.texels = {0, 1};
   one.weights = {1, -1};
   const std::vector<double> texels{10, 30, 77};
-  const auto heights = equal_heights(texels, {}, std::span(&one, 1));
+  const auto heights = equal_heights(texels, {}, {one});
   EXPECT_NEAR(heights[0], 20, 1e-6);
   EXPECT_NEAR(heights[1], 20, 1e-6);
   EXPECT_EQ(heights[2], 77);
-  const auto without = equal_heights(texels, std::span(&one, 1), {}, {.most_multiplications = 0});
+  const auto without = equal_heights(texels, {one}, {}, {.most_multiplications = 0});
   EXPECT_EQ(without, texels) << "rows along seams are left out where they cost too much";
 }
 
