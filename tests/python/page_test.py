@@ -32,7 +32,7 @@ class Page(unittest.TestCase):
     def test_of_the_documentation(self):
         names = {}
         count, said = self.run_page("docs/python.md", names)
-        self.assertEqual(count, 5)
+        self.assertEqual(count, 6)
         self.assertIn("vertex-cache acmr ", said)
         before, after = map(float, said.splitlines()[-2].split())
         self.assertLess(after, before)
