@@ -3,41 +3,17 @@
 #include <foredraw/c/functions.h>
 
 #include "bumpy_sheet.h"
+#include "counted_memory.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <functional>
-#include <new>
 #include <vector>
 
 namespace {
 
-long left = -1;  ///< allocations that succeed; negative: all do
-long held = 0;   ///< allocations less releases since counting began
-
-void* allocate(std::size_t size) {
-  if (left == 0) throw std::bad_alloc();
-  if (left > 0) --left;
-  ++held;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-// The library's as well: the program comes first when names are looked up.
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void operator delete(void* memory) noexcept {
-  if (memory != nullptr) --held;
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept { operator delete(memory); }
-void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { operator delete(memory); }
-
-namespace {
+using foredraw::testing::held;
+using foredraw::testing::left;
 
 /// Calls it with ever more allocations that succeed, until it is done: each of the first hundred fails once, of the
 /// rest one in so many.

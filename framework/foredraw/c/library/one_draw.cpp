@@ -93,7 +93,7 @@ int run(foredraw_context& context, const char* stages, const foredraw_triangles*
   Diagnostics diagnostics;
   const auto refuse = [&](int status) {
     lost.diagnostics = diagnostics.all();
-    put(to_json(lost), report);
+    put_made([&] { return to_json(lost); }, report);
     return status;
   };
   const auto refuse_draw = [&](const std::string& why) {
@@ -133,7 +133,7 @@ int run(foredraw_context& context, const char* stages, const foredraw_triangles*
   }
   made.report.diagnostics = diagnostics.all();
   if (call.is_cancelled()) {
-    put(to_json(made.report), report);
+    put_made([&] { return to_json(made.report); }, report);
     return FOREDRAW_CANCELLED;
   }
   const auto order = *answer == Answer::vertices ? inverse_of(level.vertex_destination.view(), count)
@@ -143,7 +143,7 @@ int run(foredraw_context& context, const char* stages, const foredraw_triangles*
   std::vector<std::uint32_t> offsets = {0};
   if (count > 0) offsets.push_back(static_cast<std::uint32_t>(count));  // where the clusterer left all as it was
   if (level.stream().clusters) offsets = level.stream().clusters->offsets;
-  put(to_json(made.report), report);
+  put_made([&] { return to_json(made.report); }, report);
   if (outputs.order != nullptr) std::ranges::copy(order, outputs.order);
   if (outputs.wants_clusters()) {
     std::ranges::copy(offsets, outputs.offsets);

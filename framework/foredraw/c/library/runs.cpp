@@ -25,7 +25,7 @@ int run(foredraw_context& context, const HeldScene& held, const Pipeline* pipeli
   Report lost{.command = command, .input = {held.path, held.bytes, held.stamp}};
   const auto refuse = [&](int status) {
     lost.diagnostics = diagnostics.all();
-    put(to_json(lost), report);
+    put_made([&] { return to_json(lost); }, report);
     return status;
   };
   if (pipeline == nullptr) return refuse(FOREDRAW_MISTAKE);
@@ -40,7 +40,7 @@ int run(foredraw_context& context, const HeldScene& held, const Pipeline* pipeli
   made.report.input = lost.input;
   for (const Diagnostic& diagnostic : made.report.diagnostics) diagnostics.add(diagnostic);
   made.report.diagnostics = diagnostics.all();
-  put(to_json(made.report), report);
+  put_made([&] { return to_json(made.report); }, report);
   if (call.is_cancelled()) return FOREDRAW_CANCELLED;
   result = std::move(made.scene);
   return made.failed ? FOREDRAW_FAILED : FOREDRAW_DONE;

@@ -13,6 +13,12 @@ namespace foredraw::c {
 /// Hands the text over, to be freed by the caller. Nothing happens where `to` is NULL.
 void put(const std::string& text, foredraw_text* to);
 
+/// The same of what make() answers, which nobody asks for where `to` is NULL.
+template <class Make>
+void put_made(Make make, foredraw_text* to) {
+  if (to != nullptr) put(make(), to);
+}
+
 /// The same of {"diagnostics": [...]}.
 void put(const Diagnostics& diagnostics, foredraw_text* to);
 

@@ -1,0 +1,81 @@
+// Wherever memory runs out in the library for C, the status says so; nothing leaks, and no exception comes out. Not of
+// what reads TOML or makes JSON: the libraries for these end the program there.
+
+#include <foredraw/c/foredraw.h>
+
+#include "bumpy_sheet.h"
+#include "counted_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace foredraw::testing {
+namespace {
+
+/// On one thread: counting is not for several.
+class WithoutMemory : public ::testing::Test {
+ protected:
+  WithoutMemory() {
+    foredraw_settings settings{};
+    settings.size = sizeof settings;
+    settings.threads = 1;
+    context_ = foredraw_context_new(&settings);
+    indices_.assign(sheet_.indices.begin(), sheet_.indices.end());
+    for (const auto& vertex : sheet_.vertices) {
+      positions_.insert(positions_.end(), vertex.position, vertex.position + 3);
+    }
+    draw_.size = sizeof draw_;
+    draw_.vertex_count = static_cast<std::uint32_t>(sheet_.vertices.size());
+    draw_.triangle_count = indices_.size() / 3;
+    draw_.indices = indices_.data();
+    draw_.positions = positions_.data();
+  }
+  ~WithoutMemory() override { foredraw_context_free(context_); }
+
+  /// Calls it with ever more allocations that succeed, until it is done, 500 times at most, and once with all.
+  static void expect_survives(const std::function<int()>& call) {
+    EXPECT_EQ(call(), FOREDRAW_DONE);  // what is kept for ever is made now
+    int failed = 0;
+    for (long allowed = 0; allowed < 500; ++allowed) {
+      const long before = held;
+      left = allowed;
+      const int status = call();
+      left = -1;
+      ASSERT_EQ(held, before) << allowed;
+      if (status == FOREDRAW_DONE) break;
+      ASSERT_TRUE(status == FOREDRAW_NO_MEMORY || status == FOREDRAW_FAILED) << status << " after " << allowed;
+      ++failed;
+    }
+    EXPECT_GT(failed, 0);
+    EXPECT_EQ(call(), FOREDRAW_DONE);
+  }
+
+  const BumpySheet sheet_{6};
+  std::vector<std::uint32_t> indices_;
+  std::vector<float> positions_;
+  foredraw_draw draw_{};
+  foredraw_context* context_ = nullptr;
+};
+
+TEST_F(WithoutMemory, ScenesAreNotMade) {
+  expect_survives([&] {
+    foredraw_scene* scene = nullptr;
+    foredraw_text text{};
+    const int status = foredraw_make_scene(context_, &draw_, 1, &scene, &text);
+    EXPECT_EQ(scene != nullptr, status == FOREDRAW_DONE);
+    foredraw_scene_free(scene);
+    foredraw_text_free(&text);
+    return status;
+  });
+}
+
+TEST_F(WithoutMemory, OrdersSayThatItRanOut) {
+  const foredraw_triangles triangles = sheet_.triangles();
+  const foredraw_positions positions = sheet_.positions();
+  std::vector<std::uint32_t> order(triangles.index_count / 3);
+  expect_survives([&] { return foredraw_order(context_, "lookahead", &triangles, &positions, order.data(), nullptr); });
+}
+
+}  // namespace
+}  // namespace foredraw::testing
