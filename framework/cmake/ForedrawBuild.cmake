@@ -46,7 +46,8 @@ foredraw_room(report measuring io_text)
 foredraw_room(report_page report io_image)
 foredraw_room(pipeline report platform)
 foredraw_room(c)
-foredraw_room(c_library c io pipeline)
+foredraw_room(modules technique platform c)
+foredraw_room(c_library modules io pipeline)
 
 # Where one of these packages is missing, or what compiles shaders, the room and what links it are left out.
 set(foredraw_room_needs_gpu Vulkan)

@@ -84,11 +84,13 @@ class CommandLine {
          "Print the record of the run, as JSON, to standard output; the tables go to standard error, with or without "
          "it");
     threads(optimize_app);
+    modules(optimize_app);
 
     auto& plan_app = add("plan", "Show what would run, what would be skipped and why", plan);
     input(plan_app, false);
     pipeline(plan_app);
     json(plan_app);
+    modules(plan_app);
 
     auto& measure_app = add("measure", "Measure a scene as it is", measure);
     input(measure_app);
@@ -96,6 +98,7 @@ class CommandLine {
     heat_maps(measure_app, "");
     json(measure_app);
     threads(measure_app);
+    modules(measure_app);
 
     auto& compare_app = add("compare", "Run several pipelines on the same scenes and compare them", compare);
     compare_app.add_option("inputs", arguments_.inputs, "Scenes, images or frame lists, or folders of them")
@@ -130,6 +133,7 @@ class CommandLine {
     json(compare_app);
     threads(compare_app);
     memory_limit(compare_app);
+    modules(compare_app);
 
     auto& inspect_app = add("inspect", "Show what a scene holds", inspect);
     input(inspect_app, false);
@@ -138,14 +142,24 @@ class CommandLine {
     auto& list_app = add("list", "List the plugins", list);
     list_app.add_option("--kind", arguments_.kind, "Only orderer, clusterer, processor or evaluator");
     json(list_app);
+    modules(list_app);
 
     auto& show_app = add("show", "Show a plugin's options, or a preset's text", show);
     show_app.add_option("name", arguments_.name, "A plugin's name, or @preset")->required();
     json(show_app);
+    modules(show_app);
 
     auto& schema_app = add("schema", "Print a JSON Schema of the pipeline format, for editors", schema);
     schema_app.add_option("product", arguments_.name,
                           "Print the schemas of this product's glTF extension instead, by file name");
+    modules(schema_app);
+
+    auto& check_app = add("check-module", "Ask of a module's techniques what is asked of those built in", check_module);
+    check_app.add_option("module", arguments_.modules, "The module, a .so or .py file, or a folder of them")
+        ->required()
+        ->expected(1);
+    threads(check_app);
+    how_modules_run(check_app);
 
     auto& calibrate_app =
         add("calibrate", "Measure what drawing costs on this machine, so that levels can be chosen within a budget",
@@ -256,16 +270,38 @@ class CommandLine {
         ->check(CLI::Range(1, 1024));
   }
   void memory_limit(CLI::App& app) {
-    const auto take = [this](const std::string& text) {
+    size(app, "--memory-limit", arguments_.memory_limit,
+         "Stop with an error, and change no file, if more memory than this is needed, such as 500M or 2G (default: no "
+         "limit)");
+  }
+  void modules(CLI::App& app) {
+    app.add_option("--module", arguments_.modules,
+                   "Also know the techniques of this module, a .so or .py file, or of all in this folder; may be given "
+                   "several times. Those that the environment variable FOREDRAW_MODULES names are known as well")
+        ->type_name("FILE|FOLDER")
+        ->expected(1)
+        ->take_all();
+    how_modules_run(app);
+  }
+  void how_modules_run(CLI::App& app) {
+    const auto take = [this](const std::string& word) { arguments_.modules_inside = word == "inside"; };
+    app.add_option_function<std::string>("--modules", take,
+                                         "apart: modules run in processes of their own; inside: in this one, which "
+                                         "saves a little time and trusts them (default: apart)")
+        ->check(CLI::IsMember({"apart", "inside"}));
+    app.add_option("--module-seconds", arguments_.module_seconds,
+                   "End a module's process that takes longer than this for a call (default: 600)")
+        ->check(CLI::Range(.001, 1e6));
+    size(app, "--module-memory", arguments_.module_memory,
+         "The most memory that a module's process may hold, such as 500M (default: 2G)");
+  }
+  void size(CLI::App& app, const std::string& name, std::uint64_t& bytes, const std::string& what) {
+    const auto take = [name, &bytes](const std::string& text) {
       const auto size = size_of(text);
-      if (!size)
-        throw CLI::ValidationError("--memory-limit", "'" + text + "' is not a size; give one such as 500M or 2G");
-      arguments_.memory_limit = *size;
+      if (!size) throw CLI::ValidationError(name, "'" + text + "' is not a size; give one such as 500M or 2G");
+      bytes = *size;
     };
-    app.add_option_function<std::string>("--memory-limit", take,
-                                         "Stop with an error, and change no file, if more memory than this is needed, "
-                                         "such as 500M or 2G (default: no limit)")
-        ->type_name("SIZE");
+    app.add_option_function<std::string>(name, take, what)->type_name("SIZE");
   }
 
   Asked asked_;

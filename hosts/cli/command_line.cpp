@@ -4,6 +4,7 @@
 
 #include <foredraw/base/counted.h>
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/modules/load_modules.h>
 #include <foredraw/platform/memory.h>
 
 #include <fmt/format.h>
@@ -63,6 +64,24 @@ void tell_lack_of_memory(const OutOfMemory& lack, std::uint64_t limit) {
   }
 }
 
+/// Those that the arguments and the environment name. One that can not be loaded is told, and the run goes on without.
+Exit load_modules(Command command, const Arguments& arguments, Registry& registry) {
+  if (command == inspect || command == calibrate) return done;  // which run no techniques
+  ModuleChoice choice;
+  for (const std::string& module : arguments.modules) choice.places.emplace_back(module);
+  if (command != check_module) {
+    for (auto& place : modules_of_environment()) choice.places.push_back(std::move(place));
+  }
+  if (choice.places.empty()) return done;
+  choice.inside = arguments.modules_inside;
+  if (arguments.module_seconds > 0) choice.limits.seconds = arguments.module_seconds;
+  if (arguments.module_memory > 0) choice.limits.memory = arguments.module_memory;
+  Diagnostics diagnostics;
+  add_modules(choice, Executor(arguments.threads), registry, diagnostics);
+  tell(diagnostics);
+  return diagnostics.has_errors() ? something_failed : done;
+}
+
 Exit run(Command command, Arguments arguments, const Registry& registry) {
   if (arguments.memory_limit != 0 && !limit_memory(arguments.memory_limit)) {
     fmt::print(stderr, "foredraw: error: --memory-limit: this system cannot limit memory\n");
@@ -78,8 +97,11 @@ Exit run(Command command, Arguments arguments, const Registry& registry) {
   }
   try {
     // Steps of their own say what they lacked it for.
-    return with_memory(arguments.inputs.empty() ? "foredraw" : arguments.inputs[0], "begin",
-                       [&] { return command(arguments, registry); });
+    return with_memory(arguments.inputs.empty() ? "foredraw" : arguments.inputs[0], "begin", [&] {
+      Registry known = registry;
+      const Exit loaded = load_modules(command, arguments, known);
+      return std::max(command(arguments, known), loaded);
+    });
   } catch (const OutOfMemory& lack) {
     tell_lack_of_memory(lack, arguments.memory_limit);
     return something_failed;

@@ -40,8 +40,12 @@ struct Arguments {
   int rounds = 7;                  ///< of a calibration
   std::uint64_t memory_limit = 0;  ///< in bytes; 0: none
   bool json = false;
-  bool strict = false;  ///< refuse files with faults that would be mended
-  std::string root;     ///< folder that files named by `..` may lie in
+  bool strict = false;               ///< refuse files with faults that would be mended
+  std::string root;                  ///< folder that files named by `..` may lie in
+  std::vector<std::string> modules;  ///< files, and folders of them
+  bool modules_inside = false;       ///< in the program's own process
+  double module_seconds = 0;         ///< of a call; 0: as usual
+  std::uint64_t module_memory = 0;   ///< bytes of a module's process; 0: as usual
 };
 
 Exit optimize(const Arguments& arguments, const Registry& registry);
@@ -52,6 +56,7 @@ Exit inspect(const Arguments& arguments, const Registry& registry);
 Exit list(const Arguments& arguments, const Registry& registry);
 Exit show(const Arguments& arguments, const Registry& registry);
 Exit schema(const Arguments& arguments, const Registry& registry);
+Exit check_module(const Arguments& arguments, const Registry& registry);
 Exit calibrate(const Arguments& arguments, const Registry& registry);
 
 /// Reads the arguments and calls the command.

@@ -50,7 +50,8 @@ Exit show(const Arguments& arguments, const Registry& registry) {
     return print(std::string(preset.text));
   }
   if (const Plugin* plugin = registry.find(arguments.name)) {
-    return print(arguments.json ? reference_json(*plugin) : reference_page(*plugin));
+    const ModuleFile* module = registry.module_of(arguments.name);
+    return print(arguments.json ? reference_json(*plugin, module) : reference_page(*plugin, module));
   }
   fmt::print(stderr, "foredraw: error: there is no plugin or preset '{}'\n    hint: {}\n", arguments.name,
              registry.hint_for(arguments.name, names));

@@ -1,6 +1,7 @@
 /* Prints what a C compiler makes of the headers: sizes and offsets of structs, values of enums. */
 #include <foredraw/c/foredraw.h>
 #include <foredraw/c/functions.h>
+#include <foredraw/c/module.h>
 
 #include <stddef.h>
 #include <stdio.h>
@@ -250,6 +251,16 @@ int main(void) {
   VALUE(FOREDRAW_UINT16);
   VALUE(FOREDRAW_UINT32);
   VALUE(FOREDRAW_FLOAT32);
+  SIZE(foredraw_module);
+  OFFSET(foredraw_module, size);
+  OFFSET(foredraw_module, major);
+  OFFSET(foredraw_module, minor);
+  OFFSET(foredraw_module, plugin_count);
+  OFFSET(foredraw_module, vendor);
+  OFFSET(foredraw_module, version);
+  OFFSET(foredraw_module, plugins);
+  VALUE(FOREDRAW_MODULE_MAJOR);
+  VALUE(FOREDRAW_MODULE_MINOR);
   VALUE(FOREDRAW_TRIANGLE_ORDERER);
   VALUE(FOREDRAW_VERTEX_ORDERER);
   VALUE(FOREDRAW_CLUSTERER);

@@ -21,6 +21,7 @@
 #define FOREDRAW_C_FOREDRAW_H
 
 #include <foredraw/c/mesh.h>
+#include <foredraw/c/module.h>
 #include <foredraw/c/plugin.h>
 #include <foredraw/c/status.h>
 
@@ -60,6 +61,16 @@ void foredraw_context_free(foredraw_context* context);
 /* Adds a technique of the caller's own, which stages and evaluators then name like any other. `plugin` and all that it
  * points to have to live as long as the context. To be done before another thread uses the context. */
 int foredraw_add_plugin(foredraw_context* context, const foredraw_plugin* plugin, foredraw_text* problems);
+
+/* Adds the techniques of a module's file, or of all in a folder. `inside` 0: they run in processes of their own, for
+ * which the program foredraw-module has to be where it is installed, or where FOREDRAW_MODULE_WORKER says; 1: in this
+ * one, which then trusts them. FOREDRAW_MISTAKE where something is wrong with one; the others are added all the same.
+ * To be done before another thread uses the context. */
+int foredraw_load_module(foredraw_context* context, const char* path, uint32_t inside, foredraw_text* problems);
+
+/* For programs that serve modules written in another language, as foredraw-module serves those in C: answers the calls
+ * of the program that began this process, until that ends it. FOREDRAW_FAILED where none did. */
+int foredraw_serve_module(const foredraw_module* module);
 
 /* Ends whatever runs in the context at this time, within about a second: it returns FOREDRAW_CANCELLED. From any
  * thread. A call that is to be ended alone gets a context of its own: scenes belong to none. */

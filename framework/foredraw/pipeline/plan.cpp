@@ -51,12 +51,21 @@ class Planner {
     add_stages(pipeline.measure, true, plan.measures);
     plan.overdraw = overdraw_service(pipeline, plan.stages);
     plan.loans = std::move(loans_);
+    for (const auto* stages : {&plan.stages, &plan.measures}) {
+      for (const PlannedStage& stage : *stages) add_module_of(stage, plan.modules);
+    }
     return plan;
   }
 
  private:
   void error(Where where, std::string code, std::string message, std::string hint = {}) {
     diagnostics_.error(std::move(where), std::move(code), std::move(message), std::move(hint));
+  }
+
+  void add_module_of(const PlannedStage& stage, std::vector<ModuleFile>& modules) const {
+    const ModuleFile* module = registry_.module_of(stage.plugin->card.name);
+    if (module == nullptr || std::ranges::find(modules, module->path, &ModuleFile::path) != modules.end()) return;
+    modules.push_back(*module);
   }
 
   void add_stages(const std::vector<Stage>& stages, bool measure, std::vector<PlannedStage>& planned) {

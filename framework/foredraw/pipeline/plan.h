@@ -42,6 +42,7 @@ struct Plan {
   Poses poses;
   ProductRows products;                             ///< what the registry's plugins make
   Loans loans;                                      ///< what options of stages name
+  std::vector<ModuleFile> modules;                  ///< what its plugins were loaded from
   std::shared_ptr<const OverdrawService> overdraw;  ///< null: no service is named or needed
 };
 

@@ -87,6 +87,7 @@ class PlanRunner {
     Report& report = result_.report;
     report.pipeline = print_file(plan_->pipeline);
     report.named = named_files(plan_->loans);
+    report.modules = plan_->modules;
     report.seed = plan_->pipeline.seed;
     describe_output();
     const std::vector<StageRecord> before = std::exchange(report.measures, {});

@@ -51,13 +51,14 @@ Json list_of(const Traits& traits) { return std::vector<std::string>(traits.begi
 
 }  // namespace
 
-std::string reference_page(const Plugin& plugin) {
+std::string reference_page(const Plugin& plugin, const ModuleFile* module) {
   const Card& card = plugin.card;
   std::string page =
       fmt::format("# {}\n\n{}: {}.\n\nSource: {}.\n", card.name, to_text(plugin.kind), card.summary, card.reference);
   const auto fact = [&](std::string_view what, const std::string& text) {
     if (!text.empty()) page += fmt::format("- {}: {}\n", what, text);
   };
+  if (module != nullptr) page += fmt::format("Module: {}, version {}.\n", module->path, module->version);
   page += '\n';
   fact("acts on draws that are", names_text(card.acts_on));
   fact("needs draws to be", names_text(card.needs));
@@ -86,7 +87,7 @@ std::string reference_page(const Plugin& plugin) {
   return page;
 }
 
-std::string reference_json(const Plugin& plugin) {
+std::string reference_json(const Plugin& plugin, const ModuleFile* module) {
   const Card& card = plugin.card;
   Json json{{"name", card.name},
             {"kind", to_text(plugin.kind)},
@@ -109,6 +110,8 @@ std::string reference_json(const Plugin& plugin) {
                                {"doc", metric.doc},
                                {"lower-is-better", metric.lower_is_better}});
   }
+  if (module != nullptr)
+    json["module"] = {{"path", module->path}, {"version", module->version}, {"hash", module->hash}};
   return json.dump(2) + '\n';
 }
 
@@ -121,6 +124,9 @@ std::string list_text(const Registry& registry, std::optional<Kind> kind) {
       std::string summary = plugin->card.summary;
       if (plugin->unavailable) {
         if (const auto why = plugin->unavailable()) summary += " (unavailable on this machine: " + *why + ")";
+      }
+      if (const ModuleFile* module = registry.module_of(plugin->card.name)) {
+        summary += fmt::format(" ({} {})", module->path, module->version);
       }
       table.add({std::string(to_text(each)), plugin->card.name, summary});
     }
@@ -136,7 +142,8 @@ std::string list_text(const Registry& registry, std::optional<Kind> kind) {
 std::string list_json(const Registry& registry, std::optional<Kind> kind) {
   Json json{{"list", 1}, {"plugins", Json::array()}};
   for (const Plugin* plugin : registry.all()) {
-    if (!kind || plugin->kind == *kind) json["plugins"].push_back(Json::parse(reference_json(*plugin)));
+    if (!kind || plugin->kind == *kind)
+      json["plugins"].push_back(Json::parse(reference_json(*plugin, registry.module_of(plugin->card.name))));
   }
   if (!kind) {
     for (const auto& [name, reason] : registry.left_out()) json["left-out"][name] = reason;

@@ -5,6 +5,7 @@
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/report/metrics.h>
 #include <foredraw/technique/attachment.h>
+#include <foredraw/technique/module_file.h>
 
 #include <functional>
 #include <memory>
@@ -94,8 +95,9 @@ struct Report {
   std::string command;
   FileRecord input;
   FileRecord output;
-  std::vector<FileRecord> named;  ///< scenes and images that options of stages name
-  std::string pipeline;           ///< TOML; parses back
+  std::vector<FileRecord> named;    ///< scenes and images that options of stages name
+  std::vector<ModuleFile> modules;  ///< files that its techniques were loaded from
+  std::string pipeline;             ///< TOML; parses back
   std::int64_t seed = 0;
   int threads = 1;
   std::string machine;     ///< what it ran on, for people

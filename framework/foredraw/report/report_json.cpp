@@ -151,6 +151,11 @@ Json to_json(const FileRecord& file) {
   return json;
 }
 
+Json to_json(const ModuleFile& module) {
+  return {{"path", module.path},     {"bytes", module.bytes},     {"hash", module.hash},
+          {"vendor", module.vendor}, {"version", module.version}, {"runs", module.is_inside ? "inside" : "apart"}};
+}
+
 }  // namespace
 
 void write_json(const Report& report, const std::function<void(std::string_view)>& put) {
@@ -159,6 +164,7 @@ void write_json(const Report& report, const std::function<void(std::string_view)
   Json head{{"report", report_version}, {"command", report.command}, {"input", to_json(report.input)}};
   if (!report.output.path.empty()) head["output"] = to_json(report.output);
   for (const FileRecord& file : report.named) head["named"].push_back(to_json(file));
+  for (const ModuleFile& module : report.modules) head["modules"].push_back(to_json(module));
   head["pipeline"] = report.pipeline;
   head["seed"] = report.seed;
   head["threads"] = report.threads;

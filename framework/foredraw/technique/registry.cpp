@@ -17,7 +17,7 @@ bool is_name(std::string_view name) {
 
 }  // namespace
 
-void Registry::add(Plugin plugin) {
+void Registry::add(Plugin plugin, std::shared_ptr<const ModuleFile> module) {
   const std::string name = plugin.card.name;
   if (!is_name(name)) {
     throw std::invalid_argument("plugin name '" + name + "': expected lower-case letters, digits and hyphens");
@@ -47,6 +47,7 @@ void Registry::add(Plugin plugin) {
     }
   }
   plugins_.emplace(name, std::move(plugin));
+  if (module) modules_.emplace(name, std::move(module));
 }
 
 ProductRows Registry::products() const {
@@ -62,6 +63,11 @@ ProductRows Registry::products() const {
 const Plugin* Registry::find(std::string_view name) const {
   const auto it = plugins_.find(name);
   return it == plugins_.end() ? nullptr : &it->second;
+}
+
+const ModuleFile* Registry::module_of(std::string_view name) const {
+  const auto it = modules_.find(name);
+  return it == modules_.end() ? nullptr : it->second.get();
 }
 
 std::string Registry::hint_for(std::string_view name, const std::vector<std::string>& names) const {

@@ -1,4 +1,4 @@
-"""The C headers as ctypes sees them: status.h, draw.h, functions.h and its parts, plugin.h, foredraw.h. A test holds this to what a compiler says."""
+"""The C headers as ctypes sees them: status.h, draw.h, functions.h and its parts, plugin.h, module.h, foredraw.h. A test holds this to what a compiler says."""
 
 from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int, c_int64, c_uint32, c_uint64, c_void_p
 
@@ -285,6 +285,21 @@ class Plugin(Structure):
     ]
 
 
+class Module(Structure):
+    _fields_ = [
+        ("size", c_uint32),
+        ("major", c_uint32),
+        ("minor", c_uint32),
+        ("plugin_count", c_uint32),
+        ("vendor", c_char_p),
+        ("version", c_char_p),
+        ("plugins", POINTER(POINTER(Plugin))),
+    ]
+
+
+# The version of modules.
+MODULE_MAJOR, MODULE_MINOR = 1, 0
+
 _places = POINTER(Positions)
 _triangles, _text, _pointer = POINTER(Triangles), POINTER(Text), POINTER(c_void_p)
 
@@ -330,6 +345,8 @@ PROTOTYPES = {
     "context_new": (c_void_p, [POINTER(Settings)]),
     "context_free": (None, [c_void_p]),
     "add_plugin": (c_int, [c_void_p, POINTER(Plugin), _text]),
+    "load_module": (c_int, [c_void_p, c_char_p, c_uint32, _text]),
+    "serve_module": (c_int, [POINTER(Module)]),
     "cancel": (None, [c_void_p]),
     "read": (c_int, [c_void_p, c_char_p, _pointer, _text]),
     "read_memory": (c_int, [c_void_p, c_void_p, c_uint64, c_char_p, _pointer, _text]),

@@ -4,11 +4,12 @@ import os
 import weakref
 from ctypes import byref, sizeof
 from functools import lru_cache
-from typing import Any, Callable, List, Optional, TypeVar
+from typing import Any, Callable, List, Optional, TypeVar, Union
 
 from ._arrays import count
 from ._header import Settings
 from ._library import library
+from ._texts import Told, check, path_for_c
 from ._waiting import Tell, tell, wait_for
 
 T = TypeVar("T")
@@ -32,6 +33,13 @@ class Context:
             raise MemoryError("memory ran out")
         weakref.finalize(self, library().context_free, self._pointer)
         self._techniques: List[Any] = []  # that were added, which live as long
+
+    def load_module(self, path: Union[str, "os.PathLike[str]"], *, inside: bool = False) -> None:
+        """Add the techniques of a module's file, or of all in a folder. They run in processes of their own, or `inside`
+        this one, which then trusts them. Raises :class:`Error` where something is wrong with one; the others are added
+        all the same. Do it before other threads use the context."""
+        said = Told()
+        check(library().load_module(self._pointer, path_for_c(path), inside, said.out), said.take())
 
     def cancel(self) -> None:
         """End whatever runs in the context at this time: it raises :class:`Cancelled`. From any thread."""

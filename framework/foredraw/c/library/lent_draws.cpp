@@ -1,6 +1,6 @@
 #include <foredraw/c/library/private/border.h>
 #include <foredraw/c/library/private/handles.h>
-#include <foredraw/c/library/private/lent.h>
+#include <foredraw/modules/draws_for_c.h>
 
 namespace foredraw::c {
 

@@ -1,6 +1,6 @@
-#include <foredraw/c/library/private/lent.h>
+#include <foredraw/modules/draws_for_c.h>
 
-namespace foredraw::c {
+namespace foredraw {
 
 namespace {
 
@@ -43,4 +43,4 @@ foredraw_draw draw_for_c(const VertexStreams& vertices, std::span<const std::uin
           .cluster_offsets = clusters == nullptr ? nullptr : clusters->offsets.data()};
 }
 
-}  // namespace foredraw::c
+}  // namespace foredraw

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace foredraw::c {
+namespace foredraw {
 
 /// All base streams but positions. They refer to `vertices`.
 std::vector<foredraw_stream> streams_for_c(const VertexStreams& vertices);
@@ -15,4 +15,4 @@ std::vector<foredraw_stream> streams_for_c(const VertexStreams& vertices);
 foredraw_draw draw_for_c(const VertexStreams& vertices, std::span<const std::uint32_t> indices, const float* positions,
                          const std::vector<foredraw_stream>& streams, const Clusters* clusters);
 
-}  // namespace foredraw::c
+}  // namespace foredraw

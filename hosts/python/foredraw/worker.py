@@ -1,0 +1,33 @@
+"""Serves a module written in Python, which the program loads as `foredraw --module FILE.py`: it starts this, as
+``python3 -m foredraw.worker FILE``.
+
+A module is a file that decorates its techniques with :func:`foredraw.orderer` and the like, whose names begin with the
+vendor's: "acme-radial". Its ``__version__`` stands in reports.
+"""
+
+import runpy
+import sys
+from ctypes import POINTER, byref, pointer, sizeof
+
+from . import _header as c
+from ._library import library
+from ._texts import text_for_c
+from .techniques import Technique
+
+
+def serve(path: str) -> int:
+    """Answers the calls of the program that started this one."""
+    names = runpy.run_path(path)
+    techniques = list({id(one): one for one in names.values() if isinstance(one, Technique)}.values())
+    plugins = (POINTER(c.Plugin) * len(techniques))(*(pointer(one._plugin) for one in techniques))
+    vendor = techniques[0].name.partition("-")[0] if techniques else "none"
+    version = str(names.get("__version__", "0"))
+    module = c.Module(sizeof(c.Module), c.MODULE_MAJOR, c.MODULE_MINOR, len(techniques), text_for_c(vendor, "a name"),
+                      text_for_c(version, "__version__"), plugins)
+    return library().serve_module(byref(module))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("foredraw starts this where --module names a .py file: python3 -m foredraw.worker FILE")
+    sys.exit(serve(sys.argv[1]))

@@ -1,0 +1,7 @@
+/* Leaves. */
+#include "hostile.h"
+static int run(RUN) {
+  UNUSED;
+  exit(0);
+}
+MODULE("exits")

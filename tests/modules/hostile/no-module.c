@@ -1,0 +1,3 @@
+/* Is a library, and no module. */
+int moon(void);
+int moon(void) { return 0; }
