@@ -4,7 +4,11 @@
 #include "support/program.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <nlohmann/json.hpp>
+
+#include <map>
+#include <tuple>
 
 namespace foredraw {
 namespace {
@@ -49,6 +53,23 @@ TEST_F(Folder, IsWorkedOnFileByFile) {
   std::uint64_t triangles = 0;
   for (const Json& file : batch["files"]) triangles += file["report"]["totals"]["triangles"].get<std::uint64_t>();
   EXPECT_EQ(batch["totals"]["triangles"], triangles);
+}
+
+/// An engine that watches the folder imports nothing again.
+TEST_F(Folder, ASecondRunTouchesNoFile) {
+  const auto facts_of = [](const fs::path& path) {
+    struct stat facts {};
+    EXPECT_EQ(::stat(path.c_str(), &facts), 0) << path;
+    return std::tuple(facts.st_ino, facts.st_mtim.tv_sec, facts.st_mtim.tv_nsec);
+  };
+  ASSERT_EQ(run("optimize in -o out -p tipsify").code, 0);
+  std::map<fs::path, decltype(facts_of({}))> before;
+  for (const char* name : {"spot.glb", "props/bench.gltf", "props/bench.bin"})
+    before[folder_ / "out" / name] = facts_of(folder_ / "out" / name);
+  ASSERT_EQ(run("optimize in -o out -p tipsify").code, 0);
+  for (const auto& [path, facts] : before) EXPECT_EQ(facts_of(path), facts) << path;
+  ASSERT_EQ(run("optimize in -o out -p forsyth").code, 0);
+  EXPECT_NE(facts_of(folder_ / "out/spot.glb"), before[folder_ / "out/spot.glb"]);
 }
 
 /// Who is left alone keeps its bytes under a name of its own: the other's are new.

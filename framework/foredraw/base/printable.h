@@ -8,4 +8,7 @@ namespace foredraw {
 /// U+FFFD. `kept`: control characters that stay, such as "\n".
 std::string printable(std::string_view text, std::string_view kept = "");
 
+/// Whether all of it is well-formed (Unicode 15, table 3-7).
+bool is_utf8(std::string_view text);
+
 }  // namespace foredraw

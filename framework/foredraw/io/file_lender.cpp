@@ -19,8 +19,8 @@ std::optional<Loan<Scene>> read_lent_scene(const std::string& path, const SceneI
   return Loan<Scene>{std::make_shared<const Scene>(std::move(file->scene)), file->bytes, file->stamp};
 }
 
-std::optional<Loan<Image>> read_lent_image(const std::string& path, Diagnostics& diagnostics) {
-  auto bytes = read_file(path, diagnostics);
+std::optional<Loan<Image>> read_lent_image(const std::string& path, const SceneInput& how, Diagnostics& diagnostics) {
+  auto bytes = read_file(path, diagnostics, FileRead::all_of_it, how.files.get());
   if (!bytes) return std::nullopt;
   auto facts = checked_image_facts(*bytes, {.file = path}, diagnostics);
   if (!facts) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<Loan<Scene>> FileLender::scene(const std::string& path, Diagnostic
 
 std::optional<Loan<Image>> FileLender::image(const std::string& path, Diagnostics& diagnostics) const {
   const std::lock_guard lock(mutex_);
-  return kept(read_.images, path, [&] { return read_lent_image(path, diagnostics); });
+  return kept(read_.images, path, [&] { return read_lent_image(path, how_, diagnostics); });
 }
 
 }  // namespace foredraw

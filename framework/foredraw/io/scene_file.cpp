@@ -88,7 +88,8 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
     return std::nullopt;
   }
   const bool is_standard = path == "-";
-  auto bytes = is_standard ? read_standard_input(diagnostics) : read_file(path, diagnostics);
+  auto bytes = is_standard ? read_standard_input(diagnostics)
+                           : read_file(path, diagnostics, FileRead::all_of_it, how.files.get());
   if (!bytes) return std::nullopt;
   const std::size_t length = bytes->size();
   const Stamp stamp = content_hash(*bytes);

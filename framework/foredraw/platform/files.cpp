@@ -1,4 +1,5 @@
 #include <foredraw/platform/files.h>
+#include <foredraw/platform/private/descriptor.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -17,20 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string reason() { return std::strerror(errno); }
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return number_; }
-
- private:
-  int number_;
-};
 
 constexpr std::size_t step = std::size_t{1} << 20;
 
@@ -56,17 +43,7 @@ bool read_all(int descriptor, std::vector<std::byte>& bytes, std::size_t at_most
   return true;
 }
 
-bool write_all(int descriptor, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(put));
-  }
-  return true;
-}
-
-bool write_all(int descriptor, const OutputFile& file) {
+bool write_whole(int descriptor, const OutputFile& file) {
   bool is_whole = write_all(descriptor, file.bytes);
   const OutputFile::Put put = [&](std::string_view text) {
     is_whole = is_whole && write_all(descriptor, std::as_bytes(std::span(text)));
@@ -84,8 +61,7 @@ fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.
 class Part {
  public:
   explicit Part(const fs::path& place) {
-    for (int n = 0; remove_leftover(named(place, n)) || n < usual_writers; ++n) {
-    }
+    remove_leftovers(place);
     for (int n = 0;; ++n) {
       path_ = named(place, n);
       descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL, 0666);
@@ -106,7 +82,14 @@ class Part {
     ::close(descriptor_);
   }
 
+  /// What writers that were killed had begun.
+  static void remove_leftovers(const fs::path& place) {
+    for (int n = 0; remove_leftover(named(place, n)) || n < usual_writers; ++n) {
+    }
+  }
+
   int descriptor() const { return descriptor_; }
+  const fs::path& path() const { return path_; }
 
   bool move_to(const fs::path& place) {
     if (::rename(path_.c_str(), place.c_str()) != 0) return false;
@@ -184,12 +167,54 @@ std::optional<Part> part_of(const fs::path& place, const OutputFile& file, Diagn
   Part part(place);
   if (part.descriptor() < 0) {
     cannot_open(file, diagnostics);
-  } else if (!write_all(part.descriptor(), file) || ::fsync(part.descriptor()) != 0) {
+  } else if (!write_whole(part.descriptor(), file) || ::fsync(part.descriptor()) != 0) {
     cannot_finish(file, diagnostics);
   } else {
     return part;
   }
   return std::nullopt;
+}
+
+/// Whether the file holds exactly these bytes. It is read in steps: it may be as large as any.
+bool holds(int descriptor, std::span<const std::byte> bytes) {
+  std::vector<std::byte> read(std::min(bytes.size() + 1, step));
+  while (true) {
+    const ssize_t got = ::read(descriptor, read.data(), std::min(read.size(), bytes.size() + 1));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return got == 0 && bytes.empty();
+    const auto length = static_cast<std::size_t>(got);
+    if (length > bytes.size() || std::memcmp(read.data(), bytes.data(), length) != 0) return false;
+    bytes = bytes.subspan(length);
+  }
+}
+
+bool hold_the_same(int a, int b) {
+  std::vector<std::byte> read;
+  read.reserve(step);
+  while (read_all(a, read, step)) {
+    if (read.empty()) return true;
+    std::vector<std::byte> other;
+    other.reserve(read.size());
+    if (!read_all(b, other, read.size()) || other != read) return false;
+    read.clear();
+  }
+  return false;
+}
+
+/// A regular file with these bytes already. What is made while it is written is known only afterwards.
+bool is_there_already(const fs::path& place, const OutputFile& file) {
+  const Descriptor old(::open(place.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status {};
+  return old.get() >= 0 && !file.rest && ::fstat(old.get(), &status) == 0 && S_ISREG(status.st_mode) &&
+         static_cast<std::size_t>(status.st_size) == file.bytes.size() && holds(old.get(), file.bytes);
+}
+
+bool is_there_already(const fs::path& place, const Part& part) {
+  const Descriptor old(::open(place.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const Descriptor made(::open(part.path().c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status {};
+  return old.get() >= 0 && made.get() >= 0 && ::fstat(old.get(), &status) == 0 && S_ISREG(status.st_mode) &&
+         static_cast<std::size_t>(status.st_size) == size_now(made.get()) && hold_the_same(old.get(), made.get());
 }
 
 bool write_stream(const OutputFile& file, Diagnostics& diagnostics) {
@@ -198,7 +223,7 @@ bool write_stream(const OutputFile& file, Diagnostics& diagnostics) {
     cannot_open(file, diagnostics);
     return false;
   }
-  if (write_all(out.get(), file)) return true;
+  if (write_whole(out.get(), file)) return true;
   cannot_finish(file, diagnostics);
   return false;
 }
@@ -211,11 +236,13 @@ void settle(const fs::path& folder) {
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostics& diagnostics, std::size_t at_most) {
+std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostics& diagnostics, std::size_t at_most,
+                                                FilesRead* files) {
   const Descriptor in(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (in.get() < 0 || ::fstat(in.get(), &status) != 0) {
     const bool missing = errno == ENOENT;
+    if (files != nullptr && missing) files->missing(path);
     diagnostics.error({.file = path.string()}, missing ? "no-such-file" : "cannot-read",
                       missing ? "there is no such file" : "cannot be read: " + reason());
     return std::nullopt;
@@ -230,6 +257,7 @@ std::optional<std::vector<std::byte>> read_file(const fs::path& path, Diagnostic
     diagnostics.error({.file = path.string()}, "cannot-read", "cannot be read: " + reason());
     return std::nullopt;
   }
+  if (files != nullptr) files->read(path, at_most, bytes);
   return bytes;
 }
 
@@ -252,7 +280,8 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
   struct Pending {
     const OutputFile* file;
     fs::path place;
-    std::optional<Part> part;  ///< none: a stream
+    std::optional<Part> part;  ///< none: a stream, or there already
+    bool is_stream;
   };
   std::vector<Pending> pending;
   for (const OutputFile& file : files) {
@@ -261,10 +290,10 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
       diagnostics.error({.file = file.path.string()}, "is-a-folder", "is a folder; a file was expected");
       return false;
     }
-    const auto is_there = [&](const Pending& other) {
+    const auto is_named_before = [&](const Pending& other) {
       return other.place.lexically_normal() == place.lexically_normal();
     };
-    if (std::ranges::any_of(pending, is_there)) {
+    if (std::ranges::any_of(pending, is_named_before)) {
       diagnostics.error({.file = file.path.string()}, "outputs-meet", "is named for two outputs",
                         "give each a file of its own; a .gltf has its bytes in the .bin beside it");
       return false;
@@ -274,14 +303,18 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
       return false;
     }
     const bool stream = is_stream(place);
-    std::optional<Part> part = stream ? std::nullopt : part_of(place, file, diagnostics);
-    if (!stream && !part) return false;
-    pending.push_back({&file, std::move(place), std::move(part)});
+    const bool is_there = !stream && is_there_already(place, file);
+    std::optional<Part> part = stream || is_there ? std::nullopt : part_of(place, file, diagnostics);
+    if (!stream && !is_there && !part) return false;
+    if (is_there) Part::remove_leftovers(place);
+    if (part && file.rest && is_there_already(place, *part)) part.reset();
+    pending.push_back({&file, std::move(place), std::move(part), stream});
   }
   // The first last, and when the others are there for good.
   for (std::size_t i = pending.size(); i-- > 0;) {
-    auto& [file, place, part] = pending[i];
-    if (!part) {
+    auto& [file, place, part, is_stream] = pending[i];
+    if (!part && !is_stream) continue;
+    if (is_stream) {
       if (!write_stream(*file, diagnostics)) return false;
     } else if (!part->move_to(place)) {
       diagnostics.error({.file = file->path.string()}, "cannot-write", "cannot be moved into place: " + reason());

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <new>
 #include <thread>
+#include <tuple>
 
 namespace foredraw {
 namespace {
@@ -135,6 +136,59 @@ TEST_F(Files, OverwritingReplacesTheWhole) {
   put(folder_ / "a", "a long text that was there before");
   ASSERT_TRUE(write({{folder_ / "a", bytes_of("short")}}));
   EXPECT_EQ(get(folder_ / "a"), "short");
+}
+
+/// Its inode and its time, which a file keeps as long as nobody replaces or changes it.
+class Untouched {
+ public:
+  explicit Untouched(fs::path path) : path_(std::move(path)), facts_(facts()) {}
+  bool is_so() const { return facts_ == facts(); }
+
+ private:
+  using Facts = std::tuple<ino_t, time_t, long, time_t, long>;
+  Facts facts() const {
+    struct stat status {};
+    EXPECT_EQ(::stat(path_.c_str(), &status), 0);
+    return {status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ctim.tv_sec,
+            status.st_ctim.tv_nsec};
+  }
+
+  fs::path path_;
+  Facts facts_;
+};
+
+TEST_F(Files, WhatIsThereAlreadyIsNotTouched) {
+  const std::string big(2'500'000, 'x');  // more than one step of reading
+  put(folder_ / "a", "same");
+  put(folder_ / "big", big);
+  put(folder_ / "empty", "");
+  put(folder_ / "other", "sane");
+  put(folder_ / "longer", "same and more");
+  put(folder_ / "rest", "made while it is written");
+  put(folder_ / "a.foredraw-part0", "of a writer that was killed");
+  const Untouched a(folder_ / "a"), large(folder_ / "big"), empty(folder_ / "empty"), rest(folder_ / "rest");
+  const Untouched other(folder_ / "other"), longer(folder_ / "longer");
+  ASSERT_TRUE(write({{folder_ / "a", bytes_of("same")},
+                     {folder_ / "big", bytes_of(big)},
+                     {folder_ / "empty", {}},
+                     {folder_ / "rest", bytes_of("made "), [](const auto& put) { put("while it is written"); }},
+                     {folder_ / "other", bytes_of("same")},
+                     {folder_ / "longer", bytes_of("same")}}));
+  EXPECT_TRUE(a.is_so() && large.is_so() && empty.is_so() && rest.is_so());
+  EXPECT_FALSE(other.is_so() || longer.is_so());
+  EXPECT_EQ(get(folder_ / "other") + get(folder_ / "longer"), "samesame");
+  EXPECT_EQ(files_in_folder(), 6u) << "no part is left, of those before neither";
+}
+
+TEST_F(Files, WhatOnlyBeginsAlikeIsReplaced) {
+  const std::string big(2'500'000, 'x');
+  put(folder_ / "a", big + "y");
+  put(folder_ / "b", big.substr(1) + "y");
+  put(folder_ / "c", big);
+  ASSERT_TRUE(write({{folder_ / "a", bytes_of(big)},
+                     {folder_ / "b", bytes_of(big)},
+                     {folder_ / "c", {}, [&](const auto& put) { put(big + "z"); }}}));
+  EXPECT_TRUE(get(folder_ / "a") == big && get(folder_ / "b") == big && get(folder_ / "c") == big + "z");
 }
 
 TEST_F(Files, WhoMightReadTheOldMayReadTheNew) {

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// The buffers that were read from files, by where these lie: a thousand may name the same.
 using FileBuffers = std::map<fs::path, Bytes>;
 
-FilePlaces surroundings(const Gate& gate) { return {gate.document().folder, gate.how().root}; }
+FilePlaces surroundings(const Gate& gate) { return {gate.document().folder, gate.how().root, gate.how().files}; }
 
 /// The first `length` bytes of a file, or all where it has fewer; what may follow is not read.
 std::optional<Bytes> bytes_beside(Gate& gate, const std::string& uri, std::uint64_t length, const std::string& place,
@@ -38,7 +38,8 @@ std::optional<Bytes> bytes_beside(Gate& gate, const std::string& uri, std::uint6
   Diagnostics reading;
   // Twice what was read before: so that growing lengths do not have the file read again and again.
   auto bytes =
-      read_file(file, reading, std::max<std::uint64_t>(length, std::min<std::uint64_t>(size, 2 * known.size())));
+      read_file(file, reading, std::max<std::uint64_t>(length, std::min<std::uint64_t>(size, 2 * known.size())),
+                gate.how().files.get());
   if (!bytes || bytes->size() < length) {
     gate.error(place, "buffer-missing",
                bytes ? "the file became shorter while it was read" : reading.all().front().message);

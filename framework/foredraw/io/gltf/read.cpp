@@ -27,7 +27,7 @@ std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const
 }  // namespace
 
 std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics, const SceneInput& how) {
-  auto bytes = read_file(path, diagnostics);
+  auto bytes = read_file(path, diagnostics, FileRead::all_of_it, how.files.get());
   if (!bytes) return std::nullopt;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   return read(Shared<std::byte>(std::move(*bytes)), path.string(), folder, diagnostics, how);

@@ -17,7 +17,7 @@ std::variant<std::vector<std::byte>, std::string> bytes_beside(const std::string
   const FileBeside beside = uri_beside(uri, where);
   if (!beside.why_not.empty()) return fmt::format("the image '{}' {}", uri, beside.why_not);
   Diagnostics reading;
-  auto bytes = read_file(beside.path, reading);
+  auto bytes = read_file(beside.path, reading, FileRead::all_of_it, where.files.get());
   if (!bytes) return reading.all().front().message;
   return std::move(*bytes);
 }
@@ -81,9 +81,10 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
   return result;
 }
 
-ImageDecoder image_decoder(const std::filesystem::path& scene_file, const std::filesystem::path& root) {
+ImageDecoder image_decoder(const std::filesystem::path& scene_file, const std::filesystem::path& root,
+                           const std::shared_ptr<FilesRead>& files) {
   const bool has_folder = scene_file.empty() || scene_file.has_parent_path();
-  const FilePlaces where{has_folder ? scene_file.parent_path() : std::filesystem::path("."), root};
+  const FilePlaces where{has_folder ? scene_file.parent_path() : std::filesystem::path("."), root, files};
   return [where](const Image& image) -> std::variant<Texels, std::string> {
     std::span<const std::byte> bytes = image.bytes.view();
     std::variant<std::vector<std::byte>, std::string> file;

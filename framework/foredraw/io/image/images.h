@@ -3,10 +3,12 @@
 
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/base/files_read.h>
 #include <foredraw/scene/texture.h>
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,7 +36,8 @@ std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where
 std::vector<std::byte> encode_png(const Texels& texels);
 
 /// What analyses of a scene decode its images with: those that it holds, and those beside the file that it was read
-/// from, unless that is empty, or below the root (SceneInput::root).
-ImageDecoder image_decoder(const std::filesystem::path& scene_file, const std::filesystem::path& root = {});
+/// from, unless that is empty, or below the root (SceneInput::root). `files` is told of those that are read.
+ImageDecoder image_decoder(const std::filesystem::path& scene_file, const std::filesystem::path& root = {},
+                           const std::shared_ptr<FilesRead>& files = nullptr);
 
 }  // namespace foredraw

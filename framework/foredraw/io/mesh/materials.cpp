@@ -37,7 +37,8 @@ class LibraryReader {
       : where_(where), faults_(faults), diagnostics_(diagnostics) {}
 
   void read(const std::string& path) {
-    const auto bytes = read_file(where_.folder / utf8_path(path), diagnostics_);
+    const auto bytes =
+        read_file(where_.folder / utf8_path(path), diagnostics_, FileRead::all_of_it, where_.files.get());
     if (!bytes) return;
     name_ = path;
     std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());

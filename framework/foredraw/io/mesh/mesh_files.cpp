@@ -105,7 +105,7 @@ std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind k
   source->kind = kind;
   source->file = Shared<std::byte>({bytes.begin(), bytes.end()});
   Faults faults(diagnostics, how.strict);
-  auto scene = scene_from(std::move(source), name, {folder, how.root}, faults, diagnostics);
+  auto scene = scene_from(std::move(source), name, {folder, how.root, how.files}, faults, diagnostics);
   return faults.tell() ? std::move(scene) : std::nullopt;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 // How scenes are read: what every reader of a file is told beside its bytes.
 
+#include <foredraw/base/files_read.h>
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/product_row.h>
 
 #include <filesystem>
+#include <memory>
 
 namespace foredraw {
 
@@ -22,6 +24,9 @@ struct SceneInput {
 
   /// Whose threads decompress what takes long.
   Executor executor = Executor(1);
+
+  /// Is told of every file that is read or looked for; null: nobody asks.
+  std::shared_ptr<FilesRead> files = nullptr;
 };
 
 }  // namespace foredraw

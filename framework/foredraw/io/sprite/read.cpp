@@ -197,14 +197,14 @@ std::optional<Scene> read_sprite_list(std::span<const std::byte> bytes, const st
   scene.name = name;
   std::set<fs::path> taken;  // a small list must not make much of a large image
   for (std::size_t i = 0; i < list->images.size(); ++i) {
-    const auto file = image_file(list->images[i], name, {folder, how.root}, diagnostics);
+    const auto file = image_file(list->images[i], name, {folder, how.root, how.files}, diagnostics);
     std::error_code error;
     if (file && !taken.insert(fs::canonical(*file, error)).second) {
       diagnostics.error({.file = name, .inside = fmt::format("textures[{}].image", i)}, "frame-list-image",
                         "is the image of an earlier texture", "put the frames of both into one texture");
       return std::nullopt;
     }
-    auto content = file ? read_file(*file, diagnostics) : std::nullopt;
+    auto content = file ? read_file(*file, diagnostics, FileRead::all_of_it, how.files.get()) : std::nullopt;
     if (!content) return std::nullopt;
     source->length += content->size();
     auto image = image_of(std::move(*content), *file, diagnostics);

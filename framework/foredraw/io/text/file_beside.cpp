@@ -69,7 +69,9 @@ FileBeside file_beside(std::string_view name, const FilePlaces& where) {
   }
   fs::path path = where.folder / utf8_path(name);
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) {
+  const bool is_there = fs::is_regular_file(path, error);
+  if (where.files) is_there ? where.files->there(path) : where.files->missing(path);
+  if (!is_there) {
     return {{}, "is missing", "copy it there; the path counts from the folder of the file that names it", true};
   }
   if (!lies_within(path, where.root.empty() ? where.folder : where.root)) return outside(where.root);

@@ -1,7 +1,10 @@
 #pragma once
 // The files that a file names by paths: which of them may be opened, and where they lie. Private to io.
 
+#include <foredraw/base/files_read.h>
+
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -11,6 +14,7 @@ namespace foredraw {
 struct FilePlaces {
   std::filesystem::path folder;     ///< of the file that names them; empty: it was not read from a folder
   std::filesystem::path root = {};  ///< a path with `..` may lead to anywhere below it; empty: it must not have any
+  std::shared_ptr<FilesRead> files = nullptr;  ///< who is told of what is looked for
 };
 
 /// A file that is there and may be opened, or why not.
