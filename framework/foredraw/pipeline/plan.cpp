@@ -72,10 +72,13 @@ class Planner {
     for (const Stage& stage : stages) {
       if (!stage.enabled) continue;
       later_ = plugins_of(std::span(stages).subspan(static_cast<std::size_t>(&stage - stages.data()) + 1));
-      if (auto checked = check(stage, measure)) {
-        choose_draws(*checked);
-        planned.push_back(std::move(*checked));
+      auto checked = check(stage, measure);
+      if (!checked) {
+        is_gap_before_ = true;
+        continue;
       }
+      choose_draws(*checked);
+      planned.push_back(std::move(*checked));
     }
   }
 
@@ -233,7 +236,7 @@ class Planner {
   }
 
   void refuse_where_required(const PlannedStage& planned, const std::string& reason) {
-    if (!planned.stage.required) return;
+    if (!planned.stage.required || (is_gap_before_ && !planned.left_out)) return;
     error(planned.stage.where, "required",
           fmt::format("'{}' is required but would be skipped: {}", planned.stage.use, reason),
           "remove required = true, or use a scene that the stage acts on");
@@ -242,7 +245,7 @@ class Planner {
   /// Keeps the books: who made what, and what this stage undoes.
   void follow(PlannedStage& planned) {
     const Card& card = planned.plugin->card;
-    if (has_needs(planned) && !planned.draws.empty()) look_around(planned);
+    if (!is_gap_before_ && has_needs(planned) && !planned.draws.empty()) look_around(planned);
     for (DrawId id : planned.draws) traits_[id] = after_stage(card, traits_[id]);
     for (const std::string& trait : card.breaks) {
       const auto made = provider_.find(trait);
@@ -304,6 +307,8 @@ class Planner {
   Holders holders_;
   std::vector<const Plugin*> later_;  // of the stages that follow the one that is planned
   std::map<std::string, int> uses_;
+  /// A mistake in a stage before was told. What that stage would have made is not known, so nothing is said to lack it.
+  bool is_gap_before_ = false;
   std::map<std::string, std::string, std::less<>> provider_;  // trait -> stage that made it
 };
 

@@ -77,6 +77,13 @@ TEST(Plan, RefusesANeedThatNoStageMeetsAndNamesWhoWould) {
   EXPECT_EQ(planned.diagnostics.all()[0].hint, "put 'pairs' before it, and 'reverse-draw' after it");
 }
 
+TEST(Plan, MissesNothingThatAStageWithAMistakeWouldHaveMade) {
+  const Planned option("pairs(fast=true), needs-clusters(required=true)", scene());
+  EXPECT_EQ(option.codes(), (Codes{"unknown-option"}));
+  const Planned name("paris, needs-clusters(required=true)", scene());
+  EXPECT_EQ(name.codes(), (Codes{"unknown-plugin"}));
+}
+
 TEST(Plan, SkipsDrawsForWhichTheNeedWasNotMet) {
   const Planned planned("pairs(only=\"Rock\"), needs-clusters(blended=true)", scene());
   ASSERT_TRUE(planned.plan);
