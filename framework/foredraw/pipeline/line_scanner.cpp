@@ -77,7 +77,8 @@ class Scanner {
     if (!value) return std::nullopt;
     skip_space();
     if (at_end()) return value;
-    mistake("nothing after the value", "put text with spaces or special characters in quotes");
+    mistake("nothing after the value",
+            "put text with spaces or commas in quotes that the shell leaves: 'STAGE.OPTION=\"0.5, 0.25\"'");
     return std::nullopt;
   }
 
@@ -168,7 +169,8 @@ class Scanner {
     if (at_quote()) return read_quoted();
     const std::string word = read_word();
     if (!word.empty()) return value_of_word(word);
-    mistake("a value", at_end() ? "" : "put text with spaces or special characters in quotes");
+    mistake("a value",
+            at_end() ? "an empty text is written \"\"" : "put text with spaces or special characters in quotes");
     return std::nullopt;
   }
 
