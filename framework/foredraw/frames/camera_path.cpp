@@ -162,8 +162,9 @@ std::variant<std::vector<CameraKey>, std::string> read_camera_keys(const std::st
     CameraKey key;
     words >> key.seconds >> key.eye.x >> key.eye.y >> key.eye.z >> key.target.x >> key.target.y >> key.target.z;
     if (words.fail() || !(words >> std::ws).eof()) {
+      constexpr std::size_t most = 80;
       return place + "expected seven numbers, 'seconds eye-x eye-y eye-z target-x target-y target-z', but found '" +
-             line + "'";
+             line.substr(0, most) + (line.size() > most ? "...'" : "'");
     }
     const glm::dvec3 ahead = key.target - key.eye;
     if (!std::isfinite(key.seconds) || !std::isfinite(glm::dot(ahead, ahead)) || !(glm::dot(ahead, ahead) > 0)) {

@@ -116,6 +116,7 @@ TEST_F(CameraKeys, AreMovedBetweenEvenly) {
 TEST_F(CameraKeys, AreToldByTheirLineWhereWrong) {
   EXPECT_EQ(mistake_in("0 0 0 0 0 0 -1\n1 2 3\n").substr(0, 12), "keys.walk:2:");
   EXPECT_NE(mistake_in("0 0 0 0 0 0 -1 8\n").find("expected seven numbers"), std::string::npos);
+  EXPECT_LT(mistake_in("0 " + std::string(100'000, '3') + " 0 0 0 0 -1\n").size(), 250u);
   EXPECT_NE(mistake_in("0 1 1 1 1 1 1\n").find("somewhere else than the eye"), std::string::npos);
   EXPECT_NE(mistake_in("0 nan 0 0 0 0 -1\n"), "");
   EXPECT_NE(mistake_in("0 0 0 0 1e400 0 -1\n"), "");
