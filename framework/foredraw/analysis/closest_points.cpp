@@ -1,5 +1,7 @@
 #include <foredraw/analysis/closest_points.h>
 
+#include <foredraw/analysis/part_boxes.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -111,14 +113,34 @@ ClosestPoints::ClosestPoints(const Surface& surface) {
   int exponent = 0;
   std::frexp(extent_, &exponent);
   scale_ = std::ldexp(1.0, -exponent);
-  std::vector<BoxTree::Box> boxes(finite.size());
+  const auto scaled = [&](std::uint32_t t) {
+    std::array<glm::vec3, 3> corners = triangles_[t];
+    for (glm::vec3& corner : corners) corner = glm::vec3(glm::dvec3(corner) * scale_);
+    return corners;
+  };
+  constexpr std::size_t most_further = std::size_t{1} << 20;  // boxes, beside one or two for each triangle
+  std::vector<std::uint8_t> parts(finite.size());
+  std::size_t sum = 0;
   for (std::size_t i = 0; i < finite.size(); ++i) {
-    for (const glm::dvec3& corner : corners(finite[i])) boxes[i].add(glm::vec3(corner * scale_));
+    parts[i] = static_cast<std::uint8_t>(boxes_worth_having(scaled(finite[i])));
+    sum += parts[i];
+  }
+  while (sum > 2 * finite.size() + most_further) {
+    sum = 0;
+    for (std::uint8_t& of : parts) sum += of = static_cast<std::uint8_t>((of + 1) / 2);
+  }
+  std::vector<BoxTree::Box> boxes;
+  std::vector<std::uint32_t> triangle_of;
+  boxes.reserve(sum);
+  triangle_of.reserve(sum);
+  for (std::size_t i = 0; i < finite.size(); ++i) {
+    add_part_boxes(scaled(finite[i]), parts[i], boxes);
+    triangle_of.resize(boxes.size(), finite[i]);
   }
   BoxTree tree = box_tree(boxes, 1);
   for (BoxTree::Node& node : tree.nodes) {
     for (std::size_t c = 0; c < BoxTree::width; ++c) {
-      if (node.count[c] > 0) node.first[c] = finite[tree.order[node.first[c]]];
+      if (node.count[c] > 0) node.first[c] = triangle_of[tree.order[node.first[c]]];
     }
   }
   nodes_ = std::move(tree.nodes);
@@ -154,7 +176,7 @@ Closest ClosestPoints::nearest(const glm::dvec3& point, std::uint32_t hint) cons
     const Waiting next = open[--waiting];
     if (next.squared > limit) continue;
     if (next.is_leaf != 0) {
-      if (next.first != hint) try_triangle(next.first);
+      if (next.first != hint && next.first != nearest) try_triangle(next.first);
       continue;
     }
     const BoxTree::Node& node = nodes_[next.first];

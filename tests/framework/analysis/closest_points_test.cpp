@@ -1,5 +1,6 @@
 #include <foredraw/analysis/closest_points.h>
 
+#include "support/collapses.h"
 #include "support/meshes.h"
 
 #include <foredraw/base/random.h>
@@ -103,7 +104,8 @@ TEST(ClosestOn, OfAThinTriangleIsNotThatOfItsPlane) {
 }
 
 TEST(ClosestPoints, FindsWhatTryingAllFinds) {
-  for (const TestMesh& mesh : {testing::soup(300, 3), testing::sphere(24, 16), testing::grid(9, 7)}) {
+  for (const TestMesh& mesh :
+       {testing::soup(300, 3), testing::sphere(24, 16), testing::grid(9, 7), testing::spokes(200)}) {
     const ClosestPoints closest(surface_of(mesh));
     Random random(5);
     for (int i = 0; i < 300; ++i) {
