@@ -66,7 +66,9 @@ class CollapseRow final : public ProductRow {
                          read_rows(from, one, "amounts", Component::float32, 2, amounts) &&
                          read_rows(from, one, "pairs", Component::uint32, 2, sequence.pairs) &&
                          read_rows(from, one, "firstPairs", Component::uint32, 1, sequence.first_pair);
-      if (!reads || points.size() != amounts.size()) return "an accessor is missing, or of another type";
+      if (!reads || points.size() != amounts.size()) {
+        return "meshes[" + std::to_string(all.meshes.size()) + "] lacks an accessor, or has one of another type";
+      }
       if (one.member("places") != nullptr && !read_rows(from, one, "places", Component::float32, 3, sequence.places)) {
         return "its places are not floats";
       }

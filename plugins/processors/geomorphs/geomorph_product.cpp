@@ -67,7 +67,9 @@ class GeomorphRow final : public ProductRow {
       for (const ExtensionValue& one : *list->list()) {
         const auto data = one.whole() ? from.accessor(*one.whole()) : std::nullopt;
         const Format wanted{Component::uint32, 1, false, 4};
-        if (!data || !(data->format == wanted)) return "an accessor is missing, or of another type";
+        if (!data || !(data->format == wanted)) {
+          return name_of_level(scene.draws[id], draw.ancestors.size()) + " has no ancestors of type SCALAR and 5125";
+        }
         std::vector<std::uint32_t> ancestors(data->count);
         std::memcpy(ancestors.data(), data->bytes.view().data(), data->bytes.size());
         draw.ancestors.emplace_back(std::move(ancestors));

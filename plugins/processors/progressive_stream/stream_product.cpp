@@ -38,7 +38,7 @@ class StreamRow final : public ProductRow {
       const ExtensionValue* stream = one.member("stream");
       const auto data = stream != nullptr && stream->whole() ? from.accessor(*stream->whole()) : std::nullopt;
       if (!data || !(data->format == Format{Component::uint8, 1, false, 1})) {
-        return "an accessor is missing, or of another type";
+        return "meshes[" + std::to_string(all.meshes.size()) + "] has no stream of type SCALAR and 5121";
       }
       all.meshes.push_back({std::move(*draws), data->bytes});
     }
@@ -136,7 +136,7 @@ class StreamRow final : public ProductRow {
     const auto joined = joined_mesh(scene, mesh.draws, analyses);
     if (!joined) return "a draw of theirs is gone";
     const auto stream = StreamMesh::read(mesh.bytes.view());
-    if (!stream) return "a stream is damaged";
+    if (!stream) return scene.draws[mesh.draws.front()].name + ": the bytes of its stream are damaged";
     std::string why = foredraw::difference(*stream, *joined);
     return why.empty() ? why : scene.draws[mesh.draws.front()].name + ": " + why;
   }

@@ -145,18 +145,22 @@ void check_accessors(Gate& gate) {
   std::uint64_t claimed = 0;
   std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> known;  // the same bytes are kept once
   for (std::size_t i = 0; i < accessors.size(); ++i) {
-    gate.accessors.push_back(
-        gate.only_if_used("accessors", i, [&] { return accessor_of(gate, accessors[i], at("accessors", i), zeros); }));
-    const Accessor* made = gate.accessor(i);
-    if (made == nullptr || !made->rows) continue;
-    const Rows& rows = *made->rows;
-    const bool is_new = known.emplace(rows.view, rows.offset, rows.stride, made->count).second;
-    if (is_new || made->sparse) claimed += made->bytes();
-    if (claimed <= most) continue;
-    gate.error(at("accessors", i), "overlap",
-               fmt::format("the accessors up to this one claim {} bytes, because they overlap", claimed),
-               "share accessors between primitives instead");
-    return;
+    gate.accessors.push_back(gate.only_if_used("accessors", i, [&] {
+      std::optional<Accessor> made = accessor_of(gate, accessors[i], at("accessors", i), zeros);
+      if (!made || !made->rows) return made;
+      const std::tuple rows{made->rows->view, made->rows->offset, made->rows->stride, made->count};
+      if (known.contains(rows) && !made->sparse) return made;
+      if (made->bytes() > most - claimed) {
+        gate.too_much(
+            at("accessors", i), "overlap",
+            fmt::format("the accessors up to this one claim {} bytes, because they overlap", claimed + made->bytes()),
+            "share accessors between primitives instead");
+        return std::optional<Accessor>();
+      }
+      claimed += made->bytes();
+      known.insert(rows);
+      return made;
+    }));
   }
 }
 

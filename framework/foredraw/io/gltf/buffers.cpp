@@ -222,15 +222,18 @@ void check_views(Gate& gate) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::string place = at("bufferViews", i);
     fill_if_empty(gate, views[i], place);
-    BufferView view = gate.only_if_used("bufferViews", i, [&] { return view_of(gate, views[i], place); });
-    claimed += view.bytes.size();
-    if (claimed > most) {
-      gate.error(place, "overlap",
-                 fmt::format("the buffer views up to this one claim {} bytes, because they overlap", claimed),
-                 "let no two buffer views share bytes");
-      view = {};
-    }
-    gate.document().views.push_back(std::move(view));
+    gate.document().views.push_back(gate.only_if_used("bufferViews", i, [&] {
+      BufferView view = view_of(gate, views[i], place);
+      if (view.bytes.size() > most - claimed) {
+        gate.too_much(place, "overlap",
+                      fmt::format("the buffer views up to this one claim {} bytes, because they overlap",
+                                  claimed + view.bytes.size()),
+                      "let no two buffer views share bytes");
+        return BufferView();
+      }
+      claimed += view.bytes.size();
+      return view;
+    }));
   }
 }
 

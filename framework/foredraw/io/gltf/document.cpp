@@ -151,7 +151,7 @@ void list_extension(Json& json, const char* list, const std::string& name) { lis
 void unlist_extension(Json& json, std::string_view name) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     const auto names = json.find(list);
-    if (names == json.end()) continue;
+    if (names == json.end() || !names->is_array()) continue;
     const auto listed = std::find(names->begin(), names->end(), Json(name));
     if (listed != names->end()) names->erase(listed);
     if (names->empty()) json.erase(list);

@@ -1,5 +1,6 @@
 #include <foredraw/io/gltf/private/gate.h>
 #include <foredraw/io/gltf/private/levels.h>
+#include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/text/private/json_text.h>
 
 #include <fmt/format.h>
@@ -201,8 +202,13 @@ namespace {
 
 enum class Levels { read, left_out };
 
+struct FoundLevels {
+  bool any = false;
+  std::vector<Ladder> ladders;
+};
+
 std::optional<Document> checked(Shared<std::byte> file, const std::string& name, const std::filesystem::path& folder,
-                                const SceneInput& how, Levels levels, bool& has_any, Diagnostics& diagnostics) {
+                                const SceneInput& how, Levels levels, FoundLevels& found, Diagnostics& diagnostics) {
   Document document;
   document.products = how.products;
   document.name = name;
@@ -212,13 +218,12 @@ std::optional<Document> checked(Shared<std::byte> file, const std::string& name,
 
   const auto container = open_container(gate);
   const bool readable = container && parse_json(gate, container->json) && check_structure(gate);
-  has_any = readable && has_levels(document.json);
-  if (has_any && levels == Levels::read) {
-    if (const auto why = expose_levels(document.json, document.ladders))
-      gate.error(levels_extension, "bad-levels", *why);
-  } else if (has_any) {
-    take_levels(document.json);
-    document.left_out = true;
+  found.any = readable && has_extension(document.json, levels_extension);
+  if (found.any && levels == Levels::read) {
+    if (const auto why = expose_levels(document.json, document.ladders)) gate.error({}, "bad-levels", *why);
+    found.ladders = document.ladders;
+  } else if (found.any) {
+    take_out(document, levels_card());
   }
   if (readable && gate.sound()) {
     check_extensions(gate);
@@ -250,21 +255,21 @@ std::optional<Document> checked(Shared<std::byte> file, const std::string& name,
 std::optional<Document> open_document(Shared<std::byte> file, const std::string& name,
                                       const std::filesystem::path& folder, const SceneInput& how,
                                       Diagnostics& diagnostics) {
-  bool has_any = false;
+  FoundLevels levels, none;
   Diagnostics found;
-  auto document = checked(file, name, folder, how, Levels::read, has_any, found);
-  if (document || !has_any) {
+  auto document = checked(file, name, folder, how, Levels::read, levels, found);
+  if (document || !levels.any) {
     for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
     return document;
   }
   // They are optional: what is wrong in them costs them alone.
-  document = checked(std::move(file), name, folder, how, Levels::left_out, has_any, diagnostics);
+  document = checked(std::move(file), name, folder, how, Levels::left_out, none, diagnostics);
   const auto first = std::ranges::find(found.all(), Severity::error, &Diagnostic::severity);
-  if (document && first != found.all().end()) {
-    diagnostics.warning({.file = name, .inside = levels_extension}, "levels-left-out",
-                        fmt::format("the levels of detail are left out: {} {}", first->where.inside, first->message),
-                        "make them again as the last step, after all other changes of the file");
-  }
+  if (!document || first == found.all().end()) return document;
+  const std::string place = place_of_level(levels.ladders, first->where.inside);
+  const std::string why = place.empty() ? first->message : fmt::format("{}: {}", place, first->message);
+  tell_taken_out(name, levels_card(), why, how.strict, diagnostics);
+  if (how.strict) return std::nullopt;
   return document;
 }
 

@@ -1,6 +1,7 @@
 // Checks of animations, and of the numbers that are no vertex data.
 #include <foredraw/io/gltf/private/gate.h>
 #include <foredraw/io/gltf/private/products.h>
+#include <foredraw/io/gltf/private/write.h>
 
 #include <fmt/format.h>
 
@@ -141,8 +142,10 @@ void check_animations(Gate& gate) {
 }
 
 void check_finite(Gate& gate) {
-  // Vertices may hold what is not finite; what products name, their rows look at.
+  // Vertices may hold what is not finite; what products name, their rows look at, and what was taken out nobody reads.
   std::set<std::size_t> vertex_data = used_by_products(gate.json(), gate.document().products);
+  vertex_data.insert(gate.document().let_go.begin(), gate.document().let_go.end());
+  for (const std::size_t number : used_elsewhere(gate.document())) vertex_data.erase(number);
   for (const Json& mesh : gate.all("meshes")) {
     for (const Json& primitive : mesh["primitives"]) {
       for (const auto& [semantic, number] : primitive["attributes"].items())

@@ -35,7 +35,8 @@ class CompressionCheck {
     for (const auto& [begin, bytes] : files) bytes_there_ += bytes;
   }
 
-  void view(std::size_t v) {
+  /// False, with an error, where the view has no bytes.
+  bool view(std::size_t v) {
     const Json& json = gate_.all("bufferViews")[v];
     BufferView& view = gate_.document().views[v];
     const std::string place = at("bufferViews", v);
@@ -43,11 +44,12 @@ class CompressionCheck {
     const auto count = std::count_if(std::begin(meshopt_extensions), std::end(meshopt_extensions), is_in_it);
     if (count > 1) gate_.error(place, "compressed-twice", "is compressed by two extensions; expected one");
     if (count == 0 && view.length != 0 && view.bytes.empty()) refuse_absent(view, place);
-    if (count != 1) return;
+    if (count != 1) return view.length != 0;
     const char* name = *std::find_if(std::begin(meshopt_extensions), std::end(meshopt_extensions), is_in_it);
     const std::string inside = in(in(place, "extensions"), name);
     const Json* extension = gate_.object(json["extensions"], name, in(place, "extensions"));
     if (extension == nullptr || view.length == 0 || !decompress(view, name, *extension, inside)) view.length = 0;
+    return view.length != 0;
   }
 
  private:
@@ -65,10 +67,7 @@ class CompressionCheck {
     compressed->extension = name;
     if (const std::string what = not_understood(*compressed, json); !what.empty()) {
       if (view.bytes.empty()) {
-        if (refused_.insert(what).second) {
-          gate_.error(place, "unsupported-extension", fmt::format("{}: {} is not supported", name, what),
-                      compress_again);
-        }
+        gate_.error(place, "unsupported-extension", fmt::format("{}: {} is not supported", name, what), compress_again);
         return false;
       }
       compressed->understood = false;
@@ -174,35 +173,39 @@ class CompressionCheck {
       return false;
     }
     // Streams may lie over each other, but a short file must not ask for the same one again and again.
-    taken_ += compressed.stream.size();
-    if (taken_ > bytes_there_) {
-      gate_.error(
+    if (compressed.stream.size() > bytes_there_ - taken_) {
+      gate_.too_much(
           in(place, "byteLength"), "view-range",
           fmt::format("the compressed bytes of the views so far are more than the {} of all buffers", bytes_there_));
       return false;
     }
+    if (coding.bytes() > most_of_a_byte * bytes_there_ + most_in_any_case - made_) {
+      gate_.too_much(
+          in(place, "count"), "compressed-count",
+          fmt::format("the compressed views up to this one stand for {} bytes, which is too much for the {} of "
+                      "all buffers",
+                      made_ + coding.bytes(), bytes_there_),
+          "if the file is right, export it without compression");
+      return false;
+    }
+    taken_ += compressed.stream.size();
     made_ += coding.bytes();
-    if (made_ <= most_of_a_byte * bytes_there_ + most_in_any_case) return true;
-    gate_.error(in(place, "count"), "compressed-count",
-                fmt::format("the compressed views up to this one stand for {} bytes, which is too much for the {} of "
-                            "all buffers",
-                            made_, bytes_there_),
-                "if the file is right, export it without compression");
-    return false;
+    return true;
   }
 
   Gate& gate_;
   std::size_t bytes_there_ = 0;
   std::size_t taken_ = 0;
   std::uint64_t made_ = 0;
-  std::set<std::string> refused_;  ///< a file is mostly all of one kind, and one word of it is enough
 };
 
 }  // namespace
 
 void check_compression(Gate& gate) {
   CompressionCheck check(gate);
-  for (std::size_t v = 0; v < gate.count("bufferViews"); ++v) check.view(v);
+  for (std::size_t v = 0; v < gate.count("bufferViews"); ++v) {
+    gate.only_if_used("bufferViews", v, [&] { return check.view(v); });
+  }
 }
 
 }  // namespace foredraw::gltf

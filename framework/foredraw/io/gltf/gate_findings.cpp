@@ -1,5 +1,7 @@
 // What the checks found, how it is told, and what of it is mended.
 #include <foredraw/io/gltf/private/gate.h>
+#include <foredraw/io/gltf/private/member.h>
+#include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/write.h>
 #include <foredraw/io/text/private/json_text.h>
 
@@ -9,6 +11,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace foredraw::gltf {
 
@@ -54,6 +57,24 @@ Json::json_pointer pointer_to(const std::string& place) {
   return Json::json_pointer(pointer);
 }
 
+/// Views that these accessors name, of JSON in which anything may be wrong.
+std::set<std::size_t> views_of(const std::set<std::size_t>& accessors, const Json& all) {
+  std::set<std::size_t> views;
+  const auto add = [&](const Json* holder) {
+    const Json* view = holder == nullptr ? nullptr : member(*holder, "bufferView");
+    if (view != nullptr && view->is_number_unsigned()) views.insert(view->get<std::size_t>());
+  };
+  for (const std::size_t number : accessors) {
+    if (number >= all.size()) continue;
+    add(&all[number]);
+    const Json* sparse = member(all[number], "sparse");
+    if (sparse == nullptr) continue;
+    add(member(*sparse, "indices"));
+    add(member(*sparse, "values"));
+  }
+  return views;
+}
+
 }  // namespace
 
 void Gate::error(const std::string& place, std::string code, std::string message, std::string hint) {
@@ -66,6 +87,11 @@ void Gate::error(const std::string& place, std::string code, std::string message
                      std::move(code),
                      std::move(message),
                      std::move(hint)});
+}
+
+void Gate::too_much(const std::string& place, std::string code, std::string message, std::string hint) {
+  is_too_much_ = true;
+  error(place, std::move(code), std::move(message), std::move(hint));
 }
 
 void Gate::warning(const std::string& place, std::string code, std::string message) {
@@ -106,10 +132,16 @@ std::vector<Diagnostic> Gate::take_errors(std::size_t from) {
   return taken;
 }
 
+void Gate::hold_back(const char* kind, std::size_t number, std::size_t from) {
+  HeldBack& held = held_back_[{kind, number}];
+  for (Diagnostic& error : take_errors(from)) held.errors.push_back(std::move(error));
+  held.is_too_much = held.is_too_much || std::exchange(is_too_much_, false);
+}
+
 bool Gate::tell_held_back(std::string_view kind, std::size_t number) {
   const auto held = held_back_.find({kind, number});
   if (held == held_back_.end()) return false;
-  for (const Diagnostic& error : held->second) {
+  for (const Diagnostic& error : held->second.errors) {
     this->error(error.where.inside, error.code, error.message, error.hint);
   }
   return true;
@@ -118,15 +150,25 @@ bool Gate::tell_held_back(std::string_view kind, std::size_t number) {
 void Gate::let_go_of_unused() {
   if (held_back_.empty()) return;
   const std::set<std::size_t> named = named_by_unknown_extensions(document_);
-  for (const auto& [element, found] : held_back_) {
+  std::set<std::size_t> ours = used_by_products(json(), document_.products);
+  ours.insert(document_.let_go.begin(), document_.let_go.end());
+  const std::set<std::size_t> views_of_ours = views_of(ours, all("accessors"));
+  const auto is_there = [](const Buffer& buffer) { return !buffer.bytes.empty(); };
+  const auto stand_in = std::ranges::find_if(document_.buffers, is_there);
+  for (const auto& [element, held] : held_back_) {
     const auto& [kind, number] = element;
-    const bool has_stand_in =
-        kind == accessors_kind || (!document_.buffers.empty() && !document_.buffers[0].bytes.empty());
-    if (named.contains(number) || !has_stand_in) {
+    const bool is_accessor = kind == accessors_kind;
+    const bool is_ours = (is_accessor ? ours : views_of_ours).contains(number);
+    const bool has_stand_in = is_accessor || stand_in != document_.buffers.end();
+    if (named.contains(number) || !has_stand_in || (held.is_too_much && !is_ours)) {
       tell_held_back(kind, number);
       continue;
     }
-    fault("unused-data", found.front().where.inside, found.front().message);
+    const Diagnostic& first = held.errors.front();
+    if (!is_ours) fault("unused-data", first.where.inside, first.message);
+    if (is_ours && is_accessor) {  // who reads the extension tells of it
+      document_.broken.emplace(number, first.where.inside + ": " + first.message);
+    }
     Json& json = mend()[std::string(kind)][number];
     for (const char* key :
          {"bufferView", "byteOffset", "byteStride", "sparse", "min", "max", "normalized", "extensions"})
@@ -135,8 +177,9 @@ void Gate::let_go_of_unused() {
       json.update({{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}});
       accessors[number] = Accessor{*format_of("SCALAR", 5126, false), 1, std::nullopt, std::nullopt};
     } else {
-      json.update({{"buffer", 0}, {"byteLength", 1}});
-      document_.views[number] = {0, 0, 1, 0, document_.buffers[0].bytes.first(1), std::nullopt};
+      const auto buffer = static_cast<std::size_t>(stand_in - document_.buffers.begin());
+      json.update({{"buffer", buffer}, {"byteLength", 1}});
+      document_.views[number] = {buffer, 0, 1, 0, stand_in->bytes.first(1), std::nullopt};
     }
   }
 }

@@ -15,19 +15,6 @@ namespace {
 
 constexpr std::size_t most_levels = 255;
 
-template <class AnyJson, class F>
-void each_unchecked_primitive(AnyJson& json, F visit) {
-  const auto meshes = json.find("meshes");
-  if (meshes == json.end() || !meshes->is_array()) return;
-  for (std::size_t m = 0; m < meshes->size(); ++m) {
-    auto& mesh = (*meshes)[m];
-    if (!mesh.is_object() || !mesh.contains("primitives") || !mesh["primitives"].is_array()) continue;
-    for (std::size_t p = 0; p < mesh["primitives"].size(); ++p) {
-      if (mesh["primitives"][p].is_object()) visit(mesh["primitives"][p], m, p);
-    }
-  }
-}
-
 /// Points, lines or triangles, as lists or not; nothing where it is no such number.
 std::optional<int> kind_of(const Json& primitive) {
   const Json* mode = member(primitive, "mode");
@@ -60,26 +47,20 @@ Json json_of(const Json& primitive, float error) {
 
 }  // namespace
 
-bool has_levels(const Json& json) {
-  bool found = false;
-  if (!json.is_object()) return false;
-  each_unchecked_primitive(json, [&](const Json& primitive, std::size_t, std::size_t) {
-    found = found || extension_of(primitive, levels_extension) != nullptr;
-  });
-  return found;
-}
-
-void take_levels(Json& json) {
-  each_unchecked_primitive(
-      json, [](Json& primitive, std::size_t, std::size_t) { take_extension(primitive, levels_extension); });
+ProductCard levels_card() {
+  return {.name = "levels",
+          .title = "levels of detail",
+          .extension = levels_extension,
+          .remedy = "make them again as the last step, after all other changes of the file",
+          .accessors_of_draw = {"levels/*/indices", "levels/*/attributes/*", "levels/*/targets/*/*"}};
 }
 
 std::optional<std::string> expose_levels(Json& json, std::vector<Ladder>& ladders) {
   std::optional<std::string> mistake;
   std::vector<Json> behind(json.at("meshes").size());
-  each_unchecked_primitive(json, [&](Json& primitive, std::size_t m, std::size_t p) {
+  each_primitive(json, [&](Json& primitive, std::size_t m, std::size_t p) {
+    if (mistake || extension_of(primitive, levels_extension) == nullptr) return;
     const Json value = take_extension(primitive, levels_extension);
-    if (value.is_null() || mistake) return;
     const std::string place = at(in(at("meshes", m), "primitives"), p);
     const Json* list = member(value, "levels");
     if (list == nullptr || !list->is_array() || list->empty() || list->size() > most_levels) {
@@ -103,6 +84,19 @@ std::optional<std::string> expose_levels(Json& json, std::vector<Ladder>& ladder
     for (Json& level : behind[m]) json["meshes"][m]["primitives"].push_back(std::move(level));
   }
   return mistake;
+}
+
+std::string place_of_level(const std::vector<Ladder>& ladders, const std::string& place) {
+  const auto place_of = [](const DrawOrigin& of) { return at(in(at("meshes", of.mesh), "primitives"), of.primitive); };
+  for (const Ladder& ladder : ladders) {
+    for (std::size_t i = 0; i < ladder.coarser.size(); ++i) {
+      const std::string exposed = place_of(ladder.coarser[i]);
+      if (!place.starts_with(exposed)) continue;
+      const std::string levels = in(in(in(place_of(ladder.full), "extensions"), levels_extension), "levels");
+      return at(levels, i) + place.substr(exposed.size());
+    }
+  }
+  return place;
 }
 
 void enclose_levels(const Scene& scene, Json& json) {

@@ -1,6 +1,7 @@
-// Where the extension of a product stands in a document, and which accessors it names.
+// Where the extension of a product stands in a document, which accessors it names, and how it is taken out.
 #include <foredraw/io/gltf/private/member.h>
 #include <foredraw/io/gltf/private/products.h>
+#include <foredraw/io/reading/faults.h>
 
 namespace foredraw::gltf {
 
@@ -24,8 +25,7 @@ void collect(const Json& json, std::string_view path, std::set<std::size_t>& num
 
 }  // namespace
 
-std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row) {
-  const ProductCard& card = row.card();
+std::set<std::size_t> used_by_product(const Json& json, const ProductCard& card) {
   std::set<std::size_t> numbers;
   const auto add = [&](const Json& holder, const std::vector<std::string>& paths) {
     const Json* extension = extension_of(holder, card.extension);
@@ -40,8 +40,25 @@ std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row) {
 
 std::set<std::size_t> used_by_products(const Json& json, const ProductRows& rows) {
   std::set<std::size_t> numbers;
-  for (const auto& row : rows) numbers.merge(used_by_product(json, *row));
+  for (const auto& row : rows) numbers.merge(used_by_product(json, row->card()));
   return numbers;
+}
+
+void take_out(Document& document, const ProductCard& card) {
+  document.let_go.merge(used_by_product(document.json, card));
+  take_extension_everywhere(document.json, card.extension);
+  unlist_extension(document.json, card.extension);
+  document.left_out = true;
+}
+
+void tell_taken_out(const std::string& file, const ProductCard& card, const std::string& why, bool strict,
+                    Diagnostics& diagnostics) {
+  const std::string done = strict ? "without --strict: " + std::string(fault_kind("NAME-left-out").done) + " Or " : "";
+  diagnostics.add({strict ? Severity::error : Severity::warning,
+                   {.file = file, .inside = card.extension},
+                   card.name + "-left-out",
+                   (strict ? "cannot be used for the " : "is left out, and with it the ") + card.title + ": " + why,
+                   done + card.remedy});
 }
 
 }  // namespace foredraw::gltf

@@ -59,28 +59,38 @@ class Reader final : public ExtensionReader {
   std::map<std::size_t, Shared<std::byte>> bytes_;  ///< each accessor's once, however often it is named
 };
 
+/// What is wrong with the first of them; empty: all that the extension names is there.
+std::string broken_accessor(const Document& document, const ProductCard& card) {
+  if (document.broken.empty()) return {};
+  for (const std::size_t number : used_by_product(document.json, card)) {
+    const auto found = document.broken.find(number);
+    if (found != document.broken.end()) return found->second;
+  }
+  return {};
+}
+
 }  // namespace
 
-void read_products(Document& document, Scene& scene, Diagnostics& diagnostics) {
+bool read_products(Document& document, Scene& scene, bool strict, Diagnostics& diagnostics) {
+  bool all_hold = true;
   for (const auto& row : document.products) {
     const ProductCard& card = row->card();
     Reader reader(document, scene, card.extension);
     if (reader.is_empty()) continue;
     Scene with = scene;
-    std::string wrong = row->read(reader, with);
+    std::string wrong = broken_accessor(document, card);
+    if (wrong.empty()) wrong = row->read(reader, with);
     if (wrong.empty()) wrong = row->difference(with);
     if (wrong.empty()) {
       scene = std::move(with);
       continue;
     }
-    diagnostics.warning({.file = document.name, .inside = card.extension}, card.name + "-left-out",
-                        "the " + card.title + " are left out: " + wrong, card.remedy);
-    document.let_go.merge(used_by_product(document.json, *row));
-    take_extension_everywhere(document.json, card.extension);
-    unlist_extension(document.json, card.extension);
-    document.left_out = true;
+    tell_taken_out(document.name, card, wrong, strict, diagnostics);
+    take_out(document, card);
+    all_hold = false;
   }
   mark_held_draws(scene, document.products);
+  return all_hold || !strict;
 }
 
 }  // namespace foredraw::gltf

@@ -141,7 +141,7 @@ void patch_products(const Scene& scene, const Scene& of_levels, const Source& so
   for (const auto& row : rows) {
     const bool alike = stays(*row, scene, source.as_read);
     (alike ? staying : written).push_back(row);
-    if (!alike) gone.merge(used_by_product(document.json, *row));
+    if (!alike) gone.merge(used_by_product(document.json, row->card()));
   }
   std::set<std::size_t> free = freed(gone, staying, document);
   for (const auto& row : written) {

@@ -19,7 +19,7 @@ std::optional<Scene> read(Shared<std::byte> file, const std::string& name, const
   ladders.insert(ladders.end(), document->ladders.begin(), document->ladders.end());
   gltf::fold_levels(scene, ladders);
   gltf::find_kept_meshes(scene, *document);
-  gltf::read_products(*document, scene, diagnostics);
+  if (!gltf::read_products(*document, scene, how.strict, diagnostics)) return std::nullopt;
   scene.source = std::make_shared<const gltf::Source>(std::move(*document), gltf::unfolded(scene));
   return scene;
 }

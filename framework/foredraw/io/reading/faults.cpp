@@ -70,6 +70,10 @@ constexpr FaultKind kinds[] = {
      "Poses decide only how triangles are ordered."},
     {"interpolation", "glTF", "An animation's `interpolation` is not one that glTF knows.",
      "It is left out: keys are interpolated linearly.", "Viewers do the same."},
+    {"NAME-left-out", "glTF by Foredraw",
+     "An extension that only Foredraw reads (`FOREDRAW_levels`, `FOREDRAW_geomorph` ...) is damaged, or does not fit "
+     "what the file shows. NAME is what it holds, such as `levels`.",
+     "It is left out, with the data that only it names. The others stay.", "The file shows the same without it."},
     {"header-line", "PLY", "A line of the header begins with a word that PLY does not know.", "It is skipped.",
      "The other lines account for every value that follows."},
     {"property-twice", "PLY", "An element has two properties of one name, which Foredraw does not read.",

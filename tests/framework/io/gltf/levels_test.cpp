@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 namespace foredraw {
@@ -206,9 +207,12 @@ TEST(GltfLevels, DamagedOnesCostNothingElse) {
     const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics);
     if (!scene || scene->draws.size() != 1 || scene->draws[0].levels.size() != 1) return false;
     EXPECT_FALSE(written(*scene)["meshes"][0]["primitives"][0].contains("extensions"));
+    Diagnostics strict;
+    EXPECT_FALSE(read_gltf(builder.glb(), "test", {}, strict, {.strict = true}));
     return std::ranges::any_of(diagnostics.all(), [](const auto& d) { return d.code == "levels-left-out"; });
   };
   EXPECT_TRUE(warned([](GltfJson& e) { e = 3; }));
+  EXPECT_TRUE(warned([](GltfJson& e) { e = GltfJson(); }));
   EXPECT_TRUE(warned([](GltfJson& e) { e["levels"] = GltfJson::array(); }));
   EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][0] = 3; }));
   EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][0].erase("attributes"); }));
@@ -220,6 +224,56 @@ TEST(GltfLevels, DamagedOnesCostNothingElse) {
   EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][1]["error"] = -1; }));
   EXPECT_TRUE(warned([](GltfJson& e) { e["levels"][1]["targets"] = {GltfJson::object()}; }));
   EXPECT_TRUE(warned([](GltfJson& e) { e["levels"] = GltfJson(300, e["levels"][0]); }));
+}
+
+/// The file with levels that were changed; what is told of them, and the file that is written then.
+std::pair<std::string, GltfJson> with_damaged_levels(
+    const std::function<void(GltfBuilder& file, GltfJson& levels)>& change) {
+  GltfBuilder builder = builder_of(write(with_made_levels()));
+  builder.json.erase("buffers");
+  GltfJson levels = builder.json["meshes"][0]["primitives"][0]["extensions"][levels_name]["levels"];
+  change(builder, levels);
+  builder.json["meshes"][0]["primitives"][0]["extensions"][levels_name]["levels"] = levels;
+  Diagnostics diagnostics;
+  const auto scene = read_gltf(builder.glb(), "test", {}, diagnostics);
+  if (!scene || diagnostics.all().size() != 1) return {to_text(diagnostics), GltfJson()};
+  return {diagnostics.all()[0].message, written(*scene)};
+}
+
+TEST(GltfLevels, DamagedOnesAreToldByTheirPlaceInTheFileAndLeaveNoData) {
+  const auto [told, json] = with_damaged_levels([](auto&, GltfJson& levels) { levels[1]["indices"] = 99; });
+  EXPECT_EQ(
+      told,
+      "is left out, and with it the levels of detail: "
+      "meshes[0].primitives[0].extensions.FOREDRAW_levels.levels[1].indices: is 99, but the file has 5 accessors");
+  EXPECT_EQ(json["accessors"].size(), json_of(ribbon(8).glb())["accessors"].size() + 1)
+      << "all but the one that nothing names any more";
+  EXPECT_FALSE(json.contains("extensionsUsed"));
+  const auto [why, other] = with_damaged_levels([](auto&, GltfJson& levels) { levels[1]["mode"] = 1; });
+  EXPECT_EQ(other["accessors"].size(), json_of(ribbon(8).glb())["accessors"].size()) << why;
+}
+
+TEST(GltfLevels, DamagedOnesWithPositionsThatAreNotFiniteCostNothingElse) {
+  const auto [told, json] = with_damaged_levels([](GltfBuilder& file, GltfJson& levels) {
+    levels[0]["attributes"]["POSITION"] = file.add_values(std::vector<float>(54, NAN), "VEC3");
+    levels[0]["indices"] = -1;
+  });
+  EXPECT_TRUE(json.is_object()) << told;
+}
+
+/// So much that a file with such primitives would be refused.
+TEST(GltfLevels, DamagedOnesThatClaimTooMuchCostNothingElse) {
+  const auto [told, json] = with_damaged_levels([](GltfBuilder& file, GltfJson& levels) {
+    constexpr std::size_t mega = 1 << 20;
+    const std::size_t view = file.add_view(std::vector<std::byte>(mega));
+    const GltfJson level = levels[0];
+    while (levels.size() < 200) levels.push_back(level);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      levels[i]["indices"] = file.add_accessor(view, 2 * i, 5123, "SCALAR", mega / 2 - 300);
+    }
+  });
+  EXPECT_NE(told.find("because they overlap"), std::string::npos) << told;
+  EXPECT_TRUE(json.is_object());
 }
 
 TEST(GltfLevels, ALoopOfNodesAndOddCoverageStayAsTheyCame) {

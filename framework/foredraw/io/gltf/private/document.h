@@ -8,10 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace foredraw::gltf {
@@ -105,8 +107,9 @@ struct Document {
   bool left_out = false;  ///< `json` lacks what the reader took out of it, so that the file can not stay as it came
   std::set<std::size_t>
       let_go;  ///< accessors that this named, where the writer may drop them; perhaps some that are not there
-  std::vector<Ladder> ladders;        ///< primitives of `json` that are levels, behind those of their mesh
-  std::vector<Chunk> further_chunks;  ///< of a GLB, after JSON and BIN
+  std::map<std::size_t, std::string> broken;  ///< accessors that only products name, and why they have no bytes
+  std::vector<Ladder> ladders;                ///< primitives of `json` that are levels, behind those of their mesh
+  std::vector<Chunk> further_chunks;          ///< of a GLB, after JSON and BIN
   std::vector<Buffer> buffers;
   std::vector<std::vector<std::byte>> kept;  ///< buffers that were loaded or decoded, views that were decompressed
   std::vector<BufferView> views;
@@ -149,16 +152,30 @@ const Json* extension_of(const Json& holder, std::string_view name);
 /// The extension's value taken out of an object; null where it has none.
 Json take_extension(Json& holder, std::string_view name);
 
-/// Calls visit(primitive) for each primitive of a document that was checked.
+/// Calls visit(primitive), or visit(primitive, mesh, number), for each primitive, whether or not the document was
+/// checked.
 template <class AnyJson, class Visit>
 void each_primitive(AnyJson& json, Visit visit) {
-  if (!json.contains("meshes")) return;
-  for (auto& mesh : json.at("meshes")) {
-    for (auto& primitive : mesh.at("primitives")) visit(primitive);
+  const auto meshes = json.find("meshes");
+  if (meshes == json.end() || !meshes->is_array()) return;
+  for (std::size_t m = 0; m < meshes->size(); ++m) {
+    auto& mesh = (*meshes)[m];
+    const auto primitives = mesh.find("primitives");
+    if (primitives == mesh.end() || !primitives->is_array()) continue;
+    for (std::size_t p = 0; p < primitives->size(); ++p) {
+      auto& primitive = (*primitives)[p];
+      if (!primitive.is_object()) continue;
+      if constexpr (std::is_invocable_v<Visit, decltype(primitive)>) {
+        visit(primitive);
+      } else {
+        visit(primitive, m, p);
+      }
+    }
   }
 }
 
-/// Of a file and its primitives: whether one has the extension, and the extension taken out of all.
+/// Of a file and its primitives: whether one has the extension, and the extension taken out of all. They need not have
+/// been checked.
 bool has_extension(const Json& json, std::string_view name);
 void take_extension_everywhere(Json& json, std::string_view name);
 

@@ -34,6 +34,10 @@ class Gate {
 
   void error(const std::string& place, std::string code, std::string message, std::string hint = {});
 
+  /// The same for memory's sake: it counts where nobody refers to the element, too, unless an extension that only
+  /// Foredraw reads is all that names it.
+  void too_much(const std::string& place, std::string code, std::string message, std::string hint = {});
+
   /// One of the kinds of faults.h, which does not keep the file from being read.
   void fault(std::string_view code, const std::string& place, std::string message);
 
@@ -53,7 +57,7 @@ class Gate {
   auto only_if_used(const char* kind, std::size_t number, Check check) {
     const std::size_t before = errors_.size();
     auto made = check();
-    if (errors_.size() > before) held_back_[{kind, number}] = take_errors(before);
+    if (errors_.size() > before) hold_back(kind, number, before);
     return made;
   }
 
@@ -104,6 +108,7 @@ class Gate {
 
  private:
   std::vector<Diagnostic> take_errors(std::size_t from);
+  void hold_back(const char* kind, std::size_t number, std::size_t from);
 
   /// Errors that were held back of it count now. False: there are none.
   bool tell_held_back(std::string_view kind, std::size_t number);
@@ -115,7 +120,12 @@ class Gate {
   std::vector<Diagnostic> errors_;
   std::size_t not_kept_ = 0;  ///< errors beyond those
   std::vector<Diagnostic> warnings_;
-  std::map<std::pair<std::string_view, std::size_t>, std::vector<Diagnostic>> held_back_;
+  struct HeldBack {
+    std::vector<Diagnostic> errors;
+    bool is_too_much = false;
+  };
+  std::map<std::pair<std::string_view, std::size_t>, HeldBack> held_back_;
+  bool is_too_much_ = false;           ///< one of the errors that were not held back yet
   std::vector<std::string> left_out_;  ///< places of members
 };
 

@@ -15,15 +15,16 @@ inline constexpr const char* levels_extension = "FOREDRAW_levels";
 inline constexpr const char* lod_extension = "MSFT_lod";
 inline constexpr const char* coverage_key = "MSFT_screencoverage";  // in the node's extras
 
-/// Whether a primitive of the document has the extension.
-bool has_levels(const Json& json);
-
-/// Takes the extension out of every primitive.
-void take_levels(Json& json);
+/// What FOREDRAW_levels says of itself: it is no product, and yet costs nothing else where it is damaged.
+ProductCard levels_card();
 
 /// Puts the levels of every primitive behind the primitives of its mesh. Answers with what is wrong in one of them; the
 /// JSON is then of no use.
 std::optional<std::string> expose_levels(Json& json, std::vector<Ladder>& ladders);
+
+/// A place in such a primitive, as the document said it before: "meshes[0].primitives[4].indices" as
+/// "meshes[0].primitives[0].extensions.FOREDRAW_levels.levels[1].indices". Other places stay.
+std::string place_of_level(const std::vector<Ladder>& ladders, const std::string& place);
 
 /// The reverse, for a document that was patched from the scene: `scene` still holds its levels.
 void enclose_levels(const Scene& scene, Json& json);

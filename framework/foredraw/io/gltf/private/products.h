@@ -9,17 +9,25 @@
 
 namespace foredraw::gltf {
 
-/// Puts a document's products into its scene. Where one does not hold, a warning says why, and its extension is taken
-/// out of the document: what no longer fits must not be written again.
-void read_products(Document& document, Scene& scene, Diagnostics& diagnostics);
+/// Takes an extension that only Foredraw reads out of a document, which need not have been checked: what can not be
+/// believed must not be written again, and costs nothing else. The writer may then drop the accessors that it named.
+void take_out(Document& document, const ProductCard& card);
+
+/// The one word of that: a warning, or an error where the reading is strict.
+void tell_taken_out(const std::string& file, const ProductCard& card, const std::string& why, bool strict,
+                    Diagnostics& diagnostics);
+
+/// Puts a document's products into its scene. One that does not hold is taken out of the document. False, with an error
+/// for each, where that must not be.
+bool read_products(Document& document, Scene& scene, bool strict, Diagnostics& diagnostics);
 
 /// Puts the scene's products into `json`, once its meshes are there. What the file says of the same products stays.
 /// `of_levels`: the scene with the levels of its draws, which `scene` has as draws of their own behind all others.
 void patch_products(const Scene& scene, const Scene& of_levels, const Source& source, const ProductRows& rows,
                     Json& json, AccessorStore& store, Diagnostics& diagnostics);
 
-/// Accessors that the extension of a row names; of JSON in which anything may be wrong, too.
-std::set<std::size_t> used_by_product(const Json& json, const ProductRow& row);
+/// Accessors that the extension names; of JSON in which anything may be wrong, too.
+std::set<std::size_t> used_by_product(const Json& json, const ProductCard& card);
 std::set<std::size_t> used_by_products(const Json& json, const ProductRows& rows);
 
 /// Those of `gone` that are in the document and that nobody names; of products, these are asked.
