@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <regex>
+#include <span>
 
 namespace foredraw {
 namespace {
@@ -79,6 +80,15 @@ std::vector<std::uint16_t> noise(std::size_t count, std::uint32_t bits) {
 const std::vector<std::string> pipelines = {
     "displacement-seams, tessellation-levels, vertex-pack", "tessellate(texels=2, levels=3)",
     "tessellate(parts=5, spacing=fractional-even)", "weld, quadric-collapse, levels, crowd-levels"};
+
+/// Says that its values are those of the colour space sRGB: heights are no colours.
+std::vector<std::byte> tagged_srgb(std::vector<std::byte> png) {
+  constexpr unsigned char chunk[] = {0, 0, 0, 1, 's', 'R', 'G', 'B', 0, 0xAE, 0xCE, 0x1C, 0xE9};
+  constexpr std::ptrdiff_t behind_the_header = 8 + 25;
+  const auto bytes = std::as_bytes(std::span(chunk));
+  png.insert(png.begin() + behind_the_header, bytes.begin(), bytes.end());
+  return png;
+}
 
 class DisplacedFiles : public testing::InFolder {
  protected:
@@ -280,6 +290,26 @@ TEST_F(DisplacedFiles, MapsOfEveryKindMoveTheSurface) {
     for (const glm::vec3& at : decode_vec3(*scene->draws[0].full().vertices->find("POSITION")))
       EXPECT_TRUE(at.z >= 0 && at.z <= 0.5f) << at.z;
   }
+}
+
+TEST_F(DisplacedFiles, TheColourSpaceOfAMapChangesNoHeight) {
+  const auto plain = testing::png_of({32, 32, 1, 8}, noise(1024, 8));
+  std::vector<std::string> made;
+  for (const auto& bytes : {plain, tagged_srgb(plain)}) {
+    testing::put(folder_ / "heights.png", text_of(bytes));
+    testing::put(folder_ / "a.glb", Parts().glb());
+    const testing::Ended ended =
+        run("optimize a.glb -o b.glb -p 'displacement(map=\"heights.png\"), tessellate(parts=4)' --with vertex-cache");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    made.push_back(testing::content(folder_ / "b.glb"));
+  }
+  EXPECT_NE(plain, tagged_srgb(plain));
+  Diagnostics diagnostics;
+  const auto a = read_gltf(testing::bytes_of(made[0]), "a", {}, diagnostics, {});
+  const auto b = read_gltf(testing::bytes_of(made[1]), "b", {}, diagnostics, {});
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(decode_vec3(*a->draws[0].full().vertices->find("POSITION")),
+            decode_vec3(*b->draws[0].full().vertices->find("POSITION")));
 }
 
 TEST_F(DisplacedFiles, MapsThatCannotBeReadAreTold) {

@@ -126,7 +126,9 @@ Taken taken(const std::string& stages, const Scene& scene) {
               static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC,
               result.scene.draws[0].full().stream().triangle_count()};
   EXPECT_FALSE(result.failed) << to_text(result.report);
-  EXPECT_TRUE(result.report.stages.back().skipped.empty()) << to_text(result.report);
+  // Where a triangle has hardly a texel, levels are measured, and none is worth its triangles.
+  const bool may_keep = stages.starts_with("tessellation-levels");
+  EXPECT_TRUE(may_keep || result.report.stages.back().skipped.empty()) << to_text(result.report);
   return taken;
 }
 

@@ -55,6 +55,7 @@ class QuotientGraph {
         is_counted_for_(matrix.size(), no_row),
         is_absorbed_(matrix.size()) {
     for (std::uint32_t row = 0; row < matrix.size(); ++row) {
+      neighbours_[row].reserve(matrix.starts[row + 1] - matrix.starts[row]);
       for (std::size_t i = matrix.starts[row]; i < matrix.starts[row + 1]; ++i) {
         if (matrix.columns[i] != row) neighbours_[row].push_back(matrix.columns[i]);
       }

@@ -175,6 +175,42 @@ TEST(DisplacementBake, IsTheSameAtAnyNumberOfThreads) {
   }
 }
 
+/// Surfaces that are none, or that look the other way, give heights that are numbers, or none.
+TEST(DisplacementBake, BearsSoupsAndSurfacesTurnedInsideOut) {
+  testing::TestMesh flipped = testing::sphere(32, 16);
+  for (std::size_t i = 0; i < flipped.indices.size(); i += 3) std::swap(flipped.indices[i], flipped.indices[i + 1]);
+  testing::TestMesh point = testing::sphere(16, 8);
+  for (glm::vec3& p : point.positions) p = glm::vec3(1, 2, 3);
+  for (const testing::TestMesh& mesh : {testing::soup(2000, 5), flipped, point, testing::TestMesh{}}) {
+    const Result result =
+        testing::run("quadric-collapse, displacement-bake(rms=0.01, cage=0.1)", testing::scene_of(mesh));
+    EXPECT_FALSE(result.failed) << to_text(result.report);
+    if (heights_of(result.scene, 0) == nullptr) {
+      EXPECT_EQ(result.scene.draws[0].full().stream().triangle_count(), mesh.indices.size() / 3);
+      continue;
+    }
+    for (const glm::vec3& p : shown(result.scene).positions[0])
+      EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  }
+}
+
+/// Of the surface turned inside out no ray hits a face that looks the same way: heights are those of nearest points.
+TEST(DisplacementBake, OfASurfaceThatLooksTheOtherWayIsAsNear) {
+  const testing::TestMesh outside = testing::sphere(64, 32), cage = testing::sphere(16, 8);
+  testing::TestMesh inside = outside;
+  for (std::size_t i = 0; i < inside.indices.size(); i += 3) std::swap(inside.indices[i], inside.indices[i + 1]);
+  std::vector<double> rms;
+  for (const testing::TestMesh& mesh : {outside, inside}) {
+    const Surface surface{mesh.positions, mesh.indices};
+    const bake::Target target(surface);
+    const BakedCage baked = bake_heights({cage.positions, cage.indices, cage.positions}, target, surface,
+                                         {.rms = 0.001, .finest = 8, .samples = 5000}, Executor(2));
+    rms.push_back(baked.rms);
+  }
+  EXPECT_LT(rms[0], 0.002);
+  EXPECT_LT(rms[1], 2 * rms[0]);
+}
+
 TEST(CastHeights, MeetTheNearerSideThatLooksTheSameWay) {
   // Two plates that look up, at 0.3 above and 0.2 below, and one nearer that looks down.
   std::vector<glm::vec3> positions;

@@ -259,6 +259,28 @@ TEST(VertexPackScene, NormalsOfNoLengthArePackedAndTold) {
       HasSubstr("no-direction: vertices whose normal or tangent has no direction, so that a default is packed: 2\n"));
 }
 
+/// Tangents along the normal, of no handedness and of no length come out as directions at a right angle to it.
+TEST(VertexPackScene, TangentsThatAreNoneComeOutAsSome) {
+  Scene scene = framed_scene();
+  const std::vector<glm::vec3> normals = decode_vec3(*scene.draws[1].full().vertices->find("NORMAL"));
+  std::vector<glm::vec4> tangents;
+  for (std::size_t v = 0; v < normals.size(); ++v)
+    tangents.emplace_back(v % 2 == 0 ? normals[v] : glm::vec3(0), v % 3 == 0 ? 0.0f : 1.0f);
+  testing::put_streams(scene.draws[1].full(), {testing::float_stream("TANGENT", tangents)});
+  const Result result = testing::run("vertex-pack", scene);
+  ASSERT_FALSE(result.failed);
+  ASSERT_EQ(packed_of(result.scene).draws.size(), 2u);
+  const PackedVertices::OfDraw& plate = packed_of(result.scene).draws[1];
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    foredraw_packed_vertex vertex;
+    foredraw_packed_decode(&plate.layout, &plate.rows[0].view()[4 * v], &vertex);
+    const glm::vec3 tangent(vertex.tangent[0], vertex.tangent[1], vertex.tangent[2]);
+    EXPECT_NEAR(glm::dot(tangent, tangent), 1, 1e-5);
+    EXPECT_NEAR(glm::dot(tangent, normals[v]), 0, 2e-3);
+    EXPECT_EQ(std::abs(vertex.tangent[3]), 1);
+  }
+}
+
 TEST(VertexPackScene, IsTheSameAtAnyNumberOfThreads) {
   const Scene scene = testing::BendingTube().scene();
   const std::vector<Subject> subjects = subjects_of(scene);
