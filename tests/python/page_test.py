@@ -34,8 +34,10 @@ class Page(unittest.TestCase):
         count, said = self.run_page("docs/python.md", names)
         self.assertEqual(count, 6)
         self.assertIn("vertex-cache acmr ", said)
-        before, after = map(float, said.splitlines()[-2].split())
+        before, after = map(float, said.splitlines()[-4].split())
         self.assertLess(after, before)
+        self.assertGreater(float(said.splitlines()[-3].split()[1]), 0)  # the error of a simplified mesh
+        self.assertGreaterEqual(float(said.splitlines()[-2]), 1)  # its overdraw
         self.assertLess(names["acmr"], 1)
         self.assertFalse(names["view"].flags.writeable)
         self.assertEqual(names["best"]["pipeline"], said.splitlines()[-1].rsplit(" ", 1)[0])
