@@ -33,6 +33,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${PROJECT_DESCRIPTION}
  Headers for C and C++, static libraries, and the files for CMake and pkg-config.")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}
  The package foredraw for Python.")
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_RECOMMENDS "foredraw (= ${version})")  # has the process that modules run in
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libforedraw1 (= ${version})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libglm-dev, libtbb-dev, libxxhash-dev, libfmt-dev, libhwy-dev, libgtest-dev")
