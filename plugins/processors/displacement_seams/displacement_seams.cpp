@@ -21,14 +21,14 @@ constexpr int most_passes = 100, most_halvings = 6;
 /// Points inside of edges are released, factor by factor, until all others are equal.
 class Settling {
  public:
-  Settling(const SeamEdges& seams, const SeamPoints& points, IntegerHeights& heights)
-      : seams_(seams), points_(points), heights_(heights), factors_(points.factors) {}
+  Settling(const SeamEdges& seams, const SeamPoints& points, IntegerHeights& heights, const std::atomic<bool>* cancel)
+      : seams_(seams), points_(points), heights_(heights), cancel_(cancel), factors_(points.factors) {}
 
   void run() {
-    heights_.settle(most_passes);
+    heights_.settle(most_passes, cancel_);
     for (int round = 0; round < most_halvings && heights_.unequal_count() > 0; ++round) {
       halve_factors();
-      heights_.settle(most_passes);
+      heights_.settle(most_passes, cancel_);
     }
   }
 
@@ -53,6 +53,7 @@ class Settling {
   const SeamEdges& seams_;
   const SeamPoints& points_;
   IntegerHeights& heights_;
+  const std::atomic<bool>* cancel_;
   std::vector<std::uint32_t> factors_;  ///< [edge]
 };
 
@@ -75,9 +76,13 @@ struct Solution {
   std::uint16_t scaled(double height) const { return foredraw::scaled(height, at_zero, at_one); }
 };
 
+bool is_cancelled(const DisplacementSeamsOptions& options) {
+  return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
+}
+
 /// Of the texels that the seams lie in, nearly equal on both sides; and which texels these are.
 std::vector<double> nearly_equal(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map,
-                                 std::vector<std::uint32_t>& seam_texels) {
+                                 const std::atomic<bool>* cancel, std::vector<std::uint32_t>& seam_texels) {
   std::vector<EqualityRow> at_points = seams::rows_of_points(points, map);
   std::vector<EqualityRow> along;
   if (map.is_nearest == 0) {
@@ -89,14 +94,15 @@ std::vector<double> nearly_equal(const SeamEdges& seams, const SeamPoints& point
   std::vector<double> heights;
   heights.reserve(seam_texels.size());
   for (const std::uint32_t texel : seam_texels) heights.push_back(map.texels[texel]);
-  return seams::equal_heights(std::move(heights), std::move(along), std::move(at_points));
+  return seams::equal_heights(std::move(heights), std::move(along), std::move(at_points), {.cancel = cancel});
 }
 
-Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map, std::uint32_t bits) {
+Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map,
+                const DisplacementSeamsOptions& options) {
   Solution solution;
   std::vector<std::uint16_t> values;
   {
-    const std::vector<double> heights = nearly_equal(seams, points, map, solution.seam_texels);
+    const std::vector<double> heights = nearly_equal(seams, points, map, options.cancel, solution.seam_texels);
     for (const double height : heights) {
       solution.at_zero = std::min(solution.at_zero, height);
       solution.at_one = std::max(solution.at_one, height);
@@ -104,8 +110,8 @@ Solution solved(const SeamEdges& seams, const SeamPoints& points, const foredraw
     values.reserve(heights.size());
     for (const double height : heights) values.push_back(solution.scaled(height));
   }
-  IntegerHeights integers(points, map, solution.seam_texels, std::move(values), bits);
-  Settling(seams, points, integers).run();
+  IntegerHeights integers(points, map, solution.seam_texels, std::move(values), options.bits);
+  Settling(seams, points, integers, options.cancel).run();
   solution.values = integers.values();
   return solution;
 }
@@ -129,18 +135,19 @@ std::size_t count(const std::vector<bool>& is_unequal) {
 }
 
 /// Solutions as long as each leaves fewer points unequal than the one before.
-void solve(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map map, std::uint32_t bits,
-           SeamRepair& result) {
+void solve(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map map,
+           const DisplacementSeamsOptions& options, SeamRepair& result) {
   std::vector<std::uint16_t> texels(map.texels, map.texels + std::size_t{map.width} * map.height);
   map.texels = texels.data();
   while (result.unequal_after > 0) {
-    const Solution solution = solved(seams, points, map, bits);
+    const Solution solution = solved(seams, points, map, options);
+    if (is_cancelled(options)) break;
     std::vector<std::uint16_t> before;  // all texels where all are scaled
     if (solution.is_scaled()) before = texels;
     for (const std::uint32_t texel : solution.seam_texels)
       if (!solution.is_scaled()) before.push_back(texels[texel]);
     std::vector<std::uint32_t> changed = put_solution(solution, texels);
-    const std::vector<bool> is_unequal = unequal_points(points, map, bits);
+    const std::vector<bool> is_unequal = unequal_points(points, map, options.bits);
     if (count(is_unequal) >= result.unequal_after) {
       for (std::size_t i = 0; i < before.size(); ++i)
         texels[solution.is_scaled() ? i : solution.seam_texels[i]] = before[i];
@@ -186,7 +193,7 @@ SeamRepair seam_repair(const SeamEdges& seams, const foredraw_height_map& map,
   result.factors = exact_factors(seams, points, is_unequal);
   if (result.unequal_before == 0) return result;
   if (options.method == SeamMethod::exact) {
-    solve(seams, points, map, options.bits, result);
+    solve(seams, points, map, options, result);
   } else {
     average(seams, points, map, options, result);
   }

@@ -7,6 +7,7 @@
 #include <foredraw/analysis/seam_points.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,8 +21,9 @@ enum class SeamMethod : std::uint8_t {
 
 struct DisplacementSeamsOptions {
   SeamMethod method = SeamMethod::exact;
-  int iterations = 20;      ///< of averaging
-  std::uint32_t bits = 14;  ///< that heights have to agree in, 1 to 16
+  int iterations = 20;                        ///< of averaging
+  std::uint32_t bits = 14;                    ///< that heights have to agree in, 1 to 16
+  const std::atomic<bool>* cancel = nullptr;  ///< once it is set, an answer comes soon that is of no use
 };
 
 /// What a map becomes, without its texels: those of large maps are put where they are wanted.

@@ -87,7 +87,7 @@ class DisplacementSeams final : public Processor {
     }
     std::vector<Repaired> repaired(found.maps.size());
     run.executor.for_each(found.maps.size(), [&](std::size_t i) {
-      if (!run.cancelled()) repaired[i] = repair(scene, found.maps[i]);
+      if (!run.cancelled()) repaired[i] = repair(scene, found.maps[i], run.cancel);
     });
     if (run.cancelled()) return {};
     std::vector<DrawId> changed;
@@ -107,10 +107,11 @@ class DisplacementSeams final : public Processor {
   }
 
  private:
-  Repaired repair(const Scene& scene, const MapSeams& of) const {
-    Repaired result{seam_repair(of.seams, of.sampled(),
-                                {options_.method, options_.iterations, static_cast<std::uint32_t>(options_.bits)}),
-                    std::nullopt};
+  Repaired repair(const Scene& scene, const MapSeams& of, const std::atomic<bool>* cancel) const {
+    Repaired result{
+        seam_repair(of.seams, of.sampled(),
+                    {options_.method, options_.iterations, static_cast<std::uint32_t>(options_.bits), cancel}),
+        std::nullopt};
     if (!result.seams.is_new && options_.gutter == 0) return result;
     result.texels.emplace(*of.heights);
     foredraw::put(result.seams, result.texels->view());

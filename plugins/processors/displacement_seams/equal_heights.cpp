@@ -100,7 +100,8 @@ std::vector<double> equal_heights(std::vector<double> texels, std::vector<Equali
     LdltFactor factor(matrix, order);
     if (factor.multiplications() > weights.most_multiplications && has_along) continue;
     points = {};
-    factor.compute();
+    factor.compute(weights.cancel);
+    if (weights.cancel != nullptr && weights.cancel->load(std::memory_order_relaxed)) return texels;
     factor.solve(texels);
     return texels;
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include "seam_rows.h"
 
+#include <atomic>
 #include <vector>
 
 namespace foredraw::seams {
@@ -9,6 +10,7 @@ struct EqualHeightsWeights {
   double along = 1e6;                  ///< of the squared gap all along the seams, beside the squared change of a texel
   double points = 1e9;                 ///< of the squared gap at the points
   double most_multiplications = 2e10;  ///< with more, rows along seams are left out: a network of seams without order
+  const std::atomic<bool>* cancel = nullptr;  ///< once it is set, what comes out is of no use, and comes soon
 };
 
 /// Texels changed as little as possible, in the sense of least squares, so that the rows come out 0: those of the

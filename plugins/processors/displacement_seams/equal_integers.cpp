@@ -162,13 +162,15 @@ void IntegerHeights::return_to(const std::vector<std::uint16_t>& values) {
   }
 }
 
-void IntegerHeights::settle(int most_passes) {
+void IntegerHeights::settle(int most_passes, const std::atomic<bool>* cancel) {
   std::vector<std::uint16_t> best = values_;
   std::size_t fewest = unequal_count_;
   for (int pass = 0; pass < most_passes && unequal_count_ > 0; ++pass) {
     const std::uint64_t before = cost_;
     for (std::uint32_t p = 0; p + 1 < starts_.size(); ++p) {
-      if (is_unequal_[p]) let_follow(p);
+      if (!is_unequal_[p]) continue;
+      if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+      let_follow(p);
     }
     if (unequal_count_ < fewest) {
       fewest = unequal_count_;

@@ -1,6 +1,7 @@
 #pragma once
 #include <foredraw/analysis/seam_points.h>
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,7 +23,7 @@ class IntegerHeights {
 
   /// Goes over all points that are unequal, until there are none, at most so many times. Ends with the fewest that
   /// there were.
-  void settle(int most_passes);
+  void settle(int most_passes, const std::atomic<bool>* cancel = nullptr);
 
   /// A point that need not be equal any more.
   void release(std::size_t point);

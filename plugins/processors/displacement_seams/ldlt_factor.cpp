@@ -43,7 +43,7 @@ LdltFactor::LdltFactor(const SymmetricMatrix& matrix, std::span<const std::uint3
   }
 }
 
-void LdltFactor::compute() {
+void LdltFactor::compute(const std::atomic<bool>* cancel) {
   const auto size = static_cast<std::uint32_t>(order_.size());
   rows_.resize(starts_[size]);
   values_.resize(starts_[size]);
@@ -51,6 +51,7 @@ void LdltFactor::compute() {
   std::vector<double> row(size, 0);
   std::vector<std::uint32_t> path, pattern, seen_at(size, no_row);
   for (std::uint32_t k = 0; k < size; ++k) {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
     pattern.clear();
     seen_at[k] = k;
     for_each_left(k, [&](std::uint32_t j, double value) {

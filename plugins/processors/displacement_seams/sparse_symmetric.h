@@ -2,6 +2,7 @@
 // Linear equations with a sparse, symmetric, positive definite matrix, solved directly and in one fixed sequence of
 // operations: the same bytes from every compiler and at any number of threads.
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,7 +35,8 @@ class LdltFactor {
   double multiplications() const { return multiplications_; }
   std::size_t entries() const { return starts_.back(); }
 
-  void compute();
+  /// Ends early once it is cancelled, with nothing that is of use.
+  void compute(const std::atomic<bool>* cancel = nullptr);
 
   /// The solution for a right side, in place; both as long as the matrix.
   void solve(std::span<double> right_side) const;

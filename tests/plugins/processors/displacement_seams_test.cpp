@@ -193,6 +193,14 @@ TEST(DisplacementSeams, BearAnything) {
   EXPECT_TRUE(displacement_seams({}, map.view()).texels.empty());
 }
 
+TEST(DisplacementSeams, EndWhenTheyAreCancelled) {
+  const std::atomic<bool> cancel = true;
+  const RepairedMap left =
+      displacement_seams(cube_sphere(3, turned_places()).seams(), noise_map(256, 256, 12).view(), {.cancel = &cancel});
+  EXPECT_TRUE(left.texels.empty());
+  EXPECT_GT(left.unequal_after, 0u);
+}
+
 /// Of a sliver a million times as long as it is wide, beside a whole chart.
 TEST(DisplacementSeams, BearSidesOfVeryUnlikeLength) {
   auto places = turned_places();
