@@ -2,11 +2,13 @@
 
 #include "support/displaced.h"
 #include "support/staged.h"
+#include "support/uv_charts.h"
 
 #include <gtest/gtest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -151,6 +153,81 @@ TEST(Tessellate, IsWatertightAlongSeamsInEverySpacing) {
     EXPECT_EQ(open, 0) << spacing;
     EXPECT_GT(edges.size(), 1000u);
   }
+}
+
+/// A cube's face laid out as a chart, and a height for each point of the cube, which none of our own code computes.
+struct TrueHeights {
+  std::array<testing::ChartPlace, 6> places = testing::turned_places();
+
+  /// All texels that a chart reads are its own.
+  TrueHeights() { places[2] = {{.84f, .16f}, {.14f, 0}, {0, .14f}}; }
+
+  /// The two coordinates on a face, from -1 to 1 where the chart is.
+  glm::dvec2 on_face(std::size_t face, const glm::dvec2& uv) const {
+    const glm::dvec2 a(places[face].along_u), b(places[face].along_v), off = uv - glm::dvec2(places[face].middle);
+    return glm::dvec2(off.x * b.y - off.y * b.x, a.x * off.y - a.y * off.x) / (a.x * b.y - a.y * b.x);
+  }
+
+  double at(const glm::dvec2& uv) const {
+    std::size_t face = 0;
+    const auto beside = [&](std::size_t f) {
+      const glm::dvec2 place = glm::abs(on_face(f, uv));
+      return std::max(place.x, place.y);
+    };
+    for (std::size_t f = 1; f < 6; ++f) face = beside(f) < beside(face) ? f : face;
+    const glm::dvec2 place = on_face(face, uv);
+    glm::dvec3 p;
+    const std::size_t axis = face / 2;
+    p[static_cast<int>(axis)] = face % 2 == 0 ? 1 : -1;
+    p[static_cast<int>((axis + 1) % 3)] = place.x;
+    p[static_cast<int>((axis + 2) % 3)] = place.y;
+    return 0.5 + 0.15 * std::sin(3 * p.x + p.y) + 0.15 * std::sin(2 * p.y - 3 * p.z) + 0.15 * std::sin(4 * p.z + 1);
+  }
+};
+
+struct HeightErrors {
+  std::size_t points = 0;
+  double largest = 0, rms = 0;
+};
+
+/// Of heights that the stages show, as parts of the map's range.
+HeightErrors height_errors(const std::string& stages) {
+  const TrueHeights truth;
+  const testing::Charts charts = testing::cube_sphere(6, truth.places);
+  constexpr std::uint32_t size = 1024;
+  const Image map = testing::height_image(size, size, [&](std::uint32_t x, std::uint32_t y) {
+    return static_cast<std::uint16_t>(std::lround(65535 * truth.at({(x + 0.5) / size, (y + 0.5) / size})));
+  });
+  const auto made = [&](float factor, float offset) {
+    return testing::run(stages,
+                        testing::displaced_scene({charts.positions, charts.indices}, charts.uvs, map, factor, offset))
+        .scene;
+  };
+  const Scene moved = made(0.25f, 0);
+  const auto shown = positions_in(moved), flat = positions_in(made(0, 0)), unit = positions_in(made(0, 1));
+  const VertexStream& uvs = *moved.draws[0].full().vertices->find("TEXCOORD_0");
+  HeightErrors errors{shown.size()};
+  for (std::size_t v = 0; v < shown.size(); ++v) {
+    const double moves = glm::length(glm::dvec3(shown[v] - flat[v])),
+                 whole = glm::length(glm::dvec3(unit[v] - flat[v]));
+    const double off = moves / whole / 0.25 - truth.at({decode_component(uvs, v, 0), decode_component(uvs, v, 1)});
+    errors.largest = std::max(errors.largest, std::abs(off));
+    errors.rms += off * off / static_cast<double>(shown.size());
+  }
+  errors.rms = std::sqrt(errors.rms);
+  return errors;
+}
+
+/// In charts turned, mirrored and stretched by four. What makes both sides of a seam equal moves them a little.
+TEST(Tessellate, ShowsTheTrueHeightsOfASphereInTurnedCharts) {
+  const HeightErrors raw = height_errors("tessellate(parts=8)");
+  EXPECT_GT(raw.points, 10'000u);
+  EXPECT_GT(raw.largest, 0) << "texels are not the truth";
+  EXPECT_LT(raw.largest, 0.003);
+  EXPECT_LT(raw.rms, 0.0002);
+  const HeightErrors repaired = height_errors("displacement-seams, tessellate(parts=8)");
+  EXPECT_LT(repaired.largest, 0.02);
+  EXPECT_LT(repaired.rms, 0.0005);
 }
 
 }  // namespace
