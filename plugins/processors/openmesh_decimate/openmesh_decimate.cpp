@@ -76,8 +76,20 @@ class Cancelling final : public OpenMesh::Decimater::Observer {
   const std::atomic<bool>* cancel_;
 };
 
+/// With more triangles a point stays: after each collapse beside it OpenMesh asks all of them about all of them.
+constexpr std::uint32_t most_around = 512;
+
+std::vector<std::uint32_t> triangles_around(const SurfaceFans& fans) {
+  std::vector<std::uint32_t> around(fans.point.size(), 0);
+  for (const auto& corners : fans.corners) {
+    for (const std::uint32_t fan : corners) ++around[fan];
+  }
+  return around;
+}
+
 void fill(FanMesh& mesh, const UnitFrame& frame, std::span<const glm::vec3> positions) {
   const SurfaceFans& fans = *mesh.fans;
+  const std::vector<std::uint32_t> around = triangles_around(fans);
   mesh.request_vertex_status();
   mesh.request_edge_status();
   mesh.request_face_status();
@@ -87,7 +99,7 @@ void fill(FanMesh& mesh, const UnitFrame& frame, std::span<const glm::vec3> posi
     const bool is_finite = mesh.recorder->is_finite(p);
     const glm::dvec3 at = is_finite ? frame.from_mesh(positions[p]) : glm::dvec3(0);
     const auto vertex = mesh.add_vertex({at.x, at.y, at.z});
-    if (fans.is_held[fan] || !is_finite) mesh.status(vertex).set_locked(true);
+    if (fans.is_held[fan] || !is_finite || around[fan] > most_around) mesh.status(vertex).set_locked(true);
   }
   const auto handle = [](std::uint32_t fan) { return FanMesh::VertexHandle(static_cast<int>(fan)); };
   for (const auto& [a, b, c] : fans.corners) mesh.add_face(handle(a), handle(b), handle(c));

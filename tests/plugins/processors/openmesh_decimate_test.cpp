@@ -62,6 +62,15 @@ TEST(OpenmeshDecimate, TakesWhateverItIsGiven) {
                                        .hausdorff = 0.1}));
 }
 
+/// Its time would grow with the cube of the triangles around it.
+TEST(OpenmeshDecimate, AHubStaysAndWhatIsAroundItGoes) {
+  const TestMesh hub = testing::spokes(2000);
+  const CollapseSequence sequence = openmesh_decimate(hub.positions, hub.indices);
+  EXPECT_EQ(replay(sequence, hub.positions, hub.indices).mistake, "");
+  EXPECT_GT(sequence.collapses.size(), 1000u);
+  for (const Collapse& collapse : sequence.collapses) EXPECT_NE(collapse.removed, 0u);
+}
+
 TEST(OpenmeshDecimate, StopsWhereItIsToldTo) {
   testing::expect_it_stops(with({}));
   const TestMesh torus = testing::closed_torus(16, 8);
