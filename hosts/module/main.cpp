@@ -3,6 +3,7 @@
 #include <foredraw/modules/serve.h>
 
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 
@@ -14,6 +15,15 @@ bool read(const char* text, Number& number) {
   return std::from_chars(text, end, number).ptr == end;
 }
 
+/// Sanitizers map terabytes, and get no memory below any limit.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool has_limits = false;
+#elif defined(__has_feature)
+constexpr bool has_limits = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+#else
+constexpr bool has_limits = true;
+#endif
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -23,5 +33,5 @@ int main(int argc, char** argv) {
     std::fputs("foredraw-module: foredraw starts this program where --module names a module\n", stderr);
     return 1;
   }
-  return foredraw::serve_watched(argv[3], parent, memory);
+  return foredraw::serve_watched(argv[3], parent, has_limits ? memory : 0);
 }

@@ -53,7 +53,8 @@ TEST_F(Docs, TheCommandLineIsTheHelp) {
   const std::regex line("\n  ([\\w-]+) ");  // of the list of commands: none is left out
   const std::size_t commands = whole.find("Subcommands:");
   ASSERT_NE(commands, std::string::npos);
-  EXPECT_EQ(std::distance(std::sregex_iterator(whole.begin() + static_cast<long>(commands), whole.end(), line), {}), 10);
+  EXPECT_EQ(std::distance(std::sregex_iterator(whole.begin() + static_cast<long>(commands), whole.end(), line), {}),
+            10);
   expect_section("command-line.md", "commands", text);
 }
 

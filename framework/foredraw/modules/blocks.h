@@ -39,7 +39,7 @@ struct AskedOption {
 };
 
 /// Who has to do the next thing.
-enum class Turn : std::uint32_t {
+enum class BlockTurn : std::uint32_t {
   begins,   ///< the worker loads its module
   program,  ///< it answered
   worker,   ///< it was asked
@@ -47,7 +47,7 @@ enum class Turn : std::uint32_t {
 };
 
 struct AnsweredCall {
-  SharedWord turn;  ///< a Turn
+  SharedWord turn;  ///< a BlockTurn
   /// Of the module that was loaded: whether it was refused, and how much is told at first: its tables, or why.
   std::uint32_t refused;
   std::int32_t status;
@@ -69,6 +69,6 @@ inline constexpr std::size_t values_place = said_place + said_room;
 static_assert(sizeof(AnsweredCall) <= said_place);
 
 /// What a message is of, its first number.
-enum class Said : std::uint32_t { keep, fail, note, count, measure };
+enum class WorkerSaid : std::uint32_t { keep, fail, note, count, measure };
 
 }  // namespace foredraw

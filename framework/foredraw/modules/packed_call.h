@@ -2,6 +2,7 @@
 #include <foredraw/c/plugin.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace foredraw {

@@ -17,18 +17,18 @@ constexpr int most_deaths = 3;
 void repeat(std::string_view said, const foredraw_host& host) {
   const auto text = [](const std::optional<std::string>& words) { return words ? words->c_str() : nullptr; };
   for (WireReader in(said); !in.at_end();) {
-    const auto what = static_cast<Said>(in.number<std::uint32_t>());
+    const auto what = static_cast<WorkerSaid>(in.number<std::uint32_t>());
     const auto first = in.text();
     switch (what) {
-      case Said::keep: host.keep(host.self, text(first)); break;
-      case Said::fail: host.fail(host.self, text(first)); break;
-      case Said::note: {
+      case WorkerSaid::keep: host.keep(host.self, text(first)); break;
+      case WorkerSaid::fail: host.fail(host.self, text(first)); break;
+      case WorkerSaid::note: {
         const auto message = in.text();
         host.note(host.self, text(first), text(message));
         break;
       }
-      case Said::count: host.count(host.self, text(first), in.number<double>()); break;
-      case Said::measure: {
+      case WorkerSaid::count: host.count(host.self, text(first), in.number<double>()); break;
+      case WorkerSaid::measure: {
         const auto numerator = in.number<double>(), denominator = in.number<double>(), error = in.number<double>();
         host.measure(host.self, text(first), numerator, denominator, error);
         break;

@@ -2,6 +2,7 @@
 #include <foredraw/modules/foreign_runner.h>
 #include <foredraw/modules/worker_process.h>
 
+#include <memory>
 #include <mutex>
 #include <vector>
 

@@ -32,17 +32,20 @@ class Serving {
             .size = sizeof host_,
             .self = this,
             .cancelled = [](void* self) { return of(self).call_.cancelled.load() == 0 ? 0 : 1; },
-            .keep = [](void* self, const char* reason) { of(self).say(Said::keep, reason); },
-            .fail = [](void* self, const char* message) { of(self).say(Said::fail, message); },
-            .note = [](void* self, const char* code, const char* message) { of(self).say(Said::note, code, message); },
-            .count = [](void* self, const char* metric, double number) { of(self).say(Said::count, metric, number); },
+            .keep = [](void* self, const char* reason) { of(self).say(WorkerSaid::keep, reason); },
+            .fail = [](void* self, const char* message) { of(self).say(WorkerSaid::fail, message); },
+            .note = [](void* self, const char* code,
+                       const char* message) { of(self).say(WorkerSaid::note, code, message); },
+            .count = [](void* self, const char* metric,
+                        double number) { of(self).say(WorkerSaid::count, metric, number); },
             .measure = [](void* self, const char* metric, double numerator, double denominator,
-                          double error) { of(self).say(Said::measure, metric, numerator, denominator, error); }} {}
+                          double error) { of(self).say(WorkerSaid::measure, metric, numerator, denominator, error); }} {
+  }
 
   void begin(bool refused, const std::string& what) {
     answer_.refused = refused ? 1 : 0;
     put(what);
-    set_and_wake(answer_.turn, static_cast<std::uint32_t>(Turn::program));
+    set_and_wake(answer_.turn, static_cast<std::uint32_t>(BlockTurn::program));
   }
 
   /// Who says why it refuses is ended by the program, which may else see its end before its words.
@@ -54,12 +57,12 @@ class Serving {
   /// No exception of the module's leaves this: nothing above could go on with one.
   [[noreturn]] void answer_calls(const foredraw_module& module) noexcept {
     for (const int self = process_number();;) {
-      while (answer_.turn.load() != static_cast<std::uint32_t>(Turn::worker)) {
-        wait_while(answer_.turn, static_cast<std::uint32_t>(Turn::program), INT_MAX);
+      while (answer_.turn.load() != static_cast<std::uint32_t>(BlockTurn::worker)) {
+        wait_while(answer_.turn, static_cast<std::uint32_t>(BlockTurn::program), INT_MAX);
       }
       answer(*module.plugins[call_.plugin]);
       if (process_number() != self) std::_Exit(0);  // a child that the module made, and that came back
-      set_and_wake(answer_.turn, static_cast<std::uint32_t>(Turn::program));
+      set_and_wake(answer_.turn, static_cast<std::uint32_t>(BlockTurn::program));
     }
   }
 
@@ -102,7 +105,7 @@ class Serving {
   }
 
   template <class... Parts>
-  void say(Said what, Parts... parts) {
+  void say(WorkerSaid what, Parts... parts) {
     WireWriter message;
     message.put(static_cast<std::uint32_t>(what));
     (message.put(parts), ...);

@@ -31,7 +31,7 @@ int serve_watched(const std::filesystem::path& module, int parent, std::uint64_t
   const std::size_t bytes = std::min(end->last_words.size(), sizeof answer.last_words);
   std::copy_n(end->last_words.end() - static_cast<std::ptrdiff_t>(bytes), bytes, answer.last_words);
   answer.last_words_bytes = static_cast<std::uint32_t>(bytes);
-  set_and_wake(answer.turn, static_cast<std::uint32_t>(Turn::ended));
+  set_and_wake(answer.turn, static_cast<std::uint32_t>(BlockTurn::ended));
   return 0;
 }
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 namespace foredraw {
@@ -86,7 +87,7 @@ WorkerProcess::Answer WorkerProcess::ask(const ForeignQuestion& question, const 
   std::fill_n(shared, question.room, ~std::uint32_t{0});
   AnsweredCall& call = answered_in(answered_);
   call.status = FOREDRAW_FAILED;
-  set_and_wake(call.turn, static_cast<std::uint32_t>(Turn::worker));
+  set_and_wake(call.turn, static_cast<std::uint32_t>(BlockTurn::worker));
   wait_for_turn(seconds_, is_cancelled);
   // What it left behind may still write there.
   Answer answer{call.status, call.count, tables(), call.left_out};
@@ -102,8 +103,8 @@ void WorkerProcess::wait_for_turn(double seconds, const std::function<bool()>& i
   const auto since = [](Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); };
   for (;;) {
     const std::uint32_t whose = turn.load();
-    if (whose == static_cast<std::uint32_t>(Turn::program)) return;
-    if (whose == static_cast<std::uint32_t>(Turn::ended)) throw WorkerEnded(how_it_ended());
+    if (whose == static_cast<std::uint32_t>(BlockTurn::program)) return;
+    if (whose == static_cast<std::uint32_t>(BlockTurn::ended)) throw WorkerEnded(how_it_ended());
     // Nobody wakes us where the process is killed that watches the worker.
     if (process_.ended_within(0ms) && turn.load() == whose) throw WorkerEnded("its process is no more");
     if (!cancelled && is_cancelled && is_cancelled()) {
