@@ -83,6 +83,7 @@ class CommandLine {
     json(optimize_app,
          "Print the record of the run, as JSON, to standard output; the tables go to standard error, with or without "
          "it");
+    batches(optimize_app);
     threads(optimize_app);
     modules(optimize_app);
 
@@ -169,6 +170,21 @@ class CommandLine {
     calibrate_app
         .add_option("--rounds", arguments_.rounds, "Draw each frame this many times; medians count (default: 7)")
         ->check(CLI::Range(1, 1000));
+
+    auto& join_app = add("join-reports", "Make the report of a folder from those of its parts", join_reports);
+    join_app.add_option("parts", arguments_.inputs, "Reports of foredraw optimize FOLDER --shard")->required();
+    join_app.add_option("-o,--output", arguments_.outputs, "Write the report of the whole folder to this file")
+        ->expected(1);
+    json(join_app);
+
+    auto& cache_app = add("cache", "Look after a cache: how much it holds, and what to throw away", cache);
+    cache_app.add_option("folder", arguments_.inputs, "The folder that --cache was given")->required()->expected(1);
+    size(
+        cache_app, "--trim", [this](std::uint64_t bytes) { arguments_.trim = bytes; },
+        "Remove what was not used for longest, until the cache has no more than this, such as 20G");
+    cache_app.add_flag("--verify", arguments_.verify, "Read every entry whole, and remove those that are damaged");
+    cache_app.add_flag("--stats", shows_stats_, "Show how much the cache holds; this is also done without the option");
+    json(cache_app);
   }
 
   std::variant<Asked, Misunderstood> run(int argc, char** argv) {
@@ -269,10 +285,29 @@ class CommandLine {
     app.add_option("--threads", arguments_.threads, "Number of threads (default: one for each processor)")
         ->check(CLI::Range(1, 1024));
   }
+  void batches(CLI::App& app) {
+    app.add_option("--cache", arguments_.cache,
+                   "Keep results in this folder, and take them from there if nothing that they depend on has changed")
+        ->type_name("FOLDER");
+    const auto take_shard = [this](const std::string& text) {
+      arguments_.shard = shard_in(text);
+      if (!arguments_.shard) {
+        throw CLI::ValidationError("--shard", "'" + text + "' is no part of a folder; give one such as 3/16");
+      }
+    };
+    app.add_option_function<std::string>(
+           "--shard", take_shard,
+           "Work on one of several parts of a folder, such as 3/16; foredraw join-reports "
+           "puts their reports together")
+        ->type_name("I/N");
+    app.add_option("--depfile", arguments_.depfile,
+                   "Write which files each output was made from, as rules of Make, to this file");
+  }
   void memory_limit(CLI::App& app) {
-    size(app, "--memory-limit", arguments_.memory_limit,
-         "Stop with an error, and change no file, if more memory than this is needed, such as 500M or 2G (default: no "
-         "limit)");
+    size(
+        app, "--memory-limit", [this](std::uint64_t bytes) { arguments_.memory_limit = bytes; },
+        "Stop with an error, and change no file, if more memory than this is needed, such as 500M or 2G (default: no "
+        "limit)");
   }
   void modules(CLI::App& app) {
     app.add_option("--module", arguments_.modules,
@@ -292,20 +327,23 @@ class CommandLine {
     app.add_option("--module-seconds", arguments_.module_seconds,
                    "End a module's process that takes longer than this for a call (default: 600)")
         ->check(CLI::Range(.001, 1e6));
-    size(app, "--module-memory", arguments_.module_memory,
-         "The most memory that a module's process may hold, such as 500M (default: 2G)");
+    size(
+        app, "--module-memory", [this](std::uint64_t bytes) { arguments_.module_memory = bytes; },
+        "The most memory that a module's process may hold, such as 500M (default: 2G)");
   }
-  void size(CLI::App& app, const std::string& name, std::uint64_t& bytes, const std::string& what) {
-    const auto take = [name, &bytes](const std::string& text) {
-      const auto size = size_of(text);
-      if (!size) throw CLI::ValidationError(name, "'" + text + "' is not a size; give one such as 500M or 2G");
-      bytes = *size;
+  static void size(CLI::App& app, const std::string& name, std::function<void(std::uint64_t)> take,
+                   const std::string& what) {
+    const auto read = [name, take = std::move(take)](const std::string& text) {
+      const auto bytes = size_of(text);
+      if (!bytes) throw CLI::ValidationError(name, "'" + text + "' is not a size; give one such as 500M or 2G");
+      take(*bytes);
     };
-    app.add_option_function<std::string>(name, take, what)->type_name("SIZE");
+    app.add_option_function<std::string>(name, read, what)->type_name("SIZE");
   }
 
   Asked asked_;
   Arguments& arguments_ = asked_.arguments;
+  bool shows_stats_ = true;  ///< for who says what is done anyway
   CLI::App app_{"Foredraw makes real-time scenes cheaper to draw before they are drawn.", "foredraw"};
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // The commands: arguments in, framework call, text out.
 
+#include <foredraw/report/shard.h>
 #include <foredraw/technique/registry.h>
 
 #include <cstdint>
@@ -40,12 +41,17 @@ struct Arguments {
   int rounds = 7;                  ///< of a calibration
   std::uint64_t memory_limit = 0;  ///< in bytes; 0: none
   bool json = false;
-  bool strict = false;               ///< refuse files with faults that would be mended
-  std::string root;                  ///< folder that files named by `..` may lie in
-  std::vector<std::string> modules;  ///< files, and folders of them
-  bool modules_inside = false;       ///< in the program's own process
-  double module_seconds = 0;         ///< of a call; 0: as usual
-  std::uint64_t module_memory = 0;   ///< bytes of a module's process; 0: as usual
+  bool strict = false;                ///< refuse files with faults that would be mended
+  std::string root;                   ///< folder that files named by `..` may lie in
+  std::vector<std::string> modules;   ///< files, and folders of them
+  bool modules_inside = false;        ///< in the program's own process
+  double module_seconds = 0;          ///< of a call; 0: as usual
+  std::uint64_t module_memory = 0;    ///< bytes of a module's process; 0: as usual
+  std::string depfile;                ///< where rules of Make go
+  std::string cache;                  ///< folder of earlier results
+  std::optional<Shard> shard;         ///< the part of a folder that is worked on
+  std::optional<std::uint64_t> trim;  ///< bytes that a cache is to keep at most
+  bool verify = false;                ///< read a cache whole
 };
 
 Exit optimize(const Arguments& arguments, const Registry& registry);
@@ -58,6 +64,8 @@ Exit show(const Arguments& arguments, const Registry& registry);
 Exit schema(const Arguments& arguments, const Registry& registry);
 Exit check_module(const Arguments& arguments, const Registry& registry);
 Exit calibrate(const Arguments& arguments, const Registry& registry);
+Exit join_reports(const Arguments& arguments, const Registry& registry);
+Exit cache(const Arguments& arguments, const Registry& registry);
 
 /// Reads the arguments and calls the command.
 int main(int argc, char** argv, const Registry& registry);

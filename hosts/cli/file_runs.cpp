@@ -1,5 +1,8 @@
 #include "file_runs.h"
 
+#include "depfile.h"
+#include "result_cache.h"
+
 #include <foredraw/report/page/page.h>
 
 #include <foredraw/io/image/images.h>
@@ -13,7 +16,8 @@ namespace foredraw::cli {
 
 namespace {
 
-using Work = std::function<Result(const Plan&, Scene, const Surroundings&)>;
+namespace fs = std::filesystem;
+using Worker = std::function<Result(const Plan&, Scene, const Surroundings&)>;
 
 /// How the plan's first evaluator of overdraw looks, or as all do by default.
 OverdrawOptions looks_of(const Plan& plan) {
@@ -31,17 +35,17 @@ OverdrawOptions looks_of(const Plan& plan) {
 /// Into the folder that was asked for, or, of several inputs, one of the input's own in it.
 bool write_heat_maps(const FileJob& job, const std::string& input, const Plan& plan, const Scene& before,
                      const Scene* after, Analyses& analyses, Diagnostics& diagnostics) {
-  std::filesystem::path folder = job.arguments.heat_maps;
-  if (is_folder(job.arguments.inputs[0]))
-    folder /= std::filesystem::path(input).lexically_relative(job.arguments.inputs[0]);
+  fs::path folder = job.arguments.heat_maps;
+  if (is_folder(job.arguments.inputs[0])) folder /= fs::path(input).lexically_relative(job.arguments.inputs[0]);
   const auto files =
       heat_maps(before, after, looks_of(plan), job.arguments.heat_map_view, folder, job.executor, analyses);
   return files.empty() || (make_folder(folder, diagnostics) && write_files(files, diagnostics));
 }
 
-/// Reads, plans and works; `written` puts the result somewhere, beside what the scene was where that is shown, and may
-/// fail.
-FileRun run_file(const FileJob& job, const std::string& command, const std::string& input, const Work& work,
+/// Reads, plans and works; `files` is told of what is read, unless it is null; `written` puts the result somewhere,
+/// beside what the scene was where that is shown, and may fail.
+FileRun run_file(const FileJob& job, const std::string& command, const std::string& input,
+                 const std::shared_ptr<FilesRead>& files, const Worker& work,
                  const std::function<bool(const Scene&, Result&, Diagnostics&)>& written) {
   FileRun run;
   Diagnostics diagnostics;
@@ -53,8 +57,9 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
     run.is_lost = true;
     return run;
   };
-  auto file = with_memory(input, "read it",
-                          [&] { return read_scene(input, diagnostics, input_of(job.arguments, job.registry)); });
+  SceneInput how = input_of(job.arguments, job.registry);
+  how.files = files;
+  auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, how); });
   if (!file) return lost(exit_for_file(diagnostics));
   const auto plan = with_memory(input, "plan for it", [&] {
     return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics, &job.lender);
@@ -64,7 +69,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   if (draws && !are_views(job.arguments.heat_map_view, looks_of(*plan), diagnostics)) return lost(users_mistake);
 
   const Scene before = draws || !job.arguments.html.empty() ? file->scene : Scene();
-  Analyses analyses(image_decoder(input, job.arguments.root));
+  Analyses analyses(image_decoder(input, job.arguments.root, files));
   Result result = with_memory(input, "work on it", [&] {
     return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
   });
@@ -86,11 +91,18 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   return run;
 }
 
+std::vector<fs::path> contents_read(const FilesRead& files) {
+  std::vector<fs::path> paths;
+  for (const FileRead& file : files.all()) {
+    if (file.found == FileRead::Found::content) paths.push_back(file.path);
+  }
+  return paths;
+}
+
 /// One pipeline beside the input.
-std::string page_of(const Scene& before, const Result& result, const FileJob& job) {
+std::string page_of(const Scene& before, const std::optional<Scene>& after, const Report& report, const FileJob& job) {
   const std::string name = job.arguments.pipelines.empty() ? "@default" : job.arguments.pipelines.front();
-  const Comparison comparison{result.report.input, {{name, result.report}}, {}};
-  const std::optional<Scene> after = result.scene;
+  const Comparison comparison{report.input, {{name, report}}, {}};
   const Display shown = display(before, {&after, 1}, 0, job.pipeline.subjects.subject);
   return page({&comparison, 1}, {&shown, 1}, program_name());
 }
@@ -115,12 +127,48 @@ Scene without_products(Scene scene, const ProductRows& rows) {
 
 }  // namespace
 
-FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<Output>& outputs) {
+std::string rules_of(const FileJob& job, const FileRun& run, const std::vector<Output>& outputs) {
+  DependencyRule rule;
+  for (const Output& output : outputs) rule.outputs.emplace_back(output.path);
+  rule.inputs = {run.report.input.path};
+  rule.inputs.insert(rule.inputs.end(), run.read.begin(), run.read.end());
+  rule.inputs.insert(rule.inputs.end(), job.pipeline_files.begin(), job.pipeline_files.end());
+  if (job.lent) {
+    const auto lent = contents_read(*job.lent);
+    rule.inputs.insert(rule.inputs.end(), lent.begin(), lent.end());
+  }
+  return rule_text(rule);
+}
+
+bool write_with_texts(const FileJob& job, const FileRun& run, const std::vector<Output>& outputs,
+                      std::vector<std::vector<OutputFile>> files, const std::string& page, Diagnostics& diagnostics) {
   const Arguments& arguments = job.arguments;
+  if (!is_folder(arguments.inputs[0])) {
+    std::vector<OutputFile> texts;
+    if (!arguments.report.empty()) {
+      texts.push_back({arguments.report, {}, [&](const OutputFile::Put& put) {
+                         run.json.empty() ? write_json(run.report, put) : put(run.json);
+                       }});
+    }
+    if (!arguments.html.empty()) texts.push_back(text_file(arguments.html, page));
+    if (!arguments.depfile.empty()) texts.push_back(text_file(arguments.depfile, rules_of(job, run, outputs)));
+    files.push_back(std::move(texts));
+  }
+  std::erase_if(files, [](const auto& of_one) { return of_one.empty(); });
+  return files.empty() || write_scenes(std::move(files), diagnostics);
+}
+
+FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<Output>& outputs) {
+  if (job.cache != nullptr) {
+    if (auto run = job.cache->recalled(job, input, outputs)) return std::move(*run);
+  }
+  const Arguments& arguments = job.arguments;
+  const auto read = job.lent ? std::make_shared<FilesRead>() : nullptr;
+  std::string json;
   // The scene, the report and whatever else: all of it, or none and an explanation.
   const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
     Report& report = result.report;
-    std::vector<std::vector<OutputFile>> scenes;
+    std::vector<std::vector<OutputFile>> files;
     std::vector<std::byte> standard;
     const ProductRows rows = job.registry.products();
     const GltfOutput as{compression_of(arguments.compression),
@@ -129,39 +177,45 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     const std::optional<Scene> bare = is_bare ? std::optional(without_products(result.scene, rows)) : std::nullopt;
     const Scene& scene = bare ? *bare : result.scene;
     for (const Output& output : outputs) {
-      auto files = output.row           ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
-                   : output.level       ? encode_level(scene, *output.level, output.path, diagnostics, as)
-                   : !output.is_scene() ? std::vector{text_file(output.path, remap_json(result.scene))}
-                                        : encode_scene(scene, output.path, diagnostics, as);
-      if (!files) return false;
-      if (report.output.path.empty() && output.is_scene()) report.output = {output.path, bytes_of(*files)};
+      auto of_one = output.row           ? encode_side_file(result.scene, *output.row, output.path, diagnostics)
+                    : output.level       ? encode_level(scene, *output.level, output.path, diagnostics, as)
+                    : !output.is_scene() ? std::vector{text_file(output.path, remap_json(result.scene))}
+                                         : encode_scene(scene, output.path, diagnostics, as);
+      if (!of_one) return false;
+      if (report.output.path.empty() && output.is_scene()) report.output = {output.path, bytes_of(*of_one)};
       if (output.path == "-") {
-        standard = std::move(files->front().bytes);
+        standard = std::move(of_one->front().bytes);
       } else {
-        scenes.push_back(std::move(*files));
+        files.push_back(std::move(*of_one));
       }
     }
     report.diagnostics = diagnostics.all();
-    if (!is_folder(arguments.inputs[0])) {
-      std::vector<OutputFile> texts;
-      if (!arguments.report.empty()) {
-        texts.push_back({arguments.report, {}, [&](const OutputFile::Put& put) { write_json(report, put); }});
-      }
-      if (!arguments.html.empty()) texts.push_back(text_file(arguments.html, page_of(before, result, job)));
-      if (!texts.empty()) scenes.push_back(std::move(texts));
+    if (job.cache != nullptr && !result.failed) {
+      json = to_json(report);
+      job.cache->keep(input, outputs, files, {read->all(), job.lent->all()}, scene, report, json);
     }
-    return write_scenes(std::move(scenes), diagnostics) &&
-           (standard.empty() || write_standard_output(standard, diagnostics));
+    FileRun run;
+    run.report = std::move(report);
+    if (read) run.read = contents_read(*read);
+    const std::string page = arguments.html.empty() ? "" : page_of(before, result.scene, run.report, job);
+    const bool is_written = write_with_texts(job, run, outputs, std::move(files), page, diagnostics) &&
+                            (standard.empty() || write_standard_output(standard, diagnostics));
+    report = std::move(run.report);
+    return is_written;
   };
-  return run_file(job, "optimize", input, foredraw::optimize,
-                  [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
-                    return with_memory(outputs.empty() ? input : outputs.front().path, "write it",
-                                       [&] { return write(before, result, diagnostics); });
-                  });
+  FileRun run = run_file(job, "optimize", input, read, foredraw::optimize,
+                         [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
+                           return with_memory(outputs.empty() ? input : outputs.front().path, "write it",
+                                              [&] { return write(before, result, diagnostics); });
+                         });
+  if (read) run.read = contents_read(*read);
+  if (!run.is_lost) run.json = std::move(json);
+  return run;
 }
 
 FileRun measure_file(const FileJob& job, const std::string& input) {
-  return run_file(job, "measure", input, foredraw::measure, [](const Scene&, Result&, Diagnostics&) { return true; });
+  return run_file(job, "measure", input, nullptr, foredraw::measure,
+                  [](const Scene&, Result&, Diagnostics&) { return true; });
 }
 
 }  // namespace foredraw::cli

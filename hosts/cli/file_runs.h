@@ -8,6 +8,8 @@
 
 namespace foredraw::cli {
 
+class ResultCache;
+
 /// What every file of a run is worked on with.
 struct FileJob {
   const Arguments& arguments;
@@ -17,6 +19,9 @@ struct FileJob {
   const Lender& lender;
   std::function<void(std::string_view, double)> progress = {};
   bool keeps_scenes = false;  ///< for who writes several in one file
+  const ResultCache* cache = nullptr;
+  std::shared_ptr<FilesRead> lent = nullptr;               ///< what the lender has read; null: nobody asks what is read
+  std::vector<std::filesystem::path> pipeline_files = {};  ///< that the pipeline is, and names
 };
 
 struct FileRun {
@@ -24,11 +29,22 @@ struct FileRun {
   Exit exit = done;
   bool is_lost = false;             ///< nothing was measured or written
   std::optional<Scene> scene = {};  ///< as it was written, where the job keeps scenes
+  std::string json = {};            ///< the report's form, where it was made already
+  std::string text = {};            ///< and for people; of what comes from a cache, the report itself is empty
+  bool from_cache = false;
+  std::vector<std::filesystem::path> read = {};  ///< the files that it was made from, where somebody asks
 };
 
 /// All outputs are written or none; there may be none.
 FileRun optimize_file(const FileJob& job, const std::string& input, const std::vector<Output>& outputs);
 FileRun measure_file(const FileJob& job, const std::string& input);
+
+/// Writes the files of the outputs, and, where the input is one file, its report, rules and page: all of them or none.
+bool write_with_texts(const FileJob& job, const FileRun& run, const std::vector<Output>& outputs,
+                      std::vector<std::vector<OutputFile>> files, const std::string& page, Diagnostics& diagnostics);
+
+/// What a build system has to know of the run.
+std::string rules_of(const FileJob& job, const FileRun& run, const std::vector<Output>& outputs);
 
 bool is_folder(const std::string& path);
 

@@ -1,4 +1,5 @@
 #include "file_runs.h"
+#include "folder_outputs.h"
 
 #include <foredraw/io/sprite/sprite_files.h>
 #include "scene_folder.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <mutex>
 
 namespace foredraw::cli {
@@ -16,46 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the scene goes: to the same place in the output folder, as its own kind where that is glTF, sprites as a frame
-/// list, else as a GLB.
-fs::path output_of(const fs::path& scene, const fs::path& folder) {
-  fs::path output = folder / scene;
-  if (is_sprite_input(scene)) return output.replace_extension(".json");
-  return is_gltf_file(output) ? output : output.replace_extension(".glb");
-}
-
-/// Where things go, of several inputs.
-struct FolderOutputs {
-  std::string folder;                 ///< each scene by itself; empty: nowhere
-  std::vector<std::string> gathered;  ///< files of sprites that hold those of all scenes
-};
-
-FolderOutputs outputs_in(const std::vector<std::string>& words, const ProductRows& rows, Diagnostics& diagnostics) {
-  FolderOutputs result;
-  for (const std::string& word : words) {
-    const Output output = typed_output(word, rows);
-    if (!output.is_scene()) {
-      diagnostics.error({.file = output.path}, "bad-arguments",
-                        "holds the " + output.kind + " of one scene, but the input is a folder",
-                        "run foredraw on a single file for this output");
-    } else if (is_sprite_output(output.path) && !is_folder(output.path)) {
-      result.gathered.push_back(output.path);
-    } else if (result.folder.empty()) {
-      result.folder = output.path;
-    } else {
-      diagnostics.error(
-          {.file = output.path}, "bad-arguments", "is a second folder for the same scenes",
-          "give -o one folder, and as further outputs only files of sprites: " + sprite_output_extensions());
-    }
-  }
-  return result;
-}
-
 /// All sprites in one file each; scenes that were lost are missing.
-bool gather(const std::vector<FileRun>& runs, const std::vector<std::string>& gathered, Diagnostics& diagnostics) {
+bool gather(const std::vector<std::optional<Scene>>& kept, const std::vector<std::string>& gathered,
+            Diagnostics& diagnostics) {
   std::vector<Scene> scenes;
-  for (const FileRun& run : runs) {
-    if (run.scene && is_sprite_input(run.scene->name)) scenes.push_back(*run.scene);
+  for (const std::optional<Scene>& scene : kept) {
+    if (scene && is_sprite_input(scene->name)) scenes.push_back(*scene);
   }
   std::vector<OutputFile> files;
   for (const std::string& target : gathered) {
@@ -64,42 +30,6 @@ bool gather(const std::vector<FileRun>& runs, const std::vector<std::string>& ga
     files.push_back(std::move(*file));
   }
   return write_files(files, diagnostics);
-}
-
-/// Every file of the input folder: a scene, or what one is read from. What is below the output folder is neither.
-std::vector<fs::path> files_read_from(const fs::path& from, const fs::path& to) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (fs::recursive_directory_iterator at(from, error), end; at != end; at.increment(error)) {
-    if (fs::equivalent(at->path(), to, error)) {
-      at.disable_recursion_pending();
-    } else if (at->is_regular_file(error)) {
-      files.push_back(at->path());
-    }
-  }
-  return files;
-}
-
-/// "prop.glb" and "prop.obj" would both become "prop.glb"; and no file may become what another has yet to be read from.
-bool outputs_meet(std::vector<fs::path> scenes, const std::vector<fs::path>& inputs, std::vector<fs::path> outputs,
-                  const std::vector<std::string>& gathered, Diagnostics& diagnostics) {
-  for (const std::string& file : gathered) {
-    scenes.emplace_back("all sprites");
-    outputs.emplace_back(file);
-  }
-  std::map<fs::path, fs::path> taken;
-  std::error_code error;
-  for (const fs::path& input : inputs) taken.emplace(fs::weakly_canonical(input, error), "an input");
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (const fs::path& file : foredraw::paths_written_for(outputs[i])) {
-      const auto [at, is_new] = taken.emplace(fs::weakly_canonical(file, error), scenes[i]);
-      if (is_new) continue;
-      diagnostics.error({.file = file.string()}, "outputs-meet",
-                        at->second.string() + " and the output of " + scenes[i].string() + " would both have this name",
-                        "give one of them another name, or -o another folder");
-    }
-  }
-  return diagnostics.has_errors();
 }
 
 FileRun lost(const fs::path& input, const std::string& why, const std::string& hint) {
@@ -125,35 +55,42 @@ FileRun guarded(const fs::path& input, const std::function<FileRun()>& run) {
   }
 }
 
-/// Works on all files at once, tells of them in their sequence, and sums up.
-Exit run_batch(const FileJob& job, const std::string& command, const std::vector<fs::path>& inputs,
-               const std::function<FileRun(const FileJob&, std::size_t)>& run_one, Batch& batch,
-               const std::function<bool(const std::vector<FileRun>&)>& finish = {}) {
-  const auto begin = std::chrono::steady_clock::now();
+std::string json_of(const FileRun& run) { return run.json.empty() ? to_json(run.report) : run.json; }
+
+/// Works on all files at once, and tells of each as soon as all before it are done.
+Exit run_batch(const FileJob& job, const std::vector<std::string>& inputs,
+               const std::function<FileRun(const FileJob&, std::size_t)>& run_one, Batch& batch) {
   const auto progress = progress_line();
-  std::vector<FileRun> runs(inputs.size());
   std::mutex at_the_line;
   std::size_t finished = 0;
+  Exit worst = done;
   job.executor.for_each(inputs.size(), [&](std::size_t i) {
-    runs[i] = guarded(inputs[i], [&] { return run_one(job, i); });
+    FileRun run = guarded(inputs[i], [&] { return run_one(job, i); });
+    const Outcome outcome = run.is_lost ? Outcome::lost : run.exit != done ? Outcome::in_part : Outcome::done;
+    batch.add(i, json_of(run), outcome, run.from_cache);
     const std::scoped_lock lock(at_the_line);
+    if (run.exit != done) worst = something_failed;
     ++finished;
-    if (progress) progress(inputs[i].string(), static_cast<double>(finished) / static_cast<double>(inputs.size()));
+    if (progress) progress(inputs[i], static_cast<double>(finished) / static_cast<double>(inputs.size()));
   });
   end_progress();
-
-  Exit worst = done;
-  batch.command = command;
-  for (FileRun& run : runs) {
-    tell(run.report.diagnostics);
-    if (run.exit != done) worst = something_failed;
-    const Outcome outcome = run.is_lost ? Outcome::lost : run.exit != done ? Outcome::in_part : Outcome::done;
-    batch.files.push_back({std::move(run.report), outcome});
-  }
-  if (finish && !finish(runs)) worst = something_failed;
-  batch.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return worst;
 }
+
+/// Of each file, above the line of progress.
+void tell_file(const StoredReport& report, Outcome) {
+  if (report.diagnostics.empty()) return;
+  end_progress();
+  tell(report.diagnostics);
+}
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
 
 }  // namespace
 
@@ -191,44 +128,64 @@ Exit optimize_folder(const FileJob& job) {
         "for a folder of meshes, give -o a folder");
     return refuse(diagnostics);
   }
-  std::vector<fs::path> inputs;
-  std::vector<fs::path> outputs;
-  for (const fs::path& scene : *scenes) {
-    inputs.push_back(from / scene);
-    if (!wanted.folder.empty()) outputs.push_back(output_of(scene, to));
-  }
-  const auto written_of = wanted.folder.empty() ? std::vector<fs::path>() : *scenes;
-  if (outputs_meet(written_of, files_read_from(from, to), outputs, wanted.gathered, diagnostics)) {
+  if (!wanted.gathered.empty() && (arguments.shard || !arguments.cache.empty())) {
+    diagnostics.error({.file = wanted.gathered[0]}, "bad-arguments",
+                      "holds the sprites of all files, so that --shard and --cache cannot be used",
+                      "give -o a folder, or leave these options out");
     return refuse(diagnostics);
   }
-  for (const fs::path& output : outputs) {
-    if (!make_folder(output.parent_path(), diagnostics)) return refuse_file(diagnostics);
+  const auto written_of = wanted.folder.empty() ? std::vector<fs::path>() : *scenes;
+  if (outputs_meet(written_of, from, wanted, diagnostics)) return refuse(diagnostics);
+  std::vector<std::string> inputs;
+  std::vector<std::vector<Output>> outputs;
+  fs::path made;
+  for (const fs::path& scene : *scenes) {
+    if (arguments.shard && !holds(*arguments.shard, scene)) continue;
+    inputs.push_back((from / scene).string());
+    outputs.emplace_back();
+    if (wanted.folder.empty()) continue;
+    const fs::path output = output_of(scene, to);
+    if (output.parent_path() != made && !make_folder(output.parent_path(), diagnostics)) {
+      return refuse_file(diagnostics);
+    }
+    made = output.parent_path();
+    outputs.back().push_back({{}, output.string()});
   }
   std::vector<std::string> written = wanted.gathered;
-  written.push_back(arguments.report);
+  written.insert(written.end(), {arguments.report, arguments.depfile});
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
 
-  Batch batch;
+  const Stopwatch watch;
+  Spool spool(spool_folder(arguments.report));
+  Batch batch("optimize", job.registry, spool, tell_file);
+  std::vector<std::optional<Scene>> kept(wanted.gathered.empty() ? 0 : inputs.size());
+  std::vector<std::string> rules(arguments.depfile.empty() ? 0 : inputs.size());
   const auto run_one = [&](const FileJob& each, std::size_t i) {
-    std::vector<Output> own;
-    if (!outputs.empty()) own.push_back({{}, outputs[i].string()});
-    return optimize_file(each, inputs[i].string(), own);
-  };
-  const auto finish = [&](const std::vector<FileRun>& runs) {
-    Diagnostics gathering;
-    const bool good = wanted.gathered.empty() || gather(runs, wanted.gathered, gathering);
-    tell(gathering);
-    return good;
+    FileRun run = optimize_file(each, inputs[i], outputs[i]);
+    if (!kept.empty()) kept[i] = std::move(run.scene);
+    if (!rules.empty() && !run.is_lost) rules[i] = rules_of(each, run, outputs[i]);
+    return run;
   };
   FileJob keeping = job;
   keeping.keeps_scenes = !wanted.gathered.empty();
-  const Exit worst = run_batch(keeping, "optimize", inputs, run_one, batch, finish);
-  fmt::print(stderr, "{}", to_text(batch));
-  if (!arguments.report.empty()) {
-    const OutputFile report = text_file(arguments.report, to_json(batch));
-    if (!write_files(std::span(&report, 1), diagnostics)) return refuse_file(diagnostics);
+  Exit worst = run_batch(keeping, inputs, run_one, batch);
+  tell(diagnostics);  // of what was passed by
+  Diagnostics gathering;
+  if (!wanted.gathered.empty() && !gather(kept, wanted.gathered, gathering)) worst = something_failed;
+  tell(gathering);
+  const double seconds = watch.seconds();
+  fmt::print(stderr, "{}", batch.to_text(seconds));
+  const auto write = [&](const OutputFile::Put& put) { batch.write_json(seconds, arguments.shard, put); };
+  std::vector<OutputFile> texts;
+  if (!arguments.report.empty()) texts.push_back({arguments.report, {}, write});
+  if (!arguments.depfile.empty()) {
+    texts.push_back({arguments.depfile, {}, [&](const OutputFile::Put& put) {
+                       for (const std::string& rule : rules) put(rule);
+                     }});
   }
-  return arguments.json ? std::max(worst, print(to_json(batch))) : worst;
+  Diagnostics writing;
+  if (!texts.empty() && !write_files(texts, writing)) return refuse_file(writing);
+  return arguments.json ? std::max(worst, print_pieces(write)) : worst;
 }
 
 Exit measure_folder(const FileJob& job) {
@@ -236,12 +193,17 @@ Exit measure_folder(const FileJob& job) {
   const fs::path from = job.arguments.inputs[0];
   const auto scenes = scenes_below(from, {}, scenes_for(job.pipeline, job.registry), diagnostics);
   if (!scenes) return refuse(diagnostics);
-  std::vector<fs::path> inputs;
-  for (const fs::path& scene : *scenes) inputs.push_back(from / scene);
-  Batch batch;
-  const auto run_one = [&](const FileJob& each, std::size_t i) { return measure_file(each, inputs[i].string()); };
-  const Exit worst = run_batch(job, "measure", inputs, run_one, batch);
-  return std::max(worst, print(job.arguments.json ? to_json(batch) : to_text(batch)));
+  std::vector<std::string> inputs;
+  for (const fs::path& scene : *scenes) inputs.push_back((from / scene).string());
+  const Stopwatch watch;
+  Spool spool;
+  Batch batch("measure", job.registry, spool, tell_file);
+  const auto run_one = [&](const FileJob& each, std::size_t i) { return measure_file(each, inputs[i]); };
+  const Exit worst = run_batch(job, inputs, run_one, batch);
+  tell(diagnostics);  // of what was passed by
+  const double seconds = watch.seconds();
+  if (!job.arguments.json) return std::max(worst, print(batch.to_text(seconds)));
+  return std::max(worst, print_pieces([&](const OutputFile::Put& put) { batch.write_json(seconds, {}, put); }));
 }
 
 }  // namespace foredraw::cli

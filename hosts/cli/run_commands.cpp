@@ -1,11 +1,13 @@
 // The commands that read a scene and run a pipeline on it.
 
 #include "file_runs.h"
+#include "result_cache.h"
 #include "scene_folder.h"
 #include "text_outputs.h"
 
 #include <foredraw/io/file_lender.h>
 #include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/pipeline/canonical.h>
 
 #include <fmt/format.h>
 
@@ -33,6 +35,36 @@ bool outputs_clash(const Arguments& arguments, const std::vector<Output>& output
   return !have_files_of_their_own(arguments, outputs, diagnostics);
 }
 
+/// The files that the pipeline is read from, and those that its options name.
+std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
+                                            const Registry& registry) {
+  std::vector<std::filesystem::path> files = files_named_in(pipeline, registry);
+  std::error_code error;
+  for (const std::string& text : arguments.pipelines) {
+    if (std::filesystem::is_regular_file(text, error)) files.emplace_back(text);
+  }
+  return files;
+}
+
+/// Whether the options for many files and many runs can be used with the others.
+bool batch_options_fit(const Arguments& arguments, Diagnostics& diagnostics) {
+  if (arguments.shard && !is_folder(arguments.inputs[0])) {
+    diagnostics.error({.file = arguments.inputs[0]}, "bad-arguments", "is no folder, of which --shard takes a part",
+                      "leave --shard out");
+  }
+  const bool is_standard =
+      arguments.inputs[0] == "-" || std::ranges::find(arguments.outputs, "-") != arguments.outputs.end();
+  const auto refuse_with = [&](const char* option, const char* what) {
+    diagnostics.error({}, "bad-arguments", std::string(option) + " cannot be used with " + what,
+                      std::string("leave one of them out"));
+  };
+  if (!arguments.cache.empty() && is_standard) refuse_with("--cache", "standard input or output");
+  if (!arguments.depfile.empty() && is_standard) refuse_with("--depfile", "standard input or output");
+  if (!arguments.cache.empty() && !arguments.html.empty()) refuse_with("--cache", "--html, whose page is of a run");
+  if (!arguments.cache.empty() && !arguments.heat_maps.empty()) refuse_with("--cache", "--heatmap");
+  return !diagnostics.has_errors();
+}
+
 }  // namespace
 
 Exit optimize(const Arguments& arguments, const Registry& registry) {
@@ -42,10 +74,20 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   if (!pipeline) return refuse(diagnostics);
   const std::vector<Output> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
   if (outputs_clash(arguments, outputs, diagnostics)) return refuse(diagnostics);
+  if (!batch_options_fit(arguments, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  const FileLender lender(input_of(arguments, registry));
-  if (is_folder(input)) return optimize_folder({arguments, *pipeline, registry, executor, lender});
-  std::vector<std::string> written = {arguments.report, arguments.html};
+  SceneInput how = input_of(arguments, registry);
+  if (!arguments.cache.empty() || !arguments.depfile.empty()) how.files = std::make_shared<FilesRead>();
+  const FileLender lender(how);
+  FileJob job{arguments, *pipeline, registry, executor, lender};
+  job.lent = how.files;
+  if (!arguments.depfile.empty()) job.pipeline_files = files_of(arguments, *pipeline, registry);
+  const auto cache =
+      arguments.cache.empty() ? nullptr : ResultCache::opened(arguments, *pipeline, registry, diagnostics);
+  if (diagnostics.has_errors()) return refuse(diagnostics);
+  job.cache = cache.get();
+  if (is_folder(input)) return optimize_folder(job);
+  std::vector<std::string> written = {arguments.report, arguments.html, arguments.depfile};
   for (const Output& output : outputs) {
     if (output.is_scene()) can_write_scene(output.path, input, diagnostics);
     written.push_back(output.path);
@@ -58,13 +100,14 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
     tell(diagnostics);
   }
 
-  const FileRun run =
-      optimize_file({arguments, *pipeline, registry, executor, lender, progress_line()}, input, outputs);
+  job.progress = progress_line();
+  const FileRun run = optimize_file(job, input, outputs);
   end_progress();
-  tell(run.report.diagnostics);
+  tell(run.from_cache && !run.is_lost ? stored_report(run.json, registry).diagnostics : run.report.diagnostics);
   if (run.is_lost) return run.exit;
-  fmt::print(stderr, "{}", to_text(run.report));
-  return arguments.json ? std::max(run.exit, print(to_json(run.report))) : run.exit;
+  fmt::print(stderr, "{}{}", run.text.empty() ? to_text(run.report) : run.text,
+             run.from_cache ? "from the cache: no stage ran\n" : "");
+  return arguments.json ? std::max(run.exit, print(run.json.empty() ? to_json(run.report) : run.json)) : run.exit;
 }
 
 Exit plan(const Arguments& arguments, const Registry& registry) {

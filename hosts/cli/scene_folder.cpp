@@ -1,5 +1,6 @@
 #include "scene_folder.h"
 
+#include <foredraw/base/printable.h>
 #include <foredraw/io/scene_file.h>
 #include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/sprite/sprite_files.h>
@@ -52,7 +53,13 @@ std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const 
     if (at->is_directory(gone)) {
       if (is_same(at->path(), except)) at.disable_recursion_pending();
     } else if (is_scene_file(at->path()) || (with_sprites && is_sprite_input(at->path()))) {
-      scenes.push_back(at->path().lexically_relative(folder));
+      fs::path scene = at->path().lexically_relative(folder);
+      if (is_utf8(scene.native())) {
+        scenes.push_back(std::move(scene));
+      } else {
+        diagnostics.warning({.file = printable(at->path().string())}, "name-not-utf-8",
+                            "is passed by: its name is not UTF-8, which reports and glTF need", "give it another name");
+      }
     } else {
       has_images = has_images || (is_sprite_input(at->path()) && !is_frame_list(at->path()));
     }

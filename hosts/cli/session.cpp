@@ -39,6 +39,20 @@ Exit print(const std::string& text) {
   return write_standard_output(std::as_bytes(std::span(text)), diagnostics) ? done : refuse_file(diagnostics);
 }
 
+Exit print_pieces(const std::function<void(const OutputFile::Put&)>& write) {
+  Diagnostics diagnostics;
+  write([&](std::string_view text) {
+    if (!diagnostics.has_errors()) write_standard_output(std::as_bytes(std::span(text)), diagnostics);
+  });
+  return diagnostics.has_errors() ? refuse_file(diagnostics) : done;
+}
+
+std::filesystem::path spool_folder(const std::string& report) {
+  if (report.empty()) return {};
+  const auto folder = std::filesystem::path(report).parent_path();
+  return folder.empty() ? "." : folder;
+}
+
 SceneInput input_of(const Arguments& arguments, const Registry& registry) {
   return {registry.products(), arguments.strict, arguments.root, Executor(arguments.threads)};
 }

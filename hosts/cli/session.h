@@ -24,6 +24,8 @@ Exit exit_for_file(const Diagnostics& diagnostics);  ///< the code alone
 
 /// Prints a result to standard output.
 Exit print(const std::string& text);
+/// The same of one that is long, piece by piece.
+Exit print_pieces(const std::function<void(const OutputFile::Put&)>& write);
 
 /// The pipelines of the texts, of a file with several all of them, with --with and --set put in. All measure alike:
 /// with what --with names, else as the first does, else with what shows the gains of their stages. An option is set
@@ -65,6 +67,9 @@ bool is_same_file(const std::string& a, const std::string& b);
 
 /// "foredraw 0.1.0".
 std::string program_name();
+
+/// Where texts may wait for a report: where that goes, which has room for it. No report: where temporary files go.
+std::filesystem::path spool_folder(const std::string& report);
 
 OutputFile text_file(const std::string& path, const std::string& text);
 

@@ -62,10 +62,11 @@ bool have_files_of_their_own(const Arguments& arguments, const std::vector<Outpu
   const auto refuse = [&](const std::string& file, const char* why, const char* hint) {
     diagnostics.error({.file = file}, "bad-arguments", why, hint);
   };
-  for (const std::string& file : {arguments.report, arguments.csv, arguments.html}) {
+  for (const std::string& file : {arguments.report, arguments.csv, arguments.html, arguments.depfile}) {
     if (file.empty()) continue;
     if (file == "-") {
-      refuse("", "--report, --csv and --html take the name of a file", "use --json to print to standard output");
+      refuse("", "--report, --csv, --html and --depfile take the name of a file",
+             "use --json to print to standard output");
     } else if (is_among(read, file)) {
       refuse(file, "is an input of this run", "give the output a file of its own");
     } else if (is_among(written, file)) {

@@ -20,8 +20,11 @@ fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.
 
 Stamp stamp_of(std::string_view text) { return content_hash(std::as_bytes(std::span(text))); }
 
-Stamp key_of_lists(const Work& work, const Stamp& input) {
-  return combine(std::vector<Stamp>{work.how, input, stamp_of("lists")});
+/// Results whose place counts have lists of their own: two equal files are worked on at once, and neither may lose the
+/// other's line.
+Stamp key_of_lists(const Work& work, const Stamp& input, bool depends_on_place) {
+  const Stamp place = depends_on_place ? stamp_of("place " + work.place) : stamp_of("anywhere");
+  return combine(std::vector<Stamp>{work.how, input, place});
 }
 
 /// JSON holds UTF-8 alone: other names stand in it as bytes.
@@ -80,16 +83,14 @@ bool agree(const std::vector<FileRead>& files) {
 
 }  // namespace
 
-std::optional<FoundResult> find_result(const Cache& cache, const Work& work, Diagnostics& damaged) {
-  const auto input = cache.hashes().of(work.input, FileRead::all_of_it);
-  if (!input) return std::nullopt;
-  const Stamp key = key_of_lists(work, input->stamp);
+namespace {
+
+std::optional<FoundResult> found_by(const Stamp& key, const Cache& cache, const Work& work, Diagnostics& damaged) {
   const auto lists = cache.find(key, damaged);
   if (!lists) return std::nullopt;
   const fs::path folder = folder_of(work.input);
   try {
     for (const Json& list : Json::parse(lists->about())) {
-      if (list.contains("place") && list["place"].get<std::string>() != to_text(stamp_of(work.place))) continue;
       const bool holds = std::ranges::all_of(
           list.at("read"), [&](const Json& file) { return still_holds(file, path_of(file, folder), cache.hashes()); });
       if (!holds) continue;
@@ -108,13 +109,21 @@ std::optional<FoundResult> find_result(const Cache& cache, const Work& work, Dia
   return std::nullopt;
 }
 
+}  // namespace
+
+std::optional<FoundResult> find_result(const Cache& cache, const Work& work, Diagnostics& damaged) {
+  const auto input = cache.hashes().of(work.input, FileRead::all_of_it);
+  if (!input) return std::nullopt;
+  auto found = found_by(key_of_lists(work, input->stamp, false), cache, work, damaged);
+  return found ? std::move(found) : found_by(key_of_lists(work, input->stamp, true), cache, work, damaged);
+}
+
 std::string keep_result(const Cache& cache, const Work& work, const WorkRead& read, bool depends_on_place,
                         std::string_view about, std::span<const std::span<const std::byte>> contents) {
   if (!agree(read.own) || !agree(read.lent)) return {};
   const fs::path folder = folder_of(work.input);
   std::optional<Stamp> input;
   Json list{{"read", Json::array()}};
-  if (depends_on_place) list["place"] = to_text(stamp_of(work.place));
   for (const FileRead& file : read.own) {
     if (file.path == work.input && file.found == FileRead::Found::content) {
       input = file.stamp;
@@ -124,7 +133,7 @@ std::string keep_result(const Cache& cache, const Work& work, const WorkRead& re
   }
   if (!input) return {};
   for (const FileRead& file : read.lent) list["read"].push_back(json_of(file, false, folder));
-  const Stamp key = key_of_lists(work, *input);
+  const Stamp key = key_of_lists(work, *input, depends_on_place);
   const Stamp entry = combine(std::vector<Stamp>{key, stamp_of(list.dump())});
   if (std::string why = cache.keep(entry, about, contents); !why.empty()) return why;
 

@@ -12,18 +12,17 @@ namespace foredraw {
 
 namespace {
 
-struct Column {
-  std::string evaluator, metric;
-};
+bool is_a_ratio(const std::string& metric, const Figure& figure) {
+  return figure.denominator && !figure.worst_stands && metric.find('.') == std::string::npos;
+}
 
 /// Of each evaluator the first metric that is a ratio of sums.
-std::vector<Column> columns_of(const Metrics& metrics) {
-  std::vector<Column> columns;
+std::vector<std::pair<std::string, std::string>> columns_of(const Metrics& metrics) {
+  std::vector<std::pair<std::string, std::string>> columns;
   for (const auto& [evaluator, by_metric] : metrics.all()) {
-    const auto first = std::ranges::find_if(by_metric, [](const auto& entry) {
-      return entry.second.denominator && !entry.second.worst_stands && entry.first.find('.') == std::string::npos;
-    });
-    if (first != by_metric.end()) columns.push_back({evaluator, first->first});
+    const auto first =
+        std::ranges::find_if(by_metric, [](const auto& entry) { return is_a_ratio(entry.first, entry.second); });
+    if (first != by_metric.end()) columns.emplace_back(evaluator, first->first);
   }
   return columns;
 }
@@ -50,11 +49,26 @@ std::string cell(const Figure* figure) {
   return to_text(exact);
 }
 
-bool is_optimized(const Batch& batch) {
-  return std::ranges::any_of(batch.files, [](const BatchFile& file) { return file.report.optimized; });
+std::string_view told(Outcome outcome) {
+  return outcome == Outcome::in_part ? "in part: a stage failed"
+         : outcome == Outcome::lost  ? "failed: see above"
+                                     : "done";
 }
 
-std::string_view word_of(Outcome outcome) {
+/// A JSON text as it stands within another one: no line of it breaks but between values.
+void put_indented(std::string_view text, std::string_view indent, const std::function<void(std::string_view)>& put) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  while (!text.empty()) {
+    const std::size_t line = std::min(text.find('\n'), text.size() - 1) + 1;
+    put(text.substr(0, line));
+    text.remove_prefix(line);
+    if (!text.empty()) put(indent);
+  }
+}
+
+}  // namespace
+
+std::string_view to_text(Outcome outcome) {
   switch (outcome) {
     case Outcome::done: return "done";
     case Outcome::in_part: return "in-part";
@@ -63,78 +77,127 @@ std::string_view word_of(Outcome outcome) {
   return "";
 }
 
-std::string_view told(Outcome outcome) {
-  return outcome == Outcome::in_part ? "in part: a stage failed"
-         : outcome == Outcome::lost  ? "failed: see above"
-                                     : "done";
-}
-
-}  // namespace
-
-StateRecord totals(const Batch& batch, StateRecord Report::*state) {
-  StateRecord sum;
-  for (const BatchFile& file : batch.files) {
-    if (file.outcome == Outcome::lost) continue;
-    sum.add(file.report.*state);
+std::optional<Outcome> outcome_called(std::string_view word) {
+  for (const Outcome outcome : {Outcome::done, Outcome::in_part, Outcome::lost}) {
+    if (word == to_text(outcome)) return outcome;
   }
-  return sum;
+  return std::nullopt;
 }
 
-std::string to_json(const Batch& batch) {
+Batch::Batch(std::string command, const Registry& registry, Spool& spool, Told told)
+    : command_(std::move(command)), registry_(registry), spool_(spool), told_(std::move(told)) {}
+
+void Batch::add(std::size_t number, std::string_view report, Outcome outcome, bool from_cache) {
+  const Added added{spool_.put(report), outcome, from_cache};
+  std::unique_lock lock(mutex_);
+  waiting_.emplace(number, added);
+  if (is_taking_) return;  // who is at it takes this one too
+  is_taking_ = true;
+  while (!waiting_.empty() && waiting_.begin()->first == next_) {
+    const Added first = waiting_.extract(waiting_.begin()).mapped();
+    lock.unlock();
+    take(first);
+    lock.lock();
+    ++next_;
+  }
+  is_taking_ = false;
+}
+
+void Batch::take(const Added& added) {
+  const StoredReport report = stored_report(spool_.get(added.place), registry_);
+  if (added.outcome != Outcome::lost) {
+    optimized_ = optimized_ || report.optimized;
+    before_.add(report.before);
+    after_.add(report.after);
+  }
+  from_cache_ += added.from_cache ? 1 : 0;
+  rows_.push_back(row_of(report, added.outcome));
+  added_.push_back(added);
+  if (told_) told_(report, added.outcome);
+}
+
+std::size_t Batch::column(const std::string& evaluator, const std::string& metric) {
+  return columns_.emplace(std::pair(evaluator, metric), columns_.size()).first->second;
+}
+
+Batch::Row Batch::row_of(const StoredReport& report, Outcome outcome) {
+  Row row{report.input.path, {}, "", report.input.bytes, report.output.bytes, outcome};
+  if (outcome == Outcome::lost) return row;
+  row.bytes = bytes_text(report.input, report.output);
+  for (const auto& [evaluator, by_metric] : report.after.metrics.all()) {
+    for (const auto& [metric, figure] : by_metric) {
+      if (!is_a_ratio(metric, figure)) continue;
+      const std::string was = report.optimized ? cell(report.before.metrics.find(evaluator, metric)) : "";
+      row.cells.emplace_back(column(evaluator, metric), change(was, cell(&figure)));
+    }
+  }
+  return row;
+}
+
+void Batch::write_json(double seconds, const std::optional<Shard>& shard,
+                       const std::function<void(std::string_view)>& put) const {
   Report sum;
-  sum.optimized = is_optimized(batch);
-  sum.before = totals(batch, &Report::before);
-  sum.after = totals(batch, &Report::after);
-  Json json{{"batch", 1}, {"command", batch.command}, {"seconds", batch.seconds}};
-  json["totals"] = Json::parse(to_json(sum))["totals"];
-  json["files"] = Json::array();
-  for (const BatchFile& file : batch.files) {
-    json["files"].push_back({{"outcome", word_of(file.outcome)}, {"report", Json::parse(to_json(file.report))}});
+  sum.optimized = optimized_;
+  sum.before = before_;
+  sum.after = after_;
+  Json head{{"batch", 1}, {"command", command_}};
+  if (shard) head["shard"] = {{"number", shard->number}, {"of", shard->of}};
+  head["seconds"] = seconds;
+  head["totals"] = Json::parse(to_json(sum))["totals"];
+  std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
+  text.erase(text.rfind('\n'));
+  put(text);
+  put(rows_.empty() ? ",\n  \"files\": []" : ",\n  \"files\": [");
+  for (std::size_t i = 0; i < added_.size(); ++i) {
+    put(i == 0 ? "\n    {\n" : ",\n    {\n");
+    put(fmt::format("      \"outcome\": \"{}\",\n", foredraw::to_text(added_[i].outcome)));
+    if (added_[i].from_cache) put("      \"cached\": true,\n");
+    put("      \"report\": ");
+    put_indented(spool_.get(added_[i].place), "      ", put);
+    put("\n    }");
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  put(rows_.empty() ? "\n}\n" : "\n  ]\n}\n");
 }
 
-std::string to_text(const Batch& batch) {
-  const StateRecord before = totals(batch, &Report::before);
-  const StateRecord after = totals(batch, &Report::after);
-  const std::vector<Column> columns = columns_of(after.metrics);
+std::string Batch::to_text(double seconds) const {
+  const auto columns = columns_of(after_.metrics);
   std::vector<std::string> heads{"file"};
-  for (const Column& column : columns) heads.push_back(column.evaluator + ' ' + column.metric);
+  for (const auto& [evaluator, metric] : columns) heads.push_back(evaluator + ' ' + metric);
   heads.insert(heads.end(), {"bytes", "outcome"});
   Table table(heads);
-  const auto add = [&](const std::string& name, const StateRecord& old, const StateRecord& now,
-                       const std::string& bytes, std::string_view outcome) {
-    std::vector<std::string> row{name};
-    for (const Column& column : columns) {
-      const std::string was = cell(old.metrics.find(column.evaluator, column.metric));
-      row.push_back(change(is_optimized(batch) ? was : "", cell(now.metrics.find(column.evaluator, column.metric))));
-    }
-    row.push_back(bytes);
-    row.emplace_back(outcome);
-    table.add(row);
-  };
-
-  FileRecord read, written;
+  std::uint64_t read = 0, written = 0;
   bool are_alike = true;
   std::size_t lost = 0;
-  for (const auto& [report, outcome] : batch.files) {
-    if (outcome == Outcome::lost) {
+  for (const Row& row : rows_) {
+    std::vector<std::string> cells{row.path};
+    if (row.outcome == Outcome::lost) {
       ++lost;
-      std::vector<std::string> row(heads.size());
-      row.front() = report.input.path;
-      row.back() = told(outcome);
-      table.add(row);
+      cells.resize(heads.size());
+      cells.back() = told(row.outcome);
+      table.add(cells);
       continue;
     }
-    const std::string bytes = bytes_text(report.input, report.output);
-    add(report.input.path, report.before, report.after, bytes, told(outcome));
-    are_alike = are_alike && !bytes.empty();
-    read.bytes += report.input.bytes;
-    written.bytes += report.output.bytes;
+    for (const auto& column : columns) {
+      const auto at = std::ranges::find(row.cells, columns_.at(column), [](const auto& one) { return one.first; });
+      cells.push_back(at == row.cells.end() ? "-" : at->second);
+    }
+    cells.push_back(row.bytes);
+    cells.emplace_back(told(row.outcome));
+    table.add(cells);
+    are_alike = are_alike && !row.bytes.empty();
+    read += row.read;
+    written += row.written;
   }
-  add("all", before, after, are_alike ? bytes_text(read, written) : "",
-      lost == 0 ? "" : fmt::format("without {}", counted(lost, "failed file")));
-  return fmt::format("{}\n{} in {:.2f} s\n", table.text(), counted(batch.files.size(), "file"), batch.seconds);
+  std::vector<std::string> all{"all"};
+  for (const auto& [evaluator, metric] : columns) {
+    const std::string was = optimized_ ? cell(before_.metrics.find(evaluator, metric)) : "";
+    all.push_back(change(was, cell(after_.metrics.find(evaluator, metric))));
+  }
+  all.push_back(!are_alike ? "" : written == 0 ? counted(read) : change(counted(read), counted(written)));
+  all.push_back(lost == 0 ? "" : fmt::format("without {}", counted(lost, "failed file")));
+  table.add(all);
+  const std::string cached = from_cache_ == 0 ? "" : fmt::format(", {} of them from the cache", counted(from_cache_));
+  return fmt::format("{}\n{} in {:.2f} s{}\n", table.text(), counted(rows_.size(), "file"), seconds, cached);
 }
 
 }  // namespace foredraw

@@ -1,0 +1,41 @@
+// The reports of the parts of a folder, put together.
+
+#include "session.h"
+#include "text_outputs.h"
+
+#include <foredraw/report/batch_join.h>
+
+#include <fmt/format.h>
+
+namespace foredraw::cli {
+
+Exit join_reports(const Arguments& arguments, const Registry& registry) {
+  Diagnostics diagnostics;
+  Arguments written;  // it is a text as a report is, and may take no other's place
+  written.inputs = arguments.inputs;
+  written.report = arguments.outputs.empty() ? "" : arguments.outputs[0];
+  if (!have_files_of_their_own(written, {}, diagnostics)) return refuse(diagnostics);
+  if (!have_folders({written.report}, diagnostics)) return refuse_file(diagnostics);
+  Spool spool(spool_folder(written.report));
+  BatchJoin join(spool);
+  for (const std::string& part : arguments.inputs) {
+    const auto bytes = read_file(part, diagnostics);
+    if (!bytes) return refuse_file(diagnostics);
+    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    if (!join.add(text, part, diagnostics)) return refuse(diagnostics);
+  }
+  Exit worst = join.is_whole(diagnostics) ? done : something_failed;
+  tell(diagnostics);
+  Batch batch(join.command(), registry, spool);
+  join.put_into(batch);
+  const auto write = [&](const OutputFile::Put& put) { batch.write_json(join.seconds(), std::nullopt, put); };
+  if (!written.report.empty()) {
+    const OutputFile report{written.report, {}, write};
+    Diagnostics writing;
+    if (!write_files(std::span(&report, 1), writing)) return refuse_file(writing);
+  }
+  if (!arguments.json) return std::max(worst, print(batch.to_text(join.seconds())));
+  return std::max(worst, print_pieces(write));
+}
+
+}  // namespace foredraw::cli
