@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <string_view>
 
@@ -79,6 +80,7 @@ void print_options(const std::vector<KnownMesh>& labelled, const std::vector<Kno
     fmt::print("| {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.4f} | {:.4f} | {:.2f} |\n", name, hand.score.recall(),
                hand.score.precision(), seed.score.recall(), seed.score.precision(),
                part_of(seed.score.centre_error, .5), part_of(seed.score.radius_error, .5), hand.seconds + seed.seconds);
+    std::fflush(stdout);  // a row takes seconds
   };
   fmt::print("| options | recall | precision | made: recall | precision | centre | half width | seconds |\n");
   fmt::print("|---|---|---|---|---|---|---|---|\n");

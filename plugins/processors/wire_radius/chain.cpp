@@ -41,7 +41,12 @@ double Chain::length() const {
 }
 
 ChainFollower::ChainFollower(const WeldedMesh& mesh, const ChainLimits& limits)
-    : mesh_(mesh), limits_(limits), cutter_(mesh), tried_(mesh.triangles.size(), 0), last_cut_(mesh.triangles.size()) {}
+    : mesh_(mesh),
+      limits_(limits),
+      cutter_(mesh),
+      tried_(mesh.triangles.size(), 0),
+      last_cut_(mesh.triangles.size()),
+      between_(mesh.triangles.size(), 0) {}
 
 bool ChainFollower::was_tried(std::uint32_t triangle, const glm::dvec3& direction) const {
   return (tried_[triangle] >> line_near(direction) & 1) != 0;
@@ -50,6 +55,32 @@ bool ChainFollower::was_tried(std::uint32_t triangle, const glm::dvec3& directio
 void ChainFollower::mark(std::span<const std::uint32_t> triangles, const glm::dvec3& direction) {
   const auto bit = static_cast<std::uint16_t>(1u << line_near(direction));
   for (const std::uint32_t t : triangles) tried_[t] |= bit;
+}
+
+bool ChainFollower::was_followed(const At& at) const {
+  return std::ranges::all_of(at.triangles, [&](std::uint32_t t) { return was_tried(t, at.section.axis); });
+}
+
+void ChainFollower::mark_between(const At& from, const At& to) {
+  const Plane low{from.section.section.centre, from.section.axis}, high{to.section.section.centre, to.section.axis};
+  const auto bits = static_cast<std::uint16_t>(1u << line_near(low.normal) | 1u << line_near(high.normal));
+  ++calls_;
+  waiting_ = from.triangles;
+  for (const std::uint32_t t : from.triangles) between_[t] = calls_;
+  while (!waiting_.empty()) {
+    const std::uint32_t t = waiting_.back();
+    waiting_.pop_back();
+    for (const std::uint32_t other : mesh_.across[t]) {
+      if (other == none || between_[other] == calls_) continue;
+      between_[other] = calls_;
+      const bool is_between = std::ranges::all_of(mesh_.triangles[other], [&](std::uint32_t point) {
+        return low.height(mesh_.points[point]) >= 0 && high.height(mesh_.points[point]) < 0;
+      });
+      if (!is_between) continue;
+      tried_[other] |= bits;
+      waiting_.push_back(other);
+    }
+  }
 }
 
 bool ChainFollower::is_steady(const Section& before, const Section& after, double step) const {
@@ -73,6 +104,7 @@ bool ChainFollower::cut_at(std::uint32_t triangle, const Plane& plane, At& at) {
     return false;
   }
   keep_cut(triangle, plane, at);
+  oblique_ = at.triangles;
   const Plane turned{at.section.section.centre, cutter_.axis(plane)};
   if (glm::dot(turned.normal, plane.normal) > 0.9999) return true;
   const std::uint32_t there = cutter_.walk(triangle, turned, most_walk);
@@ -124,6 +156,7 @@ void ChainFollower::extend(const At& first, double sign, std::vector<ChainSectio
     const double is = found ? next.section.section.half_width() : 0;
     if (!found || is > limits_.taper * began || began > limits_.taper * is) return;
     mark(next.triangles, next.section.axis);
+    mark_between(last, next);
     if (const int turns = turns_back(next.triangles, sign > 0 ? number : -number); turns > 0) {
       closed = sign > 0 && turns >= number - 1;
       return;
@@ -145,11 +178,14 @@ Chain ChainFollower::follow(std::uint32_t triangle, const glm::dvec3& direction)
   most_perimeter_ = 1.2 * std::sqrt(std::numbers::pi * area / limits_.slender);
   At first;
   const bool is_cut = cut_at(triangle, plane, first);
+  const bool is_known = is_cut && was_followed(first);
+  if (is_cut) mark(oblique_, direction);
   mark(is_cut ? std::span<const std::uint32_t>(first.triangles) : cutter_.triangles(), direction);
   const Section& section = first.section.section;
-  if (!is_cut || !(section.half_width() > 0)) return chain;
+  if (!is_cut || is_known || !(section.half_width() > 0)) return chain;
   // Sections may be a little oblique, but not so much.
   if (section.closed && section.greatest > 2 * limits_.aspect * section.least) return chain;
+  mark(first.triangles, first.section.axis);
   ++chain_;
   turns_back(first.triangles, 0);
   std::vector<ChainSection> backwards;

@@ -52,7 +52,11 @@ class ChainFollower {
   int turns_back(std::span<const std::uint32_t> triangles, int number);
   bool is_steady(const Section& before, const Section& after, double step) const;
   bool was_tried(std::uint32_t triangle, const glm::dvec3& direction) const;
+  /// By sections with about this axis: the same would come out again.
+  bool was_followed(const At& at) const;
   void mark(std::span<const std::uint32_t> triangles, const glm::dvec3& direction);
+  /// What lies between two sections in a row was as good as cut. Without it each ring of a fine mesh would be followed.
+  void mark_between(const At& from, const At& to);
 
   const WeldedMesh& mesh_;
   ChainLimits limits_;
@@ -62,7 +66,11 @@ class ChainFollower {
     std::uint32_t chain = 0;
     int number = 0;  ///< of the section, below 0 behind the first one
   };
-  std::vector<Cut> last_cut_;  ///< [triangle]
+  std::vector<Cut> last_cut_;           ///< [triangle]
+  std::vector<std::uint32_t> oblique_;  ///< what cut_at() cut before it turned the plane
+  std::vector<std::uint32_t> waiting_;  ///< of mark_between()
+  std::vector<std::uint32_t> between_;  ///< [triangle] the last call of it that came there
+  std::uint32_t calls_ = 0;
   std::uint32_t chain_ = 0;
   double most_perimeter_ = 0;  ///< of the shell that is looked at
 };

@@ -1,5 +1,7 @@
 #include "section.h"
 
+#include "hull_boxes.h"
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -20,45 +22,6 @@ std::array<glm::dvec3, 2> square_to(const glm::dvec3& normal) {
                                                                 : glm::dvec3(0, 0, 1);
   const glm::dvec3 u = glm::normalize(glm::cross(normal, other));
   return {u, glm::cross(normal, u)};
-}
-
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// Counter-clockwise, without points on its edges (Andrew 1979). `points` are sorted.
-void convex_hull(std::vector<glm::dvec2>& points, std::vector<glm::dvec2>& hull) {
-  std::ranges::sort(points,
-                    [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  hull.clear();
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t begin = hull.size();
-    for (const glm::dvec2& point : points) {
-      while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
-      hull.push_back(point);
-    }
-    hull.pop_back();
-    std::ranges::reverse(points);
-  }
-}
-
-/// The box with one side along this edge of the hull.
-struct HullBox {
-  glm::dvec2 along{0};
-  double low = 0, high = 0, depth = 0;
-};
-
-HullBox box_at(std::span<const glm::dvec2> hull, std::size_t edge) {
-  const glm::dvec2 from = hull[edge], to = hull[(edge + 1) % hull.size()];
-  HullBox box{glm::normalize(to - from)};
-  const glm::dvec2 inwards(-box.along.y, box.along.x);
-  for (const glm::dvec2& point : hull) {
-    const glm::dvec2 way = point - from;
-    box.low = std::min(box.low, glm::dot(way, box.along));
-    box.high = std::max(box.high, glm::dot(way, box.along));
-    box.depth = std::max(box.depth, glm::dot(way, inwards));
-  }
-  return box;
 }
 
 }  // namespace
@@ -111,10 +74,9 @@ bool Cutter::trace(std::uint32_t triangle, std::uint32_t edge, const Plane& plan
   outline.clear();
   closed = false;
   double way = 0;
+  std::uint32_t from = mesh_.triangles[triangle][edge], to = mesh_.triangles[triangle][(edge + 1) % 3];
+  double below = plane.height(mesh_.points[from]), above = plane.height(mesh_.points[to]);
   for (;;) {
-    const auto& corners = mesh_.triangles[triangle];
-    const std::uint32_t from = corners[edge], to = corners[(edge + 1) % 3];
-    const double below = plane.height(mesh_.points[from]), above = plane.height(mesh_.points[to]);
     outline.push_back(mesh_.points[from] + (mesh_.points[to] - mesh_.points[from]) * (below / (below - above)));
     if (outline.size() > 1) way += glm::distance(outline[outline.size() - 2], outline.back());
     const std::uint32_t next = mesh_.across[triangle][edge];
@@ -129,17 +91,27 @@ bool Cutter::trace(std::uint32_t triangle, std::uint32_t edge, const Plane& plan
     }
     if (triangles_.size() >= most_steps || way > most_perimeter) return false;
     triangles_.push_back(next);
-    const auto& others = mesh_.triangles[next];
-    bool is_above[3];
-    for (int i = 0; i < 3; ++i) is_above[i] = plane.height(mesh_.points[others[i]]) >= 0;
-    std::uint32_t out = none;
-    for (std::uint32_t e = 0; e < 3; ++e) {
-      const std::uint32_t a = others[e], b = others[(e + 1) % 3];
-      const bool came_by = (a == from && b == to) || (a == to && b == from);
-      if (!came_by && is_above[e] != is_above[(e + 1) % 3]) out = e;
-    }
+    // Out by one of the two edges at the corner that is new.
+    const auto& corners = mesh_.triangles[next];
+    std::uint32_t third = 0;
+    while (corners[third] == from || corners[third] == to) ++third;
+    const double height = plane.height(mesh_.points[corners[third]]);
+    const std::uint32_t after = corners[(third + 1) % 3];
+    const double height_after = after == from ? below : above;
     triangle = next;
-    edge = out;
+    if ((height >= 0) != (height_after >= 0)) {
+      edge = third;
+      from = corners[third];
+      to = after;
+      below = height;
+      above = height_after;
+    } else {
+      edge = (third + 2) % 3;
+      below = after == from ? above : below;
+      from = corners[edge];
+      to = corners[third];
+      above = height;
+    }
   }
 }
 
@@ -192,8 +164,9 @@ void Cutter::measure(const Plane& plane) {
   // Of a hull with many edges a part is enough: next to each other, they differ little.
   constexpr std::size_t enough_edges = 24;
   const std::size_t stride = std::max<std::size_t>(1, hull_.size() / enough_edges);
+  HullBoxes boxes(hull_);
   for (std::size_t e = 0; e < hull_.size() && hull_.size() > 1; e += stride) {
-    const HullBox box = box_at(hull_, e);
+    const HullBox box = boxes.at(e);
     if (e == 0 || box.depth < least_box.depth) {
       least_box = box;
       least_edge = e;
