@@ -1,12 +1,14 @@
 // Ways against jagged edges: how far from the truth, how much they flicker, what of wires is broken and how much ink is
 // drawn, on scenes made for them and on models after pipelines.
 //
-//   antialiasing-bench [--frames=12] [--views=12] [--truth=256] [--step=0.43] [--pictures=FOLDER] [SCENE...]
+//   antialiasing-bench [--frames=12] [--views=12] [--truth=256] [--step=0.43] [--unlit] [--pictures=FOLDER]
+//                      [SCENE...]
 //                      [MODEL.glb PIPELINE]...
 //
 // SCENE is a part of a scene's name; without any, and without models, all scenes are measured. PIPELINE may be "-".
-// Steps are pixels from frame to frame. Tab-separated. With a folder, a strip of pictures is written for each scene:
-// none, four samples, what is made for it, and the truth; 64 x 64 pixels of each, three times as large.
+// Models are lit, or, with --unlit, of one colour a surface. Steps are pixels from frame to frame. Tab-separated. With
+// a folder, a strip of pictures is written for each scene: none, four samples, what is made for it, and the truth; 64 x
+// 64 pixels of each, three times as large.
 
 #include "support/meshes.h"
 #include "support/thin_scenes.h"
@@ -38,7 +40,8 @@ using testing::ThinMesh;
 
 struct Settings {
   int frames = 12, views = 12, truth = 256;
-  double step = 0.43;  ///< pixels
+  bool is_unlit = false;  ///< models, of one colour a surface
+  double step = 0.43;     ///< pixels
   std::string pictures;
 };
 
@@ -51,13 +54,14 @@ struct Case {
   std::function<ThinMesh()> mesh;
   bool has_wires = false;
   bool is_closed = false;
+  bool is_lit = false;
   FrameCamera camera = testing::pixel_camera(size);
   double step = 1;  ///< units that the camera slides for a pixel
 };
 
 ThinMesh thin(const testing::TestMesh& mesh) {
   return {mesh.positions, mesh.indices, std::vector<glm::vec4>(mesh.positions.size(), glm::vec4(0)),
-          std::vector<glm::vec3>(mesh.positions.size(), glm::vec3(0))};
+          std::vector<glm::vec4>(mesh.positions.size(), glm::vec4(0))};
 }
 
 std::vector<Case> cases() {
@@ -66,7 +70,15 @@ std::vector<Case> cases() {
     all.push_back(
         {fmt::format("lines r {:.2f}", radius), [=] { return testing::lines_at_all_angles(radius, size); }, true});
   }
-  all.push_back({"road", [] { return testing::road_wires(0.01f); }, true, false, testing::road_camera(),
+  for (const float radius : {0.1f, 0.35f, 0.7f}) {
+    all.push_back({fmt::format("lit lines r {:.2f}", radius),
+                   [=] { return testing::lines_at_all_angles(radius, size); }, true, false, true});
+  }
+  for (const float breadth : {0.05f, 0.2f}) {
+    all.push_back({fmt::format("ribbons b {:.2f}", breadth),
+                   [=] { return testing::ribbons_at_all_angles(breadth, size); }, true});
+  }
+  all.push_back({"road", [] { return testing::road_wires(0.01f); }, true, false, false, testing::road_camera(),
                  1 / testing::road_camera().pixels_a_unit(40, size)});
   for (const float radius : {0.05f, 0.2f}) {
     all.push_back(
@@ -150,7 +162,8 @@ std::vector<std::uint32_t> all_triangles(const Scene& scene) {
 }
 
 void measure(const Case& of, const Settings& settings, const Executor& executor) {
-  const Scene scene = testing::scene_of(of.mesh(), {0.05f, 0.04f, 0.03f}, of.has_wires);
+  const Scene scene =
+      testing::scene_of(of.mesh(), of.is_lit ? glm::vec3(0.8f) : glm::vec3(0.05f, 0.04f, 0.03f), of.has_wires);
   Analyses analyses;
   const FrameScene frames(scene, analyses, executor);
   const std::vector<std::uint32_t> closed =
@@ -158,7 +171,7 @@ void measure(const Case& of, const Settings& settings, const Executor& executor)
   // Wires of one colour; bodies are lit, or no inner edge of them would show.
   AntialiasingOptions options{.size = size,
                               .truth_samples = settings.truth,
-                              .rendering = of.has_wires ? Rendering::unlit : Rendering::full,
+                              .rendering = of.has_wires && !of.is_lit ? Rendering::unlit : Rendering::full,
                               .closed = &closed};
   SlidingViews views;
   if (of.has_wires) {
@@ -201,8 +214,10 @@ void measure_model(const std::string& model, const std::string& line, const Sett
   }
   for (const double across : {205.0, 66.0}) {
     const int edge = static_cast<int>(across * 1.25);
-    AntialiasingOptions options{
-        .size = {edge, edge}, .truth_samples = settings.truth, .closed = product != nullptr ? &closed : nullptr};
+    AntialiasingOptions options{.size = {edge, edge},
+                                .truth_samples = settings.truth,
+                                .rendering = settings.is_unlit ? Rendering::unlit : Rendering::full,
+                                .closed = product != nullptr ? &closed : nullptr};
     const auto views = sliding_views(frames, moment, options.size, across, settings.views, 3, settings.step, 20260101);
     print(fmt::format("{} {:.0f} px, {}", name, across, line), *antialiasing(frames, moment, views, options, executor),
           settings);
@@ -227,6 +242,8 @@ int main(int count, char** arguments) {
       settings.truth = value();
     else if (word.starts_with("--step="))
       settings.step = std::stod(word.substr(word.find('=') + 1));
+    else if (word == "--unlit")
+      settings.is_unlit = true;
     else if (word.starts_with("--pictures="))
       settings.pictures = word.substr(word.find('=') + 1);
     else

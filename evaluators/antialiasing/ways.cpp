@@ -27,6 +27,7 @@ SampledPicture picture_of(const Frame& frame, Way way) {
   if (is_for_wires(way)) {
     const bool is_clamp = way == Way::wire_clamp || way == Way::wire_clamp_msaa_4;
     detail.wires = is_clamp ? FrameWires::widened : FrameWires::covering;
+    detail.wire_samples = samples_of(way);
   }
   SampledPicture picture = sampled_picture(frame.scene, frame.moment, frame.camera, frame.size, frame.objects,
                                            standard_places(samples_of(way)), detail);

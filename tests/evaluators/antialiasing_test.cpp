@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace foredraw {
 namespace {
 
@@ -53,6 +56,19 @@ TEST(Antialiasing, ThinWiresAreWholeAndFlickerLess) {
   EXPECT_NEAR(of[Way::wire_coverage].ink.value, 0, 0.02);
 }
 
+/// From the front to nearly edge-on: what is seen of a ribbon, not what it is broad, and widened on the screen.
+TEST(Antialiasing, FlatWiresHaveTheirInkFromEverySide) {
+  const Contested of = contested(testing::ribbons_at_all_angles(0.08f, size),
+                                 {Way::msaa_4, Way::wire_clamp, Way::wire_clamp_msaa_4, Way::wire_coverage}, true, 256);
+  EXPECT_NEAR(of[Way::wire_clamp].ink.value, 0, 0.04);
+  EXPECT_NEAR(of[Way::wire_clamp_msaa_4].ink.value, 0, 0.03);
+  EXPECT_NEAR(of[Way::wire_coverage].ink.value, 0, 0.02);
+  EXPECT_LE(of[Way::wire_clamp_msaa_4].broken.value, 0.03);
+  EXPECT_LE(of[Way::wire_coverage].broken.value, 0.001);
+  EXPECT_LT(of[Way::wire_clamp_msaa_4].flicker.value, 0.4 * of[Way::msaa_4].flicker.value);
+  EXPECT_LT(of[Way::wire_coverage].rmse.value, of[Way::wire_clamp_msaa_4].rmse.value / 3);
+}
+
 TEST(Antialiasing, WideWiresAreDrawnAsTheyAreToTheBit) {
   const Scene scene = testing::scene_of(testing::lines_at_all_angles(0.51f, size), {0, 0, 0}, true);
   Analyses analyses;
@@ -78,6 +94,35 @@ TEST(Antialiasing, LongSegmentsKeepTheirInk) {
                 {looking_at({0, 0, 0}, {0.1, -0.3, -30}), looking_at({0.1, 0, 0}, {-2, 3, -30})}, metres_a_pixel);
   EXPECT_NEAR(of[Way::wire_clamp_msaa_4].ink.value, 0, 0.03);
   EXPECT_NEAR(of[Way::wire_coverage].ink.value, 0, 0.03);
+}
+
+/// Radii are in the mesh's space: nodes that scale it, evenly or not, or mirror it, show as much ink as there is.
+TEST(Antialiasing, ScaledNodesKeepTheInkOfTheirWires) {
+  for (const glm::vec3& scale : {glm::vec3(0.1f), glm::vec3(10), glm::vec3(1, 1, 5), glm::vec3(-1, 2, 1)}) {
+    for (const bool is_flat : {false, true}) {
+      ThinMesh mesh = is_flat ? testing::ribbons_at_all_angles(0.08f, size) : testing::lines_at_all_angles(0.05f, size);
+      // Made smaller along the axes by as much: the picture is about the same one.
+      const float most = std::max({std::abs(scale.x), scale.y, scale.z});
+      for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        mesh.positions[v] /= most;
+        mesh.wires[v] /= most;
+      }
+      Scene scene = testing::scene_of(mesh, {0.05f, 0.04f, 0.03f}, true);
+      scene.nodes[0].transform.scale = scale;
+      Analyses analyses;
+      const Executor executor(2);
+      const FrameScene frames(scene, analyses, executor);
+      const AntialiasingOptions options{.size = size,
+                                        .truth_samples = 256,
+                                        .ways = {Way::wire_clamp_msaa_4, Way::wire_coverage},
+                                        .rendering = Rendering::unlit};
+      const Contested of{*antialiasing(frames, frame_moment(frames, 0),
+                                       {testing::sliding(testing::pixel_camera(size), 3, {0.37, 0.23})}, options,
+                                       executor)};
+      EXPECT_NEAR(of[Way::wire_clamp_msaa_4].ink.value, 0, 0.05) << scale.x << ' ' << scale.z << is_flat;
+      EXPECT_NEAR(of[Way::wire_coverage].ink.value, 0, 0.05) << scale.x << ' ' << scale.z << is_flat;
+    }
+  }
 }
 
 TEST(Antialiasing, WiresThatCrossHideNothingOfEachOther) {

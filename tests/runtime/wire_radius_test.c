@@ -135,7 +135,7 @@ static void check_coverage(void) {
   int i;
   for (i = 0; i < 2000; ++i) {
     const double angle = 0.0137 * i, half = 0.02 + 0.001 * i, distance = -1.6 + 0.0016 * i;
-    foredraw_wire_section at = {{7.5f, 3.5f}, {0.0f, 0.0f}, 1.0f};
+    foredraw_wire_section at = {{7.5f, 3.5f}, {0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 1.0f};
     double inside = 0;
     int row, column;
     const int cells = 100;
@@ -182,7 +182,7 @@ static void check_ink(void) {
   int i, x, y;
   for (i = 0; i < 200; ++i) {
     const double angle = 0.0314 * i;
-    foredraw_wire_section at = {{0.3f, -0.2f}, {0.0f, 0.0f}, 1.0f};
+    foredraw_wire_section at = {{0.3f, -0.2f}, {0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 1.0f};
     double sum = 0;
     at.across[0] = (float)cos(angle), at.across[1] = (float)sin(angle);
     if (fabs(sin(angle)) < fabs(cos(angle))) { /* a row of a steep line, a column of a flat one */
@@ -199,27 +199,29 @@ static void check_ends(void) {
   float clip[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, -0.1f}, {0, 0, -1, 0}};
   const foredraw_wire_view view = view_of(clip);
   static const float behind[3] = {0, 0, 5}, eye[3] = {0, 0, 0}, axis[3] = {1, 0, 0}, nowhere[3] = {0, 0, 0};
+  static const float ahead[3] = {0, 0, -4};
   static const float position[3] = {0.1f, -0.3f, 1e-7f}, to_centre[3] = {0.3f, 1e20f, 7};
   float moved[3];
   foredraw_wire_section at = foredraw_wire_section_at(&view, behind, axis);
   CHECK(at.pixels == 0.0f && foredraw_wire_half_pixel(&at) == 0.0f);
   CHECK(foredraw_wire_drawn(0.2f, foredraw_wire_half_pixel(&at)) == 0.2f);
-  CHECK(foredraw_wire_covering(0.2f, 0.3f, &at) == 0.2f);
+  CHECK(foredraw_wire_covering(0.2f, 0.3f, &at, 1) == 0.2f);
   at = foredraw_wire_section_at(&view, eye, axis);
   CHECK(at.pixels == 0.0f);
   at = foredraw_wire_section_at(&view, nowhere, nowhere);
   CHECK(at.pixels == 0.0f);
-  foredraw_wire_moved(position, to_centre, 0.2f, 0.2f, moved);
+  at = foredraw_wire_section_at(&view, ahead, axis);
+  foredraw_wire_moved(position, to_centre, 0.2f, 0.2f, &at, moved);
   CHECK(memcmp(moved, position, sizeof moved) == 0);
-  foredraw_wire_moved(position, to_centre, -0.2f, foredraw_wire_drawn(-0.2f, 5.0f), moved); /* a joint stays */
+  foredraw_wire_moved(position, to_centre, -0.2f, foredraw_wire_drawn(-0.2f, 5.0f), &at, moved); /* a joint stays */
   CHECK(memcmp(moved, position, sizeof moved) == 0);
-  foredraw_wire_moved(position, to_centre, 0.0f, foredraw_wire_drawn(0.0f, 5.0f), moved);
+  foredraw_wire_moved(position, to_centre, 0.0f, foredraw_wire_drawn(0.0f, 5.0f), &at, moved);
   CHECK(memcmp(moved, position, sizeof moved) == 0);
   CHECK(foredraw_wire_fade(0.2f, 0.2f) == 1.0f && foredraw_wire_fade(0.0f, 0.0f) == 1.0f);
   CHECK(foredraw_wire_fade(0.1f, 0.4f) == 0.25f);
   CHECK(foredraw_wire_drawn(0.1f, 0.4f) == 0.4f && foredraw_wire_drawn(0.5f, 0.4f) == 0.5f);
-  CHECK(foredraw_wire_lit(1.0f, 0.5f) == 1.0f && foredraw_wire_lit(0.5f, 0.5f) == 0.0f);
-  CHECK(foredraw_wire_lit(0.75f, 0.5f) == 0.5f && foredraw_wire_lit(1.0f, 0.0f) == 1.0f);
+  CHECK(foredraw_wire_lit(0.5f, 0.5f) == 1.0f && foredraw_wire_lit(0.25f, 0.5f) == 0.0f);
+  CHECK(foredraw_wire_lit(0.375f, 0.5f) == 0.5f && foredraw_wire_lit(1.0f, 0.0f) == 1.0f);
   CHECK(foredraw_wire_drawn((float)NAN, 0.4f) != 0.4f);
 }
 

@@ -57,7 +57,7 @@ void ThinMesh::add_tube(const std::vector<glm::vec3>& points, float radius, int 
       const glm::vec3 outwards = outer * (std::cos(angle) * right + std::sin(angle) * up);
       positions.push_back(points[p] + outwards);
       wires.emplace_back(-outwards, radius);
-      axes.push_back(axis);
+      axes.emplace_back(axis, 0);
     }
   }
   for (std::uint32_t p = 0; p + 1 < points.size(); ++p) {
@@ -65,6 +65,22 @@ void ThinMesh::add_tube(const std::vector<glm::vec3>& points, float radius, int 
       const std::uint32_t a = first + p * n + s, b = first + p * n + (s + 1) % n, c = a + n, d = b + n;
       for (const std::uint32_t corner : {a, c, b, b, c, d}) indices.push_back(corner);
     }
+  }
+}
+
+void ThinMesh::add_ribbon(const std::vector<glm::vec3>& points, const glm::vec3& across, float half_breadth) {
+  const auto first = static_cast<std::uint32_t>(positions.size());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const glm::vec3 axis = glm::normalize(points[std::min(p + 1, points.size() - 1)] - points[p == 0 ? 0 : p - 1]);
+    for (const float side : {-half_breadth, half_breadth}) {
+      positions.push_back(points[p] + side * across);
+      wires.emplace_back(-side * across, half_breadth);
+      axes.emplace_back(axis, 1);
+    }
+  }
+  for (std::uint32_t p = 0; p + 1 < points.size(); ++p) {
+    const std::uint32_t a = first + 2 * p, b = a + 1, c = a + 2, d = a + 3;
+    for (const std::uint32_t corner : {a, c, b, b, c, d}) indices.push_back(corner);
   }
 }
 
@@ -135,6 +151,18 @@ ThinMesh lines_at_all_angles(float radius, FrameSize size) {
   ThinMesh mesh;
   for_ten_lines(size, [&](const glm::vec3& middle, const glm::vec3& along, float reach) {
     mesh.add_tube({middle - reach * along, middle + reach * along}, radius, wire_sides);
+  });
+  return mesh;
+}
+
+ThinMesh ribbons_at_all_angles(float half_breadth, FrameSize size) {
+  ThinMesh mesh;
+  float turn = 0.05f;
+  for_ten_lines(size, [&](const glm::vec3& middle, const glm::vec3& along, float half_length) {
+    const glm::vec3 aside(-along.y, along.x, 0);
+    const glm::vec3 across = std::cos(turn) * aside + std::sin(turn) * glm::vec3(0, 0, 1);
+    mesh.add_ribbon({middle - half_length * along, middle + half_length * along}, across, half_breadth);
+    turn += 0.16f;  // the last one to within 4 degrees of its edge
   });
   return mesh;
 }

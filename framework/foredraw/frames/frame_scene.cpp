@@ -34,13 +34,16 @@ const VertexStream* floats_of(const VertexStreams& vertices, const char* semanti
 
 void add_wires(FrameLevel& to, const VertexStreams& vertices) {
   const VertexStream *wires = floats_of(vertices, "_FOREDRAW_WIRE", 4),
-                     *axes = floats_of(vertices, "_FOREDRAW_WIRE_AXIS", 3);
+                     *axes = floats_of(vertices, "_FOREDRAW_WIRE_AXIS", 4);
   if (wires == nullptr || axes == nullptr) return;
   to.wires.resize(vertices.count);
+  to.wire_axes.resize(vertices.count);
   for (std::size_t v = 0; v < to.wires.size(); ++v) {
-    for (int c = 0; c < 4; ++c) to.wires[v][c] = decode_component(*wires, v, static_cast<std::size_t>(c));
+    for (int c = 0; c < 4; ++c) {
+      to.wires[v][c] = decode_component(*wires, v, static_cast<std::size_t>(c));
+      to.wire_axes[v][c] = decode_component(*axes, v, static_cast<std::size_t>(c));
+    }
   }
-  to.wire_axes = decode_vec3(*axes);
 }
 
 FrameLevel frame_level(const Level& level, const Material* material, Analyses& analyses) {

@@ -32,7 +32,7 @@ struct FrameLevel {
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> base_places, normal_map_places;
   std::vector<glm::vec4> wires;      ///< _FOREDRAW_WIRE, as wire_radius.h has it; empty where it or the axis is missing
-  std::vector<glm::vec3> wire_axes;  ///< _FOREDRAW_WIRE_AXIS
+  std::vector<glm::vec4> wire_axes;  ///< _FOREDRAW_WIRE_AXIS
   std::span<const std::uint32_t> indices;
   std::size_t vertices = 0;  ///< the first so many, which the triangles use
   double error = 0;          ///< largest distance from full detail, in the draw's units

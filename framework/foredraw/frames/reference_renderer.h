@@ -54,6 +54,7 @@ enum class FrameWires : std::uint8_t {
 /// opaque: blended, without depth, and before the blended surfaces.
 struct FrameDetail {
   FrameWires wires = FrameWires::as_they_are;
+  int wire_samples = 1;      ///< of how many pictures this is one that make a pixel's samples, where wires are covering
   bool marks_wires = false;  ///< FrameSamples::wires is filled
   /// With one sample a pixel: a surface is shaded in the pixel's middle where it covers that, and in the sample where
   /// it does not, as renderers do that have several samples a pixel (with centroid interpolation).

@@ -10,7 +10,8 @@ namespace foredraw {
 
 /// Streams of a draw with wires, in its own space. WIRE, float VEC4: from the vertex to its wire's centre line, and
 /// half the least width of the section there. Below 0: the vertex joins the wire to something else and stays where it
-/// is. 0: no wire. AXIS, float VEC3: the centre line's direction, of one sign along a wire; 0 where there is none.
+/// is. 0: no wire. AXIS, float VEC4: the centre line's direction, of one sign along a wire, and 1 where the section is
+/// flat: then half the width is half its breadth, in which the vector to the centre line lies. 0 where there is none.
 inline constexpr std::string_view wire_semantic = "_FOREDRAW_WIRE";
 inline constexpr std::string_view wire_axis_semantic = "_FOREDRAW_WIRE_AXIS";
 

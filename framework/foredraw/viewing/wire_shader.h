@@ -12,11 +12,12 @@ namespace foredraw {
 ///
 /// It holds the functions of wire_radius.h, one for one, for shaders of one's own. With WIRE_VERTEX or WIRE_FRAGMENT
 /// defined it is such a shader, and its entry point is called `main`; with WIRE_COVERAGE defined too, fragments compute
-/// their coverage, which needs one sample, and without it wires are a pixel wide at least and fade.
+/// their coverage, and without it wires are a pixel wide at least and fade. Coverage needs one sample a pixel; where
+/// there are more, define WIRE_SAMPLES as their number for the vertices.
 ///
-/// The vertex shader reads positions at location 0, _FOREDRAW_WIRE at 1 and _FOREDRAW_WIRE_AXIS at 2. The fragment
-/// shader gives the share of lighting as its colour, and alpha. Both read a push constant (in HLSL a constant buffer at
-/// b0, or with WIRE_VULKAN defined a push constant):
+/// The vertex shader reads positions at location 0, _FOREDRAW_WIRE at 1 and _FOREDRAW_WIRE_AXIS, four numbers, at 2.
+/// The fragment shader gives the share of lighting as its colour, and alpha. Both read a push constant (in HLSL a
+/// constant buffer at b0, or with WIRE_VULKAN defined a push constant):
 ///
 ///   mat4 clip_from_mesh
 ///   vec2 viewport         pixels

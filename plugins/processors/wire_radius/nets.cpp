@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace foredraw::wiring {
 
@@ -49,17 +49,17 @@ std::size_t loops_of(const Borders& borders) {
   return loops;
 }
 
-void add_points(const WeldedMesh& mesh, Net& net) {
-  struct Edge {
-    std::uint32_t point, other;
-    double length;
-    bool operator<(const Edge& than) const {
-      return point != than.point     ? point < than.point
-             : length != than.length ? length < than.length
-                                     : other < than.other;
-    }
-  };
-  std::vector<Edge> edges;
+struct NetEdge {
+  std::uint32_t point, other;
+  double length;
+  bool operator<(const NetEdge& than) const {
+    return point != than.point ? point < than.point : length != than.length ? length < than.length : other < than.other;
+  }
+};
+
+/// Of the edges of the net's triangles both directions, those of a point together, the shortest first.
+std::vector<NetEdge> edges_of(const WeldedMesh& mesh, const Net& net) {
+  std::vector<NetEdge> edges;
   for (const std::uint32_t t : net.parts.triangles) {
     for (std::size_t e = 0; e < 3; ++e) {
       const std::uint32_t a = mesh.triangles[t][e], b = mesh.triangles[t][(e + 1) % 3];
@@ -68,22 +68,65 @@ void add_points(const WeldedMesh& mesh, Net& net) {
       edges.push_back({b, a, length});
     }
   }
-  std::ranges::sort(edges, [](const Edge& a, const Edge& b) { return a < b; });
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i + 1;
-    while (end < edges.size() && edges[end].point == edges[i].point) ++end;
-    const glm::dvec3 &at = mesh.points[edges[i].point], &other = mesh.points[edges[i].other];
-    const glm::dvec3 across = (other - at) / edges[i].length;
-    glm::dvec3 square(0);  // where its ribbon goes, or one of those that cross here
-    for (std::size_t e = i; e < end; ++e) {
-      const glm::dvec3 way = mesh.points[edges[e].other] - at;
-      const glm::dvec3 aside = way - across * glm::dot(way, across);
-      if (glm::dot(aside, aside) > glm::dot(square, square)) square = aside;
+  std::ranges::sort(edges, [](const NetEdge& a, const NetEdge& b) { return a < b; });
+  return edges;
+}
+
+/// Across a triangle's ribbon: its shortest edge. Where ribbons cross, and two are as
+/// long, the direction decides, so that both triangles of the crossing go with one ribbon.
+glm::dvec3 breadth_of(const WeldedMesh& mesh, std::uint32_t triangle) {
+  glm::dvec3 best(0);
+  for (std::size_t e = 0; e < 3; ++e) {
+    const glm::dvec3 edge =
+        mesh.points[mesh.triangles[triangle][(e + 1) % 3]] - mesh.points[mesh.triangles[triangle][e]];
+    const double length = glm::length(edge), least = glm::length(best);
+    bool is_better = e == 0 || length < 0.99 * least;
+    if (!is_better && length < 1.01 * least) {
+      const glm::dvec3 a = glm::abs(edge) / length, b = glm::abs(best) / least;
+      is_better = std::abs(a.x - b.x) > 1e-3 ? a.x > b.x : a.y > b.y;
     }
-    const double length = glm::length(square);
-    net.parts.points.push_back(
-        {edges[i].point, (other - at) / 2.0, length > 0 ? square / length : glm::dvec3(0), edges[i].length / 2});
-    i = end;
+    if (is_better) best = edge;
+  }
+  return best;
+}
+
+/// A point is the middle of an edge that leads across, and has one for each ribbon that it is a border of.
+void add_points(const WeldedMesh& mesh, Net& net) {
+  const std::vector<NetEdge> edges = edges_of(mesh, net);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;  // by the point and the other one
+  for (const std::uint32_t t : net.parts.triangles) {
+    const glm::dvec3 edge_across = breadth_of(mesh, t);
+    const double least = glm::length(edge_across);
+    std::array<std::uint32_t, 3> of{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t point = mesh.triangles[t][c];
+      const glm::dvec3& at = mesh.points[point];
+      const auto first = std::ranges::lower_bound(edges, NetEdge{point, 0, 0},
+                                                  [](const NetEdge& a, const NetEdge& b) { return a < b; });
+      auto chosen = first;
+      for (auto edge = first; edge != edges.end() && edge->point == point; ++edge) {
+        const glm::dvec3 way = (mesh.points[edge->other] - at) / edge->length;
+        if (edge->length > 2 * least) break;  // no longer across a ribbon
+        if (std::abs(glm::dot(way, edge_across)) < 0.7 * least) continue;
+        chosen = edge;
+        break;
+      }
+      const auto [place, is_new] =
+          known.try_emplace({point, chosen->other}, static_cast<std::uint32_t>(net.parts.points.size()));
+      of[c] = place->second;
+      if (!is_new) continue;
+      const glm::dvec3 across = (mesh.points[chosen->other] - at) / chosen->length;
+      glm::dvec3 square(0);  // where the ribbon goes
+      for (const std::uint32_t other : mesh.triangles[t]) {
+        const glm::dvec3 way = mesh.points[other] - at;
+        const glm::dvec3 aside = way - across * glm::dot(way, across);
+        if (glm::dot(aside, aside) > glm::dot(square, square)) square = aside;
+      }
+      const double length = glm::length(square);
+      net.parts.points.push_back({point, across * (chosen->length / 2), length > 0 ? square / length : glm::dvec3(0),
+                                  chosen->length / 2, true});
+    }
+    net.parts.corners.push_back(of);
   }
 }
 

@@ -13,7 +13,8 @@ struct Net {
 };
 
 /// Shells that are open, and very much longer along their borders than their area would have it. A point's centre is in
-/// the middle of its shortest edge, which leads across its ribbon.
+/// the middle of an edge that leads across its ribbon. Where ribbons cross, a point is on the border of both, and has a
+/// centre for each.
 std::vector<Net> find_nets(const WeldedMesh& mesh);
 
 }  // namespace foredraw::wiring

@@ -82,7 +82,63 @@ void leave_out(FoundWires& found, std::span<const std::uint32_t> indices, const 
     if (is_used[v]) continue;
     found.half_width[v] = 0;
     found.to_centre[v] = found.axis[v] = glm::vec3(0);
+    found.is_flat[v] = false;
   }
+}
+
+/// [triangle] Those of no wire that hang together with one, over all draws.
+std::vector<bool> torn(const Joined& mesh, const std::vector<std::uint32_t>& wire_of) {
+  const std::vector<std::uint32_t> first = welded(mesh.positions);
+  JoinedSets shells(mesh.positions.size());
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    for (const std::size_t other : {i + 1, i + 2}) shells.join(first[mesh.indices[i]], first[mesh.indices[other]]);
+  }
+  const auto shell_of = [&](std::size_t t) { return shells.of(first[mesh.indices[3 * t]]); };
+  std::vector<bool> has_wire(mesh.positions.size(), false), result(wire_of.size(), false);
+  for (std::size_t t = 0; t < wire_of.size(); ++t) {
+    if (wire_of[t] != FoundWires::none) has_wire[shell_of(t)] = true;
+  }
+  for (std::size_t t = 0; t < wire_of.size(); ++t) {
+    result[t] = wire_of[t] == FoundWires::none && has_wire[shell_of(t)];
+  }
+  return result;
+}
+
+/// Corners of a draw of the unit that want a copy of their vertex.
+std::span<const FoundWires::Corner> corners_of(const UnitWires& wires, std::size_t draw) {
+  const auto& all = wires.found.corners;
+  const auto at = [&](std::size_t triangle) {
+    return std::ranges::lower_bound(all, 3 * triangle, {}, &FoundWires::Corner::index);
+  };
+  return {at(wires.first_triangle[draw]), at(wires.first_triangle[draw + 1])};
+}
+
+void add_copies(const UnitWires& wires, std::size_t draw, std::vector<CopiedVertex>& to) {
+  std::vector<std::uint32_t> numbers;
+  for (const FoundWires::Corner& corner : corners_of(wires, draw)) {
+    if (wires.found.wire_of[corner.index / 3] != FoundWires::none) numbers.push_back(corner.copy);
+  }
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  const auto first = static_cast<std::uint32_t>(wires.first_vertex[draw]);
+  for (const std::uint32_t number : numbers) to.push_back({wires.found.copies[number].vertex - first, number});
+}
+
+/// Leads corners to copies, which stand behind `count` vertices.
+void take_copies(Draw& draw, std::uint32_t count, const UnitWires& wires, std::size_t number,
+                 std::span<const CopiedVertex> copies) {
+  const std::span<const FoundWires::Corner> corners = corners_of(wires, number);
+  if (corners.empty()) return;
+  std::map<std::uint32_t, std::uint32_t> place;
+  for (std::uint32_t i = 0; i < copies.size(); ++i) place[copies[i].copy] = count + i;
+  IndexStream& stream = draw.full().stream();
+  const auto before = stream.indices.view();
+  std::vector<std::uint32_t> indices(before.begin(), before.end());
+  for (const FoundWires::Corner& corner : corners) {
+    if (wires.found.wire_of[corner.index / 3] == FoundWires::none) continue;
+    indices[corner.index - 3 * wires.first_triangle[number]] = place.at(corner.copy);
+  }
+  stream.indices = Shared(std::move(indices));
 }
 
 }  // namespace
@@ -91,6 +147,13 @@ WireUnits wire_units(const Scene& scene, const std::vector<DrawId>& draws) {
   JoinedSets sets(scene.draws.size());
   for (const Mesh& mesh : scene.meshes) {
     for (const DrawId id : mesh.draws) sets.join(mesh.draws.front(), id);
+  }
+  // What follows one skin lies in one space, wherever its nodes are.
+  std::map<SkinId, DrawId> first_of_skin;
+  for (const Node& node : scene.nodes) {
+    if (!node.skin || !node.mesh || scene.meshes[*node.mesh].draws.empty()) continue;
+    const DrawId first = scene.meshes[*node.mesh].draws.front();
+    sets.join(first_of_skin.try_emplace(*node.skin, first).first->second, first);
   }
   for (const VertexGroup& group : vertex_groups(scene)) {
     for (const VertexGroup::User& user : group.users) sets.join(group.users.front().draw, user.draw);
@@ -153,22 +216,33 @@ UnitWires find_unit_wires(const Scene& scene, const WireUnit& unit, const WireOp
     if (is_bent[w]) wires.bent.push_back(w);
   }
   if (!wires.bent.empty()) leave_out(found, mesh.indices, is_bent);
+  wires.is_torn = torn(mesh, found.wire_of);
   return wires;
 }
 
-std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitWires& wires) {
+std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitWires& wires,
+                                 std::span<const std::uint32_t> ranged) {
   const FoundWires& found = wires.found;
   std::vector<DrawWires> made;
   std::map<const VertexStreams*, std::shared_ptr<const VertexStreams>> with_wires;
+  std::map<const VertexStreams*, std::vector<CopiedVertex>> copies;
+  for (std::size_t d = 0; d < unit.draws.size(); ++d) {
+    add_copies(wires, d, copies[scene.draws[unit.draws[d]].full().vertices.get()]);
+  }
   for (std::size_t d = 0; d < unit.draws.size(); ++d) {
     DrawWires of{.draw = unit.draws[d]};
     std::map<std::uint32_t, std::vector<std::uint32_t>> by_wire;
-    std::vector<std::uint32_t> order;
+    std::vector<std::uint32_t> order, left;
     for (std::size_t t = wires.first_triangle[d]; t < wires.first_triangle[d + 1]; ++t) {
       const auto number = static_cast<std::uint32_t>(t - wires.first_triangle[d]);
-      found.wire_of[t] == FoundWires::none ? order.push_back(number) : by_wire[found.wire_of[t]].push_back(number);
+      if (found.wire_of[t] != FoundWires::none) {
+        by_wire[found.wire_of[t]].push_back(number);
+      } else {
+        (number < ranged[d] && wires.is_torn[t] ? left : order).push_back(number);
+      }
     }
-    if (by_wire.empty()) continue;
+    order.insert(order.end(), left.begin(), left.end());
+    if (by_wire.empty() && left.empty()) continue;
     of.first_triangle = static_cast<std::uint32_t>(order.size());
     for (const auto& [wire, triangles] : by_wire) {
       const FoundWire& is = found.wires[wire];
@@ -177,9 +251,12 @@ std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitW
       order.insert(order.end(), triangles.begin(), triangles.end());
     }
     Draw& draw = scene.draws[of.draw];
-    const std::shared_ptr<const VertexStreams> old = draw.full().vertices;
-    auto& now = with_wires[old.get()];
-    if (!now) now = with_wire_streams(*old, found, wires.first_vertex[d]);
+    if (!by_wire.empty()) {
+      const std::shared_ptr<const VertexStreams> old = draw.full().vertices;
+      auto& now = with_wires[old.get()];
+      if (!now) now = with_wire_streams(*old, found, wires.first_vertex[d], copies[old.get()]);
+      take_copies(draw, old->count, wires, d, copies[old.get()]);
+    }
     draw = with_triangle_order(draw, order);
     made.push_back(std::move(of));
   }

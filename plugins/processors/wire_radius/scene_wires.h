@@ -10,7 +10,8 @@
 
 namespace foredraw::wiring {
 
-/// Draws of a mesh, and those that share vertices with them. They lie in one space.
+/// Draws of a mesh, those that share vertices with them, and those of meshes that follow the same skin. They lie in one
+/// space.
 struct WireUnit {
   std::vector<DrawId> draws;  ///< rising; of these wires may be taken
   std::vector<DrawId> fixed;  ///< that stay as they are; what joins them is held by them
@@ -32,13 +33,18 @@ WireUnits wire_units(const Scene& scene, const std::vector<DrawId>& draws);
 struct UnitWires {
   FoundWires found;
   std::vector<std::size_t> first_vertex, first_triangle;  ///< [draw of the unit] in what was found
+  std::vector<bool> is_torn;        ///< [triangle] of no wire, but it hangs together with one by positions
   std::vector<std::uint32_t> bent;  ///< wires of which skins bend sections: they are not in what was found any more
 };
 
 UnitWires find_unit_wires(const Scene& scene, const WireUnit& unit, const WireOptions& options,
                           const WireSearch& search, Analyses& analyses);
 
-/// Writes streams and orders of triangles; answers with the draws that have wires. The product is the caller's.
-std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitWires& wires);
+/// Writes streams and orders of triangles; answers with the draws that it changed, of which some may have no wire. The
+/// product is the caller's.
+/// `ranged`: [draw of the unit] so many first triangles are in ranges of other products. What wires are torn from
+/// leaves these ranges too: a range of whole shells, as second depth has, stays one.
+std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitWires& wires,
+                                 std::span<const std::uint32_t> ranged);
 
 }  // namespace foredraw::wiring

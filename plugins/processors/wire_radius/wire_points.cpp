@@ -71,9 +71,18 @@ WirePoint WirePoints::centred(const Seen& seen, std::uint32_t point, const Chain
     const double gap = glm::distance(all[next].section.centre, nearest.section.centre);
     axis = glm::normalize(axis + (all[next].axis - axis) * std::clamp(std::abs(along) / gap, 0.0, 1.0));
   }
+  const auto lay_flat = [&](WirePoint& of, const Section& section) {
+    of.is_flat = section.is_flat();
+    if (!of.is_flat) return;
+    // Along the breadth, though a ribbon may be folded a little; in its middle so short that nothing moves by it.
+    const double least = of.half_width / 1024, across = glm::dot(of.to_centre, section.across);
+    of.to_centre = section.across * (std::abs(across) > least ? across : least);
+  };
   const double inwards = 2 * std::size_t{seen.section} < run.first + run.last ? 0.02 * half : -0.02 * half;
   const Plane plane{at + inwards * axis, axis};
-  WirePoint result{point, nearest.section.centre + along * nearest.axis - at, axis, nearest.section.half_width()};
+  WirePoint result{point, nearest.section.centre + along * nearest.axis - at, axis, nearest.section.half_width(),
+                   false};
+  lay_flat(result, nearest.section);
   const std::uint32_t there = cutter_.walk(seen.triangle, plane, 64);
   if (there == none || !cutter_.cut(there, plane, 256, 1e300)) return result;
   const Section& own = cutter_.section();
@@ -83,6 +92,7 @@ WirePoint WirePoints::centred(const Seen& seen, std::uint32_t point, const Chain
   if (!is_alike) return result;
   result.to_centre = own.centre - inwards * axis - at;
   result.half_width = own.half_width();
+  lay_flat(result, own);
   return result;
 }
 

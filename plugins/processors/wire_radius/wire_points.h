@@ -10,12 +10,14 @@ struct WirePoint {
   glm::dvec3 to_centre{0};
   glm::dvec3 axis{0};
   double half_width = 0;
+  bool is_flat = false;  ///< its section: `to_centre` lies along its breadth, and has a direction in the middle too
 };
 
 struct WireParts {
   std::vector<std::uint32_t> triangles;
-  std::vector<WirePoint> points;  ///< those of the triangles, each once
-  double beyond = 0;              ///< how far they reach beyond the run's first and last sections, both together
+  std::vector<WirePoint> points;  ///< those of the triangles, each once, or where ribbons cross once for each of them
+  std::vector<std::array<std::uint32_t, 3>> corners = {};  ///< [triangle] where in points its own are; empty: no choice
+  double beyond = 0;  ///< how far they reach beyond the run's first and last sections, both together
 };
 
 /// Gathers what lies along runs of chains. It keeps its buffers from one to the next.

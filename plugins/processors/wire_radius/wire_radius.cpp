@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
+#include <ranges>
 
 namespace foredraw {
 
@@ -192,6 +194,37 @@ class Owners {
   std::vector<bool> is_joint;          ///< [point]
 };
 
+/// For corners whose ribbon is another one than that of their vertex.
+void add_copies(const WeldedMesh& mesh, std::span<const std::uint32_t> indices, const std::vector<Candidate>& found,
+                std::span<const WirePoint* const> of_point, const auto& half_width, FoundWires& result) {
+  struct Own {
+    const Candidate* candidate = nullptr;
+    std::size_t triangle = 0;
+  };
+  std::vector<Own> own(mesh.triangles.size());
+  for (const Candidate& candidate : found) {
+    for (std::size_t t = 0; t < candidate.parts.corners.size(); ++t) {
+      own[candidate.parts.triangles[t]] = {&candidate, t};
+    }
+  }
+  std::map<std::pair<std::uint32_t, const WirePoint*>, std::uint32_t> known;
+  for (std::uint32_t i = 0; i < indices.size(); ++i) {
+    const std::size_t t = i / 3;
+    if (result.wire_of[t] == FoundWires::none || mesh.triangle_of[t] == FoundWires::none) continue;
+    const Own& of = own[mesh.triangle_of[t]];
+    if (of.candidate == nullptr) continue;
+    const WireParts& parts = of.candidate->parts;
+    const auto& corners = mesh.triangles[mesh.triangle_of[t]];
+    const auto corner = std::ranges::find(corners, mesh.point_of[indices[i]]) - corners.begin();
+    const WirePoint& point = parts.points[parts.corners[of.triangle][static_cast<std::size_t>(corner)]];
+    if (of_point[point.point] == &point) continue;
+    const auto [place, is_new] =
+        known.try_emplace({indices[i], &point}, static_cast<std::uint32_t>(result.copies.size()));
+    if (is_new) result.copies.push_back({indices[i], point.to_centre, point.axis, half_width(point)});
+    result.corners.push_back({i, place->second});
+  }
+}
+
 }  // namespace
 
 FoundWires find_wires(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
@@ -231,20 +264,26 @@ FoundWires find_wires(std::span<const glm::vec3> positions, std::span<const std:
   }
   std::vector<const WirePoint*> of_point(mesh.points.size(), nullptr);
   for (const Candidate& candidate : found) {
-    for (const WirePoint& point : candidate.parts.points) {
+    for (const WirePoint& point : candidate.parts.points | std::views::reverse) {
       if (is_used[point.point]) of_point[point.point] = &point;
     }
   }
+  const auto half_width = [&](const WirePoint& point) {
+    return static_cast<float>(owners.is_joint[point.point] ? -point.half_width : point.half_width);
+  };
   result.to_centre.assign(positions.size(), glm::vec3(0));
   result.half_width.assign(positions.size(), 0);
   result.axis.assign(positions.size(), glm::vec3(0));
+  result.is_flat.assign(positions.size(), false);
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const WirePoint* point = of_point[mesh.point_of[v]];
     if (point == nullptr) continue;
     result.to_centre[v] = point->to_centre;
     result.axis[v] = point->axis;
-    result.half_width[v] = static_cast<float>(owners.is_joint[point->point] ? -point->half_width : point->half_width);
+    result.is_flat[v] = point->is_flat;
+    result.half_width[v] = half_width(*point);
   }
+  add_copies(mesh, indices, found, of_point, half_width, result);
   return result;
 }
 

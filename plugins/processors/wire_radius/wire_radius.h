@@ -58,6 +58,20 @@ struct FoundWires {
   std::vector<glm::vec3> to_centre;    ///< [vertex] to the centre line; 0 where there is no wire
   std::vector<float> half_width;       ///< [vertex] the least; below 0: a joint, which stays where it is; 0: no wire
   std::vector<glm::vec3> axis;         ///< [vertex] of length 1, or 0
+  std::vector<bool> is_flat;  ///< [vertex] its section is; to_centre lies in its breadth then and is never quite 0
+  /// Where the ribbons of a net cross, vertices have another centre line for each but one of them: once more what
+  /// stands above, of flat sections.
+  struct Copy {
+    std::uint32_t vertex = 0;
+    glm::vec3 to_centre{0}, axis{0};
+    float half_width = 0;
+  };
+  std::vector<Copy> copies;
+  struct Corner {
+    std::uint32_t index = 0;  ///< in the mesh's list of indices
+    std::uint32_t copy = 0;
+  };
+  std::vector<Corner> corners;  ///< of triangles of wires, that want a copy; rising
   std::vector<RefusedWire> refused;
 };
 

@@ -66,10 +66,16 @@ class WireRadius final : public Processor {
     std::vector<DrawId> changed;
     for (std::size_t u = 0; u < found.size(); ++u) {
       tell_refused(units.units[u], found[u], run);
-      for (DrawWires& of : wiring::put_wires(scene, units.units[u], found[u])) {
-        tell(scene, of, run);
+      std::vector<std::uint32_t> ranged;
+      for (const DrawId id : units.units[u].draws) {
+        const std::vector<std::uint32_t> bounds = run.bounds(scene, {id, 0}, Wires::product);
+        ranged.push_back(bounds.empty() ? 0 : bounds.back());
+      }
+      for (DrawWires& of : wiring::put_wires(scene, units.units[u], found[u], ranged)) {
         changed.push_back(of.draw);
         std::erase_if(all.draws, [&](const DrawWires& old) { return old.draw == of.draw; });
+        if (of.wires.empty()) continue;
+        tell(scene, of, run);
         all.draws.push_back(std::move(of));
       }
     }

@@ -9,12 +9,20 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace foredraw::wiring {
 
-/// The streams of the mesh's vertices from `first` on, in place of any of that name.
+/// A vertex, and the number of its copy in what was found.
+struct CopiedVertex {
+  std::uint32_t vertex = 0;
+  std::uint32_t copy = 0;
+};
+
+/// The streams of the mesh's vertices from `first` on, in place of any of that name. Behind the vertices come copies of
+/// some of them with wires of their own; all else of them is the same.
 std::shared_ptr<const VertexStreams> with_wire_streams(const VertexStreams& vertices, const FoundWires& found,
-                                                       std::size_t first);
+                                                       std::size_t first, std::span<const CopiedVertex> copies);
 
 std::shared_ptr<const VertexStreams> without_wire_streams(const VertexStreams& vertices);
 

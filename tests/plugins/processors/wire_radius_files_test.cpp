@@ -8,9 +8,11 @@
 
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/side_files.h>
+#include <foredraw/scene/second_depth.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <cstring>
 #include <functional>
@@ -34,12 +36,20 @@ std::vector<float> floats_of(const bench::KnownMesh& mesh) {
   return values;
 }
 
+/// With a floor below the body.
+bench::KnownMesh closed_antenna() {
+  bench::KnownMesh mesh = made("antenna on a body");
+  const auto n = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.indices.insert(mesh.indices.end(), {n - 4, n - 2, n - 3, n - 4, n - 1, n - 2});
+  return mesh;
+}
+
 /// The meshes in one draw, its triangles in this sequence: first a triangle of each, then the next of each.
 testing::GltfBuilder mixed(const std::vector<std::string>& names) {
   std::vector<float> positions;
   std::vector<std::vector<std::uint32_t>> parts;
   for (const std::string& name : names) {
-    const bench::KnownMesh mesh = made(name);
+    const bench::KnownMesh mesh = name == "closed antenna" ? closed_antenna() : made(name);
     parts.push_back(mesh.indices);
     for (std::uint32_t& index : parts.back()) index += static_cast<std::uint32_t>(positions.size() / 3);
     const std::vector<float> values = floats_of(mesh);
@@ -128,6 +138,33 @@ TEST(WireRadiusFiles, WiresAreTheLastTriangles) {
   EXPECT_EQ(wires->draws[0].wires.size(), 2u);
   EXPECT_GT(wires->draws[0].first_triangle, 0u);
   EXPECT_EQ(wires_product()->difference(with_wires()), "");
+}
+
+/// A ribbon is marked, and says in which direction it is broad; a tube is round.
+TEST(WireRadiusFiles, FlatOnesAreMarked) {
+  for (const auto& [name, mark] : {std::pair{"flat rope", 1.0f}, {"net", 1.0f}, {"lamp post", 0.0f}}) {
+    const Scene scene = testing::run("wire-radius", scene_of(mixed({name}))).scene;
+    const VertexStreams& vertices = *scene.draws[0].full().vertices;
+    const VertexStream *wires = vertices.find(wire_semantic), *axes = vertices.find(wire_axis_semantic);
+    ASSERT_TRUE(wires != nullptr && axes != nullptr) << name;
+    std::size_t marked = 0;
+    for (std::size_t v = 0; v < vertices.count; ++v) {
+      if (decode_component(*wires, v, 3) == 0) continue;
+      ++marked;
+      EXPECT_EQ(decode_component(*axes, v, 3), mark) << name;
+      glm::dvec3 to_centre, axis;
+      for (int c = 0; c < 3; ++c) {
+        to_centre[c] = decode_component(*wires, v, static_cast<std::size_t>(c));
+        axis[c] = decode_component(*axes, v, static_cast<std::size_t>(c));
+      }
+      EXPECT_NEAR(glm::length(axis), 1, 1e-5);
+      EXPECT_GT(glm::length(to_centre), 0) << name;
+      if (mark == 1) {
+        EXPECT_NEAR(glm::dot(to_centre, axis), 0, 0.2 * glm::length(to_centre)) << name;
+      }
+    }
+    EXPECT_GT(marked, 0u);
+  }
 }
 
 /// What does not know wires draws the same triangles of the same vertices with the same material.
@@ -244,11 +281,49 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"NoRadius", [](GltfJson&, GltfJson& p) { extension(p)["wires"][1]["radius"] = 0; }, "wire 1"},
         Wrong{"NoStream", [](GltfJson&, GltfJson& p) { p["attributes"].erase("_FOREDRAW_WIRE"); },
               "lacks one of their streams"},
+        Wrong{"OldAxis",
+              [](GltfJson& json, GltfJson& p) {
+                json["accessors"][p["attributes"]["_FOREDRAW_WIRE_AXIS"].get<std::size_t>()]["type"] = "VEC3";
+              },
+              "lacks one of their streams"},
+        Wrong{"WrongStream",
+              [](GltfJson&, GltfJson& p) { p["attributes"]["_FOREDRAW_WIRE"] = p["attributes"]["POSITION"]; },
+              "lacks one of their streams"},
         Wrong{
-            "WrongStream",
+            "OtherStream",
             [](GltfJson&, GltfJson& p) { p["attributes"]["_FOREDRAW_WIRE"] = p["attributes"]["_FOREDRAW_WIRE_AXIS"]; },
-            "lacks one of their streams"}),
+            "its vertices are not"}),
     [](const auto& test) { return std::string(test.param.name); });
+
+/// Where ribbons of a net cross, vertices are there for each of them, alike in all but their wire; triangles stay.
+TEST(WireRadiusFiles, CrossingsHaveVerticesForEachRibbon) {
+  const Scene before = scene_of(mixed({"net"})), after = testing::run("wire-radius", before).scene;
+  ASSERT_TRUE(after.products.has(Wires::product));
+  EXPECT_GT(after.draws[0].full().vertices->count, before.draws[0].full().vertices->count);
+  EXPECT_EQ(triangles_of(after), triangles_of(before));
+  EXPECT_EQ(wires_product()->difference(after), "");
+  Diagnostics diagnostics;
+  const auto again = read(written(after), diagnostics);
+  ASSERT_TRUE(again && diagnostics.empty()) << to_text(diagnostics);
+  EXPECT_EQ(again->products.find<Wires>()->draws, after.products.find<Wires>()->draws);
+}
+
+/// An antenna is torn from its body, which leaves the closed ones with it: the rest of the second depth stays.
+TEST(WireRadiusFiles, SecondDepthKeepsWholeShells) {
+  const Scene both = scene_of(mixed({"closed antenna", "egg", "plank", "sail hem"}));
+  const Result alone = testing::run("second-depth", both), result = testing::run("second-depth, wire-radius", both);
+  ASSERT_TRUE(alone.scene.products.has(SecondDepth::product));
+  const auto* closed = result.scene.products.find<SecondDepth>();
+  ASSERT_NE(closed, nullptr);
+  ASSERT_NE(result.scene.products.find<Wires>(), nullptr);
+  const std::uint32_t plank = static_cast<std::uint32_t>(made("plank").indices.size() / 3);
+  const std::uint32_t egg = static_cast<std::uint32_t>(made("egg").indices.size() / 3);
+  EXPECT_GT(alone.scene.products.find<SecondDepth>()->triangles_of(0), plank + egg) << "the antenna's body was closed";
+  EXPECT_EQ(closed->triangles_of(0), plank + egg);
+  const Result other = testing::run("wire-radius, second-depth", both);
+  ASSERT_NE(other.scene.products.find<SecondDepth>(), nullptr);
+  EXPECT_EQ(other.scene.products.find<SecondDepth>()->triangles_of(0), closed->triangles_of(0));
+}
 
 /// A stream that another tool left, of any type, gives way to ours.
 TEST(WireRadiusFiles, StaleStreamsGiveWay) {

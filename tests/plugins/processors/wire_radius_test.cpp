@@ -145,6 +145,42 @@ TEST(WireRadius, JointsStay) {
   EXPECT_GT(moved, 0u);
 }
 
+/// Where ribbons cross, a vertex is on the borders of two: each of its triangles knows its own ribbon's centre line.
+TEST(WireRadius, RibbonsOfANetEachHaveTheirCentreLine) {
+  const KnownMesh mesh = made("net");
+  const FoundWires found = found_in(mesh);
+  ASSERT_FALSE(found.copies.empty());
+  ASSERT_TRUE(std::ranges::is_sorted(found.corners, {}, &FoundWires::Corner::index));
+  std::vector<glm::vec3> axis, to_centre;
+  for (const std::uint32_t v : mesh.indices) {
+    axis.push_back(found.axis[v]);
+    to_centre.push_back(found.to_centre[v]);
+  }
+  for (const FoundWires::Corner& corner : found.corners) {
+    const FoundWires::Copy& copy = found.copies[corner.copy];
+    EXPECT_EQ(copy.vertex, mesh.indices[corner.index]);
+    EXPECT_GT(copy.half_width, 0);
+    axis[corner.index] = copy.axis;
+    to_centre[corner.index] = copy.to_centre;
+  }
+  std::size_t along = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    ASSERT_EQ(found.wire_of[i / 3], 0u);
+    glm::vec3 longest(0);
+    for (std::size_t e = 0; e < 3; ++e) {
+      const glm::vec3 edge = mesh.positions[mesh.indices[i + (e + 1) % 3]] - mesh.positions[mesh.indices[i + e]];
+      if (glm::length(edge) > glm::length(longest)) longest = edge;
+    }
+    if (glm::length(longest) < 0.2f) continue;  // a crossing
+    ++along;
+    for (std::size_t c = i; c < i + 3; ++c) {
+      EXPECT_GT(std::abs(glm::dot(axis[c], glm::normalize(longest))), 0.99f);
+      EXPECT_LT(std::abs(glm::dot(to_centre[c], glm::normalize(longest))), 0.2f * glm::length(to_centre[c]));
+    }
+  }
+  EXPECT_GT(along, mesh.indices.size() / 6);
+}
+
 TEST(WireRadius, FixedTrianglesHoldWhatTheyJoin) {
   const KnownMesh mesh = made("catenary");
   const std::size_t triangles = mesh.indices.size() / 3;

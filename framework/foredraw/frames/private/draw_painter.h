@@ -1,6 +1,7 @@
 #pragma once
 // From the triangles of a draw to samples of a frame.
 
+#include <foredraw/frames/private/shaded_corners.h>
 #include <foredraw/frames/private/wire_vertices.h>
 #include <foredraw/frames/reference_renderer.h>
 #include <foredraw/frames/screen_triangle.h>
@@ -74,23 +75,6 @@ class DrawPainter {
     return of[0] * shares[0] + of[1] * shares[1] + of[2] * shares[2];
   }
 
-  /// Twice the area that the corners span in the plane, whichever way they turn.
-  static double doubled_span(const std::array<glm::vec2, 3>& p) {
-    const glm::dvec2 a(p[1] - p[0]), b(p[2] - p[0]);
-    return std::abs(a.x * b.y - a.y * b.x);
-  }
-
-  static double texels_of(const std::shared_ptr<const MippedImage>& image) {
-    return image ? static_cast<double>(image->levels.front().width) * image->levels.front().height : 0;
-  }
-
-  /// A triangle's corners as they are shaded, made for the first of its samples that is seen.
-  struct CornerData {
-    std::array<glm::vec3, 3> normals, to_eye;
-    std::array<glm::vec2, 3> base_places, normal_map_places;
-    ShadedPoint point;  ///< what all samples have in common
-  };
-
   void move_vertices(std::size_t count) {
     // One row for each of x, y and w, in doubles until they are one: the eye may be far from the origin.
     const glm::dmat4& world = task_->world;
@@ -108,7 +92,8 @@ class DrawPainter {
     for (std::size_t r = 0; r < 2; ++r) in_pixels[r] /= static_cast<float>(subpixels);
     const bool keeps_wires = task_->is_posed || task_->turn == Turn::blended;
     const std::span<const glm::vec3> positions =
-        wires_.moved(task_->level, task_->positions, keeps_wires ? FrameWires::as_they_are : detail_.wires, in_pixels);
+        wires_.moved(task_->level, task_->positions, keeps_wires ? FrameWires::as_they_are : detail_.wires,
+                     detail_.wire_samples, in_pixels);
     for (std::size_t v = 0; v < count; ++v) {
       const glm::vec3& p = positions[v];
       const auto by = [&p](const glm::vec4& row) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; };
@@ -225,7 +210,11 @@ class DrawPainter {
       put(sample, nearness, *task_->flat_colour, alpha, task_->turn == Turn::faded);
       return;
     }
-    if (!has_data_) prepare();
+    if (!has_data_) {
+      data_ = shaded_corners({task_->level, task_->surface, task_->positions, task_->normals}, vertices_,
+                             {world_, of_normals_, camera_.eye, is_mirrored_, is_back_}, area_);
+      has_data_ = true;
+    }
     ShadedPoint& point = data_.point;
     point.base_place = blend(data_.base_places, parts);
     const glm::vec4 base = base_colour(task_->surface, point);
@@ -237,10 +226,24 @@ class DrawPainter {
       point.normal = blend(data_.normals, parts);
       point.to_eye = blend(data_.to_eye, parts);
       point.normal_map_place = blend(data_.normal_map_places, parts);
-      colour = shaded(task_->surface, task_->rendering, point, colour);
+      const float lit = is_wire_ ? wires_.lit(vertices_, parts) : 1;
+      const glm::vec3 whole = lit < 1 ? lit_all_over(parts, colour) : glm::vec3(0);
+      colour = shaded(task_->surface, task_->rendering, point, colour) * lit + whole * (1 - lit);
     }
     if (task_->turn == Turn::blended) alpha = base.w;
     put(sample, nearness, colour, alpha, task_->turn != Turn::opaque);
+  }
+
+  /// The mean over the width of a round wire, of three places.
+  glm::vec3 lit_all_over(const glm::vec3& parts, const glm::vec3& base) const {
+    ShadedPoint point = data_.point;
+    const glm::vec3 axis = glm::mat3(world_) * wires_.axis(vertices_, parts);
+    glm::vec3 sum(0);
+    for (const auto& [part, weight] : {std::pair{-0.7746f, 5.0f}, {0.0f, 8.0f}, {0.7746f, 5.0f}}) {
+      foredraw_wire_normal(&axis.x, &point.to_eye.x, part, &point.normal.x);
+      sum += shaded(task_->surface, task_->rendering, point, base) * (weight / 18);
+    }
+    return sum;
   }
 
   void put(std::size_t sample, float nearness, const glm::vec3& colour, float alpha, bool is_blended) {
@@ -254,39 +257,6 @@ class DrawPainter {
     to = colour;
     to_.nearness[sample] = nearness;
     if (detail_.marks_wires) to_.wires[sample] = wire;
-  }
-
-  void prepare() {
-    has_data_ = true;
-    std::array<glm::vec3, 3> places;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = vertices_[i];
-      places[i] = glm::vec3(world_ * glm::vec4(task_->positions[v], 1));
-      data_.to_eye[i] = glm::vec3(camera_.eye - glm::dvec3(places[i]));
-      if (!task_->normals.empty()) data_.normals[i] = of_normals_ * task_->normals[v];
-      data_.base_places[i] = task_->level.base_places.empty() ? glm::vec2(0) : task_->level.base_places[v];
-      data_.normal_map_places[i] =
-          task_->level.normal_map_places.empty() ? glm::vec2(0) : task_->level.normal_map_places[v];
-    }
-    const glm::vec3 a = places[1] - places[0], b = places[2] - places[0];
-    if (task_->normals.empty()) {
-      const glm::vec3 flat = is_mirrored_ ? glm::cross(b, a) : glm::cross(a, b);
-      data_.normals = {flat, flat, flat};
-    }
-    if (is_back_) {
-      for (glm::vec3& normal : data_.normals) normal = -normal;
-    }
-    ShadedPoint& point = data_.point;
-    point.base_mip = mip_level(doubled_span(data_.base_places) * texels_of(task_->surface.base) / area_);
-    if (!task_->surface.normal_map) return;
-    point.normal_map_mip =
-        mip_level(doubled_span(data_.normal_map_places) * texels_of(task_->surface.normal_map) / area_);
-    // Where u and v grow over the triangle. glTF's v runs down the image, and green upwards.
-    const auto& uv = data_.normal_map_places;
-    const glm::vec2 s = uv[1] - uv[0], t = uv[2] - uv[0];
-    const float turn = s.x * t.y - s.y * t.x;
-    point.along_u = (a * t.y - b * s.y) * (turn < 0 ? -1.0f : 1.0f);
-    point.along_v = (a * t.x - b * s.x) * (turn < 0 ? -1.0f : 1.0f);
   }
 
   FrameSamples& to_;
@@ -311,7 +281,7 @@ class DrawPainter {
   bool is_back_ = false;
   double area_ = 1;  // twice the triangle's, in samples
   bool has_data_ = false;
-  CornerData data_;
+  ShadedCorners data_;
 };
 
 }  // namespace foredraw

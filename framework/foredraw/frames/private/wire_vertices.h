@@ -18,7 +18,7 @@ class WireVertices {
   /// A draw's vertices where they are to be drawn: `positions` themselves, where no wire is widened. `rows`: as
   /// foredraw_wire_view has them.
   std::span<const glm::vec3> moved(const FrameLevel& level, std::span<const glm::vec3> positions, FrameWires wires,
-                                   const std::array<glm::vec4, 3>& rows) {
+                                   int samples, const std::array<glm::vec4, 3>& rows) {
     level_ = &level;
     wires_ = wires;
     if (wires == FrameWires::as_they_are || level.wires.size() < positions.size()) {
@@ -31,14 +31,15 @@ class WireVertices {
     moved_.resize(positions.size());
     radii_.resize(positions.size());
     drawn_.resize(positions.size());
+    half_pixels_.resize(positions.size());
     for (std::size_t v = 0; v < positions.size(); ++v) {
-      const glm::vec4& wire = level.wires[v];
-      const foredraw_wire_section at = section(positions[v] + glm::vec3(wire), level.wire_axes[v]);
-      const bool covers = wires == FrameWires::covering;
-      radii_[v] = covers ? foredraw_wire_mean(&wire.x, wire.w) : std::abs(wire.w);
-      drawn_[v] = covers ? foredraw_wire_covering(wire.w, radii_[v], &at)
-                         : foredraw_wire_drawn(wire.w, foredraw_wire_half_pixel(&at));
-      foredraw_wire_moved(&positions[v].x, &wire.x, wire.w, drawn_[v], &moved_[v].x);
+      const foredraw_wire_vertex at =
+          foredraw_wire_vertex_at(&view_, &positions[v].x, &level.wires[v].x, &level.wire_axes[v].x,
+                                  wires == FrameWires::covering ? samples : 0);
+      radii_[v] = at.radius;
+      drawn_[v] = at.drawn;
+      half_pixels_[v] = at.half_pixel;
+      moved_[v] = glm::vec3(at.position[0], at.position[1], at.position[2]);
     }
     positions_ = positions;
     return moved_;
@@ -61,34 +62,48 @@ class WireVertices {
     return (along < 0) == is_back;
   }
 
+  /// Of a fragment of a round wire: how much of the light in its own place is shown; 1 of anything else.
+  float lit(const std::array<std::uint32_t, 3>& v, const glm::vec3& parts) const {
+    if (wires_ == FrameWires::as_they_are || level_->wire_axes[v[0]].w > 0.5f) return 1;
+    float radius = 0, half_pixel = 0;
+    for (int i = 0; i < 3; ++i) {
+      radius += parts[i] * radii_[v[static_cast<std::size_t>(i)]];
+      half_pixel += parts[i] * half_pixels_[v[static_cast<std::size_t>(i)]];
+    }
+    return foredraw_wire_lit(radius, half_pixel);
+  }
+
+  /// In the mesh's space.
+  glm::vec3 axis(const std::array<std::uint32_t, 3>& v, const glm::vec3& parts) const {
+    glm::vec3 sum(0);
+    for (int i = 0; i < 3; ++i) sum += parts[i] * glm::vec3(level_->wire_axes[v[static_cast<std::size_t>(i)]]);
+    return sum;
+  }
+
   /// Of a fragment. `parts`: of the triangle's corners in it; `x`, `y`: the pixel's middle, as the rows count.
   float alpha(const std::array<std::uint32_t, 3>& v, const glm::vec3& parts, float x, float y) const {
     if (wires_ == FrameWires::as_they_are) return 1;
     float radius = 0, drawn = 0;
-    glm::vec3 centre(0), axis(0);
+    glm::vec3 centre(0);
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t corner = v[static_cast<std::size_t>(i)];
       radius += parts[i] * radii_[corner];
       drawn += parts[i] * drawn_[corner];
       centre += parts[i] * (positions_[corner] + glm::vec3(level_->wires[corner]));
-      axis += parts[i] * level_->wire_axes[corner];
     }
     if (wires_ == FrameWires::widened) return foredraw_wire_fade(radius, drawn);
-    const foredraw_wire_section at = section(centre, axis);
+    const glm::vec3 along = axis(v, parts);
+    const foredraw_wire_section at = foredraw_wire_section_at(&view_, &centre.x, &along.x);
     return foredraw_wire_coverage(&at, radius, x, y);
   }
 
  private:
-  foredraw_wire_section section(const glm::vec3& centre, const glm::vec3& axis) const {
-    return foredraw_wire_section_at(&view_, &centre.x, &axis.x);
-  }
-
   const FrameLevel* level_ = nullptr;
   FrameWires wires_ = FrameWires::as_they_are;
   foredraw_wire_view view_{};
   std::span<const glm::vec3> positions_;
   std::vector<glm::vec3> moved_;
-  std::vector<float> radii_, drawn_;
+  std::vector<float> radii_, drawn_, half_pixels_;
 };
 
 }  // namespace foredraw

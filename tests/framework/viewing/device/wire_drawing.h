@@ -69,7 +69,8 @@ class WireDrawing {
   std::vector<WireSample> drawn(const ThinMesh& mesh, const WireFrame& frame, bool covers, int samples,
                                 ShaderLanguage language) {
     const std::string text = wire_shader_text(language);
-    const std::string defined = std::string(covers ? "#define WIRE_COVERAGE\n" : "") + "#define WIRE_VULKAN\n";
+    const std::string defined = std::string(covers ? "#define WIRE_COVERAGE\n" : "") + "#define WIRE_SAMPLES " +
+                                std::to_string(samples) + "\n" + "#define WIRE_VULKAN\n";
     const gpu::OwnedShader vertices =
         make_shader(device_, compiled_shader("#define WIRE_VERTEX\n" + defined + text, language, "vert"));
     const std::string fragment_text =
@@ -78,7 +79,7 @@ class WireDrawing {
         make_shader(device_, compiled_shader(fragment_text, ShaderLanguage::glsl, "frag"));
     const std::array inputs = {gpu::VertexInput{0, 0, sizeof(glm::vec3), VK_FORMAT_R32G32B32_SFLOAT},
                                gpu::VertexInput{1, 1, sizeof(glm::vec4), VK_FORMAT_R32G32B32A32_SFLOAT},
-                               gpu::VertexInput{2, 2, sizeof(glm::vec3), VK_FORMAT_R32G32B32_SFLOAT}};
+                               gpu::VertexInput{2, 2, sizeof(glm::vec4), VK_FORMAT_R32G32B32A32_SFLOAT}};
     gpu::PipelineState state;
     state.layout = layout_.get();
     state.render_pass = pass_.get();
@@ -165,13 +166,11 @@ inline std::vector<WireSample> computed(const ThinMesh& mesh, const WireFrame& f
     const glm::vec4& wire = mesh.wires[v];
     Vertex vertex;
     vertex.centre = mesh.positions[v] + glm::vec3(wire);
-    const foredraw_wire_section at = foredraw_wire_section_at(&view, &vertex.centre.x, &mesh.axes[v].x);
-    vertex.radius = covers ? foredraw_wire_mean(&wire.x, wire.w) : std::abs(wire.w);
-    vertex.drawn = covers ? foredraw_wire_covering(wire.w, vertex.radius, &at)
-                          : foredraw_wire_drawn(wire.w, foredraw_wire_half_pixel(&at));
-    glm::vec3 moved(0);
-    foredraw_wire_moved(&mesh.positions[v].x, &wire.x, wire.w, vertex.drawn, &moved.x);
-    const glm::vec4 clip = frame.clip_from_mesh * glm::vec4(moved, 1);
+    const foredraw_wire_vertex at =
+        foredraw_wire_vertex_at(&view, &mesh.positions[v].x, &wire.x, &mesh.axes[v].x, covers ? samples : 0);
+    vertex.radius = at.radius;
+    vertex.drawn = at.drawn;
+    const glm::vec4 clip = frame.clip_from_mesh * glm::vec4(at.position[0], at.position[1], at.position[2], 1);
     vertex.inverse = 1 / clip.w;
     const glm::vec2 half = frame.viewport * 0.5f;
     const glm::vec2 place(clip.x / clip.w * half.x + half.x, clip.y / clip.w * half.y + half.y);
@@ -212,7 +211,7 @@ inline std::vector<WireSample> computed(const ThinMesh& mesh, const WireFrame& f
           radius += part * v[c]->radius;
           drawn += part * v[c]->drawn;
           centre += part * v[c]->centre;
-          axis += part * mesh.axes[static_cast<std::size_t>(v[c] - vertices.data())];
+          axis += part * glm::vec3(mesh.axes[static_cast<std::size_t>(v[c] - vertices.data())]);
         }
         const foredraw_wire_section at = foredraw_wire_section_at(&view, &centre.x, &axis.x);
         const int row = wire_picture - 1 - y;
