@@ -90,10 +90,10 @@ TEST(Antialiasing, LongSegmentsKeepTheirInk) {
   mesh.add_tube({{0.37f, -1, -3}, {0.37f, -1, -300}}, 0.002f, 8);
   const double metres_a_pixel = 3 * 2 * FrameCamera().half_height / size.height;  // at the near end
   const Contested of =
-      contested(mesh, {Way::wire_clamp_msaa_4, Way::wire_coverage}, true, 256,
+      contested(mesh, {Way::wire_clamp_msaa_4, Way::wire_coverage}, true, 4096,
                 {looking_at({0, 0, 0}, {0.1, -0.3, -30}), looking_at({0.1, 0, 0}, {-2, 3, -30})}, metres_a_pixel);
-  EXPECT_NEAR(of[Way::wire_clamp_msaa_4].ink.value, 0, 0.03);
-  EXPECT_NEAR(of[Way::wire_coverage].ink.value, 0, 0.03);
+  EXPECT_NEAR(of[Way::wire_clamp_msaa_4].ink.value, 0, 0.01);
+  EXPECT_NEAR(of[Way::wire_coverage].ink.value, 0, 0.01);
 }
 
 /// Radii are in the mesh's space: nodes that scale it, evenly or not, or mirror it, show as much ink as there is.
