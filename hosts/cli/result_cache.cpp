@@ -32,6 +32,11 @@ std::string how(const Arguments& arguments, const Pipeline& pipeline, const Regi
     const auto content = cache.hashes().of(file, FileRead::all_of_it);
     text += fmt::format("file {} {}\n", file.string(), content ? to_text(content->stamp) : "");
   }
+  for (const std::vector<Stage>* stages : {&pipeline.stages, &pipeline.measure}) {
+    for (const Stage& stage : *stages) {
+      if (const ModuleFile* module = registry.module_of(stage.use)) text += fmt::format("module {}\n", module->hash);
+    }
+  }
   text += fmt::format("compression {}\nlevels {}\nproducts {}\nstrict {}\nroot {}\n", arguments.compression,
                       arguments.levels, arguments.products, arguments.strict, arguments.root);
   return text;

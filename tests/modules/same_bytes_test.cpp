@@ -5,6 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace foredraw::testing {
 namespace {
 
@@ -37,6 +40,23 @@ TEST_F(Modules, GiveTheBytesOfATechniqueThatIsBuiltIn) {
       EXPECT_EQ(built_in, written(FOREDRAW_PROGRAM, model, stages + module + " --modules inside")) << model;
     }
   }
+}
+
+TEST_F(Modules, BelongToWhatACacheKnowsResultsBy) {
+  std::filesystem::copy_file(modules + "radial.so", folder_ / "radial.so");
+  std::filesystem::create_directories(folder_ / "in");
+  std::filesystem::copy_file(corpus + "static/spot.glb", folder_ / "in/spot.glb");
+  const auto comes_from_cache = [&] {
+    const Ended ended = run_program(folder_,
+                                    "optimize in -o out --report r.json --cache cache --module radial.so "
+                                    "-p 'acme-radial, vertex-fetch' --with vertex-cache");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return Json::parse(content(folder_ / "r.json"))["files"][0].value("cached", false);
+  };
+  EXPECT_FALSE(comes_from_cache());
+  EXPECT_TRUE(comes_from_cache());
+  std::ofstream(folder_ / "radial.so", std::ios::app) << "another build";
+  EXPECT_FALSE(comes_from_cache());
 }
 
 TEST_F(Modules, InRustDoSo) {
