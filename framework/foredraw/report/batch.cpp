@@ -12,6 +12,8 @@ namespace foredraw {
 
 namespace {
 
+constexpr std::size_t at_once = std::size_t{1} << 16;
+
 bool is_a_ratio(const std::string& metric, const Figure& figure) {
   return figure.denominator && !figure.worst_stands && metric.find('.') == std::string::npos;
 }
@@ -135,7 +137,14 @@ Batch::Row Batch::row_of(const StoredReport& report, Outcome outcome) {
 }
 
 void Batch::write_json(double seconds, const std::optional<Shard>& shard,
-                       const std::function<void(std::string_view)>& put) const {
+                       const std::function<void(std::string_view)>& write) const {
+  std::string waiting;  // whoever writes may ask the system for each piece
+  const auto put = [&](std::string_view text) {
+    waiting += text;
+    if (waiting.size() < at_once) return;
+    write(waiting);
+    waiting.clear();
+  };
   Report sum;
   sum.optimized = optimized_;
   sum.before = before_;
@@ -157,6 +166,7 @@ void Batch::write_json(double seconds, const std::optional<Shard>& shard,
     put("\n    }");
   }
   put(rows_.empty() ? "\n}\n" : "\n  ]\n}\n");
+  write(waiting);
 }
 
 std::string Batch::to_text(double seconds) const {
