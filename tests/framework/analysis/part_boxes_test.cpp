@@ -12,7 +12,7 @@
 namespace foredraw {
 namespace {
 
-using Corners = std::array<glm::vec3, 3>;
+using Sliver = std::array<glm::vec3, 3>;
 
 bool holds(const BoxTree::Box& box, const glm::dvec3& point) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -27,7 +27,7 @@ glm::vec3 any_corner(Random& random, double size) {
 }
 
 /// From one corner to two that are beside each other.
-Corners any_sliver(Random& random, double size) {
+Sliver any_sliver(Random& random, double size) {
   const glm::vec3 tip = any_corner(random, size), end = any_corner(random, size);
   return {tip, end, end + any_corner(random, size * std::pow(2.0, -3.0 - 20 * random.unit()))};
 }
@@ -35,7 +35,7 @@ Corners any_sliver(Random& random, double size) {
 TEST(PartBoxes, TogetherHoldEveryPoint) {
   Random random(4);
   for (int i = 0; i < 400; ++i) {
-    const Corners t = any_sliver(random, std::pow(2.0, 40 * random.unit() - 40));
+    const Sliver t = any_sliver(random, std::pow(2.0, 40 * random.unit() - 40));
     const glm::dvec3 a(t[0]), b(t[1]), c(t[2]);
     std::vector<BoxTree::Box> boxes;
     add_part_boxes(t, 2 + random.below(15), boxes);
@@ -74,8 +74,7 @@ TEST(PartBoxes, OfAHubHoldFewOfItsPoints) {
   const testing::TestMesh hub = testing::spokes(2000);
   std::vector<BoxTree::Box> whole, parts;
   for (std::size_t i = 0; i < hub.indices.size(); i += 3) {
-    const Corners t{hub.positions[hub.indices[i]], hub.positions[hub.indices[i + 1]],
-                    hub.positions[hub.indices[i + 2]]};
+    const Sliver t{hub.positions[hub.indices[i]], hub.positions[hub.indices[i + 1]], hub.positions[hub.indices[i + 2]]};
     add_part_boxes(t, 1, whole);
     add_part_boxes(t, boxes_worth_having(t), parts);
   }
