@@ -364,9 +364,9 @@ TEST_F(Cli, WritesThroughALink) {
 }
 
 TEST_F(Cli, TellsEveryMistakeOfAPipelineAtOnce) {
-  const Ended ended = run("plan " + spot() + " -p 'weld(x=1), tipsfy, dot-rule'");
+  const Ended ended = run("plan " + spot() + " -p 'weld(x=1), tipsfy, lookahead(y=2)'");
   EXPECT_EQ(ended.code, 1);
-  for (const char* part : {"no option 'x'", "'tipsfy'", "'dot-rule' needs"})
+  for (const char* part : {"no option 'x'", "'tipsfy'", "no option 'y'"})
     EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
 }
 

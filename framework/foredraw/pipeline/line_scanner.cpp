@@ -169,8 +169,10 @@ class Scanner {
     if (at_quote()) return read_quoted();
     const std::string word = read_word();
     if (!word.empty()) return value_of_word(word);
-    mistake("a value",
-            at_end() ? "an empty text is written \"\"" : "put text with spaces or special characters in quotes");
+    mistake("a value", at_end()
+                           ? "an empty text is written \"\""
+                           : "put text with spaces or special characters in quotes, and lists, too, without brackets: "
+                             "\"0.5, 0.25\"");
     return std::nullopt;
   }
 

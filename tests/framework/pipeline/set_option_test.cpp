@@ -81,6 +81,10 @@ TEST(SetOption, RefusesWithoutChange) {
   EXPECT_EQ(refusal("weld.only=a b"),
             "--set:1:13: error: expected nothing after the value, found 'b'\n"
             "    hint: put text with spaces or commas in quotes that the shell leaves: 'STAGE.OPTION=\"0.5, 0.25\"'\n");
+  EXPECT_EQ(refusal("weld.only=[0.5]"),
+            "--set:1:11: error: expected a value, found '['\n"
+            "    hint: put text with spaces or special characters in quotes, and lists, too, without brackets: "
+            "\"0.5, 0.25\"\n");
   EXPECT_EQ(refusal("weld.only="),
             "--set:1:11: error: expected a value, found the end\n    hint: an empty text is written \"\"\n");
   EXPECT_NE(refusal("weld.only=\"a\\").find("has no end"), std::string::npos);

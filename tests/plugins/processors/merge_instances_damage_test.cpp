@@ -260,7 +260,8 @@ TEST(DamagedMergedInstances, the_warning_names_the_place) {
   ASSERT_TRUE(read_gltf(builder.glb(), "yard.glb", {}, diagnostics, {.products = built_in_products()}));
   EXPECT_EQ(diagnostics.all()[0].where.file, "yard.glb");
   EXPECT_EQ(diagnostics.all()[0].message,
-            "the merged draws are left out: sets[0] draw 3 has slots of 4 entries, which are not whole triangles");
+            "is left out, and with it the merged draws: sets[0] draw 3 has slots of 4 entries, which are not whole "
+            "triangles");
 }
 
 TEST(DamagedMergedInstances, transforms_may_be_rounded_otherwise) {
