@@ -9,7 +9,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <ranges>
 
 namespace foredraw {
 
@@ -264,8 +263,9 @@ FoundWires find_wires(std::span<const glm::vec3> positions, std::span<const std:
   }
   std::vector<const WirePoint*> of_point(mesh.points.size(), nullptr);
   for (const Candidate& candidate : found) {
-    for (const WirePoint& point : candidate.parts.points | std::views::reverse) {
-      if (is_used[point.point]) of_point[point.point] = &point;
+    const std::vector<WirePoint>& points = candidate.parts.points;
+    for (auto point = points.rbegin(); point != points.rend(); ++point) {
+      if (is_used[point->point]) of_point[point->point] = &*point;
     }
   }
   const auto half_width = [&](const WirePoint& point) {
