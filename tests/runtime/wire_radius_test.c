@@ -1,23 +1,10 @@
 /* The header alone, as a C compiler of an engine sees it, beside what a wire's projection is when it is measured point
  * by point. */
 
-#include <foredraw/runtime/wire_radius.h>
-
 #include "check.h"
+#include "wire_view.h"
 
 #include <string.h>
-
-static const float width = 400.0f, height = 300.0f;
-
-/* Row by row here, for people; the header takes columns. */
-static foredraw_wire_view view_of(float rows[4][4]) {
-  float columns[16];
-  int r, c;
-  for (r = 0; r < 4; ++r) {
-    for (c = 0; c < 4; ++c) columns[4 * c + r] = rows[r][c];
-  }
-  return foredraw_wire_view_of(columns, width, height);
-}
 
 static void multiply(float a[4][4], float b[4][4], float to[4][4]) {
   int r, c, k;

@@ -1,22 +1,9 @@
 /* Wires that are flat, how they are widened and lit: wire_radius.h beside what is seen on the screen. */
 
-#include <foredraw/runtime/wire_radius.h>
-
 #include "check.h"
+#include "wire_view.h"
 
 #include <string.h>
-
-static const float width = 400.0f, height = 300.0f;
-
-/* Row by row here, for people; the header takes columns. */
-static foredraw_wire_view view_of(float rows[4][4]) {
-  float columns[16];
-  int r, c;
-  for (r = 0; r < 4; ++r) {
-    for (c = 0; c < 4; ++c) columns[4 * c + r] = rows[r][c];
-  }
-  return foredraw_wire_view_of(columns, width, height);
-}
 
 /* How far a point is from the line on the screen, in pixels. */
 static double from_line(const foredraw_wire_view* view, const foredraw_wire_section* at, const float point[3]) {
