@@ -115,6 +115,7 @@ class Compressing {
     extension["byteStride"] = stride;
     extension["count"] = stream->coding.count;
     extension["mode"] = name_of(stream->coding.mode);
+    if (stream->coding.filter != Filter::none) extension["filter"] = name_of(stream->coding.filter);
     set_place(view, 1 + laid_out_.fallbacks.size(), made_, plain.size());
     made_ += aligned(plain.size(), 8);
     return true;

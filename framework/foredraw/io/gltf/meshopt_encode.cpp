@@ -45,7 +45,7 @@ bool gives(const Stream& stream, Bytes elements) {
 }
 
 /// For each element one of which the filter makes it, taken from what was there; nullopt where there is none for some.
-std::optional<std::vector<std::byte>> before_filter(Bytes elements, const Coding& like, Bytes like_stream) {
+std::optional<std::vector<std::byte>> taken_along(Bytes elements, const Coding& like, Bytes like_stream) {
   const auto raw = unfiltered(like, like_stream);
   if (!raw) return std::nullopt;
   std::vector<std::byte> made = *raw;
@@ -69,12 +69,20 @@ bool has_filter(const Coding& coding) { return coding.filter != Filter::none && 
 std::optional<Stream> compressed_attributes(Bytes elements, Coding coding, const Coding& like, Bytes like_stream) {
   if (coding.stride % 4 != 0 || coding.stride > 256) return std::nullopt;
   if (has_filter(like) && coding.stride == like.stride) {
-    if (const auto rows = before_filter(elements, like, like_stream)) {
+    if (const auto rows = taken_along(elements, like, like_stream)) {
       coding.filter = like.filter;
       return vertex_stream(coding, *rows);
     }
   }
-  return vertex_stream(coding, elements);
+  Stream shortest = vertex_stream(coding, elements);
+  for (const Filter filter : {Filter::octahedral, Filter::quaternion, Filter::exponential}) {
+    const auto rows = before_filter(filter, coding.stride, elements);
+    if (!rows) continue;
+    coding.filter = filter;
+    Stream filtered = vertex_stream(coding, *rows);
+    if (filtered.bytes.size() < shortest.bytes.size()) shortest = std::move(filtered);
+  }
+  return shortest;
 }
 
 std::optional<Stream> compressed_indices(Bytes elements, Coding coding) {

@@ -1,5 +1,6 @@
 // What the filters of compressed attributes stand for (appendix B of the extensions).
 #include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/scene/coded_values.h>
 
 #include <algorithm>
 #include <bit>
@@ -12,14 +13,6 @@
 namespace foredraw::gltf {
 
 namespace {
-
-/// To the nearest, halves away from zero, and into the type's range: a damaged stream may say anything.
-template <class T>
-T rounded(float value) {
-  constexpr auto most = static_cast<float>(std::numeric_limits<T>::max());
-  const float away = value + (value < 0 ? -0.5f : 0.5f);
-  return std::isnan(away) ? T{0} : static_cast<T>(std::clamp(away, std::is_signed_v<T> ? -most : 0.0f, most));
-}
 
 template <class T>
 T load(const std::byte* from) {
@@ -36,35 +29,20 @@ void store(std::byte* to, T value) {
 /// x and y on the octahedron whose size is z, and a fourth component that stays, to a unit vector.
 template <class T>
 void octahedral(std::byte* element) {
-  auto x = static_cast<float>(load<T>(element));
-  auto y = static_cast<float>(load<T>(element + sizeof(T)));
-  const float z = static_cast<float>(load<T>(element + 2 * sizeof(T))) - std::abs(x) - std::abs(y);
-  const float folded = std::min(z, 0.0f);  // the lower half lies folded out around the upper
-  x += x < 0 ? -folded : folded;
-  y += y < 0 ? -folded : folded;
-  const float scale = static_cast<float>(std::numeric_limits<T>::max()) / std::sqrt(x * x + y * y + z * z);
-  store(element, rounded<T>(x * scale));
-  store(element + sizeof(T), rounded<T>(y * scale));
-  store(element + 2 * sizeof(T), rounded<T>(z * scale));
+  const auto direction =
+      direction_of<T>({load<T>(element), load<T>(element + sizeof(T)), load<T>(element + 2 * sizeof(T))});
+  std::memcpy(element, direction.data(), sizeof direction);
 }
 
-/// Three components of a unit quaternion, and which one is left out: the greatest, which follows from the others. The
-/// fourth number holds that in its low 2 bits, and what stands for 1/sqrt(2).
+/// Three components of a unit quaternion, and which one is left out. The fourth number holds that in its low 2 bits,
+/// and what stands for 1/sqrt(2).
 void quaternion(std::byte* element) {
-  constexpr float one = 32767;
-  const auto last = load<std::int16_t>(element + 6);
-  const float scale = 0.70710678f / static_cast<float>(last | 3);
-  float parts[3];
-  float rest = 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    parts[i] = static_cast<float>(load<std::int16_t>(element + 2 * i)) * scale;
-    rest -= parts[i] * parts[i];
-  }
-  const auto greatest = static_cast<std::size_t>(last & 3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    store(element + 2 * ((greatest + 1 + i) % 4), rounded<std::int16_t>(parts[i] * one));
-  }
-  store(element + 2 * greatest, rounded<std::int16_t>(std::sqrt(std::max(rest, 0.0f)) * one));
+  SmallestThree coded;
+  std::memcpy(coded.parts.data(), element, sizeof coded.parts);
+  coded.one = load<std::int16_t>(element + 6);
+  coded.greatest = static_cast<std::uint8_t>(coded.one & 3);
+  const auto rotation = rotation_of(coded);
+  std::memcpy(element, rotation.data(), sizeof rotation);
 }
 
 /// 8 bits of exponent above 24 of whole number, both signed.
@@ -88,7 +66,8 @@ void color(std::byte* element) {
   const int parts[4] = {luma + orange - green, luma + green, luma - orange - green,
                         static_cast<int>(half << 1 | (half & 1))};
   const float scale = static_cast<float>(std::numeric_limits<T>::max()) / static_cast<float>(most);
-  for (std::size_t i = 0; i < 4; ++i) store(element + i * sizeof(T), rounded<T>(static_cast<float>(parts[i]) * scale));
+  for (std::size_t i = 0; i < 4; ++i)
+    store(element + i * sizeof(T), nearest_whole<T>(static_cast<float>(parts[i]) * scale));
 }
 
 }  // namespace

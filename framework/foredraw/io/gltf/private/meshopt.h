@@ -57,6 +57,11 @@ std::optional<std::vector<std::byte>> unfiltered(const Coding& coding, std::span
 /// library's takes an approximate square root whose bits depend on the processor.
 void apply_filter(const Coding& coding, std::span<std::byte> elements);
 
+/// What a filter makes into just these elements, bit for bit: the inverse of apply_filter(). Nullopt where it makes
+/// some of them of nothing, and for filters COLOR and unknown ones.
+std::optional<std::vector<std::byte>> before_filter(Coding::Filter filter, std::size_t stride,
+                                                    std::span<const std::byte> elements);
+
 struct Stream {
   Coding coding;
   std::vector<std::byte> bytes;
@@ -68,7 +73,8 @@ bool same_elements(const Coding& coding, std::span<const std::byte> a, std::span
 
 /// Elements of `stride` bytes compressed in the mode of `like`, which they replace; nullopt where the mode can not hold
 /// them. The stream gives the same elements again. In place of TRIANGLES it has INDICES where that is as short. Its
-/// filter stays where every element is one that `like_stream` gives too, as after a reorder; else there is none.
+/// filter is the one that makes it shortest of those that lose nothing: that of `like`, where every element is one that
+/// `like_stream` gives too, as after a reorder; those that have an inverse here; none.
 std::optional<Stream> compressed(std::span<const std::byte> elements, std::size_t stride, const Coding& like,
                                  std::span<const std::byte> like_stream);
 

@@ -1,0 +1,120 @@
+// Elements that a filter gives, back to what it makes them of. Values that were rounded to what a filter gives, as
+// stages do, take fewer bytes that way, and none of them changes.
+#include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/scene/coded_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace foredraw::gltf {
+
+namespace {
+
+using Filter = Coding::Filter;
+using Bytes = std::span<const std::byte>;
+using Rows = std::optional<std::vector<std::byte>>;
+
+template <class T, std::size_t N>
+std::array<T, N> load(const std::byte* from) {
+  std::array<T, N> values;
+  std::memcpy(values.data(), from, sizeof values);
+  return values;
+}
+
+/// All with as many bits, as few as will do: one element that has no point there sends the search on.
+template <class T>
+Rows before_octahedral(Bytes elements) {
+  constexpr std::size_t stride = 4 * sizeof(T);
+  std::vector<std::byte> rows(elements.begin(), elements.end());  // with the fourth component, which stays
+  std::size_t refuses = 0;
+  const auto put = [&](std::size_t at, int bits) {
+    const auto point = point_of(load<T, 3>(elements.data() + at), bits);
+    if (!point) return false;
+    const std::array<T, 3> row{static_cast<T>(point->x), static_cast<T>(point->y), static_cast<T>(point->one)};
+    std::memcpy(rows.data() + at, row.data(), sizeof row);
+    return true;
+  };
+  for (int bits = 2; bits <= static_cast<int>(8 * sizeof(T)); ++bits) {
+    if (!put(refuses, bits)) continue;
+    std::size_t at = 0;
+    while (at < elements.size() && put(at, bits)) at += stride;
+    if (at >= elements.size()) return rows;
+    refuses = at;
+  }
+  return std::nullopt;
+}
+
+Rows before_quaternion(Bytes elements) {
+  std::vector<std::byte> rows(elements.size());
+  std::size_t refuses = 0;
+  const auto put = [&](std::size_t at, int bits) {
+    const auto coded = coded_rotation(load<std::int16_t, 4>(elements.data() + at), bits);
+    if (!coded) return false;
+    const auto last = static_cast<std::int16_t>((coded->one & ~3) | coded->greatest);
+    std::memcpy(rows.data() + at, coded->parts.data(), 6);
+    std::memcpy(rows.data() + at + 6, &last, 2);
+    return true;
+  };
+  for (int bits = 4; bits <= 16; ++bits) {
+    if (!put(refuses, bits)) continue;
+    std::size_t at = 0;
+    while (at < elements.size() && put(at, bits)) at += 8;
+    if (at >= elements.size()) return rows;
+    refuses = at;
+  }
+  return std::nullopt;
+}
+
+/// Each component of all elements as whole multiples of one power of two, the greatest that will do.
+Rows before_exponential(Bytes elements, std::size_t stride) {
+  constexpr int most = (1 << 23) - 1;
+  std::vector<std::byte> rows(elements.size());
+  for (std::size_t component = 0; component < stride; component += 4) {
+    int exponent = std::numeric_limits<int>::max();
+    for (std::size_t at = component; at < elements.size(); at += stride) {
+      const float value = load<float, 1>(elements.data() + at)[0];
+      if (const auto lattice = lattice_of(value)) exponent = std::min(exponent, *lattice);
+    }
+    if (exponent == std::numeric_limits<int>::max()) exponent = 0;
+    if (exponent < -128 || exponent > 127) return std::nullopt;
+    for (std::size_t at = component; at < elements.size(); at += stride) {
+      const float value = load<float, 1>(elements.data() + at)[0];
+      const float number = std::ldexp(value, -exponent);
+      if (!(std::abs(number) <= static_cast<float>(most)) || (value == 0 && std::signbit(value))) return std::nullopt;
+      const auto row = static_cast<std::uint32_t>(exponent) << 24 |
+                       (static_cast<std::uint32_t>(static_cast<std::int32_t>(number)) & 0xffffff);
+      std::memcpy(rows.data() + at, &row, 4);
+    }
+  }
+  return rows;
+}
+
+Rows candidates(Filter filter, std::size_t stride, Bytes elements) {
+  switch (filter) {
+    case Filter::octahedral:
+      if (stride == 4) return before_octahedral<std::int8_t>(elements);
+      return stride == 8 ? before_octahedral<std::int16_t>(elements) : std::nullopt;
+    case Filter::quaternion: return stride == 8 ? before_quaternion(elements) : std::nullopt;
+    case Filter::exponential: return stride % 4 == 0 ? before_exponential(elements, stride) : std::nullopt;
+    case Filter::none:
+    case Filter::color:
+    case Filter::unknown: break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::byte>> before_filter(Filter filter, std::size_t stride, Bytes elements) {
+  auto rows = candidates(filter, stride, elements);
+  if (!rows) return std::nullopt;
+  std::vector<std::byte> again = *rows;
+  apply_filter({Coding::Mode::attributes, filter, elements.size() / stride, stride}, again);
+  if (!std::equal(again.begin(), again.end(), elements.begin(), elements.end())) return std::nullopt;
+  return rows;
+}
+
+}  // namespace foredraw::gltf

@@ -1,0 +1,78 @@
+#include "quantize.h"
+
+#include "rounded_streams.h"
+
+#include <cmath>
+
+namespace foredraw {
+
+namespace {
+
+/// Rounds the streams of one VertexStreams, and collects what came of it.
+class Rounding {
+ public:
+  Rounding(const VertexStreams& from, const Tolerances& tolerances) : from_(from), tolerances_(tolerances) {}
+
+  Quantized run() {
+    auto to = std::make_shared<VertexStreams>(from_);
+    for (VertexStream& stream : to->base) round(stream, false);
+    for (std::vector<VertexStream>& target : to->morph_targets) {
+      for (VertexStream& stream : target) round(stream, true);
+    }
+    skin(*to);
+    result_.vertices = std::move(to);
+    return std::move(result_);
+  }
+
+ private:
+  void round(VertexStream& stream, bool is_change) {
+    const std::string_view name = stream.semantic;
+    QuantizedErrors& largest = result_.largest;
+    if (name == "POSITION")
+      put(stream, on_lattice(stream, tolerances_.position), tolerances_.position, largest.position);
+    if (name.starts_with("TEXCOORD_")) put(stream, on_lattice(stream, tolerances_.uv), tolerances_.uv, largest.uv);
+    if (name == "NORMAL" || name == "TANGENT") {
+      // What a morph target adds to a direction of length 1 turns it by that length, in radians, at most by a little
+      // more.
+      const double added = chord_of(tolerances_.direction);
+      auto made = is_change ? on_lattice(stream, added) : as_directions(stream, tolerances_.direction);
+      if (is_change && made.error > 0) made.error *= tolerances_.direction / added;
+      put(stream, std::move(made), tolerances_.direction, largest.direction);
+    }
+    if (name.starts_with("COLOR_") && !is_change)
+      put(stream, as_parts(stream, tolerances_.color), tolerances_.color, largest.color);
+  }
+
+  void skin(VertexStreams& to) {
+    if (tolerances_.weight <= 0) return;
+    SkinStreams made = as_few_weights(to, tolerances_.weight);
+    result_.largest.weight = made.error;
+    if (!made.plain.empty()) result_.plain.push_back(std::move(made.plain));
+    for (auto& [index, stream] : made.streams) to.base[index] = std::move(stream);
+  }
+
+  void put(VertexStream& stream, RoundedStream made, double tolerance, double& largest) {
+    if (tolerance <= 0) return;
+    if (!made.plain.empty()) result_.plain.push_back(stream.semantic + ", " + made.plain);
+    if (!made.stream) return;
+    largest = std::max(largest, made.error);
+    stream = std::move(*made.stream);
+  }
+
+  const VertexStreams& from_;
+  const Tolerances& tolerances_;
+  Quantized result_;
+};
+
+}  // namespace
+
+int lattice_exponent(double distance, int dimensions) {
+  // The middle of a cell is the farthest: half of its diagonal.
+  return std::ilogb(2 * distance / std::sqrt(static_cast<double>(dimensions)));
+}
+
+Quantized quantize(const VertexStreams& vertices, const Tolerances& tolerances) {
+  return Rounding(vertices, tolerances).run();
+}
+
+}  // namespace foredraw

@@ -1,0 +1,161 @@
+#include "quantize.h"
+#include "touching_draws.h"
+
+#include <foredraw/analysis/diagonal.h>
+#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/scene/vertex_groups.h>
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+struct QuantizeOptions {
+  double position_error = 3e-5;
+  double direction_error = 1;
+  double uv_error = .5;
+  double color_error = .002;
+  double weight_error = .004;
+};
+
+constexpr double texels = 4096;
+
+/// [draw] how far its positions may be off: what hangs together has one lattice.
+std::vector<double> position_tolerances(const Scene& scene, const std::vector<DrawId>& draws,
+                                        const std::vector<VertexGroup>& groups, const std::vector<Meeting>& meetings,
+                                        double part, Run& run) {
+  JoinedSets sets(scene.draws.size());
+  const std::vector<Subject> subjects = subjects_of(scene, run.subjects);
+  for (const Subject& subject : subjects) {
+    for (const SubjectPart& other : subject.parts) sets.join(subject.parts.front().draw, other.draw);
+  }
+  std::vector<double> sizes(scene.draws.size());  // of a subject: the largest of its draws
+  for (const DrawId id : draws) {
+    const auto positions = positions_of(run.analyses, *scene.draws[id].full().vertices);
+    double& size = sizes[sets.of(id)];
+    size = std::max(size, diagonal_of(positions->values));
+  }
+  std::vector<double> tolerances(scene.draws.size());
+  for (const DrawId id : draws) tolerances[id] = part * sizes[sets.of(id)];
+  for (const VertexGroup& group : groups) {
+    for (const VertexGroup::User& user : group.users) sets.join(group.users.front().draw, user.draw);
+  }
+  for (const Meeting& meeting : meetings) sets.join(meeting.at.draw, meeting.with.draw);
+  std::vector<double> least(scene.draws.size());
+  for (const DrawId id : draws) {
+    double& one = least[sets.of(id)];
+    if (one == 0 || (tolerances[id] > 0 && tolerances[id] < one)) one = tolerances[id];
+  }
+  for (const DrawId id : draws) tolerances[id] = least[sets.of(id)];
+  return tolerances;
+}
+
+class QuantizeVertices final : public Processor {
+ public:
+  explicit QuantizeVertices(QuantizeOptions options) : options_(options) {}
+
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
+    std::vector<VertexGroup> groups = vertex_groups(scene);
+    for (const HeldDraw& held : keep_groups_of(groups, draws)) {
+      run.note_at(
+          {held.draw}, "shared-vertices",
+          "not quantised: it shares its vertices with " + scene.draws[held.by].name + ", which must stay as it is");
+    }
+    const std::vector<Meeting> meetings = meetings_of(scene, draws, run.analyses);
+    const std::vector<double> tolerances =
+        position_tolerances(scene, draws, groups, meetings, options_.position_error, run);
+
+    std::vector<Quantized> made(groups.size());
+    run.executor.for_each(groups.size(), [&](std::size_t i) {
+      made[i] = quantize(*groups[i].vertices, {.position = tolerances[groups[i].users.front().draw],
+                                               .direction = options_.direction_error,
+                                               .uv = options_.uv_error / texels,
+                                               .color = options_.color_error,
+                                               .weight = options_.weight_error});
+    });
+    std::vector<DrawId> changed;
+    bool any = false;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      any |= made[i].vertices->stamp() != groups[i].vertices->stamp();
+      for (const VertexGroup::User& user : groups[i].users) {
+        changed.push_back(user.draw);
+        put(made[i], scene.draws[user.draw].levels[user.level], user.level > 0);
+      }
+      tell(made[i], groups[i].users.front(), run);
+    }
+    if (!any) run.keep("every attribute is as coarse as the errors allow");
+    if (!meetings.empty()) run.measure_at({}, "gap", largest_gap(scene, meetings, run.analyses), 1);
+    std::ranges::sort(changed);
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    return changed;
+  }
+
+ private:
+  /// Both surfaces moved, the level's and that of full detail.
+  static void put(const Quantized& made, Level& level, bool is_coarser) {
+    level.vertices = made.vertices;
+    if (is_coarser) level.error += static_cast<float>(2 * made.largest.position);
+  }
+
+  static void tell(const Quantized& made, const VertexGroup::User& user, const Run& run) {
+    const About about{.draw = user.draw, .level = user.level};
+    const auto measure = [&](const char* metric, double error) {
+      if (error > 0) run.measure_at(about, metric, error, 1);
+    };
+    measure("position-error", made.largest.position);
+    measure("direction-error", made.largest.direction);
+    measure("uv-error", made.largest.uv * texels);
+    measure("color-error", made.largest.color);
+    measure("weight-error", made.largest.weight);
+    for (const std::string& stream : made.plain) run.note_at(about, "stays-plain", "not quantised: " + stream);
+  }
+
+  QuantizeOptions options_;
+};
+
+}  // namespace
+
+Plugin quantize_plugin() {
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {
+      .name = "quantize",
+      .summary =
+          "Rounds vertex attributes within the errors asked for, so that compressed files are small; put `weld` "
+          "behind it, and write with --compression",
+      .reference = "EXT_meshopt_compression, appendix B",
+      .acts_on = {traits::triangles},
+      .breaks = {traits::welded},
+      .pays_if = "the file is written compressed",
+      .measured_by = {"scene-cost"},
+      .metrics = {{"position-error", "units", "Largest distance of a rounded position, in the draw's units", true,
+                   true},
+                  {"direction-error", "degrees", "Largest angle of a rounded normal or tangent", true, true},
+                  {"uv-error", "texels of 4096", "Largest distance of a rounded texture coordinate", true, true},
+                  {"color-error", "", "Largest error of a component of a colour, of 1", true, true},
+                  {"weight-error", "", "Largest error of a skin weight, of 1", true, true},
+                  {"gap", "units", "Largest distance between border points of two draws that met before", true, true}},
+  };
+  OptionTable<QuantizeOptions> table;
+  table
+      .row(&QuantizeOptions::position_error, "position-error",
+           "How far positions may be off, as part of the diagonal of their subject's largest draw; 0: they stay",
+           {0, .1, "of the diagonal"})
+      .row(&QuantizeOptions::direction_error, "direction-error",
+           "How far normals and tangents may be off; 0: they stay", {0, 45, "degrees"})
+      .row(&QuantizeOptions::uv_error, "uv-error", "How far texture coordinates may be off; 0: they stay",
+           {0, 1024, "texels of 4096"})
+      .row(&QuantizeOptions::color_error, "color-error", "How far each component of a colour may be off; 0: they stay",
+           {0, 1, "of 1"})
+      .row(&QuantizeOptions::weight_error, "weight-error", "How far each skin weight may be off; 0: they stay",
+           {0, .1, "of 1"});
+  bind_options(plugin, table,
+               [](const QuantizeOptions& options) { return std::make_unique<QuantizeVertices>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw
