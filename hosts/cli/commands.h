@@ -29,6 +29,7 @@ struct Arguments {
   std::vector<std::string> fronts;   ///< two figures each
   std::string baseline;              ///< a stored report that they are held against
   std::string compression = "keep";
+  std::string corners = "keep";
   std::string products = "keep";
   std::string levels = "keep";
   std::string heat_maps;  ///< folder of pictures

@@ -171,8 +171,10 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     std::vector<std::vector<OutputFile>> files;
     std::vector<std::byte> standard;
     const ProductRows rows = job.registry.products();
-    const GltfOutput as{compression_of(arguments.compression),
-                        arguments.levels == "msft-lod" ? LevelsAs::lod_nodes : LevelsAs::extension, rows};
+    const GltfOutput as{.compression = compression_of(arguments.compression),
+                        .turns_corners = arguments.corners == "turn",
+                        .levels = arguments.levels == "msft-lod" ? LevelsAs::lod_nodes : LevelsAs::extension,
+                        .products = rows};
     const bool is_bare = arguments.products == "none" && !result.scene.products.empty();
     const std::optional<Scene> bare = is_bare ? std::optional(without_products(result.scene, rows)) : std::nullopt;
     const Scene& scene = bare ? *bare : result.scene;

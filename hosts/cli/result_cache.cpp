@@ -37,8 +37,8 @@ std::string how(const Arguments& arguments, const Pipeline& pipeline, const Regi
       if (const ModuleFile* module = registry.module_of(stage.use)) text += fmt::format("module {}\n", module->hash);
     }
   }
-  text += fmt::format("compression {}\nlevels {}\nproducts {}\nstrict {}\nroot {}\n", arguments.compression,
-                      arguments.levels, arguments.products, arguments.strict, arguments.root);
+  text += fmt::format("compression {}\ncorners {}\nlevels {}\nproducts {}\nstrict {}\nroot {}\n", arguments.compression,
+                      arguments.corners, arguments.levels, arguments.products, arguments.strict, arguments.root);
   return text;
 }
 

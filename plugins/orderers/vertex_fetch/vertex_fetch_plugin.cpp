@@ -12,14 +12,21 @@ namespace foredraw {
 
 namespace {
 
+struct VertexFetchOptions {
+  bool always = false;
+};
+
 class VertexFetch final : public VertexOrderer {
  public:
+  explicit VertexFetch(VertexFetchOptions options) : options_(options) {}
+
   VertexOrder order(const VertexUse& use, Run& run) const override {
     VertexOrder order = vertex_fetch(use.index_streams, use.vertices.count);
     if (std::ranges::is_sorted(order)) {
       run.keep("its vertices are in order of first use already");
       return order;
     }
+    if (options_.always) return order;
     std::vector<std::uint32_t> destination(order.size());
     for (std::uint32_t v = 0; v < order.size(); ++v) destination[order[v]] = v;
     const std::uint64_t before = bytes_fetched(use, {});
@@ -45,9 +52,9 @@ class VertexFetch final : public VertexOrderer {
     }
     return fetched;
   }
-};
 
-struct VertexFetchOptions {};
+  VertexFetchOptions options_;
+};
 
 }  // namespace
 
@@ -62,8 +69,10 @@ Plugin vertex_fetch_plugin() {
       .provides = {traits::fetch_ordered},
       .pays_if = "fewer bytes are fetched than with the current numbering",
   };
-  bind_options(plugin, OptionTable<VertexFetchOptions>(),
-               [](const VertexFetchOptions&) { return std::make_unique<VertexFetch>(); });
+  OptionTable<VertexFetchOptions> table;
+  table.row(&VertexFetchOptions::always, "always",
+            "Renumber also where no fewer bytes are fetched: compressed indices are shorter in order of first use");
+  bind_options(plugin, table, [](const VertexFetchOptions& options) { return std::make_unique<VertexFetch>(options); });
   return plugin;
 }
 

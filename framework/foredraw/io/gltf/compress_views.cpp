@@ -16,17 +16,19 @@ using Filter = Coding::Filter;
 struct Use {
   std::size_t element = 0;  ///< bytes; 0: they differ
   bool indices = false;
-  bool other = false;  ///< images and others need the bytes themselves
+  bool triangles = false;  ///< of lists of triangles alone
+  bool other = false;      ///< images and others need the bytes themselves
 };
 
 class Compressing {
  public:
-  Compressing(Json& json, LaidOut& laid_out, const std::string& extension)
+  Compressing(Json& json, LaidOut& laid_out, const std::string& extension, bool turns_corners)
       : json_(json),
         laid_out_(laid_out),
         extension_(extension),
         other_(extension == khr_meshopt ? ext_meshopt : khr_meshopt),
-        version_(extension == khr_meshopt ? meshopt::VertexVersion::v1 : meshopt::VertexVersion::v0) {}
+        version_(extension == khr_meshopt ? meshopt::VertexVersion::v1 : meshopt::VertexVersion::v0),
+        turns_corners_(turns_corners) {}
 
   void run() {
     if (!json_.contains("bufferViews")) return;
@@ -64,11 +66,13 @@ class Compressing {
   }
 
   std::vector<Use> uses_of_views() const {
-    std::set<std::size_t> indices;
+    std::set<std::size_t> indices, others;  // accessors; `others` of strips, fans, lines and points
     each_primitive(json_, [&](const Json& primitive) {
-      if (primitive.contains("indices")) indices.insert(primitive["indices"].get<std::size_t>());
+      if (!primitive.contains("indices")) return;
+      indices.insert(primitive["indices"].get<std::size_t>());
+      if (primitive.value("mode", 4) != 4) others.insert(primitive["indices"].get<std::size_t>());
     });
-    std::vector<Use> uses(json_["bufferViews"].size(), {0, false, true});
+    std::vector<Use> uses(json_["bufferViews"].size(), {0, false, false, true});
     const auto use = [&](const Json& holder) -> Use& { return uses[holder["bufferView"].get<std::size_t>()]; };
     std::set<std::size_t> seen;
     for (std::size_t a = 0; json_.contains("accessors") && a < json_["accessors"].size(); ++a) {
@@ -77,10 +81,13 @@ class Compressing {
       const auto format =
           format_of(accessor["type"].get<std::string>(), accessor["componentType"].get<std::uint64_t>(), false);
       Use& one = use(accessor);
-      const Use now{format ? format->bytes : 0u, indices.contains(a), !format};
+      const bool is_list = indices.contains(a) && !others.contains(a) &&
+                           accessor["count"].get<std::size_t>() % 3 == 0 &&
+                           accessor.value("byteOffset", std::size_t{0}) % (3 * (format ? format->bytes : 1)) == 0;
+      const Use now{format ? format->bytes : 0u, indices.contains(a), is_list, !format};
       const bool first = seen.insert(accessor["bufferView"].get<std::size_t>()).second;
       one = first ? now
-                  : Use{one.element == now.element ? one.element : 0, one.indices,
+                  : Use{one.element == now.element ? one.element : 0, one.indices, one.triangles && now.triangles,
                         one.other || now.other || one.indices != now.indices};
     }
     for (const Json& accessor : json_.value("accessors", Json::array())) {
@@ -107,7 +114,8 @@ class Compressing {
     const std::size_t stride = use.other ? 0 : stride_of(view, use);
     if (stride == 0) return false;
     const Bytes plain = bytes_of(view);
-    const Coding coding{use.indices ? Mode::indices : Mode::attributes, Filter::none, 0, 0, version_};
+    const Mode list = use.triangles && turns_corners_ ? Mode::triangles : Mode::indices;
+    const Coding coding{use.indices ? list : Mode::attributes, Filter::none, 0, 0, version_};
     const auto stream = compressed(plain, stride, coding, {});
     if (!stream || stream->bytes.size() >= plain.size()) return false;
     Json& extension = view["extensions"][extension_];
@@ -166,14 +174,15 @@ class Compressing {
   const std::string extension_;
   const std::string other_;
   const meshopt::VertexVersion version_;
+  const bool turns_corners_;
   std::vector<std::byte> was_;  ///< buffer 0, before
   std::size_t made_ = 0;        ///< bytes of the fallback for views that are compressed here
 };
 
 }  // namespace
 
-void compress_views(Json& json, LaidOut& laid_out, const std::string& extension) {
-  Compressing(json, laid_out, extension).run();
+void compress_views(Json& json, LaidOut& laid_out, const std::string& extension, bool turns_corners) {
+  Compressing(json, laid_out, extension, turns_corners).run();
 }
 
 }  // namespace foredraw::gltf

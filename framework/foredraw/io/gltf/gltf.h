@@ -37,6 +37,9 @@ enum class LevelsAs {
 
 struct GltfOutput {
   Compression compression = Compression::keep;
+  /// What is compressed by `ext` or `khr` may start triangles at other corners, which takes less than half of the
+  /// bytes.
+  bool turns_corners = false;
   LevelsAs levels = LevelsAs::extension;
   ProductRows products = {};  ///< who writes them; none: those that the scene was read with
 };

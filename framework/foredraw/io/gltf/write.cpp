@@ -79,7 +79,8 @@ std::optional<std::vector<OutputFile>> encode_gltf(const Scene& scene, const fs:
                                                    const GltfOutput& as) {
   const auto kept = std::dynamic_pointer_cast<const gltf::Source>(scene.source);
   const auto source = kept ? kept : empty_source(scene);
-  const GltfOutput how{as.compression, as.levels, as.products.empty() ? source->document.products : as.products};
+  GltfOutput how = as;
+  if (how.products.empty()) how.products = source->document.products;
   const bool may_stay = kept && gltf::is_glb(target) == kept->document.binary;
   auto written = gltf::patched(scene, *source, target, may_stay, how, diagnostics);
   if (written && !written->changed) {

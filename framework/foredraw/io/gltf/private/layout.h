@@ -92,8 +92,9 @@ inline std::size_t aligned(std::size_t size, std::size_t to) { return (size + to
 
 /// Compresses the plain views of a document that is laid out, where that is shorter, and moves those that are
 /// compressed to this extension, one of meshopt_extensions: with version 1 of the vertex codec for KHR's, version 0 for
-/// EXT's. Every byte comes out again, and triangles keep their corners: they go into mode INDICES. Nobody but accessors
-/// and images may refer to the views.
-void compress_views(Json& json, LaidOut& laid_out, const std::string& extension);
+/// EXT's. Every byte comes out again, but that with `turns_corners` lists of triangles may go into mode TRIANGLES,
+/// where triangles start at any of their corners; else they go into mode INDICES. Nobody but accessors and images may
+/// refer to the views.
+void compress_views(Json& json, LaidOut& laid_out, const std::string& extension, bool turns_corners);
 
 }  // namespace foredraw::gltf
