@@ -24,48 +24,46 @@ std::array<T, N> load(const std::byte* from) {
   return values;
 }
 
-/// All with as many bits, as few as will do: one element that has no point there sends the search on.
+/// Puts every row with the bits of the one before where these will do, else with the fewest: draws that were rounded
+/// apart lie one behind the other. `put` says whether the row can be put so.
+template <class Put>
+bool put_rows(std::size_t count, int fewest, int most, Put put) {
+  int bits = fewest;
+  for (std::size_t row = 0; row < count; ++row) {
+    if (put(row, bits)) continue;
+    bits = fewest;
+    while (bits <= most && !put(row, bits)) ++bits;
+    if (bits > most) return false;
+  }
+  return true;
+}
+
 template <class T>
 Rows before_octahedral(Bytes elements) {
   constexpr std::size_t stride = 4 * sizeof(T);
   std::vector<std::byte> rows(elements.begin(), elements.end());  // with the fourth component, which stays
-  std::size_t refuses = 0;
-  const auto put = [&](std::size_t at, int bits) {
-    const auto point = point_of(load<T, 3>(elements.data() + at), bits);
+  const auto put = [&](std::size_t row, int bits) {
+    const auto point = point_of(load<T, 3>(elements.data() + row * stride), bits);
     if (!point) return false;
-    const std::array<T, 3> row{static_cast<T>(point->x), static_cast<T>(point->y), static_cast<T>(point->one)};
-    std::memcpy(rows.data() + at, row.data(), sizeof row);
+    const std::array<T, 3> coded{static_cast<T>(point->x), static_cast<T>(point->y), static_cast<T>(point->one)};
+    std::memcpy(rows.data() + row * stride, coded.data(), sizeof coded);
     return true;
   };
-  for (int bits = 2; bits <= static_cast<int>(8 * sizeof(T)); ++bits) {
-    if (!put(refuses, bits)) continue;
-    std::size_t at = 0;
-    while (at < elements.size() && put(at, bits)) at += stride;
-    if (at >= elements.size()) return rows;
-    refuses = at;
-  }
-  return std::nullopt;
+  const bool can = put_rows(elements.size() / stride, 2, static_cast<int>(8 * sizeof(T)), put);
+  return can ? Rows(std::move(rows)) : std::nullopt;
 }
 
 Rows before_quaternion(Bytes elements) {
   std::vector<std::byte> rows(elements.size());
-  std::size_t refuses = 0;
-  const auto put = [&](std::size_t at, int bits) {
-    const auto coded = coded_rotation(load<std::int16_t, 4>(elements.data() + at), bits);
+  const auto put = [&](std::size_t row, int bits) {
+    const auto coded = coded_rotation(load<std::int16_t, 4>(elements.data() + row * 8), bits);
     if (!coded) return false;
     const auto last = static_cast<std::int16_t>((coded->one & ~3) | coded->greatest);
-    std::memcpy(rows.data() + at, coded->parts.data(), 6);
-    std::memcpy(rows.data() + at + 6, &last, 2);
+    std::memcpy(rows.data() + row * 8, coded->parts.data(), 6);
+    std::memcpy(rows.data() + row * 8 + 6, &last, 2);
     return true;
   };
-  for (int bits = 4; bits <= 16; ++bits) {
-    if (!put(refuses, bits)) continue;
-    std::size_t at = 0;
-    while (at < elements.size() && put(at, bits)) at += 8;
-    if (at >= elements.size()) return rows;
-    refuses = at;
-  }
-  return std::nullopt;
+  return put_rows(elements.size() / 8, 4, 16, put) ? Rows(std::move(rows)) : std::nullopt;
 }
 
 /// Each component of all elements as whole multiples of one power of two, the greatest that will do.

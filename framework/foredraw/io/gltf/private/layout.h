@@ -90,6 +90,11 @@ void set_place(Json& json, std::size_t buffer, std::size_t offset, std::size_t l
 
 inline std::size_t aligned(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
 
+/// Takes the plain views of a document that is laid out apart, and puts the rows of all accessors of one kind into one
+/// view: what a codec makes short, and text too. Views get new numbers. Nobody but accessors and images may refer to
+/// them.
+void gather_views(Json& json, LaidOut& laid_out);
+
 /// Compresses the plain views of a document that is laid out, where that is shorter, and moves those that are
 /// compressed to this extension, one of meshopt_extensions: with version 1 of the vertex codec for KHR's, version 0 for
 /// EXT's. Every byte comes out again, but that with `turns_corners` lists of triangles may go into mode TRIANGLES,

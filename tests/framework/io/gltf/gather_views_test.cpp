@@ -1,0 +1,193 @@
+// What goes out compressed is taken apart and put together by kind before, and filters are found that lose nothing.
+#include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/scene/coded_values.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "framework/io/gltf/compressed_scenes.h"
+#include "support/meshes.h"
+
+namespace foredraw {
+namespace {
+
+using gltf::before_filter;
+using gltf::Coding;
+using testing::Bytes;
+using testing::expect_same;
+using testing::GltfBuilder;
+using testing::GltfJson;
+using testing::Written;
+using Filter = Coding::Filter;
+
+template <class T>
+Bytes bytes(const std::vector<T>& values) {
+  const auto all = std::as_bytes(std::span(values));
+  return {all.begin(), all.end()};
+}
+
+Bytes filtered(Bytes rows, Filter filter, std::size_t stride) {
+  gltf::apply_filter({Coding::Mode::attributes, filter, rows.size() / stride, stride}, rows);
+  return rows;
+}
+
+/// How many views of the file have each filter.
+std::map<std::string, int> filters(const GltfJson& json, const char* name = "EXT_meshopt_compression") {
+  std::map<std::string, int> found;
+  for (const GltfJson& view : json["bufferViews"]) {
+    if (view.contains("extensions")) ++found[view["extensions"][name].value("filter", "NONE")];
+  }
+  return found;
+}
+
+/// Positions and normals interleaved, 32 bytes a vertex, in a ribbon's place; what lies between is no attribute's.
+GltfBuilder interleaved() {
+  GltfBuilder builder = testing::ribbon(40);
+  std::vector<float> rows;
+  for (int v = 0; v < 82; ++v) {
+    const float x = static_cast<float>(v / 2) * .125f, y = static_cast<float>(v % 2);
+    rows.insert(rows.end(), {x, y, 0, 0, .6f, .8f, 77, 78});
+  }
+  const std::size_t view = builder.add_view(std::as_bytes(std::span(rows)), 32);
+  GltfJson& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["POSITION"] = builder.add_accessor(view, 0, 5126, "VEC3", 82);
+  attributes["NORMAL"] = builder.add_accessor(view, 12, 5126, "VEC3", 82);
+  GltfJson& position = builder.json["accessors"][attributes["POSITION"].get<std::size_t>()];
+  position["min"] = {0, 0, 0};
+  position["max"] = {5, 1, 0};
+  return builder;
+}
+
+TEST(GatherViews, interleaved_attributes_get_views_of_their_own) {
+  const Scene scene = testing::read(interleaved());
+  const Written written = testing::encode(scene, Compression::ext);
+  expect_same(testing::read(written.files[0].bytes), scene, true);
+  const GltfJson& attributes = written.json["meshes"][0]["primitives"][0]["attributes"];
+  std::set<std::size_t> views;
+  for (const char* name : {"POSITION", "NORMAL", "TEXCOORD_0"}) {
+    const GltfJson& accessor = written.json["accessors"][attributes[name].get<std::size_t>()];
+    views.insert(accessor["bufferView"].get<std::size_t>());
+    EXPECT_EQ(written.json["bufferViews"][accessor["bufferView"].get<std::size_t>()]["byteStride"],
+              name == std::string("TEXCOORD_0") ? 8 : 12);
+  }
+  EXPECT_EQ(views.size(), 3u);
+}
+
+TEST(GatherViews, meshes_of_one_kind_share_views_and_one_mesh_twice_is_one) {
+  GltfBuilder builder = testing::ribbon(40);
+  const GltfJson primitive = builder.json["meshes"][0]["primitives"][0];
+  builder.add_mesh(primitive);  // the same accessors
+  GltfJson other = primitive;
+  for (const char* name : {"POSITION", "TEXCOORD_0"}) {  // the same bytes elsewhere
+    const GltfJson accessor = builder.json["accessors"][primitive["attributes"][name].get<std::size_t>()];
+    const GltfJson view = builder.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    const auto first = builder.buffer.begin() + view.value("byteOffset", std::ptrdiff_t{0});
+    const Bytes copy(first, first + view["byteLength"].get<std::ptrdiff_t>());
+    GltfJson made = accessor;
+    made["bufferView"] = builder.add_view(copy);
+    other["attributes"][name] = builder.add("accessors", made);
+  }
+  builder.add_mesh(other);
+  const Scene scene = testing::read(builder);
+  const Written written = testing::encode(scene, Compression::khr);
+  expect_same(testing::read(written.files[0].bytes), scene, true);
+  EXPECT_EQ(written.json["bufferViews"].size(), 3u) << "positions, texture coordinates, indices";
+  const GltfJson& position =
+      written.json["bufferViews"]
+                  [written.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()]["bufferView"]
+                       .get<std::size_t>()];
+  EXPECT_EQ(position["byteLength"], 2 * 82 * 12);
+}
+
+TEST(GatherViews, images_and_sparse_accessors_stay) {
+  const Scene scene = testing::read(testing::puppet());
+  const Written written = testing::encode(scene, Compression::ext);
+  expect_same(testing::read(written.files[0].bytes), scene, true);
+  EXPECT_EQ(testing::write(testing::read(written.files[0].bytes)), written.files[0].bytes);
+}
+
+TEST(TurnedCorners, lists_of_triangles_alone_may_be_turned) {
+  GltfBuilder builder = testing::ribbon(200);
+  GltfJson lines = builder.json["meshes"][0]["primitives"][0];
+  lines["mode"] = 1;
+  lines["indices"] = builder.add_values(std::vector<std::uint16_t>{0, 1, 2, 3, 4, 5}, "SCALAR");
+  builder.add_mesh(lines);
+  const Scene scene = testing::read(builder);
+  Diagnostics diagnostics;
+  const auto kept = encode_gltf(scene, "out.glb", diagnostics, {.compression = Compression::ext});
+  const auto turned =
+      encode_gltf(scene, "out.glb", diagnostics, {.compression = Compression::ext, .turns_corners = true});
+  ASSERT_TRUE(kept && turned);
+  EXPECT_LT(turned->front().bytes.size(), kept->front().bytes.size());
+  expect_same(testing::read(kept->front().bytes), scene, true);
+  expect_same(testing::read(turned->front().bytes), scene);
+  const Scene again = testing::read(turned->front().bytes);
+  EXPECT_EQ(testing::indices_of(again, 1), testing::indices_of(scene, 1)) << "lines";
+}
+
+TEST(LosslessFilters, values_that_filters_give_go_through_them) {
+  GltfBuilder builder = interleaved();  // positions on a lattice of 1/8
+  const Written written = testing::encode(testing::read(builder), Compression::ext);
+  EXPECT_GE(filters(written.json)["EXPONENTIAL"], 1);
+  std::vector<std::int8_t> normals;
+  for (std::int32_t i = 0; i < 82; ++i) {
+    const auto direction = direction_of<std::int8_t>({i % 15 - 7, 0, 7});
+    normals.insert(normals.end(), {direction[0], direction[1], direction[2], 0});
+  }
+  GltfBuilder small = testing::ribbon(40);
+  const std::size_t view = small.add_view(std::as_bytes(std::span(normals)), 4);
+  small.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = small.add_accessor(view, 0, 5120, "VEC3", 82);
+  small.json["accessors"].back()["normalized"] = true;
+  small.json["extensionsUsed"] = small.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const Scene scene = testing::read(small);
+  const Written of_small = testing::encode(scene, Compression::ext);
+  EXPECT_EQ(filters(of_small.json)["OCTAHEDRAL"], 1);
+  expect_same(testing::read(of_small.files[0].bytes), scene, true);
+}
+
+TEST(LosslessFilters, draws_of_several_bits_lie_behind_each_other) {
+  std::vector<std::int8_t> normals;
+  for (const std::int32_t one : {7, 127, 31}) {
+    for (std::int32_t i = -5; i < 5; ++i) {
+      const auto direction = direction_of<std::int8_t>({i, i / 2, one});
+      normals.insert(normals.end(), {direction[0], direction[1], direction[2], 0});
+    }
+  }
+  const auto rows = before_filter(Filter::octahedral, 4, bytes(normals));
+  ASSERT_TRUE(rows);
+  EXPECT_EQ(filtered(*rows, Filter::octahedral, 4), bytes(normals));
+}
+
+TEST(LosslessFilters, what_they_do_not_give_has_no_row) {
+  EXPECT_FALSE(before_filter(Filter::octahedral, 4, bytes<std::int8_t>({3, 3, 3, 0})));
+  EXPECT_FALSE(before_filter(Filter::octahedral, 8, bytes<std::int16_t>({100, 0, 0, 0})));
+  EXPECT_FALSE(before_filter(Filter::octahedral, 12, Bytes(24)));
+  EXPECT_FALSE(before_filter(Filter::quaternion, 8, bytes<std::int16_t>({100, 0, 0, 0})));
+  EXPECT_FALSE(before_filter(Filter::exponential, 4, bytes<float>({1e20f, 1e-20f})));
+  for (const float odd : {-0.0f, std::nanf(""), HUGE_VALF}) {
+    EXPECT_FALSE(before_filter(Filter::exponential, 4, bytes<float>({1, odd}))) << odd;
+  }
+  for (const Filter filter : {Filter::none, Filter::color, Filter::unknown}) {
+    EXPECT_FALSE(before_filter(filter, 4, Bytes(16)));
+  }
+}
+
+RC_GTEST_PROP(LosslessFilters, whatever_has_rows_comes_out_again,
+              (std::vector<std::uint32_t> words, std::uint8_t keep)) {
+  for (std::uint32_t& word : words) word &= keep % 2 == 0 ? 0xff000000 : 0xffffffff;
+  words.resize(words.size() / 2 * 2 + 2);
+  for (const Filter filter : {Filter::octahedral, Filter::quaternion, Filter::exponential}) {
+    for (const std::size_t stride : {4u, 8u}) {
+      const auto rows = before_filter(filter, stride, bytes(words));
+      if (rows) RC_ASSERT(filtered(*rows, filter, stride) == bytes(words));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foredraw
