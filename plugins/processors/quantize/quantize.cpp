@@ -66,9 +66,13 @@ class Rounding {
 
 }  // namespace
 
-int lattice_exponent(double distance, int dimensions) {
-  // The middle of a cell is the farthest: half of its diagonal.
-  return std::ilogb(2 * distance / std::sqrt(static_cast<double>(dimensions)));
+std::vector<int> lattice_exponents(double distance, std::size_t components) {
+  // The middle of a cell is the farthest: half of its diagonal. In cells of the least size, whose square is 1:
+  const double least = std::ldexp(1.0, std::ilogb(2 * distance / std::sqrt(static_cast<double>(components))));
+  const double squares = 4 * (distance / least) * (distance / least);
+  std::vector<int> exponents(components, std::ilogb(least));
+  if (components > 1 && static_cast<double>(components - 1) + 4 <= squares) ++exponents[1];
+  return exponents;
 }
 
 Quantized quantize(const VertexStreams& vertices, const Tolerances& tolerances) {

@@ -97,13 +97,14 @@ RoundedStream on_lattice(const VertexStream& stream, double distance) {
   if (distance <= 0 || stream.format.component != Component::float32 || stream.count() == 0) return {};
   if (!are_finite(stream)) return {{}, 0, "some of whose numbers are not finite"};
   const std::size_t parts = stream.format.components;
-  const int exponent = lattice_exponent(distance, static_cast<int>(parts));
+  const std::vector<int> exponents = lattice_exponents(distance, parts);
   const float* values = floats_of(stream);
   std::vector<float> made(stream.count() * parts);
   double farthest = 0;
   for (std::size_t v = 0; v < stream.count(); ++v) {
     double square = 0;
     for (std::size_t i = v * parts; i < (v + 1) * parts; ++i) {
+      const int exponent = exponents[i % parts];
       const double number = std::round(std::ldexp(double(values[i]), -exponent));
       // Beyond that floats have gaps as wide as the lattice, and the filter no bits.
       if (!(std::abs(number) < (1 << 23))) return {{}, 0, "too far from 0 for floats to be rounded so finely"};

@@ -74,17 +74,13 @@ VertexStream part(const std::string& semantic, const std::vector<std::uint32_t>&
                  : part<std::uint8_t>(semantic, values, slots, first, normalized);
 }
 
-/// Why the weights are left as they are; empty where they can be rounded.
-std::string mistake_in(const SkinWeights& skin, std::uint32_t vertices) {
+bool are_parts(const SkinWeights& skin, std::uint32_t vertices) {
   for (std::uint32_t v = 0; v < vertices; ++v) {
-    double sum = 0;
     for (const auto& slot : skin.of(v)) {
-      if (!(slot.weight >= 0)) return "WEIGHTS_0, some of which are below 0";
-      sum += slot.weight;
+      if (!(slot.weight >= 0 && slot.weight <= 1)) return false;
     }
-    if (!(sum < 1.001)) return "WEIGHTS_0, which sum up to more than 1";
   }
-  return {};
+  return true;
 }
 
 }  // namespace
@@ -93,8 +89,10 @@ SkinStreams as_few_weights(const VertexStreams& vertices, double error) {
   SkinStreams result;
   const SkinWeights skin(vertices);
   if (skin.empty() || vertices.count == 0) return result;
-  result.plain = mistake_in(skin, vertices.count);
-  if (!result.plain.empty()) return result;
+  if (!are_parts(skin, vertices.count)) {
+    result.plain = "WEIGHTS_0, some of which are not from 0 to 1";
+    return result;
+  }
   Rounded made = rounded(skin, vertices.count, 255);
   const bool is_wide = made.error > error;
   if (is_wide) made = rounded(skin, vertices.count, 65535);

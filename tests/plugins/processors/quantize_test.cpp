@@ -49,11 +49,14 @@ const VertexStream& made(const Quantized& quantized, const char* name) { return 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 TEST(Quantize, ALatticeIsAsCoarseAsTheErrorAllows) {
-  EXPECT_EQ(lattice_exponent(1, 1), 1);
-  EXPECT_EQ(lattice_exponent(.5, 1), 0);
-  EXPECT_EQ(lattice_exponent(.49, 1), -1);
-  EXPECT_EQ(lattice_exponent(1, 3), 0);
-  EXPECT_EQ(lattice_exponent(std::sqrt(3.0), 3), 1);
+  EXPECT_THAT(lattice_exponents(1, 1), ElementsAre(1));
+  EXPECT_THAT(lattice_exponents(.5, 1), ElementsAre(0));
+  EXPECT_THAT(lattice_exponents(.49, 1), ElementsAre(-1));
+  EXPECT_THAT(lattice_exponents(std::sqrt(3.0), 3), ElementsAre(1, 1, 1));
+  EXPECT_THAT(lattice_exponents(std::sqrt(3.0) / 2, 3), ElementsAre(0, 0, 0));
+  EXPECT_THAT(lattice_exponents(std::sqrt(6.01) / 2, 3), ElementsAre(0, 1, 0)) << "the diagonal of 1, 2, 1";
+  EXPECT_THAT(lattice_exponents(1.2, 3), ElementsAre(0, 0, 0));
+  EXPECT_THAT(lattice_exponents(1.12, 2), ElementsAre(0, 1));
 }
 
 RC_GTEST_PROP(Quantize, NoPositionIsFartherOffThanAskedForOrTold, (std::vector<std::array<std::int16_t, 3>> points)) {
@@ -70,7 +73,7 @@ RC_GTEST_PROP(Quantize, NoPositionIsFartherOffThanAskedForOrTold, (std::vector<s
       double square = 0;
       for (std::size_t k = i; k < i + 3; ++k) square += (double(now[k]) - values[k]) * (double(now[k]) - values[k]);
       farthest = std::max(farthest, std::sqrt(square));
-      for (std::size_t k = i; k < i + 3; ++k) RC_ASSERT(lattice_of(now[k]).value_or(99) >= lattice_exponent(error, 3));
+      for (std::size_t k = i; k < i + 3; ++k) RC_ASSERT(lattice_of(now[k]).value_or(99) >= lattice_exponents(error, 3)[0]);
     }
     RC_ASSERT(farthest <= error);
     RC_ASSERT(quantized.largest.position == farthest);
@@ -188,7 +191,7 @@ TEST(Quantize, MorphTargetsAreRoundedToo) {
   vertices.morph_targets = {{floats("POSITION", 3, {.013f, 0, 0}), floats("NORMAL", 3, {.1f, 0, 0})}};
   const Quantized quantized = quantize(vertices, {.position = .01, .direction = 1});
   const auto& target = quantized.vertices->morph_targets[0];
-  EXPECT_GE(lattice_of(decoded(target[0])[0]), lattice_exponent(.01, 3));
+  EXPECT_GE(lattice_of(decoded(target[0])[0]), lattice_exponents(.01, 3)[0]);
   EXPECT_NEAR(decoded(target[0])[0], .013, .01);
   EXPECT_NEAR(decoded(target[1])[0], .1, .0175);
   EXPECT_LE(quantized.largest.direction, 1);
