@@ -39,9 +39,9 @@ struct Quantized {
   std::vector<std::string> plain;  ///< streams that stay as they are although they were to change, each with the reason
 };
 
-/// For each component the exponent e of its lattice, whole multiples of 2^e, such that no point of space is farther than
-/// `distance` (above 0) from the nearest one. All have the greatest that will do; then the second component may have one
-/// more. The first and the third have the same, so that draws turned about y by a right angle still meet.
+/// For each component the exponent e of its lattice, whole multiples of 2^e, such that no point of space is farther
+/// than `distance` (above 0) from the nearest one. All have the greatest that will do; then the second component may
+/// have one more. The first and the third have the same, so that draws turned about y by a right angle still meet.
 std::vector<int> lattice_exponents(double distance, std::size_t components);
 
 /// All streams that glTF knows, rounded. Streams of other names stay, and so do those that hold whole numbers already,

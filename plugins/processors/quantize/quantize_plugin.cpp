@@ -1,4 +1,5 @@
 #include "quantize.h"
+#include "rounded_animations.h"
 #include "touching_draws.h"
 
 #include <foredraw/analysis/diagonal.h>
@@ -20,6 +21,9 @@ struct QuantizeOptions {
   double uv_error = .5;
   double color_error = .002;
   double weight_error = .004;
+  double translation_error = 3e-5;
+  double rotation_error = .05;
+  double scale_error = 1e-4;
 };
 
 constexpr double texels = 4096;
@@ -87,6 +91,7 @@ class QuantizeVertices final : public Processor {
       }
       tell(made[i], groups[i].users.front(), run);
     }
+    any |= round_animations(scene, draws, run);
     if (!any) run.keep("every attribute is as coarse as the errors allow");
     if (!meetings.empty()) run.measure_at({}, "gap", largest_gap(scene, meetings, run.analyses), 1);
     std::ranges::sort(changed);
@@ -99,6 +104,36 @@ class QuantizeVertices final : public Processor {
   static void put(const Quantized& made, Level& level, bool is_coarser) {
     level.vertices = made.vertices;
     if (is_coarser) level.error += static_cast<float>(2 * made.largest.position);
+  }
+
+  /// False where no key changed.
+  bool round_animations(Scene& scene, const std::vector<DrawId>& draws, Run& run) const {
+    double size = 0;
+    for (const DrawId id : draws) {
+      size = std::max(size, diagonal_of(positions_of(run.analyses, *scene.draws[id].full().vertices)->values));
+    }
+    const KeyTolerances tolerances{options_.translation_error * size, options_.rotation_error, options_.scale_error};
+    std::vector<RoundedAnimation> made(scene.animations.size());
+    run.executor.for_each(made.size(), [&](std::size_t i) { made[i] = rounded(scene.animations[i], tolerances); });
+    KeyErrors largest;
+    std::size_t before = 0, after = 0;
+    bool any = false;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      largest.translation = std::max(largest.translation, made[i].largest.translation);
+      largest.rotation = std::max(largest.rotation, made[i].largest.rotation);
+      largest.scale = std::max(largest.scale, made[i].largest.scale);
+      before += made[i].keys_before;
+      after += made[i].keys_after;
+      any |= !std::ranges::equal(scene.animations[i].channels, made[i].animation.channels, {},
+                                 &AnimationChannel::values, &AnimationChannel::values);
+      scene.animations[i] = std::move(made[i].animation);
+    }
+    if (before == 0) return false;
+    run.measure_at({}, "translation-error", largest.translation, 1);
+    run.measure_at({}, "rotation-error", largest.rotation, 1);
+    run.measure_at({}, "scale-error", largest.scale, 1);
+    run.measure_at({}, "keys-left", static_cast<double>(after), static_cast<double>(before));
+    return any;
   }
 
   static void tell(const Quantized& made, const VertexGroup::User& user, const Run& run) {
@@ -138,6 +173,11 @@ Plugin quantize_plugin() {
                   {"uv-error", "texels of 4096", "Largest distance of a rounded texture coordinate", true, true},
                   {"color-error", "", "Largest error of a component of a colour, of 1", true, true},
                   {"weight-error", "", "Largest error of a skin weight, of 1", true, true},
+                  {"translation-error", "units", "Largest distance of an animated translation from its key", true,
+                   true},
+                  {"rotation-error", "degrees", "Largest angle of an animated rotation from its key", true, true},
+                  {"scale-error", "", "Largest error of an animated scale, of 1", true, true},
+                  {"keys-left", "keys per key", "Keys that animations keep", true},
                   {"gap", "units", "Largest distance between border points of two draws that met before", true, true}},
   };
   OptionTable<QuantizeOptions> table;
@@ -152,7 +192,15 @@ Plugin quantize_plugin() {
       .row(&QuantizeOptions::color_error, "color-error", "How far each component of a colour may be off; 0: they stay",
            {0, 1, "of 1"})
       .row(&QuantizeOptions::weight_error, "weight-error", "How far each skin weight may be off; 0: they stay",
-           {0, .1, "of 1"});
+           {0, .1, "of 1"})
+      .row(&QuantizeOptions::translation_error, "translation-error",
+           "How far animated translations may be off at any key, as part of the diagonal of the largest draw; 0: they "
+           "stay",
+           {0, .1, "of the diagonal"})
+      .row(&QuantizeOptions::rotation_error, "rotation-error",
+           "How far animated rotations may be off at any key; 0: they stay", {0, 45, "degrees"})
+      .row(&QuantizeOptions::scale_error, "scale-error", "How far animated scales may be off at any key; 0: they stay",
+           {0, 1, "of 1"});
   bind_options(plugin, table,
                [](const QuantizeOptions& options) { return std::make_unique<QuantizeVertices>(options); });
   return plugin;

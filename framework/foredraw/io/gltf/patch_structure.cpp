@@ -30,39 +30,6 @@ bool same(const Skin& a, const Skin& b) {
   return a.name == b.name && a.joints == b.joints && a.inverse_bind_matrices == b.inverse_bind_matrices;
 }
 
-bool same(const AnimationChannel& a, const AnimationChannel& b) {
-  return a.node == b.node && a.path == b.path && a.interpolation == b.interpolation && a.times == b.times &&
-         a.values == b.values;
-}
-
-bool same(const Animation& a, const Animation& b) {
-  return a.name == b.name && std::equal(a.channels.begin(), a.channels.end(), b.channels.begin(), b.channels.end(),
-                                        [](const auto& x, const auto& y) { return same(x, y); });
-}
-
-const char* word(AnimatedPath path) {
-  switch (path) {
-    case AnimatedPath::translation: return "translation";
-    case AnimatedPath::rotation: return "rotation";
-    case AnimatedPath::scale: return "scale";
-    case AnimatedPath::weights: return "weights";
-  }
-  return "weights";
-}
-
-const char* word(Interpolation between) {
-  return between == Interpolation::step ? "STEP" : between == Interpolation::cubic_spline ? "CUBICSPLINE" : "LINEAR";
-}
-
-Content floats(std::span<const float> values, std::uint8_t components, bool wants_range) {
-  const Bytes bytes = std::as_bytes(values);
-  return {Content::Kind::other,
-          {Component::float32, components, false, static_cast<std::uint16_t>(4 * components)},
-          values.size() / components,
-          Shared<std::byte>({bytes.begin(), bytes.end()}),
-          wants_range};
-}
-
 Json numbers(const float* from, int count) {
   Json result = Json::array();
   for (int i = 0; i < count; ++i) result.push_back(from[i]);
@@ -92,28 +59,10 @@ Json json_of(const Skin& skin, AccessorStore& store) {
   Json json{{"joints", skin.joints}};
   if (!skin.name.empty()) json["name"] = skin.name;
   if (skin.inverse_bind_matrices.empty()) return json;
-  const float* first = glm::value_ptr(skin.inverse_bind_matrices.front());
-  Content matrices = floats({first, 16 * skin.inverse_bind_matrices.size()}, 16, false);
-  matrices.kind = Content::Kind::inverse_bind_matrices;
+  const Bytes bytes = std::as_bytes(std::span(skin.inverse_bind_matrices));
+  const Content matrices{Content::Kind::inverse_bind_matrices, {Component::float32, 16, false, 64},
+                         skin.inverse_bind_matrices.size(), Shared<std::byte>({bytes.begin(), bytes.end()})};
   json["inverseBindMatrices"] = store.append(matrices);
-  return json;
-}
-
-Json json_of(const Animation& animation, AccessorStore& store) {
-  Json json = Json::object();
-  if (!animation.name.empty()) json["name"] = animation.name;
-  json["channels"] = Json::array();
-  json["samplers"] = Json::array();
-  for (const AnimationChannel& channel : animation.channels) {
-    const std::uint8_t components = channel.path == AnimatedPath::weights    ? 1
-                                    : channel.path == AnimatedPath::rotation ? 4
-                                                                             : 3;
-    json["channels"].push_back(
-        {{"sampler", json["samplers"].size()}, {"target", {{"node", channel.node}, {"path", word(channel.path)}}}});
-    json["samplers"].push_back({{"input", store.append(floats(channel.times.view(), 1, true))},
-                                {"interpolation", word(channel.interpolation)},
-                                {"output", store.append(floats(channel.values.view(), components, false))}});
-  }
   return json;
 }
 
@@ -135,14 +84,11 @@ class StructurePatch {
   bool run() {
     bool said = old_nodes();
     said = unchanged(scene_.skins, was_.skins, "skins") && said;
-    said = unchanged(scene_.animations, was_.animations, "animations") && said;
+    said = animations() && said;
     if (!said || !materials() || !images()) return false;
     add_nodes();
     for (std::size_t i = was_.skins.size(); i < scene_.skins.size(); ++i)
       json_["skins"][i] = json_of(scene_.skins[i], store_);
-    for (std::size_t i = was_.animations.size(); i < scene_.animations.size(); ++i) {
-      json_["animations"][i] = json_of(scene_.animations[i], store_);
-    }
     return true;
   }
 
@@ -160,6 +106,12 @@ class StructurePatch {
       if (!same(now[i], was[i])) return fail(std::string(kind) + '[' + std::to_string(i) + ']', "it was changed");
     }
     return true;
+  }
+
+  bool animations() {
+    if (scene_.animations.size() < was_.animations.size()) return fail("animations", "some were removed");
+    const auto changed = patch_animations(scene_.animations, was_.animations, json_, store_);
+    return !changed || fail(*changed, "its channels were changed");
   }
 
   bool old_nodes() {

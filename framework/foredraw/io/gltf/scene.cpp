@@ -142,12 +142,6 @@ Shared<float> never_falling(const Shared<float>& times) {
   return Shared<float>(std::move(risen));
 }
 
-/// What aims at no node aims by an extension at something that has no shape.
-bool moves_a_node(const Json& channel) {
-  const Json& target = channel["target"];
-  return target.contains("node") && target["path"] != "pointer";
-}
-
 Animation animation_of(const Json& from, Streams& streams) {
   static const std::map<std::string, AnimatedPath> paths = {{"translation", AnimatedPath::translation},
                                                             {"rotation", AnimatedPath::rotation},
@@ -212,6 +206,11 @@ Image image_of(const Json& from, const Document& document, ViewBytes& views) {
 }
 
 }  // namespace
+
+bool moves_a_node(const Json& channel) {
+  const Json& target = channel["target"];
+  return target.contains("node") && target["path"] != "pointer";
+}
 
 Scene scene_of(const Document& document) {
   Scene scene;

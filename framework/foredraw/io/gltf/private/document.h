@@ -141,6 +141,10 @@ std::uint32_t greatest_index(const Document& document, const Accessor& accessor)
 /// The greatest number that such indices can hold: it restarts strips, loops and fans.
 std::uint32_t restart_of(Component indices);
 
+/// Whether an animation's channel moves a node: scenes hold no others. What aims at no node aims by an extension at
+/// something that has no shape.
+bool moves_a_node(const Json& channel);
+
 /// "VEC3" and its component type to a format; nullopt where there is none such.
 std::optional<Format> format_of(std::string_view type, std::uint64_t component_type, bool normalized);
 
