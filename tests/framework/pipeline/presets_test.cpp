@@ -18,7 +18,7 @@ TEST(Presets, AreThoseThatTheDocumentsName) {
   for (const Preset& preset : presets()) names.push_back(preset.name);
   EXPECT_EQ(names,
             (std::vector<std::string_view>{"cache-only", "character", "city", "crowd", "default", "displaced", "levels",
-                                           "simplify", "sprites", "static-prop", "streaming", "walk", "wires"}));
+                                           "simplify", "small", "sprites", "static-prop", "streaming", "walk", "wires"}));
 }
 
 TEST(Presets, ParseSayWhatTheyAreForAndMeasure) {
