@@ -61,6 +61,9 @@ template <class T>
 std::optional<OctahedralPoint> point_of(const std::array<T, 3>& direction, int bits) {
   const std::int32_t one = one_of(bits);
   const auto [x, y] = unfolded(glm::dvec3(direction[0], direction[1], direction[2]));
+  const OctahedralPoint nearest{static_cast<std::int32_t>(std::lround(x * one)),
+                                static_cast<std::int32_t>(std::lround(y * one)), one};
+  if (direction_of<T>(nearest) == direction) return nearest;  // as a rule
   std::optional<OctahedralPoint> found;
   each_near(x * one, y * one, one, 2, [&](const OctahedralPoint& point) {
     if (!found && direction_of<T>(point) == direction) found = point;

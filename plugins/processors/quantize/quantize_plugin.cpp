@@ -178,7 +178,7 @@ Plugin quantize_plugin() {
                   {"rotation-error", "degrees", "Largest angle of an animated rotation from its key", true, true},
                   {"scale-error", "", "Largest error of an animated scale, of 1", true, true},
                   {"keys-left", "keys per key", "Keys that animations keep", true},
-                  {"gap", "units", "Largest distance between border points of two draws that met before", true, true}},
+                  {"gap", "units", "Largest distance between vertices of two draws that met before", true, true}},
   };
   OptionTable<QuantizeOptions> table;
   table

@@ -1,14 +1,14 @@
 #include "touching_draws.h"
 
 #include <foredraw/analysis/mesh_facts.h>
-#include <foredraw/analysis/seam_edges.h>
 
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <tuple>
 
 namespace foredraw {
@@ -16,19 +16,6 @@ namespace foredraw {
 namespace {
 
 using Cell = std::array<std::int64_t, 3>;
-
-/// Vertices at the ends of edges that have one triangle.
-std::vector<std::uint32_t> border_vertices(const Draw& draw, std::span<const glm::vec3> positions) {
-  const std::vector<glm::vec2> no_layout(positions.size());
-  const UvMesh mesh{positions, no_layout, draw.full().stream().indices.view()};
-  std::vector<std::uint32_t> border;
-  for (const SharedEdge& edge : seam_edges({&mesh, 1}).edges) {
-    if (edge.kind == EdgeKind::border) border.insert(border.end(), edge.points.begin(), edge.points.end());
-  }
-  std::ranges::sort(border);
-  border.erase(std::unique(border.begin(), border.end()), border.end());
-  return border;
-}
 
 glm::dvec3 in_world(const glm::mat4& world, const glm::vec3& position) {
   return glm::dvec3(glm::dmat4(world) * glm::dvec4(glm::dvec3(position), 1.0));
@@ -38,54 +25,96 @@ bool is_fixed(const Scene& scene, const Node& node, DrawId draw) {
   return !node.skin && node.instances.empty() && scene.draws[draw].full().vertices->morph_targets.empty();
 }
 
-struct Placed {
-  BorderPoint point;
-  glm::dvec3 position;
+struct Box {
+  glm::dvec3 least{std::numeric_limits<double>::infinity()};
+  glm::dvec3 most{-std::numeric_limits<double>::infinity()};
+
+  void add(const glm::dvec3& point) {
+    least = glm::min(least, point);
+    most = glm::max(most, point);
+  }
+  bool is_empty() const { return !(least.x <= most.x); }
+  bool holds(const glm::dvec3& p) const {
+    return p.x >= least.x && p.y >= least.y && p.z >= least.z && p.x <= most.x && p.y <= most.y && p.z <= most.z;
+  }
+  Box grown(double by) const { return {least - by, most + by}; }
+  Box shared_with(const Box& other) const { return {glm::max(least, other.least), glm::min(most, other.most)}; }
 };
 
-std::vector<Placed> placed_borders(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses) {
-  const std::vector<glm::mat4> worlds = world_transforms(scene);
-  std::map<DrawId, std::vector<std::uint32_t>> borders;
+/// A draw as a node places it, and where it may meet others: the box of what its box shares with theirs.
+struct Placed {
+  DrawId draw = 0;
+  NodeId node = 0;
+  std::shared_ptr<const Positions> positions;
+  Box box, shared;
+};
+
+std::vector<Placed> placed_draws(const Scene& scene, const std::vector<DrawId>& draws,
+                                 const std::vector<glm::mat4>& worlds, Analyses& analyses) {
   std::vector<Placed> placed;
   for (NodeId n = 0; n < scene.nodes.size(); ++n) {
     if (!scene.nodes[n].mesh) continue;
     for (const DrawId id : scene.meshes[*scene.nodes[n].mesh].draws) {
       if (!std::ranges::binary_search(draws, id) || !is_fixed(scene, scene.nodes[n], id)) continue;
-      const auto positions = positions_of(analyses, *scene.draws[id].full().vertices);
-      const auto [border, is_new] = borders.try_emplace(id);
-      if (is_new) border->second = border_vertices(scene.draws[id], positions->values);
-      for (const std::uint32_t v : border->second) {
-        const glm::dvec3 at = in_world(worlds[n], positions->values[v]);
-        if (is_finite(glm::vec3(at))) placed.push_back({{id, n, v}, at});
+      Placed one{id, n, positions_of(analyses, *scene.draws[id].full().vertices), {}, {}};
+      for (const glm::vec3& position : one.positions->values) {
+        const glm::dvec3 at = in_world(worlds[n], position);
+        if (is_finite(glm::vec3(at))) one.box.add(at);
       }
+      if (!one.box.is_empty()) placed.push_back(std::move(one));
     }
   }
   return placed;
 }
 
+/// Boxes that are nearer than `near` to each other, found in the sequence of their left sides.
+void find_shared(std::vector<Placed>& placed, double near) {
+  std::ranges::stable_sort(placed, {}, [](const Placed& one) { return one.box.least.x; });
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const Box grown = placed[i].box.grown(near);
+    for (std::size_t j = i + 1; j < placed.size() && placed[j].box.least.x <= grown.most.x; ++j) {
+      const Box shared = grown.shared_with(placed[j].box.grown(near));
+      if (!(shared.least.y <= shared.most.y && shared.least.z <= shared.most.z)) continue;
+      for (Placed* one : {&placed[i], &placed[j]}) {
+        one->shared.add(shared.least);
+        one->shared.add(shared.most);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses) {
-  const std::vector<Placed> placed = placed_borders(scene, draws, analyses);
-  if (placed.empty()) return {};
-  glm::dvec3 least = placed.front().position, most = least;
+  const std::vector<glm::mat4> worlds = world_transforms(scene);
+  std::vector<Placed> placed = placed_draws(scene, draws, worlds, analyses);
+  Box all;
   for (const Placed& one : placed) {
-    least = glm::min(least, one.position);
-    most = glm::max(most, one.position);
+    all.add(one.box.least);
+    all.add(one.box.most);
   }
-  const glm::dvec3 extent = most - least;
-  const double size = std::max(extent.x, std::max(extent.y, extent.z));
-  if (!(size > 0)) return {};
-  std::vector<std::pair<Cell, std::size_t>> cells(placed.size());
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const glm::dvec3 number = (placed[i].position - least) / (size * 1e-6);
-    cells[i] = {{std::llround(number.x), std::llround(number.y), std::llround(number.z)}, i};
+  const glm::dvec3 extent = all.most - all.least;
+  const double near = std::max(extent.x, std::max(extent.y, extent.z)) * 1e-6;
+  if (placed.size() < 2 || !(near > 0)) return {};
+  find_shared(placed, near);
+  std::vector<std::pair<Cell, MetPoint>> cells;
+  for (const Placed& one : placed) {
+    for (std::uint32_t v = 0; v < one.positions->values.size() && !one.shared.is_empty(); ++v) {
+      const glm::dvec3 at = in_world(worlds[one.node], one.positions->values[v]);
+      if (!one.shared.holds(at)) continue;
+      const glm::dvec3 number = (at - all.least) / near;
+      cells.push_back(
+          {{std::llround(number.x), std::llround(number.y), std::llround(number.z)}, {one.draw, one.node, v}});
+    }
   }
-  std::ranges::sort(cells);
+  std::ranges::sort(cells, [](const auto& a, const auto& b) {
+    return std::tie(a.first, a.second.node, a.second.draw, a.second.vertex) <
+           std::tie(b.first, b.second.node, b.second.draw, b.second.vertex);
+  });
   std::vector<Meeting> meetings;
   for (std::size_t i = 1, first = 0; i < cells.size(); ++i) {
     if (cells[i].first != cells[first].first) first = i;
-    const BorderPoint &at = placed[cells[first].second].point, &with = placed[cells[i].second].point;
+    const MetPoint &at = cells[first].second, &with = cells[i].second;
     if (at.draw != with.draw || at.node != with.node) meetings.push_back({at, with});
   }
   return meetings;
@@ -93,7 +122,7 @@ std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& 
 
 double largest_gap(const Scene& rounded, const std::vector<Meeting>& meetings, Analyses& analyses) {
   const std::vector<glm::mat4> worlds = world_transforms(rounded);
-  const auto place = [&](const BorderPoint& point) {
+  const auto place = [&](const MetPoint& point) {
     const auto positions = positions_of(analyses, *rounded.draws[point.draw].full().vertices);
     return in_world(worlds[point.node], positions->values[point.vertex]);
   };

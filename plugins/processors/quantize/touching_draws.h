@@ -1,5 +1,5 @@
 #pragma once
-// Which draws meet at their borders, and how far they come apart when their vertices are rounded.
+// Which draws meet at vertices, and how far they come apart when their vertices are rounded.
 
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/scene/scene.h>
@@ -9,8 +9,8 @@
 
 namespace foredraw {
 
-/// A vertex on the border of a draw, as a node places it.
-struct BorderPoint {
+/// A vertex of a draw, as a node places it.
+struct MetPoint {
   DrawId draw = 0;
   NodeId node = 0;
   std::uint32_t vertex = 0;
@@ -18,10 +18,10 @@ struct BorderPoint {
 
 /// Points that lie on one another in the world: `at` the first, `with` one of another draw or node.
 struct Meeting {
-  BorderPoint at, with;
+  MetPoint at, with;
 };
 
-/// Where borders of what nodes place meet, within a millionth of the scene's diagonal. Each point meets the first one
+/// Where vertices of what nodes place meet, within a millionth of the scene's diagonal. Each point meets the first one
 /// that lies there. Full detail alone; skins, instances and morph targets move their draws otherwise, and are left out.
 std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses);
 
