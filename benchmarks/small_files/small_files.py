@@ -6,7 +6,7 @@
 GLTFPACK is the program of the newest meshoptimizer, built by its own CMakeLists.txt. Each model (default: the corpus) goes
 through it with -cc, and through `quantize, weld, codec-order, vertex-fetch(always=true)` with --compression, both for
 EXT_meshopt_compression, then both for KHR_meshopt_compression (-cz -ce khr). gltfpack has its default bits: 14 for
-positions, in a grid over the largest mesh; 12 for texture coordinates; 8 for normals. `quantize` is asked for the error
+positions, in a grid over the box of all meshes; 12 for texture coordinates; 8 for normals. `quantize` is asked for the error
 that such a grid has in the middle of a cell, and for the angle that 8 bits have. gltfpack keeps what materials do not use
 (-kv), names and materials (-kn -km), as Foredraw does.
 
@@ -65,13 +65,11 @@ def coded_bytes(path):
 def position_error(path):
     """What the middle of a cell of gltfpack's grid is off, as part of the diagonal of the largest draw."""
     json_of = document(path)
-    extents = []
-    for mesh in json_of["meshes"]:
-        for primitive in mesh["primitives"]:
-            accessor = json_of["accessors"][primitive["attributes"]["POSITION"]]
-            extents.append([b - a for a, b in zip(accessor["min"], accessor["max"])])
-    diagonal = max(math.dist(e, (0, 0, 0)) for e in extents)
-    return math.sqrt(3) / 2 * max(map(max, extents)) / 16383 / diagonal
+    primitives = [p for mesh in json_of["meshes"] for p in mesh["primitives"]]
+    boxes = [json_of["accessors"][p["attributes"]["POSITION"]] for p in primitives]
+    diagonal = max(math.dist(box["min"], box["max"]) for box in boxes)
+    extent = max(max(box["max"][k] for box in boxes) - min(box["min"][k] for box in boxes) for k in range(3))
+    return math.sqrt(3) / 2 * extent / 16383 / diagonal
 
 
 def uv_error(path):

@@ -22,7 +22,7 @@ struct QuantizeOptions {
   double color_error = .002;
   double weight_error = .004;
   double translation_error = 3e-5;
-  double rotation_error = .05;
+  double rotation_error = .07;
   double scale_error = 1e-4;
 };
 

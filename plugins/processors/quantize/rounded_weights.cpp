@@ -21,7 +21,7 @@ std::vector<std::uint32_t> shares(std::span<const SkinWeights::Slot> row, std::u
   std::vector<double> lost(row.size());
   auto left = static_cast<std::uint32_t>(std::lround(sum * one));
   for (std::size_t i = 0; i < row.size(); ++i) {
-    const double exact = double(row[i].weight) * one;
+    const double exact = std::min(double(row[i].weight), 1.0) * one;
     whole[i] = static_cast<std::uint32_t>(exact);
     lost[i] = exact - whole[i];
     left -= std::min(left, whole[i]);
@@ -29,7 +29,11 @@ std::vector<std::uint32_t> shares(std::span<const SkinWeights::Slot> row, std::u
   std::vector<std::size_t> by_loss(row.size());
   std::iota(by_loss.begin(), by_loss.end(), 0u);
   std::ranges::stable_sort(by_loss, [&](std::size_t a, std::size_t b) { return lost[a] > lost[b]; });
-  for (std::size_t i = 0; left > 0; ++i, --left) ++whole[by_loss[i % by_loss.size()]];
+  for (std::size_t i = 0; left > 0 && i < by_loss.size(); ++i) {
+    if (whole[by_loss[i]] == one) continue;
+    ++whole[by_loss[i]];
+    --left;
+  }
   return whole;
 }
 
@@ -74,10 +78,11 @@ VertexStream part(const std::string& semantic, const std::vector<std::uint32_t>&
                  : part<std::uint8_t>(semantic, values, slots, first, normalized);
 }
 
+/// But for what floats round.
 bool are_parts(const SkinWeights& skin, std::uint32_t vertices) {
   for (std::uint32_t v = 0; v < vertices; ++v) {
     for (const auto& slot : skin.of(v)) {
-      if (!(slot.weight >= 0 && slot.weight <= 1)) return false;
+      if (!(slot.weight >= 0 && slot.weight <= 1.001f)) return false;
     }
   }
   return true;
