@@ -11,7 +11,8 @@ namespace {
 /// Rounds the streams of one VertexStreams, and collects what came of it.
 class Rounding {
  public:
-  Rounding(const VertexStreams& from, const Tolerances& tolerances) : from_(from), tolerances_(tolerances) {}
+  Rounding(const VertexStreams& from, const Tolerances& tolerances, const std::atomic<bool>* cancel)
+      : from_(from), tolerances_(tolerances), cancel_(cancel) {}
 
   Quantized run() {
     auto to = std::make_shared<VertexStreams>(from_);
@@ -26,6 +27,7 @@ class Rounding {
 
  private:
   void round(VertexStream& stream, bool is_change) {
+    if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
     const std::string_view name = stream.semantic;
     QuantizedErrors& largest = result_.largest;
     if (name == "POSITION")
@@ -35,7 +37,7 @@ class Rounding {
       // What a morph target adds to a direction of length 1 turns it by that length, in radians, at most by a little
       // more.
       const double added = chord_of(tolerances_.direction);
-      auto made = is_change ? on_lattice(stream, added) : as_directions(stream, tolerances_.direction);
+      auto made = is_change ? on_lattice(stream, added) : as_directions(stream, tolerances_.direction, cancel_);
       if (is_change && made.error > 0) made.error *= tolerances_.direction / added;
       put(stream, std::move(made), tolerances_.direction, largest.direction);
     }
@@ -61,6 +63,7 @@ class Rounding {
 
   const VertexStreams& from_;
   const Tolerances& tolerances_;
+  const std::atomic<bool>* cancel_;
   Quantized result_;
 };
 
@@ -75,8 +78,8 @@ std::vector<int> lattice_exponents(double distance, std::size_t components) {
   return exponents;
 }
 
-Quantized quantize(const VertexStreams& vertices, const Tolerances& tolerances) {
-  return Rounding(vertices, tolerances).run();
+Quantized quantize(const VertexStreams& vertices, const Tolerances& tolerances, const std::atomic<bool>* cancel) {
+  return Rounding(vertices, tolerances, cancel).run();
 }
 
 }  // namespace foredraw

@@ -8,6 +8,7 @@
 
 #include <foredraw/scene/vertex_streams.h>
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,7 +47,9 @@ std::vector<int> lattice_exponents(double distance, std::size_t components);
 
 /// All streams that glTF knows, rounded. Streams of other names stay, and so do those that hold whole numbers already,
 /// but for wide numbers of joints. Numbers of joints without weight become 0. O(vertices) for each bit that is tried.
-Quantized quantize(const VertexStreams& vertices, const Tolerances& tolerances);
+/// Once `*cancel` is true, streams stay as they are.
+Quantized quantize(const VertexStreams& vertices, const Tolerances& tolerances,
+                   const std::atomic<bool>* cancel = nullptr);
 
 struct Plugin;
 Plugin quantize_plugin();

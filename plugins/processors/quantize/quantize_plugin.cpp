@@ -75,11 +75,13 @@ class QuantizeVertices final : public Processor {
 
     std::vector<Quantized> made(groups.size());
     run.executor.for_each(groups.size(), [&](std::size_t i) {
-      made[i] = quantize(*groups[i].vertices, {.position = tolerances[groups[i].users.front().draw],
-                                               .direction = options_.direction_error,
-                                               .uv = options_.uv_error / texels,
-                                               .color = options_.color_error,
-                                               .weight = options_.weight_error});
+      made[i] = quantize(*groups[i].vertices,
+                         {.position = tolerances[groups[i].users.front().draw],
+                          .direction = options_.direction_error,
+                          .uv = options_.uv_error / texels,
+                          .color = options_.color_error,
+                          .weight = options_.weight_error},
+                         run.cancel);
     });
     std::vector<DrawId> changed;
     bool any = false;

@@ -116,14 +116,15 @@ RoundedStream on_lattice(const VertexStream& stream, double distance) {
   return {stream_like(stream, stream.format, made), std::sqrt(farthest), {}};
 }
 
-RoundedStream as_directions(const VertexStream& stream, double degrees) {
+RoundedStream as_directions(const VertexStream& stream, double degrees, const std::atomic<bool>* cancel) {
   if (degrees <= 0 || stream.format.component != Component::float32 || stream.format.components < 3) return {};
   if (!are_finite(stream)) return {{}, 0, "some of whose numbers are not finite"};
   const double most = chord_of(degrees);
-  for (int bits = 2; bits <= 8; ++bits) {
+  const auto is_cancelled = [&] { return cancel != nullptr && cancel->load(std::memory_order_relaxed); };
+  for (int bits = 2; bits <= 8 && !is_cancelled(); ++bits) {
     if (auto made = directions<std::int8_t>(stream, bits, most)) return *std::move(made);
   }
-  for (int bits = 8; bits <= 16; ++bits) {
+  for (int bits = 8; bits <= 16 && !is_cancelled(); ++bits) {
     if (auto made = directions<std::int16_t>(stream, bits, most)) return *std::move(made);
   }
   return {{}, 0, "which 16 bits do not hold so finely"};

@@ -3,6 +3,7 @@
 
 #include <foredraw/scene/vertex_streams.h>
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,7 +24,7 @@ RoundedStream on_lattice(const VertexStream& stream, double distance);
 
 /// Floats as unit vectors that the octahedral filter gives, of 8 bits for each component where that will do, else
 /// of 16. A fourth component, which is -1 or 1, stays. Directions of length 0 become +z.
-RoundedStream as_directions(const VertexStream& stream, double degrees);
+RoundedStream as_directions(const VertexStream& stream, double degrees, const std::atomic<bool>* cancel = nullptr);
 
 /// Floats, or 16 bits, from 0 to 1 as 8 bits for each component where that will do, else as 16; others on a lattice.
 RoundedStream as_parts(const VertexStream& stream, double error);
