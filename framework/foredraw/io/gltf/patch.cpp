@@ -100,6 +100,7 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   if (document.from_draco) leave_draco(document, store, diagnostics);
   written.laid_out = store.lay_out(compress);
   if (all_compressed && document.knows_all_extensions()) {
+    leave_out_accessors(written.json);
     gather_views(written.json, written.laid_out);
     compress_views(written.json, written.laid_out, as.compression == Compression::khr ? khr_meshopt : ext_meshopt,
                    as.turns_corners);

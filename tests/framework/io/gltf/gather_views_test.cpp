@@ -111,6 +111,34 @@ TEST(GatherViews, images_and_sparse_accessors_stay) {
   EXPECT_EQ(testing::write(testing::read(written.files[0].bytes)), written.files[0].bytes);
 }
 
+TEST(LeftOutAccessors, those_that_nothing_names_are_gone_and_the_others_move_up) {
+  GltfBuilder builder = testing::puppet();
+  builder.add_values(std::vector<float>(30, 1), "VEC3");
+  builder.json["accessors"].insert(builder.json["accessors"].begin(), builder.json["accessors"].back());
+  const auto moved = [](GltfJson& number) { number = number.get<std::size_t>() + 1; };
+  for (GltfJson& primitive : builder.json["meshes"][0]["primitives"]) {
+    if (primitive.contains("indices")) moved(primitive["indices"]);
+    for (GltfJson& number : primitive["attributes"]) moved(number);
+    for (GltfJson& target : primitive["targets"]) {
+      for (GltfJson& number : target) moved(number);
+    }
+  }
+  for (GltfJson& skin : builder.json["skins"]) moved(skin["inverseBindMatrices"]);
+  for (GltfJson& animation : builder.json["animations"]) {
+    for (GltfJson& sampler : animation["samplers"]) {
+      moved(sampler["input"]);
+      moved(sampler["output"]);
+    }
+  }
+  const std::size_t were = builder.json["accessors"].size();
+  const Scene scene = testing::read(builder);
+  const Written written = testing::encode(scene, Compression::ext);
+  EXPECT_EQ(written.json["accessors"].size(), were - 2);
+  const Scene again = testing::read(written.files[0].bytes);
+  expect_same(again, scene, true);
+  EXPECT_EQ(again.skins[0].inverse_bind_matrices, scene.skins[0].inverse_bind_matrices);
+}
+
 TEST(TurnedCorners, lists_of_triangles_alone_may_be_turned) {
   GltfBuilder builder = testing::ribbon(200);
   GltfJson lines = builder.json["meshes"][0]["primitives"][0];
