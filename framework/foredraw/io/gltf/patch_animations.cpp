@@ -115,18 +115,40 @@ std::vector<Json*> channels_of(Json& animation) {
   return known;
 }
 
-void put_keys(const Animation& now, const Animation& was, Json& json, AccessorStore& store) {
+/// [channel] its number before; nullopt where some channel was not there, or came behind a later one.
+std::optional<std::vector<std::size_t>> numbers_before(const Animation& now, const Animation& was) {
+  std::vector<std::size_t> numbers;
+  std::size_t before = 0;
+  for (const AnimationChannel& channel : now.channels) {
+    while (before < was.channels.size() && !same_target(channel, was.channels[before])) ++before;
+    if (before == was.channels.size()) return std::nullopt;
+    numbers.push_back(before++);
+  }
+  return numbers;
+}
+
+void put_channels(const Animation& now, const Animation& was, const std::vector<std::size_t>& numbers, Json& json,
+                  AccessorStore& store) {
   const std::vector<Json*> channels = channels_of(json);
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    if (same_keys(now.channels[c], was.channels[c])) continue;
-    Json sampler = json["samplers"][(*channels[c])["sampler"].get<std::size_t>()];
-    if (!(now.channels[c].times == was.channels[c].times)) {
+  for (std::size_t c = 0; c < numbers.size(); ++c) {
+    const AnimationChannel& before = was.channels[numbers[c]];
+    if (same_keys(now.channels[c], before)) continue;
+    Json& channel = *channels[numbers[c]];
+    Json sampler = json["samplers"][channel["sampler"].get<std::size_t>()];
+    if (!(now.channels[c].times == before.times)) {
       sampler["input"] = store.append(floats(now.channels[c].times.view(), 1, true));
     }
     sampler["output"] = output_of(now.channels[c], store);
-    (*channels[c])["sampler"] = json["samplers"].size();
+    channel["sampler"] = json["samplers"].size();
     json["samplers"].push_back(std::move(sampler));
   }
+  Json left = Json::array();
+  std::size_t known = 0;
+  for (Json& channel : json["channels"]) {
+    const bool stays = !moves_a_node(channel) || std::ranges::binary_search(numbers, known++);
+    if (stays) left.push_back(std::move(channel));
+  }
+  json["channels"] = std::move(left);
   leave_out_unused_samplers(json);
 }
 
@@ -151,13 +173,13 @@ std::optional<std::string> patch_animations(const std::vector<Animation>& now, c
                                             Json& json, AccessorStore& store) {
   std::set<std::size_t> left;
   for (std::size_t i = 0; i < was.size(); ++i) {
-    const auto& channels = now[i].channels;
-    if (now[i].name != was[i].name || !std::ranges::equal(channels, was[i].channels, same_target)) {
+    const auto numbers = numbers_before(now[i], was[i]);
+    if (now[i].name != was[i].name || !numbers || (numbers->empty() && !was[i].channels.empty())) {
       return "animations[" + std::to_string(i) + ']';
     }
-    if (std::ranges::equal(channels, was[i].channels, same_keys)) continue;
+    if (std::ranges::equal(now[i].channels, was[i].channels, same_keys)) continue;
     left.merge(used_by_samplers(json["animations"][i]));
-    put_keys(now[i], was[i], json["animations"][i], store);
+    put_channels(now[i], was[i], *numbers, json["animations"][i], store);
   }
   for (std::size_t i = was.size(); i < now.size(); ++i) json["animations"][i] = json_of(now[i], store);
   if (!left.empty()) {

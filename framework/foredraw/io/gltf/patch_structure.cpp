@@ -111,7 +111,7 @@ class StructurePatch {
   bool animations() {
     if (scene_.animations.size() < was_.animations.size()) return fail("animations", "some were removed");
     const auto changed = patch_animations(scene_.animations, was_.animations, json_, store_);
-    return !changed || fail(*changed, "its channels were changed");
+    return !changed || fail(*changed, "channels were added or moved, or all are gone");
   }
 
   bool old_nodes() {

@@ -1,0 +1,101 @@
+#include "prune.h"
+
+#include <foredraw/analysis/diagonal.h>
+#include <foredraw/base/counted.h>
+#include <foredraw/scene/vertex_groups.h>
+#include <foredraw/technique/plugin.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace foredraw {
+
+namespace {
+
+struct PruneOptions {
+  bool tracks = true;
+};
+
+class Prune final : public Processor {
+ public:
+  explicit Prune(PruneOptions options) : options_(options) {}
+
+  std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
+    const std::vector<DrawId> changed = prune_vertices(scene, draws, run);
+    const std::size_t tracks = options_.tracks ? prune_tracks(scene, draws, run) : 0;
+    run.count_at({}, "tracks-left-out", static_cast<double>(tracks));
+    if (changed.empty() && tracks == 0) run.keep("all attributes and tracks are needed");
+    return draws;
+  }
+
+ private:
+  static std::vector<DrawId> prune_vertices(Scene& scene, const std::vector<DrawId>& draws, Run& run) {
+    std::vector<VertexGroup> groups = vertex_groups(scene);
+    keep_groups_of(groups, draws);
+    std::vector<DrawId> changed;
+    for (const VertexGroup& group : groups) {
+      const PrunedStreams made = prune_streams(*group.vertices);
+      if (made.pruned.empty()) continue;
+      const About about{.draw = group.users.front().draw};
+      for (const PrunedStream& stream : made.pruned) {
+        run.note_at(about, "left-out", stream.semantic + " is left out: " + stream.why);
+      }
+      for (const VertexGroup::User& user : group.users) {
+        scene.draws[user.draw].levels[user.level].vertices = made.vertices;
+        changed.push_back(user.draw);
+      }
+    }
+    return changed;
+  }
+
+  /// How many.
+  static std::size_t prune_tracks(Scene& scene, const std::vector<DrawId>& draws, Run& run) {
+    double size = 0;
+    for (const DrawId id : draws) {
+      size = std::max(size, diagonal_of(positions_of(run.analyses, *scene.draws[id].full().vertices)->values));
+    }
+    std::size_t count = 0;
+    for (Animation& animation : scene.animations) {
+      const std::vector<bool> rest = resting_tracks(animation, scene.nodes, {.translation = 1e-6 * size});
+      std::vector<AnimationChannel> left;
+      for (std::size_t c = 0; c < rest.size(); ++c) {
+        if (!rest[c]) left.push_back(std::move(animation.channels[c]));
+      }
+      count += rest.size() - left.size();
+      animation.channels = std::move(left);
+    }
+    if (count > 0) {
+      run.note("left-out", fmt::format("tracks of animations are left out, as they stay where their node rests: {}",
+                                       counted(count)));
+    }
+    return count;
+  }
+
+  PruneOptions options_;
+};
+
+}  // namespace
+
+Plugin prune_plugin() {
+  Plugin plugin;
+  plugin.kind = Kind::processor;
+  plugin.card = {
+      .name = "prune",
+      .summary = "Leaves out attributes and tracks of animations that change nothing of what is shown",
+      .reference = "common practice",
+      .acts_on = {traits::triangles},
+      .pays_if = "some attribute or track changes nothing",
+      .measured_by = {"scene-cost"},
+      .metrics = {{"tracks-left-out", "tracks", "Tracks that stay where their node rests", false}},
+  };
+  OptionTable<PruneOptions> table;
+  table.row(
+      &PruneOptions::tracks, "tracks",
+      "Leave out tracks that stay where their node rests. Turn it off where an engine plays one clip after another "
+      "without going back to rest");
+  bind_options(plugin, table, [](const PruneOptions& options) { return std::make_unique<Prune>(options); });
+  return plugin;
+}
+
+}  // namespace foredraw
