@@ -24,6 +24,8 @@ FrameTimer reference_timer(const FrameScene& scene, FrameSize size) {
 
 bool has_vulkan_timer() { return true; }
 
+std::string vulkan_device() { return gpu::device_text(); }
+
 NamedTimer vulkan_timer(const FrameScene& scene, FrameSize size) {
   try {
     const auto frames = std::make_shared<VulkanFrames>(gpu::DeviceChoice{}, scene, size);
@@ -38,6 +40,8 @@ NamedTimer vulkan_timer(const FrameScene& scene, FrameSize size) {
 #else
 
 bool has_vulkan_timer() { return false; }
+
+std::string vulkan_device() { return "none"; }
 
 NamedTimer vulkan_timer(const FrameScene&, FrameSize) {
   throw std::runtime_error("times = vulkan: this program was built without Vulkan");

@@ -13,6 +13,9 @@ FrameTimer reference_timer(const FrameScene& scene, FrameSize size);
 /// Whether this program was built with what vulkan_timer() needs.
 bool has_vulkan_timer();
 
+/// The device of vulkan_timer(), and its driver; or why there is none.
+std::string vulkan_device();
+
 struct NamedTimer {
   FrameTimer timer;
   std::string name;  ///< of the device

@@ -211,6 +211,10 @@ Plugin lod_walk_plugin() {
               {"fitted-error", "%", "The same of a model that was fitted to every second frame, on the others"},
           },
   };
+  plugin.device = [table](const Settings& settings) -> std::string {
+    const FrameTimes times = table.read(settings).times;
+    return times == FrameTimes::model ? "" : times == FrameTimes::drawn ? "the processor" : vulkan_device();
+  };
   bind_options(plugin, std::move(table),
                [](const WalkSettings& settings) { return std::make_unique<LodWalkEvaluator>(settings); });
   return plugin;

@@ -112,6 +112,11 @@ Plugin overdraw_vulkan_plugin() {
       },
       add_rows, [](const OverdrawVulkanOptions& options) { return std::make_unique<OverdrawVulkan>(options); });
   plugin.unavailable = [] { return gpu::why_no_device(); };
+  plugin.device = [](const Settings& settings) {
+    const auto device = settings.find("device");
+    const auto* name = device == settings.end() ? nullptr : std::get_if<std::string>(&device->second);
+    return gpu::device_text({name == nullptr ? "" : *name});
+  };
   return plugin;
 }
 

@@ -17,6 +17,9 @@ struct DeviceChoice {
 /// Why no device can be had, and what to do; nothing: one can. Starts the drivers, and ends them.
 std::optional<std::string> why_no_device(const DeviceChoice& choice = {});
 
+/// The device that is chosen, and the version of its driver; why there is none. Starts the drivers, and ends them.
+std::string device_text(const DeviceChoice& choice = {});
+
 /// Whether the validation layer is installed.
 bool has_validation();
 

@@ -41,6 +41,16 @@ std::optional<std::string> why_no_device(const DeviceChoice& choice) {
   return std::nullopt;
 }
 
+std::string device_text(const DeviceChoice& choice) {
+  try {
+    const Instance instance(choice.complaints);
+    const VkPhysicalDeviceProperties properties = chosen_device(instance.get(), choice.device).properties;
+    return std::string(properties.deviceName) + ", driver " + std::to_string(properties.driverVersion);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
 Device::Device(const DeviceChoice& choice)
     : instance_(choice.complaints),
       candidate_(chosen_device(instance_.get(), choice.device)),

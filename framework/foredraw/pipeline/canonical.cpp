@@ -9,6 +9,13 @@ namespace foredraw {
 
 namespace {
 
+bool fits(const Settings& settings, const std::vector<OptionSpec>& rows) {
+  return std::ranges::all_of(settings, [&](const auto& setting) {
+    const auto row = std::ranges::find(rows, setting.first, &OptionSpec::name);
+    return row != rows.end() && std::holds_alternative<OptionValue>(fit(*row, setting.second));
+  });
+}
+
 /// What is wrong with a setting stays as it is: the planner says so.
 void fill(Settings& settings, const std::vector<OptionSpec>& rows) {
   for (const OptionSpec& row : rows) {
@@ -39,6 +46,20 @@ std::string canonical_text(const Pipeline& pipeline, const Registry& registry) {
   whole.about.clear();
   each_stage(whole, registry, [](Stage& stage, const std::vector<OptionSpec>& rows) { fill(stage.settings, rows); });
   return print_file(whole);
+}
+
+std::vector<std::string> devices_in(const Pipeline& pipeline, const Registry& registry) {
+  Pipeline whole = with_paths_from_here(pipeline, registry);
+  std::vector<std::string> devices;
+  each_stage(whole, registry, [&](Stage& stage, const std::vector<OptionSpec>& rows) {
+    const Plugin* plugin = registry.find(stage.use);
+    if (!plugin->device || !fits(stage.settings, rows)) return;
+    fill(stage.settings, rows);
+    if (std::string device = plugin->device(stage.settings); !device.empty()) {
+      devices.push_back(stage.use + ": " + device);
+    }
+  });
+  return devices;
 }
 
 std::vector<std::filesystem::path> files_named_in(const Pipeline& pipeline, const Registry& registry) {

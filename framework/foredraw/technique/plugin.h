@@ -58,6 +58,9 @@ struct Plugin {
   std::function<Technique(const Settings&)> create;
   /// Why this machine can not run it ("no Vulkan device"); nothing, or no function: it can.
   std::function<std::optional<std::string>()> unavailable = {};
+  /// The device that its answers depend on under these settings, as its driver names it; empty, or no function: they
+  /// depend on scene and options alone, and are the same everywhere.
+  std::function<std::string(const Settings&)> device = {};
   /// An evaluator that can answer for measured overdraw makes its service here, with options of the service's own: who
   /// asks brings views and scene.
   std::function<std::unique_ptr<OverdrawService>(const Settings&)> overdraw_service = {};

@@ -43,6 +43,22 @@ TEST_F(Canonical, DiffersWithAllThatIsDone) {
   }
 }
 
+TEST_F(Canonical, DevicesAreThoseOfPluginsThatSaySo) {
+  Plugin drawing = *registry_.find("tipsify");
+  drawing.card.name = "drawing";
+  drawing.device = [](const Settings& settings) {
+    return std::get<std::int64_t>(settings.at("cache-size")) == 16 ? std::string("a device") : std::string();
+  };
+  registry_.add(drawing);
+  const auto devices = [&](const std::string& text) {
+    Diagnostics diagnostics;
+    return devices_in(*parse_line(text, diagnostics), registry_);
+  };
+  EXPECT_EQ(devices("tipsify, drawing"), (std::vector<std::string>{"drawing: a device"}));
+  EXPECT_TRUE(devices("tipsify, drawing(cache-size=24)").empty());
+  EXPECT_TRUE(devices("drawing(cache-size=many)").empty()) << "what the planner refuses";
+}
+
 TEST_F(Canonical, FilesAreThoseThatOptionsName) {
   testing::put(folder_ / "views.txt", "");
   Diagnostics diagnostics;
