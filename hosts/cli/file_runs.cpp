@@ -45,7 +45,7 @@ bool write_heat_maps(const FileJob& job, const std::string& input, const Plan& p
 /// Reads, plans and works; `files` is told of what is read, unless it is null; `written` puts the result somewhere,
 /// beside what the scene was where that is shown, and may fail.
 FileRun run_file(const FileJob& job, const std::string& command, const std::string& input,
-                 const std::shared_ptr<FilesRead>& files, const Worker& work,
+                 const std::shared_ptr<FilesRead>& files, Milestones* milestones, const Worker& work,
                  const std::function<bool(const Scene&, Result&, Diagnostics&)>& written) {
   FileRun run;
   Diagnostics diagnostics;
@@ -71,7 +71,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   const Scene before = draws || !job.arguments.html.empty() ? file->scene : Scene();
   Analyses analyses(image_decoder(input, job.arguments.root, files));
   Result result = with_memory(input, "work on it", [&] {
-    return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress});
+    return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress, milestones});
   });
   result.report.command = command;
   result.report.input = {input, file->bytes, to_text(file->stamp)};
@@ -91,9 +91,9 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   return run;
 }
 
-std::vector<fs::path> contents_read(const FilesRead& files) {
+std::vector<fs::path> contents_read(const std::vector<FileRead>& files) {
   std::vector<fs::path> paths;
-  for (const FileRead& file : files.all()) {
+  for (const FileRead& file : files) {
     if (file.found == FileRead::Found::content) paths.push_back(file.path);
   }
   return paths;
@@ -134,7 +134,7 @@ std::string rules_of(const FileJob& job, const FileRun& run, const std::vector<O
   rule.inputs.insert(rule.inputs.end(), run.read.begin(), run.read.end());
   rule.inputs.insert(rule.inputs.end(), job.pipeline_files.begin(), job.pipeline_files.end());
   if (job.lent) {
-    const auto lent = contents_read(*job.lent);
+    const auto lent = contents_read(job.lent->all());
     rule.inputs.insert(rule.inputs.end(), lent.begin(), lent.end());
   }
   return rule_text(rule);
@@ -164,6 +164,8 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
   }
   const Arguments& arguments = job.arguments;
   const auto read = job.lent ? std::make_shared<FilesRead>() : nullptr;
+  const auto milestones = job.cache != nullptr ? job.cache->milestones(job, input, read) : nullptr;
+  const auto all_read = [&] { return milestones ? joined(read->all(), milestones->read_before()) : read->all(); };
   std::string json;
   // The scene, the report and whatever else: all of it, or none and an explanation.
   const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
@@ -194,29 +196,29 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     report.diagnostics = diagnostics.all();
     if (job.cache != nullptr && !result.failed) {
       json = to_json(report);
-      job.cache->keep(input, outputs, files, {read->all(), job.lent->all()}, scene, report, json);
+      job.cache->keep(input, outputs, files, {all_read(), job.lent->all()}, scene, report, json);
     }
     FileRun run;
     run.report = std::move(report);
-    if (read) run.read = contents_read(*read);
+    if (read) run.read = contents_read(all_read());
     const std::string page = arguments.html.empty() ? "" : page_of(before, result.scene, run.report, job);
     const bool is_written = write_with_texts(job, run, outputs, std::move(files), page, diagnostics) &&
                             (standard.empty() || write_standard_output(standard, diagnostics));
     report = std::move(run.report);
     return is_written;
   };
-  FileRun run = run_file(job, "optimize", input, read, foredraw::optimize,
+  FileRun run = run_file(job, "optimize", input, read, milestones.get(), foredraw::optimize,
                          [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
                            return with_memory(outputs.empty() ? input : outputs.front().path, "write it",
                                               [&] { return write(before, result, diagnostics); });
                          });
-  if (read) run.read = contents_read(*read);
+  if (read) run.read = contents_read(all_read());
   if (!run.is_lost) run.json = std::move(json);
   return run;
 }
 
 FileRun measure_file(const FileJob& job, const std::string& input) {
-  return run_file(job, "measure", input, nullptr, foredraw::measure,
+  return run_file(job, "measure", input, nullptr, nullptr, foredraw::measure,
                   [](const Scene&, Result&, Diagnostics&) { return true; });
 }
 

@@ -25,9 +25,9 @@ std::string extension_in_lower_case(const fs::path& path) {
   return extension;
 }
 
-/// Everything that decides what comes out, but for the file that is worked on and where it goes.
-std::string how(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry, const Cache& cache) {
-  std::string text = "results 1\n" + to_text(program_stamp()) + '\n' + canonical_text(pipeline, registry);
+/// Everything that decides what comes of a scene, but for the scene.
+std::string done_by(const Pipeline& pipeline, const Registry& registry, const Cache& cache) {
+  std::string text = to_text(program_stamp()) + '\n' + canonical_text(pipeline, registry);
   for (const fs::path& file : files_named_in(pipeline, registry)) {
     const auto content = cache.hashes().of(file, FileRead::all_of_it);
     text += fmt::format("file {} {}\n", file.string(), content ? to_text(content->stamp) : "");
@@ -37,9 +37,39 @@ std::string how(const Arguments& arguments, const Pipeline& pipeline, const Regi
       if (const ModuleFile* module = registry.module_of(stage.use)) text += fmt::format("module {}\n", module->hash);
     }
   }
-  text += fmt::format("compression {}\ncorners {}\nlevels {}\nproducts {}\nstrict {}\nroot {}\n", arguments.compression,
-                      arguments.corners, arguments.levels, arguments.products, arguments.strict, arguments.root);
+  for (const std::string& device : devices_in(pipeline, registry)) {
+    text += fmt::format("device {} of {}\n", device, machine_text());
+  }
   return text;
+}
+
+/// How scenes are read.
+std::string read_by(const Arguments& arguments) {
+  return fmt::format("strict {}\nroot {}\n", arguments.strict, arguments.root);
+}
+
+/// Everything that decides what comes out, but for the file that is worked on and where it goes.
+std::string how(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry, const Cache& cache) {
+  return "results 1\n" + done_by(pipeline, registry, cache) + read_by(arguments) +
+         fmt::format("compression {}\ncorners {}\nlevels {}\nproducts {}\n", arguments.compression, arguments.corners,
+                     arguments.levels, arguments.products);
+}
+
+Stamp stamp_of(const std::string& text) { return content_hash(std::as_bytes(std::span(text))); }
+
+MilestoneKeys milestone_keys(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry,
+                             const Cache& cache) {
+  MilestoneKeys keys;
+  Pipeline part = pipeline;
+  std::erase_if(part.stages, [](const Stage& stage) { return !stage.enabled; });
+  const std::vector<Stage> stages = std::exchange(part.stages, {});
+  keys.measures = stamp_of(fmt::format("measures before {}\n", stages.size()) + done_by(part, registry, cache));
+  part.measure.clear();
+  for (const Stage& stage : stages) {
+    part.stages.push_back(stage);
+    keys.stages.push_back(stamp_of("milestone 1\n" + done_by(part, registry, cache) + read_by(arguments)));
+  }
+  return keys;
 }
 
 /// Whether what was written says by which names its files go, or where others lie.
@@ -76,7 +106,9 @@ std::unique_ptr<ResultCache> ResultCache::opened(const Arguments& arguments, con
   auto cache = Cache::in(arguments.cache, diagnostics);
   if (!cache) return nullptr;
   std::string text = how(arguments, pipeline, registry, *cache);
-  return std::unique_ptr<ResultCache>(new ResultCache(std::move(*cache), std::move(text), print_file(pipeline)));
+  MilestoneKeys keys = milestone_keys(arguments, pipeline, registry, *cache);
+  return std::unique_ptr<ResultCache>(new ResultCache(std::move(*cache), std::move(text), print_file(pipeline),
+                                                      std::move(keys), is_folder(arguments.inputs[0])));
 }
 
 Work ResultCache::work_for(const std::string& input, const std::vector<Output>& outputs) const {
@@ -91,7 +123,14 @@ Work ResultCache::work_for(const std::string& input, const std::vector<Output>& 
     place += fs::path(output.path).filename().string() + '\n' +
              folder_of(input).lexically_relative(folder_of(output.path)).string() + '\n';
   }
-  return {content_hash(std::as_bytes(std::span(text))), input, std::move(place)};
+  return {stamp_of(text), input, std::move(place)};
+}
+
+std::unique_ptr<KeptMilestones> ResultCache::milestones(const FileJob& job, const std::string& input,
+                                                        std::shared_ptr<const FilesRead> read) const {
+  return std::make_unique<KeptMilestones>(KeptMilestones::Surroundings{
+      cache_, keys_, input, std::move(read), job.lent, [this](const Diagnostics& damaged) { tell_now(damaged); },
+      [this](const std::string& why) { tell_once(why); }});
 }
 
 std::optional<FileRun> ResultCache::recalled(const FileJob& job, const std::string& input,
@@ -131,6 +170,7 @@ std::optional<FileRun> ResultCache::recalled(const FileJob& job, const std::stri
   }
   const auto json = entry.read(about->files.size()), text = entry.read(about->files.size() + 1);
   if (!json || !text) return damage();
+  if (text->empty() && !is_of_folder_) return std::nullopt;
 
   FileRun run;
   run.from_cache = true;
@@ -171,7 +211,7 @@ void ResultCache::keep(const std::string& input, const std::vector<Output>& outp
       contents.emplace_back(file.bytes);
     }
   }
-  const std::string text = to_text(report);
+  const std::string text = is_of_folder_ ? "" : to_text(report);
   contents.push_back(std::as_bytes(std::span(json)));
   contents.push_back(std::as_bytes(std::span(text)));
   tell_once(keep_result(cache_, work_for(input, outputs), read, holds_names(input, outputs, files, scene),

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 namespace foredraw {
 
@@ -26,6 +27,9 @@ Stamp key_of_lists(const Work& work, const Stamp& input, bool depends_on_place) 
   const Stamp place = depends_on_place ? stamp_of("place " + work.place) : stamp_of("anywhere");
   return combine(std::vector<Stamp>{work.how, input, place});
 }
+
+/// Where nothing else was read or looked for, the content of the file decides, and there is no list.
+Stamp key_of_alone(const Stamp& lists) { return combine(std::vector<Stamp>{lists, stamp_of("alone")}); }
 
 /// JSON holds UTF-8 alone: other names stand in it as bytes.
 Json json_of(const fs::path& path) {
@@ -71,6 +75,17 @@ fs::path path_of(const Json& json, const fs::path& folder) {
   return json.at("from").get<std::string>() == own ? folder / path : path;
 }
 
+FileRead file_in(const Json& json, const fs::path& folder) {
+  FileRead file{path_of(json, folder), FileRead::Found::there, 0, 0, {}};
+  if (json.value("missing", false)) file.found = FileRead::Found::missing;
+  if (!json.contains("stamp")) return file;
+  file.found = FileRead::Found::content;
+  file.at_most = json.at("at-most").get<std::uint64_t>();
+  file.bytes = json.at("bytes").get<std::uint64_t>();
+  file.stamp = stamp_in(json.at("stamp").get<std::string>()).value_or(Stamp{});
+  return file;
+}
+
 /// Whether two reads of one file saw the same.
 bool agree(const std::vector<FileRead>& files) {
   for (std::size_t i = 1; i < files.size(); ++i) {
@@ -86,6 +101,9 @@ bool agree(const std::vector<FileRead>& files) {
 namespace {
 
 std::optional<FoundResult> found_by(const Stamp& key, const Cache& cache, const Work& work, Diagnostics& damaged) {
+  if (auto entry = cache.find(key_of_alone(key), damaged)) {
+    return FoundResult{key_of_alone(key), std::move(*entry), {work.input}, {}};
+  }
   const auto lists = cache.find(key, damaged);
   if (!lists) return std::nullopt;
   const fs::path folder = folder_of(work.input);
@@ -97,9 +115,10 @@ std::optional<FoundResult> found_by(const Stamp& key, const Cache& cache, const 
       const Stamp entry_key = stamp_in(list.at("entry").get<std::string>()).value_or(Stamp{});
       auto entry = cache.find(entry_key, damaged);
       if (!entry) return std::nullopt;
-      FoundResult found{entry_key, std::move(*entry), {work.input}};
+      FoundResult found{entry_key, std::move(*entry), {work.input}, {}};
       for (const Json& file : list.at("read")) {
         if (file.contains("stamp")) found.read.push_back(path_of(file, folder));
+        if (file.at("from").get<std::string>() == own) found.own.push_back(file_in(file, folder));
       }
       return found;
     }
@@ -118,6 +137,29 @@ std::optional<FoundResult> find_result(const Cache& cache, const Work& work, Dia
   return found ? std::move(found) : found_by(key_of_lists(work, input->stamp, true), cache, work, damaged);
 }
 
+std::optional<FoundLast> find_last_result(const Cache& cache, std::span<const Work> works, Diagnostics& damaged) {
+  const auto input = works.empty() ? std::nullopt : cache.hashes().of(works.front().input, FileRead::all_of_it);
+  for (std::size_t number = works.size(); input && number > 0; --number) {
+    const Work& work = works[number - 1];
+    auto found = found_by(key_of_lists(work, input->stamp, false), cache, work, damaged);
+    if (found) return FoundLast{number - 1, std::move(*found)};
+  }
+  return std::nullopt;
+}
+
+std::vector<FileRead> joined(std::vector<FileRead> files, const std::vector<FileRead>& others) {
+  const auto key_of = [](const FileRead& file) {
+    return std::tie(file.path.native(), file.found, file.at_most, file.bytes, file.stamp);
+  };
+  files.insert(files.end(), others.begin(), others.end());
+  std::ranges::sort(files, [&](const FileRead& a, const FileRead& b) { return key_of(a) < key_of(b); });
+  const auto is_told = [&](const FileRead& a, const FileRead& b) {
+    return a.path.native() == b.path.native() && (b.found == FileRead::Found::there || key_of(a) == key_of(b));
+  };
+  files.erase(std::unique(files.begin(), files.end(), is_told), files.end());
+  return files;
+}
+
 std::string keep_result(const Cache& cache, const Work& work, const WorkRead& read, bool depends_on_place,
                         std::string_view about, std::span<const std::span<const std::byte>> contents) {
   if (!agree(read.own) || !agree(read.lent)) return {};
@@ -134,6 +176,7 @@ std::string keep_result(const Cache& cache, const Work& work, const WorkRead& re
   if (!input) return {};
   for (const FileRead& file : read.lent) list["read"].push_back(json_of(file, false, folder));
   const Stamp key = key_of_lists(work, *input, depends_on_place);
+  if (list["read"].empty()) return cache.keep(key_of_alone(key), about, contents);
   const Stamp entry = combine(std::vector<Stamp>{key, stamp_of(list.dump())});
   if (std::string why = cache.keep(entry, about, contents); !why.empty()) return why;
 

@@ -1,6 +1,6 @@
 #pragma once
 // What one file came to, found again by the content of every file that was read for it. Which files these are is known
-// only once they were read, so a list comes first: by the content of the file itself, the files that were read along
+// only once they were read, so, unless it was read alone, a list comes first: by the content of the file itself, the files that were read along
 // with it before, and what they held. ccache's direct mode does the same with the headers of a source file.
 
 #include <foredraw/base/files_read.h>
@@ -27,10 +27,22 @@ struct FoundResult {
   Stamp key;  ///< of the entry
   Cache::Entry entry;
   std::vector<std::filesystem::path> read;  ///< the files that it was made from, the input first
+  std::vector<FileRead> own = {};           ///< WorkRead::own of who made it, but the input
 };
 
 /// Nothing where there is none, or a file can not be read.
 std::optional<FoundResult> find_result(const Cache& cache, const Work& work, Diagnostics& damaged);
+
+struct FoundLast {
+  std::size_t number = 0;  ///< of the work
+  FoundResult result;
+};
+
+/// The last of these works, all on one input, that has a result whose place does not count.
+std::optional<FoundLast> find_last_result(const Cache& cache, std::span<const Work> works, Diagnostics& damaged);
+
+/// Of both together what FilesRead::all() would say.
+std::vector<FileRead> joined(std::vector<FileRead> files, const std::vector<FileRead>& others);
 
 /// Why it could not be kept; empty: it is. What was read from files that changed meanwhile is not kept, without a word.
 /// `depends_on_place`: whether Work::place counts.

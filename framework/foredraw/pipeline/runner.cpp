@@ -1,6 +1,7 @@
 #include <foredraw/pipeline/runner.h>
 
 #include <foredraw/analysis/scene_facts.h>
+#include <foredraw/pipeline/milestones.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/stage_runner.h>
 #include <foredraw/platform/machine.h>
@@ -59,7 +60,7 @@ class PlanRunner {
     report.optimized = with_stages;
     describe_input();
     count_steps();
-    if (with_stages) measure(&DrawRecord::before, report.before, "measuring the input: ");
+    if (with_stages) measure_input();
     report.seconds += clock.seconds();
   }
 
@@ -71,13 +72,28 @@ class PlanRunner {
 
   void run_stages(std::size_t first, std::size_t end) {
     const Clock clock;
-    Report& report = result_.report;
     for (std::size_t i = first; i < end; ++i) {
-      report.stages.push_back(run_one(plan_->stages[i], i + 1, "", [&](const Measured& measured) {
-        book(measured, plan_->stages[i], &DrawRecord::after, report.after);
-      }));
+      take_stage(run_one(plan_->stages[i], i + 1, "", result_.scene));
+      if (surroundings_->milestones != nullptr && i + 1 < plan_->stages.size()) offer_milestone();
     }
-    report.seconds += clock.seconds();
+    result_.report.seconds += clock.seconds();
+  }
+
+  /// Begins behind the stages that an earlier run has done, if one has. How many these are.
+  std::size_t begin_at_milestone() {
+    if (surroundings_->milestones == nullptr) return begin(true), 0;
+    auto known = surroundings_->milestones->furthest(*plan_, original_);
+    if (known) milestone_.measures = std::move(known->measures);
+    for (Step& step : milestone_.measures) step.record.from_cache = true;
+    begin(true);
+    if (!known) return 0;
+    result_.scene = std::move(known->scene);
+    for (Step& step : known->stages) {
+      step.record.from_cache = true;
+      take_stage(std::move(step));
+      ++done_;
+    }
+    return known->stages.size();
   }
 
   const std::vector<StageRecord>& stages() const { return result_.report.stages; }
@@ -91,7 +107,8 @@ class PlanRunner {
     report.seed = plan_->pipeline.seed;
     describe_output();
     const std::vector<StageRecord> before = std::exchange(report.measures, {});
-    measure(&DrawRecord::after, report.after, report.optimized ? "measuring the output: " : "measuring: ");
+    book_measures(measured(result_.scene, report.optimized ? "measuring the output: " : "measuring: "),
+                  &DrawRecord::after, report.after);
     for (StageRecord& measure : report.measures) {
       const auto same = std::ranges::find(before, measure.use, &StageRecord::use);
       if (same != before.end()) measure.attachments_before = same->attachments;
@@ -154,18 +171,49 @@ class PlanRunner {
     return state;
   }
 
-  void measure(DrawState draw_state, StateRecord& total, std::string_view what) {
+  void measure_input() {
+    Report& report = result_.report;
+    const bool is_known = milestone_.measures.size() == plan_->measures.size();
+    std::vector<Step> steps = is_known ? milestone_.measures : measured(result_.scene, "measuring the input: ");
+    if (is_known) done_ += static_cast<double>(steps.size());
+    if (surroundings_->milestones != nullptr) milestone_.measures = steps;
+    book_measures(std::move(steps), &DrawRecord::before, report.before);
+  }
+
+  std::vector<Step> measured(Scene& scene, std::string_view what) {
+    std::vector<Step> steps;
     for (std::size_t i = 0; i < plan_->measures.size(); ++i) {
+      steps.push_back(run_one(plan_->measures[i], plan_->stages.size() + i + 1, what, scene));
+    }
+    return steps;
+  }
+
+  void book_measures(std::vector<Step> steps, DrawState draw_state, StateRecord& total) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
       const PlannedStage& stage = plan_->measures[i];
-      StageRecord record = run_one(stage, plan_->stages.size() + i + 1, what,
-                                   [&](const Measured& measured) { book(measured, stage, draw_state, total); });
-      result_.report.measures.push_back(std::move(record));
+      for (const Measured& measured : steps[i].measured) book(measured, stage, draw_state, total);
+      result_.report.measures.push_back(std::move(steps[i].record));
       result_.report.evaluator_options[stage.label] = whole_settings(stage);
     }
   }
 
-  template <class Book>
-  StageRecord run_one(const PlannedStage& stage, std::size_t number, std::string_view what, Book book) {
+  void take_stage(Step step) {
+    Report& report = result_.report;
+    const PlannedStage& stage = plan_->stages[report.stages.size()];
+    for (const Measured& measured : step.measured) book(measured, stage, &DrawRecord::after, report.after);
+    report.stages.push_back(step.record);
+    if (surroundings_->milestones != nullptr) milestone_.stages.push_back(std::move(step));
+  }
+
+  void offer_milestone() {
+    if (diagnostics_.has_errors()) return;  // what failed may not fail the next time
+    milestone_.scene = result_.scene;
+    if (std::string why = surroundings_->milestones->reached(*plan_, milestone_); !why.empty()) {
+      result_.report.stages.back().notes.push_back({"", "not-cached", std::move(why)});
+    }
+  }
+
+  Step run_one(const PlannedStage& stage, std::size_t number, std::string_view what, Scene& scene) {
     Surroundings surroundings = *surroundings_;
     if (surroundings_->progress) {
       surroundings.progress = [&](std::string_view, double part) {
@@ -173,7 +221,8 @@ class PlanRunner {
       };
       surroundings.progress(stage.label, 0);
     }
-    StageRecord record;
+    Step step;
+    StageRecord& record = step.record;
     record.use = stage.label;
     record.text = print_stage(stage.stage);
     record.kind = stage.plugin->kind;
@@ -184,18 +233,17 @@ class PlanRunner {
       record.skipped.push_back({"unavailable", *stage.left_out, {}});
     } else {
       std::optional<Scene> coarser;
-      if (stage.stage.level > 0) coarser = at_level(result_.scene, static_cast<std::size_t>(stage.stage.level));
-      auto measured = run_stage(stage, number, coarser ? *coarser : result_.scene, original_, *plan_, surroundings,
-                                record, diagnostics_);
+      if (stage.stage.level > 0) coarser = at_level(scene, static_cast<std::size_t>(stage.stage.level));
+      step.measured =
+          run_stage(stage, number, coarser ? *coarser : scene, original_, *plan_, surroundings, record, diagnostics_);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
-      std::stable_partition(measured.begin(), measured.end(),
+      std::stable_partition(step.measured.begin(), step.measured.end(),
                             [](const Measured& figure) { return figure.about != About{}; });
-      for (const Measured& figure : measured) book(figure);
     }
     record.seconds = clock.seconds();
     if (memory) record.memory = memory->growth();
     ++done_;
-    return record;
+    return step;
   }
 
   std::optional<MemoryWatch> watch_memory() {
@@ -225,6 +273,7 @@ class PlanRunner {
   Scene original_;
   Diagnostics diagnostics_;
   Result result_;
+  Milestone milestone_;  ///< the run so far, where somebody keeps it
   std::size_t steps_ = 0;
   double done_ = 0;
   bool watches_memory_ = false;
@@ -266,8 +315,7 @@ double median(std::vector<double> values) {
 
 Result optimize(const Plan& plan, Scene scene, const Surroundings& surroundings) {
   PlanRunner runner(plan, std::move(scene), surroundings);
-  runner.begin(true);
-  runner.run_stages(0, plan.stages.size());
+  runner.run_stages(runner.begin_at_milestone(), plan.stages.size());
   return runner.end();
 }
 

@@ -132,6 +132,7 @@ Json to_json(const StageRecord& stage) {
             {"candidates", stage.candidates},
             {"skipped", skipped},
             {"notes", notes}};
+  if (stage.from_cache) json["cached"] = true;
   if (!stage.rounds.empty()) json["rounds"] = stage.rounds;
   if (stage.memory) json["memory"] = *stage.memory;
   if (!stage.attachments.empty()) json["attachments"] = to_json(stage.attachments);
