@@ -127,9 +127,9 @@ class CommandLine {
                     "End with exit code 3 if a figure is out of bounds, such as 'overdraw-raster.ratio > baseline * "
                     "1.01'. The limit may also name input, or be a number. May be given several times")
         ->allow_extra_args(false);
-    compare_app.add_option(
-        "--baseline", arguments_.baseline,
-        "The report or comparison of an earlier run that --fail-if takes as baseline (default: the first pipeline)");
+    compare_app.add_option("--baseline", arguments_.baseline,
+                           "Tell what changed since an earlier run, the worst first: its report or comparison. "
+                           "--fail-if takes it as baseline (default: the first pipeline)");
     compare_app
         .add_option("--front", arguments_.fronts,
                     "Show which pipelines no other pipeline beats in both of two figures, such as "
@@ -307,6 +307,8 @@ class CommandLine {
            "Work on one of several parts of a folder, such as 3/16; foredraw join-reports "
            "puts their reports together")
         ->type_name("I/N");
+    app.add_option("--baseline", arguments_.baseline,
+                   "Tell what changed since an earlier run over the folder, the worst first: its report");
     app.add_option("--depfile", arguments_.depfile,
                    "Write which files each output was made from, as rules of Make, to this file");
   }

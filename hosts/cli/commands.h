@@ -27,7 +27,7 @@ struct Arguments {
   std::string html;
   std::vector<std::string> fail_if;  ///< bounds that figures have to keep
   std::vector<std::string> fronts;   ///< two figures each
-  std::string baseline;              ///< a stored report that they are held against
+  std::string baseline;              ///< a stored report: what changed since is told, and figures are held against it
   std::string compression = "keep";
   std::string corners = "keep";
   std::string products = "keep";

@@ -11,6 +11,7 @@
 #include <foredraw/pipeline/sweep.h>
 #include <foredraw/report/bound.h>
 #include <foredraw/report/fronts.h>
+#include <foredraw/report/since.h>
 #include "scene_folder.h"
 
 #include <fmt/format.h>
@@ -97,7 +98,7 @@ ComparedFile compared(const std::string& input, const Competition& competition, 
 /// What figures are held to.
 struct Budget {
   std::vector<Bound> bounds;
-  std::optional<std::map<std::string, StoredFigures>> stored;
+  std::optional<Baseline> stored;
 };
 
 std::optional<Budget> budget_of(const Arguments& arguments, std::size_t pipelines, Diagnostics& diagnostics) {
@@ -109,18 +110,11 @@ std::optional<Budget> budget_of(const Arguments& arguments, std::size_t pipeline
     needs_baseline = needs_baseline || bound->beside == Bound::Beside::baseline;
     budget.bounds.push_back(*bound);
   }
-  if (arguments.baseline.empty()) {
-    if (needs_baseline && pipelines < 2) {
-      diagnostics.error({}, "bad-arguments", "--fail-if names a baseline, but there is none",
-                        "give --baseline a stored report, or run two pipelines, of which the first is the baseline");
-    }
-  } else if (!needs_baseline) {
-    diagnostics.error({}, "bad-arguments", "--baseline is given, but no --fail-if names it",
-                      "remove it, or add --fail-if 'overdraw-raster.ratio > baseline'");
-  } else if (const auto bytes = read_file(arguments.baseline, diagnostics)) {
-    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    budget.stored = read_stored_figures(text, arguments.baseline, diagnostics);
+  if (arguments.baseline.empty() && needs_baseline && pipelines < 2) {
+    diagnostics.error({}, "bad-arguments", "--fail-if names a baseline, but there is none",
+                      "give --baseline a stored report, or run two pipelines, of which the first is the baseline");
   }
+  budget.stored = baseline_of(arguments, diagnostics);
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(budget));
 }
 
@@ -133,6 +127,21 @@ Exit judged(const Budget& budget, std::span<const Comparison> comparisons) {
   const bool is_out =
       std::ranges::any_of(diagnostics.all(), [](const Diagnostic& d) { return d.code == "out-of-bounds"; });
   return is_out ? out_of_bounds : users_mistake;
+}
+
+/// What changed since the baseline, of the first pipeline.
+std::optional<Since> since_of(const Arguments& arguments, const Budget& budget,
+                              std::span<const Comparison> comparisons) {
+  if (!budget.stored) return std::nullopt;
+  Since since(arguments.baseline, *budget.stored);
+  for (const Comparison& comparison : comparisons) {
+    if (comparison.is_lost() || comparison.branches.front().is_lost) {
+      since.add_lost(comparison.input.path);
+    } else {
+      since.add(comparison.input.path, comparison.branches.front().report.after.metrics);
+    }
+  }
+  return since;
 }
 
 /// Every pipeline that takes part: those of the arguments, at every value of the sweeps.
@@ -236,13 +245,15 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   }
   if (std::ranges::all_of(comparisons, &Comparison::is_lost)) return worst;
   std::vector<OutputFile> files;
-  if (!arguments.report.empty()) files.push_back(text_file(arguments.report, to_json(comparisons)));
+  const auto since = since_of(arguments, *budget, comparisons);
+  const std::string changes = since ? since->to_json() : "";
+  if (!arguments.report.empty()) files.push_back(text_file(arguments.report, to_json(comparisons, changes)));
   if (!arguments.csv.empty()) files.push_back(text_file(arguments.csv, to_csv(comparisons)));
   if (!arguments.html.empty()) files.push_back(text_file(arguments.html, page(comparisons, displays, program_name())));
   if (!write_files(files, diagnostics)) return refuse_file(diagnostics);
-  worst = std::max(worst, print(arguments.json ? to_json(comparisons) : to_text(comparisons)));
-  worst = std::max(worst, unknown_fronts(comparisons));
-  return std::max(worst, judged(*budget, comparisons));
+  worst = std::max(worst, print(arguments.json ? to_json(comparisons, changes) : to_text(comparisons)));
+  if (since && !arguments.json) worst = std::max(worst, print('\n' + since->to_text()));
+  return std::max({worst, unknown_fronts(comparisons), judged(*budget, comparisons)});
 }
 
 }  // namespace foredraw::cli

@@ -4,6 +4,8 @@
 #include <foredraw/io/sprite/sprite_files.h>
 #include "scene_folder.h"
 
+#include <foredraw/report/since.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -155,9 +157,18 @@ Exit optimize_folder(const FileJob& job) {
   written.insert(written.end(), {arguments.report, arguments.depfile});
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
 
+  const auto baseline = baseline_of(arguments, diagnostics);
+  if (diagnostics.has_errors()) return refuse(diagnostics);
+  std::optional<Since> since;
+  if (baseline) since.emplace(arguments.baseline, *baseline, arguments.shard.has_value());
+
   const Stopwatch watch;
   Spool spool(spool_folder(arguments.report));
-  Batch batch("optimize", job.registry, spool, tell_file);
+  Batch batch("optimize", job.registry, spool, [&](const StoredReport& report, Outcome outcome) {
+    tell_file(report, outcome);
+    if (!since) return;
+    outcome == Outcome::lost ? since->add_lost(report.input.path) : since->add(report.input.path, report.after.metrics);
+  });
   std::vector<std::optional<Scene>> kept(wanted.gathered.empty() ? 0 : inputs.size());
   std::vector<std::string> rules(arguments.depfile.empty() ? 0 : inputs.size());
   const auto run_one = [&](const FileJob& each, std::size_t i) {
@@ -174,8 +185,10 @@ Exit optimize_folder(const FileJob& job) {
   if (!wanted.gathered.empty() && !gather(kept, wanted.gathered, gathering)) worst = something_failed;
   tell(gathering);
   const double seconds = watch.seconds();
-  fmt::print(stderr, "{}", batch.to_text(seconds));
-  const auto write = [&](const OutputFile::Put& put) { batch.write_json(seconds, arguments.shard, put); };
+  fmt::print(stderr, "{}{}", batch.to_text(seconds), since ? '\n' + since->to_text() : "");
+  const auto write = [&](const OutputFile::Put& put) {
+    batch.write_json(seconds, arguments.shard, put, since ? since->to_json() : "");
+  };
   std::vector<OutputFile> texts;
   if (!arguments.report.empty()) texts.push_back({arguments.report, {}, write});
   if (!arguments.depfile.empty()) {

@@ -52,6 +52,10 @@ bool batch_options_fit(const Arguments& arguments, Diagnostics& diagnostics) {
     diagnostics.error({.file = arguments.inputs[0]}, "bad-arguments", "is no folder, of which --shard takes a part",
                       "leave --shard out");
   }
+  if (!arguments.baseline.empty() && !is_folder(arguments.inputs[0])) {
+    diagnostics.error({.file = arguments.inputs[0]}, "bad-arguments", "is no folder, of whose files --baseline tells",
+                      "use foredraw compare --baseline");
+  }
   const bool is_standard =
       arguments.inputs[0] == "-" || std::ranges::find(arguments.outputs, "-") != arguments.outputs.end();
   const auto refuse_with = [&](const char* option, const char* what) {

@@ -118,6 +118,13 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return place(a) == place(b);
 }
 
+std::optional<Baseline> baseline_of(const Arguments& arguments, Diagnostics& diagnostics) {
+  const auto bytes = arguments.baseline.empty() ? std::nullopt : read_file(arguments.baseline, diagnostics);
+  if (!bytes) return std::nullopt;
+  const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  return read_baseline(text, arguments.baseline, diagnostics);
+}
+
 std::string program_name() { return std::string("foredraw ") + FOREDRAW_VERSION; }
 
 OutputFile text_file(const std::string& path, const std::string& text) {

@@ -7,6 +7,7 @@
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
 #include <foredraw/platform/files.h>
+#include <foredraw/report/baseline.h>
 
 #include <new>
 
@@ -64,6 +65,9 @@ bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostic
 
 /// Whether two paths lead to the same place, there or not.
 bool is_same_file(const std::string& a, const std::string& b);
+
+/// What --baseline names. Nothing where it is not given, or, with an error, can not be read.
+std::optional<Baseline> baseline_of(const Arguments& arguments, Diagnostics& diagnostics);
 
 /// "foredraw 0.1.0".
 std::string program_name();

@@ -137,7 +137,7 @@ Batch::Row Batch::row_of(const StoredReport& report, Outcome outcome) {
 }
 
 void Batch::write_json(double seconds, const std::optional<Shard>& shard,
-                       const std::function<void(std::string_view)>& write) const {
+                       const std::function<void(std::string_view)>& write, const std::string& since) const {
   std::string waiting;  // whoever writes may ask the system for each piece
   const auto put = [&](std::string_view text) {
     waiting += text;
@@ -153,6 +153,7 @@ void Batch::write_json(double seconds, const std::optional<Shard>& shard,
   if (shard) head["shard"] = {{"number", shard->number}, {"of", shard->of}};
   head["seconds"] = seconds;
   head["totals"] = Json::parse(to_json(sum))["totals"];
+  if (!since.empty()) head["since"] = Json::parse(since);
   std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
   text.erase(text.rfind('\n'));
   put(text);

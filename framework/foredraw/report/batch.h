@@ -37,9 +37,10 @@ class Batch {
   const StateRecord& before() const { return before_; }
   const StateRecord& after() const { return after_; }
 
-  /// The JSON form, piece by piece: the totals, and each file's whole report.
-  void write_json(double seconds, const std::optional<Shard>& shard,
-                  const std::function<void(std::string_view)>& put) const;
+  /// The JSON form, piece by piece: the totals, and each file's whole report. `since`: Since::to_json() of it, or
+  /// empty.
+  void write_json(double seconds, const std::optional<Shard>& shard, const std::function<void(std::string_view)>& put,
+                  const std::string& since = {}) const;
   /// A table with a row a file: of each evaluator its first ratio, and the bytes, before and after.
   std::string to_text(double seconds) const;
 

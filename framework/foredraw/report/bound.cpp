@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
 namespace foredraw {
 
@@ -91,20 +90,6 @@ class BoundReader {
   std::size_t at_ = 0;
 };
 
-/// Of the file of that path, however it is written, else of the only one of that name.
-const StoredFigures* stored_for(const std::string& path, const std::map<std::string, StoredFigures>& stored) {
-  const auto place = [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal(); };
-  const StoredFigures* of_name = nullptr;
-  std::size_t of_that_name = 0;
-  for (const auto& [other, figures] : stored) {
-    if (place(other) == place(path)) return &figures;
-    if (std::filesystem::path(other).filename() != std::filesystem::path(path).filename()) continue;
-    of_name = &figures;
-    ++of_that_name;
-  }
-  return of_that_name == 1 ? of_name : nullptr;
-}
-
 bool is_out(const Bound& bound, double value, double limit) {
   switch (bound.than) {
     case Bound::Than::above: return value > limit;
@@ -115,8 +100,7 @@ bool is_out(const Bound& bound, double value, double limit) {
   return value <= limit;
 }
 
-void judge_file(const Bound& bound, const Comparison& comparison, const std::map<std::string, StoredFigures>* stored,
-                Diagnostics& diagnostics) {
+void judge_file(const Bound& bound, const Comparison& comparison, const Baseline* stored, Diagnostics& diagnostics) {
   const std::string& path = comparison.input.path;
   const auto unknown = [&](const std::string& whose) {
     diagnostics.error({.file = path}, "unknown-figure",
@@ -128,15 +112,15 @@ void judge_file(const Bound& bound, const Comparison& comparison, const std::map
     beside = input_value(comparison, bound.figure);
     if (!beside) return unknown("the input");
   } else if (bound.beside == Bound::Beside::baseline && stored != nullptr) {
-    const StoredFigures* figures = stored_for(path, *stored);
-    if (figures == nullptr) {
+    const auto* file = stored->find(path);
+    if (file == nullptr) {
       return diagnostics.error(
           {.file = path}, "unknown-baseline",
           fmt::format("'{}' cannot be checked: the stored baseline does not have this file", bound.text),
           "the baseline must have the file by the same path, or by a name that no other file in it has");
     }
-    if (!figures->contains(bound.figure)) return unknown("the stored baseline of this file");
-    beside = figures->at(bound.figure);
+    if (!file->second.contains(bound.figure)) return unknown("the stored baseline of this file");
+    beside = file->second.at(bound.figure);
   } else if (bound.beside == Bound::Beside::baseline) {
     beside = value_of(comparison.branches.front(), bound.figure);
     if (!beside) return unknown("the first pipeline");
@@ -160,8 +144,8 @@ std::optional<Bound> parse_bound(const std::string& text, Diagnostics& diagnosti
   return BoundReader(text, diagnostics).read();
 }
 
-void judge(std::span<const Bound> bounds, std::span<const Comparison> comparisons,
-           const std::map<std::string, StoredFigures>* stored, Diagnostics& diagnostics) {
+void judge(std::span<const Bound> bounds, std::span<const Comparison> comparisons, const Baseline* stored,
+           Diagnostics& diagnostics) {
   for (const Comparison& comparison : comparisons) {
     if (comparison.is_lost()) continue;  // which is an error of its own
     for (const Bound& bound : bounds) judge_file(bound, comparison, stored, diagnostics);

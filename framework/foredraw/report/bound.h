@@ -2,9 +2,9 @@
 // What figures may not become: bounds for whoever holds assets to a budget.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/report/baseline.h>
 #include <foredraw/report/comparison.h>
 
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,19 +29,10 @@ struct Bound {
 /// is none; a diagnostic says what was expected where.
 std::optional<Bound> parse_bound(const std::string& text, Diagnostics& diagnostics);
 
-/// The totals of one file: by figure as a bound names it.
-using StoredFigures = std::map<std::string, double>;
-
-/// The figures of a stored report, of every file of a batch, or of the first pipeline of a comparison, by the input's
-/// path. Nothing where the text is none of these, or of a later version; a diagnostic says why. `name`: of its file.
-std::optional<std::map<std::string, StoredFigures>> read_stored_figures(const std::string& text,
-                                                                        const std::string& name,
-                                                                        Diagnostics& diagnostics);
-
 /// Tells of every figure that is out of bounds (`out-of-bounds`), and of those that nobody measured (`unknown-figure`),
 /// as errors, file by file. The baseline is the first pipeline, which then is not judged beside itself; or, where there
 /// are some, the stored figures of the file of that path, else of that name.
-void judge(std::span<const Bound> bounds, std::span<const Comparison> comparisons,
-           const std::map<std::string, StoredFigures>* stored, Diagnostics& diagnostics);
+void judge(std::span<const Bound> bounds, std::span<const Comparison> comparisons, const Baseline* stored,
+           Diagnostics& diagnostics);
 
 }  // namespace foredraw

@@ -60,7 +60,7 @@ std::optional<double> input_value(const Comparison& comparison, const std::strin
   return value_in(branch->report.before.metrics, figure);
 }
 
-std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons) {
+std::optional<Comparison> sum_of(std::span<const Comparison> comparisons) {
   Comparison sum;
   std::size_t count = 0;
   for (const Comparison& comparison : comparisons) {

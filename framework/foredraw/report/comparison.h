@@ -4,6 +4,7 @@
 #include <foredraw/report/report.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,11 +42,12 @@ std::optional<double> input_value(const Comparison& comparison, const std::strin
 
 /// All files as one, by branch: figures and times are summed over the files that could be read. A branch that one of
 /// them lost is lost. Nothing where the files are fewer than two.
-std::optional<Comparison> sum_of(const std::vector<Comparison>& comparisons);
+std::optional<Comparison> sum_of(std::span<const Comparison> comparisons);
 
 /// The JSON form: for each file and branch the whole report, and a table of every total metric over the branches; the
-/// same of all files as one.
-std::string to_json(const std::vector<Comparison>& comparisons);
+/// same of all files as one. `since`: Since::to_json() of the first branches, or empty. `all`: in place of sum_of().
+std::string to_json(std::span<const Comparison> comparisons, const std::string& since = {},
+                    const Comparison* all = nullptr);
 
 /// A table for each file: a row a metric, a column a branch, the best of a row marked; below it the stages' times.
 /// Where the branches are many, a row a branch.

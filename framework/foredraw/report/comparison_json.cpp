@@ -46,10 +46,13 @@ Json json_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string to_json(const std::vector<Comparison>& comparisons) {
+std::string to_json(std::span<const Comparison> comparisons, const std::string& since, const Comparison* all) {
   Json json{{"comparison", 1}, {"files", Json::array()}};
   for (const Comparison& comparison : comparisons) json["files"].push_back(json_of(comparison));
-  if (const auto sum = sum_of(comparisons)) json["all"] = json_of(*sum);
+  const auto sum = all == nullptr ? sum_of(comparisons) : std::nullopt;
+  if (sum) all = &*sum;
+  if (all != nullptr) json["all"] = json_of(*all);
+  if (!since.empty()) json["since"] = Json::parse(since);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

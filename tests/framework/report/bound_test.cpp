@@ -29,10 +29,11 @@ Branch branch(std::string name, double acmr, double seconds = 1) {
 const std::vector<Comparison> two = {{{"a/rock.glb", 1}, {branch("old", 1), branch("new", 1.2, 4)}}};
 
 /// The codes of what is told, and the texts.
-std::string told(const std::string& text, const std::map<std::string, StoredFigures>* stored = nullptr) {
+std::string told(const std::string& text, const Baseline::Files* stored = nullptr) {
   Diagnostics diagnostics;
   const Bound bound = parsed(text).value();
-  judge({&bound, 1}, two, stored, diagnostics);
+  const Baseline baseline(stored == nullptr ? Baseline::Files() : *stored);
+  judge({&bound, 1}, two, stored == nullptr ? nullptr : &baseline, diagnostics);
   std::string codes;
   for (const Diagnostic& diagnostic : diagnostics.all()) codes += diagnostic.code + ": " + diagnostic.message + '\n';
   return codes;
@@ -94,7 +95,7 @@ TEST(Judge, BesideTheInputAndTheFirstPipeline) {
 }
 
 TEST(Judge, BesideStoredFigures) {
-  std::map<std::string, StoredFigures> stored = {{"elsewhere/rock.glb", {{"vertex-cache.acmr", 0.5}}}};
+  Baseline::Files stored = {{"elsewhere/rock.glb", {{"vertex-cache.acmr", 0.5}}}};
   EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("1 after [1] old; the bound is 0.5"), std::string::npos);
   stored["a/rock.glb"] = {{"vertex-cache.acmr", 1.1}};  // nearer than one of that name
   EXPECT_EQ(told("vertex-cache.acmr > baseline", &stored),
@@ -107,8 +108,8 @@ TEST(Judge, BesideStoredFigures) {
 }
 
 TEST(Judge, BesideTheSameFileHoweverItsPathIsWritten) {
-  std::map<std::string, StoredFigures> stored = {{"./a/../a/rock.glb", {{"vertex-cache.acmr", 0.5}}},
-                                                 {"b/rock.glb", {{"vertex-cache.acmr", 9}}}};
+  Baseline::Files stored = {{"./a/../a/rock.glb", {{"vertex-cache.acmr", 0.5}}},
+                            {"b/rock.glb", {{"vertex-cache.acmr", 9}}}};
   EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("the bound is 0.5"), std::string::npos);
   stored = {{"b/rock.glb", {{"vertex-cache.acmr", 9}}}, {"c/rock.glb", {{"vertex-cache.acmr", 0.5}}}};  // which?
   EXPECT_NE(told("vertex-cache.acmr > baseline", &stored).find("unknown-baseline"), std::string::npos);
@@ -120,11 +121,11 @@ TEST(Judge, WhatNobodyMeasuredIsNotPassed) {
   EXPECT_NE(told("time > input").find("the input has no figure"), std::string::npos);
 }
 
-std::map<std::string, StoredFigures> stored(const std::string& text) {
+Baseline::Files stored(const std::string& text) {
   Diagnostics diagnostics;
-  const auto figures = read_stored_figures(text, "r.json", diagnostics);
-  EXPECT_TRUE(figures) << to_text(diagnostics);
-  return figures.value_or(std::map<std::string, StoredFigures>());
+  const auto baseline = read_baseline(text, "r.json", diagnostics);
+  EXPECT_TRUE(baseline) << to_text(diagnostics);
+  return baseline ? baseline->files() : Baseline::Files();
 }
 
 TEST(StoredFigures, AreReadOutOfEveryForm) {
@@ -153,7 +154,7 @@ TEST(StoredFigures, WhatCanNotBeReadIsRefused) {
            {R"({"comparison": 1, "files": [{"branches": []}]})", "an incomplete comparison"},
            {R"({"batch": 1, "files": 3})", "an incomplete batch"}}) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_stored_figures(text, "r.json", diagnostics)) << text;
+    EXPECT_FALSE(read_baseline(text, "r.json", diagnostics)) << text;
     ASSERT_EQ(diagnostics.all().size(), 1u) << text;
     EXPECT_EQ(diagnostics.all()[0].where.file, "r.json");
     EXPECT_NE(diagnostics.all()[0].message.find(expected), std::string::npos) << diagnostics.all()[0].message;

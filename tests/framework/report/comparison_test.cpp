@@ -184,7 +184,7 @@ TEST(ComparisonText, GroupsAreLeftToTheJsonForm) {
 TEST(ComparisonJson, HoldsWholeReportsAndATableOfMetrics) {
   Comparison comparison = two_branches();
   comparison.branches[0].report.after.metrics.set("cache", "models.amd.acmr", ratio(7, 2));
-  const json all = json::parse(to_json({comparison, two_branches()}));
+  const json all = json::parse(to_json(std::vector{comparison, two_branches()}));
   EXPECT_EQ(all["comparison"], 1);
   ASSERT_EQ(all["files"].size(), 2u);
   const json& file = all["files"][0];
@@ -212,7 +212,7 @@ TEST(LostBranch, KeepsItsNumberAndLosesNoOther) {
   EXPECT_EQ(line_with(text, "acmr"), "cache  acmr        3.0000  -    2.0000    1.0000 *");
   EXPECT_EQ(line_with(text, "all stages"), "time   all stages          -    500.0 ms  1000.0 ms");
   EXPECT_THAT(text, HasSubstr("  [1] could not be planned\n"));
-  const json branch = json::parse(to_json({with_a_lost_branch()}))["files"][0]["branches"][0];
+  const json branch = json::parse(to_json(std::vector{with_a_lost_branch()}))["files"][0]["branches"][0];
   EXPECT_EQ(branch["lost"], true);
   EXPECT_EQ(branch["seconds"], nullptr);
   EXPECT_EQ(branch["report"]["diagnostics"][0]["code"], "unknown-plugin");
@@ -239,7 +239,7 @@ TEST(Fronts, AreTheOnesAskedFor) {
   ASSERT_EQ(fronts.size(), 1u);
   EXPECT_EQ(fronts[0].branches, (std::vector<std::size_t>{0, 1}));
   EXPECT_THAT(to_text({comparison}), HasSubstr("best trade-offs of time and cache acmr: [1] [2]\n"));
-  EXPECT_EQ(json::parse(to_json({comparison}))["files"][0]["fronts"],
+  EXPECT_EQ(json::parse(to_json(std::vector{comparison}))["files"][0]["fronts"],
             json::parse(R"([{"x": "time", "y": "cache.acmr", "branches": [0, 1]}])"));
   EXPECT_EQ(unknown_figures(comparison), std::vector<std::string>{"cache.nothing"});
 }
@@ -265,24 +265,24 @@ TEST(Fronts, AreReadFromTwoNames) {
 }
 
 TEST(SumOf, AddsFractionsAndTimesOverWholeFiles) {
-  EXPECT_FALSE(sum_of({two_branches()}));
+  EXPECT_FALSE(sum_of(std::vector{two_branches()}));
   Comparison other = two_branches();
   other.branches[0].report.after.metrics.set("cache", "acmr", ratio(8, 3));
   const Comparison lost_file{{"gone.glb", 0}, {}, {}, {}};
-  const auto sum = sum_of({two_branches(), lost_file, other});
+  const auto sum = sum_of(std::vector{two_branches(), lost_file, other});
   ASSERT_TRUE(sum);
   EXPECT_EQ(sum->input.path, "all 2 files");
   EXPECT_EQ(value_of(sum->branches[0], "cache.acmr"), 2.5);  // (2 + 8) / (1 + 3)
   EXPECT_EQ(value_of(sum->branches[1], "time"), 2.0);
   Comparison partly = other;
   partly.branches[0].is_lost = true;
-  const auto without_the_first = sum_of({two_branches(), partly});
+  const auto without_the_first = sum_of(std::vector{two_branches(), partly});
   EXPECT_TRUE(without_the_first->branches[0].is_lost);
   EXPECT_EQ(value_of(without_the_first->branches[1], "cache.acmr"), 1);
   EXPECT_THAT(to_text({two_branches(), lost_file}), HasSubstr("gone.glb\n  could not be read\n"));
-  EXPECT_EQ(json::parse(to_json({lost_file}))["files"][0]["lost"], true);
+  EXPECT_EQ(json::parse(to_json(std::vector{lost_file}))["files"][0]["lost"], true);
   EXPECT_THAT(to_text({two_branches(), other}), HasSubstr("\nall 2 files\n  [1] A\n"));
-  const json all = json::parse(to_json({two_branches(), other}))["all"];
+  const json all = json::parse(to_json(std::vector{two_branches(), other}))["all"];
   EXPECT_EQ(all["metrics"][0]["values"], json::parse("[2.5, 1.0]"));
 }
 

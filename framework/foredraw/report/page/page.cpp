@@ -2,6 +2,7 @@
 
 #include <foredraw/report/page/private/html.h>
 #include <foredraw/report/page/private/page_assets.h>
+#include <foredraw/report/page/private/page_files.h>
 #include <foredraw/report/page/private/page_sections.h>
 #include <foredraw/report/page/private/shown_attachments.h>
 
@@ -27,9 +28,9 @@ std::string with_script() {
   return element("p", page_script().empty() ? without_script : script_is_off, "class=\"without-script\"");
 }
 
-/// Of many files the first ones have a viewer.
-std::string left_out(std::size_t files, std::size_t displays) {
-  if (files <= most_displays) return "";
+/// Of more files than `most` the first ones alone are shown.
+std::string left_out(std::size_t files, std::size_t most, std::size_t displays) {
+  if (files <= most) return "";
   return '\n' +
          element("p", fmt::format("Of {} files the first {} are shown here.", files, displays), "class=\"note\"");
 }
@@ -62,13 +63,13 @@ std::string attachment_data(const ShownAttachments& attachments) {
 }
 
 /// The JSON form without the spaces that are for people.
-std::string compact_json(std::span<const Comparison> comparisons) {
-  return nlohmann::ordered_json::parse(to_json({comparisons.begin(), comparisons.end()})).dump();
+std::string compact_json(std::span<const Comparison> comparisons, const Comparison* all) {
+  return nlohmann::ordered_json::parse(to_json(comparisons, {}, all)).dump();
 }
 
-std::string scripts(std::span<const Comparison> comparisons, std::span<const Display> displays,
+std::string scripts(std::span<const Comparison> comparisons, const Comparison* all, std::span<const Display> displays,
                     const ShownAttachments& attachments) {
-  std::string text = json_data("comparison", script_safe(compact_json(comparisons)));
+  std::string text = json_data("comparison", script_safe(compact_json(comparisons, all)));
   if (page_script().empty()) return text;
   std::string scenes;
   for (const Display& display : displays) scenes += (scenes.empty() ? "" : ",") + display.scene;
@@ -82,17 +83,23 @@ std::string scripts(std::span<const Comparison> comparisons, std::span<const Dis
 
 std::string page(std::span<const Comparison> comparisons, std::span<const Display> displays,
                  const std::string& program) {
-  const ShownAttachments attachments = shown_attachments(comparisons);
-  const std::string frames =
-      attachments.json.empty() ? "" : with_script() + left_out(comparisons.size(), most_displays);
-  const Section sections[] = {{"summary", "Summary", summary_html(comparisons)},
-                              {"figures", "Figures", figures_html(comparisons)},
+  const auto sum = sum_of(comparisons);
+  const Comparison* all = sum ? &*sum : nullptr;
+  const bool are_many = comparisons.size() > most_articles;
+  const auto alone = are_many ? comparisons.first(most_displays) : comparisons;
+  const ShownAttachments attachments = shown_attachments(alone);
+  const std::string more = left_out(comparisons.size(), alone.size(), alone.size());
+  const auto first_files = [&](std::size_t count) { return left_out(comparisons.size(), most_displays, count); };
+  const std::string frames = attachments.json.empty() ? "" : with_script() + first_files(most_displays);
+  const Section sections[] = {{"summary", "Summary", summary_html(are_many ? alone.first(0) : alone, all)},
+                              {"files", "Files", are_many ? with_script() : ""},
+                              {"figures", "Figures", figures_html(are_many ? alone.first(0) : alone, all)},
                               {"plot", "Two figures against each other", with_script()},
                               {"frames", "Frames", frames},
-                              {"viewer", "3D view", with_script() + left_out(comparisons.size(), displays.size())},
-                              {"draws", "Draws", draws_html(comparisons)},
-                              {"stages", "Stages", stages_html(comparisons)},
-                              {"diagnostics", "Diagnostics", diagnostics_html(comparisons)},
+                              {"viewer", "3D view", with_script() + first_files(displays.size())},
+                              {"draws", "Draws", draws_html(alone) + more},
+                              {"stages", "Stages", stages_html(alone) + more},
+                              {"diagnostics", "Diagnostics", diagnostics_html(comparisons, most_articles)},
                               {"pipelines", "Pipelines", pipelines_html(comparisons)},
                               {"run", "The run", run_html(comparisons, program)}};
   std::string links, body;
@@ -114,7 +121,8 @@ std::string page(std::span<const Comparison> comparisons, std::span<const Displa
          "\n</head>\n<body>\n" +
          element("header", element("h1", "Foredraw") + element("p", escaped(title), "class=\"lead\"")) + '\n' +
          element("nav", '\n' + links, "aria-label=\"Sections\"") + '\n' + element("main", '\n' + body) + '\n' +
-         scripts(comparisons, displays, attachments) + "</body>\n</html>\n";
+         (are_many ? json_data("file-figures", script_safe(file_figures(comparisons))) : "") +
+         scripts(alone, all, displays, attachments) + "</body>\n</html>\n";
 }
 
 }  // namespace foredraw

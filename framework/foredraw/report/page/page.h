@@ -14,6 +14,9 @@ namespace foredraw {
 /// How many files a page has a viewer for.
 inline constexpr std::size_t most_displays = 8;
 
+/// Of more files a page has a table that scrolls, and articles of the first of them alone.
+inline constexpr std::size_t most_articles = 200;
+
 /// How many bytes of pictures that techniques attached a page holds: some 1,500 of 320 x 180 pixels, or many more of
 /// few colours.
 inline constexpr std::size_t most_picture_bytes = 32'000'000;

@@ -69,22 +69,39 @@ std::string stages_of(const Comparison& comparison) {
 
 std::string stages_html(std::span<const Comparison> comparisons) { return articles(comparisons, stages_of); }
 
-std::string diagnostics_html(std::span<const Comparison> comparisons) {
-  return articles(comparisons, [](const Comparison& comparison) {
-    std::string items;
-    for (const Diagnostic& diagnostic : comparison.diagnostics) {
-      items +=
-          element("li", escaped(to_text(diagnostic)), fmt::format("class=\"{}\"", to_text(diagnostic.severity))) + '\n';
+namespace {
+
+std::string diagnostics_of(const Comparison& comparison) {
+  std::string items;
+  for (const Diagnostic& diagnostic : comparison.diagnostics) {
+    items +=
+        element("li", escaped(to_text(diagnostic)), fmt::format("class=\"{}\"", to_text(diagnostic.severity))) + '\n';
+  }
+  for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
+    for (const Diagnostic& diagnostic : comparison.branches[i].report.diagnostics) {
+      items += element("li", escaped(number_of(i) + ' ' + to_text(diagnostic)),
+                       fmt::format("class=\"{}\"", to_text(diagnostic.severity))) +
+               '\n';
     }
-    for (std::size_t i = 0; i < comparison.branches.size(); ++i) {
-      for (const Diagnostic& diagnostic : comparison.branches[i].report.diagnostics) {
-        items += element("li", escaped(number_of(i) + ' ' + to_text(diagnostic)),
-                         fmt::format("class=\"{}\"", to_text(diagnostic.severity))) +
-                 '\n';
-      }
-    }
-    return items.empty() ? items : element("ul", '\n' + items);
+  }
+  return items.empty() ? items : element("ul", '\n' + items);
+}
+
+bool has_diagnostics(const Comparison& comparison) {
+  return !comparison.diagnostics.empty() || std::ranges::any_of(comparison.branches, [](const Branch& branch) {
+    return !branch.report.diagnostics.empty();
   });
+}
+
+}  // namespace
+
+std::string diagnostics_html(std::span<const Comparison> comparisons, std::size_t most_files) {
+  const auto files = static_cast<std::size_t>(std::ranges::count_if(comparisons, has_diagnostics));
+  const std::string html = articles(comparisons, diagnostics_of, most_files);
+  if (files <= most_files) return html;
+  const std::string more =
+      fmt::format("Of {} files with messages the first {} are shown here. The JSON form has all.", files, most_files);
+  return html + element("p", more, "class=\"note\"");
 }
 
 std::string pipelines_html(std::span<const Comparison> comparisons) {

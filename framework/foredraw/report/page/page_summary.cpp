@@ -88,6 +88,8 @@ std::string summary_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string summary_html(std::span<const Comparison> comparisons) { return articles_and_sum(comparisons, summary_of); }
+std::string summary_html(std::span<const Comparison> comparisons, const Comparison* all) {
+  return articles_and_sum(comparisons, all, summary_of);
+}
 
 }  // namespace foredraw

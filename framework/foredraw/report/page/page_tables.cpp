@@ -68,7 +68,7 @@ std::string time_row(const Comparison& comparison) {
 
 }  // namespace
 
-std::string figures_html(std::span<const Comparison> comparisons) {
+std::string figures_html(std::span<const Comparison> comparisons, const Comparison* all) {
   const std::string legend =
       element("p",
               comparisons.empty() || comparisons[0].branches.size() < 2
@@ -76,7 +76,7 @@ std::string figures_html(std::span<const Comparison> comparisons) {
                   : "Per cent: change against [1]. Same: by less than 0.05 %. ~: within the errors. The best of a row "
                     "is marked.",
               "class=\"legend\"");
-  return legend + '\n' + articles_and_sum(comparisons, [](const Comparison& comparison) {
+  return legend + '\n' + articles_and_sum(comparisons, all, [](const Comparison& comparison) {
            if (comparison.is_lost()) return std::string();
            std::string rows;
            for (const FigureRow& row : total_rows(comparison)) {

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 
@@ -105,6 +106,44 @@ TEST(Page, OfALostPipelineSaysSo) {
   comparison.branches[0].report = {};
   const std::string html = page({&comparison, 1}, {}, "foredraw");
   EXPECT_THAT(before(html, "<script"), HasSubstr("[1] could not be planned for this file"));
+}
+
+TEST(Page, OfThousandsOfFilesHoldsTheirFiguresInColumns) {
+  std::vector<Comparison> comparisons;
+  for (int i = 0; i < 5000; ++i) {
+    comparisons.push_back(comparison_of("library/set" + std::to_string(i % 50) + "/prop" + std::to_string(i) + ".glb"));
+    Metrics& after = comparisons.back().branches[1].report.after.metrics;
+    after.set("vertex-cache", "acmr", {1.0 + i, 7, 0, "misses per triangle"});
+    after.set("vertex-cache", "models.amd.acmr", {1.0, 7, 0, ""});
+  }
+  comparisons[4000].branches.clear();
+  comparisons[4000].diagnostics = {{Severity::error, {.file = "bad.glb"}, "bad", "is bad", ""}};
+  const std::string html = page(comparisons, {}, "foredraw 1");
+  EXPECT_LT(html.size(), 8'000'000u);
+  const auto holds = [&](const char* text) { return html.find(text) != std::string::npos; };  // it is too long to show
+  EXPECT_TRUE(holds("all 4999 files"));
+  EXPECT_TRUE(holds("Of 5000 files with messages the first 200 are shown here."));
+  const std::string draws = html.substr(html.find("<section id=\"draws\">"));
+  EXPECT_EQ(draws.substr(0, draws.find("</section>")).find("data-file=\"8\""), std::string::npos);
+  const std::string begin = "id=\"file-figures\">";
+  const std::size_t at = html.find(begin) + begin.size();
+  const auto data = nlohmann::json::parse(html.substr(at, html.find("</script>", at) - at));
+  ASSERT_EQ(data["files"].size(), 5000u);
+  EXPECT_EQ(data["files"][4999], "library/set49/prop4999.glb");
+  EXPECT_EQ(data["states"].size(), 3u);
+  ASSERT_EQ(data["figures"].size(), 1u) << "those of groups are left out";
+  EXPECT_EQ(data["figures"][0]["metric"], "acmr");
+  EXPECT_EQ(data["figures"][0]["values"][0][4999], 3);
+  EXPECT_EQ(data["figures"][0]["values"][1][4999], 1.5);
+  EXPECT_EQ(data["figures"][0]["values"][2][4999], 714.286);
+  EXPECT_TRUE(data["figures"][0]["values"][2][4000].is_null());
+}
+
+TEST(Page, OfHostileNamesInColumnsHasNoMarkup) {
+  const std::vector<Comparison> comparisons(300, comparison_of(hostile));
+  const std::string html = page(comparisons, {}, "");
+  const std::string data = html.substr(html.find("id=\"file-figures\">") + 18);
+  EXPECT_EQ(before(data, "</script>").find('<'), std::string::npos);
 }
 
 TEST(Page, OfNothingIsAPageAllTheSame) { EXPECT_TRUE(page({}, {}, "foredraw").ends_with("</html>\n")); }

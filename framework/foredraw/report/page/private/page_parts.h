@@ -22,22 +22,23 @@ inline std::string article(const Comparison& comparison, const std::string& file
          '\n';
 }
 
-/// Of every file for which there is something to tell.
+/// Of every file for which there is something to tell, of so many at most.
 template <class Content>
-std::string articles(std::span<const Comparison> comparisons, Content content) {
+std::string articles(std::span<const Comparison> comparisons, Content content, std::size_t most = ~std::size_t{0}) {
   std::string html;
-  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+  for (std::size_t i = 0; i < comparisons.size() && most > 0; ++i) {
     const std::string inside = content(comparisons[i]);
-    if (!inside.empty()) html += article(comparisons[i], std::to_string(i), inside);
+    if (inside.empty()) continue;
+    html += article(comparisons[i], std::to_string(i), inside);
+    --most;
   }
   return html;
 }
 
-/// The same, and all files as one before them.
+/// The same, and all files as one before them, where they are several.
 template <class Content>
-std::string articles_and_sum(std::span<const Comparison> comparisons, Content content) {
-  const auto sum = sum_of({comparisons.begin(), comparisons.end()});
-  return (sum ? article(*sum, "all", content(*sum)) : "") + articles(comparisons, content);
+std::string articles_and_sum(std::span<const Comparison> comparisons, const Comparison* all, Content content) {
+  return (all != nullptr ? article(*all, "all", content(*all)) : "") + articles(comparisons, content);
 }
 
 /// A table that the script can sort. Heads and rows are HTML.

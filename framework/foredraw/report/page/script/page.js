@@ -1,5 +1,6 @@
 // What the report page does beyond being read. It stays readable where any of this fails.
 
+import { start_files } from './files.js';
 import { start_frames } from './frames.js';
 import { start_highlight } from './highlight.js';
 import { read_json } from './page_data.js';
@@ -39,9 +40,14 @@ function start() {
   start_tables();
   start_highlight();
   start_theme(() => redraws.forEach((redraw) => redraw()));
-  const page = { plot: null, frames: null, viewer: null };
+  const page = { files: null, plot: null, frames: null, viewer: null };
   window.foredraw = page;
   if (comparison === null || comparison.files.length === 0) return;
+  const file_figures = read_json('file-figures');
+  if (section('files') !== null && file_figures !== null) {
+    remove_excuses(section('files'));
+    page.files = start_files(section('files'), file_figures);
+  }
   if (section('plot') !== null) {
     remove_excuses(section('plot'));
     page.plot = start_plot(section('plot'), comparison);
