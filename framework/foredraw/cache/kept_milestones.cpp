@@ -3,6 +3,7 @@
 #include <foredraw/cache/stored_scene.h>
 #include <foredraw/cache/stored_steps.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace foredraw {
@@ -49,8 +50,11 @@ std::optional<Milestone> KeptMilestones::furthest(const Plan& plan, const Scene&
   kept_last_ = Clock::now();
   std::vector<Work> works;
   for (std::size_t behind = 1; behind < plan.stages.size(); ++behind) works.push_back(work_behind(behind));
+  const std::vector<FileRead> read = surroundings_.own->all();
+  const auto file = std::ranges::find(read, surroundings_.input, &FileRead::path);
+  if (file == read.end() || file->found != FileRead::Found::content) return std::nullopt;
   Diagnostics damaged;
-  const auto found = find_last_result(surroundings_.cache, works, damaged);
+  const auto found = find_last_result(surroundings_.cache, works, file->stamp, damaged);
   std::optional<Milestone> milestone;
   if (found) {
     const bool has_measures = found->result.entry.about() == to_text(surroundings_.keys.measures);

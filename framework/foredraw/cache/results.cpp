@@ -137,11 +137,11 @@ std::optional<FoundResult> find_result(const Cache& cache, const Work& work, Dia
   return found ? std::move(found) : found_by(key_of_lists(work, input->stamp, true), cache, work, damaged);
 }
 
-std::optional<FoundLast> find_last_result(const Cache& cache, std::span<const Work> works, Diagnostics& damaged) {
-  const auto input = works.empty() ? std::nullopt : cache.hashes().of(works.front().input, FileRead::all_of_it);
-  for (std::size_t number = works.size(); input && number > 0; --number) {
+std::optional<FoundLast> find_last_result(const Cache& cache, std::span<const Work> works, const Stamp& input,
+                                          Diagnostics& damaged) {
+  for (std::size_t number = works.size(); number > 0; --number) {
     const Work& work = works[number - 1];
-    auto found = found_by(key_of_lists(work, input->stamp, false), cache, work, damaged);
+    auto found = found_by(key_of_lists(work, input, false), cache, work, damaged);
     if (found) return FoundLast{number - 1, std::move(*found)};
   }
   return std::nullopt;

@@ -1,7 +1,8 @@
 #pragma once
 // What one file came to, found again by the content of every file that was read for it. Which files these are is known
-// only once they were read, so, unless it was read alone, a list comes first: by the content of the file itself, the files that were read along
-// with it before, and what they held. ccache's direct mode does the same with the headers of a source file.
+// only once they were read, so, unless it was read alone, a list comes first: by the content of the file itself, the
+// files that were read along with it before, and what they held. ccache's direct mode does the same with the headers of
+// a source file.
 
 #include <foredraw/base/files_read.h>
 #include <foredraw/cache/cache.h>
@@ -38,8 +39,9 @@ struct FoundLast {
   FoundResult result;
 };
 
-/// The last of these works, all on one input, that has a result whose place does not count.
-std::optional<FoundLast> find_last_result(const Cache& cache, std::span<const Work> works, Diagnostics& damaged);
+/// The last of these works, all on an input of that content, that has a result whose place does not count.
+std::optional<FoundLast> find_last_result(const Cache& cache, std::span<const Work> works, const Stamp& input,
+                                          Diagnostics& damaged);
 
 /// Of both together what FilesRead::all() would say.
 std::vector<FileRead> joined(std::vector<FileRead> files, const std::vector<FileRead>& others);

@@ -137,6 +137,39 @@ TEST_F(Results, AListThatIsDamagedIsTold) {
   EXPECT_EQ(found(work()), "first");
 }
 
+/// What a run read before it was cut in two, and what it read afterwards.
+TEST(Joined, FilesStandOnceAndThoseThatChangedTwice) {
+  const auto content = [](const char* path, std::uint64_t stamp) {
+    return FileRead{path, FileRead::Found::content, FileRead::all_of_it, 1, {stamp, 0}};
+  };
+  const FileRead there{"b", FileRead::Found::there, 0, 0, {}}, missing{"c", FileRead::Found::missing, 0, 0, {}};
+  const auto files = joined({content("b", 1), missing}, {there, content("a", 1), content("b", 1), missing});
+  std::string paths;
+  for (const FileRead& file : files) paths += file.path.string();
+  EXPECT_EQ(paths, "abc");
+  EXPECT_EQ(files[1].found, FileRead::Found::content);
+  EXPECT_EQ(joined({content("b", 1)}, {content("b", 2)}).size(), 2u);
+}
+
+TEST_F(Results, OfAFileThatIsReadAloneAreOneEntry) {
+  testing::put(folder_ / "in/main", "");
+  const auto entries = [&] {
+    std::size_t count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "cache/entries")) {
+      count += entry.is_regular_file() ? 1 : 0;
+    }
+    return count;
+  };
+  keep(work(), "alone");
+  EXPECT_EQ(found(work()), "alone");
+  EXPECT_EQ(entries(), 1u);
+  testing::put(folder_ / "in/main", "beside\n");
+  EXPECT_EQ(found(work()), "none");
+  keep(work(), "with another");
+  EXPECT_EQ(found(work()), "with another");
+  EXPECT_EQ(entries(), 3u) << "and a list";
+}
+
 TEST(ResultAbout, IsReadBack) {
   const ResultAbout about{"in/\"a\".gltf", {"out/a.gltf", "b.json"}, "stages = []\n", {{0, ""}, {0, "a.bin"}, {1, ""}}};
   const auto read = result_about(to_text(about));
