@@ -36,11 +36,16 @@ class RowMaking {
 
   AttributeRows run() {
     add_all("NORMAL", 3, weights_.normals * diagonal_);
+    const std::size_t normals = columns_.size();
     add_texcoords();
     add_all("COLOR_", 4, weights_.colors * diagonal_);
+    const std::size_t solved = columns_.size();
     add_joints();
     add_targets();
-    return rows();
+    AttributeRows made = rows();
+    made.blended = columns_.size() - solved;
+    if (normals > 0) made.directions.push_back({0, weights_.normals * diagonal_});
+    return made;
   }
 
  private:
@@ -145,7 +150,7 @@ class RowMaking {
   }
 
   AttributeRows rows() const {
-    AttributeRows rows{columns_.size(), {}};
+    AttributeRows rows{.width = columns_.size(), .values = {}};
     rows.values.resize(columns_.size() * mesh_.positions.size());
     for (std::size_t c = 0; c < columns_.size(); ++c) {
       for (std::size_t v = 0; v < columns_[c].size(); ++v) rows.values[v * columns_.size() + c] = columns_[c][v];

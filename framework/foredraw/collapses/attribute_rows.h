@@ -18,6 +18,13 @@ struct AttributeWeights {
 struct AttributeRows {
   std::size_t width = 0;      ///< numbers a vertex
   std::vector<float> values;  ///< [vertex * width + i]
+  std::size_t blended = 0;    ///< the last ones of each vertex, that are always blended along an edge: what moves it
+  /// Three numbers that point somewhere, and stay as long as they are.
+  struct Direction {
+    std::size_t first = 0;
+    double length = 0;
+  };
+  std::vector<Direction> directions = {};
 
   const float* of(std::uint32_t vertex) const { return values.data() + vertex * width; }
   float* of(std::uint32_t vertex) { return values.data() + vertex * width; }

@@ -1,10 +1,14 @@
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/collapses/attribute_walk.h>
 #include <foredraw/collapses/level_vertices.h>
 #include <foredraw/scene/encode_component.h>
 #include <foredraw/scene/skin_weights.h>
 #include <foredraw/scene/stream_meaning.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <ranges>
 #include <utility>
 
 namespace foredraw {
@@ -36,6 +40,28 @@ class BlendedStream {
     if (t > 0.5f) source_[vertex] = source_[other];
   }
 
+  /// Whether shares of several vertices make sense. Weights of joints are none less than 0, and few.
+  bool is_solvable() const {
+    return is_amount_ && width() <= most_components && stream_.semantic != "POSITION" &&
+           !stream_.semantic.starts_with("WEIGHTS_");
+  }
+
+  /// False: nothing is known, and the vertex is as it was. `first`: what is taken off to get numbers of this stream.
+  bool solve(std::uint32_t vertex, std::span<const WedgeShare> shares, std::uint32_t first) {
+    std::array<float, most_components> solved{};
+    for (std::size_t c = 0; c < width(); ++c) {
+      solved[c] = solved_component(shares, first, c);
+      if (!std::isfinite(solved[c])) return false;
+    }
+    if (is_unit_) {
+      const double length = std::sqrt(squared_length(solved.data()));
+      if (!(length > shortest)) return false;
+      for (std::size_t c = 0; c < 3; ++c) solved[c] = static_cast<float>(solved[c] / length);
+    }
+    std::copy_n(solved.data(), width(), values_.data() + vertex * width());
+    return true;
+  }
+
   /// Of numbers between which nothing lies, the nearer vertex's stands.
   void blend_amount(std::uint32_t vertex, const BlendedStream& of, std::uint32_t other, float t) {
     float* to = values_.data() + vertex * width();
@@ -62,7 +88,22 @@ class BlendedStream {
   }
 
  private:
+  static constexpr std::size_t most_components = 16;
+  static constexpr double shortest = 0.1;  // a direction that is left of opposite ones says nothing
+
   std::size_t width() const { return stream_.format.components; }
+
+  /// What no corner around has does not exist: textures end at the borders of their islands, colours at 0 and 1.
+  float solved_component(std::span<const WedgeShare> shares, std::uint32_t first, std::size_t c) const {
+    double sum = 0, least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const auto& [vertex, share] : shares) {
+      const double value = values_[(vertex - first) * width() + c];
+      sum += share * value;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    return static_cast<float>(is_unit_ ? sum : std::clamp(sum, least, most));
+  }
 
   static float blended(float to, float from, float t) {
     const float between = to + (from - to) * t;
@@ -100,13 +141,20 @@ class Blender {
       moves_.push_back(found == target.end() ? no_stream : first + static_cast<std::size_t>(found - target.begin()));
       first += target.size();
     }
-    change_.resize(vertices.count, Change::none);
+    change_.resize(vertices.count, nothing);
   }
 
-  void blend(std::uint32_t vertex, std::uint32_t other, float t) {
-    change_[vertex] = Change::all;
-    for (BlendedStream& stream : streams_) stream.blend(vertex, other, t);
-    skin_.blend(vertex, skin_.of(other), t);
+  /// Numbers of vertices are those of the joined mesh, from `first` on.
+  void join(const JoinedVertex& joined, std::uint32_t first, float t) {
+    const std::uint32_t vertex = joined.vertex - first;
+    const bool is_blended = joined.stands_for_another();
+    if (!is_blended && joined.shares.empty()) return;
+    change_[vertex] |= is_blended ? everything : attributes;
+    for (std::size_t s = 0; s < streams_.size(); ++s) {
+      const bool is_solved = is_solvable(s) && !joined.shares.empty() && streams_[s].solve(vertex, joined.shares, first);
+      if (!is_solved && is_blended) streams_[s].blend(vertex, joined.removed - first, t);
+    }
+    if (is_blended) skin_.blend(vertex, skin_.of(joined.removed - first), t);
   }
 
   /// Whether joints or morph targets move vertices.
@@ -114,9 +162,15 @@ class Blender {
     return !skin_.empty() || std::ranges::any_of(moves_, [](std::size_t s) { return s != no_stream; });
   }
 
+  bool is_solvable(std::size_t s) const { return s < vertices_.base.size() && streams_[s].is_solvable(); }
+  bool has_solvable() const {
+    return std::ranges::any_of(std::views::iota(std::size_t{0}, streams_.size()),
+                               [&](std::size_t s) { return is_solvable(s); });
+  }
+
   /// Only what moves it: the vertex is beside one that is blended with that one of `from`.
   void blend_moves(std::uint32_t vertex, const Blender& from, std::uint32_t other, float t) {
-    change_[vertex] = std::max(change_[vertex], Change::moves);
+    change_[vertex] |= motion;
     skin_.blend(vertex, from.skin_.of(other), t);
     for (std::size_t m = 0; m < std::min(moves_.size(), from.moves_.size()); ++m) {
       if (moves_[m] == no_stream || from.moves_[m] == no_stream) continue;
@@ -138,7 +192,7 @@ class Blender {
   /// The vertices for which is_used holds.
   LevelVertices finish(const std::vector<bool>& is_used) {
     for (std::uint32_t v = 0; v < vertices_.count; ++v) {
-      if (is_used[v] && change_[v] != Change::none) write(v);
+      if (is_used[v] && change_[v] != nothing) write(v);
     }
     LevelVertices level;
     level.number.resize(vertices_.count, no_vertex);
@@ -167,12 +221,15 @@ class Blender {
   }
 
  private:
-  enum class Change : std::uint8_t { none, moves, all };
+  using Change = std::uint8_t;
+  static constexpr Change nothing = 0, attributes = 1, motion = 2, everything = 7;
   static constexpr std::size_t no_stream = ~std::size_t{0};
 
   void write(std::uint32_t vertex) {
     for (std::size_t s = 0; s < streams_.size(); ++s) {
-      if (change_[vertex] == Change::moves && std::ranges::find(moves_, s) == moves_.end()) continue;
+      const bool has_changed = change_[vertex] == everything || ((change_[vertex] & attributes) != 0 && is_solvable(s)) ||
+                               ((change_[vertex] & motion) != 0 && std::ranges::find(moves_, s) != moves_.end());
+      if (!has_changed) continue;
       if (s < vertices_.base.size() && vertices_.base[s].semantic == "POSITION") continue;  // place() wrote it
       streams_[s].write(vertex, bytes_[s]);
     }
@@ -207,16 +264,20 @@ std::vector<LevelVertices> level_vertices(const CollapseSequence& sequence, std:
   const auto number = [&](std::uint32_t vertex) { return vertex - mesh.first_vertex[mesh.part[vertex]]; };
   const bool moves = std::ranges::any_of(blenders, &Blender::moves);
   const std::vector<std::uint32_t> next = moves ? next_at_point(mesh) : std::vector<std::uint32_t>();
+  const bool solves = std::ranges::any_of(blenders, &Blender::has_solvable);
+  AttributeWalk walk(sequence, mesh.positions, solves ? mesh.indices : std::span<const std::uint32_t>());
   for (std::size_t k = 0; k < collapses; ++k) {
     const float t = sequence.collapses[k].blend;
-    const auto pairs =
-        std::span(sequence.pairs).subspan(sequence.first_pair[k], sequence.first_pair[k + 1] - sequence.first_pair[k]);
-    for (const VertexPair& pair : pairs) blender_of(pair.kept).blend(number(pair.kept), number(pair.removed), t);
-    if (pairs.empty() || !moves) continue;
-    const std::uint32_t removed = pairs.front().removed;
+    const std::span<const JoinedVertex> joined = walk.next();
+    for (const JoinedVertex& one : joined) {
+      blender_of(one.vertex).join(one, mesh.first_vertex[mesh.part[one.vertex]], t);
+    }
+    const auto paired = std::ranges::find_if(joined, &JoinedVertex::stands_for_another);
+    if (paired == joined.end() || !moves) continue;
     for (std::uint32_t vertex = sequence.collapses[k].kept; vertex != no_vertex; vertex = next[vertex]) {
-      if (std::ranges::find(pairs, vertex, &VertexPair::kept) != pairs.end()) continue;
-      blender_of(vertex).blend_moves(number(vertex), blender_of(removed), number(removed), t);
+      const auto known = std::ranges::find(joined, vertex, &JoinedVertex::vertex);
+      if (known != joined.end() && known->stands_for_another()) continue;
+      blender_of(vertex).blend_moves(number(vertex), blender_of(paired->removed), number(paired->removed), t);
     }
   }
   std::vector<std::vector<bool>> is_used;

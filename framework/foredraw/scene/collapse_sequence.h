@@ -32,6 +32,9 @@ struct CollapseSequence {
   std::vector<VertexPair> pairs;
   std::vector<std::uint32_t> first_pair;  ///< [collapse], and the number of pairs behind the last
   std::vector<float> places;              ///< [3 * collapse]: where the kept point lies then; none: where it was
+  /// What a vertex carries that comes to lie at neither of both places is solved for from the triangles around
+  /// (WedgeShares); false: it is blended, too.
+  bool solves = false;
   friend bool operator==(const CollapseSequence&, const CollapseSequence&) = default;
 };
 

@@ -1,6 +1,11 @@
 #include "attribute_cost.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
 
 namespace foredraw::collapsing {
 
@@ -18,87 +23,218 @@ void AttributeCosts::measure(std::uint32_t f) {
   const float* there = rows_.of(face.vertex[1]);
   const float* beyond = rows_.of(face.vertex[2]);
   glm::dvec3* slopes = slopes_.data() + f * rows_.width;
-  squares_[f] = {};
-  if (!(area > 0)) return;
-  for (std::size_t i = 0; i < rows_.width; ++i) {
+  Symmetric solved, blended;
+  for (std::size_t i = 0; i < rows_.width && area > 0; ++i) {
     const double value = here[i];
     slopes[i] = to_one * (there[i] - value) + to_two * (beyond[i] - value);
-    squares_[f].add(slopes[i], area);
+    (i < solved_ ? solved : blended).add(slopes[i], area);
   }
+  if (!squares_.empty()) squares_[f] = solved;
+  if (!blended_squares_.empty()) blended_squares_[f] = blended;
 }
 
-const AttributeCosts::Sums& AttributeCosts::sums_at(std::uint32_t point) {
-  Sums& sum = sums_[point];
-  if (sum.changes == mesh_.changes(point).faces) return sum;
-  sum = {mesh_.changes(point).faces, 0, {}};
-  glm::dvec3* by_number = sums_by_number_.data() + point * rows_.width;
-  std::fill_n(by_number, rows_.width, glm::dvec3(0));
-  for (const std::uint32_t f : mesh_.ring(point)) {
+void AttributeCosts::add_up(std::uint32_t point) {
+  if (changes_[point] == mesh_.changes(point).faces) return;
+  changes_[point] = mesh_.changes(point).faces;
+  const std::size_t width = rows_.width;
+  constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::uint32_t before = none;
+  const auto each_face = [&](const auto& see) {
+    for (const std::uint32_t f : mesh_.ring(point)) see(f, mesh_.face(f).vertex[mesh_.face(f).corner_of(point)]);
+  };
+  each_face([&](std::uint32_t, std::uint32_t vertex) {
+    if (vertex == std::exchange(before, vertex)) return;
+    sums_[vertex] = {};
+    std::fill_n(sums_by_number_.data() + vertex * width, width, glm::dvec3(0));
+  });
+  each_face([&](std::uint32_t f, std::uint32_t vertex) {
     const double area = mesh_.plane(f).area();
-    if (!(area > 0)) continue;
+    if (!(area > 0)) return;
+    Sums& sum = sums_[vertex];
     sum.area += area;
-    sum.squares.add(squares_[f]);
-    const glm::dvec3* slopes = slopes_.data() + f * rows_.width;
-    for (std::size_t i = 0; i < rows_.width; ++i) by_number[i] += slopes[i] * area;
-  }
-  return sum;
+    if (!squares_.empty()) sum.squares.add(squares_[f]);
+    if (!blended_squares_.empty()) sum.squares.add(blended_squares_[f]);
+    glm::dvec3* by_number = sums_by_number_.data() + vertex * width;
+    const glm::dvec3* slopes = slopes_.data() + f * width;
+    for (std::size_t i = 0; i < width; ++i) by_number[i] += slopes[i] * area;
+  });
 }
 
-/// Along the edge an attribute grows by its difference for each `step`. What faces say beyond that is squared.
-Symmetric AttributeCosts::around_smooth(std::uint32_t at, std::uint32_t other, const glm::dvec3& step, Both shared) {
-  const Sums& sum = sums_at(at);
-  const glm::dvec3* by_number = sums_by_number_.data() + at * rows_.width;
-  const Face& between = mesh_.face(shared.front());
-  const float* here = rows_.of(between.vertex[between.corner_of(at)]);
-  const float* there = rows_.of(between.vertex[between.corner_of(other)]);
-  glm::dvec3 mixed(0);
-  double squared = 0;
-  for (std::size_t i = 0; i < rows_.width; ++i) {
+struct AttributeCosts::Edge {
+  std::uint32_t p, q;
+  std::span<const std::uint32_t> shared;
+  glm::dvec3 along{0};  ///< from p to q
+  glm::dvec3 step{0};   ///< along, by its length squared
+};
+
+/// Vertices at both ends that become one.
+struct AttributeCosts::Ends {
+  std::uint32_t at_p, at_q;
+};
+
+/// Seen from p, faces at p say s.x of their slopes s, and faces at q difference + s.(x - along). Along the edge a
+/// blended attribute grows by its difference for each `step`.
+void AttributeCosts::add_wedge(const Ends& ends, const Edge& edge, Quadric& from_p, Quadric& from_q) const {
+  const Sums &of_p = sums_[ends.at_p], &of_q = sums_[ends.at_q];
+  const glm::dvec3* by_p = sums_by_number_.data() + ends.at_p * rows_.width;
+  const glm::dvec3* by_q = sums_by_number_.data() + ends.at_q * rows_.width;
+  const float* here = rows_.of(ends.at_p);
+  const float* there = rows_.of(ends.at_q);
+  from_p.matrix.add(of_p.squares);
+  from_q.matrix.add(of_q.squares);
+  // What both have counts once where it is solved for. Both lie on it.
+  std::array<std::uint32_t, 2> both;
+  std::size_t count = 0;
+  double area_q = of_q.area;
+  for (const std::uint32_t f : edge.shared) {
+    const Face& face = mesh_.face(f);
+    const double area = mesh_.plane(f).area();
+    if (!(area > 0) || count == both.size() || face.vertex[face.corner_of(edge.q)] != ends.at_q) continue;
+    both[count++] = f;
+    area_q -= area;
+    if (!squares_.empty()) from_q.matrix.add(squares_[f], -1);
+  }
+  const double area = of_p.area + area_q, share = area > 0 ? 1 / area : 0;
+  for (std::size_t i = 0; i < solved_; ++i) {
     const double difference = double{there[i]} - here[i];
-    mixed += by_number[i] * difference;
+    glm::dvec3 slopes_q = by_q[i];
+    for (std::size_t k = 0; k < count; ++k) {
+      slopes_q -= slopes_[both[k] * rows_.width + i] * mesh_.plane(both[k]).area();
+    }
+    from_q.vector -= slopes_q * difference;
+    from_q.constant += area_q * difference * difference;
+    from_p.subtract_square(by_p[i] + slopes_q, area_q * difference - dot(slopes_q, edge.along), share);
+  }
+  if (solved_ == rows_.width) return;
+  glm::dvec3 mixed_p(0), mixed_q(0);
+  double squared = 0;
+  for (std::size_t i = solved_; i < rows_.width; ++i) {
+    const double difference = double{there[i]} - here[i];
+    mixed_p += by_p[i] * difference;
+    mixed_q += by_q[i] * difference;
     squared += difference * difference;
   }
-  Symmetric matrix = sum.squares;
-  matrix.add(step, sum.area * squared);
-  matrix.add_both(-mixed, step);
-  return matrix;
+  from_p.matrix.add(edge.step, of_p.area * squared);
+  from_q.matrix.add(edge.step, of_q.area * squared);
+  from_p.matrix.add_both(-mixed_p, edge.step);
+  from_q.matrix.add_both(-mixed_q, edge.step);
 }
 
-/// The same where vertices differ from face to face. A vertex that no face joins to one of the other point stays as it
-/// is.
-Symmetric AttributeCosts::around_sharp(std::uint32_t at, std::uint32_t other, const glm::dvec3& step,
-                                       Both shared) const {
-  Symmetric matrix;
-  for (const std::uint32_t f : mesh_.ring(at)) {
-    const double area = mesh_.plane(f).area();
-    if (!(area > 0)) continue;
-    const std::uint32_t own = mesh_.face(f).vertex[mesh_.face(f).corner_of(at)];
-    std::uint32_t becomes = own;
-    for (const std::uint32_t g : shared) {
-      const Face& between = mesh_.face(g);
-      if (between.vertex[between.corner_of(at)] == own) becomes = between.vertex[between.corner_of(other)];
-    }
-    const float* here = rows_.of(own);
-    const float* there = rows_.of(becomes);
-    const glm::dvec3* slopes = slopes_.data() + f * rows_.width;
-    for (std::size_t i = 0; i < rows_.width; ++i) matrix.add(slopes[i] - step * (double{there[i]} - here[i]), area);
-  }
-  return matrix;
+/// A vertex that no face joins to one of the other point. What is blended stays as it is.
+void AttributeCosts::add_alone(std::uint32_t vertex, Quadric& from) const {
+  const Sums& of = sums_[vertex];
+  if (!(of.area > 0)) return;
+  from.matrix.add(of.squares);
+  const glm::dvec3* by_number = sums_by_number_.data() + vertex * rows_.width;
+  for (std::size_t i = 0; i < solved_; ++i) from.matrix.add(by_number[i], -1 / of.area);
 }
 
-Symmetric AttributeCosts::around(std::uint32_t at, std::uint32_t other, Both shared) {
-  const glm::dvec3 along = glm::dvec3(mesh_.point(other).place) - glm::dvec3(mesh_.point(at).place);
+Quadric AttributeCosts::around(std::uint32_t p, std::uint32_t q, std::span<const std::uint32_t> shared) {
+  add_up(p), add_up(q);
+  const glm::dvec3 along = glm::dvec3(mesh_.point(q).place) - glm::dvec3(mesh_.point(p).place);
   const double length = dot(along, along);
-  const glm::dvec3 step = length > 0 ? along / length : glm::dvec3(0);
-  return mesh_.point(at).is_sharp ? around_sharp(at, other, step, shared) : around_smooth(at, other, step, shared);
+  const Edge edge{p, q, shared, along, length > 0 ? along / length : glm::dvec3(0)};
+  Quadric from_p, from_q;
+  const auto ends_in = [&](std::uint32_t f) {
+    const Face& face = mesh_.face(f);
+    return Ends{face.vertex[face.corner_of(p)], face.vertex[face.corner_of(q)]};
+  };
+  const auto is_joined = [&](std::span<const std::uint32_t> faces, auto end, std::uint32_t vertex) {
+    return std::ranges::any_of(faces, [&](std::uint32_t f) { return ends_in(f).*end == vertex; });
+  };
+  for (std::size_t i = 0; i < shared.size(); ++i) {
+    const Ends ends = ends_in(shared[i]);
+    const std::span<const std::uint32_t> before = shared.first(i);
+    if (is_joined(before, &Ends::at_p, ends.at_p) || is_joined(before, &Ends::at_q, ends.at_q)) continue;
+    add_wedge(ends, edge, from_p, from_q);
+  }
+  for (const std::uint32_t point : {p, q}) {
+    if (!mesh_.point(point).is_sharp) continue;
+    const std::span<const std::uint32_t> ring = mesh_.ring(point);
+    const auto vertex_in = [&](std::uint32_t f) { return mesh_.face(f).vertex[mesh_.face(f).corner_of(point)]; };
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const std::uint32_t vertex = vertex_in(ring[i]);
+      const bool is_known = std::ranges::any_of(ring.first(i), [&](std::uint32_t f) { return vertex_in(f) == vertex; });
+      if (is_known || is_joined(shared, point == p ? &Ends::at_p : &Ends::at_q, vertex)) continue;
+      add_alone(vertex, point == p ? from_p : from_q);
+    }
+  }
+  from_p.add_about(from_q, along);
+  return from_p;
 }
 
-void AttributeCosts::blend(std::span<const VertexPair> pairs, float blend) {
-  for (const VertexPair& pair : pairs) {
-    float* to = rows_.of(pair.kept);
-    const float* from = rows_.of(pair.removed);
-    for (std::size_t i = 0; i < rows_.width; ++i) to[i] += (from[i] - to[i]) * blend;
+/// As AttributeWalk and level_vertices() say it.
+void AttributeCosts::solve(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, float blend,
+                           std::span<const VertexPair> pairs, Room& room) {
+  using WedgeFace = Room::WedgeFace;
+  auto& [faces, shares, solved] = room;
+  faces.clear();
+  for (const std::uint32_t f : mesh_.ring(kept)) {
+    const Face& face = mesh_.face(f);
+    faces.push_back({f, face.vertex[face.corner_of(kept)]});
   }
+  for (const std::uint32_t f : mesh_.ring(removed)) {
+    const Face& face = mesh_.face(f);
+    if (face.has(kept)) continue;
+    const std::uint32_t vertex = face.vertex[face.corner_of(removed)];
+    faces.push_back({f, std::ranges::find(pairs, vertex, &VertexPair::removed)->kept});
+  }
+  for (std::size_t first = 0; first < faces.size(); ++first) {
+    const std::uint32_t wedge = faces[first].wedge;
+    if (std::ranges::find(faces, wedge, &WedgeFace::wedge) != faces.begin() + static_cast<std::ptrdiff_t>(first)) {
+      continue;
+    }
+    shares.start(place);
+    for (std::size_t i = first; i < faces.size(); ++i) {
+      if (faces[i].wedge != wedge) continue;
+      const Face& face = mesh_.face(faces[i].face);
+      shares.add({mesh_.point(face.point[0]).place, mesh_.point(face.point[1]).place,
+                  mesh_.point(face.point[2]).place},
+                 face.vertex);
+    }
+    const std::span<const WedgeShare> found = shares.finish();
+    const auto pair = std::ranges::find(pairs, wedge, &VertexPair::kept);
+    if (!found.empty()) {
+      put(wedge, found, solved);
+    } else if (pair != pairs.end()) {
+      blend_numbers(*pair, 0, solved_, blend);
+    }
+  }
+}
+
+void AttributeCosts::put(std::uint32_t vertex, std::span<const WedgeShare> shares, std::vector<double>& solved) {
+  solved.assign(solved_, 0);
+  for (std::size_t i = 0; i < solved_; ++i) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const auto& [of, share] : shares) {
+      const double value = rows_.of(of)[i];
+      solved[i] += share * value;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    solved[i] = std::clamp(solved[i], least, most);
+  }
+  for (const AttributeRows::Direction& one : rows_.directions) {
+    double* const way = solved.data() + one.first;
+    const double length = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+    for (std::size_t k = 0; k < 3 && length > 0; ++k) way[k] *= one.length / length;
+  }
+  std::ranges::copy(solved, rows_.of(vertex));
+}
+
+void AttributeCosts::join(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, float blend,
+                          std::span<const VertexPair> pairs, Room& room) {
+  if (empty()) return;
+  const bool moves = place != mesh_.point(removed).place && place != mesh_.point(kept).place;
+  const std::size_t first = moves ? solved_ : 0;
+  if (moves && solved_ > 0) solve(removed, kept, place, blend, pairs, room);
+  for (const VertexPair& pair : pairs) blend_numbers(pair, first, rows_.width, blend);
+}
+
+void AttributeCosts::blend_numbers(const VertexPair& pair, std::size_t first, std::size_t end, float blend) {
+  float* to = rows_.of(pair.kept);
+  const float* from = rows_.of(pair.removed);
+  for (std::size_t i = first; i < end; ++i) to[i] += (from[i] - to[i]) * blend;
 }
 
 }  // namespace foredraw::collapsing

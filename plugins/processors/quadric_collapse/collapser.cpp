@@ -168,6 +168,7 @@ void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCo
   const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
   const Quadric memory = costs_.joined_memory(removed, kept, best.place);
   all_.poses.join(removed, kept, blend, best.place);
+  all_.attributes.join(removed, kept, best.place, blend, pairs_, joining_);
   Point& point = mesh_.point(kept);
   point.is_sharp = point.is_sharp || mesh_.point(removed).is_sharp;
   const std::size_t gone = editor_.collapse(removed, kept, best.place, [&](std::uint32_t vertex) {
@@ -176,7 +177,6 @@ void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCo
   faces_ -= gone;
   --points_;
   point.memory = memory;
-  all_.attributes.blend(pairs_, blend);
   for (const std::uint32_t f : mesh_.ring(kept)) {
     all_.attributes.measure(f);
     all_.poses.measure(f);

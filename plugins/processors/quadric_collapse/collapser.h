@@ -114,6 +114,7 @@ class Collapser {
   CostQueue queue_;
   std::vector<Elsewhere> elsewhere_;
   std::vector<VertexPair> pairs_;
+  AttributeCosts::Room joining_;
   std::vector<Neighbour> neighbours_;
   std::vector<EdgeCost> found_;
   Steps steps_;

@@ -122,12 +122,10 @@ Quadric EdgeCosts::around(const Around& a, std::uint32_t p, std::uint32_t q, Con
   mesh_.shared_faces(p, q, shared_);
   Quadric sum = planes_around(a, p, q, volume);
   if (attributes_.empty() && poses_.empty()) return sum;
+  if (!attributes_.empty()) sum.add(attributes_.around(p, q, shared_));
+  if (poses_.empty()) return sum;
   Quadric about_q;
-  if (!attributes_.empty()) {
-    about_q.matrix = attributes_.around(q, p, shared_);
-    sum.matrix.add(attributes_.around(p, q, shared_));
-  }
-  if (!poses_.empty()) poses_.add_around(p, q, shared_, sum.matrix, about_q.matrix);
+  poses_.add_around(p, q, shared_, sum.matrix, about_q.matrix);
   sum.add_about(about_q, glm::dvec3(mesh_.point(q).place) - glm::dvec3(mesh_.point(p).place));
   return sum;
 }
@@ -153,14 +151,11 @@ EdgeCost EdgeCosts::least(const Around& a, std::uint32_t p, std::uint32_t q) {
   return {sum.at(glm::dvec3(place) - from), place};
 }
 
-/// Of an edge that is not sharp, in a matrix what the points say of attributes and poses, too.
+/// Of an edge that is not sharp, with what the points say of attributes and poses.
 void EdgeCosts::add_together(Around a, std::uint32_t p, const Neighbour& other) {
   const std::uint32_t q = other.point;
   Around b = around(q);
-  if (!attributes_.empty()) {
-    a.planes.matrix.add(attributes_.around(p, q, other.shared));
-    b.planes.matrix.add(attributes_.around(q, p, other.shared));
-  }
+  if (!attributes_.empty()) a.planes.add(attributes_.around(p, q, other.shared));
   if (!poses_.empty()) poses_.add_around(p, q, other.shared, a.planes.matrix, b.planes.matrix);
   together_.add(mesh_.point(p).place, a, mesh_.point(q).place, b, mesh_.plane(other.shared[0]),
                 mesh_.plane(other.shared[1]));

@@ -28,7 +28,7 @@ class QuadricCollapse {
                   std::span<const std::uint32_t> stream, const PosedVertices& posed)
       : options_(options),
         mesh_(positions, indices, piece_points),
-        attributes_(mesh_, std::move(attributes)),
+        attributes_(mesh_, std::move(attributes), solves()),
         poses_(mesh_, posed, options.poses),
         parts_(mesh_, options.parts, stream),
         points_(mesh_.point_count()),
@@ -51,12 +51,14 @@ class QuadricCollapse {
       while (faces_ > options_.least && !is_cancelled() && next_rank() < CostQueue::ranks) round();
     }
     sequence_.first_pair.push_back(static_cast<std::uint32_t>(sequence_.pairs.size()));
+    sequence_.solves = solves();
     return std::move(sequence_);
   }
 
  private:
   bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed); }
 
+  bool solves() const { return options_.solves && options_.placement == CollapsePlacement::optimal; }
   std::size_t editors() const { return mesh_.piece_count() + 1; }
   bool is_one_piece() const { return pieces_.size() == 1; }
 
@@ -165,6 +167,7 @@ CollapseSequence quadric_collapse(std::span<const glm::vec3> positions, std::spa
     // The surface counts at rest and in poses. Beside it attributes weigh what they did.
     const auto scale = static_cast<float>(std::sqrt(1 + options.poses));
     for (float& value : attributes.values) value *= scale;
+    for (AttributeRows::Direction& one : attributes.directions) one.length *= static_cast<double>(scale);
   }
   return QuadricCollapse(positions, indices, options, std::move(attributes), stream, posed).run();
 }

@@ -65,6 +65,7 @@ int foredraw_quadric_collapse(foredraw_collapses* sequence, const foredraw_trian
       QuadricCollapseOptions options;
       options.placement = sequence->places == nullptr ? CollapsePlacement::endpoint : CollapsePlacement::optimal;
       options.least = least;
+      options.solves = false;  // callers blend
       found = quadric_collapse(c::elements_at<glm::vec3>(positions->first, positions->stride, vertices),
                                checked.indices(), options, rows_of(weighted, vertices));
     }

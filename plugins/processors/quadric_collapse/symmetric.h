@@ -48,6 +48,12 @@ struct Quadric {
     vector += o.vector * weight;
     constant += o.constant * weight;
   }
+  /// Takes away weight * (slope . x + offset)^2.
+  void subtract_square(const glm::dvec3& slope, double offset, double weight) {
+    matrix.add(slope, -weight);
+    vector += slope * (offset * weight);
+    constant -= offset * offset * weight;
+  }
   /// Adds o(x - from).
   void add_about(const Quadric& o, const glm::dvec3& from) {
     const glm::dvec3 moved = o.matrix * from + o.vector;
