@@ -5,6 +5,7 @@
 // of normals at nearest points. Times are of the processor, one thread, medians of seven rounds that do both.
 //   attributes-bench FILES     a table of files, each as one mesh
 //   attributes-bench --normals=.01 --texcoords=.1 FILES     with other weights
+//   attributes-bench --solve=0 FILES                        blended along the edge instead of solved for
 
 #include <benchmarks/meshes/one_mesh.h>
 #include <evaluators/attribute_error/attribute_error.h>
@@ -46,10 +47,16 @@ Carrying whole(const JoinedMesh& mesh) {
   return {mesh.positions, carried(mesh, "NORMAL"), carried(mesh, "TEXCOORD_0"), mesh.indices};
 }
 
-Carrying ours(const JoinedMesh& mesh, std::size_t triangles, const AttributeWeights& weights, double& time) {
+struct Ours {
+  AttributeWeights weights;
+  bool solves = true;
+};
+
+Carrying ours(const JoinedMesh& mesh, std::size_t triangles, const Ours& options, double& time) {
   CollapseSequence sequence;
   time = seconds_of([&] {
-    sequence = quadric_collapse(mesh.positions, mesh.indices, {.least = triangles}, attribute_rows(mesh, weights));
+    sequence = quadric_collapse(mesh.positions, mesh.indices, {.least = triangles, .solves = options.solves},
+                                attribute_rows(mesh, options.weights));
   });
   const std::size_t all = sequence.collapses.size();
   const Collapsed after = collapsed(sequence, all, mesh);
@@ -103,8 +110,7 @@ struct Ratios {
   std::vector<double> rms, uv, normal, time;
 };
 
-void measure(const std::string& path, const AttributeWeights& weights, std::size_t rounds,
-             std::array<Ratios, ratios.size()>& all) {
+void measure(const std::string& path, const Ours& options, std::size_t rounds, std::array<Ratios, ratios.size()>& all) {
   const Executor executor;
   const JoinedMesh mesh = read_joined(path);
   const Carrying original = whole(mesh);
@@ -115,7 +121,7 @@ void measure(const std::string& path, const AttributeWeights& weights, std::size
     Carrying own, peer;
     for (std::size_t r = 0; r < rounds; ++r) {
       double of_own = 0, of_peer = 0;
-      own = ours(mesh, triangles, weights, of_own);
+      own = ours(mesh, triangles, options, of_own);
       peer = peers(original, triangles, of_peer);
       times.push_back(of_own / of_peer);
     }
@@ -137,7 +143,7 @@ void measure(const std::string& path, const AttributeWeights& weights, std::size
 int main(int argc, char** argv) {
   using namespace foredraw::bench;
   std::array<Ratios, ratios.size()> all;
-  foredraw::AttributeWeights weights;
+  Ours options;
   std::size_t rounds = 7;
   fmt::print("| mesh | kept | left, ours / peer | rms, ours / peer | uv, ours / peer | normal, degrees | time |\n");
   fmt::print("|---|---:|---:|---:|---:|---:|---:|\n");
@@ -148,11 +154,11 @@ int main(int argc, char** argv) {
       value = static_cast<std::remove_reference_t<decltype(value)>>(std::stod(word.substr(name.size())));
       return true;
     };
-    if (takes("--normals=", weights.normals) || takes("--texcoords=", weights.texcoords) ||
-        takes("--rounds=", rounds)) {
+    if (takes("--normals=", options.weights.normals) || takes("--texcoords=", options.weights.texcoords) ||
+        takes("--solve=", options.solves) || takes("--rounds=", rounds)) {
       continue;
     }
-    measure(word, weights, rounds, all);
+    measure(word, options, rounds, all);
   }
   fmt::print("\n| kept | rms, mean (worst) | uv | normals | time |\n|---:|---:|---:|---:|---:|\n");
   for (std::size_t i = 0; i < ratios.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include <foredraw/analysis/farthest_distance.h>
 #include <foredraw/analysis/surface_distance.h>
+#include <foredraw/collapses/attribute_walk.h>
 #include <foredraw/collapses/replay.h>
 
 #include <fmt/format.h>
@@ -131,11 +132,17 @@ void show_picture() {
     const std::size_t collapses = std::min(sequence.collapses.size(), plate.positions.size() - 400);
     const Collapsed left = collapsed(sequence, collapses, plate.positions, plate.indices);
     std::vector<float> now = colours;
+    AttributeWalk walk(sequence, plate.positions, plate.indices);
     for (std::size_t i = 0; i < collapses; ++i) {
-      for (std::uint32_t at = sequence.first_pair[i]; at < sequence.first_pair[i + 1]; ++at) {
-        const auto [removed, kept] = sequence.pairs[at];
-        for (int k = 0; k < 3; ++k) {
-          now[3 * kept + k] += (now[3 * removed + k] - now[3 * kept + k]) * sequence.collapses[i].blend;
+      for (const JoinedVertex& joined : walk.next()) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          float& kept = now[3 * joined.vertex + k];
+          if (!joined.shares.empty()) {
+            kept = static_cast<float>(shared_number(std::span<const WedgeShare>(joined.shares),
+                                                    [&](std::uint32_t v) { return double{now[3 * v + k]}; }));
+          } else if (joined.stands_for_another()) {
+            kept += (now[3 * joined.removed + k] - kept) * sequence.collapses[i].blend;
+          }
         }
       }
     }

@@ -41,21 +41,17 @@ bool AttributeWalk::has(std::uint32_t corner, std::uint32_t point) const {
          point_of_[corners_[first + 2]] == point;
 }
 
-JoinedVertex& AttributeWalk::joined(std::uint32_t vertex) {
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (joined_[i].vertex == vertex) return joined_[i];
-  }
+void AttributeWalk::put(std::uint32_t vertex, std::uint32_t removed) {
   if (count_ == joined_.size()) joined_.emplace_back();
   JoinedVertex& added = joined_[count_++];
   added.vertex = vertex;
-  added.removed = JoinedVertex::none;
+  added.removed = removed;
   added.shares.clear();
-  return added;
 }
 
 std::span<const JoinedVertex> AttributeWalk::next() {
   count_ = 0;
-  for (const VertexPair& pair : pairs()) joined(pair.kept).removed = pair.removed;
+  for (const VertexPair& pair : pairs()) put(pair.kept, pair.removed);
   if (!point_of_.empty()) {
     const Collapse& collapse = sequence_.collapses[at_];
     if (place() != places_[collapse.kept] && place() != places_[collapse.removed]) find_shares();
@@ -77,7 +73,10 @@ void AttributeWalk::find_shares() {
     if (pair != pairs().end()) faces_.push_back({i / 3, pair->kept});
   }
   if (faces_.size() > WedgeShares::most_faces) return;
-  for (const WedgeFace& face : faces_) joined(face.wedge);
+  for (const WedgeFace& face : faces_) {
+    const auto known = std::span(joined_).first(count_);
+    if (std::ranges::find(known, face.wedge, &JoinedVertex::vertex) == known.end()) put(face.wedge, none);
+  }
   for (std::size_t w = 0; w < count_; ++w) {
     shares_.start(place());
     for (const WedgeFace& face : faces_) {

@@ -16,7 +16,7 @@ struct JoinedVertex {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
   std::uint32_t vertex = 0;
-  std::uint32_t removed = none;        ///< that it stands for from now on
+  std::uint32_t removed = none;         ///< that it stands for from now on
   std::vector<WedgeShare> shares = {};  ///< of what it carries then; none: it is blended with the removed one, if any
 
   bool stands_for_another() const { return removed != none; }
@@ -40,7 +40,7 @@ class AttributeWalk {
   std::span<const VertexPair> pairs() const;
   glm::vec3 place() const;
   bool has(std::uint32_t corner, std::uint32_t point) const;
-  JoinedVertex& joined(std::uint32_t vertex);
+  void put(std::uint32_t vertex, std::uint32_t removed);
   void find_shares();
   void join();
 

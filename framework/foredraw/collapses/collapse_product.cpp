@@ -72,6 +72,11 @@ class CollapseRow final : public ProductRow {
       if (one.member("places") != nullptr && !read_rows(from, one, "places", Component::float32, 3, sequence.places)) {
         return "its places are not floats";
       }
+      if (const ExtensionValue* solved = one.member("solved"); solved != nullptr) {
+        const bool* const is_solved = std::get_if<bool>(&solved->any());
+        if (is_solved == nullptr) return "its member 'solved' is neither true nor false";
+        sequence.solves = *is_solved;
+      }
       for (std::size_t i = 0; i < points.size(); ++i) {
         sequence.collapses.push_back({points[i][0], points[i][1], amounts[i][0], amounts[i][1]});
       }
@@ -163,6 +168,7 @@ class CollapseRow final : public ProductRow {
                     {"pairs", whole(pairs, 2)},
                     {"firstPairs", whole(sequence.first_pair, 1)}};
     if (!sequence.places.empty()) members.emplace_back("places", real(sequence.places, 3));
+    if (sequence.solves) members.emplace_back("solved", true);
     return members;
   }
 };

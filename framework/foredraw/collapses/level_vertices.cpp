@@ -50,7 +50,8 @@ class BlendedStream {
   bool solve(std::uint32_t vertex, std::span<const WedgeShare> shares, std::uint32_t first) {
     std::array<float, most_components> solved{};
     for (std::size_t c = 0; c < width(); ++c) {
-      solved[c] = solved_component(shares, first, c);
+      const auto value = [&](std::uint32_t v) { return double{values_[(v - first) * width() + c]}; };
+      solved[c] = static_cast<float>(is_unit_ && c < 3 ? shared_sum(shares, value) : shared_number(shares, value));
       if (!std::isfinite(solved[c])) return false;
     }
     if (is_unit_) {
@@ -92,18 +93,6 @@ class BlendedStream {
   static constexpr double shortest = 0.1;  // a direction that is left of opposite ones says nothing
 
   std::size_t width() const { return stream_.format.components; }
-
-  /// What no corner around has does not exist: textures end at the borders of their islands, colours at 0 and 1.
-  float solved_component(std::span<const WedgeShare> shares, std::uint32_t first, std::size_t c) const {
-    double sum = 0, least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const auto& [vertex, share] : shares) {
-      const double value = values_[(vertex - first) * width() + c];
-      sum += share * value;
-      least = std::min(least, value);
-      most = std::max(most, value);
-    }
-    return static_cast<float>(is_unit_ ? sum : std::clamp(sum, least, most));
-  }
 
   static float blended(float to, float from, float t) {
     const float between = to + (from - to) * t;
@@ -148,10 +137,11 @@ class Blender {
   void join(const JoinedVertex& joined, std::uint32_t first, float t) {
     const std::uint32_t vertex = joined.vertex - first;
     const bool is_blended = joined.stands_for_another();
-    if (!is_blended && joined.shares.empty()) return;
+    if (joined.shares.empty() && (!is_blended || t == 0)) return;  // as it is, to the byte
     change_[vertex] |= is_blended ? everything : attributes;
     for (std::size_t s = 0; s < streams_.size(); ++s) {
-      const bool is_solved = is_solvable(s) && !joined.shares.empty() && streams_[s].solve(vertex, joined.shares, first);
+      const bool is_solved =
+          is_solvable(s) && !joined.shares.empty() && streams_[s].solve(vertex, joined.shares, first);
       if (!is_solved && is_blended) streams_[s].blend(vertex, joined.removed - first, t);
     }
     if (is_blended) skin_.blend(vertex, skin_.of(joined.removed - first), t);
@@ -227,7 +217,8 @@ class Blender {
 
   void write(std::uint32_t vertex) {
     for (std::size_t s = 0; s < streams_.size(); ++s) {
-      const bool has_changed = change_[vertex] == everything || ((change_[vertex] & attributes) != 0 && is_solvable(s)) ||
+      const bool has_changed = change_[vertex] == everything ||
+                               ((change_[vertex] & attributes) != 0 && is_solvable(s)) ||
                                ((change_[vertex] & motion) != 0 && std::ranges::find(moves_, s) != moves_.end());
       if (!has_changed) continue;
       if (s < vertices_.base.size() && vertices_.base[s].semantic == "POSITION") continue;  // place() wrote it

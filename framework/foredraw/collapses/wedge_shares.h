@@ -7,8 +7,10 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,27 @@ struct WedgeShare {
   std::uint32_t vertex = 0;
   double share = 0;
 };
+
+/// What shares make of numbers, of which `of(vertex)` tells.
+template <class Of>
+double shared_sum(std::span<const WedgeShare> shares, const Of& of) {
+  double sum = 0;
+  for (const auto& [vertex, share] : shares) sum += share * of(vertex);
+  return sum;
+}
+
+/// The same, but between the numbers of the corners. What none of them has need not exist: textures end at the borders
+/// of their islands, colours at 0 and 1. Not finite where one of them is not.
+template <class Of>
+double shared_number(std::span<const WedgeShare> shares, const Of& of) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const WedgeShare& one : shares) {
+    const double value = of(one.vertex);
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return std::clamp(shared_sum(shares, of), least, most);
+}
 
 /// Of the vertex that the faces around share, or that two vertices become: a wedge. Faces are told one by one.
 class WedgeShares {

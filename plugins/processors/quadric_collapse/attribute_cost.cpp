@@ -188,8 +188,7 @@ void AttributeCosts::solve(std::uint32_t removed, std::uint32_t kept, glm::vec3 
     for (std::size_t i = first; i < faces.size(); ++i) {
       if (faces[i].wedge != wedge) continue;
       const Face& face = mesh_.face(faces[i].face);
-      shares.add({mesh_.point(face.point[0]).place, mesh_.point(face.point[1]).place,
-                  mesh_.point(face.point[2]).place},
+      shares.add({mesh_.point(face.point[0]).place, mesh_.point(face.point[1]).place, mesh_.point(face.point[2]).place},
                  face.vertex);
     }
     const std::span<const WedgeShare> found = shares.finish();
@@ -203,21 +202,20 @@ void AttributeCosts::solve(std::uint32_t removed, std::uint32_t kept, glm::vec3 
 }
 
 void AttributeCosts::put(std::uint32_t vertex, std::span<const WedgeShare> shares, std::vector<double>& solved) {
-  solved.assign(solved_, 0);
+  constexpr double shortest = 0.1;  // what is left of opposite ones says nothing
+  solved.clear();
   for (std::size_t i = 0; i < solved_; ++i) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const auto& [of, share] : shares) {
-      const double value = rows_.of(of)[i];
-      solved[i] += share * value;
-      least = std::min(least, value);
-      most = std::max(most, value);
-    }
-    solved[i] = std::clamp(solved[i], least, most);
+    solved.push_back(shared_number(shares, [&](std::uint32_t v) { return double{rows_.of(v)[i]}; }));
   }
   for (const AttributeRows::Direction& one : rows_.directions) {
-    double* const way = solved.data() + one.first;
-    const double length = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-    for (std::size_t k = 0; k < 3 && length > 0; ++k) way[k] *= one.length / length;
+    glm::dvec3 way;
+    for (std::size_t k = 0; k < 3; ++k) {
+      way[static_cast<int>(k)] =
+          shared_sum(shares, [&](std::uint32_t v) { return double{rows_.of(v)[one.first + k]}; });
+    }
+    const double length = std::sqrt(dot(way, way));
+    if (!(length > shortest * one.length)) continue;
+    for (std::size_t k = 0; k < 3; ++k) solved[one.first + k] = way[static_cast<int>(k)] * (one.length / length);
   }
   std::ranges::copy(solved, rows_.of(vertex));
 }

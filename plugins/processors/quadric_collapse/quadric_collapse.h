@@ -27,11 +27,11 @@ struct QuadricCollapseOptions {
   double border = 10;      ///< weight of borders: planes upright on the faces beside them
   double seam = 3;         ///< weight of seams
   double parts = 0.02;     ///< whole pieces go whose diagonal is at most this share of the mesh's; 0 to 1
-  /// What vertices carry that come to lie at neither of both places is solved for beside the place; false: it is blended
-  /// along the edge. Of endpoint placement it is one of both.
-  bool solves = true;
   double poses = 1;        ///< weight of the surface in poses, beside the one at rest
   std::size_t least = 0;   ///< triangles to stop at
+  /// What vertices carry that come to lie at neither of both places is solved for beside the place; false: it is
+  /// blended along the edge. Of endpoint placement it is one of both.
+  bool solves = true;
   const std::atomic<bool>* cancel = nullptr;  ///< once it is true the sequence ends
   const Executor* executor = nullptr;         ///< for large meshes; the sequence is the same without
 };

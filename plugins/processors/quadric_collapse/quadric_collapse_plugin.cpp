@@ -65,6 +65,10 @@ Plugin quadric_collapse_plugin() {
            "Weight of the surface in poses beside the one at rest, where an animation bends it: in four of the "
            "pipeline's [poses]; 0: at rest alone",
            {.least = 0, .most = 1000})
+      .row(&Options::solves, "solve",
+           "Whether normals, texture coordinates and colours are solved for beside the place; false: they are blended "
+           "along "
+           "the edge. With endpoint placement they are those of one of the two vertices")
       .row(&Options::normals, "normals",
            "Weight of normals: a difference of 1 counts as this share of the mesh's diagonal",
            {.least = 0, .most = 1000})

@@ -2,6 +2,8 @@
 
 #include "support/collapses.h"
 
+#include <foredraw/collapses/attribute_walk.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,10 +30,16 @@ struct Carrying {
 Carrying coarse(const TestMesh& mesh, const AttributeRows& rows, const AttributeRows& counted, std::size_t triangles) {
   const CollapseSequence sequence = quadric_collapse(mesh.positions, mesh.indices, {.least = triangles}, counted);
   Carrying left{testing::coarse(mesh, sequence, triangles), rows};
-  for (std::size_t k = 0; k < sequence.collapses.size(); ++k) {
-    for (std::uint32_t i = sequence.first_pair[k]; i < sequence.first_pair[k + 1]; ++i) {
-      float& kept = left.rows.values[sequence.pairs[i].kept];
-      kept += (left.rows.values[sequence.pairs[i].removed] - kept) * sequence.collapses[k].blend;
+  AttributeWalk walk(sequence, mesh.positions, mesh.indices);
+  for (const Collapse& collapse : sequence.collapses) {
+    for (const JoinedVertex& joined : walk.next()) {
+      float& kept = left.rows.values[joined.vertex];
+      if (!joined.shares.empty()) {
+        kept = static_cast<float>(shared_number(std::span<const WedgeShare>(joined.shares),
+                                                [&](std::uint32_t v) { return double{left.rows.values[v]}; }));
+      } else if (joined.stands_for_another()) {
+        kept += (left.rows.values[joined.removed] - kept) * collapse.blend;
+      }
     }
   }
   return left;

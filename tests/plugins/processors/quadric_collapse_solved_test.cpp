@@ -1,0 +1,235 @@
+// What vertices carry where they come to lie: solved for, as level_vertices() writes it.
+
+#include "plugins/processors/quadric_collapse/quadric_collapse.h"
+
+#include "support/collapses.h"
+
+#include <foredraw/collapses/cut.h>
+#include <foredraw/scene/encode_component.h>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace foredraw {
+namespace {
+
+using testing::TestMesh;
+
+constexpr Format vec2{Component::float32, 2, false, 8}, vec3{}, bytes4{Component::uint8, 4, true, 4};
+
+/// Numbers of each vertex in that format.
+template <class Of>
+VertexStream stream(std::string semantic, const Format& format, const TestMesh& mesh, const Of& of) {
+  std::vector<std::byte> bytes(mesh.positions.size() * format.bytes);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const auto numbers = of(static_cast<std::uint32_t>(v));
+    for (int c = 0; c < format.components; ++c) {
+      encode_component(bytes.data() + v * format.bytes + c * bytes_of(format.component), format, numbers[c]);
+    }
+  }
+  return {std::move(semantic), format, Shared<std::byte>(std::move(bytes))};
+}
+
+struct Simplified {
+  JoinedMesh mesh;
+  CollapseSequence sequence;
+
+  CutDraw after(std::size_t collapses) const {
+    return cut(sequence, collapses, collapsed(sequence, collapses, mesh), mesh).front();
+  }
+  CutDraw at_triangles(std::size_t triangles) const {
+    const Replay run = replay(sequence, mesh.positions, mesh.indices, mesh.part);
+    EXPECT_EQ(run.mistake, "");
+    const auto reached = std::ranges::find_if(run.triangles, [&](std::uint32_t left) { return left <= triangles; });
+    EXPECT_NE(reached, run.triangles.end());
+    return after(static_cast<std::size_t>(reached - run.triangles.begin()));
+  }
+};
+
+Simplified simplified(const TestMesh& mesh, std::vector<VertexStream> carried, const AttributeWeights& weights = {},
+                      const QuadricCollapseOptions& options = {}) {
+  Draw draw = testing::draw_of(mesh);
+  auto vertices = std::make_shared<VertexStreams>(*draw.full().vertices);
+  for (VertexStream& one : carried) vertices->base.push_back(std::move(one));
+  draw.full().vertices = std::move(vertices);
+  std::vector<Draw> draws;
+  draws.push_back(std::move(draw));
+  Analyses analyses;
+  const std::vector<DrawId> all{0};
+  Simplified made{joined_mesh(testing::scene_of(std::move(draws)), all, analyses).value(), {}};
+  made.sequence = quadric_collapse(made.mesh.positions, made.mesh.indices, options, attribute_rows(made.mesh, weights));
+  return made;
+}
+
+std::vector<glm::vec3> values(const CutDraw& draw, std::string_view semantic) {
+  return decode_vec3(*draw.vertices->find(semantic));
+}
+
+/// A flat sheet whose points do not lie in rows.
+TestMesh uneven_sheet() {
+  TestMesh sheet = testing::grid(40, 40);
+  Random random(3);
+  for (glm::vec3& p : sheet.positions) {
+    const auto moved = [&](float x) {
+      const float by = static_cast<float>(random.unit() - 0.5) * 0.6f;
+      return x > 0 && x < 40 ? x + by : x;
+    };
+    p.x = moved(p.x);
+    p.y = moved(p.y);
+  }
+  return sheet;
+}
+
+constexpr AttributeWeights blind{0, 0, 0, 0, 0};
+
+double worst_texcoord(const CutDraw& draw) {
+  const std::vector<glm::vec3> places = values(draw, "POSITION"), uvs = values(draw, "TEXCOORD_0");
+  double worst = 0;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    worst =
+        std::max({worst, std::abs(uvs[v].x - (0.25 + places[v].x / 80.0)), std::abs(uvs[v].y - places[v].y / 50.0)});
+  }
+  return worst;
+}
+
+TEST(QuadricCollapseSolved, ATextureThatIsLinearOnAPlaneStaysSo) {
+  const TestMesh sheet = uneven_sheet();
+  const auto uv = stream("TEXCOORD_0", vec2, sheet, [&](std::uint32_t v) {
+    return glm::vec2(0.25f + sheet.positions[v].x / 80, sheet.positions[v].y / 50);
+  });
+  for (const AttributeWeights& weights : {AttributeWeights{}, blind}) {
+    const Simplified made = simplified(sheet, {uv}, weights);
+    ASSERT_TRUE(made.sequence.solves);
+    for (const std::size_t triangles : {3000, 1600, 800, 200, 40, 8}) {
+      EXPECT_LT(worst_texcoord(made.at_triangles(triangles)), 2e-6) << triangles;
+    }
+  }
+  EXPECT_GT(worst_texcoord(simplified(sheet, {uv}, blind, {.solves = false}).at_triangles(200)), 1e-3)
+      << "blended along the edge, what lies beside it slides";
+}
+
+/// Half a step of a byte is what it takes to store it.
+TEST(QuadricCollapseSolved, ARampOfColoursStaysOne) {
+  const TestMesh sheet = uneven_sheet();
+  const auto ramp = stream("COLOR_0", bytes4, sheet, [&](std::uint32_t v) {
+    const float x = sheet.positions[v].x / 40;
+    return glm::vec4(x, 1 - x, 0, 1);
+  });
+  const Simplified made = simplified(sheet, {ramp});
+  for (const std::size_t triangles : {1600, 200, 20}) {
+    const CutDraw left = made.at_triangles(triangles);
+    const std::vector<glm::vec3> places = values(left, "POSITION"), colours = values(left, "COLOR_0");
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      EXPECT_NEAR(colours[v].x, places[v].x / 40, 2.0 / 255) << triangles;
+      EXPECT_NEAR(colours[v].y, 1 - places[v].x / 40, 2.0 / 255) << triangles;
+      EXPECT_EQ(colours[v].z, 0);
+      EXPECT_EQ(decode_component(*left.vertices->find("COLOR_0"), v, 3), 1);
+    }
+  }
+}
+
+/// Root mean square angle to the true normals, at the middles of triangles of a unit sphere.
+double normal_error(const CutDraw& draw) {
+  const std::vector<glm::vec3> places = values(draw, "POSITION"), normals = values(draw, "NORMAL");
+  const auto indices = draw.indices.view();
+  double sum = 0;
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    glm::dvec3 place(0), normal(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      place += glm::dvec3(places[indices[i + k]]);
+      normal += glm::dvec3(normals[indices[i + k]]);
+    }
+    const double angle = std::acos(std::min(1.0, glm::dot(glm::normalize(place), glm::normalize(normal))));
+    sum += angle * angle;
+  }
+  return std::sqrt(sum / (static_cast<double>(indices.size()) / 3));
+}
+
+TEST(QuadricCollapseSolved, NormalsOfASphereImprove) {
+  const TestMesh ball = testing::sphere(96, 64);
+  const auto normals = stream("NORMAL", vec3, ball, [&](std::uint32_t v) { return glm::normalize(ball.positions[v]); });
+  const Simplified solved = simplified(ball, {normals});
+  const Simplified blended = simplified(ball, {normals}, {}, {.solves = false});
+  for (const std::size_t triangles : {3000, 1200, 400}) {
+    const CutDraw left = solved.at_triangles(triangles);
+    for (const glm::vec3& normal : values(left, "NORMAL")) EXPECT_NEAR(glm::length(normal), 1, 1e-5);
+    EXPECT_LT(normal_error(left), 0.8 * normal_error(blended.at_triangles(triangles))) << triangles;
+  }
+}
+
+/// A torus that is cut open: along each cut points have vertices with texture coordinates of 0 and of 1.
+TEST(QuadricCollapseSolved, SeamsStayShutAndKeepTheirSides) {
+  constexpr std::uint32_t around = 80, sides = 40;
+  TestMesh torus = testing::torus(around, sides);
+  for (std::uint32_t y = 0; y <= sides; ++y) {  // to the last bit
+    for (std::uint32_t x = 0; x <= around; ++x) {
+      torus.positions[y * (around + 1) + x] = torus.positions[y % sides * (around + 1) + x % around];
+    }
+  }
+  const auto uv = stream("TEXCOORD_0", vec2, torus, [&](std::uint32_t v) {
+    return glm::vec2(static_cast<float>(v % (around + 1)) / around, static_cast<float>(v / (around + 1)) / sides);
+  });
+  const Simplified made = simplified(torus, {uv});
+  for (const std::size_t triangles : {3200, 1000, 400}) {
+    const CutDraw left = made.at_triangles(triangles);
+    const std::vector<glm::vec3> places = values(left, "POSITION"), uvs = values(left, "TEXCOORD_0");
+    const auto indices = left.indices.view();
+    const TestMesh coarse{places, {indices.begin(), indices.end()}};
+    EXPECT_EQ(testing::edges(coarse).size(), 1u) << "a hole";
+    EXPECT_EQ(testing::edges(coarse).begin()->first, 2);
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+      const glm::vec3 a = uvs[indices[i]], b = uvs[indices[i + 1]], c = uvs[indices[i + 2]];
+      for (int k = 0; k < 2; ++k) {
+        EXPECT_GE(std::min({a[k], b[k], c[k]}), 0);
+        EXPECT_LE(std::max({a[k], b[k], c[k]}), 1);
+        EXPECT_LT(std::max({a[k], b[k], c[k]}) - std::min({a[k], b[k], c[k]}), 0.7f) << "a corner from across a seam";
+      }
+    }
+  }
+}
+
+/// What is no number stays where it was, and none is made of it.
+TEST(QuadricCollapseSolved, WhatIsNoNumberDoesNotSpread) {
+  const TestMesh sheet = uneven_sheet();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  const auto is_odd = [](std::uint32_t v) { return v % 97 == 0; };
+  const auto uv = stream("TEXCOORD_0", vec2, sheet, [&](std::uint32_t v) {
+    return is_odd(v) ? glm::vec2(nan, infinity) : glm::vec2(sheet.positions[v] / 40.0f);
+  });
+  const auto normals = stream("NORMAL", vec3, sheet, [&](std::uint32_t v) {
+    return is_odd(v) ? glm::vec3(v % 2 == 0 ? nan : 0.0f) : glm::vec3(0, 0, 1);
+  });
+  const Simplified made = simplified(sheet, {uv, normals});
+  for (const std::size_t triangles : {1600, 400, 50}) {
+    const CutDraw left = made.at_triangles(triangles);
+    const auto count = [&](std::string_view semantic) {
+      return std::ranges::count_if(values(left, semantic),
+                                   [](const glm::vec3& v) { return !std::isfinite(v.x + v.y + v.z); });
+    };
+    EXPECT_LE(count("TEXCOORD_0"), 18);
+    EXPECT_LE(count("NORMAL"), 18);
+    for (const glm::vec3& at : values(left, "TEXCOORD_0")) {
+      if (std::isfinite(at.x + at.y)) EXPECT_LE(std::max(std::abs(at.x), std::abs(at.y)), 1);
+    }
+  }
+}
+
+TEST(QuadricCollapseSolved, EndpointsAreExact) {
+  const TestMesh ball = testing::sphere(32, 24);
+  const auto normals = stream("NORMAL", vec3, ball, [&](std::uint32_t v) { return glm::normalize(ball.positions[v]); });
+  const Simplified made = simplified(ball, {normals}, {}, {.placement = CollapsePlacement::endpoint});
+  EXPECT_FALSE(made.sequence.solves);
+  EXPECT_TRUE(leaves_vertices(made.sequence, made.mesh));
+  const CutDraw left = made.at_triangles(300);
+  const auto places = values(left, "POSITION"), are = values(left, "NORMAL"), were = decode_vec3(normals);
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    EXPECT_EQ(places[v], ball.positions[left.origin[v]]);
+    EXPECT_EQ(are[v], were[left.origin[v]]);
+  }
+}
+
+}  // namespace
+}  // namespace foredraw
