@@ -1,9 +1,9 @@
 #pragma once
 // What it costs in attributes to make one point of two. Over a face an attribute is a linear function; the joined
 // vertex should lie on those of all faces around. Hoppe: New Quadric Metric for Simplifying Meshes with Appearance
-// Attributes, Visualization 1999. For each place there is a best value, the mean of these functions by area. With it put
-// in, what is left is a quadric of the place alone, however many attributes there are. Where attributes are blended along
-// the edge instead, each is a function of the place, too.
+// Attributes, Visualization 1999. For each place there is a best value, the mean of these functions by area. With it
+// put in, what is left is a quadric of the place alone, however many attributes there are. Where attributes are blended
+// along the edge instead, each is a function of the place, too.
 
 #include "collapsing_mesh.h"
 
@@ -44,8 +44,8 @@ class AttributeCosts {
     std::vector<double> solved;
   };
   /// The kept vertices get what they carry at that place; in the mesh both points are still where they were.
-  void join(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, float blend,
-            std::span<const VertexPair> pairs, Room& room);
+  void join(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, float blend, std::span<const VertexPair> pairs,
+            Room& room);
 
  private:
   /// What the faces around a vertex say: sums by area.
