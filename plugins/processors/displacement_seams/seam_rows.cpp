@@ -35,6 +35,23 @@ void add_footprint(EqualityRow& row, const foredraw_height_map& map, glm::ivec2 
   }
 }
 
+double squared_gap(const EqualityRow& row, const foredraw_height_map& map) {
+  double gap = 0;
+  for (std::uint32_t i = 0; i < row.count; ++i) gap += row.weights[i] * map.texels[row.texels[i]];
+  return gap * gap;
+}
+
+constexpr double wide_gap = 0.01 * 65535, least_strength = 1e-3;
+
+/// Of rows of an edge, by its mean square gap: from 1, where it is wide, down as the gap is.
+double strength(double mean_square) { return std::clamp(std::sqrt(mean_square) / wide_gap, least_strength, 1.0); }
+
+void scale(std::span<EqualityRow> rows, double by) {
+  for (EqualityRow& row : rows) {
+    for (double& weight : row.weights) weight *= by;
+  }
+}
+
 /// A side of an edge in units of texels, whose middles are at whole numbers.
 struct TexelLine {
   glm::dvec2 from, along;
@@ -123,18 +140,24 @@ void add_rows_between(const TexelLine& a, const TexelLine& b, const foredraw_hei
   b.add_crossings(borders);
   std::ranges::sort(borders);
   const double length = std::max(a.length(), b.length());
+  const std::size_t first = to.size();
+  double squares = 0, whole = 0;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
     const double half = (borders[i + 1] - borders[i]) / 2, middle = borders[i] + half;
     if (!(half > 1e-9)) continue;
     for (std::size_t g = 0; g < 3; ++g) {
       const double t = middle + gauss_points[g] * half;
-      const double scale = std::sqrt(gauss_weights[g] * 2 * half * length);
+      const double part = gauss_weights[g] * 2 * half * length, root = std::sqrt(part);
       EqualityRow row;
-      a.add_to(row, map, t, middle, scale);
-      b.add_to(row, map, t, middle, -scale);
-      if (is_of_any(row)) to.push_back(row);
+      a.add_to(row, map, t, middle, root);
+      b.add_to(row, map, t, middle, -root);
+      whole += part;
+      if (!is_of_any(row)) continue;
+      squares += squared_gap(row, map);
+      to.push_back(row);
     }
   }
+  if (to.size() > first) scale(std::span(to).subspan(first), std::sqrt(strength(squares / whole)));
 }
 
 }  // namespace
@@ -163,13 +186,18 @@ std::vector<EqualityRow> rows_of_exact_points(const SeamEdges& seams, std::span<
     for (std::size_t side = 1; side < sides.size() && factors[e] > 0; ++side) {
       const TexelLine a(sides[side - 1].uv, size), b(sides[side].uv, size);
       if (!a.is_near() || !b.is_near()) continue;
+      const std::size_t first = rows.size();
+      double squares = 0;
       for (std::uint32_t step = 0; step <= factors[e]; ++step) {
         const double t = static_cast<double>(step) / factors[e];
         EqualityRow row;
         a.add_to(row, map, t, t, 1);
         b.add_to(row, map, t, t, -1);
-        if (is_of_any(row)) rows.push_back(row);
+        if (!is_of_any(row)) continue;
+        squares += squared_gap(row, map);
+        rows.push_back(row);
       }
+      scale(std::span(rows).subspan(first), strength(squares / (factors[e] + 1)));
     }
   }
   return rows;

@@ -22,14 +22,17 @@ struct EqualityRow {
 std::vector<EqualityRow> rows_of_points(const SeamPoints& points, const foredraw_height_map& map);
 
 /// The same for four texels in doubles, at the exact uvs of each edge's ends and of its points at factors: so that
-/// whoever filters with floats finds no gap there either.
+/// whoever filters with floats finds no gap there either. Together with those above they say that slopes across the
+/// seam agree, too, as places are rounded: which bends smooth heights by far more than they differ. So rows of an edge
+/// whose gaps are less than a hundredth of the range, rms, are weaker, as that part, down to a thousandth.
 std::vector<EqualityRow> rows_of_exact_points(const SeamEdges& seams, std::span<const std::uint32_t> factors,
                                               const foredraw_height_map& map);
 
 /// All along the seams. Between two crossings of texel borders the gap is a square function of the way along the edge,
 /// so three rows a piece, at the points and with the weights of Gauss, say its mean square exactly: the squares of all
 /// rows together are that of the gap, summed over the texels of the longer side. Texels are those of the exact uvs, in
-/// doubles.
+/// doubles. Where the gap of an edge is less than a hundredth of the range, rms, its squares count as that part of
+/// them: what is nearly equal is not made into what texels of both sides can show alike all along.
 ///
 /// No rows have sides longer than four times the map, nor those longer than an eighth of it that are stretched by more
 /// than a quarter: where faces fill the whole image, such rows tie every texel to every other one. They are equal at
