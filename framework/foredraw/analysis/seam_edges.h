@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -67,7 +68,8 @@ struct SeamEdges {
 /// Seams, borders and corners of meshes that lie in one space and in one image. A point is a position, bit by bit
 /// (welded()), whatever mesh has it; it bears the number of its first vertex, counted over the meshes. A seam is an
 /// edge whose sides' uvs differ on that edge: an edge between two vertices with several uvs need not be one. Left out
-/// are triangles with two corners at one point, and with a position or uv that is not finite. O(n log n).
-SeamEdges seam_edges(std::span<const UvMesh> meshes);
+/// are triangles with two corners at one point, and with a position or uv that is not finite. O(n log n). Once `cancel`
+/// is set, what comes out is of no use, and comes soon.
+SeamEdges seam_edges(std::span<const UvMesh> meshes, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace foredraw

@@ -70,7 +70,7 @@ void append(SeamEdges& to, SeamEdges from, std::span<const std::uint32_t> number
 }
 
 SeamEdges seams_of(const Scene& scene, const std::vector<DrawId>& draws, const std::vector<std::size_t>& mesh_of,
-                   Analyses& analyses) {
+                   Analyses& analyses, const std::atomic<bool>* cancel) {
   std::map<std::size_t, std::vector<std::uint32_t>> by_mesh;
   for (std::uint32_t i = 0; i < draws.size(); ++i) by_mesh[mesh_of[draws[i]]].push_back(i);
   SeamEdges all;
@@ -85,7 +85,7 @@ SeamEdges seams_of(const Scene& scene, const std::vector<DrawId>& draws, const s
       vertices += draw.full().vertices->count;
     }
     for (const LaidOutDraw& part : parts) meshes.push_back({part.positions->values, part.uvs, part.indices});
-    append(all, seam_edges(meshes), numbers, points);
+    append(all, seam_edges(meshes, cancel), numbers, points);
     points += vertices;
   }
   return all;
@@ -93,7 +93,8 @@ SeamEdges seams_of(const Scene& scene, const std::vector<DrawId>& draws, const s
 
 }  // namespace
 
-SceneSeams seams_of_maps(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses) {
+SceneSeams seams_of_maps(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses,
+                         const std::atomic<bool>* cancel) {
   SceneSeams result;
   std::map<std::tuple<ImageId, std::array<Wrap, 2>, bool>, std::vector<DrawId>> by_map;
   for (const DrawId id : draws) {
@@ -114,7 +115,7 @@ SceneSeams seams_of_maps(const Scene& scene, const std::vector<DrawId>& draws, A
     }
     const Texture& texture = scene.material_of(scene.draws[of_map.front()])->displacement->texture;
     result.maps.push_back({image, std::get<std::shared_ptr<const HeightMap>>(heights), texture, of_map,
-                           seams_of(scene, of_map, mesh_of, analyses)});
+                           seams_of(scene, of_map, mesh_of, analyses, cancel)});
   }
   std::ranges::sort(result.left_out);
   return result;

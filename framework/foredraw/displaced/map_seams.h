@@ -5,6 +5,7 @@
 #include <foredraw/displaced/height_map.h>
 #include <foredraw/scene/scene.h>
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,7 +30,8 @@ struct SceneSeams {
 };
 
 /// Of these draws (rising; full detail). Draws of one mesh have their seams with each other too; draws of different
-/// ones lie in spaces of their own.
-SceneSeams seams_of_maps(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses);
+/// ones lie in spaces of their own. Once `cancel` is set, what comes out is of no use, and comes soon.
+SceneSeams seams_of_maps(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses,
+                         const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace foredraw

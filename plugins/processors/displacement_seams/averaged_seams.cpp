@@ -1,5 +1,7 @@
 #include "averaged_seams.h"
 
+#include "is_cancelled.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +26,7 @@ struct MeetingTexels {
 
 constexpr double longest_of_map = 4;
 
-MeetingTexels meeting_texels(const SeamEdges& seams, const foredraw_height_map& map) {
+MeetingTexels meeting_texels(const SeamEdges& seams, const foredraw_height_map& map, const std::atomic<bool>* cancel) {
   MeetingTexels all;
   const glm::dvec2 size(map.width, map.height);
   const auto lies_near = [&](glm::vec2 uv) { return std::max(std::abs(uv.x), std::abs(uv.y)) < 4096; };
@@ -35,6 +37,7 @@ MeetingTexels meeting_texels(const SeamEdges& seams, const foredraw_height_map& 
     all.end_point();
   }
   for (const SharedEdge& edge : seams.edges) {
+    if (is_cancelled(cancel)) break;
     const auto sides = seams.sides_of(edge);
     double longest = 1;
     bool is_near = true;
@@ -56,12 +59,14 @@ MeetingTexels meeting_texels(const SeamEdges& seams, const foredraw_height_map& 
 
 }  // namespace
 
-AveragedMap averaged_seams(const SeamEdges& seams, const foredraw_height_map& map, int iterations) {
-  const MeetingTexels points = meeting_texels(seams, map);
+AveragedMap averaged_seams(const SeamEdges& seams, const foredraw_height_map& map, int iterations,
+                           const std::atomic<bool>* cancel) {
+  const MeetingTexels points = meeting_texels(seams, map, cancel);
   AveragedMap result;
   result.texels.assign(map.texels, map.texels + std::size_t{map.width} * map.height);
   for (int i = 0; i < iterations; ++i) {
     for (std::size_t p = 0; p + 1 < points.starts.size(); ++p) {
+      if (p % 4096 == 0 && is_cancelled(cancel)) return result;
       const auto texels = std::span(points.texels).subspan(points.starts[p], points.starts[p + 1] - points.starts[p]);
       std::uint64_t sum = texels.size() / 2;  // halves are rounded up
       for (const std::uint32_t texel : texels) sum += result.texels[texel];

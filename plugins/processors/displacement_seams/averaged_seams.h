@@ -1,6 +1,7 @@
 #pragma once
 #include <foredraw/analysis/seam_points.h>
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -13,7 +14,8 @@ struct AveragedMap {
 
 /// The paper's repair: the texels in which the sides of a point lie are all set to their mean; first at corners, then
 /// at equidistant points along every seam, as many as the longer side has texels, and this so many times. Edges longer
-/// than four times the map are left out.
-AveragedMap averaged_seams(const SeamEdges& seams, const foredraw_height_map& map, int iterations);
+/// than four times the map are left out. Once `cancel` is set, what comes out is of no use, and comes soon.
+AveragedMap averaged_seams(const SeamEdges& seams, const foredraw_height_map& map, int iterations,
+                           const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace foredraw::seams

@@ -3,6 +3,7 @@
 #include "averaged_seams.h"
 #include "equal_heights.h"
 #include "equal_integers.h"
+#include "is_cancelled.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,10 +77,6 @@ struct Solution {
   std::uint16_t scaled(double height) const { return foredraw::scaled(height, at_zero, at_one); }
 };
 
-bool is_cancelled(const DisplacementSeamsOptions& options) {
-  return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
-}
-
 /// Of the texels that the seams lie in, nearly equal on both sides; and which texels these are.
 std::vector<double> nearly_equal(const SeamEdges& seams, const SeamPoints& points, const foredraw_height_map& map,
                                  const std::atomic<bool>* cancel, std::vector<std::uint32_t>& seam_texels) {
@@ -141,7 +138,7 @@ void solve(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map
   map.texels = texels.data();
   while (result.unequal_after > 0) {
     const Solution solution = solved(seams, points, map, options);
-    if (is_cancelled(options)) break;
+    if (seams::is_cancelled(options.cancel)) break;
     std::vector<std::uint16_t> before;  // all texels where all are scaled
     if (solution.is_scaled()) before = texels;
     for (const std::uint32_t texel : solution.seam_texels)
@@ -169,8 +166,8 @@ void solve(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map
 
 void average(const SeamEdges& seams, const SeamPoints& points, foredraw_height_map map,
              const DisplacementSeamsOptions& options, SeamRepair& result) {
-  seams::AveragedMap averaged = seams::averaged_seams(seams, map, options.iterations);
-  if (averaged.changed.empty()) return;
+  seams::AveragedMap averaged = seams::averaged_seams(seams, map, options.iterations, options.cancel);
+  if (averaged.changed.empty() || seams::is_cancelled(options.cancel)) return;
   map.texels = averaged.texels.data();
   const std::vector<bool> is_unequal = unequal_points(points, map, options.bits);
   result.is_new = true;

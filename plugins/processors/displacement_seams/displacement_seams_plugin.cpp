@@ -73,7 +73,8 @@ class DisplacementSeams final : public Processor {
   explicit DisplacementSeams(Options options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
-    const SceneSeams found = seams_of_maps(scene, draws, run.analyses);
+    const SceneSeams found = seams_of_maps(scene, draws, run.analyses, run.cancel);
+    if (run.cancelled()) return {};
     for (const auto& [draw, why] : found.left_out) run.note_at({.draw = draw}, "not-repaired", "not repaired: " + why);
     std::size_t edges = 0;
     for (const MapSeams& of : found.maps) edges += of.seams.seams;
@@ -115,13 +116,14 @@ class DisplacementSeams final : public Processor {
     if (!result.seams.is_new && options_.gutter == 0) return result;
     result.texels.emplace(*of.heights);
     foredraw::put(result.seams, result.texels->view());
-    if (options_.gutter > 0) result.filled = fill_gutter(scene, of, result.texels->view());
+    if (options_.gutter > 0) result.filled = fill_gutter(scene, of, result.texels->view(), cancel);
     if (!result.seams.is_new && result.filled == 0) result.texels.reset();
     return result;
   }
 
   /// Around the charts of all draws of the map; how many texels changed.
-  std::size_t fill_gutter(const Scene& scene, const MapSeams& of, std::span<std::uint16_t> texels) const {
+  std::size_t fill_gutter(const Scene& scene, const MapSeams& of, std::span<std::uint16_t> texels,
+                          const std::atomic<bool>* cancel) const {
     std::vector<UvTriangle> triangles;
     for (const DrawId id : of.draws) {
       const Texture& texture = scene.material_of(scene.draws[id])->displacement->texture;
@@ -131,7 +133,7 @@ class DisplacementSeams final : public Processor {
       for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
         triangles.push_back({uvs[indices[i]], uvs[indices[i + 1]], uvs[indices[i + 2]]});
     }
-    return foredraw::fill_gutter(texels, of.sampled(), triangles, options_.gutter);
+    return foredraw::fill_gutter(texels, of.sampled(), triangles, options_.gutter, cancel);
   }
 
   static void tell(const MapSeams& of, const SeamRepair& repaired, std::size_t filled, const Run& run) {

@@ -1,5 +1,6 @@
 #include "equal_heights.h"
 
+#include "is_cancelled.h"
 #include "sparse_symmetric.h"
 
 namespace foredraw::seams {
@@ -36,13 +37,14 @@ class NormalMatrix {
     for (const WeighedRows& part : parts_) of_texels_.emplace_back(texels, part.rows);
   }
 
-  SymmetricMatrix made() {
+  /// Not all of it once it is cancelled.
+  SymmetricMatrix made(const std::atomic<bool>* cancel) {
     const std::size_t texels = entry_of_.size();
     SymmetricMatrix matrix;
     matrix.starts.reserve(texels + 1);
     matrix.starts.push_back(0);
     std::vector<std::uint32_t> seen_for(texels, no_row);
-    for (std::uint32_t t = 0; t < texels; ++t) {
+    for (std::uint32_t t = 0; t < texels && !is_cancelled(cancel); ++t) {
       std::size_t count = 0;
       for_entries(t, [&](std::uint32_t column, double) {
         count += seen_for[column] != t ? 1 : 0;
@@ -52,7 +54,7 @@ class NormalMatrix {
     }
     matrix.columns.reserve(matrix.starts.back());
     matrix.values.reserve(matrix.starts.back());
-    for (std::uint32_t t = 0; t < texels; ++t) {
+    for (std::uint32_t t = 0; t < texels && !is_cancelled(cancel); ++t) {
       for_entries(t, [&](std::uint32_t column, double value) {
         std::size_t& entry = entry_of_[column];
         const bool is_there = entry >= matrix.starts[t] && entry < matrix.columns.size();
@@ -94,14 +96,16 @@ std::vector<double> equal_heights(std::vector<double> texels, std::vector<Equali
   for (;;) {
     const bool has_along = !along.empty();
     const SymmetricMatrix matrix =
-        NormalMatrix(texels.size(), {{along, weights.along}, {points, weights.points}}).made();
+        NormalMatrix(texels.size(), {{along, weights.along}, {points, weights.points}}).made(weights.cancel);
+    if (is_cancelled(weights.cancel)) return texels;
     along = {};  // rows are as large as the matrix, and not asked again
-    const std::vector<std::uint32_t> order = minimum_degree(matrix);
+    const std::vector<std::uint32_t> order = minimum_degree(matrix, weights.cancel);
+    if (is_cancelled(weights.cancel)) return texels;
     LdltFactor factor(matrix, order);
     if (factor.multiplications() > weights.most_multiplications && has_along) continue;
     points = {};
     factor.compute(weights.cancel);
-    if (weights.cancel != nullptr && weights.cancel->load(std::memory_order_relaxed)) return texels;
+    if (is_cancelled(weights.cancel)) return texels;
     factor.solve(texels);
     return texels;
   }

@@ -1,5 +1,7 @@
 #include "equal_integers.h"
 
+#include "is_cancelled.h"
+
 #include <algorithm>
 #include <array>
 
@@ -169,7 +171,7 @@ void IntegerHeights::settle(int most_passes, const std::atomic<bool>* cancel) {
     const std::uint64_t before = cost_;
     for (std::uint32_t p = 0; p + 1 < starts_.size(); ++p) {
       if (!is_unequal_[p]) continue;
-      if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+      if (is_cancelled(cancel)) return;
       let_follow(p);
     }
     if (unequal_count_ < fewest) {

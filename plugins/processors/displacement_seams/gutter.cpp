@@ -1,5 +1,7 @@
 #include "gutter.h"
 
+#include "is_cancelled.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,8 +14,8 @@ enum class State : std::uint8_t { free, waits, said };
 
 class Gutter {
  public:
-  Gutter(std::span<std::uint16_t> texels, const foredraw_height_map& map)
-      : texels_(texels), map_(map), states_(texels.size(), State::free) {}
+  Gutter(std::span<std::uint16_t> texels, const foredraw_height_map& map, const std::atomic<bool>* cancel)
+      : texels_(texels), map_(map), cancel_(cancel), states_(texels.size(), State::free) {}
 
   void mark(const UvTriangle& uv) {
     UvTriangle at;
@@ -30,7 +32,7 @@ class Gutter {
       return;
     }
     const auto first = [](double from) { return static_cast<std::int32_t>(std::floor(from)); };
-    for (std::int32_t y = first(least.y); y <= first(most.y) + 1; ++y) {
+    for (std::int32_t y = first(least.y); y <= first(most.y) + 1 && !is_over(); ++y) {
       for (std::int32_t x = first(least.x); x <= first(most.x) + 1; ++x) {
         if (is_near(at, {x, y}))
           states_[number(foredraw_height_texel(x, map_.width, map_.wrap[0]),
@@ -42,10 +44,11 @@ class Gutter {
   std::size_t fill(int width) {
     std::vector<std::size_t> ring;
     for (std::size_t t = 0; t < states_.size(); ++t) {
+      if (t % 65536 == 0 && is_over()) return 0;
       if (states_[t] == State::said) add_neighbours(t, ring);
     }
     std::size_t changed = 0;
-    for (int i = 0; i < width && !ring.empty(); ++i) {
+    for (int i = 0; i < width && !ring.empty() && !is_over(); ++i) {
       std::vector<std::uint16_t> means;
       for (const std::size_t t : ring) means.push_back(mean_around(t));
       std::vector<std::size_t> next;
@@ -61,6 +64,8 @@ class Gutter {
   }
 
  private:
+  bool is_over() const { return seams::is_cancelled(cancel_); }
+
   /// Whether the triangle comes into the square of two texels around a texel's middle.
   static bool is_near(const UvTriangle& at, const glm::dvec2& middle) {
     const glm::dvec2 a = at[1] - at[0], b = at[2] - at[0];
@@ -117,14 +122,15 @@ class Gutter {
 
   std::span<std::uint16_t> texels_;
   const foredraw_height_map& map_;
+  const std::atomic<bool>* cancel_;
   std::vector<State> states_;
 };
 
 }  // namespace
 
 std::size_t fill_gutter(std::span<std::uint16_t> texels, const foredraw_height_map& map,
-                        std::span<const UvTriangle> triangles, int width) {
-  Gutter gutter(texels, map);
+                        std::span<const UvTriangle> triangles, int width, const std::atomic<bool>* cancel) {
+  Gutter gutter(texels, map, cancel);
   for (const UvTriangle& triangle : triangles) gutter.mark(triangle);
   return gutter.fill(width);
 }

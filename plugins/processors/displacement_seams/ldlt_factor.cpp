@@ -1,3 +1,4 @@
+#include "is_cancelled.h"
 #include "sparse_symmetric.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ void LdltFactor::compute(const std::atomic<bool>* cancel) {
   std::vector<double> row(size, 0);
   std::vector<std::uint32_t> path, pattern, seen_at(size, no_row);
   for (std::uint32_t k = 0; k < size; ++k) {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    if (is_cancelled(cancel)) return;
     pattern.clear();
     seen_at[k] = k;
     for_each_left(k, [&](std::uint32_t j, double value) {

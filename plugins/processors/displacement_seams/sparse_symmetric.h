@@ -22,8 +22,9 @@ struct SymmetricMatrix {
 
 /// In which sequence rows are eliminated so that few entries appear: [new] = old. Minimum degree, with degrees bounded
 /// from above as by P. Amestoy, T. Davis, I. Duff: An Approximate Minimum Degree Ordering Algorithm, SIAM J. Matrix
-/// Anal. Appl. 17(4), 1996, section 4. Of equal degrees the smaller number goes first.
-std::vector<std::uint32_t> minimum_degree(const SymmetricMatrix& matrix);
+/// Anal. Appl. 17(4), 1996, section 4. Of equal degrees the smaller number goes first. Not of all rows once it is
+/// cancelled.
+std::vector<std::uint32_t> minimum_degree(const SymmetricMatrix& matrix, const std::atomic<bool>* cancel = nullptr);
 
 /// L D L^T of the matrix, its rows in this sequence.
 class LdltFactor {

@@ -110,6 +110,11 @@ TEST(MinimumDegree, HoldsEveryRowOnceAndLeavesFewEntries) {
   EXPECT_EQ(order, natural);
 }
 
+TEST(MinimumDegree, EndsWhenItIsCancelled) {
+  const std::atomic<bool> cancel = true;
+  EXPECT_LT(minimum_degree(grid_matrix(60), &cancel).size(), 3600u);
+}
+
 TEST(RowsAlongSeams, SayTheMeanSquareOfTheGap) {
   const testing::Charts charts = testing::cube_sphere(3, testing::turned_places());
   const Map map = testing::noise_map(96, 128, 3);

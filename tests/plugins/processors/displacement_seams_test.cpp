@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <limits>
 #include <set>
+#include <thread>
 
 namespace foredraw {
 namespace {
@@ -208,6 +210,53 @@ TEST(DisplacementSeams, BearSidesOfVeryUnlikeLength) {
   expect_repaired(cube_sphere(3, places), noise_map(256, 256, 13));
 }
 
+/// Fifty triangles around one point, each in a chart of its own: a corner has fifty texture coordinates.
+TEST(DisplacementSeams, OfAPointWithFiftyPlacesAreEqual) {
+  Charts fan;
+  constexpr int parts = 50;
+  const auto around = [](int i) {
+    const float angle = 6.2831853f * static_cast<float>(i % parts) / parts;
+    return glm::vec3(std::cos(angle), std::sin(angle), 0);
+  };
+  Random random(19);
+  for (int i = 0; i < parts; ++i) {
+    const auto first = static_cast<std::uint32_t>(fan.positions.size());
+    const glm::vec2 middle((static_cast<float>(i % 8) + 0.5f) / 8, (static_cast<float>(i / 8) + 0.5f) / 8);
+    const float turn = static_cast<float>(6.28 * random.unit());
+    for (int c = 0; c < 3; ++c) {
+      fan.positions.push_back(c == 0 ? glm::vec3(0) : around(i + c - 1));
+      const float angle = turn + 2.1f * static_cast<float>(c);
+      fan.uvs.push_back(middle + 0.05f * glm::vec2(std::cos(angle), std::sin(angle)));
+      fan.indices.push_back(first + static_cast<std::uint32_t>(c));
+    }
+  }
+  const SeamEdges seams = fan.seams();
+  EXPECT_EQ(seams.seams, 50u);
+  const auto most = std::ranges::max_element(seams.corners, {}, &UvCorner::uv_count);
+  EXPECT_EQ(most->uv_count, 50u);
+  expect_repaired(fan, noise_map(512, 512, 20));
+}
+
+/// Repairs of both methods come to an end within a part of what they would take: no loop of theirs goes on.
+TEST(DisplacementSeams, OfLargeMapsEndSoonAfterTheyAreCancelled) {
+  const SeamEdges seams = cube_sphere(24, turned_places()).seams();
+  const Map map = noise_map(2048, 2048, 21);
+  for (const SeamMethod method : {SeamMethod::exact, SeamMethod::average}) {
+    std::atomic<bool> cancel = false;
+    std::thread later([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      cancel = true;
+    });
+    const auto begin = std::chrono::steady_clock::now();
+    const RepairedMap left =
+        displacement_seams(seams, map.view(), {.method = method, .iterations = 1000000, .cancel = &cancel});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    later.join();
+    EXPECT_TRUE(left.texels.empty());
+    EXPECT_LT(seconds, 5) << "a million rounds take an hour";
+  }
+}
+
 TEST(DisplacementSeams, AreTheSameBytesAgain) {
   const Charts charts = cube_sphere(5, turned_places());
   const Map map = noise_map(128, 128, 14);
@@ -272,6 +321,8 @@ TEST(SeamEdgesOfModels, AreFewerThanEdgesOfVerticesWithSeveralUvs) {
 TEST(DisplacementSeams, OfModelsWithNoiseAreEqual) {
   expect_repaired(draws_of(corpus_scene("static/head.glb"), 0), noise_map(512, 512, 16));
   expect_repaired(draws_of(corpus_scene("animated/cesium_man_notex.glb"), 0), noise_map(512, 512, 17));
+  expect_repaired(draws_of(corpus_scene("static/spot.glb"), 0), noise_map(512, 512, 22));
+  expect_repaired(draws_of(corpus_scene("animated/fox.glb"), 0), noise_map(512, 512, 23));
   const Charts metal = draws_of(corpus_scene("static/flight_helmet_notex.glb"), 3);
   expect_repaired(metal, noise_map(1024, 1024, 18));
 }
