@@ -63,8 +63,8 @@ static inline size_t foredraw_crowd_memory(const foredraw_crowd_table* table) {
 
 /* That an instance took in the last frame; FOREDRAW_CROWD_NEW if that is not known. */
 static inline uint32_t foredraw_crowd_last_steps(const foredraw_crowd_counts* counts, uint32_t instance) {
-  const uint32_t last = counts->last != NULL ? counts->last[instance] : FOREDRAW_CROWD_NEW;
-  return last < counts->table->levels ? counts->table->steps_to[last] : FOREDRAW_CROWD_NEW;
+  if (counts->last == NULL || counts->last[instance] >= counts->table->levels) return FOREDRAW_CROWD_NEW;
+  return counts->table->steps_to[counts->last[instance]];
 }
 
 /* Answers with how many instances have a place. */

@@ -95,7 +95,7 @@ int main(void) {
                 std::to_string(crowd.levels[level].number) + ' ';
   }
   const std::string in = "cd '" + folder_.string() + "' && ";
-  const std::string flags = " -Wall -Wextra -Werror -pedantic -I'" FOREDRAW_SOURCE_DIR "/framework' ";
+  const std::string flags = " -O2 -Wall -Wextra -Werror -pedantic -I'" FOREDRAW_SOURCE_DIR "/framework' ";
   for (const std::string& compile : {"cc -std=c99" + flags + "use.c", "c++ -std=c++11" + flags + "use.cpp"}) {
     ASSERT_EQ(std::system((in + compile + " -o use -lm && ./use > said").c_str()), 0) << compile;
     EXPECT_EQ(testing::content(folder_ / "said"), expected) << compile;
