@@ -1,4 +1,5 @@
 #include "direction_gap.h"
+#include "influence_gap.h"
 #include "seam_gap.h"
 
 #include <foredraw/displaced/map_seams.h>
@@ -30,7 +31,8 @@ class SeamGapEvaluator final : public Evaluator {
       const Material* material = scene.material_of(scene.draws[id]);
       if (material != nullptr && material->displacement) draws.push_back(id);
     }
-    const SceneSeams found = seams_of_maps(scene, draws, run.analyses);
+    const SceneSeams found = seams_of_maps(scene, draws, run.analyses, run.cancel);
+    if (run.cancelled()) return;
     for (const auto& [draw, why] : found.left_out) run.note_at({.draw = draw}, "no-seams", "not measured: " + why);
     std::vector<SeamGap> gaps(found.maps.size());
     run.executor.for_each(gaps.size(), [&](std::size_t i) {
@@ -38,7 +40,7 @@ class SeamGapEvaluator final : public Evaluator {
     });
     measure(gaps, run);
     for (std::size_t i = 0; i < gaps.size(); ++i) name_edges(scene, found.maps[i], gaps[i], run);
-    measure_directions(scene, found, run);
+    measure_vertices(scene, found, run);
   }
 
  private:
@@ -81,13 +83,14 @@ class SeamGapEvaluator final : public Evaluator {
     }
   }
 
-  /// Of the draws that were measured, those of a mesh together.
-  static void measure_directions(const Scene& scene, const SceneSeams& found, const Run& run) {
+  /// What vertices at one position have, of the draws that were measured, those of a mesh together.
+  static void measure_vertices(const Scene& scene, const SceneSeams& found, const Run& run) {
     std::vector<bool> is_measured(scene.draws.size(), false);
     for (const MapSeams& of : found.maps) {
       for (const DrawId id : of.draws) is_measured[id] = true;
     }
     DirectionGap all;
+    InfluenceGap influences;
     for (const Mesh& mesh : scene.meshes) {
       std::vector<std::vector<glm::vec3>> positions, normals;
       std::vector<DrawId> draws;
@@ -101,16 +104,33 @@ class SeamGapEvaluator final : public Evaluator {
         normals.push_back(stored == nullptr ? std::vector<glm::vec3>{} : decode_vec3(*stored));
       }
       std::vector<DirectedPart> parts;
-      for (std::size_t i = 0; i < draws.size(); ++i)
+      std::vector<const VertexStreams*> streams;
+      for (std::size_t i = 0; i < draws.size(); ++i) {
         parts.push_back({positions[i], normals[i], scene.draws[draws[i]].full().stream().indices.view()});
+        streams.push_back(scene.draws[draws[i]].full().vertices.get());
+      }
+      const InfluenceGap own = influence_gap(streams);
+      influences.shared += own.shared;
+      influences.unequal += own.unequal;
       const DirectionGap gap = direction_gap(parts);
       all.shared += gap.shared;
       all.split += gap.split;
       all.largest = std::max(all.largest, gap.largest);
     }
+    tell(influences, run);
     if (all.shared == 0) return;
     run.measure("split", static_cast<double>(all.split), static_cast<double>(all.shared) / 100);
     run.measure("direction", all.largest, 1);
+  }
+
+  static void tell(const InfluenceGap& gap, const Run& run) {
+    if (gap.shared == 0) return;
+    run.measure("weights", static_cast<double>(gap.unequal), static_cast<double>(gap.shared) / 100);
+    if (gap.unequal == 0) return;
+    run.note("weights-differ",
+             fmt::format("at {} of {} positions vertices follow joints by different weights: the surface tears there "
+                         "in poses, whatever the map says; give all vertices of a position the same weights",
+                         gap.unequal, gap.shared));
   }
 
   SeamGapOptions options_;
@@ -140,6 +160,7 @@ Plugin seam_gap_plugin() {
               {"torn", "% of the edges", "Seam edges that gape at an end, and so at every factor"},
               {"split", "% of the positions", "Positions of several vertices whose normals differ"},
               {"direction", "degrees", "Largest angle from such a normal to the position's direction"},
+              {"weights", "% of the positions", "Positions of several vertices whose weights of joints differ"},
               {"edges", "edges", "Seam edges", true, false, true},
           },
   };

@@ -1,6 +1,7 @@
 #include "evaluators/seam_gap/seam_gap.h"
 
 #include "evaluators/seam_gap/direction_gap.h"
+#include "evaluators/seam_gap/influence_gap.h"
 
 #include "support/displaced.h"
 #include "support/uv_charts.h"
@@ -77,6 +78,39 @@ TEST(DirectionGap, OfPartsIsTheSameAsOfOne) {
   EXPECT_EQ(direction_gap(halves).shared, gap.shared) << "what has no normals is asked for none";
 }
 
+/// Two halves whose shared edge has vertices of its own on both sides, which follow two joints.
+VertexStreams skinned(const std::vector<glm::vec4>& joints, const std::vector<glm::vec4>& weights) {
+  VertexStreams streams = *vertex_streams(two_halves().positions);
+  streams.base.push_back(float_stream("JOINTS_0", joints));
+  streams.base.push_back(float_stream("WEIGHTS_0", weights));
+  return streams;
+}
+
+TEST(InfluenceGap, CountsPositionsWhoseVerticesFollowJointsDifferently) {
+  std::vector<glm::vec4> joints(6, glm::vec4(0, 1, 0, 0)), weights(6, glm::vec4(0.75f, 0.25f, 0, 0));
+  const auto gap = [&] {
+    const VertexStreams streams = skinned(joints, weights);
+    const VertexStreams* part = &streams;
+    return influence_gap(std::span(&part, 1));
+  };
+  EXPECT_EQ(gap().shared, 2u);
+  EXPECT_EQ(gap().unequal, 0u);
+  joints[3] = {1, 0, 5, 0};
+  weights[3] = {1, 1.5f, 0, 1.5f};
+  EXPECT_EQ(gap().unequal, 0u) << "the same shares in another sequence, twice, and not of 1 in sum";
+  weights[4] = {0.75f, 0.2500005f, 0, 0};
+  EXPECT_EQ(gap().unequal, 0u) << "rounding";
+  weights[4] = {0.7f, 0.3f, 0, 0};
+  EXPECT_EQ(gap().unequal, 1u);
+  joints[0] = {0, 2, 0, 0};
+  EXPECT_EQ(gap().unequal, 2u);
+  weights[2] = {0, 0, 0, 1};
+  EXPECT_EQ(gap().unequal, 2u) << "one vertex alone tears nothing";
+  const VertexStreams plain = *vertex_streams(two_halves().positions);
+  const VertexStreams* part = &plain;
+  EXPECT_EQ(influence_gap(std::span(&part, 1)).shared, 0u);
+}
+
 TEST(SeamGap, OfEqualHeightsIsNone) {
   const SeamGap gap = seam_gap(two_halves().seams(), halves(777, 777).view());
   EXPECT_EQ(gap.largest, 0);
@@ -142,6 +176,26 @@ TEST(SeamGapEvaluator, MeasuresDisplacedDrawsAndNamesEdges) {
   ASSERT_EQ(fixture.findings.notes.size(), 1u);
   EXPECT_NE(fixture.findings.notes[0].message.find("triangle 0, edge 0"), std::string::npos);
   EXPECT_NE(fixture.findings.notes[0].message.find("differ by 0.6 of the map's range"), std::string::npos);
+  EXPECT_EQ(figure(fixture.findings, "weights"), -1) << "nothing follows joints";
+}
+
+TEST(SeamGapEvaluator, TellsOfWeightsThatTearTheSurfaceInPoses) {
+  const Charts charts = two_halves();
+  Scene scene = displaced_scene({charts.positions, charts.indices}, charts.uvs,
+                                height_image(4, 4, [](auto, auto) { return std::uint16_t{9}; }));
+  VertexStreams streams = *scene.draws[0].full().vertices;
+  std::vector<glm::vec4> weights(6, glm::vec4(1, 0, 0, 0));
+  weights[3] = {0.5f, 0.5f, 0, 0};
+  streams.base.push_back(float_stream("JOINTS_0", std::vector<glm::vec4>(6, glm::vec4(0, 1, 0, 0))));
+  streams.base.push_back(float_stream("WEIGHTS_0", weights));
+  scene.draws[0].full().vertices = std::make_shared<const VertexStreams>(std::move(streams));
+  RunFixture fixture;
+  const auto technique = seam_gap_plugin().create({});
+  std::get<std::unique_ptr<Evaluator>>(technique)->evaluate(scene, fixture.run);
+  EXPECT_EQ(figure(fixture.findings, "weights"), 50);
+  const auto note = std::ranges::find(fixture.findings.notes, "weights-differ", &Note::code);
+  ASSERT_NE(note, fixture.findings.notes.end());
+  EXPECT_NE(note->message.find("at 1 of 2 positions"), std::string::npos) << note->message;
 }
 
 }  // namespace
