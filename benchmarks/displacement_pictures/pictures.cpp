@@ -34,7 +34,8 @@ Placed placed(const Scene& scene) {
   return {moment.world[0], moment.bounds[0].sphere};
 }
 
-FramePicture drawn(const Scene& scene, const FrameCamera& camera, FrameSize size) {
+FramePicture drawn(Scene scene, const FrameCamera& camera, FrameSize size) {
+  for (Material& material : scene.materials) material.displacement.reset();  // the triangles as they are
   const Executor executor;
   Analyses analyses(image_decoder({}));
   const FrameScene frames(scene, analyses, executor);

@@ -21,7 +21,7 @@ struct Placed {
 Placed placed(const Scene& scene);
 
 /// Every object at its finest level.
-FramePicture drawn(const Scene& scene, const FrameCamera& camera, FrameSize size);
+FramePicture drawn(Scene scene, const FrameCamera& camera, FrameSize size);
 
 /// Writes pictures of one height side by side, as PNG of 8 bits.
 void write_png(const std::filesystem::path& path, const std::vector<FramePicture>& pictures);

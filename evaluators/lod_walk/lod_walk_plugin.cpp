@@ -69,7 +69,7 @@ class LodWalkEvaluator final : public Evaluator {
   void evaluate(const Scene& scene, Run& run) const override {
     const FrameScene frames(scene, run.analyses, run.executor);
     if (frames.objects().empty()) return run.note("nothing-to-see", "no node shows triangles");
-    tell_displaced(scene, run);
+    tell_displaced(scene, frames, run);
     auto path = camera_path(frames, settings_);
     if (const auto* why = std::get_if<std::string>(&path)) throw std::runtime_error(*why);
     LodWalkOptions options = settings_;
@@ -89,13 +89,22 @@ class LodWalkEvaluator final : public Evaluator {
   }
 
  private:
-  static void tell_displaced(const Scene& scene, const Run& run) {
-    const auto displaced =
-        std::ranges::count_if(scene.draws, [](const Draw& draw) { return traits_of(draw).has(traits::displaced); });
+  /// What full detail is of draws that a map displaces, and what it is not.
+  static void tell_displaced(const Scene& scene, const FrameScene& frames, const Run& run) {
+    std::size_t displaced = 0, triangles = 0, coarser = 0;
+    for (std::size_t d = 0; d < scene.draws.size(); ++d) {
+      const Level &stored = scene.draws[d].full(), &shown = frames.scene().draws[d].full();
+      if (shown.vertices == stored.vertices) continue;
+      ++displaced;
+      triangles += shown.stream().triangle_count();
+      coarser += scene.draws[d].levels.size() > 1 ? 1 : 0;
+    }
     if (displaced == 0) return;
-    run.note("not-displaced", fmt::format("frames show {} displaced {} as stored, without the heights: put "
-                                          "`tessellate` before lod-walk, with `levels` for levels of detail",
-                                          displaced, displaced == 1 ? "draw" : "draws"));
+    std::string note = fmt::format("{} displaced {} shown divided and moved by the heights, in {} triangles", displaced,
+                                   displaced == 1 ? "draw is" : "draws are", triangles);
+    if (coarser > 0) note += "; coarser levels are shown as they are stored, without heights";
+    if (coarser < displaced) note += "; for levels of what is displaced put `tessellate(levels=4)` before lod-walk";
+    run.note("displaced", note);
   }
 
   /// Costs of who draws the frames, from every fourth frame of the path: drawn finely, coarsely and in between; then as

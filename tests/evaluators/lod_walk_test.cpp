@@ -1,5 +1,6 @@
 #include "evaluators/lod_walk/lod_walk.h"
 
+#include "support/displaced.h"
 #include "support/levelled_field.h"
 
 #include <foredraw/technique/plugin.h>
@@ -139,6 +140,22 @@ std::string mistake(const Settings& settings) {
     return e.what();
   }
   return {};
+}
+
+TEST(LodWalk, SaysHowDisplacedDrawsAreShown) {
+  const auto map =
+      testing::height_image(16, 16, [](auto x, auto y) { return static_cast<std::uint16_t>(999 * (x + y)); });
+  const Scene scene = testing::displaced_grid(2, 2, map);
+  testing::RunFixture fixture;
+  const Technique walk = lod_walk_plugin().create({{"frames", std::int64_t{2}},
+                                                   {"width", std::int64_t{32}},
+                                                   {"height", std::int64_t{32}},
+                                                   {"pictures", std::int64_t{1}}});
+  std::get<std::unique_ptr<Evaluator>>(walk)->evaluate(scene, fixture.run);
+  const auto note = std::ranges::find(fixture.findings.notes, "displaced", &Note::code);
+  ASSERT_NE(note, fixture.findings.notes.end());
+  EXPECT_NE(note->message.find("1 displaced draw is shown divided"), std::string::npos) << note->message;
+  EXPECT_NE(note->message.find("tessellate(levels=4)"), std::string::npos) << note->message;
 }
 
 TEST(LodWalk, WrongWordsAreTold) {

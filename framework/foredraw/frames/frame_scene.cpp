@@ -2,6 +2,7 @@
 
 #include <foredraw/image/texture_uv.h>
 #include <foredraw/scene/walk.h>
+#include <foredraw/viewing/shown_scene.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -176,8 +177,9 @@ bool has_morph_targets(const Scene& scene, const Mesh& mesh) {
 
 }  // namespace
 
-FrameScene::FrameScene(const Scene& scene, Analyses& analyses, const Executor& executor)
-    : scene_(scene), meshes_(scene.meshes.size()) {
+FrameScene::FrameScene(const Scene& stored, Analyses& analyses, const Executor& executor)
+    : scene_(stored), shown_(shown_scene(stored, analyses)), meshes_(stored.meshes.size()) {
+  const Scene& scene = this->scene();
   std::vector<bool> is_shown(scene.meshes.size());
   for (const NodeId id : walk(scene)) {
     const Node& node = scene.nodes[id];

@@ -67,16 +67,19 @@ struct FrameMesh {
 
 class FrameScene {
  public:
-  /// Decodes all levels of all meshes that nodes show. The scene and the analyses must outlive this.
+  /// Decodes all levels of all meshes that nodes show, displaced draws as shown_scene() has them. The scene and the
+  /// analyses must outlive this.
   FrameScene(const Scene& scene, Analyses& analyses, const Executor& executor);
 
-  const Scene& scene() const { return scene_; }
+  /// As it is shown.
+  const Scene& scene() const { return shown_ ? *shown_ : scene_; }
   std::span<const PlacedObject> objects() const { return objects_; }
   const FrameMesh& mesh_of(std::size_t object) const { return meshes_[objects_[object].mesh]; }
 
  private:
   const Scene& scene_;
-  std::vector<FrameMesh> meshes_;  // [mesh]
+  std::unique_ptr<const Scene> shown_;  // null: it is the scene
+  std::vector<FrameMesh> meshes_;       // [mesh]
   std::vector<PlacedObject> objects_;
 };
 

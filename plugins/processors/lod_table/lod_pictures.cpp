@@ -30,6 +30,11 @@ Scene alone(const Scene& scene, DrawId id) {
     made.materials.push_back(*material);
     keep_image(made.materials[0].base_colour, scene, made);
     keep_image(made.materials[0].normal_map, scene, made);
+    if (auto& displacement = made.materials[0].displacement) {
+      std::optional<Texture> heights = displacement->texture;
+      keep_image(heights, scene, made);
+      displacement->texture = *heights;
+    }
     draw.material = 0;
   }
   made.draws.push_back(std::move(draw));

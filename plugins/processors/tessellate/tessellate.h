@@ -16,10 +16,8 @@ struct Tessellated {
   std::vector<std::uint32_t> indices;
 };
 
-/// Interpolates all streams of a triangle list for the points of a mesh that it was divided into (interpolated()), and
-/// moves the positions (displaced_positions()). `directions`: [vertex] smooth_directions(); `displacements`: [vertex of
-/// the mesh] units. Normals become those of the moved surface, with the creases that it had, unless `keeps_normals`: a
-/// normal map refers to those that there were.
+/// The points of a mesh that a triangle list was divided into, moved, with all streams that the list has
+/// (displaced_streams()).
 Tessellated tessellate(const VertexStreams& vertices, std::span<const std::uint32_t> indices,
                        std::span<const glm::vec3> directions, const TessellatedMesh& mesh,
                        std::span<const float> displacements, bool keeps_normals = false);
