@@ -76,6 +76,25 @@ TEST(SurfaceError, TellsTheTwoWaysApart) {
   EXPECT_NEAR(error->rms().value, std::sqrt(1.0 / 3), 0.02);
 }
 
+/// Two plates at distance 1 are off by 1; and where distances are even from 0 to 2 on one half, and 0 on the other, of
+/// a hundred seeds about ninety-five have the truth within 1.96 standard errors.
+TEST(SurfaceError, StandardErrorsHoldTheTruthAsOftenAsTheySay) {
+  EXPECT_NEAR(surface_error(surface_of(square(2, 1)), surface_of(square(3)), {}, 1, Executor(1))->rms().value, 1, 1e-9);
+  const TestMesh whole{{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 4, 0}, {4, 4, 0}},
+                       {0, 1, 3, 3, 1, 4, 1, 2, 4, 4, 2, 5}};
+  TestMesh half = whole;
+  half.indices.resize(6);
+  int rms = 0, mean = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const auto error = surface_error(surface_of(half), surface_of(whole), {.samples = 1000}, seed, Executor(1));
+    const OneWayError& gone = error->from_original;
+    rms += std::abs(gone.rms.value - std::sqrt(2.0 / 3)) <= 1.96 * gone.rms.error;
+    mean += std::abs(gone.mean.value - 0.5) <= 1.96 * gone.mean.error;
+  }
+  EXPECT_GE(rms, 89);
+  EXPECT_GE(mean, 89);
+}
+
 TEST(SurfaceError, OfNothing) {
   const Executor executor(1);
   EXPECT_FALSE(surface_error(Surface{}, surface_of(square(1)), {}, 1, executor));

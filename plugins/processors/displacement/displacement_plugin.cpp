@@ -2,6 +2,7 @@
 #include "storable_map.h"
 
 #include <foredraw/technique/plugin.h>
+#include <foredraw/viewing/self_crossings.h>
 
 #include <fmt/format.h>
 
@@ -49,6 +50,10 @@ class GiveDisplacement final : public Processor {
       run.note("factor", fmt::format("no factor is given: a height of 1 moves the surface by {:.4g} units, 2 % of the "
                                      "diagonal",
                                      *answer.factor));
+    }
+    for (const DrawId draw : answer.displaced) {
+      const std::string note = note_of(self_crossings(changed, draw, run.analyses, run.executor, run.cancel));
+      if (!note.empty()) run.note_at({.draw = draw}, "passes-through-itself", note);
     }
     scene = std::move(changed);
     return answer.displaced;

@@ -5,6 +5,7 @@
 #include <foredraw/measuring/level_processor.h>
 #include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
+#include <foredraw/viewing/self_crossings.h>
 
 #include <fmt/format.h>
 
@@ -48,6 +49,11 @@ class Tessellate final : public Processor {
     run.executor.for_each(draws.size(), [&](std::size_t i) {
       if (!run.cancelled()) made[i] = divided(scene, draws[i], run.analyses);
     });
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      if (!std::holds_alternative<DividedDraw>(made[i])) continue;
+      const std::string note = note_of(self_crossings(scene, draws[i], run.analyses, run.executor, run.cancel));
+      if (!note.empty()) run.note_at({.draw = draws[i]}, "passes-through-itself", note);
+    }
     if (run.cancelled()) return {};
     std::vector<DrawId> changed;
     CoarserLevels coarser;

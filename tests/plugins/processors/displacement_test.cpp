@@ -4,6 +4,7 @@
 #include "support/staged.h"
 
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 
 #include <cmath>
 
@@ -83,6 +84,52 @@ TEST(Displacement, IsAStageThatKeepsWhatItCannotDisplace) {
   EXPECT_FALSE(result.scene.materials[0].displacement);
   EXPECT_TRUE(
       testing::run("displacement(factor=2)", testing::displaced_grid(2, 2, flat())).scene.materials[0].displacement);
+}
+
+std::string crossing_in(const Result& result) {
+  for (const StageRecord& stage : result.report.stages) {
+    for (const NoteRecord& note : stage.notes) {
+      if (note.code == "passes-through-itself") return note.message;
+    }
+  }
+  return {};
+}
+
+/// Larger than the mesh, inwards: every point of a sphere moves through its middle, by as much as noise says.
+TEST(Displacement, ThatIsLargerThanTheMeshIsTold) {
+  testing::TestMesh sphere = testing::sphere(16, 8);
+  for (glm::vec3& p : sphere.positions) p = glm::round(p * 1024.0f) / 1024.0f;  // it closes to the bit
+  std::vector<glm::vec2> uv;
+  for (const glm::vec3& p : sphere.positions) uv.emplace_back(0.5f + 0.4f * p.x, 0.5f + 0.4f * p.y);
+  const Image noise = testing::height_image(
+      64, 64, [](auto x, auto y) { return static_cast<std::uint16_t>((x * 2654435761u + y * 40503u) >> 7); });
+  const Scene scene = testing::displaced_scene(sphere, uv, noise);
+  EXPECT_NE(crossing_in(testing::run("displacement(factor=-3)", scene)).find("the surface passes through itself"),
+            std::string::npos);
+  EXPECT_NE(crossing_in(testing::run("displacement(factor=-3), tessellate(parts=2)", scene)).find("smaller factor"),
+            std::string::npos);
+  EXPECT_NE(crossing_in(testing::run("tessellate(parts=2)", testing::displaced_scene(sphere, uv, noise, -3))), "");
+  const Image high = testing::height_image(2, 2, [](auto, auto) { return std::uint16_t{65535}; });
+  EXPECT_EQ(crossing_in(testing::run("displacement(factor=3)", testing::displaced_scene(sphere, uv, high))), "")
+      << "outwards there is room";
+}
+
+/// A gutter whose sides stand close: they meet as soon as they move by half of its width.
+TEST(Displacement, OfACageWithAFoldIsTold) {
+  testing::TestMesh fold = testing::grid(8, 4);
+  std::vector<glm::vec2> uv;
+  for (glm::vec3& p : fold.positions) {
+    uv.emplace_back(p.x / 8, p.y / 4);
+    const float along = p.x - 4;
+    p = {0.05f * along, p.y, 2 * std::abs(along)};
+  }
+  const Image high = testing::height_image(32, 32, [](auto, auto) { return std::uint16_t{65535}; });
+  const auto told = [&](float factor) {
+    return crossing_in(testing::run("tessellate(parts=4)", testing::displaced_scene(fold, uv, high, factor)));
+  };
+  EXPECT_NE(told(0.12f), "") << "into the fold";
+  EXPECT_EQ(told(-0.12f), "") << "away from it";
+  EXPECT_EQ(told(0.001f), "");
 }
 
 }  // namespace

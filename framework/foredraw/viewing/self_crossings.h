@@ -1,0 +1,29 @@
+#pragma once
+// Where displacement makes a surface pass through itself.
+
+#include <foredraw/analysis/analyses.h>
+#include <foredraw/base/parallel.h>
+#include <foredraw/scene/scene.h>
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace foredraw {
+
+struct SelfCrossings {
+  std::size_t triangles = 0;  ///< that show the draw
+  std::size_t crossing = 0;   ///< of them: these pass through others, while what they lie on did not as it is stored
+};
+
+/// Of the triangles of displaced_draw_of(), in the pose that is stored, by crossing_triangles(). None
+/// where the draw is not displaced, its map cannot be read, it has more than half a million triangles, or `cancel` is
+/// set.
+std::optional<SelfCrossings> self_crossings(const Scene& scene, DrawId draw, Analyses& analyses,
+                                            const Executor& executor, const std::atomic<bool>* cancel = nullptr);
+
+/// What a report says of it; empty where nothing crosses.
+std::string note_of(const std::optional<SelfCrossings>& found);
+
+}  // namespace foredraw
