@@ -146,6 +146,31 @@ void check_budget(const std::vector<std::uint32_t>& crowds) {
   }
 }
 
+/// Everybody flies on a straight line through the camera and through all others, so that distances fall to 0 and grow
+/// again, and all are at one place in the middle of it.
+TEST(CrowdBudget, HoldsForACrowdThatFliesThroughItself) {
+  constexpr std::uint32_t instances = 1000;
+  constexpr int frames = 201;
+  Random random(23);
+  std::vector<float> from(instances);
+  for (float& distance : from) distance = static_cast<float>(2 + 38 * random.unit());
+  for (const float hysteresis : {0.0f, 0.35f}) {
+    CrowdChooser chooser(froblin_levels());
+    const std::uint64_t budget = 10ull * 337 * 5160;
+    for (int frame = 0; frame < frames; ++frame) {
+      const float way = static_cast<float>(2 * frame) / (frames - 1) - 1;  // -1 to 1, and 0 in the middle
+      std::vector<float> distances;
+      for (const float distance : from) distances.push_back(std::abs(way) * distance);
+      const foredraw_crowd_result result = chooser.choose(distances, budget, hysteresis);
+      ASSERT_EQ(result.unplaced, 0u) << frame;
+      ASSERT_EQ(result.is_over, 0) << frame;
+      ASSERT_EQ(result.triangles, chooser.triangles()) << frame;
+      ASSERT_LE(result.triangles, budget) << frame;
+      ASSERT_GE(result.triangles * 100, budget * (hysteresis > 0 ? 90 : 98)) << frame;
+    }
+  }
+}
+
 TEST(CrowdBudget, HoldsAndIsUsedForManyCrowds) {
   std::vector<std::uint32_t> crowds;
   for (std::uint32_t n = 1; n < 200'000; n += 1 + n / 20) crowds.push_back(n);

@@ -194,6 +194,24 @@ TEST(DisplacementBake, BearsSoupsAndSurfacesTurnedInsideOut) {
   }
 }
 
+/// Of a sheet in folds that nearly touch, rays meet the next fold: heights are those of the near side, or none.
+TEST(DisplacementBake, OfACageWithFoldsStaysNear) {
+  testing::TestMesh sheet = testing::grid(96, 48);
+  for (glm::vec3& p : sheet.positions) {
+    const float along = std::abs(std::fmod(p.x, 16.0f) - 8);
+    p = {0.02f * p.x, 0.05f * p.y, 0.25f * along + 0.01f * std::sin(0.7f * p.y)};
+  }
+  const Result result =
+      testing::run("quadric-collapse, displacement-bake(rms=0.002, cage=0.2)", testing::scene_of(sheet));
+  EXPECT_FALSE(result.failed) << to_text(result.report);
+  const SubjectGeometry geometry = shown(result.scene);
+  const RasterPart& part = geometry.parts[0];
+  ASSERT_GT(part.indices.size(), 0u);
+  for (const glm::vec3& p : part.positions) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  const ClosestPoints original({sheet.positions, sheet.indices});
+  for (const glm::vec3& p : part.positions) EXPECT_LT(original.distance(glm::dvec3(p)), 0.1) << "folds are 0.32 apart";
+}
+
 /// Of the surface turned inside out no ray hits a face that looks the same way: heights are those of nearest points.
 TEST(DisplacementBake, OfASurfaceThatLooksTheOtherWayIsAsNear) {
   const testing::TestMesh outside = testing::sphere(64, 32), cage = testing::sphere(16, 8);
