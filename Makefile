@@ -5,12 +5,13 @@ SEED ?= 1
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test long-test clang bench real-files city level-walk vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances asan tsan fuzz packages clean
+.PHONY: help demo build test long-test farm-test clang bench real-files city level-walk vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances asan tsan fuzz packages clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
 	@echo 'make test     build everything, run the tests'
 	@echo 'make long-test  the checks of minutes: millions of triangles, hundreds of views, slow plugins on the corpus, make fuzz'
+	@echo 'make farm-test  a folder in parts by Slurm and by GNU parallel, both installed first; Slurm is started by the test alone'
 	@echo 'make clang    build the program with clang, not optimised: whether the other compiler takes it'
 	@echo 'make bench    build the benchmarks, in build/release/benchmarks: foredraw-bench, the program with the peers beside'
 	@echo '              our plugins, techniques/techniques-bench, which times both sides, and vertex_order/vertex-order-bench'
@@ -51,6 +52,12 @@ test asan tsan fuzz:
 long-test: fuzz
 	packages/install build test
 	cmake --preset release-tests && cmake --build --preset release-tests && ctest --preset long-test
+
+farm-test:
+	packages/install build farm
+	cmake --preset release && cmake --build --preset release --target foredraw
+	tests/farm/run parallel $(FOREDRAW) build/farm/parallel
+	tests/farm/run slurm $(FOREDRAW) build/farm/slurm
 
 clang:
 	packages/install build clang

@@ -28,6 +28,7 @@ Exit join_reports(const Arguments& arguments, const Registry& registry) {
   tell(diagnostics);
   Batch batch(join.command(), registry, spool);
   join.put_into(batch);
+  if (!batch.is_done()) worst = something_failed;  // as one process would end
   const auto write = [&](const OutputFile::Put& put) { batch.write_json(join.seconds(), std::nullopt, put); };
   if (!written.report.empty()) {
     const OutputFile report{written.report, {}, write};

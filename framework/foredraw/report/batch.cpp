@@ -118,6 +118,10 @@ void Batch::take(const Added& added) {
   if (told_) told_(report, added.outcome);
 }
 
+bool Batch::is_done() const {
+  return std::ranges::all_of(added_, [](const Added& file) { return file.outcome == Outcome::done; });
+}
+
 std::size_t Batch::column(const std::string& evaluator, const std::string& metric) {
   return columns_.emplace(std::pair(evaluator, metric), columns_.size()).first->second;
 }

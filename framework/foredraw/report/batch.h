@@ -33,6 +33,8 @@ class Batch {
 
   std::size_t size() const { return rows_.size(); }
   std::size_t from_cache() const { return from_cache_; }
+  /// Whether no file was lost, nor any stage failed.
+  bool is_done() const;
   /// The sum over the files that were not lost.
   const StateRecord& before() const { return before_; }
   const StateRecord& after() const { return after_; }
