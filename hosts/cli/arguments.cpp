@@ -63,29 +63,7 @@ class CommandLine {
     with(optimize_app);
     optimize_app.add_option("--report", arguments_.report, "Write the record of the run, as JSON, to this file");
     html(optimize_app);
-    optimize_app
-        .add_option("--levels", arguments_.levels,
-                    "How to write levels of detail that a stage made: keep, as FOREDRAW_levels; msft-lod, as nodes "
-                    "with MSFT_lod (default: keep)")
-        ->check(CLI::IsMember({"keep", "msft-lod"}));
-    optimize_app
-        .add_option("--compression", arguments_.compression,
-                    "keep: what was read compressed is written compressed; none: nothing is; ext-meshopt: all is, by "
-                    "EXT_meshopt_compression, which most readers know; khr-meshopt: by KHR_meshopt_compression, which "
-                    "is shorter and newer (default: keep)")
-        ->check(CLI::IsMember({"keep", "none", "ext-meshopt", "khr-meshopt"}));
-    optimize_app
-        .add_option(
-            "--corners", arguments_.corners,
-            "What --compression may do to the corners of triangles: keep: nothing; turn: a triangle may start at "
-            "another of its corners, which takes less than half of the bytes of indices and shows the same "
-            "picture (default: keep)")
-        ->check(CLI::IsMember({"keep", "turn"}));
-    optimize_app
-        .add_option("--products", arguments_.products,
-                    "keep: what stages made besides triangles and vertices is written with the scene, as optional "
-                    "extensions; none: it is left out (default: keep)")
-        ->check(CLI::IsMember({"keep", "none"}));
+    how_written(optimize_app);
     heat_maps(optimize_app, ", before and after,");
     json(optimize_app,
          "Print the record of the run, as JSON, to standard output; the tables go to standard error, with or without "
@@ -93,6 +71,25 @@ class CommandLine {
     batches(optimize_app);
     threads(optimize_app);
     modules(optimize_app);
+
+    auto& watch_app =
+        add("watch", "Keep the outputs of a folder up to date while its files change, until Ctrl-C", watch);
+    input(watch_app);
+    watch_app
+        .add_option("-o,--output", arguments_.outputs,
+                    "Folder of the outputs; it is created if it does not exist. Nothing is ever removed from it")
+        ->required()
+        ->expected(1);
+    pipeline(watch_app);
+    with(watch_app);
+    how_written(watch_app);
+    watch_app
+        .add_option("--settle", arguments_.settle,
+                    "Take files once nothing has changed for so many seconds (default: 0.3)")
+        ->check(CLI::Range(.01, 60.));
+    cache(watch_app);
+    threads(watch_app);
+    modules(watch_app);
 
     auto& plan_app = add("plan", "Show what would run, what would be skipped and why", plan);
     input(plan_app, false);
@@ -184,7 +181,8 @@ class CommandLine {
         ->expected(1);
     json(join_app);
 
-    auto& cache_app = add("cache", "Look after a cache: how much it holds, and what to throw away", cache);
+    auto& cache_app =
+        add("cache", "Look after a cache: how much it holds, and what to throw away", foredraw::cli::cache);
     cache_app.add_option("folder", arguments_.inputs, "The folder that --cache was given")->required()->expected(1);
     size(
         cache_app, "--trim", [this](std::uint64_t bytes) { arguments_.trim = bytes; },
@@ -274,6 +272,27 @@ class CommandLine {
         "--with", arguments_.with,
         "Evaluators to measure with, such as \"vertex-cache, overdraw-raster(views=162)\" (default: " + usual + ")");
   }
+  void how_written(CLI::App& app) {
+    app.add_option("--levels", arguments_.levels,
+                   "How to write levels of detail that a stage made: keep, as FOREDRAW_levels; msft-lod, as nodes "
+                   "with MSFT_lod (default: keep)")
+        ->check(CLI::IsMember({"keep", "msft-lod"}));
+    app.add_option("--compression", arguments_.compression,
+                   "keep: what was read compressed is written compressed; none: nothing is; ext-meshopt: all is, by "
+                   "EXT_meshopt_compression, which most readers know; khr-meshopt: by KHR_meshopt_compression, which "
+                   "is shorter and newer (default: keep)")
+        ->check(CLI::IsMember({"keep", "none", "ext-meshopt", "khr-meshopt"}));
+    app.add_option(
+           "--corners", arguments_.corners,
+           "What --compression may do to the corners of triangles: keep: nothing; turn: a triangle may start at "
+           "another of its corners, which takes less than half of the bytes of indices and shows the same "
+           "picture (default: keep)")
+        ->check(CLI::IsMember({"keep", "turn"}));
+    app.add_option("--products", arguments_.products,
+                   "keep: what stages made besides triangles and vertices is written with the scene, as optional "
+                   "extensions; none: it is left out (default: keep)")
+        ->check(CLI::IsMember({"keep", "none"}));
+  }
   void heat_maps(CLI::App& app, const std::string& when) {
     app.add_option("--heatmap", arguments_.heat_maps,
                    "Write PNG pictures of how often each pixel is shaded" + when + " into this folder");
@@ -292,10 +311,13 @@ class CommandLine {
     app.add_option("--threads", arguments_.threads, "Number of threads (default: one for each processor)")
         ->check(CLI::Range(1, 1024));
   }
-  void batches(CLI::App& app) {
+  void cache(CLI::App& app) {
     app.add_option("--cache", arguments_.cache,
                    "Keep results in this folder, and take them from there if nothing that they depend on has changed")
         ->type_name("FOLDER");
+  }
+  void batches(CLI::App& app) {
+    cache(app);
     const auto take_shard = [this](const std::string& text) {
       arguments_.shard = shard_in(text);
       if (!arguments_.shard) {

@@ -5,6 +5,7 @@
 #include <foredraw/base/counted.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/modules/load_modules.h>
+#include <foredraw/platform/interruption.h>
 #include <foredraw/platform/memory.h>
 
 #include <fmt/format.h>
@@ -83,6 +84,7 @@ Exit load_modules(Command command, const Arguments& arguments, Registry& registr
 }
 
 Exit run(Command command, Arguments arguments, const Registry& registry) {
+  if (command == watch) Interruption::hold();  // before there are threads
   if (arguments.memory_limit != 0 && !limit_memory(arguments.memory_limit)) {
     fmt::print(stderr, "foredraw: error: --memory-limit: this system cannot limit memory\n");
     return something_failed;

@@ -53,6 +53,7 @@ struct Arguments {
   std::optional<Shard> shard;         ///< the part of a folder that is worked on
   std::optional<std::uint64_t> trim;  ///< bytes that a cache is to keep at most
   bool verify = false;                ///< read a cache whole
+  double settle = .3;                 ///< seconds for which a watched file is left alone before it is taken
 };
 
 Exit optimize(const Arguments& arguments, const Registry& registry);
@@ -66,6 +67,7 @@ Exit schema(const Arguments& arguments, const Registry& registry);
 Exit check_module(const Arguments& arguments, const Registry& registry);
 Exit calibrate(const Arguments& arguments, const Registry& registry);
 Exit join_reports(const Arguments& arguments, const Registry& registry);
+Exit watch(const Arguments& arguments, const Registry& registry);
 Exit cache(const Arguments& arguments, const Registry& registry);
 
 /// Reads the arguments and calls the command.

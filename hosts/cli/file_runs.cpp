@@ -71,8 +71,9 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   const Scene before = draws || !job.arguments.html.empty() ? file->scene : Scene();
   Analyses analyses(image_decoder(input, job.arguments.root, files));
   Result result = with_memory(input, "work on it", [&] {
-    return work(*plan, std::move(file->scene), {job.executor, analyses, nullptr, job.progress, milestones});
+    return work(*plan, std::move(file->scene), {job.executor, analyses, job.cancel, job.progress, milestones});
   });
+  if (job.cancel != nullptr && job.cancel->load()) return lost(something_failed);  // its stages stopped anywhere
   result.report.command = command;
   result.report.input = {input, file->bytes, to_text(file->stamp)};
   for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
@@ -95,6 +96,14 @@ std::vector<fs::path> contents_read(const std::vector<FileRead>& files) {
   std::vector<fs::path> paths;
   for (const FileRead& file : files) {
     if (file.found == FileRead::Found::content) paths.push_back(file.path);
+  }
+  return paths;
+}
+
+std::vector<fs::path> files_sought(const std::vector<FileRead>& files) {
+  std::vector<fs::path> paths;
+  for (const FileRead& file : files) {
+    if (file.found != FileRead::Found::content) paths.push_back(file.path);
   }
   return paths;
 }
@@ -212,7 +221,10 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
                            return with_memory(outputs.empty() ? input : outputs.front().path, "write it",
                                               [&] { return write(before, result, diagnostics); });
                          });
-  if (read) run.read = contents_read(all_read());
+  if (read) {
+    run.read = contents_read(all_read());
+    run.sought = files_sought(all_read());
+  }
   if (!run.is_lost) run.json = std::move(json);
   return run;
 }

@@ -6,6 +6,8 @@
 
 #include <foredraw/report/batch.h>
 
+#include <atomic>
+
 namespace foredraw::cli {
 
 class ResultCache;
@@ -22,6 +24,7 @@ struct FileJob {
   const ResultCache* cache = nullptr;
   std::shared_ptr<FilesRead> lent = nullptr;               ///< what the lender has read; null: nobody asks what is read
   std::vector<std::filesystem::path> pipeline_files = {};  ///< that the pipeline is, and names
+  const std::atomic<bool>* cancel = nullptr;               ///< once it is true, nothing more is written
 };
 
 struct FileRun {
@@ -32,7 +35,8 @@ struct FileRun {
   std::string json = {};            ///< the report's form, where it was made already
   std::string text = {};            ///< and for people; of what comes from a cache, the report itself is empty
   bool from_cache = false;
-  std::vector<std::filesystem::path> read = {};  ///< the files that it was made from, where somebody asks
+  std::vector<std::filesystem::path> read = {};    ///< the files that it was made from, where somebody asks
+  std::vector<std::filesystem::path> sought = {};  ///< and those that were only looked for, there or not
 };
 
 /// All outputs are written or none; there may be none.
@@ -45,6 +49,9 @@ bool write_with_texts(const FileJob& job, const FileRun& run, const std::vector<
 
 /// What a build system has to know of the run.
 std::string rules_of(const FileJob& job, const FileRun& run, const std::vector<Output>& outputs);
+
+/// One file of several; whatever it throws is its own affair.
+FileRun guarded(const std::filesystem::path& input, const std::function<FileRun()>& run);
 
 bool is_folder(const std::string& path);
 

@@ -43,20 +43,6 @@ FileRun lost(const fs::path& input, const std::string& why, const std::string& h
   return run;
 }
 
-/// One file; whatever it throws is its own affair.
-FileRun guarded(const fs::path& input, const std::function<FileRun()>& run) {
-  const std::string hint = "allow more memory, or use --threads 1";
-  try {
-    return run();
-  } catch (const OutOfMemory& lack) {
-    return lost(input, "there is not enough memory to " + lack.doing, hint);
-  } catch (const std::bad_alloc&) {
-    return lost(input, "there is not enough memory", hint);
-  } catch (const std::exception& problem) {
-    return lost(input, problem.what(), "");
-  }
-}
-
 std::string json_of(const FileRun& run) { return run.json.empty() ? to_json(run.report) : run.json; }
 
 /// Works on all files at once, and tells of each as soon as all before it are done.
@@ -95,6 +81,19 @@ class Stopwatch {
 };
 
 }  // namespace
+
+FileRun guarded(const fs::path& input, const std::function<FileRun()>& run) {
+  const std::string hint = "allow more memory, or use --threads 1";
+  try {
+    return run();
+  } catch (const OutOfMemory& lack) {
+    return lost(input, "there is not enough memory to " + lack.doing, hint);
+  } catch (const std::bad_alloc&) {
+    return lost(input, "there is not enough memory", hint);
+  } catch (const std::exception& problem) {
+    return lost(input, problem.what(), "");
+  }
+}
 
 bool is_folder(const std::string& path) {
   std::error_code error;

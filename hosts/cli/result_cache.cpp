@@ -175,6 +175,7 @@ std::optional<FileRun> ResultCache::recalled(const FileJob& job, const std::stri
   FileRun run;
   run.from_cache = true;
   run.read = found->read;
+  run.sought = found->sought;
   run.report.command = "optimize";
   run.report.input.path = input;
   run.json = text_in(*json);

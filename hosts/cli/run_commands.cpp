@@ -17,15 +17,6 @@ namespace foredraw::cli {
 
 namespace {
 
-std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
-  if (arguments.pipelines.size() > 1) {
-    diagnostics.error({}, "bad-arguments", "--pipeline is given more than once", "use foredraw compare to run several");
-    return std::nullopt;
-  }
-  const std::string text = arguments.pipelines.empty() ? "@default" : arguments.pipelines.front();
-  return only_one(pipelines_for(arguments, registry, {text}, diagnostics), text, diagnostics);
-}
-
 /// Record and scene would stand in each other's way.
 bool outputs_clash(const Arguments& arguments, const std::vector<Output>& outputs, Diagnostics& diagnostics) {
   if (arguments.json && std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
@@ -33,17 +24,6 @@ bool outputs_clash(const Arguments& arguments, const std::vector<Output>& output
                       "use --report FILE for the record");
   }
   return !have_files_of_their_own(arguments, outputs, diagnostics);
-}
-
-/// The files that the pipeline is read from, and those that its options name.
-std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
-                                            const Registry& registry) {
-  std::vector<std::filesystem::path> files = files_named_in(pipeline, registry);
-  std::error_code error;
-  for (const std::string& text : arguments.pipelines) {
-    if (std::filesystem::is_regular_file(text, error)) files.emplace_back(text);
-  }
-  return files;
 }
 
 /// Whether the options for many files and many runs can be used with the others.

@@ -1,5 +1,6 @@
 #include "session.h"
 
+#include <foredraw/pipeline/canonical.h>
 #include <foredraw/pipeline/contest.h>
 #include <foredraw/platform/terminal.h>
 
@@ -96,6 +97,25 @@ std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& argumen
     good = set_wherever_it_is(pipelines, assignment, diagnostics) && good;
   judge_alike(pipelines, registry);
   return good ? std::optional(std::move(pipelines)) : std::nullopt;
+}
+
+std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
+  if (arguments.pipelines.size() > 1) {
+    diagnostics.error({}, "bad-arguments", "--pipeline is given more than once", "use foredraw compare to run several");
+    return std::nullopt;
+  }
+  const std::string text = arguments.pipelines.empty() ? "@default" : arguments.pipelines.front();
+  return only_one(pipelines_for(arguments, registry, {text}, diagnostics), text, diagnostics);
+}
+
+std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
+                                            const Registry& registry) {
+  std::vector<std::filesystem::path> files = files_named_in(pipeline, registry);
+  std::error_code error;
+  for (const std::string& text : arguments.pipelines) {
+    if (std::filesystem::is_regular_file(text, error)) files.emplace_back(text);
+  }
+  return files;
 }
 
 std::function<void(std::string_view, double)> progress_line() {

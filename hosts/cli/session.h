@@ -35,6 +35,13 @@ std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& argumen
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics);
 
+/// The one that --pipeline names, or @default. Another one is a mistake, and so is one with branches.
+std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics);
+
+/// The files that the pipeline is read from, and those that its options name.
+std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
+                                            const Registry& registry);
+
 /// What a step that lacks memory is left by; main() tells it in one line.
 struct OutOfMemory {
   std::string file;

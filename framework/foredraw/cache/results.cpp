@@ -115,9 +115,9 @@ std::optional<FoundResult> found_by(const Stamp& key, const Cache& cache, const 
       const Stamp entry_key = stamp_in(list.at("entry").get<std::string>()).value_or(Stamp{});
       auto entry = cache.find(entry_key, damaged);
       if (!entry) return std::nullopt;
-      FoundResult found{entry_key, std::move(*entry), {work.input}, {}};
+      FoundResult found{entry_key, std::move(*entry), {work.input}, {}, {}};
       for (const Json& file : list.at("read")) {
-        if (file.contains("stamp")) found.read.push_back(path_of(file, folder));
+        (file.contains("stamp") ? found.read : found.sought).push_back(path_of(file, folder));
         if (file.at("from").get<std::string>() == own) found.own.push_back(file_in(file, folder));
       }
       return found;

@@ -27,8 +27,9 @@ struct WorkRead {
 struct FoundResult {
   Stamp key;  ///< of the entry
   Cache::Entry entry;
-  std::vector<std::filesystem::path> read;  ///< the files that it was made from, the input first
-  std::vector<FileRead> own = {};           ///< WorkRead::own of who made it, but the input
+  std::vector<std::filesystem::path> read;    ///< the files that it was made from, the input first
+  std::vector<std::filesystem::path> sought;  ///< that were only looked for, there or not
+  std::vector<FileRead> own = {};             ///< WorkRead::own of who made it, but the input
 };
 
 /// Nothing where there is none, or a file can not be read.

@@ -1,0 +1,36 @@
+#pragma once
+#include <atomic>
+#include <thread>
+
+namespace foredraw {
+
+/// Ctrl-C and SIGTERM for a program that goes on until it is ended, and ends in good order: the first one is told, a
+/// second one ends the process at once, as usual.
+class Interruption {
+ public:
+  /// Keeps both from ending this thread, and the threads that it begins from here on. Call it before any are begun: a
+  /// thread that was there before would still end the process.
+  static void hold();
+
+  /// What is held is told from here on. Throws std::system_error.
+  Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+  ~Interruption();
+
+  /// Becomes true, from another thread.
+  const std::atomic<bool>& came() const { return came_; }
+  /// Readable from then on, for who waits for several things at once.
+  int descriptor() const { return told_; }
+
+ private:
+  void wait_for_it();
+
+  std::atomic<bool> came_ = false;
+  int told_ = -1;
+  int enough_ = -1;  ///< readable when nobody asks any more
+  int signals_ = -1;
+  std::thread waiting_;
+};
+
+}  // namespace foredraw

@@ -1,0 +1,308 @@
+#include "watched_folder.h"
+
+#include "result_cache.h"
+
+#include <foredraw/base/counted.h>
+#include <foredraw/io/scene_file.h>
+#include <foredraw/io/scene_kinds.h>
+#include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/platform/file_facts.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace foredraw::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t files_for_a_thread = 4;  ///< of the backlog at once: whatever changes meanwhile waits for them
+
+bool is_a_file(const std::string& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// Of each evaluator the first figure that is a ratio: "vertex-cache acmr 1.6244 -> 1.0450".
+std::string gains_of(const StoredReport& report) {
+  std::string text;
+  for (const auto& [evaluator, by_metric] : report.after.metrics.all()) {
+    const auto first = std::ranges::find_if(
+        by_metric, [](const auto& one) { return one.second.denominator && one.first.find('.') == std::string::npos; });
+    if (first == by_metric.end()) continue;
+    const auto bare = [](Figure figure) {
+      figure.error = 0;
+      return to_text(figure);
+    };
+    const Figure* before = report.before.metrics.find(evaluator, first->first);
+    const std::string was = before != nullptr ? bare(*before) : "-", is = bare(first->second);
+    text += fmt::format("; {} {} {}", evaluator, first->first, was == is ? is : was + " -> " + is);
+  }
+  return text;
+}
+
+}  // namespace
+
+Workshop::Workshop(const Arguments& arguments, const Registry& registry, const Executor& executor, Pipeline read,
+                   SceneInput input)
+    : pipeline(std::move(read)),
+      how(std::move(input)),
+      lender(how),
+      job{arguments, pipeline, registry, executor, lender} {
+  job.lent = how.files;
+}
+
+Workshop::~Workshop() = default;
+
+std::unique_ptr<Workshop> Workshop::opened(const Arguments& arguments, const Registry& registry,
+                                           const Executor& executor, const Interruption& interruption,
+                                           Diagnostics& diagnostics) {
+  auto pipeline = one_pipeline(arguments, registry, diagnostics);
+  if (!pipeline) return nullptr;
+  SceneInput how = input_of(arguments, registry);
+  how.files = std::make_shared<FilesRead>();
+  std::unique_ptr<Workshop> workshop(new Workshop(arguments, registry, executor, std::move(*pipeline), how));
+  workshop->job.pipeline_files = files_of(arguments, workshop->pipeline, registry);
+  workshop->job.cancel = &interruption.came();
+  if (!arguments.cache.empty()) {
+    workshop->cache = ResultCache::opened(arguments, workshop->pipeline, registry, diagnostics);
+    if (!workshop->cache) return nullptr;
+    workshop->job.cache = workshop->cache.get();
+  }
+  return workshop;
+}
+
+WatchedFolder::WatchedFolder(const Arguments& arguments, const Registry& registry, const std::string& out,
+                             std::unique_ptr<Workshop> workshop, const Executor& executor,
+                             const Interruption& interruption)
+    : arguments_(arguments),
+      registry_(registry),
+      executor_(executor),
+      interruption_(interruption),
+      from_(one_name(arguments.inputs[0])),
+      out_(out),
+      workshop_(std::move(workshop)),
+      folders_(from_, {out, arguments.cache}),
+      settling_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(arguments.settle))) {
+  for (const fs::path& file : workshop_->job.pipeline_files) folders_.watch_beside(one_name(file));
+}
+
+std::string WatchedFolder::name_of(const std::string& file) const {
+  return file.starts_with(from_ + '/') ? file.substr(from_.size() + 1) : file;
+}
+
+void WatchedFolder::say(const std::string& line) const {
+  end_progress();
+  fmt::print("{:%H:%M:%S} {}\n", fmt::localtime(std::time(nullptr)), line);
+  std::fflush(stdout);
+}
+
+Exit WatchedFolder::keep_up() {
+  look_at_all();
+  while (!interruption_.came()) {
+    wait();
+    if (folders_.is_over()) {
+      Diagnostics diagnostics;
+      diagnostics.error({.file = arguments_.inputs[0]}, "folder-gone", "was removed or renamed while it was watched",
+                        "begin again with the folder that is there now");
+      return refuse_file(diagnostics);
+    }
+    take(settling_.settled(Clock::now(), is_open_for_writing));
+    if (has_to_open_) open_again();
+    const bool has_backlog = !backlog_.empty();
+    const Due due = next_due();
+    if (!due.empty()) run(due);
+    if (has_backlog && backlog_.empty() && !interruption_.came()) {
+      say(fmt::format("{} up to date; waiting for changes, until Ctrl-C", counted(backlog_size_, "file")));
+    }
+  }
+  say("ended");
+  return done;
+}
+
+/// Everything that is there, when nothing else is to be done.
+void WatchedFolder::look_at_all() {
+  Diagnostics diagnostics;
+  const auto scenes = scenes_below(from_, out_, scenes_for(workshop_->pipeline, registry_), diagnostics);
+  const bool is_only_empty =
+      std::ranges::any_of(diagnostics.all(), [](const auto& d) { return d.code == "no-scenes"; });
+  if (!is_only_empty) tell(diagnostics);
+  backlog_.clear();
+  for (const fs::path& scene : scenes.value_or(std::vector<fs::path>())) backlog_.push_back(one_name(from_ / scene));
+  backlog_size_ = backlog_.size();
+  const std::string folders = counted(folders_.folders(), "folder");
+  say(fmt::format("watching {}: {}, {}", arguments_.inputs[0], counted(backlog_size_, "file"), folders));
+  if (backlog_.empty()) say("waiting for changes, until Ctrl-C");
+}
+
+/// Until something changed, or what changed has settled.
+void WatchedFolder::wait() {
+  using std::chrono::ceil, std::chrono::milliseconds;
+  const auto now = Clock::now();
+  std::optional<milliseconds> at_most;
+  if (const auto next = settling_.next(now)) at_most = ceil<milliseconds>(*next - now);
+  if (!backlog_.empty() || has_to_open_) at_most = milliseconds(0);
+  for (const auto& change : folders_.next(at_most, interruption_.descriptor())) note(change);
+  tell(folders_.problems());
+}
+
+void WatchedFolder::note(const FolderWatch::Change& change) {
+  using What = FolderWatch::What;
+  const auto now = Clock::now();
+  if (change.what == What::missed) {
+    say("more changed than the system remembers: all files are looked at again");
+    look_at_all();
+    return;
+  }
+  settling_.changed(change.path, change.what != What::begun, now);
+  if (change.what != What::gone) return;
+  for (const std::string& file : dependants_.below(change.path.string())) settling_.changed(file, true, now);
+}
+
+void WatchedFolder::take(const std::vector<fs::path>& settled) {
+  if (settled.empty()) return;
+  const FolderScenes which = scenes_for(workshop_->pipeline, registry_);
+  std::optional<std::vector<fs::path>> sprites;  // an image is a scene unless a list names it
+  if (which == FolderScenes::and_sprites) {
+    Diagnostics none;
+    sprites = scenes_below(from_, out_, which, none).value_or(std::vector<fs::path>());
+  }
+  const auto is_scene = [&](const fs::path& file) {
+    if (!file.string().starts_with(from_ + '/') || !is_a_file(file)) return false;
+    return sprites ? std::ranges::binary_search(*sprites, file.lexically_relative(from_)) : is_scene_file(file);
+  };
+  for (const fs::path& file : settled) {
+    for (const fs::path& read : workshop_->job.pipeline_files) has_to_open_ = has_to_open_ || one_name(read) == file;
+    for (const FileRead& lent : workshop_->how.files->all()) has_to_open_ = has_to_open_ || one_name(lent.path) == file;
+    for (const std::string& scene : dependants_.of(file)) {
+      if (scene != file) due_.try_emplace(scene, fmt::format(" ({} changed)", name_of(file)));
+    }
+    if (is_scene(file)) {
+      due_[file] = " ";
+    } else if (dependants_.knows(file) && !is_a_file(file)) {
+      take_gone(file);
+    }
+  }
+}
+
+void WatchedFolder::take_gone(const std::string& file) {
+  dependants_.forget(file);
+  std::erase_if(makers_, [&](const auto& made) { return made.second == file; });
+  due_.erase(file);
+  say(name_of(file) + ": is gone; its output stays");
+}
+
+/// With the pipeline as it is now; where that is a mistake, it goes on with the one that it has.
+void WatchedFolder::open_again() {
+  has_to_open_ = false;
+  Diagnostics diagnostics;
+  auto workshop = Workshop::opened(arguments_, registry_, executor_, interruption_, diagnostics);
+  tell(diagnostics);
+  if (!workshop) return say("the pipeline is used as it was before");
+  workshop_ = std::move(workshop);
+  for (const fs::path& file : workshop_->job.pipeline_files) folders_.watch_beside(one_name(file));
+  say("the pipeline has changed: all files are looked at again");
+  look_at_all();
+}
+
+/// What changed, unless a file that it depends on is still being written; else the next of the backlog.
+WatchedFolder::Due WatchedFolder::next_due() {
+  Due due;
+  for (auto at = due_.begin(); at != due_.end();) {
+    const auto is_waited_for = [&](const std::string& file) { return settling_.waits_for(file); };
+    const bool waits =
+        settling_.waits_for(at->first) ||
+        (dependants_.knows(at->first) && std::ranges::any_of(dependants_.files_of(at->first), is_waited_for));
+    if (!waits) due.insert(*at);
+    at = waits ? std::next(at) : due_.erase(at);
+  }
+  const std::size_t most = files_for_a_thread * static_cast<std::size_t>(executor_.threads());
+  while (due.empty() ? !backlog_.empty() : !backlog_.empty() && due.begin()->second.empty() && due.size() < most) {
+    due.emplace(backlog_.front(), "");
+    backlog_.pop_front();
+  }
+  return due;
+}
+
+/// Two scenes may not become the same file. Who came first keeps it.
+bool WatchedFolder::has_place_for(const std::string& scene, const fs::path& output) {
+  Diagnostics diagnostics;
+  for (const fs::path& file : foredraw::paths_written_for(output)) {
+    const auto [at, is_new] = makers_.try_emplace(file, scene);
+    if (is_new || at->second == scene) continue;
+    diagnostics.error({.file = file.string()}, "outputs-meet",
+                      name_of(at->second) + " and the output of " + name_of(scene) + " would both have this name",
+                      "give one of them another name");
+  }
+  if (!diagnostics.has_errors()) make_folder(output.parent_path(), diagnostics);
+  tell(diagnostics);
+  return !diagnostics.has_errors();
+}
+
+void WatchedFolder::run(const Due& due) {
+  struct Task {
+    std::string scene, why;
+    fs::path output;
+    FileRun run = {};
+  };
+  std::vector<Task> tasks;
+  for (const auto& [scene, why] : due) {
+    if (!is_a_file(scene)) continue;  // it has gone meanwhile
+    Task task{scene, why, output_of(name_of(scene), out_)};
+    if (has_place_for(scene, task.output)) tasks.push_back(std::move(task));
+  }
+  std::mutex at_the_line;
+  executor_.for_each(tasks.size(), [&](std::size_t i) {
+    Task& task = tasks[i];
+    if (interruption_.came()) return;
+    const auto begin = Clock::now();
+    const auto before = file_facts(task.output);
+    const std::string input = (fs::path(arguments_.inputs[0]) / name_of(task.scene)).string();
+    task.run = guarded(input, [&] { return optimize_file(workshop_->job, input, {{{}, task.output.string()}}); });
+    if (interruption_.came() && task.run.is_lost) return;
+    const bool is_new = file_facts(task.output) != before;
+    const std::scoped_lock lock(at_the_line);
+    tell_run(task.scene, task.why, task.run, is_new, std::chrono::duration<double>(Clock::now() - begin).count());
+  });
+  if (interruption_.came()) return;
+  for (const Task& task : tasks) remember(task.scene, task.run);
+  const auto progress = progress_line();
+  if (progress && !backlog_.empty()) {
+    const auto all = static_cast<double>(backlog_size_), left = static_cast<double>(backlog_.size());
+    progress(name_of(backlog_.front()), (all - left) / all);
+  }
+}
+
+/// One line; none of a file that nobody touched, and whose output was right already.
+void WatchedFolder::tell_run(const std::string& scene, const std::string& why, const FileRun& run, bool is_new,
+                             double seconds) {
+  if (why.empty() && !is_new && run.exit == done) return;
+  const StoredReport report = stored_report(run.json.empty() ? to_json(run.report) : run.json, registry_);
+  if (!report.diagnostics.empty()) end_progress();
+  tell(report.diagnostics);
+  const std::string reason = why == " " ? "" : why;
+  if (run.is_lost) return say(fmt::format("{}{}: failed; its output stays as it was", name_of(scene), reason));
+  say(fmt::format("{}{}: {}{}, {:.1f} s{}{}", name_of(scene), reason,
+                  is_new ? "written" : "its output was right already", run.from_cache ? ", from the cache" : "",
+                  seconds, run.exit == done ? "" : ", in part: a stage failed", gains_of(report)));
+}
+
+void WatchedFolder::remember(const std::string& scene, const FileRun& run) {
+  std::vector<std::string> files;
+  const auto add = [&](const std::vector<fs::path>& some) {
+    for (const fs::path& file : some) {
+      files.push_back(one_name(file));
+      if (looked_beside_.insert(fs::path(files.back()).parent_path().string()).second)
+        folders_.watch_beside(files.back());
+    }
+  };
+  add(run.read);
+  add(run.sought);
+  dependants_.set(scene, files);
+}
+
+}  // namespace foredraw::cli

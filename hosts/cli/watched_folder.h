@@ -1,0 +1,85 @@
+#pragma once
+// Keeps the outputs of a folder up to date while people work in it.
+
+#include "dependants.h"
+#include "file_runs.h"
+#include "folder_outputs.h"
+#include "scene_folder.h"
+#include "settling.h"
+
+#include <foredraw/io/file_lender.h>
+#include <foredraw/platform/folder_watch.h>
+#include <foredraw/platform/interruption.h>
+
+#include <deque>
+#include <map>
+
+namespace foredraw::cli {
+
+/// What files are worked on with: made anew when a file changes that the pipeline is read from, or that it names.
+struct Workshop {
+  /// Nothing, with errors, where the pipeline or the cache is not as it should be.
+  static std::unique_ptr<Workshop> opened(const Arguments& arguments, const Registry& registry,
+                                          const Executor& executor, const Interruption& interruption,
+                                          Diagnostics& diagnostics);
+  ~Workshop();
+
+  Pipeline pipeline;
+  SceneInput how;
+  FileLender lender;
+  std::unique_ptr<ResultCache> cache;
+  FileJob job;
+
+ private:
+  Workshop(const Arguments& arguments, const Registry& registry, const Executor& executor, Pipeline read,
+           SceneInput input);
+};
+
+class WatchedFolder {
+ public:
+  /// `out` is there. Throws std::system_error where the folder can not be watched.
+  WatchedFolder(const Arguments& arguments, const Registry& registry, const std::string& out,
+                std::unique_ptr<Workshop> workshop, const Executor& executor, const Interruption& interruption);
+
+  /// All files that are there at first, then each that changes, and those that depend on it. Returns when it is
+  /// interrupted, or when the folder is gone.
+  Exit keep_up();
+
+ private:
+  using Clock = Settling::Clock;
+  /// What is to be done: why, in words for people, by the scene. Nothing: nobody asked for this very file.
+  using Due = std::map<std::string, std::string>;
+
+  void look_at_all();
+  void wait();
+  void note(const FolderWatch::Change& change);
+  void take(const std::vector<std::filesystem::path>& settled);
+  void take_gone(const std::string& file);
+  void open_again();
+  Due next_due();
+  void run(const Due& due);
+  bool has_place_for(const std::string& scene, const std::filesystem::path& output);
+  void tell_run(const std::string& scene, const std::string& why, const FileRun& run, bool is_new, double seconds);
+  void remember(const std::string& scene, const FileRun& run);
+  std::string name_of(const std::string& file) const;
+  void say(const std::string& line) const;
+
+  const Arguments& arguments_;
+  const Registry& registry_;
+  const Executor& executor_;
+  const Interruption& interruption_;
+  std::string from_;  ///< as Dependants wants it
+  std::filesystem::path out_;
+  std::unique_ptr<Workshop> workshop_;
+  FolderWatch folders_;
+  Settling settling_;
+  Dependants dependants_;
+  std::map<std::filesystem::path, std::string> makers_;  ///< which scene is written there
+  std::set<std::string> looked_beside_;
+  Due due_;
+  std::deque<std::string> backlog_;  ///< scenes to look at when nothing else is due
+  std::size_t backlog_size_ = 0;
+  bool has_to_open_ = false;
+};
+
+}  // namespace foredraw::cli

@@ -1,0 +1,410 @@
+// A folder that people work in while the program watches: what they change comes out, once and whole, and nothing else.
+
+#include "support/image_builder.h"
+#include "support/meshes.h"
+#include "support/program.h"
+
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+namespace foredraw {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using testing::content;
+using testing::Ended;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* quick = " -p 'tipsify, vertex-fetch' --with vertex-cache";
+
+/// The program as it runs on its own, until it is ended. `before`: a command that runs the one behind it.
+class Running {
+ public:
+  Running(const fs::path& folder, const std::string& arguments, const std::string& before = "")
+      : log_(folder.string() + ".log") {
+    fs::remove(log_);
+    const std::string command = "cd '" + folder.string() + "' && exec " + before + " '" FOREDRAW_PROGRAM "' watch " +
+                                arguments + " >'" + log_.string() + "' 2>&1 </dev/null";
+    process_ = ::fork();
+    if (process_ == 0) {
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+  }
+  ~Running() {
+    if (process_ > 0) ::kill(process_, SIGKILL), ::waitpid(process_, nullptr, 0);
+    fs::remove(log_);
+  }
+
+  std::string told() const { return content(log_); }
+
+  /// Until it was told so many times.
+  bool tells(const std::string& text, int times = 1) const {
+    for (const auto end = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < end;) {
+      if (count(text) >= times) return true;
+      std::this_thread::sleep_for(20ms);
+    }
+    ADD_FAILURE() << "it is never told that " << text << ", but: " << told();
+    return false;
+  }
+  int count(const std::string& text) const {
+    const std::string all = told();
+    int count = 0;
+    for (std::size_t at = 0; (at = all.find(text, at)) != std::string::npos; at += text.size()) ++count;
+    return count;
+  }
+
+  void interrupt(int signal = SIGINT) const { ::kill(process_, signal); }
+  /// What it exits with; 128 and the signal's number where one ended it.
+  int ended() {
+    int status = 0;
+    ::waitpid(process_, &status, 0);
+    process_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  int end() {
+    interrupt();
+    return ended();
+  }
+
+ private:
+  fs::path log_;
+  pid_t process_ = -1;
+};
+
+class Watch : public testing::InFolder {
+ protected:
+  Watch() { fs::create_directories(folder_ / "in/props"); }
+
+  void copy(const std::string& model, const std::string& to) {
+    fs::copy_file(testing::project_file("benchmarks/corpus/" + model), folder_ / to,
+                  fs::copy_options::overwrite_existing);
+  }
+  void put_bench() {
+    copy("scenes/kaykit_city/bench.gltf", "in/props/bench.gltf");
+    copy("scenes/kaykit_city/bench.bin", "in/props/bench.bin");
+  }
+  static std::string quad(int number) {
+    const std::string z = std::to_string(number);
+    return "v 0 0 " + z + "\nv 1 0 " + z + "\nv 1 1 " + z + "\nv 0 1 " + z + "\nf 1 2 3\nf 1 3 4\n";
+  }
+  void put_quad(const std::string& name, int number) { testing::put(folder_ / name, quad(number)); }
+
+  Running watching(const std::string& more = quick, const std::string& before = "") {
+    return Running(folder_, "in -o out " + more, before);
+  }
+  /// Nothing is left to be done; whatever was wrongly begun has had the time to be told.
+  static void rest() { std::this_thread::sleep_for(1s); }
+
+  std::string output(const std::string& name) const { return content(folder_ / "out" / name); }
+  /// The output as a run of its own makes it.
+  std::string clean(const std::string& output) {
+    const Ended ended = testing::run_program(folder_, "optimize in -o clean" + std::string(quick));
+    EXPECT_LE(ended.code, 2) << ended.err;
+    return content(folder_ / "clean" / output);
+  }
+  std::vector<std::string> all_files(const std::string& folder) const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / folder)) {
+      if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder_ / folder).string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+};
+
+TEST_F(Watch, WhatIsThereIsBroughtUpToDateAndCtrlCEnds) {
+  put_bench();
+  copy("static/spot.glb", "in/spot.glb");
+  {
+    Running program = watching();
+    program.tells("2 files up to date; waiting for changes, until Ctrl-C");
+    EXPECT_EQ(program.end(), 0);
+    EXPECT_THAT(program.told(), HasSubstr("spot.glb: written, "));
+    EXPECT_THAT(program.told(), HasSubstr("s; vertex-cache acmr 1.2925 -> 0.6788\n"));
+    EXPECT_THAT(program.told(), HasSubstr(" ended\n"));
+  }
+  EXPECT_EQ(output("spot.glb"), clean("spot.glb"));
+  EXPECT_EQ(output("props/bench.gltf"), clean("props/bench.gltf"));
+  Running again = watching();
+  again.tells("2 files up to date");
+  EXPECT_THAT(again.told(), Not(HasSubstr("spot.glb"))) << "nothing to tell of it";
+  again.interrupt(SIGTERM);
+  EXPECT_EQ(again.ended(), 0);
+}
+
+TEST_F(Watch, AFileThatChangesIsMadeAnewAndNoOtherOne) {
+  put_quad("in/a.obj", 1);
+  put_quad("in/b.obj", 2);
+  Running program = watching();
+  program.tells("2 files up to date");
+  put_quad("in/a.obj", 3);
+  program.tells("a.obj: written", 2);
+  rest();
+  EXPECT_EQ(program.count("b.obj"), 1);
+  EXPECT_EQ(program.count("a.obj"), 2) << "a line each time";
+  EXPECT_EQ(output("a.glb"), clean("a.glb"));
+  EXPECT_EQ(program.end(), 0);
+}
+
+TEST_F(Watch, AFileThatIsSavedInManyStepsIsTakenOnce) {
+  Running program = watching();
+  program.tells("waiting for changes");
+  for (int i = 0; i < 6; ++i) {
+    put_quad("in/a.obj", i);
+    std::this_thread::sleep_for(50ms);
+  }
+  program.tells("a.obj: written");
+  // As editors save: to another name, then in its place; or removed first.
+  put_quad("in/a.obj.tmp", 7);
+  fs::rename(folder_ / "in/a.obj.tmp", folder_ / "in/a.obj");
+  program.tells("a.obj: written", 2);
+  fs::remove(folder_ / "in/a.obj");
+  put_quad("in/a.obj", 8);
+  program.tells("a.obj: written", 3);
+  rest();
+  EXPECT_EQ(program.count("a.obj"), 3);
+  EXPECT_EQ(output("a.glb"), clean("a.glb"));
+}
+
+/// Several times as long as it waits for more.
+TEST_F(Watch, AFileThatIsHalfWrittenIsNotTaken) {
+  Running program = watching();
+  program.tells("waiting for changes");
+  {
+    std::ofstream file(folder_ / "in/a.obj");
+    file << quad(1).substr(0, 20) << std::flush;
+    std::this_thread::sleep_for(1500ms);
+    EXPECT_THAT(program.told(), Not(HasSubstr("a.obj")));
+    file << quad(1).substr(20);
+  }
+  program.tells("a.obj: written");
+  fs::create_directories(folder_ / "in/new/deep");
+  std::ofstream file(folder_ / "in/new/deep/b.obj");
+  file << quad(1).substr(0, 20) << std::flush;
+  std::this_thread::sleep_for(1500ms);
+  EXPECT_THAT(program.told(), Not(HasSubstr("b.obj"))) << "in a folder that was not there a moment before";
+  file << quad(1).substr(20);
+  file.close();
+  program.tells("new/deep/b.obj: written");
+  EXPECT_THAT(program.told(), Not(HasSubstr("failed")));
+}
+
+TEST_F(Watch, WhatDependsOnAChangedFileIsMadeAnew) {
+  put_bench();
+  put_quad("in/quad.obj", 1);
+  testing::put(folder_ / "in/quad.obj", "mtllib quad.mtl\nusemtl paint\n" + quad(1));
+  for (const char* cache : {"", " --cache cache", " --cache cache"}) {  // none, an empty one, one that knows it all
+    put_bench();
+    fs::remove(folder_ / "in/quad.mtl");
+    Running program = watching(std::string(quick) + cache);
+    program.tells("2 files up to date");
+    std::string bin = content(folder_ / "in/props/bench.bin");
+    bin[bin.size() / 2] = static_cast<char>(bin[bin.size() / 2] ^ 1);
+    testing::put(folder_ / "in/props/bench.bin", bin);
+    program.tells("props/bench.gltf (props/bench.bin changed): written");
+    testing::put(folder_ / "in/quad.mtl", "newmtl paint\nKd 1 0 0\n");
+    program.tells("quad.obj (quad.mtl changed): written");  // which was looked for, and was not there
+    fs::remove(folder_ / "in/props/bench.bin");
+    program.tells("props/bench.gltf (props/bench.bin changed): failed; its output stays as it was");
+    testing::put(folder_ / "in/props/bench.bin", bin);
+    program.tells("props/bench.gltf (props/bench.bin changed): its output was right already");
+    EXPECT_EQ(program.end(), 0);
+    EXPECT_EQ(output("props/bench.bin"), clean("props/bench.bin"));
+  }
+}
+
+/// Both come to be written at once; the scene is whole first.
+TEST_F(Watch, ASceneWaitsForItsOtherFiles) {
+  put_bench();
+  Running program = watching();
+  program.tells("1 file up to date");
+  const std::string bin = content(folder_ / "in/props/bench.bin");
+  std::ofstream file(folder_ / "in/props/bench.bin", std::ios::binary);
+  file << bin.substr(0, 100) << std::flush;
+  copy("scenes/kaykit_city/bench.gltf", "in/props/bench.gltf");
+  std::this_thread::sleep_for(4s);  // longer than anybody's patience
+  EXPECT_EQ(program.count("props/bench.gltf"), 1) << program.told();
+  file << bin.substr(100);
+  file.close();
+  program.tells("props/bench.gltf", 2);
+  EXPECT_THAT(program.told(), Not(HasSubstr("failed")));
+}
+
+TEST_F(Watch, WhatIsGoneLeavesItsOutput) {
+  put_quad("in/a.obj", 1);
+  put_quad("in/props/b.obj", 2);
+  Running program = watching();
+  program.tells("2 files up to date");
+  fs::remove(folder_ / "in/a.obj");
+  program.tells("a.obj: is gone; its output stays");
+  fs::rename(folder_ / "in/props", folder_ / "in/things");
+  program.tells("props/b.obj: is gone");
+  program.tells("things/b.obj: written");
+  put_quad("in/things/b.obj", 3);
+  program.tells("things/b.obj: written", 2);
+  fs::remove_all(folder_ / "in/things");
+  program.tells("things/b.obj: is gone");
+  EXPECT_THAT(all_files("out"), ::testing::ElementsAre("a.glb", "props/b.glb", "things/b.glb"));
+  EXPECT_EQ(program.end(), 0);
+}
+
+TEST_F(Watch, OutputsInTheFolderDoNotCountAsChanges) {
+  put_bench();
+  copy("static/spot.glb", "in/spot.glb");
+  Running program(folder_, "in -o in/built --cache in/cache" + std::string(quick));
+  program.tells("2 files up to date");
+  testing::put(folder_ / "in/built/other.glb", "nobody asks for this one");
+  copy("static/spot.glb", "in/new.glb");
+  program.tells("new.glb: written");
+  rest();
+  EXPECT_EQ(program.count("written"), 3) << program.told();
+  EXPECT_EQ(program.count("failed"), 0) << program.told();
+  EXPECT_EQ(program.end(), 0);
+}
+
+TEST_F(Watch, AFileThatIsWrongIsToldAndLosesNothing) {
+  put_quad("in/a.obj", 1);
+  Running program = watching();
+  program.tells("1 file up to date");
+  const std::string before = output("a.glb");
+  testing::put(folder_ / "in/a.obj", "v 0 0 none\nf 1 2 3\n");
+  program.tells("a.obj: failed; its output stays as it was");
+  EXPECT_THAT(program.told(), HasSubstr("in/a.obj:1"));
+  EXPECT_EQ(output("a.glb"), before);
+  put_quad("in/a.obj", 2);
+  program.tells("a.obj: written", 2);
+  EXPECT_EQ(program.end(), 0) << "whatever failed";
+}
+
+TEST_F(Watch, TwoScenesDoNotBecomeOneFile) {
+  put_quad("in/a.obj", 1);
+  Running program = watching();
+  program.tells("1 file up to date");
+  const std::string before = output("a.glb");
+  copy("static/spot.glb", "in/a.glb");
+  program.tells("a.obj and the output of a.glb would both have this name");
+  EXPECT_EQ(output("a.glb"), before);
+  fs::remove(folder_ / "in/a.obj");
+  program.tells("a.obj: is gone");
+  copy("static/spot.glb", "in/a.glb");
+  program.tells("a.glb: written");
+}
+
+TEST_F(Watch, ThePipelineMayChangeMeanwhile) {
+  put_quad("in/a.obj", 1);
+  copy("static/spot.glb", "in/spot.glb");
+  testing::put(folder_ / "p.toml", "pipeline = 1\nstages = [\"vertex-fetch\"]\n");
+  Running program = watching("-p p.toml --with vertex-cache");
+  program.tells("2 files up to date");
+  testing::put(folder_ / "p.toml", "pipeline = 1\nstages = [\"tipsfy\", \n");
+  program.tells("the pipeline is used as it was before");
+  EXPECT_THAT(program.told(), HasSubstr("p.toml:2"));
+  testing::put(folder_ / "p.toml", "pipeline = 1\nstages = [\"tipsify\", \"vertex-fetch\"]\n");
+  program.tells("the pipeline has changed: all files are looked at again");
+  program.tells("2 files up to date", 2);
+  EXPECT_EQ(program.count("spot.glb: written"), 2);
+  EXPECT_EQ(output("spot.glb"), clean("spot.glb"));
+}
+
+TEST_F(Watch, ImagesThatAListNamesAreNoSprites) {
+  const auto put_image = [&](const std::string& name) {
+    const auto bytes = testing::png_of({4, 4, 4, 8}, std::vector<std::uint16_t>(64, 255));
+    testing::put(folder_ / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  };
+  Running program = watching("-p @sprites");
+  program.tells("waiting for changes");
+  put_image("in/alone.png");
+  put_image("in/atlas.png");
+  testing::put(folder_ / "in/frames.json",
+               R"({"frames": {"a": {"frame": {"x": 0, "y": 0, "w": 4, "h": 4}}}, "meta": {"image": "atlas.png",
+                   "size": {"w": 4, "h": 4}}})");
+  program.tells("alone.png: written");
+  program.tells("frames.json: written");
+  put_image("in/atlas.png");
+  program.tells("frames.json (atlas.png changed)");
+  EXPECT_THAT(all_files("out"), ::testing::Contains("frames.json"));
+  EXPECT_THAT(all_files("out"), Not(::testing::Contains("atlas.json")));
+}
+
+/// At many moments of its work: an output is whole or not there.
+TEST_F(Watch, CtrlCLeavesNothingHalfDone) {
+  copy("animated/kaykit_knight.glb", "in/knight.glb");
+  copy("static/spot.glb", "in/spot.glb");
+  for (int i = 0; i < 12; ++i) {
+    fs::remove_all(folder_ / "out");
+    Running program = watching("--with vertex-cache");
+    program.tells("watching in");
+    std::this_thread::sleep_for(i * 120ms);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(program.end(), 0) << program.told();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+    if (!fs::exists(folder_ / "out")) continue;
+    for (const std::string& name : all_files("out")) {
+      EXPECT_THAT(name, Not(HasSubstr("foredraw-part")));
+      EXPECT_EQ(testing::run_program(folder_, "measure out/" + name + " --with vertex-cache").code, 0) << name;
+    }
+  }
+}
+
+TEST_F(Watch, AFolderThatGoesAwayEndsIt) {
+  put_quad("in/a.obj", 1);
+  Running program = watching();
+  program.tells("1 file up to date");
+  fs::rename(folder_ / "in", folder_ / "elsewhere");
+  EXPECT_EQ(program.ended(), 2);
+  EXPECT_THAT(program.told(), HasSubstr("in: error: was removed or renamed while it was watched"));
+}
+
+/// Spaces of users have limits of their own.
+TEST_F(Watch, LimitsOfTheSystemAreToldWithARemedy) {
+  const auto limited = [](const std::string& name, int most) {
+    return "unshare --user --map-root-user sh -c 'echo " + std::to_string(most) + " > /proc/sys/user/" + name +
+           " && exec \"$@\"' sh";
+  };
+  if (std::system(("(" + limited("max_inotify_watches", 3) + " true) 2>/dev/null").c_str()) != 0) {
+    GTEST_SKIP() << "this system gives no limits to a test";
+  }
+  put_quad("in/a.obj", 1);
+  {
+    Running program = watching(quick, limited("max_inotify_instances", 0));
+    EXPECT_EQ(program.ended(), 2);
+    EXPECT_THAT(program.told(), HasSubstr("fs.inotify.max_user_instances is "));
+    EXPECT_THAT(program.told(), HasSubstr("sudo sysctl fs.inotify.max_user_instances=524288"));
+  }
+  Running program = watching(quick, limited("max_inotify_watches", 3));
+  program.tells("1 file up to date");
+  fs::create_directories(folder_ / "in/b/c/d");
+  program.tells("fs.inotify.max_user_watches is ");
+  put_quad("in/a.obj", 2);
+  program.tells("a.obj: written", 2);
+  EXPECT_EQ(program.count("fs.inotify.max_user_watches is "), 1);
+}
+
+TEST_F(Watch, WhatCanNotBeWatchedIsRefused) {
+  put_quad("in/a.obj", 1);
+  const auto refused = [&](const std::string& arguments) {
+    const Ended ended = testing::run_program(folder_, "watch " + arguments);
+    EXPECT_EQ(ended.code, 1) << ended.out << ended.err;
+    return ended.err;
+  };
+  EXPECT_THAT(refused("in/a.obj -o out"), HasSubstr("is no folder"));
+  EXPECT_THAT(refused("nowhere -o out"), HasSubstr("there is no such folder"));
+  EXPECT_THAT(refused("in -o in/../in"), HasSubstr("is the input folder itself"));
+  EXPECT_THAT(refused("in -o in/a.obj"), HasSubstr("is not a folder"));
+  EXPECT_THAT(refused("in -o remap:a.json"), HasSubstr("the input is a folder"));
+  EXPECT_THAT(refused("in -o out -p 'tipsify('"), HasSubstr("error"));
+  EXPECT_THAT(refused("in -o out --settle 0"), HasSubstr("--settle"));
+  EXPECT_THAT(refused("in"), HasSubstr("--output"));
+}
+
+}  // namespace
+}  // namespace foredraw
