@@ -119,6 +119,7 @@ Exit optimize_folder(const FileJob& job) {
     diagnostics.error({}, "bad-arguments", "--html makes the page of one scene, but the input is a folder",
                       "use foredraw compare, which makes one page of several scenes");
   }
+  is_sound(job.pipeline, job.registry, job.lender, diagnostics);
   const FolderScenes which = scenes_for(job.pipeline, job.registry);
   const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, which, diagnostics);
   if (!scenes) return refuse(diagnostics);

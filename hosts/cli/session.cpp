@@ -118,6 +118,15 @@ std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pi
   return files;
 }
 
+bool is_sound(const Pipeline& pipeline, const Registry& registry, const Lender& lender, Diagnostics& diagnostics) {
+  Diagnostics found;
+  if (plan(pipeline, registry, Scene(), found, &lender)) return true;
+  for (const Diagnostic& diagnostic : found.all()) {
+    if (diagnostic.severity == Severity::error) diagnostics.add(diagnostic);
+  }
+  return false;
+}
+
 std::function<void(std::string_view, double)> progress_line() {
   if (!stderr_is_terminal()) return {};
   return [](std::string_view what, double part) {

@@ -42,6 +42,10 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry&
 std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
                                             const Registry& registry);
 
+/// Whether the pipeline is without mistakes that it would have on every scene: said once, and before the first of many
+/// files. `lender` as of plan().
+bool is_sound(const Pipeline& pipeline, const Registry& registry, const Lender& lender, Diagnostics& diagnostics);
+
 /// What a step that lacks memory is left by; main() tells it in one line.
 struct OutOfMemory {
   std::string file;

@@ -66,6 +66,7 @@ std::unique_ptr<Workshop> Workshop::opened(const Arguments& arguments, const Reg
   SceneInput how = input_of(arguments, registry);
   how.files = std::make_shared<FilesRead>();
   std::unique_ptr<Workshop> workshop(new Workshop(arguments, registry, executor, std::move(*pipeline), how));
+  if (!is_sound(workshop->pipeline, registry, workshop->lender, diagnostics)) return nullptr;
   workshop->job.pipeline_files = files_of(arguments, workshop->pipeline, registry);
   workshop->job.cancel = &interruption.came();
   if (!arguments.cache.empty()) {

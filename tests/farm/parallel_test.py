@@ -45,8 +45,8 @@ class Parallel(unittest.TestCase):
 
     def test_a_mistake_is_told_and_ends_it(self):
         (FOLDER / "killed").mkdir()
-        told = self.run_parts("-o", "built", "--compresion", "none", code=1)
-        self.assertIn("did you mean '--compression'?", told)
+        told = self.run_parts("-o", "built", "-p", "tipsfy", code=1)
+        self.assertIn("did you mean 'tipsify'?", told)
         self.assertFalse((FOLDER / "report.json").exists())
 
 

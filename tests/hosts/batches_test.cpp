@@ -292,6 +292,16 @@ TEST_F(Batches, OptionsThatDoNotFitAreRefused) {
   EXPECT_EQ(run("optimize in -o out --cache in").code, 1) << "a folder with other things";
 }
 
+TEST_F(Batches, AMistakeInThePipelineIsToldOnceAndNothingIsDone) {
+  put_quads(20);
+  for (const char* pipeline : {"tipsfy", "tipsify(cache-sise=4)", "tipsify(cache-size=-1)"}) {
+    const Ended ended = run("optimize in -o out -p '" + std::string(pipeline) + "'");
+    EXPECT_EQ(ended.code, 1) << pipeline;
+    EXPECT_EQ(ended.err.find("error"), ended.err.rfind("error")) << ended.err;
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+  }
+}
+
 TEST_F(Batches, ShardsTogetherDoWhatOneRunDoes) {
   put_scenes();
   put_quads(9);

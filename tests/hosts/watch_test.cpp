@@ -305,7 +305,7 @@ TEST_F(Watch, ThePipelineMayChangeMeanwhile) {
   testing::put(folder_ / "p.toml", "pipeline = 1\nstages = [\"vertex-fetch\"]\n");
   Running program = watching("-p p.toml --with vertex-cache");
   program.tells("2 files up to date");
-  testing::put(folder_ / "p.toml", "pipeline = 1\nstages = [\"tipsfy\", \n");
+  testing::put(folder_ / "p.toml", "pipeline = 1\nstages = [\"tipsfy\"]\n");
   program.tells("the pipeline is used as it was before");
   EXPECT_THAT(program.told(), HasSubstr("p.toml:2"));
   testing::put(folder_ / "p.toml", "pipeline = 1\nstages = [\"tipsify\", \"vertex-fetch\"]\n");
@@ -402,6 +402,7 @@ TEST_F(Watch, WhatCanNotBeWatchedIsRefused) {
   EXPECT_THAT(refused("in -o in/a.obj"), HasSubstr("is not a folder"));
   EXPECT_THAT(refused("in -o remap:a.json"), HasSubstr("the input is a folder"));
   EXPECT_THAT(refused("in -o out -p 'tipsify('"), HasSubstr("error"));
+  EXPECT_THAT(refused("in -o out -p tipsfy"), HasSubstr("did you mean 'tipsify'?"));
   EXPECT_THAT(refused("in -o out --settle 0"), HasSubstr("--settle"));
   EXPECT_THAT(refused("in"), HasSubstr("--output"));
 }
