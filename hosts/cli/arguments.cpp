@@ -72,25 +72,6 @@ class CommandLine {
     threads(optimize_app);
     modules(optimize_app);
 
-    auto& watch_app =
-        add("watch", "Keep the outputs of a folder up to date while its files change, until Ctrl-C", watch);
-    input(watch_app);
-    watch_app
-        .add_option("-o,--output", arguments_.outputs,
-                    "Folder of the outputs; it is created if it does not exist. Nothing is ever removed from it")
-        ->required()
-        ->expected(1);
-    pipeline(watch_app);
-    with(watch_app);
-    how_written(watch_app);
-    watch_app
-        .add_option("--settle", arguments_.settle,
-                    "Take files once nothing has changed for so many seconds (default: 0.3)")
-        ->check(CLI::Range(.01, 60.));
-    cache(watch_app);
-    threads(watch_app);
-    modules(watch_app);
-
     auto& plan_app = add("plan", "Show what would run, what would be skipped and why", plan);
     input(plan_app, false);
     pipeline(plan_app);
@@ -175,6 +156,26 @@ class CommandLine {
         .add_option("--rounds", arguments_.rounds, "Draw each frame this many times; medians count (default: 7)")
         ->check(CLI::Range(1, 1000));
 
+    auto& watch_app =
+        add("watch", "Keep the outputs of a folder up to date while its files change, until Ctrl-C", watch);
+    watch_app.add_option("folder", arguments_.inputs, "The folder of scenes that you work in")->required()->expected(1);
+    how_read(watch_app);
+    watch_app
+        .add_option("-o,--output", arguments_.outputs,
+                    "Folder of the outputs; it is created if it does not exist. Nothing is ever removed from it")
+        ->required()
+        ->expected(1);
+    pipeline(watch_app);
+    with(watch_app);
+    how_written(watch_app);
+    watch_app
+        .add_option("--settle", arguments_.settle,
+                    "Take files once nothing has changed for so many seconds (default: 0.3)")
+        ->check(CLI::Range(.01, 60.));
+    cache(watch_app);
+    threads(watch_app);
+    modules(watch_app);
+
     auto& join_app = add("join-reports", "Make the report of a folder from those of its parts", join_reports);
     join_app.add_option("parts", arguments_.inputs, "Reports of foredraw optimize FOLDER --shard")->required();
     join_app.add_option("-o,--output", arguments_.outputs, "Write the report of the whole folder to this file")
@@ -247,6 +248,9 @@ class CommandLine {
                                extensions_that_hold(Holds::frame_list), takes_folder ? "; or a folder of these" : ""))
         ->required()
         ->expected(1);
+    how_read(app);
+  }
+  void how_read(CLI::App& app) {
     app.add_flag(
         "--strict", arguments_.strict,
         "Refuse a file with any fault, instead of mending faults that can have only one meaning, with a warning");

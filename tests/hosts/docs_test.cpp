@@ -46,7 +46,7 @@ TEST_F(Docs, TheCommandLineIsTheHelp) {
   const std::string whole = told("--help");
   std::string text;
   for (const std::string command : {"optimize", "plan", "measure", "compare", "inspect", "list", "show", "schema",
-                                    "check-module", "calibrate", "join-reports", "cache"}) {
+                                    "check-module", "calibrate", "watch", "join-reports", "cache"}) {
     ASSERT_NE(whole.find("\n  " + command + ' '), std::string::npos) << command;
     text += "### " + command + "\n\n```text\n" + told(command + " --help") + "```\n\n";
   }
@@ -54,7 +54,7 @@ TEST_F(Docs, TheCommandLineIsTheHelp) {
   const std::size_t commands = whole.find("Subcommands:");
   ASSERT_NE(commands, std::string::npos);
   EXPECT_EQ(std::distance(std::sregex_iterator(whole.begin() + static_cast<long>(commands), whole.end(), line), {}),
-            12);
+            13);
   expect_section("command-line.md", "commands", text);
 }
 
