@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t files_for_a_thread = 4;  ///< of the backlog at once: whatever changes meanwhile waits for them
+constexpr std::size_t files_for_a_thread = 4;  ///< at once: whatever changes meanwhile waits for them
 
 bool is_a_file(const std::string& path) {
   std::error_code error;
@@ -89,7 +89,7 @@ WatchedFolder::WatchedFolder(const Arguments& arguments, const Registry& registr
       workshop_(std::move(workshop)),
       folders_(from_, {out, arguments.cache}),
       settling_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(arguments.settle))) {
-  for (const fs::path& file : workshop_->job.pipeline_files) folders_.watch_beside(one_name(file));
+  for (const fs::path& file : workshop_->job.pipeline_files) look_beside(one_name(file));
 }
 
 std::string WatchedFolder::name_of(const std::string& file) const {
@@ -146,7 +146,7 @@ void WatchedFolder::wait() {
   const auto now = Clock::now();
   std::optional<milliseconds> at_most;
   if (const auto next = settling_.next(now)) at_most = ceil<milliseconds>(*next - now);
-  if (!backlog_.empty() || has_to_open_) at_most = milliseconds(0);
+  if (!backlog_.empty() || has_more_due_) at_most = milliseconds(0);
   for (const auto& change : folders_.next(at_most, interruption_.descriptor())) note(change);
   tell(folders_.problems());
 }
@@ -177,17 +177,24 @@ void WatchedFolder::take(const std::vector<fs::path>& settled) {
     return sprites ? std::ranges::binary_search(*sprites, file.lexically_relative(from_)) : is_scene_file(file);
   };
   for (const fs::path& file : settled) {
-    for (const fs::path& read : workshop_->job.pipeline_files) has_to_open_ = has_to_open_ || one_name(read) == file;
-    for (const FileRead& lent : workshop_->how.files->all()) has_to_open_ = has_to_open_ || one_name(lent.path) == file;
+    has_to_open_ = has_to_open_ || is_of_the_pipeline(file);
     for (const std::string& scene : dependants_.of(file)) {
       if (scene != file) due_.try_emplace(scene, fmt::format(" ({} changed)", name_of(file)));
     }
     if (is_scene(file)) {
-      due_[file] = " ";
+      due_[file] = "";
     } else if (dependants_.knows(file) && !is_a_file(file)) {
       take_gone(file);
     }
   }
+}
+
+bool WatchedFolder::is_of_the_pipeline(const std::string& file) const {
+  const auto is_it = [&](const fs::path& other) {
+    return other.filename() == fs::path(file).filename() && one_name(other) == file;
+  };
+  return std::ranges::any_of(workshop_->job.pipeline_files, is_it) ||
+         std::ranges::any_of(workshop_->how.files->all(), is_it, &FileRead::path);
 }
 
 void WatchedFolder::take_gone(const std::string& file) {
@@ -205,7 +212,7 @@ void WatchedFolder::open_again() {
   tell(diagnostics);
   if (!workshop) return say("the pipeline is used as it was before");
   workshop_ = std::move(workshop);
-  for (const fs::path& file : workshop_->job.pipeline_files) folders_.watch_beside(one_name(file));
+  for (const fs::path& file : workshop_->job.pipeline_files) look_beside(one_name(file));
   say("the pipeline has changed: all files are looked at again");
   look_at_all();
 }
@@ -213,7 +220,9 @@ void WatchedFolder::open_again() {
 /// What changed, unless a file that it depends on is still being written; else the next of the backlog.
 WatchedFolder::Due WatchedFolder::next_due() {
   Due due;
-  for (auto at = due_.begin(); at != due_.end();) {
+  const std::size_t most = files_for_a_thread * static_cast<std::size_t>(executor_.threads());
+  auto at = due_.begin();
+  while (at != due_.end() && due.size() < most) {
     const auto is_waited_for = [&](const std::string& file) { return settling_.waits_for(file); };
     const bool waits =
         settling_.waits_for(at->first) ||
@@ -221,11 +230,9 @@ WatchedFolder::Due WatchedFolder::next_due() {
     if (!waits) due.insert(*at);
     at = waits ? std::next(at) : due_.erase(at);
   }
-  const std::size_t most = files_for_a_thread * static_cast<std::size_t>(executor_.threads());
-  while (due.empty() ? !backlog_.empty() : !backlog_.empty() && due.begin()->second.empty() && due.size() < most) {
-    due.emplace(backlog_.front(), "");
-    backlog_.pop_front();
-  }
+  has_more_due_ = at != due_.end();
+  if (!due.empty()) return due;
+  for (; due.size() < most && !backlog_.empty(); backlog_.pop_front()) due.emplace(backlog_.front(), std::nullopt);
   return due;
 }
 
@@ -246,7 +253,8 @@ bool WatchedFolder::has_place_for(const std::string& scene, const fs::path& outp
 
 void WatchedFolder::run(const Due& due) {
   struct Task {
-    std::string scene, why;
+    std::string scene;
+    Reason why;
     fs::path output;
     FileRun run = {};
   };
@@ -271,6 +279,7 @@ void WatchedFolder::run(const Due& due) {
   });
   if (interruption_.came()) return;
   for (const Task& task : tasks) remember(task.scene, task.run);
+  for (const FileRead& lent : workshop_->how.files->all()) look_beside(one_name(lent.path));
   const auto progress = progress_line();
   if (progress && !backlog_.empty()) {
     const auto all = static_cast<double>(backlog_size_), left = static_cast<double>(backlog_.size());
@@ -279,17 +288,22 @@ void WatchedFolder::run(const Due& due) {
 }
 
 /// One line; none of a file that nobody touched, and whose output was right already.
-void WatchedFolder::tell_run(const std::string& scene, const std::string& why, const FileRun& run, bool is_new,
+void WatchedFolder::tell_run(const std::string& scene, const Reason& why, const FileRun& run, bool is_new,
                              double seconds) {
-  if (why.empty() && !is_new && run.exit == done) return;
+  if (!why && !is_new && run.exit == done) return;
   const StoredReport report = stored_report(run.json.empty() ? to_json(run.report) : run.json, registry_);
   if (!report.diagnostics.empty()) end_progress();
   tell(report.diagnostics);
-  const std::string reason = why == " " ? "" : why;
+  const std::string reason = why.value_or("");
   if (run.is_lost) return say(fmt::format("{}{}: failed; its output stays as it was", name_of(scene), reason));
   say(fmt::format("{}{}: {}{}, {:.1f} s{}{}", name_of(scene), reason,
                   is_new ? "written" : "its output was right already", run.from_cache ? ", from the cache" : "",
                   seconds, run.exit == done ? "" : ", in part: a stage failed", gains_of(report)));
+}
+
+/// Files that lie elsewhere change, too.
+void WatchedFolder::look_beside(const std::string& file) {
+  if (looked_beside_.insert(fs::path(file).parent_path().string()).second) folders_.watch_beside(file);
 }
 
 void WatchedFolder::remember(const std::string& scene, const FileRun& run) {
@@ -297,8 +311,7 @@ void WatchedFolder::remember(const std::string& scene, const FileRun& run) {
   const auto add = [&](const std::vector<fs::path>& some) {
     for (const fs::path& file : some) {
       files.push_back(one_name(file));
-      if (looked_beside_.insert(fs::path(files.back()).parent_path().string()).second)
-        folders_.watch_beside(files.back());
+      look_beside(files.back());
     }
   };
   add(run.read);

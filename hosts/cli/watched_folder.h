@@ -47,20 +47,23 @@ class WatchedFolder {
 
  private:
   using Clock = Settling::Clock;
-  /// What is to be done: why, in words for people, by the scene. Nothing: nobody asked for this very file.
-  using Due = std::map<std::string, std::string>;
+  /// Which other file is the reason (" (rock.bin changed)"), or "": the scene itself is. Nothing: it is only looked at.
+  using Reason = std::optional<std::string>;
+  using Due = std::map<std::string, Reason>;  ///< by the scene
 
   void look_at_all();
   void wait();
   void note(const FolderWatch::Change& change);
   void take(const std::vector<std::filesystem::path>& settled);
   void take_gone(const std::string& file);
+  bool is_of_the_pipeline(const std::string& file) const;
   void open_again();
   Due next_due();
   void run(const Due& due);
   bool has_place_for(const std::string& scene, const std::filesystem::path& output);
-  void tell_run(const std::string& scene, const std::string& why, const FileRun& run, bool is_new, double seconds);
+  void tell_run(const std::string& scene, const Reason& why, const FileRun& run, bool is_new, double seconds);
   void remember(const std::string& scene, const FileRun& run);
+  void look_beside(const std::string& file);
   std::string name_of(const std::string& file) const;
   void say(const std::string& line) const;
 
@@ -80,6 +83,7 @@ class WatchedFolder {
   std::deque<std::string> backlog_;  ///< scenes to look at when nothing else is due
   std::size_t backlog_size_ = 0;
   bool has_to_open_ = false;
+  bool has_more_due_ = false;  ///< than was begun with
 };
 
 }  // namespace foredraw::cli

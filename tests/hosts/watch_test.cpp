@@ -35,6 +35,7 @@ class Running {
                                 arguments + " >'" + log_.string() + "' 2>&1 </dev/null";
     process_ = ::fork();
     if (process_ == 0) {
+      for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_DFL);  // a background of shells ignores them
       ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
       ::_exit(127);
     }

@@ -18,8 +18,10 @@ namespace {
 sigset_t endings() {
   sigset_t signals;
   ::sigemptyset(&signals);
-  ::sigaddset(&signals, SIGINT);
-  ::sigaddset(&signals, SIGTERM);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction is {};
+    if (::sigaction(signal, nullptr, &is) == 0 && is.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
+  }
   return signals;
 }
 

@@ -4,11 +4,11 @@
 
 namespace foredraw {
 
-/// Ctrl-C and SIGTERM for a program that goes on until it is ended, and ends in good order: the first one is told, a
-/// second one ends the process at once, as usual.
+/// Ctrl-C, SIGTERM and SIGHUP for a program that goes on until it is ended, and ends in good order: the first one is
+/// told, a second one ends the process at once, as usual. What whoever began the process has it ignore stays ignored.
 class Interruption {
  public:
-  /// Keeps both from ending this thread, and the threads that it begins from here on. Call it before any are begun: a
+  /// Keeps them from ending this thread, and the threads that it begins from here on. Call it before any are begun: a
   /// thread that was there before would still end the process.
   static void hold();
 

@@ -139,11 +139,15 @@ TEST_F(Watched, FilesThatAreOpenForWritingAreKnown) {
 /// In a process of its own, whose first signal it takes as told, and by whose second it ends.
 TEST(Interrupted, TheFirstTimeIsToldAndTheSecondEnds) {
   const auto live = [] {
+    ::signal(SIGINT, SIG_DFL);  // a background of shells ignores it
+    ::signal(SIGHUP, SIG_IGN);
     Interruption::hold();
     std::thread other([] {
       for (;;) ::pause();
     });
     const Interruption interruption;
+    ::kill(::getpid(), SIGHUP);
+    ::usleep(50'000);
     if (interruption.came()) ::_exit(1);
     ::kill(::getpid(), SIGINT);
     for (int i = 0; i < 1000 && !interruption.came(); ++i) ::usleep(10'000);
