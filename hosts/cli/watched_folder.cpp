@@ -3,6 +3,7 @@
 #include "result_cache.h"
 
 #include <foredraw/base/counted.h>
+#include <foredraw/base/printable.h>
 #include <foredraw/io/scene_file.h>
 #include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/sprite/sprite_files.h>
@@ -177,6 +178,10 @@ void WatchedFolder::take(const std::vector<fs::path>& settled) {
     return sprites ? std::ranges::binary_search(*sprites, file.lexically_relative(from_)) : is_scene_file(file);
   };
   for (const fs::path& file : settled) {
+    if (!is_utf8(file.native())) {
+      if (is_scene(file)) say(printable(name_of(file)) + ": is passed by: its name is not UTF-8");
+      continue;
+    }
     has_to_open_ = has_to_open_ || is_of_the_pipeline(file);
     for (const std::string& scene : dependants_.of(file)) {
       if (scene != file) due_.try_emplace(scene, fmt::format(" ({} changed)", name_of(file)));

@@ -356,6 +356,18 @@ TEST_F(Watch, CtrlCLeavesNothingHalfDone) {
   }
 }
 
+TEST_F(Watch, NamesThatAreNotUtf8ArePassedBy) {
+  Running program = watching();
+  program.tells("waiting for changes");
+  put_quad("in/\xFF.obj", 1);
+  if (!fs::exists(folder_ / "in/\xFF.obj")) GTEST_SKIP() << "this file system takes no such names";
+  put_quad("in/a.obj", 1);
+  program.tells("a.obj: written");
+  program.tells(".obj: is passed by: its name is not UTF-8");
+  EXPECT_EQ(program.count("failed"), 0);
+  EXPECT_THAT(all_files("out"), ::testing::ElementsAre("a.glb"));
+}
+
 TEST_F(Watch, AFolderThatGoesAwayEndsIt) {
   put_quad("in/a.obj", 1);
   Running program = watching();
