@@ -51,7 +51,8 @@ TEST_P(HostileModules, CostTheirStageAlone) {
   const auto begin = std::chrono::steady_clock::now();
   const bool measures =
       hostile.name == "not-finite" || hostile.name == "negative-error" || hostile.name == "other-metric";
-  const std::string stage = "hostile-" + hostile.name;
+  const std::string stage =
+      hostile.name.starts_with("remesher-") ? std::string("hostile-remesher") : "hostile-" + hostile.name;
   const Json report = optimized("--module '" + module + "' " + hostile.arguments +
                                     (measures ? " -p 'weld, tipsify, vertex-fetch' --with 'vertex-cache, " + stage + "'"
                                               : " -p 'weld, " + stage + ", tipsify, vertex-fetch' --with vertex-cache"),
@@ -91,6 +92,25 @@ INSTANTIATE_TEST_SUITE_P(Surroundings, HostileModules,
                                            Hostile{"closes", 0, "\"report\":1"}, Hostile{"upsets", 0, "\"report\":1"},
                                            Hostile{"many-notes", 0, "9900 more notes are left out"},
                                            Hostile{"long-text", 0, "mmmmmmmm", "--module-memory 4G"}));
+
+INSTANTIATE_TEST_SUITE_P(Remeshers, HostileModules,
+                         ::testing::Values(Hostile{"remesher-beyond", 2, "an index to vertex"},
+                                           Hostile{"remesher-from_beyond", 2, "a vertex from vertex"},
+                                           Hostile{"remesher-unwritten", 2, "a vertex from vertex 4294967295"},
+                                           Hostile{"remesher-odd_count", 2, "which is no multiple of three"},
+                                           Hostile{"remesher-more_triangles", 2, "but there is room for"},
+                                           Hostile{"remesher-more_vertices", 2, "vertices, but there is room for"},
+                                           Hostile{"remesher-none_left", 2, "it leaves no triangle of"},
+                                           Hostile{"remesher-no_vertices", 2, "it leaves no vertex of"},
+                                           Hostile{"remesher-lossless", 2, "it would draw other triangles than before"},
+                                           Hostile{"remesher-exits", 2, "left without an answer (exit code 7)"},
+                                           Hostile{"remesher-counts_overdraw", 2, "it may not ask for overdraw"}));
+
+INSTANTIATE_TEST_SUITE_P(Askers, HostileModules,
+                         ::testing::Values(Hostile{"asks-wrong", 0, "no order, no order, an order"},
+                                           Hostile{"asks-for-ever", 2, "it gave no answer within 0.5 seconds",
+                                                   "--module-seconds .5"},
+                                           Hostile{"asks-and-exits", 2, "left without an answer (exit code 3)"}));
 
 TEST_F(HostileModules, AreLeftOutAfterThreeDeaths) {
   const Json report =

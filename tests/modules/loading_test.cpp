@@ -41,7 +41,7 @@ TEST_P(Loading, TellsWhatIsWrongAndLoadsTheOthers) {
 
 INSTANTIATE_TEST_SUITE_P(
     Tables, Loading,
-    ::testing::Values(Refused{"tables-minor_9", "it needs version 1.9 of modules, but this program speaks 1.0"},
+    ::testing::Values(Refused{"tables-minor_9", "it needs version 1.9 of modules, but this program speaks 1.1"},
                       Refused{"tables-small", "size is 8, but must be sizeof(foredraw_module)"},
                       Refused{"tables-small_plugin", "size is 8, but must be sizeof(foredraw_plugin)"},
                       Refused{"tables-many_plugins", "it has 2147483648 plugins"},
@@ -55,7 +55,11 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{"tables-default_beyond", "'power' is 9.0, but must be 0 to 4"},
                       Refused{"tables-no_choices", "option 'power': it has no choices"},
                       Refused{"tables-null_option_name", "option name ''"}, Refused{"tables-no_kind", "kind is 77"},
-                      Refused{"tables-null_run", "run is NULL"}, Refused{"no-module", "exports no function"}));
+                      Refused{"tables-null_run", "run is NULL"}, Refused{"tables-odd_flags", "flags are 64"},
+                      Refused{"tables-lossless_order", "of remeshers alone"},
+                      Refused{"tables-overdraw_vertices", "of orderers of triangles and evaluators alone"},
+                      Refused{"remesher-clustered", "a remesher can not provide 'clustered'"},
+                      Refused{"no-module", "exports no function"}));
 
 INSTANTIATE_TEST_SUITE_P(Begins, Loading, ::testing::Values(Refused{"begin-crashes", "SIGSEGV"}));
 
@@ -70,7 +74,7 @@ TEST_F(Loading, EndsWhoNeverBegins) {
 TEST_F(Loading, SaysForWhichVersionAModuleIs) {
   const Ended ended = run_program(folder_, "list --module '" + modules + "major-2.so'");
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("it is for version 2 of modules, but this program speaks 1.0"));
+  EXPECT_THAT(ended.err, HasSubstr("it is for version 2 of modules, but this program speaks 1.1"));
 }
 
 TEST_F(Loading, KeepsWhatAConstructorPrintsFromTheOutput) {

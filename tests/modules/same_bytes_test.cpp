@@ -153,6 +153,25 @@ TEST_F(Modules, AreNamedByTheEnvironmentAsWell) {
   EXPECT_THAT(run_program(folder_, "list", known).out, HasSubstr("acme-radial"));
 }
 
+TEST_F(Modules, MayBeDemandedByPipelines) {
+  const std::string plan = "plan '" + corpus + "static/spot.glb' -p line.toml";
+  const std::string module = " --module '" + modules + "radial.so'";
+  const auto demands = [&](const std::string& demand) {
+    put(folder_ / "line.toml", "pipeline = 1\nmodules = [\"" + demand + "\"]\nstages = [\"weld\"]\n");
+  };
+  demands("acme >= 1.0");
+  EXPECT_EQ(run_program(folder_, plan + module).code, 0);
+  Ended ended = run_program(folder_, plan);
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("line.toml:2:12: error: modules[0]: it needs the module 'acme >= 1.0', which is not "
+                                   "loaded"));
+  EXPECT_THAT(ended.err, HasSubstr("--module"));
+  demands("acme >= 1.0.1");
+  ended = run_program(folder_, plan + module);
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("radial.so is 1.0.0"));
+}
+
 TEST_F(Modules, AreNotNamedByPipelines) {
   put(folder_ / "line.toml", "pipeline = 1\nmodule = \"" + modules + "radial.so\"\nstages = [\"acme-radial\"]\n");
   const Ended ended = run_program(folder_, "plan '" + corpus + "static/spot.glb' -p line.toml");

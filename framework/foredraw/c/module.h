@@ -1,7 +1,7 @@
 /* A module: techniques in a shared library that Foredraw loads by --module, in a process of their own. C99; nothing to
  * link.
  *
- *   static const foredraw_plugin radial = {sizeof radial, FOREDRAW_TRIANGLE_ORDERER, "acme-radial", ...};
+ *   static const foredraw_plugin radial = {.size = sizeof radial, .kind = FOREDRAW_TRIANGLE_ORDERER, ...};
  *   static const foredraw_plugin* const plugins[] = {&radial};
  *   static const foredraw_module module = {sizeof module, 1, 0, 1, "acme", "1.0.0", plugins};
  *   FOREDRAW_EXPORT const foredraw_module* foredraw_module_v1(void) { return &module; }
@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 /* The version of this header. Modules of another major version are refused, which its function's name tells. */
-enum { FOREDRAW_MODULE_MAJOR = 1, FOREDRAW_MODULE_MINOR = 0 };
+enum { FOREDRAW_MODULE_MAJOR = 1, FOREDRAW_MODULE_MINOR = 1 };
 
 typedef struct foredraw_module {
   uint32_t size;         /* sizeof(foredraw_module) */

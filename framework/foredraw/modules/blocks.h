@@ -19,6 +19,11 @@ struct AskedCall {
   std::uint32_t plugin;  ///< of the module's, by number
   std::uint64_t seed;
   std::uint64_t room;  ///< numbers that the answer may have
+  std::uint64_t vertex_room;
+  std::uint32_t may_count;  ///< whether it may ask for overdraw; an order for that lies behind the answer
+  // What came of that.
+  std::int32_t counted;
+  std::uint64_t shaded, visible;
   std::uint64_t triangle_count;
   std::uint32_t vertex_count;
   std::uint32_t stream_count;
@@ -43,7 +48,8 @@ enum class BlockTurn : std::uint32_t {
   begins,   ///< the worker loads its module
   program,  ///< it answered
   worker,   ///< it was asked
-  ended     ///< it is no more
+  ended,    ///< it is no more
+  counts    ///< it asks for the overdraw of an order meanwhile, and the program has to say
 };
 
 struct AnsweredCall {
@@ -53,7 +59,9 @@ struct AnsweredCall {
   std::int32_t status;
   std::uint32_t said_bytes;  ///< what it told its host, message by message
   std::uint64_t count;       ///< of the answer
-  std::uint64_t left_out;    ///< messages for which there was no room
+  std::uint64_t vertex_count;
+  std::uint32_t has_order;  ///< of what it asks for; 0: as the triangles stand
+  std::uint64_t left_out;   ///< messages for which there was no room
 
   // Once it ended, by who watched it.
   std::uint32_t by_signal;
@@ -65,6 +73,7 @@ struct AnsweredCall {
 
 inline constexpr std::size_t said_place = 8192;
 inline constexpr std::size_t said_room = std::size_t{1} << 20;
+/// Numbers of the answer, those of its vertices, an order to count the overdraw of.
 inline constexpr std::size_t values_place = said_place + said_room;
 static_assert(sizeof(AnsweredCall) <= said_place);
 

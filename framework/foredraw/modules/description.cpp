@@ -1,5 +1,6 @@
 #include <foredraw/modules/description.h>
 
+#include <foredraw/modules/foreign_plugin.h>
 #include <foredraw/modules/wire.h>
 
 #include <fmt/format.h>
@@ -39,14 +40,14 @@ void put_option(const foredraw_option& option, WireWriter& out) {
   out.put(option.most);
 }
 
-void put_plugin(const foredraw_plugin& plugin, WireWriter& out) {
-  require(plugin.size >= sizeof plugin, "a plugin's size is {}, but must be sizeof(foredraw_plugin), {}", plugin.size,
-          sizeof plugin);
+void put_plugin(const foredraw_plugin& given, WireWriter& out) {
+  const foredraw_plugin plugin = in_this_version(given);
   out.put(plugin.kind);
-  for (const char* text :
-       {plugin.name, plugin.summary, plugin.reference, plugin.needs, plugin.provides, plugin.breaks}) {
+  for (const char* text : {plugin.name, plugin.summary, plugin.reference, plugin.needs, plugin.provides, plugin.breaks,
+                           plugin.acts_on, plugin.pays_if}) {
     out.put(text);
   }
+  out.put(plugin.flags);
   out.put(plugin.run != nullptr);
   const auto options = rows_of(plugin.options, plugin.option_count, "option");
   out.put(static_cast<std::uint32_t>(options.size()));
@@ -103,10 +104,11 @@ DescribedModule::DescribedModule(std::string_view bytes) {
   plugins.resize(count());
   for (foredraw_plugin& plugin : plugins) {
     plugin = {.size = sizeof plugin, .kind = in.number<std::uint32_t>()};
-    for (const char** field :
-         {&plugin.name, &plugin.summary, &plugin.reference, &plugin.needs, &plugin.provides, &plugin.breaks}) {
+    for (const char** field : {&plugin.name, &plugin.summary, &plugin.reference, &plugin.needs, &plugin.provides,
+                               &plugin.breaks, &plugin.acts_on, &plugin.pays_if}) {
       *field = text();
     }
+    plugin.flags = in.number<std::uint32_t>();
     if (in.flag()) plugin.run = can_not_be_called;
     auto& options = options_.emplace_back(count());
     for (foredraw_option& option : options) {

@@ -1,11 +1,13 @@
 #include <foredraw/modules/foreign_host.h>
 
 #include <foredraw/modules/foreign_technique.h>
+#include <foredraw/scene/reorder.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace foredraw {
 
@@ -15,9 +17,10 @@ constexpr std::size_t most_notes = 100;
 
 }  // namespace
 
-ForeignHost::ForeignHost(Run& run, const std::vector<Metric>& metrics)
+ForeignHost::ForeignHost(Run& run, const std::vector<Metric>& metrics, DrawOverdraw* overdraw)
     : run_(run),
       metrics_(metrics),
+      overdraw_(overdraw),
       table_{.size = sizeof table_,
              .seed = run.seed,
              .self = this,
@@ -33,7 +36,10 @@ ForeignHost::ForeignHost(Run& run, const std::vector<Metric>& metrics)
                  [](void* self, const char* metric, double numerator, double denominator, double error) {
                    if (!of(self).is_figure(metric, numerator, denominator, error)) return;
                    of(self).run_.measure(text_from_c(metric), numerator, denominator, error);
-                 }} {}
+                 },
+             .count_overdraw = [](void* self, const std::uint32_t* order, std::uint64_t* shaded,
+                                  std::uint64_t* visible) { return of(self).count_overdraw(order, shaded, visible); }} {
+}
 
 void ForeignHost::end() const {
   if (notes_ <= most_notes) return;
@@ -54,6 +60,28 @@ bool ForeignHost::is_figure(const char* metric, double numerator, double denomin
     return true;
   }
   return false;
+}
+
+/// What it throws would cross a function in C.
+int ForeignHost::count_overdraw(const std::uint32_t* order, std::uint64_t* shaded, std::uint64_t* visible) noexcept {
+  if (overdraw_ == nullptr) return FOREDRAW_MISTAKE;
+  try {
+    if (order != nullptr && !is_permutation({order, overdraw_->triangle_count()}, overdraw_->triangle_count())) {
+      return FOREDRAW_NO_ORDER;
+    }
+    const OverdrawCount count = overdraw_->count(order);
+    if (run_.cancelled()) return FOREDRAW_CANCELLED;
+    if (shaded != nullptr) *shaded = count.shaded;
+    if (visible != nullptr) *visible = count.visible;
+    return FOREDRAW_DONE;
+  } catch (const std::bad_alloc&) {
+    return FOREDRAW_NO_MEMORY;
+  } catch (const std::exception& problem) {
+    failure_ = fmt::format("its overdraw can not be counted: {}", problem.what());
+  } catch (...) {
+    failure_ = "its overdraw can not be counted";
+  }
+  return run_.cancelled() ? FOREDRAW_CANCELLED : FOREDRAW_FAILED;
 }
 
 void ForeignHost::note(const char* code, const char* message) {

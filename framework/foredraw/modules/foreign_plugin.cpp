@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <sstream>
 #include <stdexcept>
 
@@ -54,17 +57,65 @@ OptionSpec spec_of(const foredraw_option& option) {
   return spec;
 }
 
+Kind kind_of(std::uint32_t kind) {
+  switch (kind) {
+    case FOREDRAW_CLUSTERER: return Kind::clusterer;
+    case FOREDRAW_EVALUATOR: return Kind::evaluator;
+    case FOREDRAW_REMESHER: return Kind::processor;
+    default: return Kind::orderer;
+  }
+}
+
+void check_flags(const foredraw_plugin& plugin) {
+  constexpr std::uint32_t known = FOREDRAW_LOSSLESS | FOREDRAW_USES_OVERDRAW;
+  const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
+  if ((plugin.flags & ~known) != 0 || plugin.reserved != 0) {
+    refuse(fmt::format("flags are {} and reserved is {}; expected FOREDRAW_LOSSLESS, FOREDRAW_USES_OVERDRAW and 0",
+                       plugin.flags, plugin.reserved));
+  }
+  if ((plugin.flags & FOREDRAW_LOSSLESS) != 0 && plugin.kind != FOREDRAW_REMESHER) {
+    refuse("FOREDRAW_LOSSLESS is of remeshers alone: orders and clusters always are");
+  }
+  if ((plugin.flags & FOREDRAW_USES_OVERDRAW) != 0 && plugin.kind != FOREDRAW_TRIANGLE_ORDERER &&
+      plugin.kind != FOREDRAW_EVALUATOR) {
+    refuse("FOREDRAW_USES_OVERDRAW is of orderers of triangles and evaluators alone");
+  }
+}
+
+/// Other triangles are in no order that one knows of, in no clusters, and of no sequence of collapses, and vertices may
+/// be there twice, unless it says that it sees to that.
+void add_what_remeshers_do(Card& card) {
+  if (card.provides.has(traits::clustered)) {
+    throw std::invalid_argument("a remesher can not provide 'clustered': its answer has no clusters");
+  }
+  for (const Trait lost : {traits::welded, traits::progressive, traits::clustered, traits::cache_ordered, traits::overdraw_ordered,
+                           traits::fetch_ordered}) {
+    if (!card.provides.has(lost)) card.breaks.add(lost);
+  }
+  if (!card.lossless) card.measured_by = {"surface-error", "attribute-error"};
+}
+
 }  // namespace
 
-Plugin foreign_plugin(const foredraw_plugin& given, std::shared_ptr<const ForeignRunner> runner) {
+foredraw_plugin in_this_version(const foredraw_plugin& described) {
+  constexpr std::size_t size_of_1_0 = offsetof(foredraw_plugin, acts_on);
+  if (described.size < size_of_1_0) {
+    throw std::invalid_argument(fmt::format("a plugin's size is {}, but must be sizeof(foredraw_plugin), {}",
+                                            described.size, sizeof described));
+  }
+  foredraw_plugin known{};
+  std::memcpy(&known, &described, std::min<std::size_t>(described.size, sizeof known));
+  return known;
+}
+
+Plugin foreign_plugin(const foredraw_plugin& described, std::shared_ptr<const ForeignRunner> runner) {
   const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
-  if (given.size < sizeof given) {
-    refuse(fmt::format("size is {}, but must be sizeof(foredraw_plugin), {}", given.size, sizeof given));
-  }
+  const foredraw_plugin given = in_this_version(described);
   if (given.name == nullptr) refuse("the plugin has no name");
-  if (given.kind < FOREDRAW_TRIANGLE_ORDERER || given.kind > FOREDRAW_EVALUATOR) {
-    refuse(fmt::format("kind is {}; expected FOREDRAW_TRIANGLE_ORDERER to FOREDRAW_EVALUATOR", given.kind));
+  if (given.kind < FOREDRAW_TRIANGLE_ORDERER || given.kind > FOREDRAW_REMESHER) {
+    refuse(fmt::format("kind is {}; expected FOREDRAW_TRIANGLE_ORDERER to FOREDRAW_REMESHER", given.kind));
   }
+  check_flags(given);
   if (given.run == nullptr) refuse("run is NULL");
   constexpr std::uint32_t most_rows = 1000;
   if (given.option_count > most_rows || given.metric_count > most_rows)
@@ -73,15 +124,17 @@ Plugin foreign_plugin(const foredraw_plugin& given, std::shared_ptr<const Foreig
     refuse("options or metrics are NULL");
   }
   Plugin plugin;
-  plugin.kind = given.kind == FOREDRAW_EVALUATOR   ? Kind::evaluator
-                : given.kind == FOREDRAW_CLUSTERER ? Kind::clusterer
-                                                   : Kind::orderer;
+  plugin.kind = kind_of(given.kind);
   plugin.card = {.name = text_from_c(given.name),
                  .summary = text_from_c(given.summary),
                  .reference = text_from_c(given.reference),
+                 .acts_on = traits_in(given.acts_on),
                  .needs = traits_in(given.needs),
                  .provides = traits_in(given.provides),
-                 .breaks = traits_in(given.breaks)};
+                 .breaks = traits_in(given.breaks),
+                 .pays_if = text_from_c(given.pays_if),
+                 .uses_overdraw = (given.flags & FOREDRAW_USES_OVERDRAW) != 0,
+                 .lossless = (given.flags & FOREDRAW_LOSSLESS) != 0};
   if (given.kind != FOREDRAW_VERTEX_ORDERER) plugin.card.acts_on.add(traits::triangles);
   for (const foredraw_metric& metric : std::span(given.metrics, given.metric_count)) {
     plugin.card.metrics.push_back(
@@ -90,6 +143,7 @@ Plugin foreign_plugin(const foredraw_plugin& given, std::shared_ptr<const Foreig
   for (const foredraw_option& option : std::span(given.options, given.option_count)) {
     plugin.options.push_back(spec_of(option));
   }
+  if (given.kind == FOREDRAW_REMESHER) add_what_remeshers_do(plugin.card);
   ForeignKind kind{given.kind, plugin.options, plugin.card.metrics};
   plugin.create = [kind = std::move(kind), runner = std::move(runner)](const Settings& settings) {
     return foreign_technique(kind, settings, runner);

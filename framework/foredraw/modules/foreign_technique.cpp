@@ -3,6 +3,7 @@
 #include <foredraw/base/printable.h>
 #include <foredraw/modules/draws_for_c.h>
 #include <foredraw/modules/foreign_host.h>
+#include <foredraw/modules/remeshed.h>
 
 #include <fmt/format.h>
 
@@ -44,25 +45,37 @@ class ForeignCall {
   ForeignCall(const ForeignKind& kind, const Settings& settings, std::shared_ptr<const ForeignRunner> runner)
       : options_(kind.options, settings), metrics_(kind.metrics), runner_(std::move(runner)) {}
 
-  /// The first `room` numbers of what it wrote, or as many as it says. Throws what it failed of.
-  std::vector<std::uint32_t> run(const foredraw_draw& draw, std::size_t room, Run& run) const {
-    std::vector<std::uint32_t> values(room, ~std::uint32_t{0});
-    foredraw_answer answer{values.data(), room};
-    ForeignHost host(run, metrics_);
+  /// The first `room` numbers of what it wrote, or as many as it says. Throws what it failed of. `overdraw`: null where
+  /// it may not ask.
+  std::vector<std::uint32_t> run(const foredraw_draw& draw, std::size_t room, Run& run,
+                                 DrawOverdraw* overdraw = nullptr) const {
+    return remesh(draw, room, 0, run, overdraw).indices;
+  }
+
+  /// The same with numbers of vertices besides.
+  Remesh remesh(const foredraw_draw& draw, std::size_t room, std::size_t vertex_room, Run& run,
+                DrawOverdraw* overdraw = nullptr) const {
+    std::vector<std::uint32_t> values(room, ~std::uint32_t{0}), vertex_from(vertex_room, ~std::uint32_t{0});
+    foredraw_answer answer{values.data(), room, vertex_room == 0 ? nullptr : vertex_from.data(), vertex_room};
+    ForeignHost host(run, metrics_, overdraw);
     const int status = runner_->run(draw, options_.values(), answer, host.table());
     host.end();
     if (status == FOREDRAW_CANCELLED) throw std::runtime_error("cancelled");
     if (host.failure() || status != FOREDRAW_DONE) {
       throw std::runtime_error(host.failure().value_or(fmt::format("it returned {}", status)));
     }
-    if (answer.count > room) {
-      throw std::runtime_error(fmt::format("its answer has {} numbers, but there is room for {}", answer.count, room));
-    }
-    values.resize(answer.count);
-    return values;
+    check_room(answer.count, room, "numbers");
+    check_room(answer.vertex_count, vertex_room, "vertices");
+    values.resize(answer.count), vertex_from.resize(answer.vertex_count);
+    return {std::move(values), std::move(vertex_from)};
   }
 
  private:
+  static void check_room(std::uint64_t count, std::size_t room, const char* what) {
+    if (count <= room) return;
+    throw std::runtime_error(fmt::format("its answer has {} {}, but there is room for {}", count, what, room));
+  }
+
   ForeignValues options_;
   std::vector<Metric> metrics_;
   std::shared_ptr<const ForeignRunner> runner_;
@@ -88,7 +101,9 @@ struct HandedDraw {
 struct ForeignOrderer final : DrawOrderer {
   explicit ForeignOrderer(ForeignCall what) : call(std::move(what)) {}
   IndexOrder order(const DrawView& view, Run& run) const override {
-    return call.run(HandedDraw(view, run).draw, view.triangle_count(), run);
+    DrawOverdraw overdraw(view, run);
+    return call.run(HandedDraw(view, run).draw, view.triangle_count(), run,
+                    run.overdraw == nullptr ? nullptr : &overdraw);
   }
   ForeignCall call;
 };
@@ -113,7 +128,19 @@ struct ForeignClusterer final : Clusterer {
 
 struct ForeignEvaluator final : DrawEvaluator {
   explicit ForeignEvaluator(ForeignCall what) : call(std::move(what)) {}
-  void evaluate(const DrawView& view, Run& run) const override { call.run(HandedDraw(view, run).draw, 0, run); }
+  void evaluate(const DrawView& view, Run& run) const override {
+    DrawOverdraw overdraw(view, run);
+    call.run(HandedDraw(view, run).draw, 0, run, run.overdraw == nullptr ? nullptr : &overdraw);
+  }
+  ForeignCall call;
+};
+
+struct ForeignRemesher final : DrawProcessor {
+  explicit ForeignRemesher(ForeignCall what) : call(std::move(what)) {}
+  Draw process(const DrawView& view, Run& run) const override {
+    Remesh answer = call.remesh(HandedDraw(view, run).draw, 3 * view.triangle_count(), view.vertex_count(), run);
+    return run.keeps() ? view.draw() : remeshed(view.draw(), std::move(answer));
+  }
   ForeignCall call;
 };
 
@@ -126,6 +153,7 @@ Technique foreign_technique(const ForeignKind& kind, const Settings& settings,
     case FOREDRAW_TRIANGLE_ORDERER: return std::make_unique<ForeignOrderer>(std::move(call));
     case FOREDRAW_VERTEX_ORDERER: return std::make_unique<ForeignVertexOrderer>(std::move(call));
     case FOREDRAW_CLUSTERER: return std::make_unique<ForeignClusterer>(std::move(call));
+    case FOREDRAW_REMESHER: return std::make_unique<ForeignRemesher>(std::move(call));
     default: return std::make_unique<ForeignEvaluator>(std::move(call));
   }
 }

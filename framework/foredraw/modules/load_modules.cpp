@@ -99,7 +99,8 @@ void load_apart(LoadedModule& module, const ModuleLimits& limits) {
   const DescribedModule described(module.workers->tables());
   module.file->vendor = described.vendor, module.file->version = printable(described.version);
   for (std::uint32_t i = 0; i < described.plugins.size(); ++i) {
-    take(module, described.plugins[i], std::make_shared<RunsApart>(module.workers, i));
+    const bool uses_overdraw = (described.plugins[i].flags & FOREDRAW_USES_OVERDRAW) != 0;
+    take(module, described.plugins[i], std::make_shared<RunsApart>(module.workers, i, uses_overdraw));
   }
 }
 

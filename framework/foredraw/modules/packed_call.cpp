@@ -61,6 +61,8 @@ std::size_t packed(const ForeignQuestion& question, std::byte* block) {
   call.plugin = question.plugin;
   call.seed = question.seed;
   call.room = question.room;
+  call.vertex_room = question.vertex_room;
+  call.may_count = question.may_count ? 1 : 0;
   call.triangle_count = draw.triangle_count;
   call.vertex_count = draw.vertex_count;
   call.stream_count = draw.stream_count;

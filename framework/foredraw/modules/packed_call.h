@@ -14,6 +14,11 @@ struct ForeignQuestion {
   std::span<const foredraw_value> options;
   std::uint64_t seed = 0;
   std::uint64_t room = 0;  ///< numbers that the answer may have
+  std::uint64_t vertex_room = 0;
+  bool may_count = false;  ///< whether it may ask for overdraw
+
+  /// How many there may be in all, in the block of answers.
+  std::uint64_t numbers() const { return room + vertex_room + (may_count ? draw.triangle_count : 0); }
 };
 
 /// How many bytes it takes in a block.

@@ -68,14 +68,14 @@ std::unique_ptr<WorkerProcess> ModuleWorkers::worker_for(std::size_t question_by
   return std::make_unique<WorkerProcess>(module_, limits_, question_bytes, numbers);
 }
 
-WorkerProcess::Answer ModuleWorkers::ask(const ForeignQuestion& question, const std::function<bool()>& is_cancelled,
-                                         std::uint32_t* values) {
+WorkerProcess::Answer ModuleWorkers::ask(const ForeignQuestion& question, const foredraw_host& host,
+                                         const foredraw_answer& answer) {
   try {
-    auto worker = worker_for(packed_size(question), question.room);
-    auto answer = worker->ask(question, is_cancelled, values);
+    auto worker = worker_for(packed_size(question), question.numbers());
+    auto answered = worker->ask(question, host, answer);
     const std::scoped_lock lock(mutex_);
     idle_.push_back(std::move(worker));
-    return answer;
+    return answered;
   } catch (const WorkerEnded&) {
     const std::scoped_lock lock(mutex_);
     ++deaths_;
@@ -94,10 +94,11 @@ void ModuleWorkers::rest() {
 
 int RunsApart::run(const foredraw_draw& draw, std::span<const foredraw_value> options, foredraw_answer& answer,
                    const foredraw_host& host) const {
-  const auto answered = workers_->ask(
-      {plugin_, draw, options, host.seed, answer.count}, [&] { return host.cancelled(host.self) != 0; }, answer.values);
+  const auto answered =
+      workers_->ask({plugin_, draw, options, host.seed, answer.count, answer.vertex_count, may_count_}, host, answer);
   repeat(answered.said, host);
   answer.count = answered.count;
+  answer.vertex_count = answered.vertex_count;
   if (answered.left_out > 0) {
     host.note(host.self, "messages-left-out",
               fmt::format("{} messages more than there is room for", answered.left_out).c_str());

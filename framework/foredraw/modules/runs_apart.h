@@ -20,8 +20,7 @@ class ModuleWorkers {
   /// What the module wrote down of itself. Throws as WorkerProcess does.
   std::string tables();
   /// Throws std::runtime_error where there is no answer. After three workers that ended the module is left out.
-  WorkerProcess::Answer ask(const ForeignQuestion& question, const std::function<bool()>& is_cancelled,
-                            std::uint32_t* values);
+  WorkerProcess::Answer ask(const ForeignQuestion& question, const foredraw_host& host, const foredraw_answer& answer);
   /// Ends those who have nothing to do. The next call begins others.
   void rest();
 
@@ -38,14 +37,16 @@ class ModuleWorkers {
 /// A technique of a module, run by its workers.
 class RunsApart final : public ForeignRunner {
  public:
-  RunsApart(std::shared_ptr<ModuleWorkers> workers, std::uint32_t plugin)
-      : workers_(std::move(workers)), plugin_(plugin) {}
+  /// `may_count`: whether it asks for overdraw.
+  RunsApart(std::shared_ptr<ModuleWorkers> workers, std::uint32_t plugin, bool may_count)
+      : workers_(std::move(workers)), plugin_(plugin), may_count_(may_count) {}
   int run(const foredraw_draw& draw, std::span<const foredraw_value> options, foredraw_answer& answer,
           const foredraw_host& host) const override;
 
  private:
   std::shared_ptr<ModuleWorkers> workers_;
   std::uint32_t plugin_;
+  bool may_count_;
 };
 
 }  // namespace foredraw

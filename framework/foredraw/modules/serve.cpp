@@ -39,8 +39,9 @@ class Serving {
             .count = [](void* self, const char* metric,
                         double number) { of(self).say(WorkerSaid::count, metric, number); },
             .measure = [](void* self, const char* metric, double numerator, double denominator,
-                          double error) { of(self).say(WorkerSaid::measure, metric, numerator, denominator, error); }} {
-  }
+                          double error) { of(self).say(WorkerSaid::measure, metric, numerator, denominator, error); },
+            .count_overdraw = [](void* self, const std::uint32_t* order, std::uint64_t* shaded,
+                                 std::uint64_t* visible) { return of(self).count_overdraw(order, shaded, visible); }} {}
 
   void begin(bool refused, const std::string& what) {
     answer_.refused = refused ? 1 : 0;
@@ -57,9 +58,7 @@ class Serving {
   /// No exception of the module's leaves this: nothing above could go on with one.
   [[noreturn]] void answer_calls(const foredraw_module& module) noexcept {
     for (const int self = process_number();;) {
-      while (answer_.turn.load() != static_cast<std::uint32_t>(BlockTurn::worker)) {
-        wait_while(answer_.turn, static_cast<std::uint32_t>(BlockTurn::program), INT_MAX);
-      }
+      wait_for_turn(BlockTurn::program);
       answer(*module.plugins[call_.plugin]);
       if (process_number() != self) std::_Exit(0);  // a child that the module made, and that came back
       set_and_wake(answer_.turn, static_cast<std::uint32_t>(BlockTurn::program));
@@ -67,6 +66,13 @@ class Serving {
   }
 
  private:
+  /// Sleeps until the program has asked, or answered; it is its turn until then.
+  void wait_for_turn(BlockTurn theirs) {
+    while (answer_.turn.load() != static_cast<std::uint32_t>(BlockTurn::worker)) {
+      wait_while(answer_.turn, static_cast<std::uint32_t>(theirs), INT_MAX);
+    }
+  }
+
   static Serving& of(void* self) { return *static_cast<Serving*>(self); }
 
   template <class T>
@@ -96,12 +102,30 @@ class Serving {
                              .streams = streams_.data(),
                              .cluster_count = call_.cluster_count,
                              .cluster_offsets = at<std::uint32_t>(call_.cluster_offsets)};
-    foredraw_answer answer{reinterpret_cast<std::uint32_t*>(answered_.data() + values_place), call_.room};
+    auto* values = reinterpret_cast<std::uint32_t*>(answered_.data() + values_place);
+    foredraw_answer answer{values, call_.room, call_.vertex_room == 0 ? nullptr : values + call_.room,
+                           call_.vertex_room};
     host_.seed = call_.seed;
     answer_.said_bytes = 0;
     answer_.left_out = 0;
     answer_.status = plugin.run(plugin.user, &draw, options_.data(), &answer, &host_);
     answer_.count = answer.count;
+    answer_.vertex_count = answer.vertex_count;
+  }
+
+  /// The program counts; nobody else knows what is seen.
+  int count_overdraw(const std::uint32_t* order, std::uint64_t* shaded, std::uint64_t* visible) {
+    if (call_.may_count == 0) return FOREDRAW_MISTAKE;
+    answer_.has_order = order != nullptr ? 1 : 0;
+    if (order != nullptr) {
+      auto* place = reinterpret_cast<std::uint32_t*>(answered_.data() + values_place) + call_.room + call_.vertex_room;
+      std::copy_n(order, call_.triangle_count, place);
+    }
+    set_and_wake(answer_.turn, static_cast<std::uint32_t>(BlockTurn::counts));
+    wait_for_turn(BlockTurn::counts);
+    if (call_.counted == FOREDRAW_DONE && shaded != nullptr) *shaded = call_.shaded;
+    if (call_.counted == FOREDRAW_DONE && visible != nullptr) *visible = call_.visible;
+    return call_.counted;
   }
 
   template <class... Parts>

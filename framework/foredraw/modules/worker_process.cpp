@@ -13,14 +13,13 @@
 #include <cstring>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace foredraw {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
 constexpr double seconds_to_cancel = 2;
 /// An interpreter takes a while to begin, on a busy machine above all.
 double seconds_to_load(const ModuleLimits& limits) { return std::clamp(limits.seconds, 5.0, 60.0); }
@@ -67,7 +66,7 @@ WorkerProcess::WorkerProcess(const fs::path& module, const ModuleLimits& limits,
       process_(found_worker(limits),
                {std::to_string(process_number()), std::to_string(limits.memory), fs::absolute(module).string()},
                std::array{asked_.descriptor(), answered_.descriptor()}) {
-  wait_for_turn(seconds_to_load(limits), {});
+  wait_for_turn(Clock::now(), seconds_to_load(limits), nullptr);
   if (answered_in(answered_).refused != 0) throw std::invalid_argument(printable(tables()));
 }
 
@@ -80,34 +79,52 @@ std::string WorkerProcess::tables() const {
   return {reinterpret_cast<const char*>(answered_.data() + said_place), bytes};
 }
 
-WorkerProcess::Answer WorkerProcess::ask(const ForeignQuestion& question, const std::function<bool()>& is_cancelled,
-                                         std::uint32_t* values) {
+WorkerProcess::Answer WorkerProcess::ask(const ForeignQuestion& question, const foredraw_host& host,
+                                         const foredraw_answer& answer) {
   pack(question, asked_.data());
-  auto* shared = reinterpret_cast<std::uint32_t*>(answered_.data() + values_place);
-  std::fill_n(shared, question.room, ~std::uint32_t{0});
+  const auto* shared = reinterpret_cast<const std::uint32_t*>(answered_.data() + values_place);
+  std::fill_n(reinterpret_cast<std::uint32_t*>(answered_.data() + values_place), question.room + question.vertex_room,
+              ~std::uint32_t{0});
   AnsweredCall& call = answered_in(answered_);
   call.status = FOREDRAW_FAILED;
-  set_and_wake(call.turn, static_cast<std::uint32_t>(BlockTurn::worker));
-  wait_for_turn(seconds_, is_cancelled);
+  const auto begin = Clock::now();
+  for (;;) {
+    set_and_wake(call.turn, static_cast<std::uint32_t>(BlockTurn::worker));
+    wait_for_turn(begin, seconds_, &host);
+    if (call.turn.load() != static_cast<std::uint32_t>(BlockTurn::counts)) break;
+    count_overdraw(question, host);
+  }
   // What it left behind may still write there.
-  Answer answer{call.status, call.count, tables(), call.left_out};
-  std::copy_n(shared, question.room, values);
-  return answer;
+  Answer answered{call.status, call.count, call.vertex_count, tables(), call.left_out};
+  std::copy_n(shared, question.room, answer.values);
+  std::copy_n(shared + question.room, question.vertex_room, answer.vertex_from);
+  return answered;
 }
 
-void WorkerProcess::wait_for_turn(double seconds, const std::function<bool()>& is_cancelled) {
+void WorkerProcess::count_overdraw(const ForeignQuestion& question, const foredraw_host& host) {
+  AskedCall& call = asked_in(asked_);
+  call.counted = FOREDRAW_MISTAKE;
+  if (!question.may_count) return;
+  const auto* shared =
+      reinterpret_cast<const std::uint32_t*>(answered_.data() + values_place) + question.room + question.vertex_room;
+  const std::vector<std::uint32_t> order(shared, shared + question.draw.triangle_count);  // which may change meanwhile
+  const bool has_order = answered_in(answered_).has_order != 0 && !order.empty();
+  call.counted = host.count_overdraw(host.self, has_order ? order.data() : nullptr, &call.shaded, &call.visible);
+}
+
+void WorkerProcess::wait_for_turn(Clock::time_point begin, double seconds, const foredraw_host* host) {
   using namespace std::chrono_literals;
   const SharedWord& turn = answered_in(answered_).turn;
-  const auto begin = Clock::now();
   std::optional<Clock::time_point> cancelled;
   const auto since = [](Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); };
   for (;;) {
     const std::uint32_t whose = turn.load();
     if (whose == static_cast<std::uint32_t>(BlockTurn::program)) return;
+    if (whose == static_cast<std::uint32_t>(BlockTurn::counts) && host != nullptr) return;
     if (whose == static_cast<std::uint32_t>(BlockTurn::ended)) throw WorkerEnded(how_it_ended());
     // Nobody wakes us where the process is killed that watches the worker.
     if (process_.ended_within(0ms) && turn.load() == whose) throw WorkerEnded("its process is no more");
-    if (!cancelled && is_cancelled && is_cancelled()) {
+    if (!cancelled && host != nullptr && host->cancelled(host->self) != 0) {
       asked_in(asked_).cancelled = 1;
       cancelled = Clock::now();
     }

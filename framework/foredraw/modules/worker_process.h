@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -39,17 +38,23 @@ class WorkerProcess {
   struct Answer {
     int status = 0;
     std::uint64_t count = 0;
+    std::uint64_t vertex_count = 0;
     std::string said;  ///< messages for its host, as bytes
     std::uint64_t left_out = 0;
   };
-  /// Copies of what it answered, the first `room` numbers to `values`. `is_cancelled` is asked meanwhile. Throws
-  /// WorkerEnded; afterwards it is of no more use.
-  Answer ask(const ForeignQuestion& question, const std::function<bool()>& is_cancelled, std::uint32_t* values);
+  /// Copies of what it answered: the numbers to `answer`, where there is room for those of the question. `host` is
+  /// asked meanwhile whether the call is cancelled, and for overdraw. Throws WorkerEnded; afterwards it is of no more
+  /// use.
+  Answer ask(const ForeignQuestion& question, const foredraw_host& host, const foredraw_answer& answer);
   /// As the destructor, without waiting for the end.
   void begin_to_end() { process_.ask_to_end(); }
 
  private:
-  void wait_for_turn(double seconds, const std::function<bool()>& is_cancelled);
+  using Clock = std::chrono::steady_clock;
+
+  /// Until the worker has something for the program.
+  void wait_for_turn(Clock::time_point begin, double seconds, const foredraw_host* host);
+  void count_overdraw(const ForeignQuestion& question, const foredraw_host& host);
   std::string how_it_ended() const;
 
   double seconds_;

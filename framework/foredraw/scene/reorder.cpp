@@ -1,5 +1,7 @@
 #include <foredraw/scene/reorder.h>
 
+#include <foredraw/scene/taken_vertices.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -30,17 +32,6 @@ std::optional<Clusters> moved_clusters(const Clusters& clusters, std::span<const
   if (!order.empty()) moved.offsets.push_back(static_cast<std::uint32_t>(order.size()));
   if (moved.count() != clusters.count()) return std::nullopt;  // some cluster starts twice: torn
   return moved;
-}
-
-/// Rows gathered from where they were: result row i is row from[i].
-Shared<std::byte> gathered(const VertexStream& stream, std::span<const std::uint32_t> from) {
-  const std::size_t row = stream.format.bytes;
-  const std::span<const std::byte> bytes = stream.bytes.view();
-  std::vector<std::byte> result(from.size() * row);
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::memcpy(result.data() + i * row, bytes.data() + from[i] * row, row);
-  }
-  return Shared<std::byte>(std::move(result));
 }
 
 /// For each new vertex an old one that goes there.
@@ -115,14 +106,7 @@ Draw with_triangle_order(const Draw& draw, std::span<const std::uint32_t> order)
 
 VertexStreams with_vertices_moved(const VertexStreams& streams, std::span<const std::uint32_t> destination,
                                   std::uint32_t count) {
-  const std::vector<std::uint32_t> from = sources(destination, count);
-  VertexStreams moved = streams;
-  moved.count = count;
-  for (VertexStream& stream : moved.base) stream.bytes = gathered(stream, from);
-  for (auto& target : moved.morph_targets) {
-    for (VertexStream& stream : target) stream.bytes = gathered(stream, from);
-  }
-  return moved;
+  return taken_vertices(streams, sources(destination, count));
 }
 
 Draw with_vertices_moved(const Draw& draw, std::size_t level, std::shared_ptr<const VertexStreams> moved,

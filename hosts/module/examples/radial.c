@@ -36,23 +36,23 @@ static int radial(void* user, const foredraw_draw* draw, const foredraw_value* o
   return FOREDRAW_DONE;
 }
 
-static const foredraw_option options[] = {
-    {"height", "How much height counts", "", FOREDRAW_NUMBER, 0, NULL, {0, 1.0, NULL}, 0.0, 10.0}};
-static const foredraw_plugin plugin = {sizeof(foredraw_plugin),
-                                       FOREDRAW_TRIANGLE_ORDERER,
-                                       "acme-radial",
-                                       "Draws triangles far from the origin first",
-                                       "own",
-                                       NULL,
-                                       "overdraw-ordered",
-                                       "cache-ordered fetch-ordered clustered", /* traits */
-                                       options,
-                                       NULL,
-                                       1,
-                                       0,
-                                       1,
-                                       NULL,
-                                       radial};
+static const foredraw_option options[] = {{.name = "height",
+                                           .doc = "How much height counts",
+                                           .type = FOREDRAW_NUMBER,
+                                           .initial = {.number = 1},
+                                           .least = 0,
+                                           .most = 10}};
+static const foredraw_plugin plugin = {.size = sizeof(foredraw_plugin),
+                                       .kind = FOREDRAW_TRIANGLE_ORDERER,
+                                       .name = "acme-radial",
+                                       .summary = "Draws triangles far from the origin first",
+                                       .reference = "own",
+                                       .provides = "overdraw-ordered", /* traits */
+                                       .breaks = "cache-ordered fetch-ordered clustered",
+                                       .options = options,
+                                       .option_count = 1,
+                                       .runs_on_many_threads = 1,
+                                       .run = radial};
 static const foredraw_plugin* const plugins[] = {&plugin};
 static const foredraw_module module = {sizeof(foredraw_module), FOREDRAW_MODULE_MAJOR, 0, 1, "acme", "1.0.0", plugins};
 

@@ -28,7 +28,10 @@ static int as_it_is(RUN) {
 
 /* The module "hostile-NAME" of what `run` does. */
 #define MODULE(name) MODULE_OF(name, FOREDRAW_TRIANGLE_ORDERER, NULL, 0)
-#define MODULE_OF(name, kind, metrics, metric_count)                                                 \
+#define MODULE_OF(name, kind, metrics, metric_count) MODULE_WITH(name, kind, metrics, metric_count, 0)
+/* One that asks for overdraw. */
+#define MODULE_THAT_ASKS(name) MODULE_WITH(name, FOREDRAW_TRIANGLE_ORDERER, NULL, 0, FOREDRAW_USES_OVERDRAW)
+#define MODULE_WITH(name, kind, metrics, metric_count, flags)                                        \
   static const foredraw_plugin plugin = {sizeof(foredraw_plugin),                                    \
                                          kind,                                                       \
                                          "hostile-" name,                                            \
@@ -43,7 +46,10 @@ static int as_it_is(RUN) {
                                          metric_count,                                               \
                                          1,                                                          \
                                          NULL,                                                       \
-                                         run};                                                       \
+                                         run,                                                        \
+                                         NULL,                                                       \
+                                         NULL,                                                       \
+                                         flags};                                                     \
   static const foredraw_plugin* const plugins[] = {&plugin};                                         \
   static const foredraw_module module = {sizeof(foredraw_module), 1, 0, 1, "hostile", "0", plugins}; \
   FOREDRAW_EXPORT const foredraw_module* foredraw_module_v1(void) {                                  \

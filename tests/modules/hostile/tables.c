@@ -16,7 +16,10 @@ enum {
   no_kind,
   null_run,
   null_module,
-  many_options
+  many_options,
+  odd_flags,
+  lossless_order,
+  overdraw_vertices
 };
 static int run(RUN) { return AS_IT_IS; }
 static const foredraw_option number = {"power", "", "", FOREDRAW_NUMBER, 0, NULL, {0, 9.0, NULL}, 0.0, 4.0};
@@ -24,7 +27,9 @@ static const foredraw_option choice = {"power", "", "", FOREDRAW_CHOICE, 0, NULL
 static const foredraw_option nameless = {NULL, "", "", FOREDRAW_NUMBER, 0, NULL, {0, 1.0, NULL}, 0.0, 4.0};
 static const foredraw_plugin plugin = {
     WRONG == small_plugin ? 8 : sizeof(foredraw_plugin),
-    WRONG == no_kind ? 77 : FOREDRAW_TRIANGLE_ORDERER,
+    WRONG == no_kind             ? 77
+    : WRONG == overdraw_vertices ? FOREDRAW_VERTEX_ORDERER
+                                 : FOREDRAW_TRIANGLE_ORDERER,
     WRONG == other_vendor ? "tipsify" : "hostile-tables",
     "Misbehaves",
     "own",
@@ -40,7 +45,13 @@ static const foredraw_plugin plugin = {
     0,
     1,
     NULL,
-    WRONG == null_run ? NULL : run};
+    WRONG == null_run ? NULL : run,
+    NULL,
+    NULL,
+    WRONG == odd_flags           ? 64
+    : WRONG == lossless_order    ? FOREDRAW_LOSSLESS
+    : WRONG == overdraw_vertices ? FOREDRAW_USES_OVERDRAW
+                                 : 0};
 static const foredraw_plugin* const plugins[] = {WRONG == null_plugin ? NULL : &plugin};
 static const foredraw_module module = {WRONG == small ? 8 : sizeof(foredraw_module),
                                        1,

@@ -61,6 +61,7 @@ class DrawChange {
     if (now.size() != was.size() || (!origin.empty() && 3 * origin.size() != was.size())) return false;
     for (std::size_t i = 0; i < now.size(); ++i) {
       const std::size_t from = origin.empty() ? i : 3 * std::size_t{origin[i / 3]} + i % 3;
+      if (from >= was.size()) return false;  // a triangle that comes from none of them
       if (now[i] != destination(was[from])) return false;
     }
     return true;
