@@ -156,6 +156,16 @@ TEST(ShapeRules, name_what_a_plugin_lacks) {
   EXPECT_EQ(plugin_shape_breaches({"plugins/orderers/y.h"}).size(), 1u);
 }
 
+TEST(ShapeRules, plugins_have_a_function_for_c_or_a_reason) {
+  const std::string page =
+      "# C\n\nPlugins that have no function for C:\n\n| `two-words` | why |\n\n## Then\n\n`other`\n";
+  const auto told = [&](const std::set<std::string>& paths) { return c_function_breaches(paths, page); };
+  EXPECT_TRUE(told({"plugins/orderers/two_words/two_words_plugin.cpp"}).empty());
+  EXPECT_TRUE(told({"evaluators/other/other_plugin.cpp", "evaluators/other/other_c.cpp"}).empty());
+  EXPECT_EQ(told({"evaluators/other/other_plugin.cpp"}).size(), 1u);
+  EXPECT_EQ(told({"plugins/x/two_words/two_words_plugin.cpp", "plugins/x/two_words/two_words_c.cpp"}).size(), 1u);
+}
+
 TEST(ShapeRules, corpus) {
   const std::string credits = "| `spot.glb` | ...";
   const std::string folder = "benchmarks/corpus/static/";

@@ -40,6 +40,27 @@ Breaches plugin_shape_breaches(const std::set<std::string>& paths) {
   return breaches;
 }
 
+Breaches c_function_breaches(const std::set<std::string>& paths, const std::string& page) {
+  const std::size_t table = page.find("Plugins that have no function for C:");
+  const std::string without = table == std::string::npos ? "" : page.substr(table, page.find("\n## ", table) - table);
+  Breaches breaches;
+  for (const std::string& path : paths) {
+    if (!path.ends_with("_plugin.cpp") || (!path.starts_with("plugins/") && !path.starts_with("evaluators/"))) continue;
+    const std::string own = path.substr(0, path.size() - std::string_view("_plugin.cpp").size());
+    const std::vector<std::string> parts = parts_of(own);
+    if (parts[parts.size() - 2] != parts.back()) continue;  // a part of one
+    std::string name = parts.back();
+    std::ranges::replace(name, '_', '-');
+    const bool has_function = paths.contains(own + "_c.cpp");
+    const bool has_reason = without.find('`' + name + '`') != std::string::npos;
+    if (has_function == has_reason) {
+      breaches.push_back(own + "_c.cpp: " + (has_function ? "is there, but" : "is missing, and") +
+                         " docs/c-functions.md says " + (has_reason ? "" : "not ") + "why there is none");
+    }
+  }
+  return breaches;
+}
+
 Breaches corpus_breaches(const std::vector<SourceFile>& files, const std::string& credits) {
   Breaches breaches;
   std::uintmax_t size = 0;

@@ -72,6 +72,11 @@ TEST(WithoutMemory, MeshesSayThatItRanOut) {
   expect_survives([&] { return foredraw_quadric_collapse(&sequence, &list, &places, nullptr, 0, 0); }, 7);
   expect_survives([&] { return foredraw_simplify(few.data(), nullptr, &simplified, &list, &places, &sequence, 20, 1); },
                   7);
+  std::vector<float> moved(3 * vertices);
+  sequence.places = moved.data();
+  expect_survives([&] { return foredraw_energy_collapse(&sequence, &list, &places, nullptr, 0, 60, 1, 0); }, 31);
+  std::vector<std::uint8_t> kinds(72);
+  expect_survives([&] { return foredraw_shell_kinds(kinds.data(), &list, &places); });
   foredraw_surface_error_figures error;
   std::vector<float> flat(3 * vertices);
   const foredraw_positions flat_places{flat.data(), 0};

@@ -6,9 +6,11 @@
 #include <foredraw/c/functions.h>
 #include <foredraw/scene/draw.h>
 #include <foredraw/viewing/view_directions.h>
+#include <plugins/processors/energy_collapse/energy_collapse.h>
 #include <plugins/processors/merge_instances/merge_instances.h>
 #include <plugins/processors/particle_trim/particle_trim.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
+#include <plugins/processors/second_depth/shells.h>
 #include <plugins/processors/sprite_frames/sprite_frames.h>
 #include <plugins/processors/weld/weld.h>
 
@@ -199,6 +201,55 @@ TEST_P(Simplified, CountsWhatVerticesCarry) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, Simplified, ::testing::Bool());
+
+TEST(MeshesForC, CollapseByEnergyAsByTheFunction) {
+  const BumpySheet sheet(5);
+  const foredraw_triangles triangles = sheet.triangles();
+  const foredraw_positions positions = sheet.positions();
+  Sequence sequence(sheet.vertices.size(), true);
+  ASSERT_EQ(foredraw_energy_collapse(&sequence.arrays, &triangles, &positions, nullptr, 0, 20, 3, 7), FOREDRAW_DONE);
+  const std::vector<std::uint32_t> indices(sheet.indices.begin(), sheet.indices.end());
+  const CollapseSequence made = energy_collapse(sheet.places(), indices, {}, {.samples = 3, .seed = 7, .least = 20});
+  ASSERT_EQ(sequence.arrays.count, made.collapses.size());
+  EXPECT_GT(made.collapses.size(), 5u);
+  for (std::size_t i = 0; i < made.collapses.size(); ++i) {
+    EXPECT_EQ(sequence.collapses[i].removed, made.collapses[i].removed);
+    EXPECT_EQ(sequence.collapses[i].error, made.collapses[i].error);
+  }
+  EXPECT_TRUE(std::equal(made.places.begin(), made.places.end(), sequence.places.begin()));
+  const auto refused = [&](std::uint32_t samples) {
+    return foredraw_energy_collapse(&sequence.arrays, &triangles, &positions, nullptr, 0, 0, samples, 0);
+  };
+  EXPECT_EQ(refused(101), FOREDRAW_OPTION_RANGE);
+  sequence.arrays.places = nullptr;
+  EXPECT_EQ(refused(1), FOREDRAW_NULL_POINTER);
+  EXPECT_EQ(foredraw_energy_collapse(nullptr, &triangles, &positions, nullptr, 0, 0, 1, 0), FOREDRAW_NULL_POINTER);
+}
+
+TEST(MeshesForC, HaveShellsOfFiveKinds) {
+  // A cube, the same inside out beside it, and half of one behind.
+  std::vector<glm::vec3> places;
+  std::vector<std::uint16_t> indices;
+  const std::uint16_t corners[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                     2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+  for (int cube = 0; cube < 3; ++cube) {
+    const auto first = static_cast<std::uint16_t>(places.size());
+    for (int v = 0; v < 8; ++v) places.push_back({v % 2 + 3 * cube, v / 2 % 2, v / 4});
+    for (int i = 0; i < (cube == 2 ? 18 : 36); ++i) {
+      const int turned = cube == 1 ? i / 3 * 3 + 2 - i % 3 : i;
+      indices.push_back(static_cast<std::uint16_t>(first + corners[turned]));
+    }
+  }
+  const foredraw_triangles triangles{indices.data(), indices.size(), 2, static_cast<std::uint32_t>(places.size())};
+  const foredraw_positions positions{places.data(), 0};
+  std::vector<std::uint8_t> kinds(indices.size() / 3, 77);
+  ASSERT_EQ(foredraw_shell_kinds(kinds.data(), &triangles, &positions), FOREDRAW_DONE);
+  for (std::size_t t = 0; t < kinds.size(); ++t) {
+    EXPECT_EQ(kinds[t], t < 12 ? FOREDRAW_SHELL_CLOSED : t < 24 ? FOREDRAW_SHELL_INSIDE_OUT : FOREDRAW_SHELL_OPEN) << t;
+  }
+  EXPECT_EQ(foredraw_shell_kinds(kinds.data(), &triangles, nullptr), FOREDRAW_NULL_POINTER);
+  EXPECT_EQ(foredraw_shell_kinds(nullptr, &triangles, &positions), FOREDRAW_NULL_POINTER);
+}
 
 /// Two discs, 8 bits in an image of four channels.
 struct Discs {

@@ -72,6 +72,8 @@ int main(void) {
   SIZE(foredraw_answer);
   OFFSET(foredraw_answer, values);
   OFFSET(foredraw_answer, count);
+  OFFSET(foredraw_answer, vertex_from);
+  OFFSET(foredraw_answer, vertex_count);
   SIZE(foredraw_host);
   OFFSET(foredraw_host, size);
   OFFSET(foredraw_host, reserved);
@@ -83,6 +85,7 @@ int main(void) {
   OFFSET(foredraw_host, note);
   OFFSET(foredraw_host, count);
   OFFSET(foredraw_host, measure);
+  OFFSET(foredraw_host, count_overdraw);
   SIZE(foredraw_plugin);
   OFFSET(foredraw_plugin, size);
   OFFSET(foredraw_plugin, kind);
@@ -99,6 +102,10 @@ int main(void) {
   OFFSET(foredraw_plugin, runs_on_many_threads);
   OFFSET(foredraw_plugin, user);
   OFFSET(foredraw_plugin, run);
+  OFFSET(foredraw_plugin, acts_on);
+  OFFSET(foredraw_plugin, pays_if);
+  OFFSET(foredraw_plugin, flags);
+  OFFSET(foredraw_plugin, reserved);
   SIZE(foredraw_attribute);
   OFFSET(foredraw_attribute, first);
   OFFSET(foredraw_attribute, stride);
@@ -222,6 +229,11 @@ int main(void) {
   VALUE(FOREDRAW_OPTION_RANGE);
   VALUE(FOREDRAW_NO_CLUSTERS);
   VALUE(FOREDRAW_NO_ORDER);
+  VALUE(FOREDRAW_SHELL_CLOSED);
+  VALUE(FOREDRAW_SHELL_OPEN);
+  VALUE(FOREDRAW_SHELL_FLAT);
+  VALUE(FOREDRAW_SHELL_INSIDE_OUT);
+  VALUE(FOREDRAW_SHELL_TURNED);
   VALUE(FOREDRAW_OCCLUSION_FAST);
   VALUE(FOREDRAW_OCCLUSION_BALANCED);
   VALUE(FOREDRAW_OCCLUSION_HIGH);
@@ -265,6 +277,9 @@ int main(void) {
   VALUE(FOREDRAW_VERTEX_ORDERER);
   VALUE(FOREDRAW_CLUSTERER);
   VALUE(FOREDRAW_EVALUATOR);
+  VALUE(FOREDRAW_REMESHER);
+  VALUE(FOREDRAW_LOSSLESS);
+  VALUE(FOREDRAW_USES_OVERDRAW);
   VALUE(FOREDRAW_BOOLEAN);
   VALUE(FOREDRAW_INTEGER);
   VALUE(FOREDRAW_NUMBER);

@@ -33,6 +33,15 @@ class Weld(unittest.TestCase):
             fd.weld(INDICES, BUMPS[:5])
 
 
+class Shells(unittest.TestCase):
+    def test_closed_ones_are_told_from_open_ones(self):
+        corners = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+        places = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+        self.assertEqual(fd.shell_kinds(corners, places).tolist(), [0] * 4)
+        self.assertEqual(fd.shell_kinds(corners[:, ::-1], places).tolist(), [3] * 4)
+        self.assertEqual(fd.shell_kinds(corners[:3], places).tolist(), [1] * 3)
+
+
 class Simplify(unittest.TestCase):
     def test_to_a_count_and_to_an_error(self):
         collapses = fd.quadric_collapse(INDICES, BUMPS)
@@ -50,6 +59,16 @@ class Simplify(unittest.TestCase):
         self.assertFalse(np.array_equal(moved.positions, BUMPS))
         coloured = fd.quadric_collapse(INDICES, BUMPS, [(np.arange(len(BUMPS)) % 5, 2.0)], least=300)
         self.assertFalse(np.array_equal(coloured.collapses[:50], collapses.collapses[:50]))
+
+    def test_by_energy(self):
+        places, indices = sheet(5)
+        bumps = places.astype(np.float32).copy()
+        bumps[:, 2] += np.arange(len(bumps)) * 7 % 11 * 0.3
+        collapses = fd.energy_collapse(indices, bumps, least=20, samples=2)
+        few = fd.simplify(indices, bumps, collapses, triangles_left=30)
+        self.assertLessEqual(len(few.indices), 30)
+        with self.assertRaisesRegex(ValueError, "samples=101"):
+            fd.energy_collapse(indices, bumps, samples=101)
 
     def test_what_is_wrong_is_told(self):
         collapses = fd.quadric_collapse(INDICES, BUMPS)

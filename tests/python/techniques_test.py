@@ -95,6 +95,55 @@ class Techniques(unittest.TestCase):
         before, after = self.scene.draws[0], done.scene.draws[0]
         self.assertEqual(after.indices[0, 0], before.vertex_count - 1 - before.indices[0, 0])
 
+    def test_remeshers_answer_with_sources(self):
+        @fd.remesher("half", provides="welded")
+        def half(draw):
+            left = draw.indices[: draw.triangle_count // 2]
+            vertex_from, indices = np.unique(left, return_inverse=True)
+            return indices.reshape(left.shape), vertex_from
+
+        fd.add(half, context=self.context)
+        before = self.scene.draws[0]
+        after = fd.optimize(self.scene, "half", context=self.context).scene.draws[0]
+        self.assertEqual(after.triangle_count, before.triangle_count // 2)
+        self.assertLess(after.vertex_count, before.vertex_count)
+        for semantic, values in after.streams.items():
+            np.testing.assert_array_equal(
+                values[after.indices], before.streams[semantic][before.indices[: after.triangle_count]]
+            )
+
+        def wrong(answer, **said):
+            context = fd.Context()
+            fd.add(fd.remesher("wrong", **said)(lambda draw: answer(draw)), context=context)
+            with self.assertRaises(fd.Error) as caught:
+                fd.optimize(self.scene, "wrong", context=context)
+            return str(caught.exception)
+
+        self.assertIn("an index to vertex 3", wrong(lambda draw: ([0, 1, 3], [0, 1, 2])))
+        self.assertIn("at most 3225", wrong(lambda draw: ([0, 1, 2], np.zeros(3226, int))))
+        lossless = wrong(lambda draw: (draw.indices[1:], np.arange(draw.vertex_count)), lossless=True)
+        self.assertIn("other triangles than before", lossless)
+
+    def test_overdraw_is_counted_for_who_asks(self):
+        counts = {}
+
+        @fd.orderer("asks", uses_overdraw=True)
+        def asks(draw):
+            there, backwards = np.arange(draw.triangle_count), np.arange(draw.triangle_count)[::-1]
+            counts.update(there=draw.count_overdraw(), same=draw.count_overdraw(there))
+            counts["backwards"] = draw.count_overdraw(backwards)
+            for odd in [there[:-1], np.zeros(draw.triangle_count, int)]:
+                with self.assertRaises(ValueError):
+                    draw.count_overdraw(odd)
+            return backwards
+
+        fd.add(asks, context=self.context)
+        fd.optimize(self.scene, "asks", context=self.context)
+        self.assertEqual(counts["there"], counts["same"])
+        self.assertEqual(counts["there"][1], counts["backwards"][1])
+        self.assertNotEqual(counts["there"][0], counts["backwards"][0])
+        self.assertIn("uses_overdraw=True", failing(lambda draw: draw.count_overdraw()))
+
     def test_wrong_ones_are_not_added(self):
         with self.assertRaisesRegex(fd.Error, "already a plugin 'tipsify'"):
             fd.add(fd.orderer("tipsify")(radial.function), context=self.context)

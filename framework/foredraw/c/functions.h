@@ -84,6 +84,21 @@ int foredraw_order_of_clusters(uint32_t* order, const uint32_t* offsets, uint32_
  * others there are. `order` has room for vertex_count numbers. */
 int foredraw_vertex_fetch(uint32_t* order, uint32_t* used_count, const foredraw_triangles* triangles);
 
+/* Shells, for passes that draw back faces alone. */
+
+enum {
+  FOREDRAW_SHELL_CLOSED = 0, /* and right side out: who stands outside sees no back face before a front one */
+  FOREDRAW_SHELL_OPEN,       /* an edge stands more often one way than the other */
+  FOREDRAW_SHELL_FLAT,       /* its walls lie on each other */
+  FOREDRAW_SHELL_INSIDE_OUT, /* it shows its backs */
+  FOREDRAW_SHELL_TURNED      /* a part of it shows its back: it passes through itself, or is partly inside out */
+};
+
+/* Of each triangle what its shell is: index_count / 3 numbers of the enum above. Triangles of closed ones, put first in
+ * their draw, are what a second depth pass draws. Vertices at one position are one. Triangles with a position that is
+ * not finite are open. */
+int foredraw_shell_kinds(uint8_t* kinds, const foredraw_triangles* triangles, const foredraw_positions* positions);
+
 /* Orders applied. */
 
 /* The indices in that order of their triangles, with as many bytes each as they have. */

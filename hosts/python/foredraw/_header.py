@@ -10,6 +10,7 @@ LOOKAHEAD_FAST, LOOKAHEAD_BALANCED, LOOKAHEAD_HIGH = range(1, 4)
 LOOKAHEAD_ROBUST, LOOKAHEAD_FIFO, LOOKAHEAD_NVIDIA, LOOKAHEAD_AMD, LOOKAHEAD_INTEL = range(1, 6)
 
 OCCLUSION_FAST, OCCLUSION_BALANCED, OCCLUSION_HIGH = range(1, 4)
+SHELL_CLOSED, SHELL_OPEN, SHELL_FLAT, SHELL_INSIDE_OUT, SHELL_TURNED = range(5)
 WRAP_REPEAT, WRAP_MIRRORED, WRAP_CLAMPED = range(3)
 UV_FLOAT32, UV_FLOAT16, UV_UNORM16 = range(3)
 TRIMMED, RECTANGLE, EMPTY, FULL, NO_SAVING = range(5)
@@ -217,7 +218,8 @@ class Draw(Structure):
 
 
 # What a technique is, and what its options are of.
-TRIANGLE_ORDERER, VERTEX_ORDERER, CLUSTERER, EVALUATOR = range(1, 5)
+TRIANGLE_ORDERER, VERTEX_ORDERER, CLUSTERER, EVALUATOR, REMESHER = range(1, 6)
+LOSSLESS, USES_OVERDRAW = 1, 2
 BOOLEAN, INTEGER, NUMBER, TEXT, CHOICE = range(1, 6)
 
 
@@ -244,7 +246,12 @@ class Metric(Structure):
 
 
 class Answer(Structure):
-    _fields_ = [("values", POINTER(c_uint32)), ("count", c_uint64)]
+    _fields_ = [
+        ("values", POINTER(c_uint32)),
+        ("count", c_uint64),
+        ("vertex_from", POINTER(c_uint32)),
+        ("vertex_count", c_uint64),
+    ]
 
 
 class Host(Structure):
@@ -259,6 +266,7 @@ class Host(Structure):
         ("note", CFUNCTYPE(None, c_void_p, c_char_p, c_char_p)),
         ("count", CFUNCTYPE(None, c_void_p, c_char_p, c_double)),
         ("measure", CFUNCTYPE(None, c_void_p, c_char_p, c_double, c_double, c_double)),
+        ("count_overdraw", CFUNCTYPE(c_int, c_void_p, POINTER(c_uint32), POINTER(c_uint64), POINTER(c_uint64))),
     ]
 
 
@@ -282,6 +290,10 @@ class Plugin(Structure):
         ("runs_on_many_threads", c_uint32),
         ("user", c_void_p),
         ("run", Run),
+        ("acts_on", c_char_p),
+        ("pays_if", c_char_p),
+        ("flags", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -298,7 +310,7 @@ class Module(Structure):
 
 
 # The version of modules.
-MODULE_MAJOR, MODULE_MINOR = 1, 0
+MODULE_MAJOR, MODULE_MINOR = 1, 1
 
 _places = POINTER(Positions)
 _triangles, _text, _pointer = POINTER(Triangles), POINTER(Text), POINTER(c_void_p)
@@ -323,6 +335,11 @@ PROTOTYPES = {
         c_int,
         [POINTER(Collapses), _triangles, _places, POINTER(WeightedAttribute), c_uint32, c_uint32],
     ),
+    "energy_collapse": (
+        c_int,
+        [POINTER(Collapses), _triangles, _places, POINTER(WeightedAttribute), c_uint32, c_uint32, c_uint32, c_uint64],
+    ),
+    "shell_kinds": (c_int, [c_void_p, _triangles, _places]),
     "simplify": (
         c_int,
         [c_void_p, c_void_p, POINTER(Simplified), _triangles, _places, POINTER(Collapses), c_uint32, c_double],

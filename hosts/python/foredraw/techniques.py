@@ -1,7 +1,8 @@
-"""Techniques written in Python: orderers, clusterers and evaluators, which pipelines name like the built-in ones."""
+"""Techniques written in Python: orderers, clusterers, remeshers and evaluators, which pipelines name like the built-in
+ones."""
 
 import traceback
-from ctypes import byref, c_char_p, sizeof
+from ctypes import POINTER, byref, c_char_p, c_uint32, c_uint64, sizeof
 from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -94,12 +95,30 @@ class HandedDraw(LentDraw):
         draw = self._triangles
         return lent(None, draw.cluster_offsets, np.uint32, (draw.cluster_count + 1 if draw.cluster_count else 0,))
 
+    def count_overdraw(self, order: Any = None) -> Tuple[int, int]:
+        """Fragments that are shaded, and those that stay, over all views of the pipeline, where the triangles of this
+        draw alone are drawn in an order, ``order[new] = old``; None: as they stand. What is seen is captured at the
+        first call. Of orderers and evaluators that are decorated with `uses_overdraw`."""
+        shaded, visible, first = c_uint64(), c_uint64(), None
+        if order is not None:
+            given = numbers(order, "the order")
+            if len(given) != self.triangle_count:
+                raise ValueError(f"the order has {len(given)} numbers, but there are {self.triangle_count} triangles")
+            first = given.ctypes.data_as(POINTER(c_uint32))
+        status = self._host.count_overdraw(self._host.self, first, byref(shaded), byref(visible))
+        if status == c.MISTAKE:
+            raise ValueError("decorate an orderer of triangles or an evaluator with uses_overdraw=True to ask for it")
+        if status != c.DONE:
+            raise ValueError(library().status_text(status).decode())
+        return shaded.value, visible.value
+
 
 class Technique:
     """A function with the name and the options that pipelines know it by. :func:`add` makes it known to them."""
 
     def __init__(self, kind: int, name: str, function: Callable[..., Any], options: Sequence[Option],
-                 metrics: Sequence[Metric], traits: Tuple[str, str, str], reference: str) -> None:
+                 metrics: Sequence[Metric], traits: Tuple[str, str, str], reference: str, acts_on: str = "",
+                 pays_if: str = "", flags: int = 0) -> None:
         self.name, self.function, self.options = name, function, tuple(options)
         self._kind = kind
         summary = (function.__doc__ or name).strip().splitlines()[0]
@@ -108,7 +127,7 @@ class Technique:
             sizeof(c.Plugin), kind, *map(_bytes, (name, summary, reference, *traits)),
             (c.Option * len(options))(*map(_option, options, self._choices)),
             (c.Metric * len(metrics))(*(c.Metric(*map(_bytes, one[:3]), one.higher_is_better) for one in metrics)),
-            len(options), len(metrics), 0, None, c.Run(self._run),
+            len(options), len(metrics), 0, None, c.Run(self._run), _bytes(acts_on), _bytes(pays_if), flags, 0,
         )
 
     def __call__(self, *arguments: Any, **named: Any) -> Any:
@@ -124,6 +143,8 @@ class Technique:
                 return c.CANCELLED
             if self._kind == c.EVALUATOR:
                 _tell(found, told)
+            elif self._kind == c.REMESHER:
+                _write_remesh(*found, answer.contents)
             else:
                 _write(numbers(found, "the answer"), answer.contents)
             return c.DONE
@@ -147,9 +168,12 @@ def add(technique: Technique, *, context: Optional[Context] = None) -> Technique
 
 def _maker(kind: int, doc: str) -> Callable[..., Callable[[Callable[..., Any]], Technique]]:
     def decorator(name: str, options: Sequence[Option] = (), *, metrics: Sequence[Metric] = (), needs: str = "",
-                  provides: str = "", breaks: str = "",
-                  reference: str = "own") -> Callable[[Callable[..., Any]], Technique]:
-        return lambda function: Technique(kind, name, function, options, metrics, (needs, provides, breaks), reference)
+                  provides: str = "", breaks: str = "", reference: str = "own", acts_on: str = "", pays_if: str = "",
+                  lossless: bool = False,
+                  uses_overdraw: bool = False) -> Callable[[Callable[..., Any]], Technique]:
+        flags = (c.LOSSLESS if lossless else 0) | (c.USES_OVERDRAW if uses_overdraw else 0)
+        return lambda function: Technique(kind, name, function, options, metrics, (needs, provides, breaks), reference,
+                                          acts_on, pays_if, flags)
 
     decorator.__doc__ = doc
     return decorator
@@ -168,6 +192,14 @@ _PARAMETERS = """
     needs, provides, breaks : str
         Traits with blanks between, such as "clustered": without which a plan is refused; that hold afterwards; that may
         hold no longer.
+    acts_on : str
+        Traits; draws without them are skipped.
+    pays_if : str
+        Where it may raise :class:`Keep`: when there is something to gain.
+    lossless : bool
+        A remesher that draws the same triangles with the same vertex data: it is certified.
+    uses_overdraw : bool
+        An orderer of triangles or an evaluator that calls ``draw.count_overdraw``.
     """
 
 orderer = _maker(c.TRIANGLE_ORDERER, "Decorate a function that answers with an order of a draw's triangles, "
@@ -176,6 +208,9 @@ vertex_orderer = _maker(c.VERTEX_ORDERER, "Decorate a function that answers with
                                           "``order[new] = old``." + _PARAMETERS)
 clusterer = _maker(c.CLUSTERER, "Decorate a function that answers with offsets into a draw's triangles, from 0 to "
                                 "their number." + _PARAMETERS)
+remesher = _maker(c.REMESHER, "Decorate a function that answers with other triangles of a draw's vertices: indices of "
+                              "the new vertices, three a triangle, and ``vertex_from[new] = old``, of which every "
+                              "attribute is copied. There may be no more of either than before." + _PARAMETERS)
 evaluator = _maker(c.EVALUATOR, "Decorate a function that answers with a dict of figures: a count, or (numerator, "
                                 "denominator), or these and a standard error." + _PARAMETERS)
 
@@ -209,6 +244,13 @@ def _write(found: np.ndarray, answer: c.Answer) -> None:
     if len(found) > 0:
         np.ctypeslib.as_array(answer.values, (len(found),))[:] = found
     answer.count = len(found)
+
+
+def _write_remesh(indices: Any, vertex_from: Any, answer: c.Answer) -> None:
+    vertices = c.Answer(answer.vertex_from, answer.vertex_count)
+    _write(numbers(np.asarray(indices).reshape(-1), "the indices"), answer)
+    _write(numbers(vertex_from, "vertex_from"), vertices)
+    answer.vertex_count = vertices.count
 
 
 def _tell(figures: dict, host: c.Host) -> None:
