@@ -1,9 +1,9 @@
 #include <foredraw/pipeline/private/line_scanner.h>
 
+#include <foredraw/pipeline/private/toml.h>
 #include <foredraw/pipeline/private/words.h>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 
@@ -29,15 +29,12 @@ std::string with_leading_zero(std::string word) {
 }
 
 OptionValue value_of_word(const std::string& word) {
-  try {
-    const toml::table table = toml::parse("value = " + with_leading_zero(word));
-    const toml::node& node = *table.get("value");
-    if (const auto* truth = node.as_boolean()) return truth->get();
-    if (const auto* whole = node.as_integer()) return whole->get();
-    if (const auto* number = node.as_floating_point()) return number->get();
-  } catch (const toml::parse_error&) {
-    // Then it is a text.
-  }
+  const toml::parse_result read = toml::parse("value = " + with_leading_zero(word));
+  if (!read) return word;
+  const toml::node& node = *read.table().get("value");
+  if (const auto* truth = node.as_boolean()) return truth->get();
+  if (const auto* whole = node.as_integer()) return whole->get();
+  if (const auto* number = node.as_floating_point()) return number->get();
   return word;
 }
 
@@ -199,14 +196,11 @@ class Scanner {
       return std::nullopt;
     }
     ++next_;
-    try {
-      const toml::table table = toml::parse(fmt::format("text = {}", text_.substr(begin, next_ - begin)));
-      return table.get("text")->value<std::string>();
-    } catch (const toml::parse_error& problem) {
-      diagnostics_.error(where, "syntax",
-                         fmt::format("the quoted text that begins here cannot be read: {}", problem.description()));
-      return std::nullopt;
-    }
+    const toml::parse_result read = toml::parse(fmt::format("text = {}", text_.substr(begin, next_ - begin)));
+    if (read) return read.table().get("text")->value<std::string>();
+    diagnostics_.error(where, "syntax",
+                       fmt::format("the quoted text that begins here cannot be read: {}", read.error().description()));
+    return std::nullopt;
   }
 
   std::string_view text_;

@@ -1,9 +1,9 @@
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/private/line_scanner.h>
+#include <foredraw/pipeline/private/toml.h>
 #include <foredraw/pipeline/private/words.h>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <tuple>
@@ -54,9 +54,11 @@ class FileReader {
   Pipeline read_pipeline(const toml::table& root) {
     check_version(root);
     const auto words = pipeline_words();
-    Pipeline pipeline = words.read(
-        fitted(root, words.specs(),
-               {"pipeline", "stages", "measure", "compare", "views", "poses", "subjects", "frames", "services"}, ""));
+    Pipeline pipeline = words.read(fitted(
+        root, words.specs(),
+        {"pipeline", "stages", "measure", "compare", "views", "poses", "subjects", "frames", "services", "modules"},
+        ""));
+    pipeline.modules = read_modules(root);
     pipeline.stages = read_list(root, "stages", "stages");
     pipeline.measure = read_list(root, "measure", "measure");
     if (const toml::table* table = table_in(root, "views")) {
@@ -182,6 +184,30 @@ class FileReader {
     return stages;
   }
 
+  std::vector<ModuleDemand> read_modules(const toml::table& root) {
+    std::vector<ModuleDemand> modules;
+    const toml::node* node = root.get("modules");
+    if (node == nullptr) return modules;
+    constexpr std::string_view such_as = "such as modules = [\"acme\", \"beta >= 1.2\"]";
+    if (!node->is_array()) {
+      wrong_kind(*node, "", "'modules'", "a list", std::string(such_as));
+      return modules;
+    }
+    const toml::array& list = *node->as_array();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Where where = at(list[i].source(), fmt::format("modules[{}]", i));
+      const auto* text = list[i].as_string();
+      auto demand = text == nullptr ? std::nullopt : module_demand(text->get());
+      if (!demand) {
+        error(where, "bad-value", "a module must be a vendor, and the least version behind >=", std::string(such_as));
+        continue;
+      }
+      demand->where = where;
+      modules.push_back(std::move(*demand));
+    }
+    return modules;
+  }
+
   std::optional<Stage> read_stage(const toml::node& node, const std::string& inside) {
     if (const auto* text = node.as_string()) return read_stage_text(text->get(), node.source(), inside);
     if (const auto* table = node.as_table()) return read_stage_table(*table, inside);
@@ -259,12 +285,12 @@ std::optional<std::vector<NamedPipeline>> parse_branches(std::string_view text, 
   }
   Diagnostics found;
   std::vector<NamedPipeline> branches;
-  try {
-    branches = FileReader(name, found).read(toml::parse(text, std::string_view(name)));
-  } catch (const toml::parse_error& problem) {
-    const toml::source_position place = problem.source().begin;
+  if (const toml::parse_result root = toml::parse(text)) {
+    branches = FileReader(name, found).read(root.table());
+  } else {
+    const toml::source_position place = root.error().source().begin;
     found.error({name, static_cast<int>(place.line), static_cast<int>(place.column), {}}, "syntax",
-                std::string(problem.description()), "the file is not valid TOML; see https://toml.io");
+                std::string(root.error().description()), "the file is not valid TOML; see https://toml.io");
   }
   for (const Diagnostic& diagnostic : from_the_top(found.all())) diagnostics.add(diagnostic);
   if (found.has_errors()) return std::nullopt;

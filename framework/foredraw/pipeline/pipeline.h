@@ -4,6 +4,7 @@
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/frames/camera_path.h>
+#include <foredraw/pipeline/module_demand.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/technique/options.h>
 #include <foredraw/viewing/pose_set.h>
@@ -40,11 +41,12 @@ struct Pipeline {
   std::string about;
   std::vector<Stage> stages;
   std::vector<Stage> measure;
-  ViewSet views;                  ///< what orders are optimised for
-  PoseSet poses;                  ///< and in which poses
-  SubjectChoice subjects;         ///< and what is seen as one there
-  FrameSet frames;                ///< through which evaluators walk
-  std::optional<Stage> overdraw;  ///< [services]: who answers for measured overdraw
+  std::vector<ModuleDemand> modules;  ///< that have to be loaded
+  ViewSet views;                      ///< what orders are optimised for
+  PoseSet poses;                      ///< and in which poses
+  SubjectChoice subjects;             ///< and what is seen as one there
+  FrameSet frames;                    ///< through which evaluators walk
+  std::optional<Stage> overdraw;      ///< [services]: who answers for measured overdraw
   std::int64_t seed = 0;
 
   Where views_where{.inside = "views"};  ///< in the text

@@ -32,6 +32,7 @@ class Planner {
     }
     walk_frames_of(plan.pipeline.frames, plan.pipeline.measure, registry_);
     const Pipeline& pipeline = plan.pipeline;
+    check_demands(pipeline.modules, registry_, diagnostics_);
     plan.products = registry_.products();
     auto views = views_of(pipeline.views);
     if (const auto* mistake = std::get_if<std::string>(&views)) {
@@ -49,7 +50,7 @@ class Planner {
     }
     add_stages(pipeline.stages, false, plan.stages);
     add_stages(pipeline.measure, true, plan.measures);
-    plan.overdraw = overdraw_service(pipeline, plan.stages);
+    plan.overdraw = overdraw_service(pipeline, plan);
     plan.loans = std::move(loans_);
     for (const auto* stages : {&plan.stages, &plan.measures}) {
       for (const PlannedStage& stage : *stages) add_module_of(stage, plan.modules);
@@ -262,11 +263,19 @@ class Planner {
     for (const std::string& trait : card.provides) provider_[trait] = card.name;
   }
 
-  std::shared_ptr<const OverdrawService> overdraw_service(const Pipeline& pipeline,
-                                                          const std::vector<PlannedStage>& stages) {
+  static const PlannedStage* user_of_overdraw(const Plan& plan) {
+    for (const auto* stages : {&plan.stages, &plan.measures}) {
+      for (const PlannedStage& stage : *stages) {
+        if (stage.plugin->card.uses_overdraw) return &stage;
+      }
+    }
+    return nullptr;
+  }
+
+  std::shared_ptr<const OverdrawService> overdraw_service(const Pipeline& pipeline, const Plan& plan) {
     if (pipeline.overdraw) return service_of(*pipeline.overdraw);
-    const auto user = std::ranges::find_if(stages, [](const PlannedStage& s) { return s.plugin->card.uses_overdraw; });
-    if (user == stages.end()) return nullptr;
+    const PlannedStage* user = user_of_overdraw(plan);
+    if (user == nullptr) return nullptr;
     // An exact one, so that orders do not hang on what else a build or a machine has; others where there is none.
     std::vector<const Plugin*> answering = registry_.all();
     std::stable_partition(answering.begin(), answering.end(), [](const Plugin* plugin) { return plugin->exact; });

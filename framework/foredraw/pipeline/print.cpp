@@ -52,6 +52,14 @@ std::string list_in_file(const std::string& name, const std::vector<Stage>& stag
   return text + "]\n";
 }
 
+std::string modules_in_file(const std::vector<ModuleDemand>& modules) {
+  std::string text;
+  for (const ModuleDemand& demand : modules) {
+    text += (text.empty() ? "" : ", ") + to_text(OptionValue(to_text(demand)), true);
+  }
+  return "modules = [" + text + "]\n";
+}
+
 std::string views_in_file(const ViewSet& views) {
   const ViewSet usual;
   std::string text = "\n[views]\n";
@@ -92,6 +100,7 @@ std::string print_file(const Pipeline& pipeline) {
   std::string text = "pipeline = 1\n";
   if (!pipeline.about.empty()) text += row_in_file("about", pipeline.about) + '\n';
   if (pipeline.seed != 0) text += row_in_file("seed", pipeline.seed) + '\n';
+  if (!pipeline.modules.empty()) text += modules_in_file(pipeline.modules);
   text += list_in_file("stages", pipeline.stages);
   if (!pipeline.measure.empty()) text += list_in_file("measure", pipeline.measure);
   if (pipeline.views != ViewSet{}) text += views_in_file(pipeline.views);

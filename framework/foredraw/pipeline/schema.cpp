@@ -116,6 +116,10 @@ std::string pipeline_schema(const Registry& registry) {
                            {"description", "Several pipelines in one file: each runs the stages, then its own"},
                            {"minProperties", 1},
                            {"additionalProperties", list_of("any_stage", "What this pipeline runs after the stages")}};
+  properties["modules"] = {
+      {"type", "array"},
+      {"items", {{"type", "string"}, {"pattern", "^\\s*[a-z0-9]+\\s*(>=\\s*[0-9]+(\\.[0-9]+)*\\s*)?$"}}},
+      {"description", "Modules that have to be loaded: \"acme\", \"acme >= 1.2\". A pipeline loads none itself"}};
   properties["views"] = closed_table(properties_of(view_words().specs()));
   properties["views"]["description"] = "The views that orders are optimised for";
   properties["poses"] = closed_table(properties_of(pose_words().specs()));

@@ -1,59 +1,83 @@
 #include <foredraw/report/figure_rows.h>
 #include <foredraw/report/fronts.h>
-#include <foredraw/report/private/json_values.h>
+#include <foredraw/report/private/report_json.h>
 
 namespace foredraw {
 
 namespace {
 
-Json value_of(const Figure* figure) { return figure == nullptr ? Json(nullptr) : json_of(figure->value()); }
+void write(JsonWriter& out, const Figure* figure) { figure == nullptr ? out.null() : out.value(figure->value()); }
 
-Json json_of(const Branch& branch) {
-  Json json{{"name", branch.name}};
-  json["seconds"] = branch.is_lost ? Json(nullptr) : Json(stages_seconds(branch.report));
-  if (branch.is_lost) json["lost"] = true;
-  json["report"] = Json::parse(to_json(branch.report));
-  return json;
+void write(JsonWriter& out, const Branch& branch) {
+  out.begin('{');
+  out.key("name").value(branch.name);
+  out.key("seconds");
+  branch.is_lost ? out.null() : out.value(stages_seconds(branch.report));
+  if (branch.is_lost) out.key("lost").value(true);
+  write(out.key("report"), branch.report);
+  out.end('}');
 }
 
-Json json_of(const FigureRow& row) {
+void write(JsonWriter& out, const FigureRow& row) {
   bool lower_is_better = true;
-  Json values = Json::array();
   for (const Figure* figure : row.branches) {
-    values.push_back(value_of(figure));
     if (figure != nullptr) lower_is_better = figure->lower_is_better;
   }
-  return {{"evaluator", row.evaluator},
-          {"metric", row.metric},
-          {"lower-is-better", lower_is_better},
-          {"input", value_of(row.input)},
-          {"values", std::move(values)}};
+  out.begin('{');
+  out.key("evaluator").value(row.evaluator);
+  out.key("metric").value(row.metric);
+  out.key("lower-is-better").value(lower_is_better);
+  write(out.key("input"), row.input);
+  out.key("values").begin('[');
+  for (const Figure* figure : row.branches) write(out, figure);
+  out.end(']');
+  out.end('}');
 }
 
-Json json_of(const Comparison& comparison) {
-  Json json{{"input", {{"path", comparison.input.path}, {"bytes", comparison.input.bytes}}}};
-  if (comparison.is_lost()) json["lost"] = true;
-  json["branches"] = Json::array();
-  for (const Branch& branch : comparison.branches) json["branches"].push_back(json_of(branch));
-  json["metrics"] = Json::array();
-  for (const FigureRow& row : total_rows(comparison)) json["metrics"].push_back(json_of(row));
-  json["fronts"] = Json::array();
-  for (const Front& front : fronts_of(comparison)) {
-    json["fronts"].push_back({{"x", front.x}, {"y", front.y}, {"branches", front.branches}});
-  }
-  return json;
+void write(JsonWriter& out, const Front& front) {
+  out.begin('{');
+  out.key("x").value(front.x);
+  out.key("y").value(front.y);
+  out.key("branches").begin('[');
+  for (const std::size_t branch : front.branches) out.value(branch);
+  out.end(']');
+  out.end('}');
+}
+
+void write(JsonWriter& out, const Comparison& comparison) {
+  out.begin('{');
+  out.key("input").begin('{');
+  out.key("path").value(comparison.input.path);
+  out.key("bytes").value(comparison.input.bytes);
+  out.end('}');
+  if (comparison.is_lost()) out.key("lost").value(true);
+  out.key("branches").begin('[');
+  for (const Branch& branch : comparison.branches) write(out, branch);
+  out.end(']');
+  out.key("metrics").begin('[');
+  for (const FigureRow& row : total_rows(comparison)) write(out, row);
+  out.end(']');
+  out.key("fronts").begin('[');
+  for (const Front& front : fronts_of(comparison)) write(out, front);
+  out.end(']');
+  out.end('}');
 }
 
 }  // namespace
 
 std::string to_json(std::span<const Comparison> comparisons, const std::string& since, const Comparison* all) {
-  Json json{{"comparison", 1}, {"files", Json::array()}};
-  for (const Comparison& comparison : comparisons) json["files"].push_back(json_of(comparison));
   const auto sum = all == nullptr ? sum_of(comparisons) : std::nullopt;
   if (sum) all = &*sum;
-  if (all != nullptr) json["all"] = json_of(*all);
-  if (!since.empty()) json["since"] = Json::parse(since);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json_text([&](JsonWriter& out) {
+    out.begin('{');
+    out.key("comparison").value(1);
+    out.key("files").begin('[');
+    for (const Comparison& comparison : comparisons) write(out, comparison);
+    out.end(']');
+    if (all != nullptr) write(out.key("all"), *all);
+    if (!since.empty()) out.key("since").json(since);
+    out.end('}');
+  });
 }
 
 }  // namespace foredraw

@@ -1,7 +1,10 @@
 #include <foredraw/report/private/json_writer.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace foredraw {
 
@@ -33,7 +36,7 @@ void JsonWriter::text(std::string_view text) {
     waiting_ += text;
     waiting_ += '"';
   } else {
-    waiting_ += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    waiting_ += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
 }
 
@@ -62,42 +65,33 @@ void JsonWriter::end(char bracket) {
   is_first_ = false;
 }
 
-void JsonWriter::value(double number) {
+void JsonWriter::plain(std::string_view word) {
   place();
-  if (!std::isfinite(number)) {
-    waiting_ += "null";
-    return;
-  }
+  waiting_ += word;
+}
+
+void JsonWriter::value(double number) {
+  if (!std::isfinite(number)) return null();
+  place();
   std::array<char, 64> digits;  // as Json::dump() makes them
   const char* const end = nlohmann::detail::to_chars(digits.data(), digits.data() + digits.size(), number);
   waiting_.append(static_cast<const char*>(digits.data()), end);
 }
 
-void JsonWriter::value(std::uint64_t number) {
-  place();
-  waiting_ += std::to_string(number);
-}
+void JsonWriter::value(std::uint64_t number) { plain(std::to_string(number)); }
+void JsonWriter::value(std::int64_t number) { plain(std::to_string(number)); }
 
 void JsonWriter::value(std::string_view string) {
   place();
   text(string);
 }
 
-void JsonWriter::tree(const Json& json) {
-  switch (json.type()) {
-    case Json::value_t::object:
-      begin('{');
-      for (const auto& [name, member] : json.items()) key(name).tree(member);
-      end('}');
-      break;
-    case Json::value_t::array:
-      begin('[');
-      for (const Json& element : json) tree(element);
-      end(']');
-      break;
-    case Json::value_t::string: value(std::string_view(json.get_ref<const std::string&>())); break;
-    case Json::value_t::number_float: value(json.get<double>()); break;
-    default: place(); waiting_ += json.dump();
+void JsonWriter::json(std::string_view text) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  place();
+  for (const char c : text) {
+    waiting_ += c;
+    if (c == '\n') waiting_.append(2 * depth_, ' ');
   }
 }
 
@@ -105,6 +99,38 @@ void JsonWriter::finish() {
   waiting_ += '\n';
   put_(waiting_);
   waiting_.clear();
+}
+
+namespace {
+
+struct PutValue {
+  JsonWriter& out;
+  void operator()(std::monostate) const { out.null(); }
+  void operator()(const auto& value) const { out.value(value); }
+};
+
+}  // namespace
+
+void write(JsonWriter& out, const OptionValue& value) { std::visit(PutValue{out}, value); }
+
+void write(JsonWriter& out, const Diagnostic& diagnostic) {
+  out.begin('{');
+  out.key("severity").value(to_text(diagnostic.severity));
+  out.key("code").value(diagnostic.code);
+  out.key("message").value(diagnostic.message);
+  out.key("hint").value(diagnostic.hint);
+  out.key("file").value(diagnostic.where.file);
+  out.key("line").value(diagnostic.where.line);
+  out.key("column").value(diagnostic.where.column);
+  out.key("inside").value(diagnostic.where.inside);
+  out.key("places").value(diagnostic.places);
+  out.end('}');
+}
+
+void write(JsonWriter& out, const std::vector<Diagnostic>& diagnostics) {
+  out.begin('[');
+  for (const Diagnostic& diagnostic : diagnostics) write(out, diagnostic);
+  out.end(']');
 }
 
 }  // namespace foredraw

@@ -1,6 +1,4 @@
-#include <foredraw/report/private/attachment_json.h>
-#include <foredraw/report/private/json_writer.h>
-#include <foredraw/report/report.h>
+#include <foredraw/report/private/report_json.h>
 
 #include <algorithm>
 #include <array>
@@ -108,96 +106,144 @@ void write(JsonWriter& out, const DrawRecord& draw, bool optimized) {
   out.end('}');
 }
 
-Json to_json(const std::vector<AttachmentRecord>& attachments) {
-  Json json = Json::array();
-  for (const AttachmentRecord& attachment : attachments) json.push_back(json_of(attachment));
-  return json;
+void write(JsonWriter& out, const std::vector<AttachmentRecord>& attachments) {
+  out.begin('[');
+  for (const AttachmentRecord& attachment : attachments) write(out, attachment);
+  out.end(']');
 }
 
-Json to_json(const StageRecord& stage) {
-  Json skipped = Json::array();
-  for (const SkipRecord& skip : stage.skipped) {
-    skipped.push_back({{"code", skip.code}, {"reason", skip.reason}, {"places", skip.about}});
+void write(JsonWriter& out, const SkipRecord& skip) {
+  out.begin('{');
+  out.key("code").value(skip.code);
+  out.key("reason").value(skip.reason);
+  out.key("places").begin('[');
+  for (const std::string& place : skip.about) out.value(place);
+  out.end(']');
+  out.end('}');
+}
+
+void write(JsonWriter& out, const NoteRecord& note) {
+  out.begin('{');
+  out.key("place").value(note.about);
+  out.key("code").value(note.code);
+  out.key("message").value(note.message);
+  out.end('}');
+}
+
+void write(JsonWriter& out, const StageRecord& stage) {
+  out.begin('{');
+  out.key("use").value(stage.use);
+  out.key("text").value(stage.text);
+  out.key("kind").value(to_text(stage.kind));
+  out.key("seconds").value(stage.seconds);
+  out.key("places").value(stage.loops_over);
+  out.key("changed").value(stage.changed);
+  out.key("candidates").value(stage.candidates);
+  out.key("skipped").begin('[');
+  for (const SkipRecord& skip : stage.skipped) write(out, skip);
+  out.end(']');
+  out.key("notes").begin('[');
+  for (const NoteRecord& note : stage.notes) write(out, note);
+  out.end(']');
+  if (stage.from_cache) out.key("cached").value(true);
+  if (!stage.rounds.empty()) {
+    out.key("rounds").begin('[');
+    for (const double seconds : stage.rounds) out.value(seconds);
+    out.end(']');
   }
-  Json notes = Json::array();
-  for (const NoteRecord& note : stage.notes) {
-    notes.push_back({{"place", note.about}, {"code", note.code}, {"message", note.message}});
+  if (stage.memory) out.key("memory").value(*stage.memory);
+  if (!stage.attachments.empty()) write(out.key("attachments"), stage.attachments);
+  if (!stage.attachments_before.empty()) {
+    out.key("before").begin('{');
+    write(out.key("attachments"), stage.attachments_before);
+    out.end('}');
   }
-  Json json{{"use", stage.use},
-            {"text", stage.text},
-            {"kind", to_text(stage.kind)},
-            {"seconds", stage.seconds},
-            {"places", stage.loops_over},
-            {"changed", stage.changed},
-            {"candidates", stage.candidates},
-            {"skipped", skipped},
-            {"notes", notes}};
-  if (stage.from_cache) json["cached"] = true;
-  if (!stage.rounds.empty()) json["rounds"] = stage.rounds;
-  if (stage.memory) json["memory"] = *stage.memory;
-  if (!stage.attachments.empty()) json["attachments"] = to_json(stage.attachments);
-  if (!stage.attachments_before.empty()) json["before"]["attachments"] = to_json(stage.attachments_before);
-  return json;
+  out.end('}');
 }
 
-Json to_json(const std::vector<StageRecord>& stages) {
-  Json json = Json::array();
-  for (const StageRecord& stage : stages) json.push_back(to_json(stage));
-  return json;
+void write(JsonWriter& out, const std::vector<StageRecord>& stages) {
+  out.begin('[');
+  for (const StageRecord& stage : stages) write(out, stage);
+  out.end(']');
 }
 
-Json to_json(const FileRecord& file) {
-  Json json{{"path", file.path}, {"bytes", file.bytes}};
-  if (!file.hash.empty()) json["hash"] = file.hash;
-  return json;
+void write(JsonWriter& out, const FileRecord& file) {
+  out.begin('{');
+  out.key("path").value(file.path);
+  out.key("bytes").value(file.bytes);
+  if (!file.hash.empty()) out.key("hash").value(file.hash);
+  out.end('}');
 }
 
-Json to_json(const ModuleFile& module) {
-  return {{"path", module.path},     {"bytes", module.bytes},     {"hash", module.hash},
-          {"vendor", module.vendor}, {"version", module.version}, {"runs", module.is_inside ? "inside" : "apart"}};
+void write(JsonWriter& out, const ModuleFile& module) {
+  out.begin('{');
+  out.key("path").value(module.path);
+  out.key("bytes").value(module.bytes);
+  out.key("hash").value(module.hash);
+  out.key("vendor").value(module.vendor);
+  out.key("version").value(module.version);
+  out.key("runs").value(module.is_inside ? "inside" : "apart");
+  out.end('}');
+}
+
+/// What is left out where there is none.
+template <class Row>
+void write_any(JsonWriter& out, std::string_view key, const std::vector<Row>& rows) {
+  if (rows.empty()) return;
+  out.key(key).begin('[');
+  for (const Row& row : rows) write(out, row);
+  out.end(']');
+}
+
+void write_evaluators(JsonWriter& out, const Report& report) {
+  out.begin('{');
+  for (const auto& [name, options] : report.evaluator_options) {
+    out.key(name).begin('{');
+    out.key("options").begin('{');
+    for (const auto& [option, value] : options) write(out.key(option), value);
+    out.end('}');
+    out.end('}');
+  }
+  out.end('}');
 }
 
 }  // namespace
 
-void write_json(const Report& report, const std::function<void(std::string_view)>& put) {
-  JsonWriter out(put);
+void write(JsonWriter& out, const Report& report) {
   out.begin('{');
-  Json head{{"report", report_version}, {"command", report.command}, {"input", to_json(report.input)}};
-  if (!report.output.path.empty()) head["output"] = to_json(report.output);
-  for (const FileRecord& file : report.named) head["named"].push_back(to_json(file));
-  for (const ModuleFile& module : report.modules) head["modules"].push_back(to_json(module));
-  head["pipeline"] = report.pipeline;
-  head["seed"] = report.seed;
-  head["threads"] = report.threads;
-  head["machine"] = report.machine;
-  head["seconds"] = report.seconds;
-  head["peak-memory"] = report.peak_memory;
-  for (const auto& [name, value] : head.items()) out.key(name).tree(value);
+  out.key("report").value(report_version);
+  out.key("command").value(report.command);
+  write(out.key("input"), report.input);
+  if (!report.output.path.empty()) write(out.key("output"), report.output);
+  write_any(out, "named", report.named);
+  write_any(out, "modules", report.modules);
+  out.key("pipeline").value(report.pipeline);
+  out.key("seed").value(report.seed);
+  out.key("threads").value(report.threads);
+  out.key("machine").value(report.machine);
+  out.key("seconds").value(report.seconds);
+  out.key("peak-memory").value(report.peak_memory);
   out.key("totals").begin('{');
   write(out, report.after, report.before, report.optimized);
   out.end('}');
-  Json evaluators = Json::object();
-  for (const auto& [name, options] : report.evaluator_options) {
-    Json& values = evaluators[name]["options"] = Json::object();
-    for (const auto& [option, value] : options) values[option] = json_of(value);
-  }
-  out.key("evaluators").tree(evaluators);
+  write_evaluators(out.key("evaluators"), report);
   out.key("draws").begin('[');
   for (const DrawRecord& draw : report.draws) write(out, draw, report.optimized);
   out.end(']');
-  out.key("stages").tree(to_json(report.stages));
-  out.key("measures").tree(to_json(report.measures));
-  out.key("diagnostics").begin('[');
-  for (const Diagnostic& diagnostic : report.diagnostics) out.tree(json_of(diagnostic));
-  out.end(']');
+  write(out.key("stages"), report.stages);
+  write(out.key("measures"), report.measures);
+  write(out.key("diagnostics"), report.diagnostics);
   out.end('}');
+}
+
+void write_json(const Report& report, const std::function<void(std::string_view)>& put) {
+  JsonWriter out(put);
+  write(out, report);
   out.finish();
 }
 
 std::string to_json(const Report& report) {
-  std::string text;
-  write_json(report, [&](std::string_view piece) { text += piece; });
-  return text;
+  return json_text([&](JsonWriter& out) { write(out, report); });
 }
 
 }  // namespace foredraw
