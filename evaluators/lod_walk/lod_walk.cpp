@@ -59,6 +59,7 @@ class Walker {
       show(frame);
       if (progress) progress(static_cast<double>(frame + 1) / static_cast<double>(path_.size()));
     }
+    if (is_cancelled()) return std::nullopt;  // in the last one
     return std::move(walk_);
   }
 
@@ -231,6 +232,7 @@ class Walker {
     std::vector<FramePicture> pictures(drawn.size());
     FrameTruth truth;
     executor_.for_each(drawn.size() + 1, [&](std::size_t i) {
+      if (is_cancelled()) return;
       if (i == 0) {
         truth = frame_truth(scene_, moment, path_[frame].camera, size_, options_.samples);
         return;
@@ -239,6 +241,7 @@ class Walker {
       renderer.draw(scene_, moment, path_[frame].camera, drawn[i - 1]);
       pictures[i - 1] = renderer.picture();
     });
+    if (is_cancelled()) return;
     walk_.floors.push_back(truth.floor);
     for (std::size_t m = 0; m < drawn.size(); ++m) {
       walk_.methods[m].errors.push_back(picture_error(pictures[m], truth.picture));
@@ -248,6 +251,7 @@ class Walker {
   void add_to_replay(std::size_t frame, const FrameMoment& moment, const std::vector<std::vector<DrawnObject>>& drawn) {
     std::vector<std::vector<std::uint8_t>> pictures(drawn.size());
     executor_.for_each(drawn.size(), [&](std::size_t m) {
+      if (is_cancelled()) return;
       ReferenceRenderer renderer(walk_.replay_size, 2);
       renderer.draw(scene_, moment, path_[frame].camera, drawn[m], FrameStyle::levels);
       pictures[m] = as_rgb(renderer.picture());

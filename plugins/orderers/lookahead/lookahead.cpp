@@ -91,6 +91,10 @@ struct Rival {
   auto operator<=>(const Rival&) const = default;
 };
 
+bool is_cancelled(const LookaheadOptions& options) {
+  return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
+}
+
 /// One walk over the mesh, from fan to fan.
 void walk_through(std::span<std::uint32_t> order, std::span<const std::uint32_t> indices, std::size_t vertex_count,
                   const LookaheadOptions& options, std::pmr::memory_resource& memory) {
@@ -118,7 +122,7 @@ void walk_through(std::span<std::uint32_t> order, std::span<const std::uint32_t>
     rivals.resize(count);
   };
 
-  for (std::size_t drawn = 0; drawn < order.size();) {
+  for (std::size_t drawn = 0; drawn < order.size() && !is_cancelled(options);) {
     rivals.clear();
     for (const std::uint32_t center : walk.promising(static_cast<std::size_t>(effort.candidates), effort.margin)) {
       rivals.push_back({0, rivals.size(), center});
@@ -154,6 +158,7 @@ void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> in
                const LookaheadOptions& options, std::pmr::memory_resource& memory) {
   if (!lookahead_takes(indices.size())) return std::iota(order.begin(), order.end(), 0u);
   walk_through(order, indices, vertex_count, options, memory);
+  if (is_cancelled(options)) return std::iota(order.begin(), order.end(), 0u);
   if (options.quality != LookaheadQuality::high) return;
 
   // Deeper trials mostly find the better order, but not in every mesh: the plainer one is the measure.
@@ -164,6 +169,7 @@ void lookahead(std::span<std::uint32_t> order, std::span<const std::uint32_t> in
   const auto misses = [&](std::span<const std::uint32_t> of) {
     return misses_of(of, indices, vertex_count, cache_of(options), memory);
   };
+  if (is_cancelled(options)) return std::iota(order.begin(), order.end(), 0u);
   if (misses(other) < misses(order)) std::ranges::copy(other, order.begin());
 }
 

@@ -4,6 +4,7 @@
 
 #include <foredraw/analysis/vertex_cache.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory_resource>
 #include <span>
@@ -29,7 +30,8 @@ struct LookaheadOptions {
   int candidates = 0;                                     ///< centres of the next fan that are tried, 0 to 64
   int depth = 0;                                          ///< fans drawn on trial behind each, 0 to 64
   LookaheadTarget target = LookaheadTarget::robust;
-  int cache_size = 16;  ///< entries of the FIFO cache, 3 to 256; the batch models have their own
+  int cache_size = 16;                        ///< entries of the FIFO cache, 3 to 256; the batch models have their own
+  const std::atomic<bool>* cancel = nullptr;  ///< looked at between fans; once it is set, the order stays as it is
 };
 
 /// Whether the size can be had. What enters the cache is counted in 32 bits: every index may, and a batch of

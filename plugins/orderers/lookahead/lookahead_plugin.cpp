@@ -14,8 +14,10 @@ class Lookahead final : public CacheOrderer {
   int cache_size() const override { return static_cast<int>(cache_.cache_size); }
 
  private:
-  IndexOrder order_for_cache(const DrawView& draw, const Run&) const override {
-    return lookahead(draw.indices(), draw.vertex_count(), options_);
+  IndexOrder order_for_cache(const DrawView& draw, const Run& run) const override {
+    LookaheadOptions options = options_;
+    options.cancel = run.cancel;
+    return lookahead(draw.indices(), draw.vertex_count(), options);
   }
   CacheCount count(std::span<const std::uint32_t> indices, std::size_t vertex_count) const override {
     return count_batches(indices, vertex_count, cache_);
