@@ -1,5 +1,5 @@
 // Wherever memory runs out in the library for C, the status says so; nothing leaks, and no exception comes out. Not of
-// what reads TOML or makes JSON: the libraries for these end the program there.
+// what reads and writes glTF, whose trees need memory to be freed.
 
 #include <foredraw/c/foredraw.h>
 
@@ -75,6 +75,66 @@ TEST_F(WithoutMemory, OrdersSayThatItRanOut) {
   const foredraw_positions positions = sheet_.positions();
   std::vector<std::uint32_t> order(triangles.index_count / 3);
   expect_survives([&] { return foredraw_order(context_, "lookahead", &triangles, &positions, order.data(), nullptr); });
+}
+
+/// With what comes of a scene of one draw.
+class RunsWithoutMemory : public WithoutMemory {
+ protected:
+  RunsWithoutMemory() { foredraw_make_scene(context_, &draw_, 1, &scene_, nullptr); }
+  ~RunsWithoutMemory() override { foredraw_scene_free(scene_); }
+
+  void expect_optimize_survives(const char* pipeline) {
+    expect_survives([&] {
+      foredraw_scene* result = nullptr;
+      foredraw_text report{};
+      const int status = foredraw_optimize(context_, scene_, pipeline, &result, &report);
+      if (status == FOREDRAW_DONE) EXPECT_NE(report.data, nullptr);
+      foredraw_scene_free(result);
+      foredraw_text_free(&report);
+      return status;
+    });
+  }
+
+  foredraw_scene* scene_ = nullptr;
+};
+
+TEST_F(RunsWithoutMemory, ReportsOfALineOfStages) { expect_optimize_survives("weld, lookahead, vertex-fetch"); }
+TEST_F(RunsWithoutMemory, ReportsOfALineWithValues) {
+  expect_optimize_survives("weld, lookahead(cache-size=16, quality=fast), vertex-fetch");
+}
+TEST_F(RunsWithoutMemory, ReportsOfAPreset) { expect_optimize_survives("@cache-only"); }
+TEST_F(RunsWithoutMemory, ReportsOfAFile) {
+  expect_optimize_survives("pipeline = 1\nstages = [\"weld\", { use = \"tipsify\", cache-size = 16 }]\n");
+}
+
+TEST_F(RunsWithoutMemory, ReportsOfMistakes) {
+  for (const char* wrong : {"lookahed", "lookahead(cache-size=x)", "pipeline = 1\nstages = [7", "weld(((", "@none"}) {
+    expect_survives([&] {
+      foredraw_text report{};
+      const int status = foredraw_optimize(context_, scene_, wrong, nullptr, &report);
+      foredraw_text_free(&report);
+      return status == FOREDRAW_MISTAKE ? FOREDRAW_DONE : status;
+    });
+  }
+}
+
+TEST_F(RunsWithoutMemory, Figures) {
+  expect_survives([&] {
+    foredraw_text report{};
+    const int status = foredraw_measure(context_, scene_, "vertex-cache", &report);
+    foredraw_text_free(&report);
+    return status;
+  });
+}
+
+TEST_F(RunsWithoutMemory, Comparisons) {
+  const char* pipelines[] = {"weld", "weld, tipsify"};
+  expect_survives([&] {
+    foredraw_text report{};
+    const int status = foredraw_compare(context_, &scene_, 1, pipelines, 2, 1, &report);
+    foredraw_text_free(&report);
+    return status;
+  });
 }
 
 }  // namespace
