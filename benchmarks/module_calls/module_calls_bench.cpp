@@ -80,22 +80,23 @@ struct Square {
 };
 
 void compare_calls(const char* module) {
+  const ModuleLimits limits{.worker = FOREDRAW_WORKER};
   const foredraw_host host{.size = sizeof host, .cancelled = [](void*) { return 0; }};
-  const double start = least_time(21, [&] { ModuleWorkers(module, {}).tables(); });
+  const double start = least_time(21, [&] { ModuleWorkers(module, limits).tables(); });
   fmt::print("a process, begun and ended: {:.1f} ms\n\n", start);
   fmt::print("{:>10}{:>14}{:>14}{:>14}{:>16}\n", "triangles", "apart, ms", "inside, ms", "lookahead, ms",
              "of lookahead");
-  const auto workers = std::make_shared<ModuleWorkers>(module, ModuleLimits{});
+  const auto workers = std::make_shared<ModuleWorkers>(module, limits);
   const LoadedLibrary library(module);
   const foredraw_module& loaded = *library.function<const foredraw_module*()>("foredraw_module_v1")();
-  const RunsApart apart(workers, 0);
+  const RunsApart apart(workers, 0, false);
   const RunsInside inside(*loaded.plugins[0]);
   for (const std::size_t triangles : {100, 1'000, 10'000, 100'000, 1'000'000}) {
     const Square square(triangles);
     const foredraw_draw draw = square.draw();
     std::vector<std::uint32_t> order(draw.triangle_count);
     const auto call = [&](const ForeignRunner& runner) {
-      foredraw_answer answer{order.data(), order.size()};
+      foredraw_answer answer{order.data(), order.size(), nullptr, 0};
       runner.run(draw, {}, answer, host);
     };
     const int times = triangles >= 100'000 ? 41 : 1001;

@@ -32,6 +32,19 @@ struct Outcome {
 
 struct Measurement {};  // the answer of who only measures
 
+/// Loops that end with the next of their tasks where the run is cancelled, so that a technique need not look before
+/// each of them.
+Executor ending_with(const Executor& executor, const std::atomic<bool>* cancel) {
+  if (cancel == nullptr) return executor;
+  return Executor(executor.threads(),
+                  [&executor, cancel](std::size_t count, const std::function<void(std::size_t)>& task) {
+                    executor.for_each(count, [&](std::size_t i) {
+                      if (cancel->load(std::memory_order_relaxed)) throw std::runtime_error("cancelled");
+                      task(i);
+                    });
+                  });
+}
+
 class StageRunner {
  public:
   StageRunner(const PlannedStage& stage, std::size_t number, Scene& scene, const Scene& original, const Plan& plan,
@@ -42,6 +55,7 @@ class StageRunner {
         original_(original),
         plan_(plan),
         surroundings_(surroundings),
+        executor_(ending_with(surroundings.executor, surroundings.cancel)),
         record_(record),
         diagnostics_(diagnostics),
         products_(plan.products, record),
@@ -214,7 +228,7 @@ class StageRunner {
     surroundings_.executor.for_each(count, [&](std::size_t i) {
       Outcome<Answer>& outcome = outcomes[i];
       Run run{.analyses = surroundings_.analyses,
-              .executor = surroundings_.executor,
+              .executor = executor_,
               .findings = outcome.findings,
               .views = plan_.views,
               .poses = plan_.poses,
@@ -372,6 +386,7 @@ class StageRunner {
   const Scene& original_;
   const Plan& plan_;
   const Surroundings& surroundings_;
+  const Executor executor_;
   StageRecord& record_;
   Diagnostics& diagnostics_;
   StageProducts products_;

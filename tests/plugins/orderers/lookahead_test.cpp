@@ -262,6 +262,14 @@ class Purse : public std::pmr::memory_resource {
   std::size_t held_ = 0;
 };
 
+TEST(Lookahead, LeavesTheOrderWhereItIsCancelled) {
+  const TestMesh mesh = testing::shuffled(testing::grid(20, 20), 5);
+  const std::atomic<bool> cancel = true;
+  for (const LookaheadQuality quality : {LookaheadQuality::balanced, LookaheadQuality::high}) {
+    EXPECT_EQ(reordered(mesh, {.quality = quality, .cancel = &cancel}), mesh.indices);
+  }
+}
+
 TEST(Lookahead, HoldsSixtyBytesATriangle) {
   const TestMesh mesh = testing::shuffled(testing::torus(150, 90), 2);
   Purse purse;
