@@ -2,7 +2,7 @@
 
 import { writeFileSync } from 'node:fs';
 
-/** meshes: [{name, positions: [x, y, z, ...], indices: [...]}], one node for each. */
+/** meshes: [{name, positions: [x, y, z, ...], indices: [...], scale: [x, y, z]}], one node for each. */
 export function write_gltf(file, meshes, material = {}) {
   const chunks = [];
   let length = 0;
@@ -39,7 +39,7 @@ export function write_gltf(file, meshes, material = {}) {
       asset: { version: '2.0' },
       scene: 0,
       scenes: [{ nodes: meshes.map((_, i) => i) }],
-      nodes: meshes.map(({ name }, mesh) => ({ name, mesh })),
+      nodes: meshes.map(({ name, scale }, mesh) => ({ name, mesh, ...(scale && { scale }) })),
       meshes: gltf_meshes,
       materials: [material],
       bufferViews,
@@ -58,6 +58,28 @@ export function rectangles(...all) {
     positions: all.flatMap(([x0, y0, x1, y1, z]) => [x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z]),
     indices: all.flatMap((_, i) => [0, 1, 2, 0, 2, 3].map((corner) => 4 * i + corner)),
   };
+}
+
+/** A tube of eight sides from place to place, with open ends; a ring at each place. The first two are apart. */
+export function tube(places, radius) {
+  const sides = 8;
+  const positions = [];
+  const indices = [];
+  const along = places[1].map((x, axis) => x - places[0][axis]);
+  const cross = (a, b) => [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+  const unit = (a) => a.map((x) => x / Math.hypot(...a));
+  const u = unit(cross(along, Math.abs(along[2]) < Math.hypot(...along) / 2 ? [0, 0, 1] : [0, 1, 0]));
+  const v = unit(cross(along, u));
+  places.forEach((place, ring) => {
+    for (let side = 0; side < sides; ++side) {
+      const [s, c] = [Math.sin((2 * Math.PI * side) / sides), Math.cos((2 * Math.PI * side) / sides)];
+      positions.push(...place.map((x, axis) => x + radius * (c * u[axis] + s * v[axis])));
+      if (ring === 0) continue;
+      const [a, b] = [(ring - 1) * sides + side, (ring - 1) * sides + ((side + 1) % sides)];
+      indices.push(a, b, a + sides, b, b + sides, a + sides);
+    }
+  });
+  return { positions, indices };
 }
 
 /** A torus of 2 * around * across triangles. */

@@ -12,7 +12,7 @@ import { check_files, write_strips } from './file_checks.mjs';
 import { check_frames, check_frames_of_files, check_no_frames } from './frame_checks.mjs';
 import { check_deviation, check_levels, check_no_levels, check_pops } from './level_checks.mjs';
 import { check_colours, check_paper, check_widths, check_without_gl, check_without_script } from './look_checks.mjs';
-import { rectangles, torus, write_gltf } from './models.mjs';
+import { rectangles, torus, tube, write_gltf } from './models.mjs';
 import {
   check_pose_ratios,
   check_ratios,
@@ -41,6 +41,7 @@ import {
   check_worst_view_of_table,
   viewer,
 } from './viewer_checks.mjs';
+import { check_rigging, check_thin_tubes } from './wire_checks.mjs';
 
 const [program_path, corpus, folder, walking_path] = process.argv.slice(2);
 mkdirSync(folder, { recursive: true });
@@ -190,6 +191,31 @@ await group('levels', async () => {
   const fewer = 'weld, quadric-collapse(placement=endpoint), simplify(ratio=0.1)';
   const simplified = program.compare('simplified', [spot], [fewer], { more: ['--with', 'surface-error'] });
   await on_page('a simplified model', simplified.html, (page) => check_deviation(page, simplified.comparison));
+});
+
+// Wires are drawn by how much of a pixel they cover.
+await group('wires', async () => {
+  const hanging = (y, scale = [1, 1, 1]) =>
+    Array.from({ length: 12 }, (_, i) => [i / 5.5 - 1, y + 0.15 * (i / 5.5 - 1) ** 2, 0.1 * y]).map((place) =>
+      place.map((x, axis) => x / Math.abs(scale[axis])),
+    );
+  const model = write_gltf(path.join(folder, 'tubes.gltf'), [
+    { name: 'plain', ...tube(hanging(0.6), 0.0008) },
+    { name: 'larger', ...tube(hanging(0.03, [10, 10, 10]), 0.00008), scale: [10, 10, 10] },
+    { name: 'uneven', ...tube(hanging(-0.3, [1, 1, 2]), 0.0005), scale: [1, 1, 2] },
+    { name: 'mirrored', ...tube(hanging(-0.7), 0.0008), scale: [-1, 1, 1] },
+  ]);
+  const more = ['--set', 'subjects.subject=scene', '--with', 'vertex-cache'];
+  const { html, scenes } = program.compare('tubes', [model], ['wire-radius', 'tipsify'], { more });
+  const { states } = scenes[0].subjects[0];
+  check_equal('wires: only what has some holds them', states.map((state) => 'wires' in state), [false, true, false]);
+  await on_page('thin tubes', html, check_thin_tubes);
+  const ship = path.join(corpus, 'static', 'dutch_ship_medium_notex.glb');
+  const rigged = program.compare('ship', [ship], ['wire-radius'], { more });
+  await on_page('the rigging of a ship', rigged.html, async (page) => {
+    await check_rigging(page);
+    await page.locator('#viewer .viewer').screenshot({ path: path.join(folder, 'ship.png') });
+  });
 });
 
 await group('many files', async () => {

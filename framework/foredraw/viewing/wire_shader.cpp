@@ -92,6 +92,12 @@ void main() {
 #else
   float alpha = wire_fade(wire_radii.x, wire_radii.y);
 #endif
+#ifdef WIRE_OPAQUE
+  if (alpha < 1.0) discard;
+#endif
+#ifdef WIRE_FADED
+  if (!(alpha < 1.0)) discard;
+#endif
   float lit = wire_lit(wire_radii.x, wire_radii.z);
   colour = vec4(lit, lit, lit, alpha);
 }
@@ -149,6 +155,12 @@ float4 main(WireCorner corner, float4 pixel : SV_Position) : SV_Target {
 #else
   float alpha = wire_fade(corner.radii.x, corner.radii.y);
 #endif
+#ifdef WIRE_OPAQUE
+  if (alpha < 1.0) discard;
+#endif
+#ifdef WIRE_FADED
+  if (!(alpha < 1.0)) discard;
+#endif
   float lit = wire_lit(corner.radii.x, corner.radii.z);
   return float4(lit, lit, lit, alpha);
 }
@@ -156,6 +168,8 @@ float4 main(WireCorner corner, float4 pixel : SV_Position) : SV_Target {
 )";
 
 }  // namespace
+
+std::string wire_functions_text() { return std::string(wire_shader_parts::functions).append(view_glsl); }
 
 std::string wire_shader_text(ShaderLanguage language) {
   if (language == ShaderLanguage::glsl) {

@@ -15,6 +15,9 @@ namespace foredraw {
 /// their coverage, and without it wires are a pixel wide at least and fade. Coverage needs one sample a pixel; where
 /// there are more, define WIRE_SAMPLES as their number for the vertices.
 ///
+/// Wires are drawn twice: with WIRE_OPAQUE defined the fragment shader leaves out what is not opaque, which is drawn
+/// later, blended, with WIRE_FADED defined, and without writing depth.
+///
 /// The vertex shader reads positions at location 0, _FOREDRAW_WIRE at 1 and _FOREDRAW_WIRE_AXIS, four numbers, at 2.
 /// The fragment shader gives the share of lighting as its colour, and alpha. Both read a push constant (in HLSL a
 /// constant buffer at b0, or with WIRE_VULKAN defined a push constant):
@@ -24,5 +27,8 @@ namespace foredraw {
 ///
 /// In HLSL pixels are counted as Direct3D has them, with clip space's y upwards; with WIRE_VULKAN defined as Vulkan.
 std::string wire_shader_text(ShaderLanguage language);
+
+/// The functions alone, for any GLSL. GLSL ES has no `precise`: define it as nothing before the text.
+std::string wire_functions_text();
 
 }  // namespace foredraw

@@ -2,8 +2,10 @@
 
 #include <foredraw/report/page/private/page_buffer.h>
 #include <foredraw/report/page/private/shown_state.h>
+#include <foredraw/report/page/private/shown_wires.h>
 
 #include <foredraw/scene/order_table.h>
+#include <foredraw/scene/wires.h>
 #include <foredraw/viewing/bounding_sphere.h>
 #include <foredraw/viewing/drawn_orders.h>
 #include <foredraw/viewing/pose_set.h>
@@ -108,10 +110,32 @@ class SubjectDisplay {
               {"sequences", sequences_json(state, table)},
               {"table", table == nullptr ? Json(nullptr) : table_json(*table)}};
     if (state.error > 0) json["error"] = state.error;
+    if (Json wires = wires_json(state); !wires.is_null()) json["wires"] = std::move(wires);
     for (const auto& of_part : state.ancestors) {
       json["ancestors"].push_back(of_part.empty() ? Json(nullptr) : Json(buffer_.add(std::span(of_part))));
     }
     return json;
+  }
+
+  /// [part] null: it has none; null: no part has.
+  Json wires_json(const ShownState& state) {
+    Json json = Json::array();
+    bool has_any = false;
+    for (const ShownPart& part : state.shown.parts) {
+      const auto wires = shown_wires(*state.scene, part);
+      json.push_back(nullptr);
+      if (!wires) continue;
+      has_any = true;
+      json.back() = {{"first", wires->first},
+                     {"corners", buffer_.add(std::span(wires->corners))},
+                     {"rows", buffer_.add(std::span(wires->rows))},
+                     {"row-count", wires->rows.size() / ShownWires::row_floats}};
+      for (const Pose& pose : poses_.poses) {
+        const glm::mat4 matrix = shown_from_mesh(part, posed_nodes(*state.scene, pose));
+        json.back()["from-mesh"].push_back(std::vector<float>(&matrix[0].x, &matrix[0].x + 16));
+      }
+    }
+    return has_any ? json : Json(nullptr);
   }
 
   Json geometry_json(const ShownState& state) {
@@ -236,7 +260,10 @@ Display display(const Scene& input, std::span<const std::optional<Scene>> branch
     SubjectDisplay shown(scenes, number, buffer);
     if (!shown.empty()) json["subjects"].push_back(shown.json());
   }
-  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_name, buffer.base64()};
+  const bool has_wires = std::ranges::any_of(scenes, [](const ShownScene& shown) {
+    return shown.scene != nullptr && shown.scene->products.has(Wires::product);
+  });
+  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_name, buffer.base64(), has_wires};
 }
 
 }  // namespace foredraw

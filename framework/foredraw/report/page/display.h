@@ -14,6 +14,7 @@ struct Display {
   std::string scene;  ///< JSON
   std::string buffer_name;
   std::string buffer;  ///< base64
+  bool has_wires = false;
 };
 
 /// Subject by subject, as overdraw is measured, in at most 64 poses. Each state, the input or a pipeline, has the parts

@@ -5,9 +5,12 @@
 #include <foredraw/report/page/private/page_files.h>
 #include <foredraw/report/page/private/page_sections.h>
 #include <foredraw/report/page/private/shown_attachments.h>
+#include <foredraw/viewing/wire_shader.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace foredraw {
 
@@ -76,6 +79,9 @@ std::string scripts(std::span<const Comparison> comparisons, const Comparison* a
   text += json_data("scenes", script_safe("{\"scenes\":[" + scenes + "]}"));
   for (const Display& display : displays) text += buffer_data(display);
   text += attachment_data(attachments);
+  if (std::ranges::any_of(displays, &Display::has_wires)) {
+    text += element("script", wire_functions_text(), "type=\"text/plain\" id=\"wire-functions\"") + '\n';
+  }
   return text + element("script", page_script()) + '\n';
 }
 

@@ -36,7 +36,9 @@ ShownOrder shown_order(const IndexStream& stream, std::span<const std::uint32_t>
       ++cluster;
       end_cluster();
     }
-    if (place[numbers[t]] != hidden) order.triangles.push_back(place[numbers[t]]);
+    if (place[numbers[t]] == hidden) continue;
+    order.triangles.push_back(place[numbers[t]]);
+    order.drawn.push_back(t);
   }
   end_cluster();
   if (stream.clusters && offsets.size() > 1) order.clusters = std::move(offsets);

@@ -19,6 +19,7 @@ inline constexpr std::size_t most_shown_triangles = 200'000;
 /// The triangles that are shown, in the sequence in which one of the draw's orders draws them.
 struct ShownOrder {
   std::vector<std::uint32_t> triangles;  ///< their numbers among those of the part
+  std::vector<std::uint32_t> drawn;      ///< their numbers in the draw's order, rising
   std::vector<std::uint32_t> clusters;   ///< where each begins, and the end of the last; empty: there are none
 };
 

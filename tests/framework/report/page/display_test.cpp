@@ -8,6 +8,7 @@
 #include <foredraw/scene/levels.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/scene/reorder.h>
+#include <foredraw/scene/wires.h>
 #include <foredraw/technique/built_in_plugins.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
@@ -58,6 +59,7 @@ struct Shown {
     const Display made = display(input, branches, 3);
     scene = Json::parse(made.scene);
     bytes = decoded(made.buffer);
+    has_wires = made.has_wires;
   }
 
   template <class T>
@@ -71,6 +73,7 @@ struct Shown {
   Scene input, output;
   Json scene;
   std::vector<std::byte> bytes;
+  bool has_wires = false;
 };
 
 TEST(Display, HoldsTheInputsTrianglesAndHowAPipelineSortsThem) {
@@ -322,6 +325,48 @@ TEST(Display, ShowsTrianglesThatAPipelineAdded) {
   const Json subject = two.shown(after);
   EXPECT_EQ(subject["geometries"][0]["parts"][0]["triangles"], 8);
   EXPECT_EQ(subject["geometries"][1]["parts"][0]["triangles"], 10);
+}
+
+/// Of what draws them, and in the mesh's space; beside them the matrix to where they are shown.
+TEST(Display, HoldsWiresOfThePipelineThatFoundThem) {
+  const Shown shown("static/dutch_ship_medium_notex.glb", "pipeline = 1\nstages = [\"wire-radius\"]");
+  EXPECT_TRUE(shown.has_wires);
+  EXPECT_FALSE(Shown("static/spot.glb", "pipeline = 1\nstages = [\"wire-radius\"]").has_wires);
+  const auto* wires = shown.output.products.find<Wires>();
+  ASSERT_NE(wires, nullptr);
+  std::size_t parts = 0;
+  for (const Json& subject : shown.scene["subjects"]) {
+    EXPECT_FALSE(subject["states"][0].contains("wires")) << "the input has none";
+    const Json& state = subject["states"][1];
+    if (!state.contains("wires")) continue;
+    const Json& geometry = subject["geometries"][state["geometry"].get<std::size_t>()];
+    for (std::size_t p = 0; p < state["wires"].size(); ++p) {
+      const Json &of = state["wires"][p], &part = geometry["parts"][p];
+      if (of.is_null()) continue;
+      ++parts;
+      const auto product =
+          std::ranges::find(wires->draws, of["first"].get<std::uint32_t>(), &DrawWires::first_triangle);
+      ASSERT_NE(product, wires->draws.end());
+      const std::size_t first = product->first_triangle, triangles = part["triangles"], rows = of["row-count"];
+      const auto corners = shown.numbers<std::uint32_t>(of["corners"], 3 * (triangles - first));
+      const auto values = shown.numbers<float>(of["rows"], 11 * rows);
+      const auto order = shown.numbers<std::uint32_t>(state["orders"][0][p]["triangles"], triangles);
+      const auto indices = shown.numbers<std::uint32_t>(part["indices"], 3 * triangles);
+      const auto positions = shown.numbers<float>(part["positions"][0], 3 * part["vertices"].get<std::size_t>());
+      const auto matrix = of["from-mesh"][0].get<std::vector<float>>();
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        ASSERT_LT(corners[i], rows);
+        const float* row = &values[11 * corners[i]];
+        EXPECT_NE(row[6], 0) << "half a width";
+        const std::size_t vertex = indices[3 * order[first + i / 3] + i % 3];
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float at = matrix[c] * row[0] + matrix[4 + c] * row[1] + matrix[8 + c] * row[2] + matrix[12 + c];
+          ASSERT_NEAR(at, positions[3 * vertex + c], 1e-3);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(parts, wires->draws.size());
 }
 
 TEST(Display, SaysWhyAStateIsNotShown) {

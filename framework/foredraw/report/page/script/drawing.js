@@ -18,6 +18,8 @@ import { heat_background } from './colours.js';
 import { element } from './elements.js';
 import { bytes_per_triangle, DrawnOrder } from './drawn_order.js';
 import { make_materials } from './materials.js';
+import { wire_functions } from './page_data.js';
+import { make_wire_materials } from './wire_materials.js';
 
 const kept_bytes = 256 * 2 ** 20; // of orders that are not drawn at the moment
 
@@ -76,6 +78,7 @@ export class Drawing {
     this.renderer.autoClear = false;
     this.renderer.sortObjects = false; // the sequence of drawing is what all this is about
     this.materials = make_materials();
+    this.wire_materials = null;
     this.heat_pass = full_screen(this.materials.heat_map);
     this.counts = counting_target(1, 1);
     this.orders = new Map(); // by what the state tells of the order, those drawn last at the end
@@ -143,12 +146,22 @@ export class Drawing {
       this.renderer.render(order.scene, camera);
       order.set_materials(this.materials.deviation);
       this.renderer.render(order.deviation.scene, camera);
+    } else if (mode === 'shaded' && order.state.has_wires) {
+      this.wire_materials ??= make_wire_materials(wire_functions(), this.samples());
+      const render = () => this.renderer.render(order.scene, camera);
+      order.wire_parts().draw(render, this.wire_materials, this.materials.solid);
     } else {
       if (mode !== 'shaded') order.set_tints(mode);
       order.set_materials(mode === 'shaded' ? this.materials.solid : this.materials.tinted);
       this.renderer.render(order.scene, camera);
     }
     this.renderer.setScissorTest(false);
+  }
+
+  /** Of a pixel of the canvas. */
+  samples() {
+    const gl = this.renderer.getContext();
+    return Math.max(1, gl.getParameter(gl.SAMPLES));
   }
 
   /** Up to where the first colour of distances goes. */

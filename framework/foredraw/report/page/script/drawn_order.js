@@ -3,6 +3,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Scene } from 'three';
 import { DeviationMap } from './deviation_map.js';
 import { fill_cluster_colours, fill_corners, fill_order_colours } from './triangles.js';
+import { WireParts } from './wire_parts.js';
 
 /** Of a triangle: nine floats and three colours. */
 export const bytes_per_triangle = 48;
@@ -13,7 +14,7 @@ export class DrawnOrder {
    * @param frame  the sphere that is brought to the origin and to radius 1
    */
   constructor(state, k, frame) {
-    Object.assign(this, { state, k, frame, pose: null, way: 0, tints: null, deviation: null });
+    Object.assign(this, { state, k, frame, pose: null, way: 0, tints: null, deviation: null, wires: null });
     this.scene = new Scene();
     this.scene.matrixWorldAutoUpdate = false;
     this.meshes = state.parts.map((part) => {
@@ -65,6 +66,12 @@ export class DrawnOrder {
   drop_deviation() {
     this.deviation?.dispose();
     this.deviation = null;
+  }
+
+  /** Of a state that has some. */
+  wire_parts() {
+    this.wires ??= new WireParts(this);
+    return this.wires;
   }
 
   /** @param {'order'|'clusters'} tints */

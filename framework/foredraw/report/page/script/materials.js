@@ -18,7 +18,7 @@ import { heat, heat_background } from './colours.js';
 
 const vertex_shader = `
 uniform mat4 projectionMatrix;
-uniform mat4 modelViewMatrix;
+uniform mat4 viewMatrix;
 in vec3 position;
 #ifdef TINTED
 in vec4 tint;
@@ -30,7 +30,7 @@ out float far_off;
 #endif
 out vec3 seen;
 void main() {
-  vec4 at = modelViewMatrix * vec4(position, 1.0);
+  vec4 at = viewMatrix * vec4(position, 1.0);
   seen = at.xyz;
 #ifdef TINTED
   base = tint.rgb;
@@ -41,11 +41,33 @@ void main() {
   gl_Position = projectionMatrix * at;
 }`;
 
-// Facets as they are, lit from the upper left by a large soft light, from below by a cool one.
-const solid_shader = `
-precision highp float;
+// Lit from the upper left by a large soft light, from below by a cool one.
+const light = `
+vec3 lit(vec3 normal, vec3 towards) {
+  float key = max(0.0, dot(normal, normalize(vec3(-0.45, 0.7, 0.65))));
+  float fill = 0.5 + 0.5 * normal.y;
+  float rim = pow(1.0 - max(0.0, dot(normal, towards)), 3.0);
+  vec3 light = mix(vec3(0.42, 0.43, 0.48), vec3(0.62, 0.62, 0.63), fill) + key * vec3(0.50, 0.47, 0.42);
+  return vec3(0.83, 0.79, 0.75) * light + rim * vec3(0.10, 0.11, 0.14);
+}
+`;
+
+/** Facets as they are. `seen`: where they are before the camera. */
+export const facet_light = `
 uniform mat4 projectionMatrix;
 in vec3 seen;
+vec3 towards_eye() {
+  return projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : normalize(-seen);
+}
+vec3 facet_normal() {
+  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+  return dot(normal, towards_eye()) < 0.0 ? -normal : normal;
+}
+${light}`;
+
+const solid_shader = `
+precision highp float;
+${facet_light}
 #ifdef TINTED
 in vec3 base;
 #endif
@@ -60,17 +82,13 @@ void main() {
   float doublings = far_off <= first_distance ? 0.0 : ceil(log2(far_off / first_distance));
   vec3 base = palette[int(min(doublings, ${heat.length - 1}.0))];
 #endif
-  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
-  vec3 towards = projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : normalize(-seen);
-  if (dot(normal, towards) < 0.0) normal = -normal;
-  float key = max(0.0, dot(normal, normalize(vec3(-0.45, 0.7, 0.65))));
-  float fill = 0.5 + 0.5 * normal.y;
-  float rim = pow(1.0 - max(0.0, dot(normal, towards)), 3.0);
+  vec3 normal = facet_normal();
 #if defined(TINTED) || defined(AWAY)
+  float key = max(0.0, dot(normal, normalize(vec3(-0.45, 0.7, 0.65))));
+  float rim = pow(1.0 - max(0.0, dot(normal, towards_eye())), 3.0);
   colour = vec4(base * (0.72 + 0.36 * key) + 0.06 * rim, 1.0);
 #else
-  vec3 light = mix(vec3(0.42, 0.43, 0.48), vec3(0.62, 0.62, 0.63), fill) + key * vec3(0.50, 0.47, 0.42);
-  colour = vec4(vec3(0.83, 0.79, 0.75) * light + rim * vec3(0.10, 0.11, 0.14), 1.0);
+  colour = vec4(lit(normal, towards_eye()), 1.0);
 #endif
 }`;
 
@@ -102,7 +120,7 @@ function material(properties) {
 }
 
 /** Of triangles at the same depth the first one is seen. Back faces are culled as the part's material says. */
-function surface(properties) {
+export function surface(properties) {
   const by_side = new Map(
     [FrontSide, BackSide, DoubleSide].map((side) => [
       side,

@@ -13,6 +13,7 @@ const up_for = (direction) => (Math.abs(direction.y) < 0.999 ? new Vector3(0, 1,
 export class Orbit {
   constructor() {
     this.is_orthographic = true;
+    this.slide = [0, 0]; // of the picture, in its pixels, to the right and downwards
     this.cameras = { true: new OrthographicCamera(), false: new PerspectiveCamera() };
     this.reset();
   }
@@ -51,8 +52,8 @@ export class Orbit {
       .clampLength(0, 2);
   }
 
-  /** Holds the whole sphere at zoom 1, whatever the picture's shape. */
-  camera(aspect) {
+  /** Holds the whole sphere at zoom 1, whatever the picture's shape. @param {number} width  of it, in pixels */
+  camera(aspect, width = 1) {
     const camera = this.cameras[this.is_orthographic];
     const fit = Math.max(1, 1 / aspect);
     if (this.is_orthographic) {
@@ -67,6 +68,7 @@ export class Orbit {
     camera.zoom = this.zoom;
     camera.near = distance - 1.01 - this.target.length();
     camera.far = distance + 1.01 + this.target.length();
+    camera.setViewOffset(width, width / aspect, -this.slide[0], -this.slide[1], width, width / aspect);
     return look_from(camera, this.direction, distance, this.target);
   }
 }

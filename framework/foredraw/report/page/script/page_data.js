@@ -20,5 +20,8 @@ export function decoded_buffer(name) {
   return bytes_of_base64(pieces.join('')).buffer;
 }
 
+/** @returns {string} functions in GLSL; a page that shows wires has them */
+export const wire_functions = () => document.getElementById('wire-functions').textContent;
+
 /** @returns {string} a picture that a technique attached, as an address */
 export const picture = (number) => `data:image/png;base64,${document.getElementById(`picture-${number}`).textContent}`;

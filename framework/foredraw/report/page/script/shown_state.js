@@ -12,10 +12,10 @@ export class ShownState {
    * @param {object[]} levels  those coarser than this one
    */
   constructor(description, geometries, buffer, levels = description.levels ?? []) {
-    const { orders, sequences, table, ancestors, error = 0 } = description;
+    const { orders, sequences, table, ancestors, wires = null, error = 0 } = description;
     const geometry = geometries[description.geometry];
     Object.assign(this, { parts: geometry.parts, note: geometry.note ?? '', orders, sequences, table, buffer });
-    Object.assign(this, { ancestors, error }); // error: the largest distance from full detail; 0: not known
+    Object.assign(this, { ancestors, wires, error }); // error: the largest distance from full detail; 0: not known
     this.coarser = levels.length === 0 ? null : new ShownState(levels[0], geometries, buffer, levels.slice(1));
     this.whole = { centre: geometry.centre, radius: geometry.radius > 0 ? geometry.radius : 1 };
     this.spheres = new Map();
@@ -63,6 +63,23 @@ export class ShownState {
       const b = coarse[3 * ancestors[Math.floor(i / 3)] + (i % 3)];
       return Math.min(Math.max(a, b), Math.max(Math.min(a, b), a + (b - a) * way));
     });
+  }
+
+  get has_wires() {
+    return this.wires !== null;
+  }
+
+  /** {first, corners, rows, from_mesh} as the program's shown_wires.h has them; null: the part has none. */
+  wires_of(part) {
+    const wires = this.wires?.[part] ?? null;
+    if (wires === null) return null;
+    const { first, corners, rows, 'row-count': count, 'from-mesh': from_mesh } = wires;
+    return {
+      first,
+      corners: new Uint32Array(this.buffer, corners, 3 * (this.parts[part].triangles - first)),
+      rows: new Float32Array(this.buffer, rows, 11 * count),
+      from_mesh,
+    };
   }
 
   indices(part) {

@@ -175,6 +175,12 @@ export class Viewer {
     this.changed();
   }
 
+  /** Slides the picture by parts of a pixel, as a camera that moves slowly does. */
+  set_slide(right, down) {
+    this.orbit.slide = [right, down];
+    this.changed();
+  }
+
   reset_camera() {
     this.orbit.reset();
     this.changed();
@@ -211,7 +217,7 @@ export class Viewer {
     for (const [pane, order] of orders) {
       const place = this.panes.place(pane);
       if (place.width < 1 || place.height < 1) continue;
-      const camera = this.orbit.camera(place.width / place.height);
+      const camera = this.orbit.camera(place.width / place.height, place.width * this.panes.ratio);
       this.drawing.draw_pane(place, this.mode, order, camera, this.drawn, background);
     }
     this.first_drawn?.();

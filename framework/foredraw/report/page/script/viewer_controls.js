@@ -127,7 +127,13 @@ function make_legend(viewer) {
         ),
       ];
     }
-    return [element('span', {}, 'triangles as they are; back faces where the material is double-sided')];
+    const with_wires = viewer.shown_panes().filter((pane) => viewer.shown(pane).has_wires);
+    return [
+      element('span', {}, 'triangles as they are; back faces where the material is double-sided'),
+      ...with_wires.map((pane) =>
+        element('span', {}, `wires in ${viewer.state_name(viewer.states[pane])}: by how much of a pixel they cover`),
+      ),
+    ];
   }
 
   function update() {

@@ -24,6 +24,11 @@ export class Panes {
     return this.panes.map(({ window }) => window);
   }
 
+  /** Of the canvas's pixels to CSS pixels. */
+  get ratio() {
+    return Math.min(devicePixelRatio, 2);
+  }
+
   show(are_shown) {
     this.panes.forEach(({ figure }, i) => {
       figure.hidden = !are_shown[i];
@@ -33,7 +38,7 @@ export class Panes {
   /** The canvas lies below all of it, so that the style sheet alone decides where panes are. */
   fit(set_size) {
     const { clientWidth, clientHeight } = this.whole;
-    const ratio = Math.min(devicePixelRatio, 2);
+    const { ratio } = this;
     const wanted = `${clientWidth} ${clientHeight} ${ratio}`;
     if (wanted === this.fitted) return;
     this.fitted = wanted;

@@ -44,6 +44,7 @@ export function viewer_interface(viewer, ready) {
       'set_pose',
       'set_direction',
       'set_orthographic',
+      'set_slide',
       'show_worst_view',
       'pixel_counts',
       'overdraw',
