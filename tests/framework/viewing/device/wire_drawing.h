@@ -153,12 +153,20 @@ class WireDrawing {
   gpu::OwnedPipelineLayout layout_ = pipeline_layout(device_, std::array{set_layout_.get()}, stages, sizeof(WireFrame));
 };
 
-/// By the C arithmetic and this project's rasteriser. What is drawn has to lie ahead of the camera.
-inline std::vector<WireSample> computed(const ThinMesh& mesh, const WireFrame& frame, bool covers, int samples) {
+/// What covers a sample, by the C arithmetic.
+struct WireFragment {
+  float alpha = 1, lit = 1;
+  double depth = 0;  ///< of the sample, as the device stores it
+};
+
+/// By the C arithmetic and this project's rasteriser: calls visit(sample, fragment) in the sequence of drawing. What is
+/// drawn has to lie ahead of the camera. Samples of a pixel follow each other, pixels run along rows from the top.
+template <class Visit>
+void for_each_covered_sample(const ThinMesh& mesh, const WireFrame& frame, bool covers, int samples, Visit visit) {
   const foredraw_wire_view view = foredraw_wire_view_of(&frame.clip_from_mesh[0].x, frame.viewport.x, frame.viewport.y);
   struct Vertex {
     Corner corner;
-    float inverse = 0, radius = 0, drawn = 0;
+    float inverse = 0, radius = 0, drawn = 0, half_pixel = 0, depth = 0;
     glm::vec3 centre{0};
   };
   std::vector<Vertex> vertices;
@@ -170,21 +178,23 @@ inline std::vector<WireSample> computed(const ThinMesh& mesh, const WireFrame& f
         foredraw_wire_vertex_at(&view, &mesh.positions[v].x, &wire.x, &mesh.axes[v].x, covers ? samples : 0);
     vertex.radius = at.radius;
     vertex.drawn = at.drawn;
+    vertex.half_pixel = at.half_pixel;
     const glm::vec4 clip = frame.clip_from_mesh * glm::vec4(at.position[0], at.position[1], at.position[2], 1);
     vertex.inverse = 1 / clip.w;
+    vertex.depth = clip.z / clip.w;
     const glm::vec2 half = frame.viewport * 0.5f;
     const glm::vec2 place(clip.x / clip.w * half.x + half.x, clip.y / clip.w * half.y + half.y);
     const auto snapped = [](float pixels) { return static_cast<std::int32_t>(std::floor(pixels * 256 + 0.5f)); };
     vertex.corner = {snapped(place.x), 256 * wire_picture - snapped(place.y), 0};
     vertices.push_back(vertex);
   }
-  std::vector<WireSample> result(std::size_t{wire_picture} * wire_picture * static_cast<std::size_t>(samples));
   const SamplePlaces places = standard_places(samples);
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     std::array<const Vertex*, 3> v = {&vertices[mesh.indices[i]], &vertices[mesh.indices[i + 1]],
                                       &vertices[mesh.indices[i + 2]]};
     if (doubled_area(v[0]->corner, v[1]->corner, v[2]->corner) < 0) std::swap(v[1], v[2]);
-    if (doubled_area(v[0]->corner, v[1]->corner, v[2]->corner) == 0) continue;
+    const auto area = static_cast<double>(doubled_area(v[0]->corner, v[1]->corner, v[2]->corner));
+    if (area == 0) continue;
     const auto edges = edges_of(v[0]->corner, v[1]->corner, v[2]->corner);
     for (std::size_t s = 0; s < places.size(); ++s) {
       std::array<Corner, 3> corners = {v[0]->corner, v[1]->corner, v[2]->corner};
@@ -197,33 +207,44 @@ inline std::vector<WireSample> computed(const ThinMesh& mesh, const WireFrame& f
       box.first_y = std::max(box.first_y, 0);
       box.last_x = std::min(box.last_x, wire_picture - 1);
       box.last_y = std::min(box.last_y, wire_picture - 1);
-      for_each_covered(corners[0], corners[1], corners[2], box, [&](std::int32_t x, std::int32_t y, const auto&) {
-        std::array<double, 3> parts{};  // in the pixel's middle, wherever the sample is
-        double sum = 0;
-        for (std::size_t c = 0; c < 3; ++c) {
-          parts[c] = static_cast<double>(edges[c].at(x, y)) * static_cast<double>(v[c]->inverse);
-          sum += parts[c];
-        }
-        float radius = 0, drawn = 0;
-        glm::vec3 centre(0), axis(0);
-        for (std::size_t c = 0; c < 3; ++c) {
-          const auto part = static_cast<float>(parts[c] / sum);
-          radius += part * v[c]->radius;
-          drawn += part * v[c]->drawn;
-          centre += part * v[c]->centre;
-          axis += part * glm::vec3(mesh.axes[static_cast<std::size_t>(v[c] - vertices.data())]);
-        }
-        const foredraw_wire_section at = foredraw_wire_section_at(&view, &centre.x, &axis.x);
-        const int row = wire_picture - 1 - y;
-        const float alpha =
-            covers ? foredraw_wire_coverage(&at, radius, static_cast<float>(x) + 0.5f, static_cast<float>(row) + 0.5f)
-                   : foredraw_wire_fade(radius, drawn);
-        WireSample& sample = result[static_cast<std::size_t>(row * wire_picture + x) * places.size() + s];
-        ++sample.triangles;
-        sample.alpha += static_cast<std::uint32_t>(alpha * 65536 + 0.5f);
-      });
+      for_each_covered(corners[0], corners[1], corners[2], box,
+                       [&](std::int32_t x, std::int32_t y, const std::array<std::int64_t, 3>& weights) {
+                         std::array<double, 3> parts{};  // in the pixel's middle, wherever the sample is
+                         double sum = 0;
+                         WireFragment fragment;
+                         for (std::size_t c = 0; c < 3; ++c) {
+                           parts[c] = static_cast<double>(edges[c].at(x, y)) * static_cast<double>(v[c]->inverse);
+                           sum += parts[c];
+                           fragment.depth += static_cast<double>(weights[c]) / area * static_cast<double>(v[c]->depth);
+                         }
+                         float radius = 0, drawn = 0, half_pixel = 0;
+                         glm::vec3 centre(0), axis(0);
+                         for (std::size_t c = 0; c < 3; ++c) {
+                           const auto part = static_cast<float>(parts[c] / sum);
+                           radius += part * v[c]->radius;
+                           drawn += part * v[c]->drawn;
+                           half_pixel += part * v[c]->half_pixel;
+                           centre += part * v[c]->centre;
+                           axis += part * glm::vec3(mesh.axes[static_cast<std::size_t>(v[c] - vertices.data())]);
+                         }
+                         const foredraw_wire_section at = foredraw_wire_section_at(&view, &centre.x, &axis.x);
+                         const int row = wire_picture - 1 - y;
+                         fragment.alpha = covers ? foredraw_wire_coverage(&at, radius, static_cast<float>(x) + 0.5f,
+                                                                          static_cast<float>(row) + 0.5f)
+                                                 : foredraw_wire_fade(radius, drawn);
+                         fragment.lit = foredraw_wire_lit(radius, half_pixel);
+                         visit(static_cast<std::size_t>(row * wire_picture + x) * places.size() + s, fragment);
+                       });
     }
   }
+}
+
+inline std::vector<WireSample> computed(const ThinMesh& mesh, const WireFrame& frame, bool covers, int samples) {
+  std::vector<WireSample> result(std::size_t{wire_picture} * wire_picture * static_cast<std::size_t>(samples));
+  for_each_covered_sample(mesh, frame, covers, samples, [&](std::size_t sample, const WireFragment& fragment) {
+    ++result[sample].triangles;
+    result[sample].alpha += static_cast<std::uint32_t>(fragment.alpha * 65536 + 0.5f);
+  });
   return result;
 }
 

@@ -1,3 +1,4 @@
+#include "wire_blending.h"
 #include "wire_drawing.h"
 
 #include "support/on_device.h"
@@ -102,6 +103,57 @@ TEST_F(WiresOnDevice, DrawWhatTheHeaderSays) {
           frame.clip_from_mesh = frame.clip_from_mesh * uneven;
           expect_equal(*device_, testing::lines_at_all_angles(0.01f, {14, 14}), frame, covers, samples, language);
         }
+      }
+    }
+  }
+}
+
+/// Thin ones and wide ones cross before and behind broad bands, so that all are blended over each other, over the
+/// ground and over what is opaque, and hidden as well.
+ThinMesh crossing_wires() {
+  ThinMesh mesh = wires(0.004f);
+  const ThinMesh wide = testing::lines_at_all_angles(0.12f, {12, 12});
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), wide.positions.begin(), wide.positions.end());
+  mesh.wires.insert(mesh.wires.end(), wide.wires.begin(), wide.wires.end());
+  mesh.axes.insert(mesh.axes.end(), wide.axes.begin(), wide.axes.end());
+  for (const std::uint32_t v : wide.indices) mesh.indices.push_back(first + v);
+  mesh.add_ribbon({{-6, -1, 0.4f}, {6, -1.5f, -0.6f}}, {0, 1, 0}, 1);
+  mesh.add_ribbon({{-6, 2, -0.5f}, {6, 1.5f, 0.5f}}, {0, 1, 0}, 0.7f);
+  return mesh;
+}
+
+/// Colours as an engine blends them, in eight bits, by the fragment shaders of both languages.
+TEST_F(WiresOnDevice, BlendAsTheHeaderSays) {
+  const ThinMesh mesh = crossing_wires();
+  for (const int samples : {1, 4}) {
+    testing::BlendedWires drawing(*device_, samples);
+    for (const bool covers : {false, true}) {
+      WireFrame frame;
+      frame.viewport = glm::vec2(testing::wire_picture);
+      frame.clip_from_mesh = projection(false, false) * camera();
+      const std::vector<float> wanted = testing::blended(mesh, frame, covers, samples);
+      for (const ShaderLanguage language : {ShaderLanguage::glsl, ShaderLanguage::hlsl}) {
+        SCOPED_TRACE(::testing::Message() << samples << covers << static_cast<int>(language));
+        const std::vector<std::uint8_t> drawn = drawing.drawn(mesh, frame, covers, language);
+        std::size_t blended = 0, differ = 0;
+        double sum = 0;
+        for (std::size_t pixel = 0; pixel < wanted.size(); pixel += 3) {
+          double apart = 0, from_ground = 0;
+          for (std::size_t c = 0; c < 3; ++c) {
+            apart = std::max(apart,
+                             std::abs(static_cast<double>(drawn[pixel + c]) - static_cast<double>(wanted[pixel + c])));
+            from_ground =
+                std::max(from_ground, std::abs(static_cast<double>(wanted[pixel + c]) -
+                                               255.0 * static_cast<double>(testing::wire_ground[static_cast<int>(c)])));
+          }
+          blended += from_ground > 1 ? 1 : 0;
+          differ += apart > 2 ? 1 : 0;
+          sum += apart > 2 ? 0 : apart;
+        }
+        EXPECT_GT(blended, 800u);
+        EXPECT_LE(differ, blended / 200) << "of " << blended;
+        EXPECT_LE(sum / static_cast<double>(blended), 0.6) << "rounding to eight bits";
       }
     }
   }
