@@ -1,5 +1,7 @@
 #include "made_kinds.h"
 
+#include <cmath>
+
 namespace foredraw::bench {
 
 std::vector<KnownMesh> made_meshes(std::uint64_t seed) {
@@ -29,6 +31,28 @@ KnownMesh fine_tubes(std::uint32_t triangles) {
     const Line line = hanging(random, rings);
     sweep(mesh, line, outline, {.wire = wire}, random);
     mesh.length.push_back(length_of(line));
+  }
+  return mesh;
+}
+
+KnownMesh turned_bodies(std::uint32_t triangles) {
+  using namespace made;
+  Random random(1);
+  KnownMesh mesh = named("turned bodies");
+  constexpr std::uint32_t sides = 48, rings = 100;
+  Outline outline = circle(sides);
+  for (std::uint32_t body = 0; mesh.wire_of.size() < triangles; ++body) {
+    const glm::dvec3 foot(2 * (body % 8), 0, 2 * (body / 8));
+    const double waves = between(random, 2, 6), depth = between(random, 0.2, 0.45), beads = between(random, 15, 40);
+    Line line;
+    Sweep how{.wire = no_wire};
+    for (std::uint32_t r = 0; r < rings; ++r) {
+      const double t = static_cast<double>(r) / (rings - 1);
+      line.push_back(foot + glm::dvec3(0, 2 * t, 0));
+      how.scale.push_back(0.4 * (1 + depth * std::cos(waves * t * pi)) * (1 - 0.6 * t) +
+                          0.03 * std::abs(std::sin(beads * t)));
+    }
+    sweep(mesh, line, outline, how, random);
   }
   return mesh;
 }

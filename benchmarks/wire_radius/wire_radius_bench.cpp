@@ -98,6 +98,9 @@ void print_times() {
     fmt::print("fine tubes, {} triangles: {:.2f} s\n", tubes.wire_of.size(),
                seconds_of([&] { find_wires(tubes.positions, tubes.indices); }));
   }
+  const KnownMesh bodies = turned_bodies(200'000);
+  fmt::print("turned bodies, {} triangles: {:.2f} s\n", bodies.wire_of.size(),
+             seconds_of([&] { find_wires(bodies.positions, bodies.indices); }));
   for (const std::uint32_t count : {25'000u, 1'000'000u}) {
     const KnownMesh mesh = hairs(count);
     fmt::print("hairs, {} triangles: {:.2f} s\n", mesh.wire_of.size(),

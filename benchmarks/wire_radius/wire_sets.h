@@ -34,6 +34,8 @@ std::vector<KnownMesh> made_meshes(std::uint64_t seed);
 
 /// A tube of a straight line, of about so many triangles: for times.
 KnownMesh fine_tubes(std::uint32_t triangles);
+/// Bodies as a lathe makes them, of about so many triangles: each ring may begin a wire, and none is one.
+KnownMesh turned_bodies(std::uint32_t triangles);
 /// So many hairs, which are ribbons of four quads.
 KnownMesh hairs(std::uint32_t count);
 

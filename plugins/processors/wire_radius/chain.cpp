@@ -44,6 +44,7 @@ ChainFollower::ChainFollower(const WeldedMesh& mesh, const ChainLimits& limits)
     : mesh_(mesh),
       limits_(limits),
       cutter_(mesh),
+      straight_(mesh),
       tried_(mesh.triangles.size(), 0),
       last_cut_(mesh.triangles.size()),
       between_(mesh.triangles.size(), 0) {}
@@ -92,10 +93,10 @@ bool ChainFollower::is_steady(const Section& before, const Section& after, doubl
   return std::abs(is - was) <= most && after.mean_half_width() <= 1.25 * before.mean_half_width() + most;
 }
 
-void ChainFollower::keep_cut(std::uint32_t triangle, const Plane& plane, At& at) const {
-  at.section = {cutter_.section(), plane.normal, triangle, 0};
-  at.next_corner = cutter_.next_corner(plane);
-  at.triangles.assign(cutter_.triangles().begin(), cutter_.triangles().end());
+void ChainFollower::keep_cut(Cutter& cutter, std::uint32_t triangle, const Plane& plane, At& at) {
+  at.section = {cutter.section(), plane.normal, triangle, 0};
+  at.next_corner = cutter.next_corner(plane);
+  at.triangles.assign(cutter.triangles().begin(), cutter.triangles().end());
 }
 
 bool ChainFollower::cut_at(std::uint32_t triangle, const Plane& plane, At& at) {
@@ -103,16 +104,17 @@ bool ChainFollower::cut_at(std::uint32_t triangle, const Plane& plane, At& at) {
     mark(cutter_.triangles(), plane.normal);
     return false;
   }
-  keep_cut(triangle, plane, at);
-  oblique_ = at.triangles;
-  const Plane turned{at.section.section.centre, cutter_.axis(plane)};
-  if (glm::dot(turned.normal, plane.normal) > 0.9999) return true;
-  const std::uint32_t there = cutter_.walk(triangle, turned, most_walk);
-  if (there == none || !cutter_.cut(there, turned, most_steps, most_perimeter_)) return true;
-  const Section& own = cutter_.section();
-  const bool is_better =
-      own.closed == at.section.section.closed && own.half_width() <= 1.05 * at.section.section.half_width();
-  if (is_better) keep_cut(there, turned, at);
+  oblique_ = cutter_.triangles();
+  const Plane turned{cutter_.centre(), cutter_.axis(plane)};
+  if (glm::dot(turned.normal, plane.normal) <= 0.9999) {
+    const std::uint32_t there = cutter_.walk(triangle, turned, most_walk);
+    if (there != none && straight_.cut(there, turned, most_steps, most_perimeter_) &&
+        straight_.is_closed() == cutter_.is_closed() && straight_.perimeter() <= 1.05 * cutter_.perimeter()) {
+      keep_cut(straight_, there, turned, at);
+      return true;
+    }
+  }
+  keep_cut(cutter_, triangle, plane, at);
   return true;
 }
 
@@ -129,22 +131,17 @@ int ChainFollower::turns_back(std::span<const std::uint32_t> triangles, int numb
   return turns;
 }
 
-/// Adds the sections that follow on one side, of which the axes point away from the first one.
-void ChainFollower::extend(const At& first, double sign, std::vector<ChainSection>& sections, bool& closed) {
-  At last = first, next;
-  if (sign < 0) {
-    const Plane back{first.section.section.centre, -first.section.axis};
-    if (!cutter_.cut(first.section.triangle, back, most_steps, most_perimeter_)) return;
-    keep_cut(first.section.triangle, back, last);
-  }
-  const double began = first.section.section.half_width();
-  for (int number = 1;; ++number) {
-    const ChainSection& now = last.section;
+/// Adds sections on one side, from where it ends so far. Where the next one is not like the last, steps are halved so
+/// many times.
+void ChainFollower::extend(End& end, double began, int halvings) {
+  At next;
+  while (!end.is_closed) {
+    const ChainSection& now = end.last.section;
     const double half = now.section.mean_half_width();
     // Where corners are far apart, sections change evenly up to just before the next ones.
-    double step = last.next_corner > 2 * usual_step * half ? last.next_corner - 0.05 * half : usual_step * half;
+    double step = end.last.next_corner > 2 * usual_step * half ? end.last.next_corner - 0.05 * half : usual_step * half;
     bool found = false;
-    for (int halving = 0; halving < 6 && !found; ++halving, step /= 2) {
+    for (int halving = 0; halving < halvings && !found; ++halving, step /= 2) {
       const Plane plane{now.section.centre + step * now.axis, now.axis};
       const std::uint32_t there = cutter_.walk(now.triangle, plane, most_walk);
       if (there == none || !cut_at(there, plane, next)) continue;
@@ -156,13 +153,16 @@ void ChainFollower::extend(const At& first, double sign, std::vector<ChainSectio
     const double is = found ? next.section.section.half_width() : 0;
     if (!found || is > limits_.taper * began || began > limits_.taper * is) return;
     mark(next.triangles, next.section.axis);
-    mark_between(last, next);
-    if (const int turns = turns_back(next.triangles, sign > 0 ? number : -number); turns > 0) {
-      closed = sign > 0 && turns >= number - 1;
+    mark_between(end.last, next);
+    const int number = ++end.steps;
+    if (const int turns = turns_back(next.triangles, end.is_behind ? -number : number); turns > 0) {
+      end.is_closed = true;
+      end.turns = turns;
       return;
     }
-    sections.push_back(next.section);
-    std::swap(last, next);
+    end.length += glm::distance(now.section.centre, next.section.section.centre);
+    end.sections.push_back(next.section);
+    std::swap(end.last, next);
   }
 }
 
@@ -188,16 +188,25 @@ Chain ChainFollower::follow(std::uint32_t triangle, const glm::dvec3& direction)
   mark(first.triangles, first.section.axis);
   ++chain_;
   turns_back(first.triangles, 0);
-  std::vector<ChainSection> backwards;
-  chain.sections.push_back(first.section);
-  extend(first, 1, chain.sections, chain.closed);
-  if (!chain.closed) {
-    bool closed = false;
-    extend(first, -1, backwards, closed);
-    std::ranges::reverse(backwards);
-    for (ChainSection& section : backwards) section.axis = -section.axis;
-    chain.sections.insert(chain.sections.begin(), backwards.begin(), backwards.end());
+  End ahead{.last = first}, behind{.last = first, .is_behind = true};
+  const Plane back{first.section.section.centre, -first.section.axis};
+  const bool goes_back = cutter_.cut(first.section.triangle, back, most_steps, most_perimeter_);
+  if (goes_back) keep_cut(cutter_, first.section.triangle, back, behind.last);
+  const double began = first.section.section.half_width();
+  // Ends are looked for closely where a wire may have some: most of what was begun is far too short.
+  const double least_length = limits_.slender * 2 * first.section.section.mean_half_width() / 8;
+  for (const int halvings : {2, 6}) {
+    if (halvings > 2 && ahead.length + behind.length < least_length) break;
+    extend(ahead, began, halvings);
+    chain.closed = ahead.is_closed && ahead.turns >= ahead.steps - 1;
+    if (chain.closed || !goes_back) continue;
+    extend(behind, began, halvings);
   }
+  chain.sections = std::move(behind.sections);
+  std::ranges::reverse(chain.sections);
+  for (ChainSection& section : chain.sections) section.axis = -section.axis;
+  chain.sections.push_back(first.section);
+  chain.sections.insert(chain.sections.end(), ahead.sections.begin(), ahead.sections.end());
   for (std::size_t i = 1; i < chain.sections.size(); ++i) {
     chain.sections[i].along = chain.sections[i - 1].along +
                               glm::distance(chain.sections[i - 1].section.centre, chain.sections[i].section.centre);

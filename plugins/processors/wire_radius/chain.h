@@ -46,8 +46,18 @@ class ChainFollower {
   };
   /// The section next to that point, first along the axis given, and then along its own.
   bool cut_at(std::uint32_t triangle, const Plane& plane, At& at);
-  void keep_cut(std::uint32_t triangle, const Plane& plane, At& at) const;
-  void extend(const At& first, double sign, std::vector<ChainSection>& sections, bool& closed);
+  static void keep_cut(Cutter& cutter, std::uint32_t triangle, const Plane& plane, At& at);
+  /// One side of a chain; axes point away from the first section.
+  struct End {
+    At last;
+    bool is_behind = false;
+    std::vector<ChainSection> sections = {};  ///< but the first one
+    double length = 0;
+    int steps = 0;
+    bool is_closed = false;  ///< it came to where the chain was, so many sections ago
+    int turns = 0;
+  };
+  void extend(End& end, double began, int halvings);
   /// How many sections ago the chain was where it is again; 0: it was never there.
   int turns_back(std::span<const std::uint32_t> triangles, int number);
   bool is_steady(const Section& before, const Section& after, double step) const;
@@ -60,7 +70,7 @@ class ChainFollower {
 
   const WeldedMesh& mesh_;
   ChainLimits limits_;
-  Cutter cutter_;
+  Cutter cutter_, straight_;          ///< the second cuts again, straight across
   std::vector<std::uint16_t> tried_;  ///< [triangle] a bit for each of 13 directions
   struct Cut {
     std::uint32_t chain = 0;

@@ -29,6 +29,35 @@ void convex_hull(std::vector<glm::dvec2>& points, std::vector<glm::dvec2>& hull)
   }
 }
 
+bool convex_polygon(std::span<const glm::dvec2> corners, bool is_counter_clockwise, std::vector<glm::dvec2>& hull) {
+  const auto is_before = [](const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+  };
+  const auto first = static_cast<std::size_t>(std::ranges::min_element(corners, is_before) - corners.begin());
+  const std::size_t count = corners.size();
+  hull.clear();
+  bool comes_back = false;
+  const auto add = [&](const glm::dvec2& point) {
+    while (hull.size() >= 2) {
+      const double bend = turn(hull[hull.size() - 2], hull.back(), point);
+      if (bend < 0) return false;
+      if (bend > 0) break;
+      hull.pop_back();  // on the edge, or the same point
+    }
+    // From its first corner it goes to the last one, and back: once.
+    if (!hull.empty() && point.x < hull.back().x) comes_back = true;
+    if (!hull.empty() && point.x > hull.back().x && comes_back) return false;
+    hull.push_back(point);
+    return true;
+  };
+  for (std::size_t i = 0; i <= count; ++i) {
+    const std::size_t at = first + (is_counter_clockwise ? i : count - i);
+    if (!add(corners[at < count ? at : at - count])) return false;
+  }
+  hull.pop_back();
+  return hull.size() >= 3 && turn(hull.back(), hull[0], hull[1]) > 0;
+}
+
 HullBox HullBoxes::at(std::size_t edge) {
   const glm::dvec2 from = hull_[edge], to = hull_[(edge + 1) % hull_.size()];
   HullBox box{glm::normalize(to - from)};
@@ -42,14 +71,16 @@ HullBox HullBoxes::at(std::size_t edge) {
 /// On from the corner where it was, and not before `first`, as long as that leads farther along the direction.
 double HullBoxes::farthest(std::size_t& corner, std::size_t first, const glm::dvec2& from,
                            const glm::dvec2& direction) const {
-  const auto reach = [&](std::size_t i) { return glm::dot(hull_[i % hull_.size()] - from, direction); };
   corner = std::max(corner, first);
-  double best = reach(corner);
-  for (double next = reach(corner + 1); next > best; next = reach(corner + 1)) {
+  std::size_t place = corner % hull_.size();
+  double best = glm::dot(hull_[place] - from, direction);
+  for (;;) {
+    place = place + 1 < hull_.size() ? place + 1 : 0;
+    const double next = glm::dot(hull_[place] - from, direction);
+    if (!(next > best)) return best;
     best = next;
     ++corner;
   }
-  return best;
 }
 
 }  // namespace foredraw::wiring

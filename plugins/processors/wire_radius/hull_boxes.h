@@ -11,6 +11,9 @@ namespace foredraw::wiring {
 /// Counter-clockwise, without points on its edges (Andrew 1979). O(n log n). `points` are sorted.
 void convex_hull(std::vector<glm::dvec2>& points, std::vector<glm::dvec2>& hull);
 
+/// The same in O(n) of a polygon's corners in their sequence, if it is convex and goes round once; false: it does not.
+bool convex_polygon(std::span<const glm::dvec2> corners, bool is_counter_clockwise, std::vector<glm::dvec2>& hull);
+
 /// The box with one side along an edge of the hull. Lengths are from the edge's first corner.
 struct HullBox {
   glm::dvec2 along{0};                  ///< of length 1

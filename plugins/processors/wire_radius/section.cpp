@@ -134,29 +134,47 @@ bool Cutter::cut(std::uint32_t triangle, const Plane& plane, std::size_t most_st
     std::ranges::reverse(backwards_);
     outline_.insert(outline_.begin(), backwards_.begin(), backwards_.end());
   }
-  measure(plane);
+  measure_line(plane);
   return section_.perimeter <= most_perimeter;
 }
 
-void Cutter::measure(const Plane& plane) {
+void Cutter::measure_line(const Plane& plane) {
   const std::array<glm::dvec3, 2> axes = square_to(plane.normal);
-  const glm::dvec3 &u = axes[0], &v = axes[1];
+  at_ = plane.at;
+  across_[0] = axes[0];
+  across_[1] = axes[1];
   flat_.clear();
-  for (const glm::dvec3& point : outline_)
-    flat_.emplace_back(glm::dot(point - plane.at, u), glm::dot(point - plane.at, v));
-  section_.perimeter = 0;
-  double area = 0;
-  glm::dvec2 middle(0), of_line(0);
+  for (const glm::dvec3& point : outline_) {
+    flat_.emplace_back(glm::dot(point - plane.at, across_[0]), glm::dot(point - plane.at, across_[1]));
+  }
+  section_.perimeter = area_ = 0;
+  middle_ = of_line_ = glm::dvec2(0);
   for (std::size_t i = 0; i + (section_.closed ? 0 : 1) < flat_.size(); ++i) {
     const glm::dvec2 a = flat_[i], b = flat_[(i + 1) % flat_.size()];
     const double length = glm::distance(a, b), doubled = a.x * b.y - a.y * b.x;
     section_.perimeter += length;
-    of_line += (a + b) * (length / 2);
-    area += doubled / 2;
-    middle += (a + b) * (doubled / 6);
+    of_line_ += (a + b) * (length / 2);
+    area_ += doubled / 2;
+    middle_ += (a + b) * (doubled / 6);
   }
-  convex_hull(flat_, hull_);
-  const auto in_space = [&](const glm::dvec2& at) { return plane.at + at.x * u + at.y * v; };
+  const double round = section_.perimeter * section_.perimeter / (4 * std::numbers::pi);
+  section_.roundness = section_.closed && round > 0 ? std::abs(area_) / round : 0;
+  has_widths_ = false;
+}
+
+const Section& Cutter::section() {
+  if (!has_widths_) measure_widths();
+  return section_;
+}
+
+glm::dvec3 Cutter::centre() {
+  return section_.closed && section_.roundness > 1e-3 ? in_space(middle_ / area_) : section().centre;
+}
+
+void Cutter::measure_widths() {
+  has_widths_ = true;
+  const glm::dvec2 first = flat_.front();
+  if (!section_.closed || !convex_polygon(flat_, area_ > 0, hull_)) convex_hull(flat_, hull_);
   section_.least = section_.greatest = 0;
   HullBox least_box;
   std::size_t least_edge = 0;
@@ -181,21 +199,19 @@ void Cutter::measure(const Plane& plane) {
     }
   }
   section_.least = least_box.depth / 2;
-  section_.across = across.x * u + across.y * v;
-  const double round = section_.perimeter * section_.perimeter / (4 * std::numbers::pi);
-  section_.roundness = section_.closed && round > 0 ? std::abs(area) / round : 0;
+  section_.across = across.x * across_[0] + across.y * across_[1];
   if (section_.closed && section_.roundness > 1e-3) {
-    section_.centre = in_space(middle / area);
+    section_.centre = in_space(middle_ / area_);
   } else if (hull_.size() > 1 && !section_.closed) {
     const glm::dvec2 inwards(-least_box.along.y, least_box.along.x);
     section_.centre = in_space(hull_[least_edge] + least_box.along * ((least_box.low + least_box.high) / 2) +
                                inwards * (least_box.depth / 2));
   } else {
-    section_.centre = in_space(section_.perimeter > 0 ? of_line / section_.perimeter : flat_.front());
+    section_.centre = in_space(section_.perimeter > 0 ? of_line_ / section_.perimeter : first);
   }
   section_.opening = glm::dvec3(0);
   if (!section_.closed && section_.perimeter > 0) {
-    const glm::dvec3 way = section_.centre - in_space(of_line / section_.perimeter);
+    const glm::dvec3 way = section_.centre - in_space(of_line_ / section_.perimeter);
     const double length = glm::length(way);
     if (length > 1e-3 * section_.greatest) section_.opening = way / length;
   }

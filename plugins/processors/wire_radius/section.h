@@ -39,8 +39,12 @@ class Cutter {
   /// triangles or a greater perimeter than `most_perimeter`: then triangles() are those that it went through by then.
   bool cut(std::uint32_t triangle, const Plane& plane, std::size_t most_steps, double most_perimeter);
 
-  /// Of the last cut.
-  const Section& section() const { return section_; }
+  /// Of the last cut; widths are measured when it is asked for.
+  const Section& section();
+  /// Of the last cut, as section() has them, but without measuring widths where that can be helped.
+  glm::dvec3 centre();
+  double perimeter() const { return section_.perimeter; }
+  bool is_closed() const { return section_.closed; }
   const std::vector<std::uint32_t>& triangles() const { return triangles_; }
 
   /// Whether the plane has corners of the triangle on both sides; one in the plane counts as above it.
@@ -59,13 +63,20 @@ class Cutter {
  private:
   bool trace(std::uint32_t triangle, std::uint32_t edge, const Plane& plane, double most_perimeter,
              std::size_t most_steps, std::vector<glm::dvec3>& outline, bool& closed);
-  void measure(const Plane& plane);
+  void measure_line(const Plane& plane);
+  void measure_widths();
+  glm::dvec3 in_space(const glm::dvec2& at) const { return at_ + at.x * across_[0] + at.y * across_[1]; }
 
   const WeldedMesh& mesh_;
   Section section_;
   std::vector<std::uint32_t> triangles_;
   std::vector<glm::dvec3> outline_, backwards_;
   std::vector<glm::dvec2> flat_, hull_;
+  // Of the last cut, in its plane: a place, two directions, the outline's area, and middles times area and length.
+  glm::dvec3 at_{0}, across_[2];
+  glm::dvec2 middle_{0}, of_line_{0};
+  double area_ = 0;
+  bool has_widths_ = false;
   glm::dvec3 borders_{0};  ///< the sum of their directions where the last cut ends, upwards
 };
 
