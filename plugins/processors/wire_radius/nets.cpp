@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace foredraw::wiring {
 
@@ -90,43 +91,110 @@ glm::dvec3 breadth_of(const WeldedMesh& mesh, std::uint32_t triangle) {
   return best;
 }
 
-/// A point is the middle of an edge that leads across, and has one for each ribbon that it is a border of.
-void add_points(const WeldedMesh& mesh, Net& net) {
-  const std::vector<NetEdge> edges = edges_of(mesh, net);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;  // by the point and the other one
-  for (const std::uint32_t t : net.parts.triangles) {
-    const glm::dvec3 edge_across = breadth_of(mesh, t);
-    const double least = glm::length(edge_across);
-    std::array<std::uint32_t, 3> of{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t point = mesh.triangles[t][c];
-      const glm::dvec3& at = mesh.points[point];
-      const auto first = std::ranges::lower_bound(edges, NetEdge{point, 0, 0},
-                                                  [](const NetEdge& a, const NetEdge& b) { return a < b; });
-      auto chosen = first;
-      for (auto edge = first; edge != edges.end() && edge->point == point; ++edge) {
-        const glm::dvec3 way = (mesh.points[edge->other] - at) / edge->length;
-        if (edge->length > 2 * least) break;  // no longer across a ribbon
-        if (std::abs(glm::dot(way, edge_across)) < 0.7 * least) continue;
-        chosen = edge;
-        break;
-      }
-      const auto [place, is_new] =
-          known.try_emplace({point, chosen->other}, static_cast<std::uint32_t>(net.parts.points.size()));
-      of[c] = place->second;
-      if (!is_new) continue;
-      const glm::dvec3 across = (mesh.points[chosen->other] - at) / chosen->length;
-      glm::dvec3 square(0);  // where the ribbon goes
-      for (const std::uint32_t other : mesh.triangles[t]) {
-        const glm::dvec3 way = mesh.points[other] - at;
-        const glm::dvec3 aside = way - across * glm::dot(way, across);
-        if (glm::dot(aside, aside) > glm::dot(square, square)) square = aside;
-      }
-      const double length = glm::length(square);
-      net.parts.points.push_back({point, across * (chosen->length / 2), length > 0 ? square / length : glm::dvec3(0),
-                                  chosen->length / 2, true});
+/// A ribbon's centre line beside one of its triangles.
+struct RibbonLine {
+  glm::dvec3 centre, along, across;  ///< the directions of length 1
+  double half_width;
+};
+
+/// Of a triangle that is longer than wide: along its border, or else its longest edge, and in the middle of what is cut
+/// straight across. However ends are cut, and however many triangles lie side by side, that is the ribbon's own line.
+std::optional<RibbonLine> line_beside(const WeldedMesh& mesh, std::uint32_t triangle, Cutter& cutter,
+                                      double most_breadth) {
+  constexpr double longer = 3;  // than wide
+  constexpr std::size_t most_side_by_side = 64;
+  const auto& corners = mesh.triangles[triangle];
+  glm::dvec3 edges[3], longest(0), border(0);
+  for (std::size_t e = 0; e < 3; ++e) {
+    edges[e] = mesh.points[corners[(e + 1) % 3]] - mesh.points[corners[e]];
+    if (glm::length(edges[e]) > glm::length(longest)) longest = edges[e];
+    if (mesh.across[triangle][e] == none && glm::length(edges[e]) > glm::length(border)) border = edges[e];
+  }
+  const double length = glm::length(longest), doubled_area = glm::length(glm::cross(edges[0], edges[1]));
+  if (!(length * length > longer * doubled_area)) return std::nullopt;
+  const glm::dvec3 along = glm::normalize(2 * glm::length(border) > length ? border : longest);
+  const glm::dvec3 middle = (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]) / 3.0;
+  if (!cutter.cut(triangle, {middle, along}, most_side_by_side, most_breadth)) return std::nullopt;
+  const Section& section = cutter.section();
+  if (!section.is_flat() || !(section.greatest > 0)) return std::nullopt;
+  return RibbonLine{section.centre, along, section.across, section.greatest};
+}
+
+/// In the middle of an edge that leads across: where ribbons cross.
+WirePoint centred_on_edge(const WeldedMesh& mesh, std::uint32_t triangle, std::uint32_t point,
+                          const std::vector<NetEdge>& edges) {
+  const glm::dvec3 edge_across = breadth_of(mesh, triangle);
+  const double least = glm::length(edge_across);
+  const glm::dvec3& at = mesh.points[point];
+  const auto first =
+      std::ranges::lower_bound(edges, NetEdge{point, 0, 0}, [](const NetEdge& a, const NetEdge& b) { return a < b; });
+  auto chosen = first;
+  for (auto edge = first; edge != edges.end() && edge->point == point; ++edge) {
+    const glm::dvec3 way = (mesh.points[edge->other] - at) / edge->length;
+    if (edge->length > 2 * least) break;  // no longer across a ribbon
+    if (std::abs(glm::dot(way, edge_across)) < 0.7 * least) continue;
+    chosen = edge;
+    break;
+  }
+  const glm::dvec3 across = (mesh.points[chosen->other] - at) / chosen->length;
+  glm::dvec3 square(0);  // where the ribbon goes
+  for (const std::uint32_t other : mesh.triangles[triangle]) {
+    const glm::dvec3 way = mesh.points[other] - at;
+    const glm::dvec3 aside = way - across * glm::dot(way, across);
+    if (glm::dot(aside, aside) > glm::dot(square, square)) square = aside;
+  }
+  const double length = glm::length(square);
+  return {point, across * (chosen->length / 2), length > 0 ? square / length : glm::dvec3(0), chosen->length / 2, true};
+}
+
+WirePoint centred_on_line(const WeldedMesh& mesh, std::uint32_t point, const RibbonLine& line) {
+  // In the middle so short that nothing moves by it.
+  const double across = glm::dot(line.centre - mesh.points[point], line.across), least = line.half_width / 1024;
+  return {point, line.across * (std::abs(across) > least ? across : least), line.along, line.half_width, true};
+}
+
+/// A point has a centre for each ribbon that it belongs to.
+class NetPoints {
+ public:
+  explicit NetPoints(Net& net) : net_(net) {}
+
+  std::uint32_t number_of(const WirePoint& wanted) {
+    std::vector<std::uint32_t>& known = known_[wanted.point];
+    for (const std::uint32_t number : known) {
+      const WirePoint& point = net_.parts.points[number];
+      const bool is_same = std::abs(glm::dot(point.axis, wanted.axis)) > 0.9 &&
+                           glm::distance(point.to_centre, wanted.to_centre) < 0.5 * wanted.half_width &&
+                           std::abs(point.half_width - wanted.half_width) < 0.25 * wanted.half_width;
+      if (is_same) return number;
     }
-    net.parts.corners.push_back(of);
+    known.push_back(static_cast<std::uint32_t>(net_.parts.points.size()));
+    net_.parts.points.push_back(wanted);
+    return known.back();
+  }
+
+ private:
+  Net& net_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> known_;
+};
+
+void add_points(const WeldedMesh& mesh, Cutter& cutter, Net& net) {
+  const std::vector<NetEdge> edges = edges_of(mesh, net);
+  net.parts.corners.resize(net.parts.triangles.size());
+  NetPoints points(net);
+  std::vector<std::size_t> crossings;  // which follow the ribbons beside them
+  for (std::size_t i = 0; i < net.parts.triangles.size(); ++i) {
+    const std::uint32_t t = net.parts.triangles[i];
+    const auto line = line_beside(mesh, t, cutter, 8 * net.half_width);
+    if (!line) crossings.push_back(i);
+    for (std::size_t c = 0; c < 3 && line; ++c) {
+      net.parts.corners[i][c] = points.number_of(centred_on_line(mesh, mesh.triangles[t][c], *line));
+    }
+  }
+  for (const std::size_t i : crossings) {
+    const std::uint32_t t = net.parts.triangles[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+      net.parts.corners[i][c] = points.number_of(centred_on_edge(mesh, t, mesh.triangles[t][c], edges));
+    }
   }
 }
 
@@ -153,7 +221,8 @@ std::vector<Net> find_nets(const WeldedMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (const std::uint32_t n = net_of[mesh.shell[t]]; n != none) nets[n].parts.triangles.push_back(t);
   }
-  for (Net& net : nets) add_points(mesh, net);
+  Cutter cutter(mesh);
+  for (Net& net : nets) add_points(mesh, cutter, net);
   std::erase_if(nets, [](const Net& net) { return !is_made_of_ribbons(net); });
   return nets;
 }

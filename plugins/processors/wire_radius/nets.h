@@ -12,9 +12,9 @@ struct Net {
   WireParts parts;
 };
 
-/// Shells that are open, and very much longer along their borders than their area would have it. A point's centre is in
-/// the middle of an edge that leads across its ribbon. Where ribbons cross, a point is on the border of both, and has a
-/// centre for each.
+/// Shells that are open, and very much longer along their borders than their area would have it. A point's centre is on
+/// the line of its ribbon, in the middle of what is cut straight across it. Where ribbons cross, a point belongs to
+/// several, and has a centre for each.
 std::vector<Net> find_nets(const WeldedMesh& mesh);
 
 }  // namespace foredraw::wiring

@@ -181,6 +181,52 @@ TEST(WireRadius, RibbonsOfANetEachHaveTheirCentreLine) {
   EXPECT_GT(along, mesh.indices.size() / 6);
 }
 
+/// Of ribbons two quads broad, whose ends are pointed where they meet, as in the rigging of ships: each knows its own
+/// line, and not what is square to its ends.
+TEST(WireRadius, RibbonsOfANetWithPointedEndsKnowTheirLines) {
+  constexpr float half = 0.02f;
+  constexpr int nodes = 6;
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> indices;
+  const auto add = [&](const glm::vec3& at) {
+    positions.push_back(at);
+    return static_cast<std::uint32_t>(positions.size() - 1);
+  };
+  const auto ribbon = [&](const glm::vec3& from, const glm::vec3& to) {
+    const glm::vec3 along = half * glm::normalize(to - from), aside(-along.y, along.x, 0);
+    const std::uint32_t a = add(from), b = add(to);
+    for (const float side : {-1.0f, 1.0f}) {
+      const std::uint32_t c = add(from + along + side * aside), d = add(to - along + side * aside);
+      for (const std::uint32_t v : {a, c, d}) indices.push_back(v);
+      for (const std::uint32_t v : {a, d, b}) indices.push_back(v);
+    }
+  };
+  for (int i = 0; i < nodes; ++i) {
+    for (int k = 0; k + 1 < nodes; ++k) {
+      const auto x = static_cast<float>(k), y = static_cast<float>(i);
+      ribbon({x, y, 0}, {x + 1, y, 0});
+      ribbon({y, x, 0}, {y, x + 1, 0});
+    }
+  }
+  const FoundWires found = find_wires(positions, indices);
+  ASSERT_EQ(found.wires.size(), 1u);
+  EXPECT_EQ(found.wires[0].kind, WireKind::net);
+  EXPECT_NEAR(found.wires[0].radius, half, 0.1f * half);
+  std::vector<FoundWires::Copy> of_corner;
+  for (const std::uint32_t v : indices)
+    of_corner.push_back({v, found.to_centre[v], found.axis[v], found.half_width[v]});
+  for (const FoundWires::Corner& corner : found.corners) of_corner[corner.index] = found.copies[corner.copy];
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const bool is_level = (i / 12) % 2 == 0;
+    const FoundWires::Copy& of = of_corner[i];
+    const glm::vec3 centre = positions[indices[i]] + of.to_centre;
+    EXPECT_GT(std::abs(is_level ? of.axis.x : of.axis.y), 0.999f) << i;
+    EXPECT_NEAR(of.half_width, half, 0.01f * half) << i;
+    const float line = is_level ? centre.y : centre.x;
+    EXPECT_NEAR(line, std::round(line), 0.01f * half) << i;
+  }
+}
+
 TEST(WireRadius, FixedTrianglesHoldWhatTheyJoin) {
   const KnownMesh mesh = made("catenary");
   const std::size_t triangles = mesh.indices.size() / 3;
