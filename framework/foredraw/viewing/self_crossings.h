@@ -13,13 +13,13 @@
 namespace foredraw {
 
 struct SelfCrossings {
-  std::size_t triangles = 0;  ///< that show the draw
+  std::size_t triangles = 0;  ///< that the draw was divided into
   std::size_t crossing = 0;   ///< of them: these pass through others, while what they lie on did not as it is stored
 };
 
-/// Of the triangles of displaced_draw_of(), in the pose that is stored, by crossing_triangles(). None
-/// where the draw is not displaced, its map cannot be read, it has more than half a million triangles, or `cancel` is
-/// set.
+/// Of full detail in the pose that is stored, divided as finely as the map's texels, or less, into at most 131,072
+/// triangles; by crossing_triangles(). None where no map displaces the draw or it cannot be read, where the draw has
+/// more triangles itself, or `cancel` is set.
 std::optional<SelfCrossings> self_crossings(const Scene& scene, DrawId draw, Analyses& analyses,
                                             const Executor& executor, const std::atomic<bool>* cancel = nullptr);
 
