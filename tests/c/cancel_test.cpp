@@ -146,7 +146,7 @@ class CancelledRuns : public ::testing::TestWithParam<std::string> {
   /// One that has something to do for every stage of the preset, and a good while of it.
   SceneHandle scene_for(const std::string& preset) {
     if (preset == "sprites") return read(corpus + "particles/atlas_smoke15frames.json");
-    if (preset == "character") return read(corpus + "animated/kaykit_knight.glb");
+    if (preset == "character") return read(corpus + "animated/cesium_man_notex.glb");
     if (preset == "city") return read(corpus + "scenes/house.glb");
     if (preset != "displaced") return ring(preset == "crowd" || preset == "walk" ? 150 : 400);
     const SceneHandle plain = ring(100);

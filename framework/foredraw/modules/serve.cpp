@@ -57,10 +57,9 @@ class Serving {
 
   /// No exception of the module's leaves this: nothing above could go on with one.
   [[noreturn]] void answer_calls(const foredraw_module& module) noexcept {
-    for (const int self = process_number();;) {
+    for (;;) {
       wait_for_turn(BlockTurn::program);
       answer(*module.plugins[call_.plugin]);
-      if (process_number() != self) std::_Exit(0);  // a child that the module made, and that came back
       set_and_wake(answer_.turn, static_cast<std::uint32_t>(BlockTurn::program));
     }
   }
@@ -108,7 +107,9 @@ class Serving {
     host_.seed = call_.seed;
     answer_.said_bytes = 0;
     answer_.left_out = 0;
-    answer_.status = plugin.run(plugin.user, &draw, options_.data(), &answer, &host_);
+    const int status = plugin.run(plugin.user, &draw, options_.data(), &answer, &host_);
+    if (process_number() != self_) std::_Exit(0);  // a child that the module made, and that came back
+    answer_.status = status;
     answer_.count = answer.count;
     answer_.vertex_count = answer.vertex_count;
   }
@@ -143,6 +144,7 @@ class Serving {
     return true;
   }
 
+  const int self_ = process_number();
   SharedBlock asked_, answered_;
   const AskedCall& call_;
   AnsweredCall& answer_;
