@@ -88,8 +88,8 @@ void add_what_remeshers_do(Card& card) {
   if (card.provides.has(traits::clustered)) {
     throw std::invalid_argument("a remesher can not provide 'clustered': its answer has no clusters");
   }
-  for (const Trait lost : {traits::welded, traits::progressive, traits::clustered, traits::cache_ordered, traits::overdraw_ordered,
-                           traits::fetch_ordered}) {
+  for (const Trait lost : {traits::welded, traits::progressive, traits::clustered, traits::cache_ordered,
+                           traits::overdraw_ordered, traits::fetch_ordered}) {
     if (!card.provides.has(lost)) card.breaks.add(lost);
   }
   if (!card.lossless) card.measured_by = {"surface-error", "attribute-error"};
@@ -100,8 +100,8 @@ void add_what_remeshers_do(Card& card) {
 foredraw_plugin in_this_version(const foredraw_plugin& described) {
   constexpr std::size_t size_of_1_0 = offsetof(foredraw_plugin, acts_on);
   if (described.size < size_of_1_0) {
-    throw std::invalid_argument(fmt::format("a plugin's size is {}, but must be sizeof(foredraw_plugin), {}",
-                                            described.size, sizeof described));
+    throw std::invalid_argument(
+        fmt::format("size is {}, but must be sizeof(foredraw_plugin), {}", described.size, sizeof described));
   }
   foredraw_plugin known{};
   std::memcpy(&known, &described, std::min<std::size_t>(described.size, sizeof known));
