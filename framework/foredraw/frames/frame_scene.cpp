@@ -2,6 +2,7 @@
 
 #include <foredraw/image/texture_uv.h>
 #include <foredraw/scene/walk.h>
+#include <foredraw/scene/wires.h>
 #include <foredraw/viewing/shown_scene.h>
 
 #include <glm/common.hpp>
@@ -25,29 +26,8 @@ std::vector<glm::vec2> places_of(const VertexStreams& vertices, const std::optio
   return {places.begin(), places.end()};
 }
 
-/// A stream of so many floats a vertex; null where there is none.
-const VertexStream* floats_of(const VertexStreams& vertices, const char* semantic, std::uint8_t components) {
-  const VertexStream* stream = vertices.find(semantic);
-  const bool fits =
-      stream != nullptr && stream->format.component == Component::float32 && stream->format.components == components;
-  return fits ? stream : nullptr;
-}
-
-void add_wires(FrameLevel& to, const VertexStreams& vertices) {
-  const VertexStream *wires = floats_of(vertices, "_FOREDRAW_WIRE", 4),
-                     *axes = floats_of(vertices, "_FOREDRAW_WIRE_AXIS", 4);
-  if (wires == nullptr || axes == nullptr) return;
-  to.wires.resize(vertices.count);
-  to.wire_axes.resize(vertices.count);
-  for (std::size_t v = 0; v < to.wires.size(); ++v) {
-    for (int c = 0; c < 4; ++c) {
-      to.wires[v][c] = decode_component(*wires, v, static_cast<std::size_t>(c));
-      to.wire_axes[v][c] = decode_component(*axes, v, static_cast<std::size_t>(c));
-    }
-  }
-}
-
-FrameLevel frame_level(const Level& level, const Material* material, Analyses& analyses) {
+FrameLevel frame_level(const Level& level, const Material* material, std::optional<std::uint32_t> wire_texcoords,
+                       Analyses& analyses) {
   FrameLevel made;
   made.positions = positions_of(analyses, *level.vertices);
   if (const VertexStream* normals = level.vertices->find("NORMAL")) made.normals = decode_vec3(*normals);
@@ -55,7 +35,10 @@ FrameLevel frame_level(const Level& level, const Material* material, Analyses& a
     made.base_places = places_of(*level.vertices, material->base_colour);
     made.normal_map_places = places_of(*level.vertices, material->normal_map);
   }
-  add_wires(made, *level.vertices);
+  if (auto of_vertices = decoded_wires(*level.vertices, wire_texcoords)) {
+    made.wires = std::move(of_vertices->wires);
+    made.wire_axes = std::move(of_vertices->axes);
+  }
   made.indices = level.stream().indices.view();
   for (const std::uint32_t v : made.indices) made.vertices = std::max<std::size_t>(made.vertices, v + std::size_t{1});
   made.error = static_cast<double>(level.error);
@@ -158,7 +141,12 @@ FrameMesh frame_mesh(const Scene& scene, const Mesh& mesh, Analyses& analyses) {
     if (draw.topology != Topology::triangles) continue;
     const Material* material = scene.material_of(draw);
     FrameDraw frame{id, {}, surface_of(scene, material, analyses)};
-    for (const Level& level : draw.levels) frame.levels.push_back(frame_level(level, material, analyses));
+    const auto* wires = scene.products.find<Wires>();
+    const DrawWires* of = wires == nullptr ? nullptr : wires->of(id);
+    const auto texcoords = of == nullptr ? std::nullopt : of->texcoords;
+    for (const Level& level : draw.levels) {
+      frame.levels.push_back(frame_level(level, material, texcoords, analyses));
+    }
     made.levels = std::max(made.levels, frame.levels.size());
     drawn.push_back({frame.levels.front().positions->values, frame.levels.front().indices});
     made.draws.push_back(std::move(frame));

@@ -3,6 +3,9 @@
 
 #include <foredraw/scene/draw.h>
 
+#include <glm/vec4.hpp>
+
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -46,12 +49,28 @@ struct DrawWires {
   DrawId draw = 0;
   std::uint32_t first_triangle = 0;
   std::vector<Wire> wires;  ///< at least one; their triangles sum up to what the draw has from the first one on
+  /// Where the streams are not the two above, but four sets of texture coordinates, of floats, from this one on: WIRE's
+  /// x and y, its z and w, AXIS's x and y, its z and w.
+  std::optional<std::uint32_t> texcoords = {};
   friend bool operator==(const DrawWires&, const DrawWires&) = default;
 };
+
+/// What the streams say, decoded.
+struct DecodedWires {
+  std::vector<glm::vec4> wires, axes;  ///< [vertex] WIRE and AXIS
+};
+
+/// `texcoords`: as DrawWires has it. Nothing where a stream is missing, or of another type.
+std::optional<DecodedWires> decoded_wires(const VertexStreams& vertices, std::optional<std::uint32_t> texcoords);
 
 struct Wires {
   static constexpr std::string_view product = "wires";
   std::vector<DrawWires> draws;  ///< rising
+
+  const DrawWires* of(DrawId draw) const {
+    const auto found = std::ranges::find(draws, draw, &DrawWires::draw);
+    return found == draws.end() ? nullptr : &*found;
+  }
   friend bool operator==(const Wires&, const Wires&) = default;
 };
 

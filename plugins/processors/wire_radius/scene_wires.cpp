@@ -221,7 +221,12 @@ UnitWires find_unit_wires(const Scene& scene, const WireUnit& unit, const WireOp
 }
 
 std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitWires& wires,
-                                 std::span<const std::uint32_t> ranged) {
+                                 std::span<const std::uint32_t> ranged, bool as_texcoords) {
+  const auto* before = scene.products.find<Wires>();
+  const auto texcoords_before = [&](DrawId id) {
+    const DrawWires* of = before == nullptr ? nullptr : before->of(id);
+    return of == nullptr ? std::nullopt : of->texcoords;
+  };
   const FoundWires& found = wires.found;
   std::vector<DrawWires> made;
   std::map<const VertexStreams*, std::shared_ptr<const VertexStreams>> with_wires;
@@ -254,7 +259,9 @@ std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitW
     if (!by_wire.empty()) {
       const std::shared_ptr<const VertexStreams> old = draw.full().vertices;
       auto& now = with_wires[old.get()];
-      if (!now) now = with_wire_streams(*old, found, wires.first_vertex[d], copies[old.get()]);
+      const auto plain = without_wire_streams(*old, texcoords_before(of.draw));
+      if (as_texcoords) of.texcoords = first_free_texcoord(*plain);
+      if (!now) now = with_wire_streams(*plain, found, wires.first_vertex[d], copies[old.get()], of.texcoords);
       take_copies(draw, old->count, wires, d, copies[old.get()]);
     }
     draw = with_triangle_order(draw, order);

@@ -44,7 +44,8 @@ UnitWires find_unit_wires(const Scene& scene, const WireUnit& unit, const WireOp
 /// product is the caller's.
 /// `ranged`: [draw of the unit] so many first triangles are in ranges of other products. What wires are torn from
 /// leaves these ranges too: a range of whole shells, as second depth has, stays one.
+/// `as_texcoords`: streams are the next four sets of texture coordinates, for importers that know no others.
 std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitWires& wires,
-                                 std::span<const std::uint32_t> ranged);
+                                 std::span<const std::uint32_t> ranged, bool as_texcoords);
 
 }  // namespace foredraw::wiring

@@ -41,9 +41,16 @@ std::optional<std::size_t> draw_of(const UnitWires& wires, std::size_t triangle)
   return draw;
 }
 
+/// What vertices carry it in.
+enum class As : std::uint8_t { attributes, texcoords };
+
+struct StageOptions : WireOptions {
+  As as = As::attributes;
+};
+
 class WireRadius final : public Processor {
  public:
-  explicit WireRadius(WireOptions options) : options_(options) {}
+  explicit WireRadius(StageOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     wiring::WireUnits units = wiring::wire_units(scene, draws);
@@ -71,11 +78,15 @@ class WireRadius final : public Processor {
         const std::vector<std::uint32_t> bounds = run.bounds(scene, {id, 0}, Wires::product);
         ranged.push_back(bounds.empty() ? 0 : bounds.back());
       }
-      for (DrawWires& of : wiring::put_wires(scene, units.units[u], found[u], ranged)) {
+      for (DrawWires& of : wiring::put_wires(scene, units.units[u], found[u], ranged, options_.as == As::texcoords)) {
         changed.push_back(of.draw);
         std::erase_if(all.draws, [&](const DrawWires& old) { return old.draw == of.draw; });
         if (of.wires.empty()) continue;
         tell(scene, of, run);
+        if (of.texcoords) {
+          run.note_at({.draw = of.draw}, "texcoords",
+                      fmt::format("its wires are in TEXCOORD_{} to TEXCOORD_{}", *of.texcoords, *of.texcoords + 3));
+        }
         all.draws.push_back(std::move(of));
       }
     }
@@ -132,13 +143,13 @@ class WireRadius final : public Processor {
     }
   }
 
-  WireOptions options_;
+  StageOptions options_;
 };
 
 }  // namespace
 
 Plugin wire_radius_plugin() {
-  OptionTable<WireOptions> table;
+  OptionTable<StageOptions> table;
   table
       .row(&WireOptions::slender, "slender", "A wire is at least this many times as long as it is wide, on average",
            {2, 1000, ""})
@@ -151,7 +162,11 @@ Plugin wire_radius_plugin() {
            "A flat part is taken as painted on a surface, and not as a wire, if the surface lies within this many of "
            "its breadths in front of it or behind it; 0: it is taken as a wire",
            {0, 100, "breadths"})
-      .row(&WireOptions::least_length, "least-length", "Shorter parts are not wires", {0, 1e30, "units"});
+      .row(&WireOptions::least_length, "least-length", "Shorter parts are not wires", {0, 1e30, "units"})
+      .choice(&StageOptions::as, "as",
+              "What vertices know of their wire is stored as attributes of that name, or, for engines that import no "
+              "others, as the next four sets of texture coordinates",
+              {{"attributes", As::attributes}, {"texcoords", As::texcoords}});
 
   Plugin plugin;
   plugin.kind = Kind::processor;
@@ -172,7 +187,7 @@ Plugin wire_radius_plugin() {
   };
   plugin.products = {wires_product()};
   bind_options(plugin, std::move(table),
-               [](const WireOptions& options) { return std::make_unique<WireRadius>(options); });
+               [](const StageOptions& options) { return std::make_unique<WireRadius>(options); });
   return plugin;
 }
 

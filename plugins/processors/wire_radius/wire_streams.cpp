@@ -1,14 +1,16 @@
 #include "wire_streams.h"
 
+#include <glm/vec2.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <string>
 
 namespace foredraw::wiring {
 
 namespace {
 
-constexpr Format row_of_wire{Component::float32, 4, false, 16}, row_of_axis{Component::float32, 4, false, 16};
+constexpr Format of_four{Component::float32, 4, false, 16}, of_two{Component::float32, 2, false, 8};
 
 template <class Row>
 VertexStream stream_of(std::string_view semantic, const Format& format, const std::vector<Row>& rows) {
@@ -16,13 +18,10 @@ VertexStream stream_of(std::string_view semantic, const Format& format, const st
   return {std::string(semantic), format, Shared<std::byte>({bytes.begin(), bytes.end()})};
 }
 
+std::string texcoord(std::uint32_t set) { return "TEXCOORD_" + std::to_string(set); }
+
 bool is_ours(const VertexStream& stream) {
   return stream.semantic == wire_semantic || stream.semantic == wire_axis_semantic;
-}
-
-const VertexStream* find(const VertexStreams& vertices, std::string_view semantic, const Format& format) {
-  const VertexStream* stream = vertices.find(semantic);
-  return stream != nullptr && stream->format == format && stream->count() == vertices.count ? stream : nullptr;
 }
 
 VertexStream with_copies(const VertexStream& stream, std::span<const std::uint32_t> vertices) {
@@ -39,14 +38,27 @@ VertexStream with_copies(const VertexStream& stream, std::span<const std::uint32
 
 }  // namespace
 
-std::shared_ptr<const VertexStreams> without_wire_streams(const VertexStreams& vertices) {
+std::shared_ptr<const VertexStreams> without_wire_streams(const VertexStreams& vertices,
+                                                          std::optional<std::uint32_t> texcoords) {
   auto changed = std::make_shared<VertexStreams>(vertices);
   std::erase_if(changed->base, is_ours);
+  for (std::uint32_t i = 0; i < 4 && texcoords; ++i) {
+    std::erase_if(changed->base, [&](const VertexStream& of) { return of.semantic == texcoord(*texcoords + i); });
+  }
   return changed;
 }
 
+std::uint32_t first_free_texcoord(const VertexStreams& vertices) {
+  constexpr std::uint32_t most = 1000;
+  for (std::uint32_t set = most; set > 0; --set) {
+    if (vertices.find(texcoord(set - 1)) != nullptr) return set;
+  }
+  return 0;
+}
+
 std::shared_ptr<const VertexStreams> with_wire_streams(const VertexStreams& vertices, const FoundWires& found,
-                                                       std::size_t first, std::span<const CopiedVertex> copies) {
+                                                       std::size_t first, std::span<const CopiedVertex> copies,
+                                                       std::optional<std::uint32_t> texcoords) {
   std::vector<glm::vec4> wires(vertices.count), axes(vertices.count);
   for (std::size_t v = 0; v < vertices.count; ++v) {
     wires[v] = glm::vec4(found.to_centre[first + v], found.half_width[first + v]);
@@ -65,25 +77,32 @@ std::shared_ptr<const VertexStreams> with_wire_streams(const VertexStreams& vert
     for (VertexStream& stream : changed->base) stream = with_copies(stream, copied);
     changed->count += static_cast<std::uint32_t>(copied.size());
   }
-  changed->base.push_back(stream_of(wire_semantic, row_of_wire, wires));
-  changed->base.push_back(stream_of(wire_axis_semantic, row_of_axis, axes));
+  if (!texcoords) {
+    changed->base.push_back(stream_of(wire_semantic, of_four, wires));
+    changed->base.push_back(stream_of(wire_axis_semantic, of_four, axes));
+    return changed;
+  }
+  std::uint32_t set = *texcoords;
+  for (const std::vector<glm::vec4>* rows : {&wires, &axes}) {
+    for (const int c : {0, 2}) {
+      std::vector<glm::vec2> pairs;
+      pairs.reserve(rows->size());
+      for (const glm::vec4& row : *rows) pairs.emplace_back(row[c], row[c + 1]);
+      changed->base.push_back(stream_of(texcoord(set++), of_two, pairs));
+    }
+  }
   return changed;
 }
 
-std::optional<std::vector<glm::vec4>> wire_rows(const VertexStreams& vertices) {
-  const VertexStream* wire = find(vertices, wire_semantic, row_of_wire);
-  const VertexStream* axis = find(vertices, wire_axis_semantic, row_of_axis);
-  if (wire == nullptr || axis == nullptr) return std::nullopt;
-  std::vector<glm::vec4> rows(vertices.count);
-  std::vector<float> axes(4 * std::size_t{vertices.count});
-  std::memcpy(rows.data(), wire->bytes.view().data(), wire->bytes.size());
-  std::memcpy(axes.data(), axis->bytes.view().data(), axis->bytes.size());
-  const auto is_number = [](float value) { return std::isfinite(value); };
-  const bool are_numbers = std::ranges::all_of(axes, is_number) && std::ranges::all_of(rows, [&](const glm::vec4& row) {
-                             return is_number(row.x) && is_number(row.y) && is_number(row.z) && is_number(row.w);
-                           });
-  if (!are_numbers) return std::nullopt;
-  return rows;
+std::optional<std::vector<glm::vec4>> wire_rows(const VertexStreams& vertices, std::optional<std::uint32_t> texcoords) {
+  auto of = decoded_wires(vertices, texcoords);
+  const auto are_numbers = [](const glm::vec4& row) {
+    return std::isfinite(row.x) && std::isfinite(row.y) && std::isfinite(row.z) && std::isfinite(row.w);
+  };
+  if (!of || !std::ranges::all_of(of->wires, are_numbers) || !std::ranges::all_of(of->axes, are_numbers)) {
+    return std::nullopt;
+  }
+  return std::move(of->wires);
 }
 
 }  // namespace foredraw::wiring

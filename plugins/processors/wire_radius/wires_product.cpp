@@ -20,6 +20,8 @@ namespace {
 using List = ExtensionValue::List;
 using Members = ExtensionValue::Members;
 
+constexpr std::uint32_t most_texcoords = 1000;
+
 std::optional<WireKind> kind_of(const ExtensionValue* value) {
   for (const WireKind kind : {WireKind::tube, WireKind::ribbon, WireKind::net}) {
     if (value != nullptr && value->text() != nullptr && *value->text() == text_of(kind)) return kind;
@@ -64,7 +66,7 @@ std::string difference_of(const DrawWires& of, const Scene& scene) {
   std::uint64_t sum = of.first_triangle;
   for (const Wire& wire : of.wires) sum += wire.triangles;
   if (of.wires.empty() || sum != triangles) return name + " has a different number of triangles";
-  const auto rows = wiring::wire_rows(*level.vertices);
+  const auto rows = wiring::wire_rows(*level.vertices, of.texcoords);
   if (!rows) return name + " lacks one of their streams, or it has another type";
   const auto indices = level.stream().indices.view();
   for (std::size_t t = 0; t < triangles; ++t) {
@@ -83,17 +85,18 @@ std::string difference_of(const DrawWires& of, const Scene& scene) {
 }
 
 /// Takes the streams of these draws away, except where another draw with wires has the same.
-void take_streams(const std::vector<DrawId>& draws, const std::vector<DrawWires>& kept, Scene& scene) {
+void take_streams(const std::vector<DrawWires>& lost, const std::vector<DrawWires>& kept, Scene& scene) {
   std::map<const VertexStreams*, std::shared_ptr<const VertexStreams>> without;
   const auto is_kept = [&](const VertexStreams* streams) {
     return std::ranges::any_of(
         kept, [&](const DrawWires& of) { return scene.draws[of.draw].full().vertices.get() == streams; });
   };
-  for (const DrawId id : draws) {
-    const VertexStreams* streams = id < scene.draws.size() ? scene.draws[id].full().vertices.get() : nullptr;
+  for (const DrawWires& of : lost) {
+    const VertexStreams* streams = of.draw < scene.draws.size() ? scene.draws[of.draw].full().vertices.get() : nullptr;
     if (streams == nullptr || is_kept(streams)) continue;
-    if (streams->find(wire_semantic) == nullptr && streams->find(wire_axis_semantic) == nullptr) continue;
-    without.try_emplace(streams, wiring::without_wire_streams(*streams));
+    const bool has_any =
+        of.texcoords || streams->find(wire_semantic) != nullptr || streams->find(wire_axis_semantic) != nullptr;
+    if (has_any) without.try_emplace(streams, wiring::without_wire_streams(*streams, of.texcoords));
   }
   for (Draw& draw : scene.draws) {
     for (Level& level : draw.levels) {
@@ -124,7 +127,10 @@ class WiresRow final : public ProductRow {
       const auto number = first == nullptr ? std::nullopt : first->whole();
       if (!number) return name + " has no 'firstTriangle', a whole number";
       if (list == nullptr || list->list() == nullptr) return name + " has no array 'wires'";
-      DrawWires of{id, *number, {}};
+      const ExtensionValue* texcoords = value->member("texcoords");
+      if (texcoords != nullptr && (!texcoords->whole() || *texcoords->whole() > most_texcoords))
+        return name + " has 'texcoords' that are no set's number";
+      DrawWires of{id, *number, {}, texcoords == nullptr ? std::nullopt : texcoords->whole()};
       for (const ExtensionValue& one : *list->list()) {
         const auto wire = wire_of(one);
         if (!wire)
@@ -142,7 +148,9 @@ class WiresRow final : public ProductRow {
 
   void write(const Scene& scene, ExtensionWriter& to) const override {
     for (const DrawWires& of : scene.products.find<Wires>()->draws) {
-      to.put_on_draw(of.draw, Members{{"firstTriangle", of.first_triangle}, {"wires", listed(of.wires, value_of)}});
+      Members members{{"firstTriangle", of.first_triangle}, {"wires", listed(of.wires, value_of)}};
+      if (of.texcoords) members.emplace_back("texcoords", *of.texcoords);
+      to.put_on_draw(of.draw, std::move(members));
     }
   }
 
@@ -165,7 +173,7 @@ class WiresRow final : public ProductRow {
     const Wires& wires = *after.products.find<Wires>();
     const Wires* was = before.products.find<Wires>();
     Wires left;
-    std::vector<DrawId> lost;
+    std::vector<DrawWires> lost;
     std::vector<std::string> told;
     for (const DrawWires& of : wires.draws) {
       const bool is_new = was == nullptr || std::ranges::find(was->draws, of) == was->draws.end();
@@ -175,7 +183,7 @@ class WiresRow final : public ProductRow {
         left.draws.push_back(std::move(*now));
         continue;
       }
-      lost.push_back(of.draw);
+      lost.push_back(of);
       told.push_back("the wires of " + (of.draw < before.draws.size() ? before.draws[of.draw].name : "a draw") +
                      " are left out: " + why);
     }
@@ -189,9 +197,7 @@ class WiresRow final : public ProductRow {
   }
 
   void leave_out(Scene& scene) const override {
-    std::vector<DrawId> draws;
-    for (const DrawWires& of : scene.products.find<Wires>()->draws) draws.push_back(of.draw);
-    take_streams(draws, {}, scene);
+    take_streams(scene.products.find<Wires>()->draws, {}, scene);
     scene.products.erase(Wires::product);
   }
 
@@ -219,6 +225,9 @@ class WiresRow final : public ProductRow {
           fmt::format("{}: {}, {} and {}, together {:.4g} units long, radius {:.4g} to {:.4g}; {} of {} triangles",
                       name, counted(kinds[0], "tube"), counted(kinds[1], "ribbon"), counted(kinds[2], "net"), length,
                       least, most, triangles - of.first_triangle, triangles));
+      if (of.texcoords) {
+        text.lines.back() += fmt::format("; in TEXCOORD_{} to TEXCOORD_{}", *of.texcoords, *of.texcoords + 3);
+      }
       text.value.push(Members{{"draw", name},
                               {"firstTriangle", of.first_triangle},
                               {"tubes", kinds[0]},

@@ -325,6 +325,27 @@ TEST(WireRadiusFiles, SecondDepthKeepsWholeShells) {
   EXPECT_EQ(other.scene.products.find<SecondDepth>()->triangles_of(0), closed->triangles_of(0));
 }
 
+/// Of a draw with both, shells come first and wires last, whichever stage ran first, and later orders keep it so.
+TEST(WireRadiusFiles, ShellsComeFirstAndWiresLastInEitherSequence) {
+  const Scene both = scene_of(mixed({"closed antenna", "egg", "flat rope", "plank", "sail hem"}));
+  for (const char* stages : {"second-depth, wire-radius", "wire-radius, second-depth"}) {
+    const Scene made = testing::run(stages, both).scene;
+    for (const char* later : {"tipsify, vertex-fetch", "lookahead(quality=fast)", "weld, forsyth, vertex-fetch"}) {
+      SCOPED_TRACE(std::string(stages) + ", " + later);
+      const Scene ordered = testing::run(later, made).scene;
+      const auto *closed = ordered.products.find<SecondDepth>(), *was = made.products.find<SecondDepth>();
+      const auto *wires = ordered.products.find<Wires>(), *wires_before = made.products.find<Wires>();
+      ASSERT_TRUE(closed != nullptr && was != nullptr && wires != nullptr && wires_before != nullptr);
+      EXPECT_EQ(closed->triangles_of(0), was->triangles_of(0));
+      EXPECT_EQ(wires->draws, wires_before->draws);
+      const std::uint32_t first = wires->draws[0].first_triangle;
+      EXPECT_LE(closed->triangles_of(0), first);
+      EXPECT_EQ(triangles_of(ordered, first), triangles_of(made, first));
+      EXPECT_EQ(wires_product()->difference(ordered), "");
+    }
+  }
+}
+
 /// A stream that another tool left, of any type, gives way to ours.
 TEST(WireRadiusFiles, StaleStreamsGiveWay) {
   testing::GltfBuilder builder = mixed({"flat rope"});
@@ -346,6 +367,75 @@ TEST(WireRadiusFiles, BlendedMaskedAndLinesAreLeftAlone) {
   testing::GltfBuilder lines = mixed({"flat rope"});
   lines.json["meshes"][0]["primitives"][0]["mode"] = 1;
   EXPECT_FALSE(testing::run("wire-radius", scene_of(lines)).scene.products.has(Wires::product));
+}
+
+/// For importers that know no other attributes: the same numbers, in the next free sets of texture coordinates.
+TEST(WireRadiusFiles, GoIntoTextureCoordinates) {
+  testing::GltfBuilder builder = mixed({"flat rope", "lamp post", "egg"});
+  const std::size_t count = scene_of(builder).draws[0].full().vertices->count;
+  builder.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+      builder.add_values(std::vector<float>(2 * count, 0.5f), "VEC2");
+  const Scene before = scene_of(builder);
+  const Result result = testing::run("wire-radius(as=texcoords)", before);
+  const Scene& found = result.scene;
+  const Wires* wires = found.products.find<Wires>();
+  ASSERT_NE(wires, nullptr);
+  EXPECT_EQ(wires->draws[0].texcoords, 1u);
+  const auto says = [](const NoteRecord& note) { return note.message == "its wires are in TEXCOORD_1 to TEXCOORD_4"; };
+  EXPECT_TRUE(std::ranges::any_of(result.report.stages[0].notes, says));
+  const Scene usual = testing::run("wire-radius", before).scene;
+  const auto as_usual = decoded_wires(*usual.draws[0].full().vertices, std::nullopt);
+  const auto is = decoded_wires(*found.draws[0].full().vertices, 1);
+  ASSERT_TRUE(as_usual && is);
+  EXPECT_EQ(is->wires, as_usual->wires);
+  EXPECT_EQ(is->axes, as_usual->axes);
+
+  const GltfJson json = testing::json_of(written(found));
+  const GltfJson& primitive = json["meshes"][0]["primitives"][0];
+  EXPECT_EQ(primitive["attributes"].size(), 6u);
+  EXPECT_FALSE(primitive["attributes"].contains("_FOREDRAW_WIRE"));
+  for (const char* set : {"TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3", "TEXCOORD_4"}) {
+    const GltfJson& accessor = json["accessors"][primitive["attributes"][set].get<std::size_t>()];
+    EXPECT_EQ(accessor["type"], "VEC2");
+    EXPECT_EQ(accessor["componentType"], 5126);
+  }
+  EXPECT_EQ(primitive["extensions"]["FOREDRAW_wires"]["texcoords"], 1);
+
+  // Later stages and files keep them; found again they are in the same sets, or back in attributes.
+  Diagnostics diagnostics;
+  const auto again = read(written(testing::run("weld, tipsify, vertex-fetch", found).scene), diagnostics);
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+  EXPECT_EQ(*again->products.find<Wires>(), *wires);
+  EXPECT_EQ(testing::run("wire-radius(as=texcoords)", *again).scene.products.find<Wires>()->draws[0].texcoords, 1u);
+  const Scene back = testing::run("wire-radius", *again).scene;
+  EXPECT_EQ(back.draws[0].full().vertices->find("TEXCOORD_1"), nullptr);
+  EXPECT_NE(back.draws[0].full().vertices->find(wire_semantic), nullptr);
+
+  // What leaves them out takes the sets away, and no other.
+  const Scene out = testing::run("quadric-collapse, simplify(ratio=0.5)", found).scene;
+  EXPECT_FALSE(out.products.has(Wires::product));
+  EXPECT_EQ(out.draws[0].full().vertices->find("TEXCOORD_4"), nullptr);
+  EXPECT_NE(out.draws[0].full().vertices->find("TEXCOORD_0"), nullptr);
+}
+
+TEST(WireRadiusFiles, WrongTextureCoordinatesAreLeftOut) {
+  const std::vector<std::byte> glb = written(testing::run("wire-radius(as=texcoords)", plain()).scene);
+  std::uint32_t length = 0;
+  std::memcpy(&length, glb.data() + 12, 4);
+  const std::vector<std::byte> bin(glb.begin() + 20 + length + 8, glb.end());
+  for (const auto& [value, why] : {std::pair<GltfJson, const char*>{1, "lacks one of their streams"},
+                                   {4000000000u, "no set's number"},
+                                   {"x", "no set's number"},
+                                   {-1, "no set's number"}}) {
+    GltfJson json = testing::json_of(glb);
+    json["meshes"][0]["primitives"][0]["extensions"]["FOREDRAW_wires"]["texcoords"] = value;
+    Diagnostics diagnostics;
+    const auto scene = read(testing::glb_of(json.dump(), bin), diagnostics);
+    ASSERT_TRUE(scene) << to_text(diagnostics);
+    EXPECT_THAT(to_text(diagnostics), HasSubstr(why)) << value;
+    EXPECT_FALSE(scene->products.has(Wires::product));
+  }
 }
 
 TEST(WireRadiusFiles, ShadersAreWritten) {

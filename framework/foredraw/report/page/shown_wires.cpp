@@ -10,14 +10,6 @@ namespace foredraw {
 
 namespace {
 
-/// Null where the draw has no such stream of four floats.
-const VertexStream* stream_of(const VertexStreams& vertices, std::string_view semantic) {
-  const VertexStream* stream = vertices.find(semantic);
-  const bool fits = stream != nullptr && stream->format.component == Component::float32 &&
-                    stream->format.components == 4 && stream->count() == vertices.count;
-  return fits ? stream : nullptr;
-}
-
 bool is_moved(const Scene& scene, const ShownPart& part) {
   if (!scene.draws[part.part.draw].full().vertices->morph_targets.empty()) return true;
   return part.part.node && scene.nodes[*part.part.node].skin;
@@ -28,14 +20,13 @@ bool is_moved(const Scene& scene, const ShownPart& part) {
 std::optional<ShownWires> shown_wires(const Scene& scene, const ShownPart& part) {
   const auto* product = scene.products.find<Wires>();
   if (product == nullptr || is_moved(scene, part)) return std::nullopt;
-  const auto of = std::ranges::find(product->draws, part.part.draw, &DrawWires::draw);
-  if (of == product->draws.end()) return std::nullopt;
+  const DrawWires* of = product->of(part.part.draw);
+  if (of == nullptr) return std::nullopt;
   const Level& level = scene.draws[part.part.draw].full();
-  const VertexStreams& vertices = *level.vertices;
-  const VertexStream *position = vertices.find("POSITION"), *wire = stream_of(vertices, wire_semantic),
-                     *axis = stream_of(vertices, wire_axis_semantic);
+  const VertexStream* position = level.vertices->find("POSITION");
+  const auto of_vertices = decoded_wires(*level.vertices, of->texcoords);
   const std::vector<std::uint32_t>& drawn = part.orders.front().drawn;
-  if (position == nullptr || wire == nullptr || axis == nullptr) return std::nullopt;
+  if (position == nullptr || !of_vertices) return std::nullopt;
   if (drawn.size() != level.stream().triangle_count()) return std::nullopt;  // few, of vertices that were moved
   ShownWires wires{.first = of->first_triangle};
   std::map<std::uint32_t, std::uint32_t> row_of;  // [vertex]
@@ -45,8 +36,9 @@ std::optional<ShownWires> shown_wires(const Scene& scene, const ShownPart& part)
     const auto [row, is_new] = row_of.try_emplace(vertex, static_cast<std::uint32_t>(row_of.size()));
     wires.corners.push_back(row->second);
     if (!is_new) continue;
-    for (const auto& [stream, count] : {std::pair{position, 3u}, {wire, 4u}, {axis, 4u}}) {
-      for (std::size_t c = 0; c < count; ++c) wires.rows.push_back(decode_component(*stream, vertex, c));
+    for (std::size_t c = 0; c < 3; ++c) wires.rows.push_back(decode_component(*position, vertex, c));
+    for (const auto* values : {&of_vertices->wires, &of_vertices->axes}) {
+      for (int c = 0; c < 4; ++c) wires.rows.push_back((*values)[vertex][c]);
     }
   }
   return wires;
