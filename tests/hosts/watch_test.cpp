@@ -133,8 +133,8 @@ TEST_F(Watch, WhatIsThereIsBroughtUpToDateAndCtrlCEnds) {
     EXPECT_THAT(program.told(), HasSubstr("s; vertex-cache acmr 1.2925 -> 0.6788\n"));
     EXPECT_THAT(program.told(), HasSubstr(" ended\n"));
   }
-  EXPECT_EQ(output("spot.glb"), clean("spot.glb"));
-  EXPECT_EQ(output("props/bench.gltf"), clean("props/bench.gltf"));
+  EXPECT_TRUE(output("spot.glb") == clean("spot.glb"));
+  EXPECT_TRUE(output("props/bench.gltf") == clean("props/bench.gltf"));
   Running again = watching();
   again.tells("2 files up to date");
   EXPECT_THAT(again.told(), Not(HasSubstr("spot.glb"))) << "nothing to tell of it";
@@ -152,7 +152,7 @@ TEST_F(Watch, AFileThatChangesIsMadeAnewAndNoOtherOne) {
   rest();
   EXPECT_EQ(program.count("b.obj"), 1);
   EXPECT_EQ(program.count("a.obj"), 2) << "a line each time";
-  EXPECT_EQ(output("a.glb"), clean("a.glb"));
+  EXPECT_TRUE(output("a.glb") == clean("a.glb"));
   EXPECT_EQ(program.end(), 0);
 }
 
@@ -173,7 +173,7 @@ TEST_F(Watch, AFileThatIsSavedInManyStepsIsTakenOnce) {
   program.tells("a.obj: written", 3);
   std::this_thread::sleep_for(2s);
   EXPECT_EQ(program.count("a.obj"), 3);
-  EXPECT_EQ(output("a.glb"), clean("a.glb"));
+  EXPECT_TRUE(output("a.glb") == clean("a.glb"));
 }
 
 /// Several times as long as it waits for more.
@@ -219,7 +219,7 @@ TEST_F(Watch, WhatDependsOnAChangedFileIsMadeAnew) {
     testing::put(folder_ / "in/props/bench.bin", bin);
     program.tells("props/bench.gltf (props/bench.bin changed): its output was right already");
     EXPECT_EQ(program.end(), 0);
-    EXPECT_EQ(output("props/bench.bin"), clean("props/bench.bin"));
+    EXPECT_TRUE(output("props/bench.bin") == clean("props/bench.bin"));
   }
 }
 
@@ -280,7 +280,7 @@ TEST_F(Watch, AFileThatIsWrongIsToldAndLosesNothing) {
   testing::put(folder_ / "in/a.obj", "v 0 0 none\nf 1 2 3\n");
   program.tells("a.obj: failed; its output stays as it was");
   EXPECT_THAT(program.told(), HasSubstr("in/a.obj:1"));
-  EXPECT_EQ(output("a.glb"), before);
+  EXPECT_TRUE(output("a.glb") == before);
   put_quad("in/a.obj", 2);
   program.tells("a.obj: written", 2);
   EXPECT_EQ(program.end(), 0) << "whatever failed";
@@ -293,7 +293,7 @@ TEST_F(Watch, TwoScenesDoNotBecomeOneFile) {
   const std::string before = output("a.glb");
   copy("static/spot.glb", "in/a.glb");
   program.tells("a.obj and the output of a.glb would both have this name");
-  EXPECT_EQ(output("a.glb"), before);
+  EXPECT_TRUE(output("a.glb") == before);
   fs::remove(folder_ / "in/a.obj");
   program.tells("a.obj: is gone");
   copy("static/spot.glb", "in/a.glb");
@@ -313,7 +313,7 @@ TEST_F(Watch, ThePipelineMayChangeMeanwhile) {
   program.tells("the pipeline has changed: all files are looked at again");
   program.tells("2 files up to date", 2);
   EXPECT_EQ(program.count("spot.glb: written"), 2);
-  EXPECT_EQ(output("spot.glb"), clean("spot.glb"));
+  EXPECT_TRUE(output("spot.glb") == clean("spot.glb"));
 }
 
 TEST_F(Watch, ImagesThatAListNamesAreNoSprites) {
