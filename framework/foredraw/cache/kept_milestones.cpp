@@ -2,6 +2,7 @@
 
 #include <foredraw/cache/stored_scene.h>
 #include <foredraw/cache/stored_steps.h>
+#include <foredraw/platform/thread_clock.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -47,7 +48,7 @@ Work KeptMilestones::work_behind(std::size_t stages) const {
 
 std::optional<Milestone> KeptMilestones::furthest(const Plan& plan, const Scene& input) {
   input_ = input;
-  kept_last_ = Clock::now();
+  kept_last_ = thread_seconds();
   std::vector<Work> works;
   for (std::size_t behind = 1; behind < plan.stages.size(); ++behind) works.push_back(work_behind(behind));
   const std::vector<FileRead> read = surroundings_.own->all();
@@ -70,20 +71,20 @@ std::optional<Milestone> KeptMilestones::furthest(const Plan& plan, const Scene&
 }
 
 std::string KeptMilestones::reached(const Plan& plan, const Milestone& milestone) {
-  const std::chrono::duration<double> taken = Clock::now() - kept_last_;
-  if (taken.count() < surroundings_.least_gain * seconds_an_entry) return {};
+  const double taken = thread_seconds() - kept_last_;
+  if (taken < surroundings_.least_gain * seconds_an_entry) return {};
   auto stored = stored_scene(milestone.scene, input_, plan.products);
   if (auto* why = std::get_if<std::string>(&stored)) return std::move(*why);
   const auto& bytes = std::get<std::vector<std::byte>>(stored);
   const double cost = seconds_an_entry + seconds_a_byte * static_cast<double>(bytes.size());
-  if (taken.count() < surroundings_.least_gain * cost) return {};
+  if (taken < surroundings_.least_gain * cost) return {};
   const std::vector<std::byte> of_input = stored_steps(milestone.measures), behind = stored_steps(milestone.stages);
   const std::vector<std::span<const std::byte>> parts{of_input, behind, bytes};
   const std::vector<FileRead> lent = surroundings_.lent ? surroundings_.lent->all() : std::vector<FileRead>();
   surroundings_.not_kept(keep_result(surroundings_.cache, work_behind(milestone.stages.size()),
                                      {joined(surroundings_.own->all(), read_before_), lent}, false,
                                      to_text(surroundings_.keys.measures), parts));
-  kept_last_ = Clock::now();
+  kept_last_ = thread_seconds();
   return {};
 }
 

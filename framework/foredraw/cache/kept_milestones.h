@@ -4,7 +4,6 @@
 #include <foredraw/cache/results.h>
 #include <foredraw/pipeline/milestones.h>
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,7 +18,7 @@ struct MilestoneKeys {
   Stamp measures;             ///< of the evaluators, and of how many stages there are, of which their seeds come
 };
 
-/// Of one run.
+/// Of one run, on the thread that it began on.
 class KeptMilestones final : public Milestones {
  public:
   struct Surroundings {
@@ -30,7 +29,7 @@ class KeptMilestones final : public Milestones {
     std::shared_ptr<const FilesRead> lent;  ///< and for options
     std::function<void(const Diagnostics&)> damaged;
     std::function<void(const std::string&)> not_kept;  ///< why
-    /// What is kept has taken so many times the time that keeping it takes. 0: all is kept.
+    /// What is kept has taken so many times the time of a processor that keeping it takes. 0: all is kept.
     double least_gain = 20;
   };
 
@@ -43,14 +42,12 @@ class KeptMilestones final : public Milestones {
   const std::vector<FileRead>& read_before() const { return read_before_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   Work work_behind(std::size_t stages) const;
 
   Surroundings surroundings_;
   Scene input_;
   std::vector<FileRead> read_before_;
-  Clock::time_point kept_last_ = Clock::now();
+  double kept_last_ = 0;  ///< thread_seconds() then
 };
 
 }  // namespace foredraw

@@ -1,0 +1,13 @@
+#include <foredraw/platform/thread_clock.h>
+
+#include <ctime>
+
+namespace foredraw {
+
+double thread_seconds() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace foredraw
