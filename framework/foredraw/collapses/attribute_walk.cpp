@@ -63,7 +63,7 @@ std::span<const JoinedVertex> AttributeWalk::next() {
 
 /// Each wedge looks at its own faces, so that nothing comes across a seam.
 void AttributeWalk::find_shares() {
-  const auto [removed, kept] = std::pair(sequence_.collapses[at_].removed, sequence_.collapses[at_].kept);
+  const std::uint32_t removed = sequence_.collapses[at_].removed, kept = sequence_.collapses[at_].kept;
   faces_.clear();
   for (std::uint32_t i = first_[kept]; i != none; i = next_[i]) {
     if (!has(i, removed)) faces_.push_back({i / 3, corners_[i]});
@@ -93,7 +93,7 @@ void AttributeWalk::find_shares() {
 
 /// Triangles with both points leave the lists of all three.
 void AttributeWalk::join() {
-  const auto [removed, kept] = std::pair(sequence_.collapses[at_].removed, sequence_.collapses[at_].kept);
+  const std::uint32_t removed = sequence_.collapses[at_].removed, kept = sequence_.collapses[at_].kept;
   const auto drop = [&](std::uint32_t point, const auto& leaves) {
     std::uint32_t before = none;
     for (std::uint32_t i = first_[point]; i != none; i = next_[i]) {

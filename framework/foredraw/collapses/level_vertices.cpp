@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <ranges>
 #include <utility>
 
 namespace foredraw {
@@ -154,8 +153,10 @@ class Blender {
 
   bool is_solvable(std::size_t s) const { return s < vertices_.base.size() && streams_[s].is_solvable(); }
   bool has_solvable() const {
-    return std::ranges::any_of(std::views::iota(std::size_t{0}, streams_.size()),
-                               [&](std::size_t s) { return is_solvable(s); });
+    for (std::size_t s = 0; s < streams_.size(); ++s) {
+      if (is_solvable(s)) return true;
+    }
+    return false;
   }
 
   /// Only what moves it: the vertex is beside one that is blended with that one of `from`.
