@@ -239,7 +239,7 @@ TEST_F(OwnPlugins, WrongOnesAreNotAdded) {
   bad = good, bad.name = "tipsify";
   EXPECT_EQ(problem(bad), "there is already a plugin 'tipsify'");
   bad = good, bad.kind = 9;
-  EXPECT_EQ(problem(bad), "kind is 9; expected FOREDRAW_TRIANGLE_ORDERER to FOREDRAW_EVALUATOR");
+  EXPECT_EQ(problem(bad), "kind is 9; expected FOREDRAW_TRIANGLE_ORDERER to FOREDRAW_REMESHER");
   bad = good, bad.run = nullptr;
   EXPECT_EQ(problem(bad), "run is NULL");
   bad = good, bad.option_count = 1;
