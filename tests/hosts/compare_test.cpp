@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"bad_bound", "--fail-if 'acmr > 1'", 1, "expected EVALUATOR.METRIC or time"},
         Mistake{"bound_without_baseline", "-p weld --fail-if 'x.y > baseline'", 1, "--baseline"},
         Mistake{"baseline_not_there", "-p weld --fail-if 'x.y > baseline' --baseline no.json", 1, "no.json"},
-        Mistake{"baseline_of_no_bound", "-p weld --baseline no.json", 1, "no --fail-if names it"},
+        Mistake{"baseline_alone_not_there", "-p weld --baseline no.json", 1, "no.json"},
         Mistake{"baseline_is_newer", "--fail-if 'x.y > baseline' --baseline newer.json", 1, "version 99"},
         Mistake{"baseline_is_noise", "--fail-if 'x.y > baseline' --baseline noise.json", 1, "is not a JSON object"},
         Mistake{"report_in_no_folder", "--report no/r.json", 2, "no folder 'no'"},

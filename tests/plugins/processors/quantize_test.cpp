@@ -73,7 +73,8 @@ RC_GTEST_PROP(Quantize, NoPositionIsFartherOffThanAskedForOrTold, (std::vector<s
       double square = 0;
       for (std::size_t k = i; k < i + 3; ++k) square += (double(now[k]) - values[k]) * (double(now[k]) - values[k]);
       farthest = std::max(farthest, std::sqrt(square));
-      for (std::size_t k = i; k < i + 3; ++k) RC_ASSERT(lattice_of(now[k]).value_or(99) >= lattice_exponents(error, 3)[0]);
+      for (std::size_t k = i; k < i + 3; ++k)
+        RC_ASSERT(lattice_of(now[k]).value_or(99) >= lattice_exponents(error, 3)[0]);
     }
     RC_ASSERT(farthest <= error);
     RC_ASSERT(quantized.largest.position == farthest);

@@ -60,8 +60,10 @@ Json json_of(const Skin& skin, AccessorStore& store) {
   if (!skin.name.empty()) json["name"] = skin.name;
   if (skin.inverse_bind_matrices.empty()) return json;
   const Bytes bytes = std::as_bytes(std::span(skin.inverse_bind_matrices));
-  const Content matrices{Content::Kind::inverse_bind_matrices, {Component::float32, 16, false, 64},
-                         skin.inverse_bind_matrices.size(), Shared<std::byte>({bytes.begin(), bytes.end()})};
+  const Content matrices{Content::Kind::inverse_bind_matrices,
+                         {Component::float32, 16, false, 64},
+                         skin.inverse_bind_matrices.size(),
+                         Shared<std::byte>({bytes.begin(), bytes.end()})};
   json["inverseBindMatrices"] = store.append(matrices);
   return json;
 }

@@ -90,8 +90,8 @@ void set_place(Json& json, std::size_t buffer, std::size_t offset, std::size_t l
 
 inline std::size_t aligned(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
 
-/// Leaves out accessors that nothing names. Nobody but primitives, skins, animations and instancing may name accessors; a
-/// document with products stays as it is.
+/// Leaves out accessors that nothing names. Nobody but primitives, skins, animations and instancing may name accessors;
+/// a document with products stays as it is.
 void leave_out_accessors(Json& json);
 
 /// Takes the plain views of a document that is laid out apart, and puts the rows of all accessors of one kind into one

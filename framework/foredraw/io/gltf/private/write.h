@@ -38,9 +38,9 @@ Content index_content(std::span<const std::uint32_t> indices, Component was);
 bool patch_structure(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
                      Diagnostics& diagnostics);
 
-/// The keys of animations that changed, channels that are gone, and animations that were added. Of those that there were,
-/// channels keep their sequence and what they move, and one stays; else the answer is the place of one that changed
-/// otherwise.
+/// The keys of animations that changed, channels that are gone, and animations that were added. Of those that there
+/// were, channels keep their sequence and what they move, and one stays; else the answer is the place of one that
+/// changed otherwise.
 std::optional<std::string> patch_animations(const std::vector<Animation>& now, const std::vector<Animation>& was,
                                             Json& json, AccessorStore& store);
 
