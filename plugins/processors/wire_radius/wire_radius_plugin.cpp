@@ -2,13 +2,14 @@
 #include "wires_product.h"
 
 #include <foredraw/base/counted.h>
+#include <foredraw/base/name_pattern.h>
 #include <foredraw/technique/plugin.h>
-#include <atomic>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <map>
 #include <optional>
 
@@ -45,15 +46,67 @@ std::optional<std::size_t> draw_of(const UnitWires& wires, std::size_t triangle)
 enum class As : std::uint8_t { attributes, texcoords };
 
 struct StageOptions : WireOptions {
+  std::string names;  ///< patterns with commas between them; empty: all draws are looked at
   As as = As::attributes;
 };
 
+std::vector<std::string_view> patterns_in(std::string_view text) {
+  std::vector<std::string_view> patterns;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    std::string_view one = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    while (one.starts_with(' ')) one.remove_prefix(1);
+    while (one.ends_with(' ')) one.remove_suffix(1);
+    if (!one.empty()) patterns.push_back(one);
+  }
+  return patterns;
+}
+
+/// Those of the draws whose own name, material's name, or the name of a node that shows them is one that was chosen.
+std::vector<DrawId> named_draws(const Scene& scene, const std::vector<DrawId>& draws, std::string_view names) {
+  const std::vector<std::string_view> patterns = patterns_in(names);
+  const auto is_chosen = [&](const std::string& name) {
+    return std::ranges::any_of(patterns, [&](std::string_view pattern) { return matches(pattern, name); });
+  };
+  std::vector<bool> shown_so(scene.draws.size());
+  for (const Node& node : scene.nodes) {
+    if (!node.mesh || !is_chosen(node.name)) continue;
+    for (const DrawId id : scene.meshes[*node.mesh].draws) shown_so[id] = true;
+  }
+  std::vector<DrawId> chosen;
+  for (const DrawId id : draws) {
+    const Material* material = scene.material_of(scene.draws[id]);
+    if (shown_so[id] || is_chosen(scene.draws[id].name) || (material != nullptr && is_chosen(material->name))) {
+      chosen.push_back(id);
+    }
+  }
+  return chosen;
+}
+
+/// What somebody chose is taken if it has a centre line at all.
+void take_any_shape(WireOptions& options) {
+  options.slender = 2;
+  options.aspect = 100;
+  options.taper = 100;
+  options.ribbons = true;
+  options.decal = 0;
+  options.least_length = 0;
+}
+
 class WireRadius final : public Processor {
  public:
-  explicit WireRadius(StageOptions options) : options_(options) {}
+  explicit WireRadius(StageOptions options) : options_(std::move(options)) {
+    if (!options_.names.empty()) take_any_shape(options_);
+  }
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
-    wiring::WireUnits units = wiring::wire_units(scene, draws);
+    const std::vector<DrawId> chosen = options_.names.empty() ? draws : named_draws(scene, draws, options_.names);
+    if (chosen.empty() && !draws.empty()) {
+      run.keep("no draw, material or node has a name that `names` asks for");
+      return {};
+    }
+    wiring::WireUnits units = wiring::wire_units(scene, chosen);
     for (const wiring::LeftDraw& left : units.left) {
       run.note_at({.draw = left.draw}, "left-alone", "its wires are left alone: " + left.why);
     }
@@ -163,6 +216,10 @@ Plugin wire_radius_plugin() {
            "its breadths in front of it or behind it; 0: it is taken as a wire",
            {0, 100, "breadths"})
       .row(&WireOptions::least_length, "least-length", "Shorter parts are not wires", {0, 1e30, "units"})
+      .row(&StageOptions::names, "names",
+           "Names that you know to be wires, such as \"rope*, Rail?\": draws with such a name, material or node are "
+           "taken "
+           "whatever their shape, and no others; the limits above do not count then")
       .choice(&StageOptions::as, "as",
               "What vertices know of their wire is stored as attributes of that name, or, for engines that import no "
               "others, as the next four sets of texture coordinates",

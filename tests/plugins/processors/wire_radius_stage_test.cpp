@@ -81,6 +81,34 @@ TEST(WireRadiusStage, SkinnedWiresAreTakenWhereRingsFollowTheSameJoints) {
   EXPECT_THAT(notes, HasSubstr("follow different joints"));
 }
 
+TEST(WireRadiusStage, WhatIsNamedIsTakenWhateverItsShapeAndNothingElse) {
+  Scene scene = testing::scene_of({testing::draw_of(tube(0, 4), "peg"), testing::draw_of(tube(0, 12), "rope")});
+  scene.nodes[1].name = "Mast rope";
+  const auto taken = [&](const std::string& stage) {
+    const Result result = testing::run(stage, scene);
+    std::vector<std::string> names;
+    if (const Wires* wires = wires_of(result.scene)) {
+      for (const DrawWires& draw : wires->draws) names.push_back(result.scene.draws[draw.draw].name);
+    }
+    return names;
+  };
+  EXPECT_EQ(taken("wire-radius"), std::vector<std::string>{"rope"});
+  EXPECT_EQ(taken("wire-radius(names=\"pe?\")"), std::vector<std::string>{"peg"});
+  EXPECT_EQ(taken("wire-radius(names=\"p*, Mast*\")"), (std::vector<std::string>{"peg", "rope"}));
+  EXPECT_THAT(to_text(testing::run("wire-radius(names=\"cable*\")", scene).report), HasSubstr("`names` asks for"));
+}
+
+TEST(WireRadiusStage, MorphedDrawsAreLeftAloneAndTold) {
+  Scene scene = testing::scene_of(tube(0, 12));
+  auto vertices = std::make_shared<VertexStreams>(*scene.draws[0].full().vertices);
+  vertices->morph_targets.push_back({*vertices->find("POSITION")});
+  scene.draws[0].full().vertices = vertices;
+  scene.draws[0].traits.add(traits::morphed);
+  const Result result = testing::run("wire-radius", scene);
+  EXPECT_EQ(wires_of(result.scene), nullptr);
+  EXPECT_THAT(to_text(result.report), HasSubstr("morph targets may move its vertices"));
+}
+
 /// Each half of six times its width is none; of a character in two meshes it is one wire.
 TEST(WireRadiusStage, AWireMayGoOnInAnotherMeshOfTheSameSkin) {
   Scene scene = testing::scene_of(tube(0, 6));
