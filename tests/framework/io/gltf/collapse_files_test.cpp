@@ -75,6 +75,7 @@ TEST(CollapseFiles, WithAWrongMemberAreLeftOut) {
                                     GltfJson::object(), GltfJson::array({99, 99})}) {
         GltfBuilder builder = whole;
         GltfJson& members = product.members(builder.json);
+        if (wrong.is_null() && key == "solved") continue;  // then they are blended
         if (wrong.is_null()) {
           members.erase(key);
         } else {
