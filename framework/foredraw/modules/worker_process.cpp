@@ -88,8 +88,9 @@ WorkerProcess::Answer WorkerProcess::ask(const ForeignQuestion& question, const 
   AnsweredCall& call = answered_in(answered_);
   call.status = FOREDRAW_FAILED;
   const auto begin = Clock::now();
-  for (;;) {
-    set_and_wake(call.turn, static_cast<std::uint32_t>(BlockTurn::worker));
+  for (BlockTurn was = BlockTurn::program;; was = BlockTurn::counts) {
+    // Unless the worker ended meanwhile: whoever watches it has said how.
+    replace_and_wake(call.turn, static_cast<std::uint32_t>(was), static_cast<std::uint32_t>(BlockTurn::worker));
     wait_for_turn(begin, seconds_, &host);
     if (call.turn.load() != static_cast<std::uint32_t>(BlockTurn::counts)) break;
     count_overdraw(question, host);

@@ -19,4 +19,9 @@ void set_and_wake(SharedWord& word, std::uint32_t value) {
   ::syscall(SYS_futex, &word, FUTEX_WAKE, std::numeric_limits<int>::max(), nullptr, nullptr, 0);
 }
 
+void replace_and_wake(SharedWord& word, std::uint32_t value, std::uint32_t with) {
+  if (!word.compare_exchange_strong(value, with)) return;
+  ::syscall(SYS_futex, &word, FUTEX_WAKE, std::numeric_limits<int>::max(), nullptr, nullptr, 0);
+}
+
 }  // namespace foredraw

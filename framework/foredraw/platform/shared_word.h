@@ -15,4 +15,7 @@ void wait_while(const SharedWord& word, std::uint32_t value, int milliseconds);
 /// Sets it, and wakes all who wait on it in any process.
 void set_and_wake(SharedWord& word, std::uint32_t value);
 
+/// The same where it has that value; else it stays, and nobody is woken.
+void replace_and_wake(SharedWord& word, std::uint32_t value, std::uint32_t with);
+
 }  // namespace foredraw
