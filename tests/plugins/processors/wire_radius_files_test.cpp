@@ -12,10 +12,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cmath>
 #include <cstring>
 #include <functional>
 
@@ -120,41 +118,6 @@ std::vector<std::array<float, 9>> triangles_of(const Scene& scene, std::size_t f
   }
   std::ranges::sort(all);
   return all;
-}
-
-/// KHR_mesh_quantization: a node scales back, so radii are in steps, as positions are.
-TEST(WireRadiusFiles, WiresOfWholeNumbersAreInTheirSteps) {
-  const bench::KnownMesh mesh = made("antenna on a body");
-  glm::vec3 least = mesh.positions[0], most = least;
-  for (const glm::vec3& at : mesh.positions) {
-    least = glm::min(least, at);
-    most = glm::max(most, at);
-  }
-  const float step = std::max({most.x - least.x, most.y - least.y, most.z - least.z}) / 16383;
-  std::vector<std::uint16_t> whole;
-  for (const glm::vec3& at : mesh.positions) {
-    for (int i = 0; i < 3; ++i) whole.push_back(static_cast<std::uint16_t>(std::lround((at[i] - least[i]) / step)));
-    whole.push_back(0);  // rows of eight bytes
-  }
-  testing::GltfBuilder builder;
-  const std::size_t view = builder.add_view(std::as_bytes(std::span(whole)), 8);
-  const std::size_t at = builder.add_accessor(view, 0, 5123, "VEC3", mesh.positions.size());
-  builder.json["accessors"][at]["min"] = {0, 0, 0};
-  builder.json["accessors"][at]["max"] = {16383, 16383, 16383};
-  builder.add_mesh({{"attributes", {{"POSITION", at}}}, {"indices", builder.add_values(mesh.indices, "SCALAR")}});
-  builder.json["nodes"][0]["scale"] = {step, step, step};
-  builder.json["extensionsUsed"] = builder.json["extensionsRequired"] = {"KHR_mesh_quantization"};
-
-  Diagnostics diagnostics;
-  const auto again = read(written(testing::run("wire-radius", scene_of(builder)).scene), diagnostics);
-  ASSERT_TRUE(again) << to_text(diagnostics);
-  EXPECT_EQ(again->draws[0].full().vertices->find("POSITION")->format.component, Component::uint16);
-  const Scene of_floats = testing::run("wire-radius", scene_of(mixed({"antenna on a body"}))).scene;
-  const Wires *found = again->products.find<Wires>(), *want = of_floats.products.find<Wires>();
-  ASSERT_TRUE(found != nullptr && want != nullptr);
-  ASSERT_EQ(found->draws[0].wires.size(), want->draws[0].wires.size());
-  const double radius = want->draws[0].wires[0].radius;
-  EXPECT_NEAR(found->draws[0].wires[0].radius * step, radius, .03 * radius);
 }
 
 TEST(WireRadiusFiles, AReportTellsOnceWhatWasFoundInTheWordsOfTheProduct) {
