@@ -1,6 +1,8 @@
 // Who refers to which accessor.
 #include <foredraw/io/gltf/private/write.h>
 
+#include <algorithm>
+
 namespace foredraw::gltf {
 
 namespace {
@@ -69,6 +71,33 @@ std::set<std::size_t> used_by_primitives(const Json& json) {
     }
   }
   return numbers;
+}
+
+void each_accessor_named(Json& json, const std::function<void(Json& number)>& visit) {
+  each_primitive(json, [&](Json& primitive) {
+    if (primitive.contains("indices")) visit(primitive["indices"]);
+    for (Json& number : primitive["attributes"]) visit(number);
+    if (!primitive.contains("targets")) return;
+    for (Json& target : primitive["targets"]) {
+      for (Json& number : target) visit(number);
+    }
+  });
+  const auto each_of = [&](const char* list, const auto& of_one) {
+    if (const auto found = json.find(list); found != json.end()) std::ranges::for_each(*found, of_one);
+  };
+  each_of("skins", [&](Json& skin) {
+    if (skin.contains("inverseBindMatrices")) visit(skin["inverseBindMatrices"]);
+  });
+  each_of("animations", [&](Json& animation) {
+    for (Json& sampler : animation["samplers"]) {
+      visit(sampler["input"]);
+      visit(sampler["output"]);
+    }
+  });
+  each_of("nodes", [&](Json& node) {
+    if (extension_of(node, mesh_gpu_instancing) == nullptr) return;
+    for (Json& number : node["extensions"][mesh_gpu_instancing]["attributes"]) visit(number);
+  });
 }
 
 }  // namespace foredraw::gltf

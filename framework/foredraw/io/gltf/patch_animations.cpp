@@ -73,13 +73,10 @@ std::set<std::size_t> used_by_samplers(const Json& animation) {
 }
 
 /// Those of the accessors that nothing in the document names.
-std::set<std::size_t> unused(std::set<std::size_t> candidates, const Json& json) {
-  std::set<std::size_t> used = used_by_primitives(json);
+std::set<std::size_t> unused(std::set<std::size_t> candidates, Json& json) {
+  std::set<std::size_t> used;
   collect_held(json, false, used);
-  for (const Json& animation : json["animations"]) used.merge(used_by_samplers(animation));
-  for (const Json& skin : json.value("skins", Json::array())) {
-    if (skin.contains("inverseBindMatrices")) used.insert(skin["inverseBindMatrices"].get<std::size_t>());
-  }
+  each_accessor_named(json, [&](const Json& number) { used.insert(number.get<std::size_t>()); });
   std::erase_if(candidates, [&](std::size_t number) { return used.contains(number); });
   return candidates;
 }

@@ -6,6 +6,7 @@
 #include <foredraw/io/gltf/private/source.h>
 #include <foredraw/platform/files.h>
 
+#include <functional>
 #include <set>
 
 namespace foredraw::gltf {
@@ -46,6 +47,10 @@ std::optional<std::string> patch_animations(const std::vector<Animation>& now, c
 
 /// What differs from `was`: of material `number`, which the document has. Textures that are not there are listed.
 void put_material(std::size_t number, const Material& now, const Material& was, Json& document);
+
+/// All numbers by which primitives, skins, animations and instancing name accessors: who else may are products and
+/// extensions that we do not know.
+void each_accessor_named(Json& json, const std::function<void(Json& number)>& visit);
 
 /// Accessors that primitives name as attributes, targets or indices.
 std::set<std::size_t> used_by_primitives(const Json& json);
