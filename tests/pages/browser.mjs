@@ -26,6 +26,7 @@ export async function launch({ has_gl = true } = {}) {
  */
 export async function open(browser, file, { viewport = { width: 1280, height: 900 }, ...options } = {}) {
   const page = await browser.newPage({ viewport, ...options });
+  page.setDefaultTimeout(300_000); // a busy machine without a GPU takes its time
   const address = pathToFileURL(file).href;
   const complaints = [];
   const requests = [];

@@ -1,14 +1,15 @@
-// Named checks: all are made, and those that fail are told of at the end.
+// Named checks: all are made. Told are the groups, how many of their checks hold, and those that fail.
 
 const failed = [];
 let made = 0;
+let held = 0;
 
 const shown = (value) => (typeof value === 'string' ? value : JSON.stringify(value));
 
 export function check(name, holds, detail = '') {
   ++made;
   if (holds) {
-    console.log(`ok    ${name}`);
+    ++held;
   } else {
     failed.push(name);
     console.log(`FAIL  ${name}${detail === '' ? '' : `: ${shown(detail)}`}`);
@@ -31,11 +32,13 @@ const of_the_clock = new Set(['time', 'thousands of files']);
 export async function group(name, run) {
   if (of_the_clock.has(name) !== process.argv.includes('--clock')) return;
   console.log(`-- ${name}`);
+  const [made_before, held_before] = [made, held];
   try {
     await run();
   } catch (error) {
     check(`${name} comes to its end`, false, error.stack);
   }
+  console.log(`      ${held - held_before} of ${made - made_before} hold`);
 }
 
 export function exit_code() {

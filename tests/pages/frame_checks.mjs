@@ -3,6 +3,7 @@
 import path from 'node:path';
 import { settled } from './browser.mjs';
 import { check, check_equal, check_near } from './checks.mjs';
+import { play_for } from './playing.mjs';
 
 const frames = (page, name, ...given) =>
   page.evaluate(([called, args]) => window.foredraw.frames[called](...args), [name, given]);
@@ -145,14 +146,13 @@ async function check_playing(page) {
   const play = slider(page).locator('button');
   check_equal('frames: the button says what it plays', await play.getAttribute('aria-label'), 'Play: the frames of walk');
   await frames(page, 'set_frame', 0, 23);
-  await play.press('Enter');
-  check_equal('frames: it plays from the first frame again', await play.textContent(), 'Pause');
-  await page.waitForFunction(() => window.foredraw.frames.frame(0) > 3 && window.foredraw.frames.frame(0) < 20);
-  await play.press('Enter');
+  await play_for(page, play, 2000);
   const stopped = await frames(page, 'frame', 0);
+  check('frames: it plays from the first frame again', stopped > 3 && stopped < 20, stopped);
   await page.waitForTimeout(400);
   check_equal('frames: it stands where it was stopped', await frames(page, 'frame', 0), stopped);
   await play.press('Enter');
+  check_equal('frames: the button stops it', await play.textContent(), 'Pause');
   await page.waitForFunction(() => document.querySelector('#frames .slider button').textContent === 'Play');
   check_equal('frames: it ends at the last frame', await frames(page, 'frame', 0), 23);
 }

@@ -2,6 +2,7 @@
 
 import { settled } from './browser.mjs';
 import { check, check_equal, check_near } from './checks.mjs';
+import { play_for } from './playing.mjs';
 import { content, viewer } from './viewer_checks.mjs';
 
 /** The slider goes through the levels of the second pane, by hand and by keys. `levels`: [number] {triangles}. */
@@ -29,10 +30,9 @@ export async function check_levels(page, levels, { step }) {
   await page.keyboard.press('End');
   check_equal('levels: End is the coarsest', await viewer(page, 'level'), coarsest);
   check('levels: it is read out', (await slider.getAttribute('aria-valuetext')).startsWith(`level ${coarsest} of`));
-  await page.click('#viewer .levels button');
-  await page.waitForFunction(() => window.foredraw.viewer.level() > 0 && window.foredraw.viewer.level() < 3);
-  await page.click('#viewer .levels button');
+  await play_for(page, page.locator('#viewer .levels button'), 3000);
   const stopped = await viewer(page, 'level');
+  check('levels: playing goes through them', stopped > 0 && stopped < coarsest, stopped);
   await page.waitForTimeout(200);
   check_equal('levels: it plays until it is stopped', await viewer(page, 'level'), stopped);
   await viewer(page, 'set_level', 0);

@@ -39,6 +39,7 @@ import {
   check_unlike_states,
   check_worst_view,
   check_worst_view_of_table,
+  counted,
   viewer,
 } from './viewer_checks.mjs';
 import { check_rigging, check_thin_tubes } from './wire_checks.mjs';
@@ -94,8 +95,7 @@ await on_page('viewer', made.html, async (page) => {
   await check_keyboard(page);
   await check_worst_view(page, made.comparison);
   const picture = async (name) => {
-    await settled(page);
-    await page.waitForFunction(() => !document.querySelector('#viewer figure:not([hidden]) .stale'));
+    await counted(page);
     await page.locator('#viewer .viewer').screenshot({ path: path.join(folder, name) });
   };
   await viewer(page, 'set_direction', [-0.5, 0.25, 0.8]);

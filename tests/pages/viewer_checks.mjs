@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { settled } from './browser.mjs';
 import { check, check_equal, check_near } from './checks.mjs';
+import { play_for } from './playing.mjs';
 
 /** Calls the page's own interface. */
 export const viewer = (page, name, ...given) =>
@@ -26,6 +27,12 @@ export const content = (page, pane) =>
       colours: new Set(words).size,
     };
   }, pane);
+
+/** Until every pane is drawn and tells the ratio of what it shows: its captions no longer move it. */
+export async function counted(page) {
+  await settled(page);
+  await page.waitForFunction(() => !document.querySelector('#viewer figure:not([hidden]) .stale'));
+}
 
 export async function check_modes(page) {
   for (const [mode, least_colours] of [
@@ -64,9 +71,7 @@ export async function check_panes(page) {
   check('panes: two', (await figures.nth(0).isVisible()) && (await figures.nth(1).isVisible()));
   check('panes: the second is not blank', (await content(page, 1)).drawn > 0);
   check_equal('panes: named', await figures.nth(0).locator('strong').textContent(), 'input');
-  await page.waitForFunction(() =>
-    /fragments per pixel/.test(document.querySelectorAll('#viewer .ratio')[1].textContent),
-  );
+  await counted(page);
   for (const pane of [0, 1]) {
     const { ratio } = await viewer(page, 'overdraw', pane);
     check_equal(
@@ -104,9 +109,7 @@ export async function check_drawn(page, remap, pipeline) {
   const words = (await page.textContent('#viewer .slider output')).replaceAll(',', '');
   check_equal('slider: says how many', words, `triangles drawn: ${all} of ${all}`);
 
-  await page.click('#viewer .slider button >> nth=0');
-  await page.waitForFunction(() => window.foredraw.viewer.drawn_triangles(0).length > 0);
-  await page.click('#viewer .slider button >> nth=0');
+  await play_for(page, page.locator('#viewer .slider button').first(), 1000);
   const drawn = (await viewer(page, 'drawn_triangles', 0)).length;
   check('slider: playing draws them one after the other', drawn > 0 && drawn < all, drawn);
   await viewer(page, 'set_drawn', all);
@@ -133,6 +136,8 @@ export async function check_keyboard(page) {
   await page.keyboard.press('-');
   check('keyboard: minus zooms out', (await content(page, 0)).drawn < before);
   await page.keyboard.press('+');
+  await counted(page);
+  await page.locator('#viewer .window').first().hover();
   const box = await page.locator('#viewer .window').first().boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
@@ -286,10 +291,9 @@ export async function check_poses(page) {
   );
   const text = () => page.textContent('#viewer .poses .slider output');
   const was = await text();
-  await page.click('#viewer .poses .slider button');
-  await page.waitForFunction((old) => document.querySelector('#viewer .poses .slider output').textContent !== old, was);
-  await page.click('#viewer .poses .slider button');
+  await play_for(page, page.locator('#viewer .poses .slider button'), 500);
   const stopped = await text();
+  check('poses: playing goes on to others', stopped !== was, stopped);
   await page.waitForTimeout(400);
   check_equal('poses: nothing moves when it does not play', await text(), stopped);
 }
