@@ -105,8 +105,9 @@ OverdrawCounts overdraw_raster(std::span<const RasterPart> parts, const Views& v
   const std::vector<PreparedPart> ready = prepared(parts);
   const std::size_t count = views.views.size();
   OverdrawCounts counts(parts.size(), std::vector<OverdrawCount>(count));
-  // Each share has a picture of its own, so there are few: some more than threads, for those that end early.
-  const std::size_t shares = std::min(count, 4 * static_cast<std::size_t>(executor.threads()));
+  // Each share has a picture of its own, so there are few: some more than threads, for those that end early, and so
+  // many that a share of many views ends soon when the run is cancelled.
+  const std::size_t shares = std::min(count, std::max(4 * static_cast<std::size_t>(executor.threads()), count / 64));
   executor.for_each(shares, [&](std::size_t share) {
     Picture picture(views.size);
     for (std::size_t view = count * share / shares; view < count * (share + 1) / shares; ++view) {

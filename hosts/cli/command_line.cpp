@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cctype>
 #include <exception>
+#include <optional>
 
 namespace foredraw::cli {
 
@@ -83,8 +84,16 @@ Exit load_modules(Command command, const Arguments& arguments, Registry& registr
   return diagnostics.has_errors() ? something_failed : done;
 }
 
+/// Those that may take long and write: on Ctrl-C they end in good order. All others just end.
+bool is_interruptible(Command command) {
+  return command == optimize || command == measure || command == compare || command == watch;
+}
+
 Exit run(Command command, Arguments arguments, const Registry& registry) {
-  if (command == watch) Interruption::hold();  // before there are threads
+  std::optional<Interruption> interruption;
+  if (is_interruptible(command)) {  // before there are threads
+    arguments.interruption = &interruption.emplace();
+  }
   if (arguments.memory_limit != 0 && !limit_memory(arguments.memory_limit)) {
     fmt::print(stderr, "foredraw: error: --memory-limit: this system cannot limit memory\n");
     return something_failed;
@@ -99,11 +108,13 @@ Exit run(Command command, Arguments arguments, const Registry& registry) {
   }
   try {
     // Steps of their own say what they lacked it for.
-    return with_memory(arguments.inputs.empty() ? "foredraw" : arguments.inputs[0], "begin", [&] {
+    const Exit exit = with_memory(arguments.inputs.empty() ? "foredraw" : arguments.inputs[0], "begin", [&] {
       Registry known = registry;
       const Exit loaded = load_modules(command, arguments, known);
       return std::max(command(arguments, known), loaded);
     });
+    if (exit == interrupted) interruption->end_process();
+    return exit;
   } catch (const OutOfMemory& lack) {
     tell_lack_of_memory(lack, arguments.memory_limit);
     return something_failed;

@@ -1,6 +1,7 @@
 #pragma once
 // The commands: arguments in, framework call, text out.
 
+#include <foredraw/platform/interruption.h>
 #include <foredraw/report/shard.h>
 #include <foredraw/technique/registry.h>
 
@@ -11,8 +12,8 @@
 
 namespace foredraw::cli {
 
-/// What a program ends with.
-enum Exit { done = 0, users_mistake = 1, something_failed = 2, out_of_bounds = 3 };
+/// What a program ends with; of `interrupted`, the signal itself ends it.
+enum Exit { done = 0, users_mistake = 1, something_failed = 2, out_of_bounds = 3, interrupted = 130 };
 
 /// What was typed.
 struct Arguments {
@@ -42,18 +43,22 @@ struct Arguments {
   int rounds = 7;                  ///< of a calibration
   std::uint64_t memory_limit = 0;  ///< in bytes; 0: none
   bool json = false;
-  bool strict = false;                ///< refuse files with faults that would be mended
-  std::string root;                   ///< folder that files named by `..` may lie in
-  std::vector<std::string> modules;   ///< files, and folders of them
-  bool modules_inside = false;        ///< in the program's own process
-  double module_seconds = 0;          ///< of a call; 0: as usual
-  std::uint64_t module_memory = 0;    ///< bytes of a module's process; 0: as usual
-  std::string depfile;                ///< where rules of Make go
-  std::string cache;                  ///< folder of earlier results
-  std::optional<Shard> shard;         ///< the part of a folder that is worked on
-  std::optional<std::uint64_t> trim;  ///< bytes that a cache is to keep at most
-  bool verify = false;                ///< read a cache whole
-  double settle = .3;                 ///< seconds for which a watched file is left alone before it is taken
+  bool strict = false;                         ///< refuse files with faults that would be mended
+  std::string root;                            ///< folder that files named by `..` may lie in
+  std::vector<std::string> modules;            ///< files, and folders of them
+  bool modules_inside = false;                 ///< in the program's own process
+  double module_seconds = 0;                   ///< of a call; 0: as usual
+  std::uint64_t module_memory = 0;             ///< bytes of a module's process; 0: as usual
+  std::string depfile;                         ///< where rules of Make go
+  std::string cache;                           ///< folder of earlier results
+  std::optional<Shard> shard;                  ///< the part of a folder that is worked on
+  std::optional<std::uint64_t> trim;           ///< bytes that a cache is to keep at most
+  bool verify = false;                         ///< read a cache whole
+  double settle = .3;                          ///< seconds for which a watched file is left alone before it is taken
+  const Interruption* interruption = nullptr;  ///< of commands that may take long: where Ctrl-C is told
+
+  const std::atomic<bool>* cancel() const { return interruption == nullptr ? nullptr : &interruption->came(); }
+  bool is_cancelled() const { return interruption != nullptr && interruption->came(); }
 };
 
 Exit optimize(const Arguments& arguments, const Registry& registry);

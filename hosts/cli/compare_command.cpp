@@ -41,6 +41,7 @@ std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>
 
 /// Pipelines to be compared, and how.
 struct Competition {
+  const std::atomic<bool>* cancel;
   const std::vector<NamedPipeline>& pipelines;
   const SceneInput& how;
   const Lender& lender;
@@ -84,9 +85,10 @@ ComparedFile compared(const std::string& input, const Competition& competition, 
   Analyses analyses(image_decoder(input, competition.how.root));
   Contest made = with_memory(input, "work on it", [&] {
     return contest({input, file->bytes, to_text(file->stamp)}, file->scene, competition.pipelines, registry,
-                   &competition.lender, competition.rounds, {executor, analyses, nullptr, progress_line()});
+                   &competition.lender, competition.rounds, {executor, analyses, competition.cancel, progress_line()});
   });
   end_progress();
+  if (competition.cancel != nullptr && *competition.cancel) return {};
   made.comparison.fronts = competition.fronts;
   made.comparison.diagnostics = diagnostics.all();
   tell_of(made);
@@ -231,8 +233,9 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   std::vector<Display> displays;
   Exit worst = done;
   for (const std::string& input : *inputs) {
-    ComparedFile file =
-        compared(input, {*pipelines, how, lender, arguments.repeat, *fronts}, registry, executor, worst);
+    ComparedFile file = compared(input, {arguments.cancel(), *pipelines, how, lender, arguments.repeat, *fronts},
+                                 registry, executor, worst);
+    if (arguments.is_cancelled()) return tell_interrupted("nothing was written");
     if (arguments.html.empty() || comparisons.size() >= most_displays) {
       for (Branch& branch : file.comparison.branches) leave_out_pictures(branch.report);
     }

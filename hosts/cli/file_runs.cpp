@@ -50,6 +50,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   FileRun run;
   Diagnostics diagnostics;
   const auto lost = [&](Exit exit) {
+    if (job.is_cancelled()) exit = interrupted;
     run.report.command = command;
     run.report.input.path = input;
     run.report.diagnostics = diagnostics.all();
@@ -59,7 +60,9 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   };
   SceneInput how = input_of(job.arguments, job.registry);
   how.files = files;
+  if (job.is_cancelled()) return lost(interrupted);
   auto file = with_memory(input, "read it", [&] { return read_scene(input, diagnostics, how); });
+  if (job.is_cancelled()) return lost(interrupted);
   if (!file) return lost(exit_for_file(diagnostics));
   const auto plan = with_memory(input, "plan for it", [&] {
     return foredraw::plan(job.pipeline, job.registry, file->scene, diagnostics, &job.lender);
@@ -73,7 +76,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   Result result = with_memory(input, "work on it", [&] {
     return work(*plan, std::move(file->scene), {job.executor, analyses, job.cancel, job.progress, milestones});
   });
-  if (job.cancel != nullptr && job.cancel->load()) return lost(something_failed);  // its stages stopped anywhere
+  if (job.is_cancelled()) return lost(interrupted);  // its stages stopped anywhere
   result.report.command = command;
   result.report.input = {input, file->bytes, to_text(file->stamp)};
   for (const Diagnostic& diagnostic : result.report.diagnostics) diagnostics.add(diagnostic);
@@ -211,6 +214,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     run.report = std::move(report);
     if (read) run.read = contents_read(all_read());
     const std::string page = arguments.html.empty() ? "" : page_of(before, result.scene, run.report, job);
+    if (job.is_cancelled()) return false;
     const bool is_written = write_with_texts(job, run, outputs, std::move(files), page, diagnostics) &&
                             (standard.empty() || write_standard_output(standard, diagnostics));
     report = std::move(run.report);

@@ -4,6 +4,7 @@
 #include <foredraw/io/sprite/sprite_files.h>
 #include "scene_folder.h"
 
+#include <foredraw/base/counted.h>
 #include <foredraw/report/since.h>
 
 #include <fmt/format.h>
@@ -51,17 +52,25 @@ Exit run_batch(const FileJob& job, const std::vector<std::string>& inputs,
   const auto progress = progress_line();
   std::mutex at_the_line;
   std::size_t finished = 0;
-  Exit worst = done;
+  std::atomic<Exit> worst = done;
   job.executor.for_each(inputs.size(), [&](std::size_t i) {
     FileRun run = guarded(inputs[i], [&] { return run_one(job, i); });
+    if (run.exit == interrupted) {
+      worst = interrupted;
+      return;
+    }
     const Outcome outcome = run.is_lost ? Outcome::lost : run.exit != done ? Outcome::in_part : Outcome::done;
     batch.add(i, json_of(run), outcome, run.from_cache);
     const std::scoped_lock lock(at_the_line);
-    if (run.exit != done) worst = something_failed;
+    if (run.exit != done && worst == done) worst = something_failed;
     ++finished;
     if (progress) progress(inputs[i], static_cast<double>(finished) / static_cast<double>(inputs.size()));
   });
   end_progress();
+  if (worst == interrupted) {
+    tell_interrupted(
+        fmt::format("{} of {} done; the same command does the others", finished, counted(inputs.size(), "file")));
+  }
   return worst;
 }
 
@@ -180,6 +189,7 @@ Exit optimize_folder(const FileJob& job) {
   FileJob keeping = job;
   keeping.keeps_scenes = !wanted.gathered.empty();
   Exit worst = run_batch(keeping, inputs, run_one, batch);
+  if (worst == interrupted) return interrupted;
   tell(diagnostics);  // of what was passed by
   Diagnostics gathering;
   if (!wanted.gathered.empty() && !gather(kept, wanted.gathered, gathering)) worst = something_failed;
@@ -213,6 +223,7 @@ Exit measure_folder(const FileJob& job) {
   Batch batch("measure", job.registry, spool, tell_file);
   const auto run_one = [&](const FileJob& each, std::size_t i) { return measure_file(each, inputs[i]); };
   const Exit worst = run_batch(job, inputs, run_one, batch);
+  if (worst == interrupted) return interrupted;
   tell(diagnostics);  // of what was passed by
   const double seconds = watch.seconds();
   if (!job.arguments.json) return std::max(worst, print(batch.to_text(seconds)));

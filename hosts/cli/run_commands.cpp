@@ -65,6 +65,7 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   const FileLender lender(how);
   FileJob job{arguments, *pipeline, registry, executor, lender};
   job.lent = how.files;
+  job.cancel = arguments.cancel();
   if (!arguments.depfile.empty()) job.pipeline_files = files_of(arguments, *pipeline, registry);
   const auto cache =
       arguments.cache.empty() ? nullptr : ResultCache::opened(arguments, *pipeline, registry, diagnostics);
@@ -87,6 +88,7 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   job.progress = progress_line();
   const FileRun run = optimize_file(job, input, outputs);
   end_progress();
+  if (run.exit == interrupted) return tell_interrupted("nothing was written");
   tell(run.from_cache && !run.is_lost ? stored_report(run.json, registry).diagnostics : run.report.diagnostics);
   if (run.is_lost) return run.exit;
   fmt::print(stderr, "{}{}", run.text.empty() ? to_text(run.report) : run.text,
@@ -117,11 +119,14 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
   const Executor executor(arguments.threads);
   const FileLender lender(input_of(arguments, registry));
   const std::string& input = arguments.inputs[0];
-  if (is_folder(input)) return measure_folder({arguments, pipelines->front().pipeline, registry, executor, lender});
+  FileJob job{arguments, pipelines->front().pipeline, registry, executor, lender};
+  job.cancel = arguments.cancel();
+  if (is_folder(input)) return measure_folder(job);
 
-  const FileRun run =
-      measure_file({arguments, pipelines->front().pipeline, registry, executor, lender, progress_line()}, input);
+  job.progress = progress_line();
+  const FileRun run = measure_file(job, input);
   end_progress();
+  if (run.exit == interrupted) return tell_interrupted();
   tell(run.report.diagnostics);
   if (run.is_lost) return run.exit;
   return std::max(run.exit, print(arguments.json ? to_json(run.report) : to_text(run.report)));

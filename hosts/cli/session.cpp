@@ -35,6 +35,11 @@ Exit refuse_file(const Diagnostics& diagnostics) {
   return exit_for_file(diagnostics);
 }
 
+Exit tell_interrupted(const std::string& what_is_left) {
+  fmt::print(stderr, "foredraw: interrupted{}{}\n", what_is_left.empty() ? "" : ": ", what_is_left);
+  return interrupted;
+}
+
 Exit print(const std::string& text) {
   Diagnostics diagnostics;
   return write_standard_output(std::as_bytes(std::span(text)), diagnostics) ? done : refuse_file(diagnostics);

@@ -23,6 +23,9 @@ Exit refuse(const Diagnostics& diagnostics);
 Exit refuse_file(const Diagnostics& diagnostics);
 Exit exit_for_file(const Diagnostics& diagnostics);  ///< the code alone
 
+/// Ctrl-C ended it; `what_is_left` of what it was to do, or nothing.
+Exit tell_interrupted(const std::string& what_is_left = "");
+
 /// Prints a result to standard output.
 Exit print(const std::string& text);
 /// The same of one that is long, piece by piece.

@@ -42,12 +42,11 @@ Exit watch(const Arguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const std::string out = out_for(arguments, registry, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
-  const Interruption interruption;
   const Executor executor(arguments.threads);
-  auto workshop = Workshop::opened(arguments, registry, executor, interruption, diagnostics);
+  auto workshop = Workshop::opened(arguments, registry, executor, *arguments.interruption, diagnostics);
   if (!workshop) return refuse(diagnostics);
   try {
-    WatchedFolder folder(arguments, registry, out, std::move(workshop), executor, interruption);
+    WatchedFolder folder(arguments, registry, out, std::move(workshop), executor, *arguments.interruption);
     return folder.keep_up();
   } catch (const std::system_error& problem) {
     tell_cannot_watch(arguments.inputs[0], problem.code().value(), diagnostics);

@@ -2,16 +2,11 @@
 
 #include "support/image_builder.h"
 #include "support/meshes.h"
-#include "support/program.h"
+#include "support/running_program.h"
 
 #include <gmock/gmock.h>
-#include <signal.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-#include <chrono>
-#include <thread>
 
 namespace foredraw {
 namespace {
@@ -22,64 +17,9 @@ using testing::content;
 using testing::Ended;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using testing::Running;
 
 constexpr const char* quick = " -p 'tipsify, vertex-fetch' --with vertex-cache";
-
-/// The program as it runs on its own, until it is ended. `before`: a command that runs the one behind it.
-class Running {
- public:
-  Running(const fs::path& folder, const std::string& arguments, const std::string& before = "")
-      : log_(folder.string() + ".log") {
-    fs::remove(log_);
-    const std::string command = "cd '" + folder.string() + "' && exec " + before + " '" FOREDRAW_PROGRAM "' watch " +
-                                arguments + " >'" + log_.string() + "' 2>&1 </dev/null";
-    process_ = ::fork();
-    if (process_ == 0) {
-      for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_DFL);  // a background of shells ignores them
-      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-      ::_exit(127);
-    }
-  }
-  ~Running() {
-    if (process_ > 0) ::kill(process_, SIGKILL), ::waitpid(process_, nullptr, 0);
-    fs::remove(log_);
-  }
-
-  std::string told() const { return content(log_); }
-
-  /// Until it was told so many times.
-  bool tells(const std::string& text, int times = 1) const {
-    for (const auto end = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < end;) {
-      if (count(text) >= times) return true;
-      std::this_thread::sleep_for(20ms);
-    }
-    ADD_FAILURE() << "it is never told that " << text << ", but: " << told();
-    return false;
-  }
-  int count(const std::string& text) const {
-    const std::string all = told();
-    int count = 0;
-    for (std::size_t at = 0; (at = all.find(text, at)) != std::string::npos; at += text.size()) ++count;
-    return count;
-  }
-
-  void interrupt(int signal = SIGINT) const { ::kill(process_, signal); }
-  /// What it exits with; 128 and the signal's number where one ended it.
-  int ended() {
-    int status = 0;
-    ::waitpid(process_, &status, 0);
-    process_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
-  int end() {
-    interrupt();
-    return ended();
-  }
-
- private:
-  fs::path log_;
-  pid_t process_ = -1;
-};
 
 class Watch : public testing::InFolder {
  protected:
@@ -100,7 +40,7 @@ class Watch : public testing::InFolder {
   void put_quad(const std::string& name, int number) { testing::put(folder_ / name, quad(number)); }
 
   Running watching(const std::string& more = quick, const std::string& before = "") {
-    return Running(folder_, "in -o out " + more, before);
+    return Running(folder_, "watch in -o out " + more, before);
   }
   /// Nothing is left to be done; whatever was wrongly begun has had the time to be told.
   static void rest() { std::this_thread::sleep_for(1s); }
@@ -261,7 +201,7 @@ TEST_F(Watch, WhatIsGoneLeavesItsOutput) {
 TEST_F(Watch, OutputsInTheFolderDoNotCountAsChanges) {
   put_bench();
   copy("static/spot.glb", "in/spot.glb");
-  Running program(folder_, "in -o in/built --cache in/cache" + std::string(quick));
+  Running program(folder_, "watch in -o in/built --cache in/cache" + std::string(quick));
   program.tells("2 files up to date");
   testing::put(folder_ / "in/built/other.glb", "nobody asks for this one");
   copy("static/spot.glb", "in/new.glb");

@@ -42,6 +42,13 @@ export async function open(browser, file, { viewport = { width: 1280, height: 90
   return { page, complaints, requests };
 }
 
+/** As wide as a window of that size makes it, which takes a moment. */
+export async function set_width(page, width) {
+  await page.setViewportSize({ width, height: 900 });
+  await page.waitForFunction((wanted) => window.innerWidth === wanted, width);
+  await settled(page);
+}
+
 /** Until what was asked for stands in a frame. */
 export const settled = (page) =>
   page.evaluate(

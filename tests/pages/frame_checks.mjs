@@ -1,7 +1,7 @@
 // The section of films and charts: what the evaluator "walk" (walk.cpp) attaches, and the slider that moves it all.
 
 import path from 'node:path';
-import { settled } from './browser.mjs';
+import { set_width, settled } from './browser.mjs';
 import { check, check_equal, check_near } from './checks.mjs';
 import { play_for } from './playing.mjs';
 
@@ -185,8 +185,7 @@ export async function check_frames(page, comparison, folder) {
   await page.emulateMedia({ colorScheme: 'light' });
   await settled(page);
   await page.locator('#frames').screenshot({ path: path.join(folder, 'frames-light.png') });
-  await page.setViewportSize({ width: 360, height: 900 });
-  await settled(page);
+  await set_width(page, 360);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   check('frames: nothing sticks out at 360', wide <= 360, wide);
 }

@@ -1,7 +1,7 @@
 // How the page looks: colours, widths, without scripts, without WebGL, on paper.
 
 import path from 'node:path';
-import { launch, open, settled } from './browser.mjs';
+import { launch, open, set_width, settled } from './browser.mjs';
 import { check, check_equal } from './checks.mjs';
 
 /** [red, green, blue] of what an element's property shows. */
@@ -75,8 +75,7 @@ export async function check_colours(page, folder) {
 
 export async function check_widths(page, folder) {
   for (const width of [360, 768, 1280, 2560]) {
-    await page.setViewportSize({ width, height: 900 });
-    await settled(page);
+    await set_width(page, width);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(`widths: nothing sticks out at ${width}`, wide <= width, wide);
     const cut = await page.$$eval(
@@ -89,7 +88,7 @@ export async function check_widths(page, folder) {
     check_equal(`widths: panes are whole at ${width}`, cut, 0);
     if (width === 360) await page.screenshot({ path: path.join(folder, 'page-360.png'), fullPage: true });
   }
-  await page.setViewportSize({ width: 1280, height: 900 });
+  await set_width(page, 1280);
 }
 
 export async function check_paper(page) {

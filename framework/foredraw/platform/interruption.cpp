@@ -57,6 +57,17 @@ Interruption::~Interruption() {
   for (const int opened : {told_, enough_, signals_}) ::close(opened);
 }
 
+void Interruption::end_process() const {
+  const int signal = signal_;
+  ::signal(signal, SIG_DFL);
+  sigset_t alone;
+  ::sigemptyset(&alone);
+  ::sigaddset(&alone, signal);
+  ::pthread_sigmask(SIG_UNBLOCK, &alone, nullptr);
+  ::raise(signal);
+  ::_exit(128 + signal);
+}
+
 void Interruption::wait_for_it() {
   std::array<pollfd, 2> events{{{signals_, POLLIN, 0}, {enough_, POLLIN, 0}}};
   while (events[0].revents == 0 && events[1].revents == 0) {
@@ -64,6 +75,7 @@ void Interruption::wait_for_it() {
   }
   signalfd_siginfo first{};
   if (::read(signals_, &first, sizeof first) != sizeof first) return;
+  signal_ = static_cast<int>(first.ssi_signo);
   came_ = true;
   make_readable(told_);
   // This thread alone takes the second one, as if nobody had asked for the first.

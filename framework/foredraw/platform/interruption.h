@@ -23,10 +23,15 @@ class Interruption {
   /// Readable from then on, for who waits for several things at once.
   int descriptor() const { return told_; }
 
+  /// Ends the process by the signal that came, as if it had not been held: a shell sees 128 and its number (130 of
+  /// Ctrl-C), and ends its loops. Destructors that are due have run before.
+  [[noreturn]] void end_process() const;
+
  private:
   void wait_for_it();
 
   std::atomic<bool> came_ = false;
+  std::atomic<int> signal_ = 0;  ///< the first one, once it came
   int told_ = -1;
   int enough_ = -1;  ///< readable when nobody asks any more
   int signals_ = -1;
