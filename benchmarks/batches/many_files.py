@@ -12,7 +12,6 @@ process, two at a time take 1/1.9 of its time on two processors that nobody else
 
 import argparse
 import json
-import math
 import os
 import random
 import shutil
@@ -20,6 +19,7 @@ import struct
 import subprocess
 import time
 from pathlib import Path
+from statistics import median
 
 PIPELINE = ["-p", "weld, lookahead, vertex-fetch", "--with", "vertex-cache"]
 
@@ -119,54 +119,66 @@ def shards(program, source, target, count, at_once):
     return time.monotonic() - begin, processors
 
 
+def cold(program, folder, options):
+    """Without a cache, and filling one, by turns. The folders are new ones each time: who has just removed thousands of
+    files makes the file system look long for places of new ones."""
+    plain, filling = [], []
+    for i in range(options.rounds):
+        turns = [(plain, ["-o", str(folder / f"plain{i}")]),
+                 (filling, ["-o", str(folder / f"out{i}"), "--cache", str(folder / f"cache{i}")])]
+        for seconds, more in turns if i % 2 == 0 else reversed(turns):
+            seconds.append(run([program, "optimize", str(folder / "in"), "--threads", "1"] + more + PIPELINE)[1])
+    ratio = median(b / a for a, b in zip(plain, filling))
+    print(f"| without a cache, one thread | {median(plain):.2f} s of a processor |")
+    print(f"| the same, filling a cache | {median(filling):.2f} s: {100 * (ratio - 1):+.1f} % |", flush=True)
+
+
+def again(program, folder, options):
+    """What was done is not done again."""
+    out, cache, report = folder / "out0", folder / "cache0", folder / "second.json"
+    before = facts(out)
+    second = [program, "optimize", str(folder / "in"), "-o", str(out), "--cache", str(cache), "--report", str(report)]
+    runs = [run(second + PIPELINE) for _ in range(options.rounds)]
+    clock, processors, memory = median(r[0] for r in runs), median(r[1] for r in runs), max(r[2] for r in runs)
+    cached = sum(file.get("cached", False) for file in json.loads(report.read_text())["files"])
+    touched = sum(facts(out)[path] != was for path, was in before.items())
+    different = [p for p in before if p.read_bytes() != (folder / "plain0" / p.relative_to(out)).read_bytes()]
+    assert not different, different[:3]
+    print(f"| again | {processors:.2f} s of processors, {1000 * processors / options.files:.2f} ms a file "
+          f"({clock:.2f} s on the clock), {memory:.0f} MB at most |")
+    print(f"| of these from the cache | {cached:,} |")
+    print(f"| outputs touched | {touched} |", flush=True)
+
+
+def parts(program, folder, options):
+    """One process of one thread, and 16 shards of one thread each, two at a time, by turns."""
+    whole, shared = [], []
+    for i in range(options.rounds):
+        target = folder / f"one{i}"
+        whole.append(run([program, "optimize", str(folder / "in"), "-o", str(target), "--threads", "1", "--report",
+                          f"{target}.json"] + PIPELINE))
+        shared.append(shards(program, str(folder / "in"), str(folder / f"parts{i}"), 16, 2))
+    clock = median(a[0] / b[0] for a, b in zip(whole, shared))
+    processors = median(b[1] / a[1] for a, b in zip(whole, shared))
+    print(f"| one process of one thread | {median(w[1] for w in whole):.2f} s of processors "
+          f"({median(w[0] for w in whole):.2f} s on the clock) |")
+    print(f"| 16 shards, two at a time | {processors:.3f} times of processors, 1/{clock:.2f} on the clock |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--files", type=int, default=10000)
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--folder", default="build/batches")
     options = parser.parse_args()
-    program, folder = options.program, Path(options.folder)
+    folder = Path(options.folder)
     shutil.rmtree(folder, ignore_errors=True)
-    source = folder / "in"
-    make_files(source, options.files)
-    command = [program, "optimize", str(source), "-o"]
-
-    plain, filling = math.inf, math.inf
-    for _ in range(options.rounds):
-        for name in ("plain", "out", "cache"):
-            shutil.rmtree(folder / name, ignore_errors=True)
-        plain = min(plain, run(command + [str(folder / "plain"), "--threads", "1"] + PIPELINE)[1])
-        filling = min(filling, run(command + [str(folder / "out"), "--threads", "1", "--cache", str(folder / "cache")] +
-                                   PIPELINE)[1])
-    before = facts(folder / "out")
-    report = folder / "second.json"
-    second = command + [str(folder / "out"), "--cache", str(folder / "cache"), "--report", str(report)] + PIPELINE
-    seconds = [run(second) for _ in range(options.rounds)]
-    clock, processors, memory = min(s[0] for s in seconds), min(s[1] for s in seconds), max(s[2] for s in seconds)
-    cached = sum(file.get("cached", False) for file in json.loads(report.read_text())["files"])
-    touched = sum(facts(folder / "out")[path] != was for path, was in before.items())
-    different = [p for p in before if p.read_bytes() != (folder / "plain" / p.relative_to(folder / "out")).read_bytes()]
-    assert not different, different[:3]
-
-    one, parts = (math.inf, math.inf), (math.inf, math.inf)
-    for _ in range(options.rounds):
-        for name in ("one", "parts"):
-            shutil.rmtree(folder / name, ignore_errors=True)
-        whole = run(command + [str(folder / "one"), "--threads", "1", "--report", str(folder / "one.json")] + PIPELINE)
-        one = tuple(map(min, one, whole[:2]))
-        parts = tuple(map(min, parts, shards(program, str(source), str(folder / "parts"), 16, 2)))
-
-    print(f"| {options.files:,} files | |\n|---|---|")
-    print(f"| without a cache, one thread | {plain:.2f} s of a processor |")
-    print(f"| the same, filling a cache | {filling:.2f} s: {100 * (filling / plain - 1):+.1f} % |")
-    print(f"| again | {processors:.2f} s of processors, {1000 * processors / options.files:.2f} ms a file "
-          f"({clock:.2f} s on the clock), {memory:.0f} MB at most |")
-    print(f"| of these from the cache | {cached:,} |")
-    print(f"| outputs touched | {touched} |")
-    print(f"| one process of one thread | {one[1]:.2f} s of processors ({one[0]:.2f} s on the clock) |")
-    print(f"| 16 shards, two at a time | {parts[1]:.2f} s of processors: {parts[1] / one[1]:.3f} times "
-          f"({parts[0]:.2f} s on the clock: 1/{one[0] / parts[0]:.2f}) |")
+    make_files(folder / "in", options.files)
+    time.sleep(10)  # until the file system has forgotten what was removed
+    print(f"| {options.files:,} files | |\n|---|---|", flush=True)
+    for measure in (cold, again, parts):
+        measure(options.program, folder, options)
 
 
 if __name__ == "__main__":
