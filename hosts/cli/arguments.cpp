@@ -180,6 +180,7 @@ class CommandLine {
     join_app.add_option("parts", arguments_.inputs, "Reports of foredraw optimize FOLDER --shard")->required();
     join_app.add_option("-o,--output", arguments_.outputs, "Write the report of the whole folder to this file")
         ->expected(1);
+    baseline(join_app);
     json(join_app);
 
     auto& cache_app =
@@ -333,10 +334,13 @@ class CommandLine {
            "Work on one of several parts of a folder, such as 3/16; foredraw join-reports "
            "puts their reports together")
         ->type_name("I/N");
-    app.add_option("--baseline", arguments_.baseline,
-                   "Tell what changed since an earlier run over the folder, the worst first: its report");
+    baseline(app);
     app.add_option("--depfile", arguments_.depfile,
                    "Write which files each output was made from, as rules of Make, to this file");
+  }
+  void baseline(CLI::App& app) {
+    app.add_option("--baseline", arguments_.baseline,
+                   "Tell what changed since an earlier run over the folder, the worst first: its report");
   }
   void memory_limit(CLI::App& app) {
     size(

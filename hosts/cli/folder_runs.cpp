@@ -175,8 +175,7 @@ Exit optimize_folder(const FileJob& job) {
   Spool spool(spool_folder(arguments.report));
   Batch batch("optimize", job.registry, spool, [&](const StoredReport& report, Outcome outcome) {
     tell_file(report, outcome);
-    if (!since) return;
-    outcome == Outcome::lost ? since->add_lost(report.input.path) : since->add(report.input.path, report.after.metrics);
+    if (since) since->add(report, outcome);
   });
   std::vector<std::optional<Scene>> kept(wanted.gathered.empty() ? 0 : inputs.size());
   std::vector<std::string> rules(arguments.depfile.empty() ? 0 : inputs.size());

@@ -4,6 +4,7 @@
 #include "text_outputs.h"
 
 #include <foredraw/report/batch_join.h>
+#include <foredraw/report/since.h>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,8 @@ Exit join_reports(const Arguments& arguments, const Registry& registry) {
   written.report = arguments.outputs.empty() ? "" : arguments.outputs[0];
   if (!have_files_of_their_own(written, {}, diagnostics)) return refuse(diagnostics);
   if (!have_folders({written.report}, diagnostics)) return refuse_file(diagnostics);
+  const auto baseline = baseline_of(arguments, diagnostics);
+  if (diagnostics.has_errors()) return refuse(diagnostics);
   Spool spool(spool_folder(written.report));
   BatchJoin join(spool);
   for (const std::string& part : arguments.inputs) {
@@ -24,18 +27,26 @@ Exit join_reports(const Arguments& arguments, const Registry& registry) {
     const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     if (!join.add(text, part, diagnostics)) return refuse(diagnostics);
   }
-  Exit worst = join.is_whole(diagnostics) ? done : something_failed;
+  const bool is_whole = join.is_whole(diagnostics);
+  Exit worst = is_whole ? done : something_failed;
   tell(diagnostics);
-  Batch batch(join.command(), registry, spool);
+  std::optional<Since> since;
+  if (baseline) since.emplace(arguments.baseline, *baseline, !is_whole);
+  Batch batch(join.command(), registry, spool, [&](const StoredReport& report, Outcome outcome) {
+    if (since) since->add(report, outcome);
+  });
   join.put_into(batch);
   if (!batch.is_done()) worst = something_failed;  // as one process would end
-  const auto write = [&](const OutputFile::Put& put) { batch.write_json(join.seconds(), std::nullopt, put); };
+  const auto write = [&](const OutputFile::Put& put) {
+    batch.write_json(join.seconds(), std::nullopt, put, since ? since->to_json() : "");
+  };
   if (!written.report.empty()) {
     const OutputFile report{written.report, {}, write};
     Diagnostics writing;
     if (!write_files(std::span(&report, 1), writing)) return refuse_file(writing);
   }
-  if (!arguments.json) return std::max(worst, print(batch.to_text(join.seconds())));
+  if (!arguments.json)
+    return std::max(worst, print(batch.to_text(join.seconds()) + (since ? '\n' + since->to_text() : "")));
   return std::max(worst, print_pieces(write));
 }
 

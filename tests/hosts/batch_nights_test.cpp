@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 using testing::content;
 using testing::Ended;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
 class BatchNights : public testing::InFolder {
@@ -89,6 +90,18 @@ TEST_F(BatchNights, WhatChangedSinceTheLastRunIsToldWorstFirst) {
   ASSERT_GE(since["changed"].size(), 2u);
   EXPECT_EQ(since["changed"][0]["worse"], true);
   EXPECT_EQ(since["new"], Json::parse(R"(["in/props/quad7.obj"])"));
+  std::string parts;
+  for (const char* part : {"1", "2"}) {
+    const std::string of_part = std::string("p") + part + ".json";
+    EXPECT_THAT(run(run_with + of_part + " -p weld --baseline old.json --shard " + part + "/2").err,
+                Not(HasSubstr("gone")));
+    parts += of_part + ' ';
+  }
+  EXPECT_THAT(run("join-reports p1.json --baseline old.json").out, Not(HasSubstr("gone")));
+  EXPECT_THAT(run("join-reports " + parts + "--baseline old.json -o joined.json").out,
+              HasSubstr(worse.err.substr(worse.err.find("since old.json"))));
+  EXPECT_EQ(Json::parse(content(folder_ / "joined.json"))["since"], since);
+  EXPECT_EQ(run("join-reports " + parts + "--baseline no.json").code, 1);
   const Ended compared = run("compare in -p weld --with vertex-cache --baseline old.json");
   EXPECT_EQ(compared.code, 0) << compared.err;
   EXPECT_THAT(compared.out, HasSubstr("are worse, none is better"));

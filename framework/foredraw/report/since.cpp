@@ -88,6 +88,10 @@ void Since::add_lost(const std::string& file) {
   lost_.push_back(file);
 }
 
+void Since::add(const StoredReport& report, Outcome outcome) {
+  outcome == Outcome::lost ? add_lost(report.input.path) : add(report.input.path, report.after.metrics);
+}
+
 std::vector<Since::Change> Since::changes() const {
   std::vector<Change> sorted = changes_;
   std::ranges::stable_sort(sorted, [](const Change& a, const Change& b) { return a.worse > b.worse; });

@@ -2,6 +2,7 @@
 // What changed since an earlier run over the same files: the worst first.
 
 #include <foredraw/report/baseline.h>
+#include <foredraw/report/batch.h>
 #include <foredraw/report/metrics.h>
 
 #include <cstddef>
@@ -32,6 +33,8 @@ class Since {
   void add(const std::string& file, const Metrics& after);
   /// One that could not be read, planned for or written.
   void add_lost(const std::string& file);
+  /// Of a batch, either of these.
+  void add(const StoredReport& report, Outcome outcome);
 
   /// Behind all files. From the worst to the best.
   std::vector<Change> changes() const;
