@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::content;
 using testing::Ended;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::ordered_json;
@@ -58,7 +59,9 @@ TEST_F(BatchNights, AChangedLastStageDoesNotRedoTheFirst) {
   ASSERT_EQ(run(command("vertex-fetch", "--cache cache")).code, 0);
   EXPECT_EQ(stages_cached(), "00");
   for (const char* last : {"weld", "weld, vertex-fetch"}) {
-    ASSERT_EQ(run(command(last, "--cache cache")).code, 0);
+    const Ended ended = run(command(last, "--cache cache"));
+    ASSERT_EQ(ended.code, 0);
+    EXPECT_THAT(ended.err, ContainsRegex("occlusion-order.* s, from the cache\n"));
     EXPECT_EQ(stages_cached().substr(0, 2), "10");
     EXPECT_EQ(report()["measures"].size(), 1u);
     const std::string resumed = content(folder_ / "a.glb");
