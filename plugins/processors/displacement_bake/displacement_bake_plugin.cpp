@@ -150,7 +150,7 @@ class DisplacementBake final : public Processor {
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawsCollapse> meshes = sequences_of(scene, draws);
     if (meshes.empty()) {
-      run.keep("no mesh has a sequence of collapses; put `quadric-collapse` before this stage");
+      run.keep("no mesh has a sequence of collapses, such as `quadric-collapse` finds before this stage");
       return {};
     }
     std::vector<DrawId> changed;

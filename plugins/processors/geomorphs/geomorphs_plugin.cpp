@@ -22,7 +22,14 @@ class GeomorphsOfLevels final : public Processor {
   explicit GeomorphsOfLevels(GeomorphsOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
-    std::vector<DrawsCollapse> meshes = sequences_of(scene, draws);
+    const std::vector<DrawsCollapse> sequences = sequences_of(scene, draws);
+    if (sequences.empty()) {
+      run.keep(
+          "no mesh has the sequence of collapses that its levels were cut from; put `levels` with keep-sequences = "
+          "true right before this stage");
+      return {};
+    }
+    std::vector<DrawsCollapse> meshes = sequences;
     std::erase_if(meshes, [&](const DrawsCollapse& mesh) {
       return std::ranges::any_of(mesh.draws, [&](DrawId id) { return scene.draws[id].levels.size() < 2; });
     });
@@ -37,17 +44,12 @@ class GeomorphsOfLevels final : public Processor {
       }
       std::ranges::move(made[i], std::back_inserter(all.draws));
     }
-    if (all.draws.empty()) {
-      run.keep(
-          "no mesh has levels and the sequence of collapses that they were cut from; put `levels` with "
-          "keep-sequences = true right before this stage");
-      return {};
-    }
+    if (meshes.empty()) run.note("nothing-to-gain", "no mesh has levels");
     std::ranges::sort(all.draws, {}, &DrawGeomorph::draw);
     std::vector<DrawId> changed;
     for (const DrawGeomorph& draw : all.draws) changed.push_back(draw.draw);
-    scene.products.set(std::move(all));
-    if (!options_.keep_sequences) remove_sequences(scene, meshes);
+    if (!changed.empty()) scene.products.set(std::move(all));
+    if (!options_.keep_sequences) remove_sequences(scene, sequences);
     return changed;
   }
 

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace foredraw {
 
@@ -136,11 +138,12 @@ class LevelsOfMeshes final : public Processor {
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawsCollapse> sequences = sequences_of(scene, draws);
     if (sequences.empty()) {
-      run.keep("no mesh has a sequence of collapses; put `quadric-collapse` before this stage");
+      run.keep("no mesh has a sequence of collapses, such as `quadric-collapse` finds before this stage");
       return {};
     }
     std::vector<DrawId> changed = levels_->process(scene, draws, run);
-    if (run.keeps()) return changed;
+    if (keeps_sequences_ && run.keeps()) return changed;
+    if (run.keeps()) run.note("nothing-to-gain", *std::exchange(run.findings.nothing_to_gain, std::nullopt));
     if (!keeps_sequences_) remove_sequences(scene, sequences);
     for (const DrawId id : changed) {  // a sequence makes its levels coarser, too
       if (!traits_of(scene.draws[id]).has(traits::progressive)) continue;

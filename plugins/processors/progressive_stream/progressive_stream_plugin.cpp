@@ -44,14 +44,12 @@ class StreamsOfMeshes final : public Processor {
       changed.insert(changed.end(), meshes[i].draws.begin(), meshes[i].draws.end());
       all.meshes.push_back({meshes[i].draws, answers[i].bytes});
     }
-    if (all.meshes.empty()) {
-      run.keep(
-          "no mesh has a sequence of collapses in which vertices stay; put `quadric-collapse` with placement = "
-          "\"endpoint\" before this stage");
+    if (meshes.empty()) {
+      run.keep("no mesh has a sequence of collapses, such as `quadric-collapse` finds before this stage");
       return {};
     }
     std::ranges::sort(changed);
-    scene.products.set(std::move(all));
+    if (!all.meshes.empty()) scene.products.set(std::move(all));
     if (!options_.keep_sequences) remove_sequences(scene, meshes);
     return changed;
   }

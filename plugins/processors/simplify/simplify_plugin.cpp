@@ -60,11 +60,11 @@ class SimplifyMeshes final : public Processor {
         changed.push_back(meshes[i].draws[d]);
       }
     }
-    if (changed.empty()) {
-      run.keep(meshes.empty() ? "no mesh has a sequence of collapses; put `quadric-collapse` before this stage"
-                              : "no edge may be collapsed within what is asked for");
+    if (meshes.empty()) {
+      run.keep("no mesh has a sequence of collapses, such as `quadric-collapse` finds before this stage");
       return changed;
     }
+    if (changed.empty()) run.note("nothing-to-gain", "no edge may be collapsed within what is asked for");
     remove_sequences(scene, meshes);
     std::ranges::sort(changed);
     return changed;
