@@ -95,6 +95,39 @@ static void levels_are_cut_out_of_a_sequence(void) {
   CHECK(close.error < .011 && close.index_count < 3 * TRIANGLES);
 }
 
+static void levels_carry_what_their_vertices_do(void) {
+  static float places[3 * VERTICES], places_then[3 * VERTICES], shades[VERTICES], shades_then[VERTICES];
+  static uint16_t half[3 * TRIANGLES];
+  static foredraw_collapse collapses[VERTICES];
+  static foredraw_vertex_pair pairs[VERTICES];
+  static uint32_t first_pair[VERTICES + 1];
+  const foredraw_triangles mesh = list_of(indices);
+  foredraw_weighted_attribute shade;
+  foredraw_collapses sequence;
+  foredraw_simplified level;
+  foredraw_positions positions;
+  uint32_t i;
+  for (i = 0; i < VERTICES; ++i) shades[i] = vertices[i].position[0];
+  positions.first = vertices[0].position;
+  positions.stride = sizeof vertices[0];
+  shade.first = shades;
+  shade.stride = 0;
+  shade.components = 1;
+  shade.weight = .1;
+  memset(&sequence, 0, sizeof sequence);
+  sequence.collapses = collapses;
+  sequence.pairs = pairs;
+  sequence.first_pair = first_pair;
+  sequence.places = places;
+  sequence.solves = 1;
+  CHECK(foredraw_quadric_collapse(&sequence, &mesh, &positions, &shade, 1, 0) == FOREDRAW_DONE);
+  CHECK(foredraw_simplify(half, places_then, &level, &mesh, &positions, &sequence, TRIANGLES / 2, HUGE_VAL) ==
+        FOREDRAW_DONE);
+  CHECK(foredraw_level_attributes(shades_then, &mesh, &positions, &sequence, level.collapses, &shade, 1) ==
+        FOREDRAW_DONE);
+  for (i = 0; i < level.index_count; ++i) CHECK(fabsf(shades_then[half[i]] - places_then[3 * half[i]]) < .1f);
+}
+
 static void what_is_wrong_is_refused(void) {
   const foredraw_triangles good = list_of(indices);
   foredraw_triangles bad = good;
@@ -211,6 +244,7 @@ int main(void) {
   make_sheet();
   sheets_get_cheaper();
   levels_are_cut_out_of_a_sequence();
+  levels_carry_what_their_vertices_do();
   what_is_wrong_is_refused();
   numbers_have_to_fit();
   nothing_is_a_mesh_too();

@@ -74,6 +74,12 @@ TEST(WithoutMemory, MeshesSayThatItRanOut) {
                   7);
   std::vector<float> moved(3 * vertices);
   sequence.places = moved.data();
+  const foredraw_weighted_attribute height{sheet.vertices[0].position + 1, sizeof sheet.vertices[0], 1, 1};
+  sequence.solves = 1;
+  expect_survives([&] { return foredraw_quadric_collapse(&sequence, &list, &places, &height, 1, 0); }, 7);
+  std::vector<float> heights(vertices);
+  expect_survives([&] { return foredraw_level_attributes(heights.data(), &list, &places, &sequence, 20, &height, 1); },
+                  7);
   expect_survives([&] { return foredraw_energy_collapse(&sequence, &list, &places, nullptr, 0, 60, 1, 0); }, 31);
   std::vector<std::uint8_t> kinds(72);
   expect_survives([&] { return foredraw_shell_kinds(kinds.data(), &list, &places); });

@@ -36,7 +36,7 @@ TEST(Embedding, DocumentationQuotesWhatIsCompiled) {
 }
 
 TEST(Embedding, ThePagesOfCQuoteWhatIsCompiled) {
-  EXPECT_EQ(quotes(text_of("docs/c-functions.md"), text_of("tests/c/functions_test.c"), "c"), 2);
+  EXPECT_EQ(quotes(text_of("docs/c-functions.md"), text_of("tests/c/functions_test.c"), "c"), 3);
   const std::string tools = text_of("tests/embedding/c/tool.c") + text_of("tests/embedding/c/orders.c") +
                             text_of("tests/embedding/c/radial.c");
   EXPECT_EQ(quotes(text_of("docs/c-library.md"), tools, "c"), 3);

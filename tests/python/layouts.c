@@ -124,7 +124,7 @@ int main(void) {
   OFFSET(foredraw_collapses, first_pair);
   OFFSET(foredraw_collapses, places);
   OFFSET(foredraw_collapses, count);
-  OFFSET(foredraw_collapses, reserved);
+  OFFSET(foredraw_collapses, solves);
   SIZE(foredraw_weighted_attribute);
   OFFSET(foredraw_weighted_attribute, first);
   OFFSET(foredraw_weighted_attribute, stride);
@@ -229,6 +229,8 @@ int main(void) {
   VALUE(FOREDRAW_OPTION_RANGE);
   VALUE(FOREDRAW_NO_CLUSTERS);
   VALUE(FOREDRAW_NO_ORDER);
+  VALUE(FOREDRAW_DIRECTION);
+  VALUE(FOREDRAW_BLENDED);
   VALUE(FOREDRAW_SHELL_CLOSED);
   VALUE(FOREDRAW_SHELL_OPEN);
   VALUE(FOREDRAW_SHELL_FLAT);

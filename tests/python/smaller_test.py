@@ -60,6 +60,28 @@ class Simplify(unittest.TestCase):
         coloured = fd.quadric_collapse(INDICES, BUMPS, [(np.arange(len(BUMPS)) % 5, 2.0)], least=300)
         self.assertFalse(np.array_equal(coloured.collapses[:50], collapses.collapses[:50]))
 
+    def test_what_vertices_carry_comes_along(self):
+        ramp = BUMPS[:, 0].copy()  # which is linear on the surface's plane, and nearly so on its bumps
+        up = np.tile(np.float32([0, 0, 1]), (len(BUMPS), 1))
+        attributes = [(ramp, 0.1), (up, 0.1, "direction"), (ramp > 5, 0.1, "blended")]
+        left = {}
+        for solves in (True, False):
+            collapses = fd.quadric_collapse(INDICES, BUMPS, attributes, moves=True, solves=solves)
+            half = fd.simplify(INDICES, BUMPS, collapses, triangles_left=400)
+            values = fd.level_attributes(INDICES, BUMPS, collapses, half.collapses, attributes)
+            self.assertEqual([one.shape for one in values], [(len(BUMPS), 1), (len(BUMPS), 3), (len(BUMPS), 1)])
+            np.testing.assert_array_equal(values[1], up)
+            used = np.unique(half.indices)
+            left[solves] = np.abs(values[0][used, 0] - half.positions[used, 0]).mean()
+        self.assertLess(left[True], left[False])
+        self.assertEqual(fd.level_attributes(INDICES, BUMPS, collapses, 0, []), [])
+        with self.assertRaisesRegex(ValueError, "sideways"):
+            fd.quadric_collapse(INDICES, BUMPS, [(up, 1, "sideways")])
+        with self.assertRaisesRegex(ValueError, "attributes="):
+            fd.quadric_collapse(INDICES, BUMPS, [(ramp, 1, "direction")])
+        with self.assertRaisesRegex(ValueError, "another mesh"):
+            fd.level_attributes(INDICES[:2], BUMPS[:30], collapses, 0, [(ramp[:30], 1)])
+
     def test_by_energy(self):
         places, indices = sheet(5)
         bumps = places.astype(np.float32).copy()

@@ -32,29 +32,39 @@ typedef struct foredraw_collapses {
   uint32_t* first_pair;
   float* places; /* [3 * i] where the kept point lies then; NULL: points stay where they are */
   uint32_t count;
-  uint32_t reserved; /* 0 */
+  /* 1: where a point comes to lie at neither of both places, what its vertices carry is solved for from the triangles
+   * around, and foredraw_level_attributes() tells it; 0: it is blended, and so it is where places are NULL. */
+  uint32_t solves;
 } foredraw_collapses;
+
+/* Added to the components of an attribute. */
+enum {
+  /* Three or four: the first three point somewhere and are of length 1; a fourth is a sign, and costs nothing. */
+  FOREDRAW_DIRECTION = 0x100,
+  /* What moves vertices, such as joint weights: blended in every case, alike for all vertices of a point. */
+  FOREDRAW_BLENDED = 0x200
+};
 
 /* Numbers of vertices that count beside distances: a difference times `weight` is a length. */
 typedef struct foredraw_weighted_attribute {
   const void* first;   /* 32-bit floats of vertex 0, at any alignment; what is not finite counts as 0 */
   uint32_t stride;     /* bytes from one vertex to the next; 0: none between them */
-  uint32_t components; /* 1 to 16 */
+  uint32_t components; /* 1 to 16, and FOREDRAW_DIRECTION or FOREDRAW_BLENDED */
   double weight;       /* 0 or more */
 } foredraw_weighted_attribute;
 
 /* The edges in the sequence in which they cost least, until `least` triangles are left or none may go. Attributes, up
  * to 16, may be none. Where sequence->places is not NULL points move to where the cost is least: smaller errors, and
- * vertices of each level's own. Hoppe: Progressive Meshes, SIGGRAPH 1996; costs after Garland and Heckbert 1997,
- * Lindstrom and Turk 1998, Hoppe 1999. */
+ * vertices of each level's own. sequence->solves, 0 or 1, says what becomes of attributes there. Hoppe: Progressive
+ * Meshes, SIGGRAPH 1996; costs after Garland and Heckbert 1997, Lindstrom and Turk 1998, Hoppe 1999. */
 int foredraw_quadric_collapse(foredraw_collapses* sequence, const foredraw_triangles* triangles,
                               const foredraw_positions* positions, const foredraw_weighted_attribute* attributes,
                               uint32_t attribute_count, uint32_t least);
 
 /* The same by the energy of what is left: the place of each point is fitted to `samples` points a triangle of the
  * original, 1 to 100 (0: 8), which `seed` chooses. Far slower, about a millisecond an edge. A difference of 1 in an
- * attribute times its weight is large. sequence->places is not NULL. Hoppe: Progressive Meshes, SIGGRAPH 1996,
- * section 4. */
+ * attribute times its weight is large. sequence->places is not NULL; sequence->solves becomes 0. Hoppe: Progressive
+ * Meshes, SIGGRAPH 1996, section 4. */
 int foredraw_energy_collapse(foredraw_collapses* sequence, const foredraw_triangles* triangles,
                              const foredraw_positions* positions, const foredraw_weighted_attribute* attributes,
                              uint32_t attribute_count, uint32_t least, uint32_t samples, uint64_t seed);
@@ -73,6 +83,15 @@ typedef struct foredraw_simplified {
 int foredraw_simplify(void* indices, float* places, foredraw_simplified* simplified,
                       const foredraw_triangles* triangles, const foredraw_positions* positions,
                       const foredraw_collapses* sequence, uint32_t triangle_count, double most_error);
+
+/* What vertices carry after `collapses` of the sequence, as many as foredraw_simplify() told: `values` gets the
+ * components of all attributes of vertex 0, one attribute after the other, then those of vertex 1. Directions are of
+ * length 1. Other numbers that are solved for lie between those of the corners around. A vertex that no triangle has
+ * any more, or that no collapse changed, has what it had. Weights do not count. A sequence that does not fit the mesh
+ * is FOREDRAW_NO_ORDER. */
+int foredraw_level_attributes(float* values, const foredraw_triangles* triangles, const foredraw_positions* positions,
+                              const foredraw_collapses* sequence, uint32_t collapses,
+                              const foredraw_weighted_attribute* attributes, uint32_t attribute_count);
 
 #ifdef __cplusplus
 }

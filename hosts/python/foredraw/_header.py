@@ -11,6 +11,7 @@ LOOKAHEAD_ROBUST, LOOKAHEAD_FIFO, LOOKAHEAD_NVIDIA, LOOKAHEAD_AMD, LOOKAHEAD_INT
 
 OCCLUSION_FAST, OCCLUSION_BALANCED, OCCLUSION_HIGH = range(1, 4)
 SHELL_CLOSED, SHELL_OPEN, SHELL_FLAT, SHELL_INSIDE_OUT, SHELL_TURNED = range(5)
+DIRECTION, BLENDED = 0x100, 0x200
 WRAP_REPEAT, WRAP_MIRRORED, WRAP_CLAMPED = range(3)
 UV_FLOAT32, UV_FLOAT16, UV_UNORM16 = range(3)
 TRIMMED, RECTANGLE, EMPTY, FULL, NO_SAVING = range(5)
@@ -51,7 +52,7 @@ class Collapses(Structure):
         ("first_pair", c_void_p),
         ("places", c_void_p),
         ("count", c_uint32),
-        ("reserved", c_uint32),
+        ("solves", c_uint32),
     ]
 
 
@@ -343,6 +344,10 @@ PROTOTYPES = {
     "simplify": (
         c_int,
         [c_void_p, c_void_p, POINTER(Simplified), _triangles, _places, POINTER(Collapses), c_uint32, c_double],
+    ),
+    "level_attributes": (
+        c_int,
+        [c_void_p, _triangles, _places, POINTER(Collapses), c_uint32, POINTER(WeightedAttribute), c_uint32],
     ),
     "sprite_frames": (c_int, [c_void_p, POINTER(c_uint32), POINTER(Alpha), c_double, c_uint32]),
     "particle_trim": (c_int, [c_void_p, c_void_p, POINTER(Alpha), c_void_p, c_uint32, POINTER(TrimOptions)]),

@@ -4,7 +4,7 @@ Arrays, and what is wrong with them: as of the functions of functions.py.
 """
 
 from ctypes import byref, c_uint32
-from typing import Any, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -107,7 +107,7 @@ def move_vertices(indices: Any, destination: Any) -> np.ndarray:
 class Collapses:
     """A mesh made coarser edge by edge: :func:`quadric_collapse` makes it, :func:`simplify` cuts levels out of it."""
 
-    def __init__(self, vertices: int, moves: bool) -> None:
+    def __init__(self, vertices: int, moves: bool, solves: bool = False) -> None:
         room = max(vertices, 1)
         self.collapses = np.zeros(room, [("removed", "u4"), ("kept", "u4"), ("blend", "f4"), ("error", "f4")])
         self.pairs = np.zeros(room, [("removed", "u4"), ("kept", "u4")])
@@ -118,13 +118,16 @@ class Collapses:
             address(self.pairs),
             address(self.first_pair),
             None if self.places is None else address(self.places),
+            0,
+            solves,
         )
 
     def __len__(self) -> int:
         return self._arrays.count
 
 
-Weighted = Tuple[Any, float]
+#: An array, its weight, and, if it is one, that it is a "direction" or always "blended".
+Weighted = Union[Tuple[Any, float], Tuple[Any, float, str]]
 
 
 def quadric_collapse(
@@ -133,6 +136,7 @@ def quadric_collapse(
     attributes: Sequence[Weighted] = (),
     *,
     moves: bool = False,
+    solves: bool = True,
     least: int = 0,
 ) -> Collapses:
     """The edges of a mesh in the sequence in which it costs least to collapse them.
@@ -144,17 +148,21 @@ def quadric_collapse(
     ----------
     indices : array of integers, (n, 3) or (3 n,)
     positions_of_vertices : array of numbers, (vertices, 3)
-    attributes : sequence of (array, weight), optional
+    attributes : sequence of (array, weight) or (array, weight, kind), optional
         What counts beside distances, of shape (vertices,) or (vertices, components): a difference times the weight is
-        a length.
+        a length. The kind "direction" is for three numbers that point somewhere, of length 1, and a fourth that is a
+        sign; "blended" for what moves vertices, such as joint weights, which all vertices of a point share.
     moves : bool
         Points may move to where the cost is least. Otherwise all levels use the vertices that there are.
+    solves : bool
+        What vertices carry where points move is solved for from the triangles around; otherwise it is blended along
+        the edge. :func:`level_attributes` tells it.
     least : int
         Triangles to stop at.
     """
     mesh, places = _mesh(indices, positions_of_vertices)
     weighted = _Weighted(attributes, mesh.vertex_count)
-    made = Collapses(mesh.vertex_count, moves)
+    made = Collapses(mesh.vertex_count, moves, solves)
     status = library().quadric_collapse(
         byref(made._arrays), byref(mesh), byref(places), weighted.given, len(weighted.given), count(least, "least")
     )
@@ -203,16 +211,23 @@ class _Weighted:
 
     def __init__(self, attributes: Sequence[Weighted], vertices: int) -> None:
         self.rows, given = [], []
-        for values, weight in attributes:
+        for values, weight, *kind in attributes:
             row = np.asarray(values, np.float32)
             row = without_gaps(row.reshape(-1, 1) if row.ndim == 1 else row)
             if row.ndim != 2 or len(row) != vertices:
                 raise ValueError(f"an attribute must have a row for each of {vertices} vertices: {row.shape}")
             self.rows.append(row)
             stride = row.strides[0] if len(row) else 0
-            given.append(c.WeightedAttribute(address(row), stride, row.shape[1], float(weight)))
+            given.append(c.WeightedAttribute(address(row), stride, row.shape[1] + _kind(*kind), float(weight)))
         self.given = (c.WeightedAttribute * len(given))(*given)
-        self.told = [(row.shape[1], weight) for row, (_, weight) in zip(self.rows, attributes)]
+        self.told = [(row.shape[1], *rest) for row, (_, *rest) in zip(self.rows, attributes)]
+
+
+def _kind(kind: str = "") -> int:
+    kinds = {"": 0, "direction": c.DIRECTION, "blended": c.BLENDED}
+    if kind not in kinds:
+        raise ValueError(f'an attribute is a "direction", "blended", or neither, not {kind!r}')
+    return kinds[kind]
 
 
 def shell_kinds(indices: Any, positions_of_vertices: Any) -> np.ndarray:
@@ -266,8 +281,7 @@ def simplify(
     """
     sequence = quadric_collapse(indices, positions_of_vertices) if collapses is None else collapses
     mesh, places = _mesh(indices, positions_of_vertices)
-    if len(sequence.first_pair) != max(mesh.vertex_count, 1) + 1:
-        raise ValueError(f"the collapses are of another mesh than this one of {mesh.vertex_count} vertices")
+    _check_fits(sequence, mesh)
     few = np.empty(mesh.index_count, mesh.array.dtype)
     moved = np.empty((mesh.vertex_count, 3), np.float32)
     made = c.Simplified()
@@ -278,6 +292,50 @@ def simplify(
     check(status, mesh, error=error)
     level = few[: made.index_count].reshape(-1, 3).copy()
     return Simplified(as_given(level, indices), moved, made.collapses, made.error)
+
+
+def level_attributes(
+    indices: Any,
+    positions_of_vertices: Any,
+    collapses: Collapses,
+    done: int,
+    attributes: Sequence[Weighted],
+) -> List[np.ndarray]:
+    """What vertices carry in a level that was cut out of a sequence.
+
+    Parameters
+    ----------
+    indices : array of integers, (n, 3) or (3 n,)
+    positions_of_vertices : array of numbers, (vertices, 3)
+    collapses : Collapses
+        Of the same mesh.
+    done : int
+        How many of them: :attr:`Simplified.collapses`.
+    attributes : sequence of (array, weight) or (array, weight, kind)
+        As of :func:`quadric_collapse`, and others; weights do not count.
+
+    Returns
+    -------
+    values : list of arrays of float32, of shape (vertices, components)
+        One for each attribute. A vertex that no triangle has any more carries what it did.
+    """
+    mesh, places = _mesh(indices, positions_of_vertices)
+    _check_fits(collapses, mesh)
+    weighted = _Weighted(attributes, mesh.vertex_count)
+    widths = [row.shape[1] for row in weighted.rows]
+    made = np.empty((mesh.vertex_count, sum(widths)), np.float32)
+    status = library().level_attributes(
+        address(made), byref(mesh), byref(places), byref(collapses._arrays), count(done, "done"), weighted.given,
+        len(weighted.given),
+    )
+    check(status, mesh, done=done, attributes=weighted.told)
+    ends = np.cumsum(widths, dtype=int)
+    return [made[:, end - width : end].copy() for end, width in zip(ends, widths)]
+
+
+def _check_fits(collapses: Collapses, mesh: c.Triangles) -> None:
+    if len(collapses.first_pair) != max(mesh.vertex_count, 1) + 1:
+        raise ValueError(f"the collapses are of another mesh than this one of {mesh.vertex_count} vertices")
 
 
 class Overdraw(NamedTuple):

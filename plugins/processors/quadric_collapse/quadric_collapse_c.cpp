@@ -11,9 +11,11 @@ int foredraw_quadric_collapse(foredraw_collapses* sequence, const foredraw_trian
     QuadricCollapseOptions options;
     options.placement = sequence->places == nullptr ? CollapsePlacement::endpoint : CollapsePlacement::optimal;
     options.least = least;
-    options.solves = false;  // callers blend
+    options.solves = sequence->solves == 1;
     const auto places = c::elements_at<glm::vec3>(positions->first, positions->stride, mesh.vertex_count());
-    return quadric_collapse(places, mesh.indices(), options, {rows.width, std::move(rows.values)});
+    AttributeRows counted{rows.width, std::move(rows.values), rows.blended};
+    for (const auto& [first, length] : rows.directions) counted.directions.push_back({first, length});
+    return quadric_collapse(places, mesh.indices(), options, std::move(counted));
   };
   return c::with_collapses(sequence, triangles, positions, attributes, attribute_count, find);
 }
