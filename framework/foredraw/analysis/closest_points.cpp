@@ -64,10 +64,10 @@ bool has_numbers(const std::array<glm::vec3, 3>& corners) {
 struct PointAmongBoxes {
   float above[3], below[3];
 
-  PointAmongBoxes(const glm::dvec3& point, double scale) {
+  PointAmongBoxes(const glm::dvec3& point, const glm::dvec3& middle, double scale) {
     constexpr double most = 0x1p60, of_itself = 0x1p-22, of_extent = 0x1p-40;
     for (int axis = 0; axis < 3; ++axis) {
-      const double at = std::clamp(point[axis] * scale, -most, most);
+      const double at = std::clamp((point[axis] - middle[axis]) * scale, -most, most);
       const double apart = std::abs(at) * of_itself + of_extent;
       below[axis] = static_cast<float>(at - apart);
       above[axis] = static_cast<float>(at + apart);
@@ -101,6 +101,7 @@ Closest closest_on(const TriangleCorners& corners, const glm::dvec3& point) {
 
 ClosestPoints::ClosestPoints(const Surface& surface) {
   std::vector<std::uint32_t> finite;
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
   triangles_.resize(surface.indices.size() / 3);
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     for (std::size_t c = 0; c < 3; ++c) triangles_[t][c] = surface.positions[surface.indices[3 * t + c]];
@@ -108,14 +109,20 @@ ClosestPoints::ClosestPoints(const Surface& surface) {
     finite.push_back(t);
     for (const glm::vec3& corner : triangles_[t]) {
       for (int axis = 0; axis < 3; ++axis) extent_ = std::max<double>(extent_, std::abs(corner[axis]));
+      low = glm::min(low, glm::dvec3(corner));
+      high = glm::max(high, glm::dvec3(corner));
     }
   }
+  if (finite.empty()) return;
+  // Far from its origin a surface is small beside the steps of floats there: boxes are small around its middle.
+  middle_ = (low + high) / 2.0;
+  const glm::dvec3 half = high - middle_;
   int exponent = 0;
-  std::frexp(extent_, &exponent);
+  std::frexp(std::max({half.x, half.y, half.z}), &exponent);
   scale_ = std::ldexp(1.0, -exponent);
   const auto scaled = [&](std::uint32_t t) {
     std::array<glm::vec3, 3> corners = triangles_[t];
-    for (glm::vec3& corner : corners) corner = glm::vec3(glm::dvec3(corner) * scale_);
+    for (glm::vec3& corner : corners) corner = glm::vec3((glm::dvec3(corner) - middle_) * scale_);
     return corners;
   };
   constexpr std::size_t most_further = std::size_t{1} << 20;  // boxes, beside one or two for each triangle
@@ -150,7 +157,7 @@ TriangleCorners ClosestPoints::corners(std::uint32_t triangle) const { return in
 
 Closest ClosestPoints::nearest(const glm::dvec3& point, std::uint32_t hint) const {
   if (nodes_.empty()) return {};
-  const PointAmongBoxes among(point, scale_);
+  const PointAmongBoxes among(point, middle_, scale_);
   std::uint32_t nearest = no_triangle;
   double squared = std::numeric_limits<double>::infinity();
   constexpr float farthest = std::numeric_limits<float>::max();

@@ -74,9 +74,11 @@ class ClosestPoints {
 
  private:
   std::vector<std::array<glm::vec3, 3>> triangles_;  ///< in the surface's sequence
-  std::vector<BoxTree::Node> nodes_;                 ///< scaled; the leaf of child c is the triangle first[c]
+  std::vector<BoxTree::Node> nodes_;  ///< around the middle, scaled; the leaf of child c is the triangle first[c]
   double extent_ = 0;
-  double scale_ = 1;  ///< a power of 2 that brings the extent near 1, so that no square of a float is too large
+  glm::dvec3 middle_{0};
+  double scale_ = 1;  ///< a power of 2 that brings the largest distance from the middle near 1, so that no square of a
+                      ///< float is too large
 };
 
 /// Of a draw's triangles in its own space, kept by what positions and indices hold.
