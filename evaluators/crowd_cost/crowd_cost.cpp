@@ -8,16 +8,6 @@ namespace foredraw {
 
 namespace {
 
-double size_of(const CrowdLevels& levels, const Crowd& crowd) {
-  constexpr double pi = 3.14159265358979323846;
-  double area = 0;
-  for (const CrowdLevels::OfDraw& draw : levels.draws) {
-    const bool is_of_it = std::ranges::find(crowd.draws, draw.draw) != crowd.draws.end();
-    if (is_of_it) area += static_cast<double>(draw.area);
-  }
-  return std::sqrt(area / pi);
-}
-
 /// Of one frame; `before` is what was chosen in the frame before.
 void tally(const Crowd& crowd, double size, const CrowdPath& path, std::span<const std::uint8_t> chosen,
            const std::vector<std::uint8_t>& before, CrowdMethodCost& cost) {
@@ -41,10 +31,20 @@ void tally(const Crowd& crowd, double size, const CrowdPath& path, std::span<con
 
 }  // namespace
 
+double crowd_size(const CrowdLevels& levels, const Crowd& crowd) {
+  constexpr double pi = 3.14159265358979323846;
+  double area = 0;
+  for (const CrowdLevels::OfDraw& draw : levels.draws) {
+    const bool is_of_it = std::ranges::find(crowd.draws, draw.draw) != crowd.draws.end();
+    if (is_of_it) area += static_cast<double>(draw.area);
+  }
+  return std::sqrt(area / pi);
+}
+
 std::optional<CrowdCost> crowd_cost(const Scene& scene, const CrowdLevels& levels, const Crowd& crowd,
                                     const CrowdCostOptions& options, const std::atomic<bool>* cancel) {
   CrowdCost cost;
-  cost.size = size_of(levels, crowd);
+  cost.size = crowd_size(levels, crowd);
   if (!(cost.size > 0)) throw std::invalid_argument("the character has no area, so it has no size");
   std::vector<CrowdChooser> choosers;
   for (const CrowdMethod method : all_crowd_methods) {

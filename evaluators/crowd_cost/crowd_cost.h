@@ -35,10 +35,13 @@ struct CrowdMethodCost {
 };
 
 struct CrowdCost {
-  double size = 0;  ///< of a character, in its units: the diameter of a ball of the same area
+  double size = 0;  ///< of a character, in its units
   std::vector<CrowdMethodCost> methods;
   std::array<PipelineCost, 4> pipelines;  ///< over all frames, with the levels of the last method
 };
+
+/// Of a character, in its units: the diameter of a ball of the same area.
+double crowd_size(const CrowdLevels& levels, const Crowd& crowd);
 
 /// Nothing where it was cancelled. The same everywhere. Throws std::invalid_argument where the crowd has no size.
 std::optional<CrowdCost> crowd_cost(const Scene& scene, const CrowdLevels& levels, const Crowd& crowd,

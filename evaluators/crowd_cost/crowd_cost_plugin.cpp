@@ -105,6 +105,9 @@ class CrowdCostEvaluator final : public Evaluator {
  private:
   void measure_crowd(const Scene& scene, const CrowdLevels& levels, const Crowd& crowd, const About& about,
                      const Run& run) const {
+    if (!(crowd_size(levels, crowd) > 0)) {
+      return run.note_at(about, "no-size", "not measured: it has no area, so there is no size to place an eye by");
+    }
     CrowdCostOptions options = options_;
     options.seed = run.seed;
     const auto cost = crowd_cost(scene, levels, crowd, options, run.cancel);
@@ -126,7 +129,20 @@ class CrowdCostEvaluator final : public Evaluator {
     run.measure_at(about, "written", static_cast<double>(packed.written), frames);
     run.measure_at(about, "fetched", static_cast<double>(packed.fetched), frames);
     tell(crowd, *cost, about, run);
+    tell_if_too_many(crowd, about, run);
     attach(crowd, *cost, about, run);
+  }
+
+  /// Nobody is left out, whatever the budget.
+  void tell_if_too_many(const Crowd& crowd, const About& about, const Run& run) const {
+    const auto fewest = std::ranges::min(crowd.levels, {}, &CrowdLevel::triangles).triangles;
+    const std::uint64_t all = static_cast<std::uint64_t>(options_.instances) * fewest;
+    if (all <= crowd.budget) return;
+    run.note_at(
+        about, "too-many",
+        fmt::format("no choice keeps to the budget of {} triangles: {} instances take {} at the coarsest level; "
+                    "make coarser levels, or raise crowd-levels.characters",
+                    crowd.budget, options_.instances, all));
   }
 
   CrowdCostOptions options_;

@@ -42,7 +42,7 @@ void CrowdPath::step() {
     const auto move = [&](double& at, double by) {
       at += by * time;
       if (std::abs(at) <= half_side_) return;
-      at -= std::copysign(2 * half_side_, at);
+      at -= 2 * half_side_ * std::round(at / (2 * half_side_));  // the fastest cross a small square more than once
       is_new_[i] = 1;
     };
     move(walker.x, walker.dx - eye_.dx);
