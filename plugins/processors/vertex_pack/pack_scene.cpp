@@ -105,6 +105,10 @@ class Layouts {
                                      const std::map<DrawId, double>& scales) {
     std::map<DrawId, PackedLayout> layouts;
     if (draws.empty()) return layouts;
+    if (box.is_empty()) {
+      for (const DrawId id : draws) contents_[id].why_not = "in no pose is any of its positions finite";
+      return layouts;
+    }
     const auto shared = best_layout(demand_of(draws, box, scales));
     for (const DrawId id : draws) {
       if (!shared) {
