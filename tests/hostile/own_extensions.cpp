@@ -5,6 +5,7 @@
 #include "support/collapses.h"
 #include "support/compressed_gltf.h"
 #include "support/displaced.h"
+#include "support/hostile_wires.h"
 #include "support/products.h"
 #include "support/staged.h"
 #include "support/uv_charts.h"
@@ -32,6 +33,18 @@ Scene charts() {
   const Map map = noise_map(64, 64, 3);
   return displaced_scene({cut.positions, cut.indices}, cut.uvs,
                          height_image(64, 64, [&](auto x, auto y) { return map.texels[64 * y + x]; }));
+}
+
+/// A rope of 32 rings, closed at both ends, beside a body.
+Scene rope_and_body() {
+  TestMesh mesh = closed_torus(16, 8);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  HostileWire rope;
+  rope.tube(
+      32, [](double t) { return glm::dvec3(20 * t, 5, 0); }, 0.1);
+  mesh.positions.insert(mesh.positions.end(), rope.positions.begin(), rope.positions.end());
+  for (const std::uint32_t index : rope.indices) mesh.indices.push_back(first + index);
+  return scene_of(mesh);
 }
 
 /// So many triangles that heights pay.
@@ -66,6 +79,9 @@ std::vector<OwnExtension> own_extensions() {
       {"FOREDRAW_packed_vertices", "vertex-pack", "", torus},
       {"FOREDRAW_seam_heights", "displacement-seams(table=true)",
        "primitive/(heights (has all bits set|is noise)|sides is a row short)", charts},
+      {"FOREDRAW_wires", "wire-radius", R"(primitive/wires/\d/((length|radius) is 4294967296|closed is missing))",
+       rope_and_body},
+      {"FOREDRAW_second_depth", "second-depth", "", torus},
   };
 }
 
