@@ -65,6 +65,16 @@ void quantize(WireFile& of) {
   of.file.json["extensionsUsed"] = of.file.json["extensionsRequired"] = {"KHR_mesh_quantization"};
 }
 
+/// As many vertices as indices of 16 bits can name; the last seven are in no triangle.
+void fill_sixteen_bits(WireFile& of) {
+  HostileWire mesh;
+  mesh.tube(8191, testing::straight, 0.1);
+  mesh.positions.resize(65535, glm::vec3(0));
+  of = WireFile(mesh);
+  of.primitive()["indices"] =
+      of.file.add_values(std::vector<std::uint16_t>(mesh.indices.begin(), mesh.indices.end()), "SCALAR");
+}
+
 /// In each ring half of the vertices follow another joint.
 void skin(WireFile& of) {
   std::vector<std::uint8_t> joints;
@@ -102,6 +112,7 @@ Case stale(const char* name, const char* attribute, const char* type, std::size_
 const std::vector<Case> harmed = {
     {"plain", [](WireFile&) {}, "1 tube, 0 ribbons and 0 nets"},
     {"quantized", quantize},
+    {"sixteen-bits-full", fill_sixteen_bits},
     {"mixed-weights", skin},
     {"bent-by-morphs", bend, "morph"},
     mode("points", 0),
