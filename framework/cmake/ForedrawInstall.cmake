@@ -84,6 +84,10 @@ function(foredraw_install_package)
             COMPONENT development)
   endforeach()
   foredraw_install_headers("${PROJECT_SOURCE_DIR}/framework/foredraw" "")
+  # Programs and modules to begin with, for whoever has the packages alone.
+  set(examples "${CMAKE_INSTALL_DATAROOTDIR}/foredraw/examples")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/tests/embedding/c/" DESTINATION "${examples}/engine" COMPONENT development)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/hosts/module/examples/" DESTINATION "${examples}/module" COMPONENT development)
   foreach(component runtime libraries development python)
     install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/LICENSES.md"
             DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/${foredraw_package_of_${component}}" COMPONENT ${component})

@@ -115,6 +115,10 @@ TEST_F(PythonModules, SayWhereTheyFailed) {
   EXPECT_THAT(ended.err, HasSubstr("a module in Python runs in a process of its own alone"));
   ended = run_program(folder_, "list --module none.py", "FOREDRAW_PYTHON=no-such-program");
   EXPECT_THAT(ended.err, HasSubstr("there is no program no-such-program"));
+  put(folder_ / "lacks.py", "import no_such_package\n");
+  ended = run_program(folder_, "list --module lacks.py");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("FOREDRAW_PYTHON names another python3"));
 }
 
 TEST_F(Modules, AreKnownAsBuiltInOnesAre) {
