@@ -18,6 +18,14 @@ inline void* allocate(std::size_t size) {
   throw std::bad_alloc();
 }
 
+inline void* allocate_or_not(std::size_t size) noexcept {
+  try {
+    return allocate(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
 inline void release(void* memory) noexcept {
   if (memory != nullptr) --held;
   std::free(memory);
@@ -27,6 +35,12 @@ inline void release(void* memory) noexcept {
 
 void* operator new(std::size_t size) { return foredraw::testing::allocate(size); }
 void* operator new[](std::size_t size) { return foredraw::testing::allocate(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return foredraw::testing::allocate_or_not(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return foredraw::testing::allocate_or_not(size);
+}
 void operator delete(void* memory) noexcept { foredraw::testing::release(memory); }
 void operator delete[](void* memory) noexcept { foredraw::testing::release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { foredraw::testing::release(memory); }

@@ -35,7 +35,7 @@ static void make_sheet(void) {
     vertices[i].colour = i;
     vertices[i].position[0] = x;
     vertices[i].position[1] = y;
-    vertices[i].position[2] = x * y / CELLS;
+    vertices[i].position[2] = x * y / (float)CELLS;
   }
   for (i = 0; i < TRIANGLES / 2; ++i) {
     const uint32_t cell = i * 619 % (CELLS * CELLS); /* 619 is prime, so that each comes once */

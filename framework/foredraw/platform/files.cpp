@@ -105,8 +105,8 @@ class Part {
     std::string name = place.filename().string();
     std::size_t length = std::min(name.size(), most_of_a_name);
     while (length > 0 && length < name.size() && (name[length] & 0xC0) == 0x80) --length;  // no half letters
-    fs::path path = place;
-    return path.replace_filename(name.substr(0, length) + ".foredraw-part" + std::to_string(number));
+    // replace_filename() of libstdc++ 12 leaves a path that can not be freed where memory runs out in it.
+    return place.parent_path() / (name.substr(0, length) + ".foredraw-part" + std::to_string(number));
   }
 
   /// Whether there was such a file. One that is locked here nobody else removes, so that the name stays its name from
@@ -279,7 +279,7 @@ bool write_standard_output(std::span<const std::byte> bytes, Diagnostics& diagno
 bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
   struct Pending {
     const OutputFile* file;
-    fs::path place;
+    fs::path place, folder;
     std::optional<Part> part;  ///< none: a stream, or there already
     bool is_stream;
   };
@@ -308,11 +308,12 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
     if (!stream && !is_there && !part) return false;
     if (is_there) Part::remove_leftovers(place);
     if (part && file.rest && is_there_already(place, *part)) part.reset();
-    pending.push_back({&file, std::move(place), std::move(part), stream});
+    fs::path folder = folder_of(place);
+    pending.push_back({&file, std::move(place), std::move(folder), std::move(part), stream});
   }
-  // The first last, and when the others are there for good.
+  // The first last, and when the others are there for good. Nothing takes memory between them.
   for (std::size_t i = pending.size(); i-- > 0;) {
-    auto& [file, place, part, is_stream] = pending[i];
+    auto& [file, place, folder, part, is_stream] = pending[i];
     if (!part && !is_stream) continue;
     if (is_stream) {
       if (!write_stream(*file, diagnostics)) return false;
@@ -320,7 +321,7 @@ bool write_files(std::span<const OutputFile> files, Diagnostics& diagnostics) {
       diagnostics.error({.file = file->path.string()}, "cannot-write", "cannot be moved into place: " + reason());
       return false;
     } else {
-      settle(folder_of(place));
+      settle(folder);
     }
   }
   return true;

@@ -57,7 +57,7 @@ ProductCard levels_card() {
 
 std::optional<std::string> expose_levels(Json& json, std::vector<Ladder>& ladders) {
   std::optional<std::string> mistake;
-  std::vector<Json> behind(json.at("meshes").size());
+  Json::array_t behind(json.at("meshes").size());
   each_primitive(json, [&](Json& primitive, std::size_t m, std::size_t p) {
     if (mistake || extension_of(primitive, levels_extension) == nullptr) return;
     const Json value = take_extension(primitive, levels_extension);

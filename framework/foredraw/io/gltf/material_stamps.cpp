@@ -1,12 +1,28 @@
 #include <foredraw/io/gltf/private/material_stamps.h>
 
+#include <map>
+#include <string_view>
+
 namespace foredraw::gltf {
 
 namespace {
 
+/// Its keys in the sequence of letters, whatever the file's was.
+Json sorted(const Json& json) {
+  if (!json.is_structured()) return json;
+  Json result(json.type());
+  if (json.is_array()) {
+    for (const Json& element : json) result.push_back(sorted(element));
+    return result;
+  }
+  std::map<std::string_view, const Json*> members;
+  for (const auto& [key, value] : json.items()) members.emplace(key, &value);
+  for (const auto& [key, value] : members) result[std::string(key)] = sorted(*value);
+  return result;
+}
+
 Stamp stamp_of(const Json& json) {
-  // Keys in the sequence of letters, whatever the file's was.
-  const std::string text = nlohmann::json(json).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string text = sorted(json).dump(-1, ' ', false, Json::error_handler_t::replace);
   return content_hash(std::span<const char>(text));
 }
 

@@ -266,7 +266,7 @@ class MeshPatch {
   Json& json_;
   AccessorStore& store_;
   Diagnostics& diagnostics_;
-  std::vector<std::vector<Json>> primitives_;
+  std::vector<Json::array_t> primitives_;
   std::vector<Request> requests_;
   std::size_t mesh_ = 0;
   std::size_t primitive_ = 0;

@@ -40,8 +40,7 @@ std::string utf8_name(const OutputFile& file) {
 
 /// "out.foredraw-0.bin", "out.foredraw-1.bin", ...
 fs::path stand_in(const fs::path& place, std::size_t number) {
-  fs::path path = place;
-  return path.replace_filename(place.stem() += ".foredraw-" + std::to_string(number) + place.extension().string());
+  return place.parent_path() / (place.stem() += ".foredraw-" + std::to_string(number) + place.extension().string());
 }
 
 /// The first that is free. Those of runs that were killed are not: the .gltf that is there may name one.

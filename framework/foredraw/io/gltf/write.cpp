@@ -23,15 +23,15 @@ std::optional<std::vector<OutputFile>> as_it_was(const gltf::Document& document,
   const bool same_folder = fs::equivalent(fs::absolute(target).parent_path(), document.folder, error);
   if (same_folder) return files;
   for (std::size_t i = 0; i < document.buffers.size(); ++i) {
-    const gltf::Json& buffer = document.json["buffers"][i];
+    const Json& buffer = document.json["buffers"][i];
     const bool beside = buffer.contains("uri") && !gltf::is_data_uri(buffer["uri"].get<std::string>());
     if (!beside || document.buffers[i].bytes.empty()) continue;
     const std::string name = *gltf::percent_decoded(buffer["uri"].get<std::string>());
     const fs::path file(std::u8string(name.begin(), name.end()));
     if (file.has_parent_path() || document.binary || file != gltf::buffer_beside(document.name).filename())
       return std::nullopt;
-    OutputFile copy{target, {document.buffers[i].bytes.begin(), document.buffers[i].bytes.end()}};
-    copy.path.replace_filename(file);
+    const auto bytes_beside = document.buffers[i].bytes;
+    OutputFile copy{target.parent_path() / file, {bytes_beside.begin(), bytes_beside.end()}};
     const auto same = std::ranges::find(files, copy.path, &OutputFile::path);  // two buffers may begin one file
     if (same == files.end()) {
       files.push_back(std::move(copy));

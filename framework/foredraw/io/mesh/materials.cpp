@@ -18,7 +18,6 @@ namespace foredraw::mesh_files {
 namespace {
 
 namespace fs = std::filesystem;
-using gltf::Json;
 
 /// A path as libraries write it, with either slash, to one that may be opened; empty, with a fault, where it may not.
 std::string path_beside(std::string_view written, const char* what, const Where& told_at, const FilePlaces& where,

@@ -241,7 +241,7 @@ std::optional<std::vector<fs::path>> images_of_list(const fs::path& list) {
   const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   if (text.find("\"frames\"") == std::string_view::npos) return std::nullopt;
   const auto parsed = parse_json_text(text, {});
-  const auto* json = std::get_if<sprites::Json>(&parsed);
+  const auto* json = std::get_if<Json>(&parsed);
   if (json != nullptr && (!json->is_object() || !(json->contains("frames") || json->contains(sprites::textures_key)))) {
     return std::nullopt;
   }

@@ -63,7 +63,7 @@ std::shared_ptr<const gltf::Source> unlit(const Scene& scene) {
   Scene as_read;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     as_read.materials.emplace_back();
-    document.json["materials"].push_back({{"extensions", {{"KHR_materials_unlit", gltf::Json::object()}}}});
+    document.json["materials"].push_back({{"extensions", {{"KHR_materials_unlit", Json::object()}}}});
   }
   return std::make_shared<const gltf::Source>(std::move(document), std::move(as_read));
 }

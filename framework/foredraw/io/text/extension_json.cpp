@@ -5,8 +5,6 @@
 
 namespace foredraw {
 
-using Json = nlohmann::ordered_json;
-
 ExtensionValue value_of(const Json& json) {
   switch (json.type()) {
     case Json::value_t::boolean: return json.get<bool>();

@@ -10,8 +10,6 @@ namespace foredraw {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Parsers recurse, so that depth has to be bounded before one is let loose. Returns the byte where it gets too deep.
 std::optional<std::size_t> too_deep(std::string_view text, int deepest) {
   int depth = 0;

@@ -3,9 +3,8 @@
 // Private to io: the one kind of header that may name the JSON library.
 
 #include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/io/text/private/json_tree.h>
 #include <foredraw/scene/product_row.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <map>
@@ -18,7 +17,6 @@
 
 namespace foredraw::gltf {
 
-using Json = nlohmann::ordered_json;  // keeps the sequence of the keys, so that what was not touched comes out equal
 using Bytes = std::span<const std::byte>;
 
 inline constexpr std::uint32_t glb_magic = 0x46546C67;       // "glTF"

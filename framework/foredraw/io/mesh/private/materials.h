@@ -10,7 +10,7 @@ namespace foredraw::mesh_files {
 struct MaterialLibrary {
   std::vector<Material> materials;
   std::vector<Image> images;
-  gltf::Json json = gltf::Json::array();  ///< the materials as glTF says them; their textures have the images' numbers
+  Json json = Json::array();  ///< the materials as glTF says them; their textures have the images' numbers
 };
 
 /// Reads the libraries that `where` allows. What is missing, or leads out of there, is left out: a fault.
@@ -19,7 +19,7 @@ MaterialLibrary read_libraries(const std::vector<std::string>& names, const std:
 
 /// A document that holds nothing but the scene's materials and images, for the glTF writer to add the rest to.
 /// Materials that the libraries do not hold are names alone: a fault.
-std::shared_ptr<const gltf::Source> gltf_source_of(gltf::Json materials, Scene& scene,
-                                                   const std::filesystem::path& folder, Faults& faults);
+std::shared_ptr<const gltf::Source> gltf_source_of(Json materials, Scene& scene, const std::filesystem::path& folder,
+                                                   Faults& faults);
 
 }  // namespace foredraw::mesh_files

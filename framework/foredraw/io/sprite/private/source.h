@@ -2,9 +2,8 @@
 // What the reader of images and frame lists keeps for the writers. Private to io.
 
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/io/text/private/json_tree.h>
 #include <foredraw/scene/scene.h>
-
-#include <nlohmann/json.hpp>
 
 #include <glm/vec2.hpp>
 
@@ -14,8 +13,6 @@
 #include <vector>
 
 namespace foredraw::sprites {
-
-using Json = nlohmann::ordered_json;  // keeps the sequence of the keys
 
 /// A sprite: where it lies in its image, and of which larger one it is what was left when its empty edges were cut off.
 struct FrameEntry {

@@ -2,8 +2,7 @@
 // JSON from files that may be damaged or mean harm. Private to io.
 
 #include <foredraw/base/diagnostics.h>
-
-#include <nlohmann/json.hpp>
+#include <foredraw/io/text/private/json_tree.h>
 
 #include <cstddef>
 #include <optional>
@@ -28,7 +27,7 @@ struct JsonFault {
 
 /// The values of a text, which has no byte order mark. Refused are those that are no JSON, hold a key twice in one
 /// object, or exceed the limits.
-std::variant<nlohmann::ordered_json, JsonFault> parse_json_text(std::string_view text, const JsonLimits& limits = {});
+std::variant<Json, JsonFault> parse_json_text(std::string_view text, const JsonLimits& limits = {});
 
 /// Line and column of a byte of a file's text.
 Where place_in(const std::string& file, std::string_view text, std::size_t byte);
