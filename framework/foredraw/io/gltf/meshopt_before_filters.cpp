@@ -1,6 +1,7 @@
 // Elements that a filter gives, back to what it makes them of. Values that were rounded to what a filter gives, as
 // stages do, take fewer bytes that way, and none of them changes.
 #include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/io/gltf/private/rows.h>
 #include <foredraw/scene/coded_values.h>
 
 #include <algorithm>
@@ -66,6 +67,8 @@ Rows before_quaternion(Bytes elements) {
   return put_rows(elements.size() / 8, 4, 16, put) ? Rows(std::move(rows)) : std::nullopt;
 }
 
+constexpr int most_exponent = 100;  ///< either way; decoders may do anything beyond
+
 /// Each component of all elements as whole multiples of one power of two, the greatest that will do.
 Rows before_exponential(Bytes elements, std::size_t stride) {
   constexpr int most = (1 << 23) - 1;
@@ -77,7 +80,7 @@ Rows before_exponential(Bytes elements, std::size_t stride) {
       if (const auto lattice = lattice_of(value)) exponent = std::min(exponent, *lattice);
     }
     if (exponent == std::numeric_limits<int>::max()) exponent = 0;
-    if (exponent < -128 || exponent > 127) return std::nullopt;
+    if (std::abs(exponent) > most_exponent) return std::nullopt;
     for (std::size_t at = component; at < elements.size(); at += stride) {
       const float value = load<float, 1>(elements.data() + at)[0];
       const float number = std::ldexp(value, -exponent);
@@ -88,6 +91,22 @@ Rows before_exponential(Bytes elements, std::size_t stride) {
     }
   }
   return rows;
+}
+
+/// Of one component the coded numbers, with as many zeros below them as put their sign at the top; empty where a number
+/// has no room for that, or 8 zeros are not all that it takes.
+std::vector<std::byte> with_sign_on_top(Bytes rows) {
+  std::vector<std::byte> raised(rows.size());
+  for (std::size_t at = 0; at < rows.size(); at += 4) {
+    const auto row = load<std::int32_t, 1>(rows.data() + at)[0];
+    const int exponent = row >> 24;
+    const auto number = static_cast<std::int32_t>(static_cast<std::uint32_t>(row) << 8) >> 8;
+    if (number < -(1 << 15) || number >= 1 << 15 || exponent - 8 < -most_exponent) return {};
+    const auto made =
+        static_cast<std::uint32_t>(exponent - 8) << 24 | ((static_cast<std::uint32_t>(number) << 8) & 0xffffff);
+    std::memcpy(raised.data() + at, &made, 4);
+  }
+  return raised;
 }
 
 Rows candidates(Filter filter, std::size_t stride, Bytes elements) {
@@ -113,6 +132,19 @@ std::optional<std::vector<std::byte>> before_filter(Filter filter, std::size_t s
   apply_filter({Coding::Mode::attributes, filter, elements.size() / stride, stride}, again);
   if (!std::equal(again.begin(), again.end(), elements.begin(), elements.end())) return std::nullopt;
   return rows;
+}
+
+std::vector<std::byte> raised_where_shorter(Bytes rows, std::size_t stride, meshopt::VertexVersion version) {
+  std::vector<std::byte> result(rows.begin(), rows.end());
+  std::vector<std::byte> column(rows.size() / stride * 4);
+  for (std::size_t component = 0; component < stride; component += 4) {
+    copy_rows(column.data(), 4, rows.data() + component, stride, 4, column.size() / 4);
+    const std::vector<std::byte> raised = with_sign_on_top(column);
+    const auto bytes = [&](Bytes of) { return meshopt::encode_vertices(of, 4, version).size(); };
+    if (raised.empty() || bytes(raised) >= bytes(column)) continue;
+    copy_rows(result.data() + component, stride, raised.data(), 4, 4, raised.size() / 4);
+  }
+  return result;
 }
 
 }  // namespace foredraw::gltf

@@ -76,9 +76,10 @@ std::optional<Stream> compressed_attributes(Bytes elements, Coding coding, const
   }
   Stream shortest = vertex_stream(coding, elements);
   for (const Filter filter : {Filter::octahedral, Filter::quaternion, Filter::exponential}) {
-    const auto rows = before_filter(filter, coding.stride, elements);
+    auto rows = before_filter(filter, coding.stride, elements);
     if (!rows) continue;
     coding.filter = filter;
+    if (filter == Filter::exponential) rows = raised_where_shorter(*rows, coding.stride, coding.version);
     Stream filtered = vertex_stream(coding, *rows);
     if (filtered.bytes.size() < shortest.bytes.size()) shortest = std::move(filtered);
   }

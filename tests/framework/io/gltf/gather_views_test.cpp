@@ -191,6 +191,36 @@ TEST(LosslessFilters, draws_of_several_bits_lie_behind_each_other) {
   EXPECT_EQ(filtered(*rows, Filter::octahedral, 4), bytes(normals));
 }
 
+TEST(LosslessFilters, signs_cost_nothing_where_numbers_change_them) {
+  std::vector<float> values;
+  for (int i = 0; i < 500; ++i) values.push_back(static_cast<float>((i * 37 % 41 - 20) * (i % 7)) * .03125f);
+  for (const auto version : {meshopt::VertexVersion::v0, meshopt::VertexVersion::v1}) {
+    const auto rows = before_filter(Filter::exponential, 4, bytes(values));
+    ASSERT_TRUE(rows);
+    const auto raised = gltf::raised_where_shorter(*rows, 4, version);
+    EXPECT_NE(raised, *rows);
+    EXPECT_EQ(filtered(raised, Filter::exponential, 4), bytes(values));
+    EXPECT_LT(meshopt::encode_vertices(raised, 4, version).size(), meshopt::encode_vertices(*rows, 4, version).size());
+  }
+}
+
+TEST(LosslessFilters, only_components_with_room_are_raised) {
+  std::vector<float> values;
+  for (int i = 0; i < 500; ++i) {
+    const float sign = i % 3 == 0 ? -1.f : 1.f;
+    values.insert(values.end(), {sign * (i % 2 == 0 ? 65536.f : 1.f), sign * static_cast<float>(i + 1)});
+  }
+  const auto rows = before_filter(Filter::exponential, 8, bytes(values));
+  ASSERT_TRUE(rows);
+  EXPECT_EQ(filtered(gltf::raised_where_shorter(*rows, 8, meshopt::VertexVersion::v1), Filter::exponential, 8),
+            bytes(values));
+  const auto tiny = before_filter(Filter::exponential, 4, bytes<float>({std::ldexp(-1.f, -95), std::ldexp(1.f, -95)}));
+  ASSERT_TRUE(tiny);
+  EXPECT_EQ(gltf::raised_where_shorter(*tiny, 4, meshopt::VertexVersion::v0), *tiny)
+      << "2^-103 is beyond what decoders know";
+  EXPECT_FALSE(before_filter(Filter::exponential, 4, bytes<float>({std::ldexp(1.f, -101)})));
+}
+
 TEST(LosslessFilters, what_they_do_not_give_has_no_row) {
   EXPECT_FALSE(before_filter(Filter::octahedral, 4, bytes<std::int8_t>({3, 3, 3, 0})));
   EXPECT_FALSE(before_filter(Filter::octahedral, 8, bytes<std::int16_t>({100, 0, 0, 0})));

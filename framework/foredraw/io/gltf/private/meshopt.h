@@ -62,6 +62,12 @@ void apply_filter(const Coding& coding, std::span<std::byte> elements);
 std::optional<std::vector<std::byte>> before_filter(Coding::Filter filter, std::size_t stride,
                                                     std::span<const std::byte> elements);
 
+/// What before_filter() made for filter EXPONENTIAL, of which 24 bits of each number count: those of a component that
+/// is shorter so have 8 zeros below them. A sign that fills the third byte costs where values change it; with zeros
+/// below, the number's own two bytes are on top, and its sign costs nothing.
+std::vector<std::byte> raised_where_shorter(std::span<const std::byte> rows, std::size_t stride,
+                                            meshopt::VertexVersion version);
+
 struct Stream {
   Coding coding;
   std::vector<std::byte> bytes;
