@@ -280,18 +280,18 @@ class CommandLine {
   void how_written(CLI::App& app) {
     app.add_option("--levels", arguments_.levels,
                    "How to write levels of detail that a stage made: keep, as FOREDRAW_levels; msft-lod, as nodes "
-                   "with MSFT_lod (default: keep)")
+                   "with MSFT_lod (default: the pipeline's, else keep)")
         ->check(CLI::IsMember({"keep", "msft-lod"}));
     app.add_option("--compression", arguments_.compression,
                    "keep: what was read compressed is written compressed; none: nothing is; ext-meshopt: all is, by "
                    "EXT_meshopt_compression, which most readers know; khr-meshopt: by KHR_meshopt_compression, which "
-                   "is shorter and newer (default: keep)")
+                   "is shorter and newer (default: the pipeline's, else keep)")
         ->check(CLI::IsMember({"keep", "none", "ext-meshopt", "khr-meshopt"}));
     app.add_option(
            "--corners", arguments_.corners,
            "What --compression may do to the corners of triangles: keep: nothing; turn: a triangle may start at "
            "another of its corners, which takes less than half of the bytes of indices and shows the same "
-           "picture (default: keep)")
+           "picture (default: the pipeline's, else keep)")
         ->check(CLI::IsMember({"keep", "turn"}));
     app.add_option("--products", arguments_.products,
                    "keep: what stages made besides triangles and vertices is written with the scene, as optional "

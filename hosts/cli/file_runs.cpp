@@ -130,6 +130,19 @@ Compression compression_of(const std::string& word) {
   return word == "khr-meshopt" ? Compression::khr : Compression::keep;
 }
 
+/// The command line's word, else the pipeline's.
+const std::string& word_of(const std::string& typed, const std::string& of_pipeline) {
+  return typed.empty() ? of_pipeline : typed;
+}
+
+GltfOutput output_of(const Arguments& arguments, const OutputChoice& choice, const ProductRows& rows) {
+  const bool has_nodes = word_of(arguments.levels, choice.levels) == "msft-lod";
+  return {.compression = compression_of(word_of(arguments.compression, choice.compression)),
+          .turns_corners = word_of(arguments.corners, choice.corners) == "turn",
+          .levels = has_nodes ? LevelsAs::lod_nodes : LevelsAs::extension,
+          .products = rows};
+}
+
 Scene without_products(Scene scene, const ProductRows& rows) {
   for (const auto& row : rows) {
     if (scene.products.has(row->card().name)) row->leave_out(scene);
@@ -185,10 +198,7 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     std::vector<std::vector<OutputFile>> files;
     std::vector<std::byte> standard;
     const ProductRows rows = job.registry.products();
-    const GltfOutput as{.compression = compression_of(arguments.compression),
-                        .turns_corners = arguments.corners == "turn",
-                        .levels = arguments.levels == "msft-lod" ? LevelsAs::lod_nodes : LevelsAs::extension,
-                        .products = rows};
+    const GltfOutput as = output_of(arguments, job.pipeline.output, rows);
     const bool is_bare = arguments.products == "none" && !result.scene.products.empty();
     const std::optional<Scene> bare = is_bare ? std::optional(without_products(result.scene, rows)) : std::nullopt;
     const Scene& scene = bare ? *bare : result.scene;

@@ -63,6 +63,7 @@ MilestoneKeys milestone_keys(const Arguments& arguments, const Pipeline& pipelin
   Pipeline part = pipeline;
   std::erase_if(part.stages, [](const Stage& stage) { return !stage.enabled; });
   const std::vector<Stage> stages = std::exchange(part.stages, {});
+  part.output = {};  // no stage sees it
   keys.measures = stamp_of(fmt::format("measures before {}\n", stages.size()) + done_by(part, registry, cache));
   part.measure.clear();
   for (const Stage& stage : stages) {

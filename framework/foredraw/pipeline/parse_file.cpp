@@ -54,10 +54,10 @@ class FileReader {
   Pipeline read_pipeline(const toml::table& root) {
     check_version(root);
     const auto words = pipeline_words();
-    Pipeline pipeline = words.read(fitted(
-        root, words.specs(),
-        {"pipeline", "stages", "measure", "compare", "views", "poses", "subjects", "frames", "services", "modules"},
-        ""));
+    Pipeline pipeline = words.read(fitted(root, words.specs(),
+                                          {"pipeline", "stages", "measure", "compare", "views", "poses", "subjects",
+                                           "frames", "output", "services", "modules"},
+                                          ""));
     pipeline.modules = read_modules(root);
     pipeline.stages = read_list(root, "stages", "stages");
     pipeline.measure = read_list(root, "measure", "measure");
@@ -76,6 +76,10 @@ class FileReader {
     if (const toml::table* table = table_in(root, "frames")) {
       pipeline.frames = read_set(*table, "frames", frame_words());
       pipeline.frames_where = at(table->source(), "frames");
+    }
+    if (const toml::table* table = table_in(root, "output")) {
+      const auto words = output_words();
+      pipeline.output = words.read(fitted(*table, words.specs(), {}, "output"));
     }
     if (const toml::table* table = table_in(root, "services")) pipeline.overdraw = read_services(*table);
     return pipeline;

@@ -20,7 +20,7 @@ bool same_stages(const std::vector<Stage>& a, const std::vector<Stage>& b) {
 bool same_pipeline(const Pipeline& a, const Pipeline& b) {
   return same_stages(a.stages, b.stages) && same_stages(a.measure, b.measure) && a.modules == b.modules &&
          a.views == b.views && a.frames == b.frames && a.poses == b.poses && a.subjects == b.subjects &&
-         a.seed == b.seed && a.overdraw.has_value() == b.overdraw.has_value() &&
+         a.output == b.output && a.seed == b.seed && a.overdraw.has_value() == b.overdraw.has_value() &&
          (!a.overdraw || same_stage(*a.overdraw, *b.overdraw));
 }
 

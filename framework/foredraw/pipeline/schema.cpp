@@ -128,6 +128,8 @@ std::string pipeline_schema(const Registry& registry) {
   properties["subjects"]["description"] = "What stages and evaluators see as one";
   properties["frames"] = closed_table(properties_of(frame_words().specs()));
   properties["frames"]["description"] = "The frames that evaluators of frames walk through";
+  properties["output"] = closed_table(properties_of(output_words().specs()));
+  properties["output"]["description"] = "How glTF is written, where the command line does not say";
   properties["services"] = closed_table({{"overdraw", reference("any_overdraw_service")}});
   properties["services"]["description"] = "Which evaluator supplies measured overdraw";
 

@@ -26,7 +26,8 @@ std::string what_there_is(const std::string& name, const std::vector<Stage*>& st
 
 /// "tipsify.cache-size=24", "views.count=162" or "seed=7" taken apart.
 struct Assignment {
-  std::string stage;  ///< or "views", "poses", "subjects" or "frames"; empty for a word of the pipeline itself
+  std::string
+      stage;  ///< or "views", "poses", "subjects", "frames" or "output"; empty for a word of the pipeline itself
   std::string word;
   OptionValue value;
   Where where;  ///< of the value
@@ -112,6 +113,7 @@ bool set_option(Pipeline& pipeline, std::string_view text, Diagnostics& diagnost
     if (assignment->word == "path") pipeline.frames_where = assignment->where;
     return set_word(frame_words(), pipeline.frames, *assignment, diagnostics);
   }
+  if (assignment->stage == "output") return set_word(output_words(), pipeline.output, *assignment, diagnostics);
   return set_of_stages(pipeline, *assignment, diagnostics);
 }
 

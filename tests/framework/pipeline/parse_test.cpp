@@ -95,6 +95,17 @@ TEST(ParseFile, ReadsWhatIsSeenAsOne) {
             "p.toml:3:11: error: subjects: 'subject' is helmet, but must be one of mesh, character, scene\n");
 }
 
+TEST(ParseFile, ReadsHowGltfIsWritten) {
+  EXPECT_EQ(parsed("pipeline = 1\n").output, OutputChoice{});
+  EXPECT_EQ(
+      parsed("pipeline = 1\n[output]\ncompression = 'khr-meshopt'\ncorners = 'turn'\nlevels = 'msft-lod'\n").output,
+      (OutputChoice{"khr-meshopt", "turn", "msft-lod"}));
+  EXPECT_EQ(refused("pipeline = 1\n[output]\ncorners = 'cut'\n"),
+            "p.toml:3:11: error: output: 'corners' is cut, but must be one of keep, turn\n");
+  EXPECT_EQ(refused("pipeline = 1\n[output]\ncorner = 'turn'\n"),
+            "p.toml:3:1: error: output: there is no 'corner' here\n    hint: did you mean 'corners'?\n");
+}
+
 TEST(ParseFile, RemembersWhereThingsStand) {
   const Pipeline pipeline = parsed(props);
   const Stage& tipsify = pipeline.stages[1];
@@ -184,7 +195,7 @@ TEST(ParseFile, ReadsEveryExampleOfTheDocuments) {
         << to_text(diagnostics);
     ++examples;
   }
-  EXPECT_EQ(examples, 8);
+  EXPECT_EQ(examples, 9);
 }
 
 TEST(ParseFile, StandsDeepNesting) {

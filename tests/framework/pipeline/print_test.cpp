@@ -102,6 +102,9 @@ Pipeline any_pipeline() {
   if (*rc::gen::arbitrary<bool>()) pipeline.frames.angle = *rc::gen::inRange(10, 1000) / 7.0;
   if (*rc::gen::arbitrary<bool>()) pipeline.frames.seed = *rc::gen::inRange<std::int64_t>(0, 1000);
   if (*rc::gen::arbitrary<bool>()) pipeline.overdraw = any_stage();
+  pipeline.output.compression = *rc::gen::element<std::string>("keep", "none", "ext-meshopt", "khr-meshopt");
+  pipeline.output.corners = *rc::gen::element<std::string>("keep", "turn");
+  pipeline.output.levels = *rc::gen::element<std::string>("keep", "msft-lod");
   pipeline.seed = *rc::gen::arbitrary<std::int64_t>();
   return pipeline;
 }
@@ -203,6 +206,7 @@ TEST(Print, ALineHoldsStagesAlone) {
   EXPECT_EQ(more([](Pipeline& p) { p.poses.rate = 30; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.subjects.subject = SubjectUnit::scene; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.frames.frames = 3; }), std::nullopt);
+  EXPECT_EQ(more([](Pipeline& p) { p.output.corners = "turn"; }), std::nullopt);
   EXPECT_EQ(more([](Pipeline& p) { p.overdraw = Stage{.use = "x"}; }), std::nullopt);
 }
 
@@ -230,6 +234,7 @@ TEST(SamePipeline, ComparesWhatDecidesWhatRuns) {
   EXPECT_FALSE(same_after([](Pipeline& p) { p.poses.clips = "Walk"; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.subjects.subject = SubjectUnit::mesh; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.frames.path = "around"; }));
+  EXPECT_FALSE(same_after([](Pipeline& p) { p.output.compression = "none"; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.seed = 1; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw.reset(); }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw->use = "y"; }));

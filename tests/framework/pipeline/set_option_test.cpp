@@ -49,6 +49,15 @@ TEST(SetOption, SetsReservedWords) {
   EXPECT_EQ(pipeline.stages[0].only, "a = b.c");
 }
 
+TEST(SetOption, SetsHowGltfIsWritten) {
+  Pipeline pipeline = example();
+  Diagnostics diagnostics;
+  EXPECT_TRUE(set_option(pipeline, "output.compression=khr-meshopt", diagnostics));
+  EXPECT_EQ(pipeline.output.compression, "khr-meshopt");
+  EXPECT_FALSE(set_option(pipeline, "output.compression=zip", diagnostics));
+  EXPECT_FALSE(set_option(pipeline, "output.size=1", diagnostics));
+}
+
 TEST(SetOption, TakesNumbersWithoutTheirZero) {
   const auto value = [](std::string_view assignment) {
     Pipeline pipeline = example();
