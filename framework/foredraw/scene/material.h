@@ -23,6 +23,13 @@ struct Displacement {
   friend bool operator==(const Displacement&, const Displacement&) = default;
 };
 
+/// What a material's textures need of vertices.
+struct VertexNeeds {
+  std::uint32_t texcoords = 0;  ///< a bit for each set of texture coordinates that a texture is looked up by
+  bool has_tangents = false;    ///< a map of normals, or brushed metal, which lies along them
+  friend bool operator==(const VertexNeeds&, const VertexNeeds&) = default;
+};
+
 /// What the order of triangles, the count of fragments and pictures of frames depend on; the rest stays in the file it
 /// came from.
 struct Material {
@@ -43,6 +50,9 @@ struct Material {
   bool keeps_sides = false;
   /// A stage made it of this one: the file says of it all that it says of that, but for what differs here.
   std::optional<MaterialId> copy_of = {};
+  /// What its textures, and those of materials that variants put in its place, need; nothing: it may need anything, as
+  /// an extension that we do not know. Found by the reader.
+  std::optional<VertexNeeds> needs = {};
 };
 
 }  // namespace foredraw

@@ -85,6 +85,15 @@ class SceneSource {
   virtual std::uint64_t bytes() const { return 0; }
 };
 
+/// What a writer does with what a file lists: materials, textures, samplers, images, nodes and others. Stages ask for
+/// it; who writes the list knows what names what.
+struct ListCare {
+  bool leaves_out_unnamed = false;  ///< what nothing refers to, and nodes that show and move nothing
+  bool joins_equal = false;         ///< who refers to one of several equal ones refers to the first
+  bool keeps_names = true;          ///< a node or material with a name stays, unless an equal one has that name
+  friend bool operator==(const ListCare&, const ListCare&) = default;
+};
+
 struct Scene {
   std::string name;  ///< the file's, for messages
   std::vector<Draw> draws;
@@ -97,6 +106,7 @@ struct Scene {
   std::vector<Image> images;
   Products products;  ///< what techniques made beside triangles and vertices
   std::shared_ptr<const SceneSource> source;
+  ListCare lists = {};
 
   const Material* material_of(const Draw& draw) const {
     return draw.material && *draw.material < materials.size() ? &materials[*draw.material] : nullptr;

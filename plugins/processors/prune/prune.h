@@ -20,9 +20,14 @@ struct PrunedStreams {
   std::vector<PrunedStream> pruned;
 };
 
-/// Streams that change nothing of what is shown: colours that are 1 everywhere, and further sets of joints whose
-/// weights are all 0. O(vertices).
-PrunedStreams prune_streams(const VertexStreams& vertices);
+/// Streams that change nothing of what is shown: colours that are 1 everywhere, further sets of joints whose weights
+/// are all 0, and, where it is told what materials need, texture coordinates and tangents beyond that. Sets of texture
+/// coordinates are numbered without a gap, so only the last ones go. O(vertices).
+PrunedStreams prune_streams(const VertexStreams& vertices, const std::optional<VertexNeeds>& needs = std::nullopt);
+
+/// What the draw's material needs, with textures that stages gave it; nothing where it may need anything: it has no
+/// material, so whoever shows it puts one there, or the draw has an extension that we do not know.
+std::optional<VertexNeeds> needs_of(const Draw& draw, const Scene& scene);
 
 /// How far a track may be from where its node rests, to count as resting there.
 struct RestTolerances {

@@ -14,7 +14,11 @@ namespace foredraw {
 namespace {
 
 struct PruneOptions {
+  bool attributes = true;
   bool tracks = true;
+  bool lists = true;
+  bool equal = true;
+  bool names = true;
 };
 
 class Prune final : public Processor {
@@ -23,19 +27,36 @@ class Prune final : public Processor {
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawId> changed = prune_vertices(scene, draws, run);
+    const ListCare before = scene.lists;
+    scene.lists = {.leaves_out_unnamed = before.leaves_out_unnamed || options_.lists,
+                   .joins_equal = before.joins_equal || options_.equal,
+                   .keeps_names = before.keeps_names && options_.names};
     const std::size_t tracks = options_.tracks ? prune_tracks(scene, draws, run) : 0;
     run.count_at({}, "tracks-left-out", static_cast<double>(tracks));
-    if (changed.empty() && tracks == 0) run.keep("all attributes and tracks are needed");
+    if (changed.empty() && tracks == 0 && scene.lists == before) run.keep("all attributes and tracks are needed");
     return draws;
   }
 
  private:
-  static std::vector<DrawId> prune_vertices(Scene& scene, const std::vector<DrawId>& draws, Run& run) {
+  /// Of all that draw the same vertices.
+  std::optional<VertexNeeds> needs_of_group(const VertexGroup& group, const Scene& scene) const {
+    if (!options_.attributes) return std::nullopt;
+    VertexNeeds all;
+    for (const VertexGroup::User& user : group.users) {
+      const auto needs = needs_of(scene.draws[user.draw], scene);
+      if (!needs) return std::nullopt;
+      all.texcoords |= needs->texcoords;
+      all.has_tangents |= needs->has_tangents;
+    }
+    return all;
+  }
+
+  std::vector<DrawId> prune_vertices(Scene& scene, const std::vector<DrawId>& draws, Run& run) const {
     std::vector<VertexGroup> groups = vertex_groups(scene);
     keep_groups_of(groups, draws);
     std::vector<DrawId> changed;
     for (const VertexGroup& group : groups) {
-      const PrunedStreams made = prune_streams(*group.vertices);
+      const PrunedStreams made = prune_streams(*group.vertices, needs_of_group(group, scene));
       if (made.pruned.empty()) continue;
       const About about{.draw = group.users.front().draw};
       for (const PrunedStream& stream : made.pruned) {
@@ -82,7 +103,9 @@ Plugin prune_plugin() {
   plugin.kind = Kind::processor;
   plugin.card = {
       .name = "prune",
-      .summary = "Leaves out attributes and tracks of animations that change nothing of what is shown",
+      .summary =
+          "Leaves out attributes, tracks of animations, materials, images and nodes that change nothing of what is "
+          "shown",
       .reference = "common practice",
       .acts_on = {traits::triangles},
       .pays_if = "some attribute or track changes nothing",
@@ -90,10 +113,22 @@ Plugin prune_plugin() {
       .metrics = {{"tracks-left-out", "tracks", "Tracks that stay where their node rests", false}},
   };
   OptionTable<PruneOptions> table;
+  table.row(&PruneOptions::attributes, "attributes",
+            "Leave out texture coordinates and tangents that no texture of the material needs. Turn it off where an "
+            "engine puts materials of its own");
   table.row(
       &PruneOptions::tracks, "tracks",
       "Leave out tracks that stay where their node rests. Turn it off where an engine plays one clip after another "
       "without going back to rest");
+  table.row(
+      &PruneOptions::lists, "lists",
+      "Leave out materials, textures, images, skins and cameras that nothing names, and nodes without a name that "
+      "show and move nothing, where glTF is written");
+  table.row(&PruneOptions::equal, "equal",
+            "Write equal materials, textures, samplers and images once, and in compressed files equal accessors");
+  table.row(&PruneOptions::names, "names",
+            "Whether equal materials of different names stay, and nodes with a name that show and move nothing, as "
+            "engines may look for them");
   bind_options(plugin, table, [](const PruneOptions& options) { return std::make_unique<Prune>(options); });
   return plugin;
 }

@@ -52,6 +52,44 @@ TEST(Prune, LastSetsOfJointsWithoutWeightGo) {
       6u);
 }
 
+std::vector<std::string> left_with(const VertexNeeds& needs) {
+  VertexStreams vertices;
+  vertices.count = 1;
+  vertices.base = {floats("POSITION", 3, {0, 0, 0}), floats("TANGENT", 4, {1, 0, 0, 1}),
+                   floats("TEXCOORD_0", 2, {0, 0}), floats("TEXCOORD_1", 2, {0, 0})};
+  vertices.morph_targets = {{floats("POSITION", 3, {1, 0, 0}), floats("TANGENT", 3, {0, 1, 0})}};
+  const PrunedStreams pruned = prune_streams(vertices, needs);
+  std::vector<std::string> names;
+  for (const VertexStream& stream : pruned.vertices->base) names.push_back(stream.semantic);
+  const bool has_tangents = std::ranges::find(names, "TANGENT") != names.end();
+  EXPECT_EQ(pruned.vertices->morph_targets[0].size(), has_tangents ? 2u : 1u) << "targets go along";
+  return names;
+}
+
+TEST(Prune, WhatNoTextureLooksUpGoes) {
+  EXPECT_THAT(left_with({}), ElementsAre("POSITION"));
+  EXPECT_THAT(left_with({.texcoords = 1}), ElementsAre("POSITION", "TEXCOORD_0"));
+  EXPECT_THAT(left_with({.texcoords = 2}), ElementsAre("POSITION", "TEXCOORD_0", "TEXCOORD_1"))
+      << "sets are numbered without a gap";
+  EXPECT_THAT(left_with({.texcoords = 1, .has_tangents = true}), ElementsAre("POSITION", "TANGENT", "TEXCOORD_0"));
+}
+
+TEST(Prune, NeedsAreNotKnownWithoutAMaterialOrWithAnExtension) {
+  Scene scene;
+  scene.materials = {Material{.needs = VertexNeeds{.texcoords = 2}}, Material{}};
+  Draw draw;
+  EXPECT_FALSE(needs_of(draw, scene)) << "whoever shows it puts one there";
+  draw.material = 0;
+  EXPECT_EQ(needs_of(draw, scene), (VertexNeeds{.texcoords = 2}));
+  scene.materials[0].displacement = Displacement{.texture = {.image = 0, .texcoord = 3}};
+  EXPECT_EQ(needs_of(draw, scene), (VertexNeeds{.texcoords = 0b1010})) << "a stage gave it a map";
+  draw.traits.add(traits::extended);
+  EXPECT_FALSE(needs_of(draw, scene));
+  draw = {};
+  draw.material = 1;
+  EXPECT_FALSE(needs_of(draw, scene));
+}
+
 AnimationChannel channel(AnimatedPath path, std::vector<float> times, std::vector<float> values, NodeId node = 0) {
   return {node, path, Interpolation::linear, Shared<float>(std::move(times)), Shared<float>(std::move(values))};
 }

@@ -123,12 +123,18 @@ void fields(A& archive, T& value) {
   archive(texture, factor, offset);
 }
 
+template <class A, Is<VertexNeeds> T>
+void fields(A& archive, T& value) {
+  auto& [texcoords, has_tangents] = value;
+  archive(texcoords, has_tangents);
+}
+
 template <class A, Is<Material> T>
 void fields(A& archive, T& value) {
   auto& [name, alpha_mode, alpha_cutoff, double_sided, alpha, colour, base_colour, normal_map, normal_scale,
-         displacement, look, kind, keeps_sides, copy_of] = value;
+         displacement, look, kind, keeps_sides, copy_of, needs] = value;
   archive(name, alpha_mode, alpha_cutoff, double_sided, alpha, colour, base_colour, normal_map, normal_scale,
-          displacement, look, kind, keeps_sides, copy_of);
+          displacement, look, kind, keeps_sides, copy_of, needs);
 }
 
 template <class A, Is<ImageFacts> T>
@@ -143,11 +149,17 @@ void fields(A& archive, T& value) {
   archive(name, media_type, uri, bytes, is_texels, facts);
 }
 
+template <class A, Is<ListCare> T>
+void fields(A& archive, T& value) {
+  auto& [leaves_out_unnamed, joins_equal, keeps_names] = value;
+  archive(leaves_out_unnamed, joins_equal, keeps_names);
+}
+
 /// All but the name and the source, which are the input's, and the products, which have a form of their own.
 template <class A, Is<Scene> T>
 void fields(A& archive, T& value) {
-  auto& [name, draws, meshes, nodes, roots, skins, animations, materials, images, products, source] = value;
-  archive(draws, meshes, nodes, roots, skins, animations, materials, images);
+  auto& [name, draws, meshes, nodes, roots, skins, animations, materials, images, products, source, lists] = value;
+  archive(draws, meshes, nodes, roots, skins, animations, materials, images, lists);
 }
 
 }  // namespace foredraw::archive

@@ -163,6 +163,14 @@ void AccessorStore::set_image(std::size_t image, Shared<std::byte> bytes) {
   images_.insert_or_assign(image, std::move(bytes));
 }
 
+void AccessorStore::move_images(const std::vector<std::size_t>& to) {
+  std::map<std::size_t, Shared<std::byte>> moved;
+  for (auto& [image, bytes] : images_) {
+    if (to[image] < to.size()) moved.try_emplace(to[image], std::move(bytes));
+  }
+  images_ = std::move(moved);
+}
+
 LaidOut AccessorStore::lay_out(bool compress) {
   return laid_out(document_, json_, {contents_, parts_, released_, images_, forgotten_}, compress);
 }

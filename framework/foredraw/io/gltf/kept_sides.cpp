@@ -22,21 +22,6 @@ std::optional<std::size_t> material_in(std::string_view pointer) {
   return read.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-/// The materials that a primitive's variants may put in place of its own.
-std::vector<std::size_t> variants_of(const Json& primitive) {
-  std::vector<std::size_t> materials;
-  const Json* variants = extension_of(primitive, "KHR_materials_variants");
-  if (variants == nullptr || !variants->is_object()) return materials;
-  const auto mappings = variants->find("mappings");
-  if (mappings == variants->end() || !mappings->is_array()) return materials;
-  for (const Json& mapping : *mappings) {
-    if (!mapping.is_object()) continue;
-    const auto material = mapping.find("material");
-    if (material != mapping.end() && material->is_number_unsigned()) materials.push_back(*material);
-  }
-  return materials;
-}
-
 bool shows_the_same_sides(const Material& a, const Material& b) {
   return a.alpha_mode == b.alpha_mode && a.double_sided == b.double_sided && a.keeps_sides == b.keeps_sides;
 }
@@ -77,6 +62,20 @@ void find_exchanged(Scene& scene, const Json& document) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> variants_of(const Json& primitive) {
+  std::vector<std::size_t> materials;
+  const Json* variants = extension_of(primitive, "KHR_materials_variants");
+  if (variants == nullptr || !variants->is_object()) return materials;
+  const auto mappings = variants->find("mappings");
+  if (mappings == variants->end() || !mappings->is_array()) return materials;
+  for (const Json& mapping : *mappings) {
+    if (!mapping.is_object()) continue;
+    const auto material = mapping.find("material");
+    if (material != mapping.end() && material->is_number_unsigned()) materials.push_back(*material);
+  }
+  return materials;
+}
 
 void find_kept_sides(Scene& scene, const Json& document) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {

@@ -2,6 +2,7 @@
 #include <foredraw/io/gltf/private/accessor_store.h>
 #include <foredraw/io/gltf/private/layout.h>
 #include <foredraw/io/gltf/private/levels.h>
+#include <foredraw/io/gltf/private/list_care.h>
 #include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/write.h>
 
@@ -87,6 +88,7 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   told.put_lods(written.json);
   if (!patch_meshes(scene, source, as.products, written.json, store, diagnostics)) return std::nullopt;
   patch_products(scene, of_levels, source, as.products, written.json, store, diagnostics);
+  care_for_lists(scene, document, written.json, store, diagnostics);
   relocate_images(written.json, document, target, diagnostics);
   written.changed = !may_stay || document.left_out || store.changed() || written.json != document.json ||
                     !told.same_errors() || (!compress && is_compressed(document)) || all_compressed;
@@ -99,7 +101,10 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   }
   if (document.from_draco) leave_draco(document, store, diagnostics);
   written.laid_out = store.lay_out(compress);
-  if (all_compressed && document.knows_all_extensions()) {
+  const bool may_renumber = document.knows_all_extensions();
+  if (scene.lists.leaves_out_unnamed && may_renumber) leave_out_accessors(written.json);
+  if (all_compressed && may_renumber) {
+    if (scene.lists.joins_equal) join_accessors(written.json, written.laid_out);
     leave_out_accessors(written.json);
     gather_views(written.json, written.laid_out);
     compress_views(written.json, written.laid_out, as.compression == Compression::khr ? khr_meshopt : ext_meshopt,

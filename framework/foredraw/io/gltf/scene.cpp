@@ -7,6 +7,7 @@
 #include <foredraw/io/gltf/private/material_stamps.h>
 #include <foredraw/io/gltf/private/source.h>
 #include <foredraw/io/gltf/private/streams.h>
+#include <foredraw/io/gltf/private/vertex_needs.h>
 #include <foredraw/io/image/images.h>
 #include <foredraw/io/text/private/uri.h>
 
@@ -227,6 +228,7 @@ Scene scene_of(const Document& document) {
   for (const Json& material : all(document, "materials"))
     scene.materials.push_back(material_of(material, document.json));
   find_kept_sides(scene, document.json);
+  find_vertex_needs(scene, document);
   ViewBytes views;
   for (const Json& image : all(document, "images")) scene.images.push_back(image_of(image, document, views));
   find_traits(scene);

@@ -73,6 +73,11 @@ class AccessorStore {
   bool lay_within(std::size_t accessor, std::size_t of, std::size_t first);
   void set_image(std::size_t image, Shared<std::byte> bytes);
 
+  /// Images got other numbers: those past the end are gone.
+  void move_images(const std::vector<std::size_t>& to);
+  /// Whether the accessor was redefined or appended.
+  bool is_new(std::size_t accessor) const { return contents_.contains(accessor); }
+
   /// Who knew of the buffer view is gone; it goes too unless an accessor or image uses it.
   void forget_view(std::size_t view) { forgotten_.insert(view); }
 

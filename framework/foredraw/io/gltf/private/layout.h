@@ -94,6 +94,10 @@ inline std::size_t aligned(std::size_t size, std::size_t to) { return (size + to
 /// a document with products stays as it is.
 void leave_out_accessors(Json& json);
 
+/// Whoever names one of several accessors that hold and say the same, but for their names, names the first.
+/// Nobody but primitives, skins, animations and instancing may name accessors that should become others.
+void join_accessors(Json& json, const LaidOut& laid_out);
+
 /// Takes the plain views of a document that is laid out apart, and puts the rows of all accessors of one kind into one
 /// view: what a codec makes short, and text too. Views get new numbers. Nobody but accessors and images may refer to
 /// them.
