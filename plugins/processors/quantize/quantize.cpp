@@ -74,7 +74,12 @@ std::vector<int> lattice_exponents(double distance, std::size_t components) {
   const double least = std::ldexp(1.0, std::ilogb(2 * distance / std::sqrt(static_cast<double>(components))));
   const double squares = 4 * (distance / least) * (distance / least);
   std::vector<int> exponents(components, std::ilogb(least));
-  if (components > 1 && static_cast<double>(components - 1) + 4 <= squares) ++exponents[1];
+  if (components == 3 && 4 + 1 + 4 <= squares) {
+    ++exponents[0];
+    ++exponents[2];
+  } else if (components > 1 && static_cast<double>(components - 1) + 4 <= squares) {
+    ++exponents[1];
+  }
   return exponents;
 }
 

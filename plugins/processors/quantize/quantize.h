@@ -41,8 +41,9 @@ struct Quantized {
 };
 
 /// For each component the exponent e of its lattice, whole multiples of 2^e, such that no point of space is farther
-/// than `distance` (above 0) from the nearest one. All have the greatest that will do; then the second component may
-/// have one more. The first and the third have the same, so that draws turned about y by a right angle still meet.
+/// than `distance` (above 0) from the nearest one. All have the greatest that will do; then the first and the
+/// third of three may have one more, else the second. The first and the third have the same, so that draws turned about
+/// y by a right angle still meet.
 std::vector<int> lattice_exponents(double distance, std::size_t components);
 
 /// All streams that glTF knows, rounded. Streams of other names stay, and so do those that hold whole numbers already,
