@@ -4,11 +4,11 @@
     benchmarks/small_files/small_files.py build/release/hosts/cli/foredraw GLTFPACK [MODEL...]
 
 GLTFPACK is the program of the newest meshoptimizer, built by its own CMakeLists.txt. Each model (default: the corpus) goes
-through it with -cc, and through `quantize, weld, codec-order, vertex-fetch(always=true)` with --compression, both for
+through it with -cc, and through the stages of @small with --compression, both for
 EXT_meshopt_compression, then both for KHR_meshopt_compression (-cz -ce khr). gltfpack has its default bits: 14 for
 positions, in a grid over the box of all meshes; 12 for texture coordinates; 8 for normals. `quantize` is asked for the error
 that such a grid has in the middle of a cell, and for the angle that 8 bits have. gltfpack keeps what materials do not use
-(-kv), names and materials (-kn -km), as Foredraw does.
+(-kv), names and materials (-kn -km), as Foredraw is asked to.
 
 Prints the bytes of all buffer views of vertices and indices, ours over gltfpack's, and the geometric mean; with --markdown
 the table of docs/small-files.md.
@@ -23,8 +23,11 @@ import tempfile
 from pathlib import Path
 
 PIPELINE = """pipeline = 1
-stages = [{{ use = "quantize", position-error = {error}, uv-error = {uv_error}, direction-error = 0.86 }},
-  "weld", "codec-order", {{ use = "vertex-fetch", always = true }}]
+stages = [
+  "prune(attributes=false, tracks=false)",
+  "quantize(position-error={error}, uv-error={uv_error}, direction-error=0.86)",
+  "weld", "codec-order", "vertex-fetch(always=true)", "skin-slots",
+]
 measure = ["vertex-cache"]
 [subjects]
 subject = "scene"

@@ -172,6 +172,27 @@ TEST_F(Cli, KeepsCompressionUnlessAskedOtherwise) {
   EXPECT_EQ(run("optimize " + spot + " -o - -p tipsify --compression none").out.substr(0, 4), "glTF");
 }
 
+TEST_F(Cli, WritesAsThePipelineSaysUnlessToldOtherwise) {
+  const auto written = [&](const std::string& options) {
+    const Ended ended = run("optimize " + model("animated/fox.glb") + " -o fox.glb --with vertex-cache " + options);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return content(folder_ / "fox.glb");
+  };
+  const auto has = [](const std::string& file, const char* text) { return file.find(text) != std::string::npos; };
+  const std::string small = written("-p @small");
+  EXPECT_TRUE(has(small, "KHR_meshopt_compression"));
+  EXPECT_TRUE(has(small, "TRIANGLES"));
+  EXPECT_TRUE(has(written("-p @game"), "EXT_meshopt_compression"));
+  EXPECT_TRUE(has(written("-p @game"), "FOREDRAW_levels"));
+  EXPECT_TRUE(has(written("-p @game --levels msft-lod"), "MSFT_lod"));
+  EXPECT_FALSE(has(written("-p @small --compression none"), "meshopt"));
+  EXPECT_FALSE(has(written("-p @small --compression keep"), "meshopt"));
+  EXPECT_FALSE(has(written("-p @small --set output.compression=none"), "meshopt"));
+  EXPECT_FALSE(has(written("-p @small --corners keep"), "TRIANGLES"));
+  EXPECT_TRUE(has(written("-p @small --compression ext-meshopt"), "EXT_meshopt_compression"));
+  EXPECT_LT(small.size(), written("-p @small --corners keep").size());
+}
+
 TEST_F(Cli, WritesDrawOrdersOnRequest) {
   const std::string in = model("static/spot.glb");
   ASSERT_EQ(

@@ -44,7 +44,7 @@ TEST(LoadPipeline, SaysWhatItLookedFor) {
   EXPECT_EQ(refusal("@defualt"), "@defualt: error: there is no preset 'defualt'\n    hint: did you mean '@default'?\n");
   EXPECT_EQ(refusal("@"),
             "@: error: there is no preset ''\n    hint: there are @cache-only, @character, @city, @crowd, @default, "
-            "@displaced, @levels, @simplify, @small, @sprites, @static-prop, @streaming, @walk, @wires\n");
+            "@displaced, @game, @levels, @simplify, @small, @sprites, @static-prop, @streaming, @walk, @wires\n");
   EXPECT_NE(refusal("missing/props.toml").find("missing/props.toml"), std::string::npos);
   EXPECT_TRUE(
       refusal("missing/props").starts_with("missing/props: error: there is no such file\n    hint: a pipeline is"));

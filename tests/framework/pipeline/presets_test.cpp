@@ -17,8 +17,8 @@ TEST(Presets, AreThoseThatTheDocumentsName) {
   std::vector<std::string_view> names;
   for (const Preset& preset : presets()) names.push_back(preset.name);
   EXPECT_EQ(names, (std::vector<std::string_view>{"cache-only", "character", "city", "crowd", "default", "displaced",
-                                                  "levels", "simplify", "small", "sprites", "static-prop", "streaming",
-                                                  "walk", "wires"}));
+                                                  "game", "levels", "simplify", "small", "sprites", "static-prop",
+                                                  "streaming", "walk", "wires"}));
 }
 
 TEST(Presets, ParseSayWhatTheyAreForAndMeasure) {
