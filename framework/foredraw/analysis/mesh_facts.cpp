@@ -12,7 +12,44 @@ namespace foredraw {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Values by the vertex that they belong to, each vertex's rising. `each` calls its argument with (vertex, value) for
+/// all of them, and is asked twice.
+template <class Value, class Each>
+class ByVertex {
+ public:
+  ByVertex(std::size_t vertices, Each each) : first_(vertices + 1, 0) {
+    each([&](std::uint32_t vertex, Value) { ++first_[vertex + 1]; });
+    for (std::size_t v = 0; v < vertices; ++v) first_[v + 1] += first_[v];
+    values_.resize(first_[vertices]);
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    each([&](std::uint32_t vertex, Value value) { values_[next[vertex]++] = value; });
+    for (std::size_t v = 0; v < vertices; ++v) std::sort(begin(v), begin(v + 1));
+  }
+
+  /// Calls visit(how many) for each run of equal values of one vertex.
+  template <class Visit>
+  void each_run(Visit visit) {
+    for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
+      for (auto first = begin(v); first != begin(v + 1);) {
+        const auto end = std::find_if(first, begin(v + 1), [&](Value value) { return value != *first; });
+        visit(static_cast<std::size_t>(end - first));
+        first = end;
+      }
+    }
+  }
+
+ private:
+  auto begin(std::size_t v) { return values_.begin() + first_[v]; }
+
+  std::vector<std::uint32_t> first_;
+  std::vector<Value> values_;
+};
+
+template <class Value, class Each>
+ByVertex<Value, Each> by_vertex(std::size_t vertices, Each each) {
+  return ByVertex<Value, Each>(vertices, each);
+}
 
 /// Whether the numbers sum to exactly 0: each is added to an expansion of numbers that do not overlap, which is 0 only
 /// where all of its parts are (Shewchuk 1997, section 2.4).
@@ -38,6 +75,10 @@ Corners rotated(Corners corners) {
   return corners;
 }
 
+bool has_repeated_corners(const Corners& corners) {
+  return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+}
+
 }  // namespace
 
 bool is_finite(const glm::vec3& position) {
@@ -61,31 +102,38 @@ MeshFacts mesh_facts(std::span<const glm::vec3> positions, std::span<const std::
       static_cast<std::size_t>(std::count_if(positions.begin(), positions.end(), std::not_fn(is_finite)));
 
   std::vector<char> is_referenced(positions.size(), 0);
-  std::vector<Corners> triangles;
-  std::vector<Edge> edges;
   for (std::size_t t = 0; t < facts.triangles; ++t) {
     const auto [a, b, c] = Corners{indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};
     for (const std::uint32_t vertex : {a, b, c}) is_referenced[vertex] = 1;
-    if (a == b || b == c || c == a) {
+    if (has_repeated_corners({a, b, c})) {
       ++facts.repeated_corners;
       continue;
     }
-    triangles.push_back(rotated({a, b, c}));
-    edges.insert(edges.end(), {std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)});
     const bool finite = is_finite(positions[a]) && is_finite(positions[b]) && is_finite(positions[c]);
     if (finite && are_collinear(positions[a], positions[b], positions[c])) ++facts.zero_area;
   }
   facts.unreferenced_vertices = static_cast<std::size_t>(std::count(is_referenced.begin(), is_referenced.end(), 0));
 
-  std::sort(triangles.begin(), triangles.end());
-  for (std::size_t t = 1; t < triangles.size(); ++t) facts.duplicate_triangles += triangles[t] == triangles[t - 1];
-
-  std::sort(edges.begin(), edges.end());
-  for (auto first = edges.begin(); first != edges.end();) {
-    const auto end = std::upper_bound(first, edges.end(), *first);
-    facts.non_manifold_edges += end - first > 2;
-    first = end;
-  }
+  const auto each_triangle = [&](auto visit) {
+    for (std::size_t t = 0; t < facts.triangles; ++t) {
+      const Corners corners{indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};
+      if (!has_repeated_corners(corners)) visit(corners);
+    }
+  };
+  by_vertex<std::uint64_t>(positions.size(), [&](auto put) {
+    each_triangle([&](const Corners& corners) {
+      const auto [a, b, c] = rotated(corners);
+      put(a, std::uint64_t{b} << 32 | c);
+    });
+  }).each_run([&](std::size_t equal) { facts.duplicate_triangles += equal - 1; });
+  by_vertex<std::uint32_t>(positions.size(), [&](auto put) {
+    each_triangle([&](const Corners& corners) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
+        put(low, high);
+      }
+    });
+  }).each_run([&](std::size_t equal) { facts.non_manifold_edges += equal > 2; });
   return facts;
 }
 
