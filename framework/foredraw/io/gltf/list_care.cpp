@@ -60,6 +60,7 @@ class ListCaring {
       for (const char* list : {"cameras", "materials"}) leave_out_unused(list);
     }
     for (const char* list : {"textures", "samplers", "images"}) leave_out_unused(list);
+    if (document_.knows_all_extensions()) shorten_text(json_, care.joins_equal);
     release_accessors();
   }
 

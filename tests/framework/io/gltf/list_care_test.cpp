@@ -168,6 +168,30 @@ TEST(ListCare, JointsTargetsAndVariantsAreUses) {
   testing::expect_same(testing::read(written.files[0].bytes), testing::read(testing::puppet()), true);
 }
 
+TEST(ListCare, WhatHoldsAnywayIsNotSaid) {
+  GltfBuilder builder = testing::puppet();
+  GltfJson& animation = builder.json["animations"][0];
+  animation["samplers"].push_back(animation["samplers"][0]);
+  animation["samplers"].push_back(animation["samplers"][0]);
+  animation["samplers"][0]["interpolation"] = animation["samplers"][2]["interpolation"] = "LINEAR";
+  animation["channels"].push_back({{"sampler", 2}, {"target", {{"node", 1}, {"path", "rotation"}}}});
+  builder.json["nodes"][1]["translation"] = {0, 0, 0};
+  builder.json["nodes"][1]["rotation"] = {0, 0, 0, 1};
+  builder.json["nodes"][1]["scale"] = {1, 1, 1.5};
+  const Written written = cared_for(builder);
+  const GltfJson& made = written.json["animations"][0];
+  ASSERT_EQ(made["samplers"].size(), 2u) << made.dump();
+  EXPECT_FALSE(made["samplers"][0].contains("interpolation"));
+  EXPECT_EQ(made["channels"][0]["sampler"], 0);
+  EXPECT_EQ(made["channels"][1]["sampler"], 1);
+  EXPECT_EQ(made["channels"][2]["sampler"], 0);
+  EXPECT_EQ(written.json["nodes"][1], GltfJson({{"name", "shoulder"}, {"children", {2}}, {"scale", {1, 1, 1.5}}}));
+  const Scene scene = testing::read(builder), again = testing::read(written.files[0].bytes);
+  testing::expect_same(again, scene, true);
+  EXPECT_EQ(again.animations[0].channels[2].node, scene.animations[0].channels[2].node);
+  EXPECT_EQ(cared_for(builder, {.leaves_out_unnamed = true}).json["animations"][0]["samplers"].size(), 3u);
+}
+
 TEST(ListCare, AccessorsThatNothingNamesLoseTheirBytes) {
   GltfBuilder builder = testing::ribbon(4);
   builder.add_values(std::vector<float>(3000, 1), "VEC3");

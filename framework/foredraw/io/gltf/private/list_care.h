@@ -21,6 +21,10 @@ void each_entry_named(Json& json, const std::function<void(const char* list, Jso
 /// Whether each_entry_named() sees all that an extension of that name refers to, pointers and products apart.
 bool names_seen_entries(std::string_view extension);
 
+/// Leaves out what holds anyway of nodes' transforms and animations, samplers of animations that no channel uses, and
+/// with `joins_equal` those that say the same as an earlier one. Nobody but channels may name samplers.
+void shorten_text(Json& json, bool joins_equal);
+
 /// Does to the lists of `json` what the scene asks for, and says what in notes. Meshes and accessors keep their
 /// numbers; accessors that nothing names lose their bytes. Nothing changes where an extension is not known so well that
 /// nobody is left with a wrong number; where products or animations name nodes and materials, these stay.
