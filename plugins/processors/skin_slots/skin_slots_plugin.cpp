@@ -64,7 +64,7 @@ Plugin skin_slots_plugin() {
   table.row(
       &SkinSlotsOptions::zero_unused, "zero-unused",
       "Whether slots without weight name joint 0, as glTF advises; else they name the joint of the vertex before, "
-      "which takes half of the bytes");
+      "which takes fewer bytes");
   bind_options(plugin, table, [](const SkinSlotsOptions& options) { return std::make_unique<SkinSlots>(options); });
   return plugin;
 }
