@@ -4,6 +4,7 @@
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/gltf/private/stand_ins.h>
 #include <foredraw/io/gltf/private/write.h>
+#include <foredraw/io/imported_file.h>
 #include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/mesh/private/source.h>
 #include <foredraw/io/scene_kinds.h>
@@ -95,7 +96,9 @@ std::optional<SceneFile> read_scene(const std::string& path, Diagnostics& diagno
   const Stamp stamp = content_hash(*bytes);
   SceneBytes file{std::move(*bytes), is_standard ? "standard input" : path, is_standard ? fs::path() : folder_of(path)};
   const SceneKind* kind = is_standard ? nullptr : scene_kind_of(path);
-  auto scene = (kind == nullptr ? scene_kinds().front() : *kind).read(std::move(file), diagnostics, how);
+  const bool is_imported = !is_standard && kind == nullptr && is_imported_file(path);
+  auto scene = is_imported ? read_imported(path, diagnostics, how, import_limits())
+                           : (kind == nullptr ? scene_kinds().front() : *kind).read(std::move(file), diagnostics, how);
   if (!scene) return std::nullopt;
   const Stamp whole = stamp_of(stamp, *scene);
   const std::uint64_t with_buffers = std::max<std::uint64_t>(length, scene->source ? scene->source->bytes() : 0);

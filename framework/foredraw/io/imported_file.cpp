@@ -1,0 +1,182 @@
+#include <foredraw/io/imported_file.h>
+
+#include <foredraw/base/printable.h>
+#include <foredraw/io/gltf/gltf.h>
+#include <foredraw/io/import_block.h>
+#include <foredraw/io/text/private/file_kind.h>
+#include <foredraw/platform/files.h>
+#include <foredraw/platform/program_stamp.h>
+#include <foredraw/platform/shared_block.h>
+#include <foredraw/platform/shared_library.h>
+#include <foredraw/platform/supervised.h>
+#include <foredraw/platform/watched_process.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+namespace foredraw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What Assimp reads and people still have. Formats that are ours are not among them.
+constexpr std::array<std::string_view, 18> extensions = {".3ds",   ".3mf",     ".ac",   ".amf", ".ase", ".b3d",
+                                                         ".blend", ".cob",     ".dae",  ".dxf", ".fbx", ".lwo",
+                                                         ".lws",   ".md5mesh", ".ms3d", ".x",   ".x3d", ".xgl"};
+
+template <class Number>
+void read_number(const char* name, Number& number) {
+  const char* text = std::getenv(name);
+  if (text == nullptr) return;
+  Number read{};
+  const char* end = text + std::strlen(text);
+  if (std::from_chars(text, end, read).ptr == end && read > 0) number = read;
+}
+
+fs::path found_importer() {
+  const char* named = std::getenv("FOREDRAW_IMPORTER");
+  if (named != nullptr && *named != '\0') return named;
+  std::error_code error;
+  for (const fs::path& from : {program_folder(), own_folder()}) {
+    for (const char* way : {"", "../libexec/foredraw", "../../libexec/foredraw"}) {
+      const fs::path place = from / way / "foredraw-import";
+      if (!from.empty() && fs::exists(place, error)) return place.lexically_normal();
+    }
+  }
+  return {};
+}
+
+/// What became of an import, beside the GLB.
+struct ImportEnd {
+  std::string why;  ///< empty: the GLB is whole
+  std::string hint;
+};
+
+constexpr const char* other_way = "export the scene as .glb from the program that made it";
+
+/// How a process ended that handed over nothing.
+ImportEnd end_without_answer(const ImportBlock& block, const ImportLimits& limits) {
+  if (limits.memory != 0 && block.peak_memory > limits.memory / 10 * 9) {
+    return {fmt::format("the importer needs more than the {} bytes of memory that it may have", limits.memory),
+            "set FOREDRAW_IMPORT_MEMORY to more bytes, or " + std::string(other_way)};
+  }
+  std::string why = block.by_signal != 0
+                        ? "the importer crashed on it (" + signal_name(block.code) + ")"
+                        : fmt::format("the importer left without an answer (exit code {})", block.code);
+  const std::size_t bytes = std::min<std::size_t>(block.last_words_bytes, sizeof block.last_words);
+  std::string words = printable(std::string_view(block.last_words, bytes));
+  while (!words.empty() && words.back() == ' ') words.pop_back();
+  if (!words.empty()) why += "; it wrote: " + words;
+  return {std::move(why), "the file may be damaged: " + std::string(other_way)};
+}
+
+/// Waits for the end, or for the time to be over.
+ImportEnd wait_for_import(const ImportBlock& block, WatchedProcess& process, const ImportLimits& limits) {
+  using namespace std::chrono_literals;
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const auto begins = static_cast<std::uint32_t>(ImportTurn::begins);
+  while (block.turn.load() == begins) {
+    if (process.ended_within(0ms) && block.turn.load() == begins) {
+      return {"the importer's process is no more", "try again; " + std::string(other_way)};
+    }
+    if (std::chrono::duration<double>(Clock::now() - begin).count() > limits.seconds) {
+      return {fmt::format("the importer was not done within {} seconds", limits.seconds),
+              "set FOREDRAW_IMPORT_SECONDS to more, or " + std::string(other_way)};
+    }
+    wait_while(block.turn, begins, 50);
+  }
+  if (block.is_whole != 0 && block.by_signal == 0 && block.code == 0) return {};
+  if (block.is_refused != 0) return {"the importer refuses it", other_way};
+  return end_without_answer(block, limits);
+}
+
+/// Tells of files and of what was left out; a refusal's reason becomes the end's.
+void take_told(const SharedBlock& shared, const std::string& file, const SceneInput& how, Diagnostics& diagnostics,
+               ImportEnd& end) {
+  const ImportBlock& block = *reinterpret_cast<const ImportBlock*>(shared.data());
+  const std::string all(reinterpret_cast<const char*>(shared.data() + told_place),
+                        std::min<std::size_t>(block.told_bytes, told_room));
+  for (std::size_t begin = 0; begin < all.size();) {
+    const std::size_t stop = std::min(all.find('\0', begin), all.size());
+    const std::string text = all.substr(begin + 1, stop - begin - 1);
+    switch (static_cast<ImportTold>(all[begin])) {
+      case ImportTold::read: {
+        Diagnostics unsaid;
+        if (how.files) read_file(text, unsaid, FileRead::all_of_it, how.files.get());
+        break;
+      }
+      case ImportTold::missing:
+        if (how.files) how.files->missing(text);
+        break;
+      case ImportTold::left_out: diagnostics.warning({.file = file}, "import-left-out", printable(text)); break;
+      case ImportTold::refused:
+        if (!end.why.empty()) end.why = "the importer refuses it: " + printable(text);
+        break;
+    }
+    begin = stop + 1;
+  }
+}
+
+}  // namespace
+
+ImportLimits import_limits() {
+  ImportLimits limits;
+  read_number("FOREDRAW_IMPORT_SECONDS", limits.seconds);
+  read_number("FOREDRAW_IMPORT_MEMORY", limits.memory);
+  limits.importer = found_importer();
+  return limits;
+}
+
+bool is_imported_file(const fs::path& path) {
+  return std::ranges::find(extensions, lower_extension(path)) != extensions.end();
+}
+
+std::string imported_extensions() {
+  std::string text;
+  for (const std::string_view extension : extensions) text.append(text.empty() ? "" : ", ").append(extension);
+  return text;
+}
+
+std::optional<Scene> read_imported(const fs::path& path, Diagnostics& diagnostics, const SceneInput& how,
+                                   const ImportLimits& limits) {
+  const std::string file = path.string();
+  if (limits.importer.empty()) {
+    diagnostics.error(
+        {.file = file}, "no-importer", "files of this kind are read by foredraw-import, which is not installed",
+        "install it beside foredraw (it is built where the package libassimp-dev is), or " + std::string(other_way));
+    return std::nullopt;
+  }
+  std::vector<std::byte> glb;
+  try {
+    const SharedBlock shared(import_block_bytes, false);
+    WatchedProcess process(limits.importer,
+                           {"--handed", std::to_string(process_number()), std::to_string(limits.memory),
+                            fs::absolute(path).string(), how.root.empty() ? "" : fs::absolute(how.root).string()},
+                           std::array{shared.descriptor()});
+    const ImportBlock& block = *reinterpret_cast<const ImportBlock*>(shared.data());
+    ImportEnd end = wait_for_import(block, process, limits);
+    take_told(shared, file, how, diagnostics, end);
+    if (!end.why.empty()) {
+      diagnostics.error({.file = file}, "import-failed", end.why, end.hint);
+      return std::nullopt;
+    }
+    const auto* bytes = shared.data() + glb_place;
+    glb.assign(bytes, bytes + std::min<std::size_t>(block.glb_bytes, shared.size() - glb_place));
+  } catch (const std::system_error& error) {
+    diagnostics.error({.file = file}, "import-failed", std::string("the importer can not be run: ") + error.what(),
+                      other_way);
+    return std::nullopt;
+  }
+  return read_gltf(std::move(glb), file, {}, diagnostics, how);
+}
+
+}  // namespace foredraw

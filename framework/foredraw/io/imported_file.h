@@ -1,0 +1,34 @@
+#pragma once
+// Scenes of other formats, which the program foredraw-import turns into glTF in a process of its own.
+
+#include <foredraw/base/diagnostics.h>
+#include <foredraw/io/reading/scene_input.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace foredraw {
+
+struct ImportLimits {
+  double seconds = 300;
+  std::uint64_t memory = std::uint64_t{4} << 30;  ///< bytes of data that the process may hold
+  std::filesystem::path importer = {};            ///< the program foredraw-import; empty: there is none
+};
+
+/// As FOREDRAW_IMPORT_SECONDS and FOREDRAW_IMPORT_MEMORY (bytes) say; the importer is FOREDRAW_IMPORTER, or lies by the
+/// program that runs, or in its installation.
+ImportLimits import_limits();
+
+/// Whether files with this extension are read by foredraw-import: ".fbx", ".dae", ".3ds", ".blend" and others.
+bool is_imported_file(const std::filesystem::path& path);
+/// ".3ds, .ac, .ase"
+std::string imported_extensions();
+
+/// Of a file that is there. Files that it names are read below its folder or `how.root`; `how.files` is told of them.
+/// nullopt, with a diagnostic, where there is no importer, where it refuses the file, crashes, or reaches a limit.
+std::optional<Scene> read_imported(const std::filesystem::path& path, Diagnostics& diagnostics, const SceneInput& how,
+                                   const ImportLimits& limits);
+
+}  // namespace foredraw

@@ -1,0 +1,55 @@
+#include "import_file.h"
+
+#include "animations.h"
+#include "confined_files.h"
+#include "glb.h"
+#include "materials.h"
+#include "nodes.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include <new>
+#include <stdexcept>
+
+namespace foredraw::import {
+
+namespace {
+
+/// Assimp gives FBX in the file's unit, whose length in centimetres the file says; glTF has metres. All other formats
+/// that name a unit come in metres.
+double metres_per_unit(const aiScene& scene, const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  double unused = 0;
+  const bool says_unit = scene.mMetaData != nullptr && scene.mMetaData->Get("UnitScaleFactor", unused);
+  return extension == ".fbx" && says_unit ? 0.01 : 1;
+}
+
+}  // namespace
+
+std::string import_file(const std::filesystem::path& file, const std::filesystem::path& root, Told& told) {
+  Assimp::Importer importer;
+  auto* files = new ConfinedFiles(file, root, told);
+  importer.SetIOHandler(files);  // which owns it
+  // Pivots stay nodes: where they are multiplied into their node, its animation forgets them.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
+  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_ValidateDataStructure);
+  if (scene == nullptr) {
+    const std::string why = importer.GetErrorString();
+    if (why.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    throw std::runtime_error(why.empty() ? "it holds no scene" : why);
+  }
+  if (scene->mRootNode == nullptr) throw std::runtime_error("it holds no nodes");
+  Glb glb;
+  add_materials(*scene, *files, glb, told);
+  const NodeNumbers nodes = add_nodes(*scene, metres_per_unit(*scene, file), glb, told);
+  add_animations(*scene, nodes, glb, told);
+  if (scene->mNumLights != 0) told.left_out.push_back("its lights are left out");
+  if (scene->mNumCameras != 0) told.left_out.push_back("its cameras are left out");
+  return glb.bytes();
+}
+
+}  // namespace foredraw::import

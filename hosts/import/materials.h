@@ -1,0 +1,13 @@
+#pragma once
+#include "confined_files.h"
+#include "glb.h"
+
+#include <assimp/scene.h>
+
+namespace foredraw::import {
+
+/// Every material, in the scene's order, with its textures. What is no metal and roughness model is brought near it:
+/// diffuse is the base colour, nothing is metal, and shininess s has the roughness sqrt(2 / (s + 2)).
+void add_materials(const aiScene& scene, const ConfinedFiles& files, Glb& glb, Told& told);
+
+}  // namespace foredraw::import

@@ -1,0 +1,116 @@
+#include "nodes.h"
+
+#include "meshes.h"
+#include "skins.h"
+
+#include <set>
+#include <stdexcept>
+
+namespace foredraw::import {
+
+namespace {
+
+using Json = nlohmann::json;
+
+class NodesMade {
+ public:
+  NodesMade(const aiScene& scene, Glb& glb, Told& told) : scene_(scene), glb_(glb), told_(told) {
+    for (unsigned i = 0; i < scene.mNumAnimations; ++i) {
+      const aiAnimation& animation = *scene.mAnimations[i];
+      for (unsigned c = 0; c < animation.mNumChannels; ++c) moved_.insert(animation.mChannels[c]->mNodeName.C_Str());
+    }
+  }
+
+  std::size_t add(const aiNode& node, int depth = 0) {
+    if (depth > 1000) throw std::runtime_error("its nodes lie more than 1000 deep");
+    const std::string name = node.mName.C_Str();
+    const std::size_t number = glb_.add("nodes", {{"name", name}});
+    numbers.by_name.try_emplace(name, number);
+    place(node.mTransformation, moved_.contains(name), glb_.json["nodes"][number]);
+    Json children = Json::array();
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      std::size_t bearer = number;
+      if (node.mNumMeshes > 1) {
+        bearer = glb_.add("nodes", {{"name", scene_.mMeshes[node.mMeshes[i]]->mName.C_Str()}});
+        children.push_back(bearer);
+      }
+      bearers_.push_back({bearer, node.mMeshes[i], name});
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) children.push_back(add(*node.mChildren[i], depth + 1));
+    if (!children.empty()) glb_.json["nodes"][number]["children"] = children;
+    return number;
+  }
+
+  /// Once all nodes are there, for bones name any.
+  void bear_meshes() {
+    std::map<unsigned, std::size_t> made;
+    for (const Bearer& one : bearers_) {
+      const aiMesh& mesh = *scene_.mMeshes[one.mesh];
+      if (mesh.mNumFaces == 0 || mesh.mNumVertices == 0) continue;
+      Json& node = glb_.json["nodes"][one.node];
+      const auto skin = mesh.HasBones() ? add_skin(mesh, one.node, numbers.by_name, glb_) : std::nullopt;
+      if (mesh.HasBones() && !skin) {
+        told_.left_out.push_back("the skin of '" + std::string(mesh.mName.C_Str()) +
+                                 "' is left out: one of its bones is no node of the scene");
+      }
+      if (const auto [place, is_new] = made.try_emplace(one.mesh, 0); is_new) {
+        const bool is_relative = mesh.mMethod == aiMorphingMethod_MORPH_RELATIVE;
+        place->second = add_mesh(scene_, mesh, is_relative, skin.has_value(), glb_);
+      }
+      node["mesh"] = made.at(one.mesh);
+      if (skin) node["skin"] = *skin;
+      if (mesh.mNumAnimMeshes == 0) continue;
+      for (const std::string& name : std::set<std::string>{mesh.mName.C_Str(), one.name}) {
+        numbers.morphs[name].push_back(one.node);
+      }
+    }
+  }
+
+  NodeNumbers numbers;
+
+ private:
+  struct Bearer {
+    std::size_t node;
+    unsigned mesh;
+    std::string name;
+  };
+
+  /// What is animated has to say its parts.
+  static void place(const aiMatrix4x4& matrix, bool in_parts, Json& node) {
+    if (matrix.IsIdentity() && !in_parts) return;
+    if (!in_parts) {
+      for (unsigned i = 0; i < 16; ++i) node["matrix"].push_back(matrix[i % 4][i / 4]);
+      return;
+    }
+    aiVector3D scale, position;
+    aiQuaternion turn;
+    matrix.Decompose(scale, turn, position);
+    turn.Normalize();
+    node["translation"] = {position.x, position.y, position.z};
+    node["rotation"] = {turn.x, turn.y, turn.z, turn.w};
+    node["scale"] = {scale.x, scale.y, scale.z};
+  }
+
+  const aiScene& scene_;
+  Glb& glb_;
+  Told& told_;
+  std::set<std::string> moved_;
+  std::vector<Bearer> bearers_;
+};
+
+}  // namespace
+
+NodeNumbers add_nodes(const aiScene& scene, double metres_per_unit, Glb& glb, Told& told) {
+  NodesMade made(scene, glb, told);
+  std::size_t root = made.add(*scene.mRootNode);
+  if (metres_per_unit != 1) {
+    const std::vector<double> scale(3, metres_per_unit);
+    root = glb.add("nodes", {{"name", "metres"}, {"scale", scale}, {"children", {root}}});
+  }
+  made.bear_meshes();
+  glb.add("scenes", {{"nodes", {root}}});
+  glb.json["scene"] = 0;
+  return std::move(made.numbers);
+}
+
+}  // namespace foredraw::import

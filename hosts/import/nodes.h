@@ -1,0 +1,23 @@
+#pragma once
+#include "glb.h"
+#include "told.h"
+
+#include <assimp/scene.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace foredraw::import {
+
+struct NodeNumbers {
+  std::map<std::string, std::size_t> by_name;  ///< the first of each name
+  std::map<std::string, std::vector<std::size_t>>
+      morphs;  ///< nodes that bear a mesh with targets, by its name and theirs
+};
+
+/// Nodes in the file's order, below one that scales to metres where the unit is another; meshes that several nodes
+/// name are instances of one. A node with several meshes bears them in nodes below itself.
+NodeNumbers add_nodes(const aiScene& scene, double metres_per_unit, Glb& glb, Told& told);
+
+}  // namespace foredraw::import

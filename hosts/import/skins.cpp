@@ -1,0 +1,31 @@
+#include "skins.h"
+
+namespace foredraw::import {
+
+namespace {
+
+/// glTF writes columns, Assimp rows.
+void put_columns(const aiMatrix4x4& matrix, std::vector<float>& into) {
+  for (unsigned column = 0; column < 4; ++column) {
+    for (unsigned row = 0; row < 4; ++row) into.push_back(matrix[row][column]);
+  }
+}
+
+}  // namespace
+
+std::optional<std::size_t> add_skin(const aiMesh& mesh, std::size_t own,
+                                    const std::map<std::string, std::size_t>& by_name, Glb& glb) {
+  nlohmann::json joints = nlohmann::json::array();
+  std::vector<float> inverse;
+  for (unsigned i = 0; i < mesh.mNumBones; ++i) {
+    const auto node = by_name.find(mesh.mBones[i]->mName.C_Str());
+    if (node == by_name.end()) return std::nullopt;
+    joints.push_back(node->second);
+    put_columns(mesh.mBones[i]->mOffsetMatrix, inverse);
+  }
+  joints.push_back(own);
+  put_columns(aiMatrix4x4(), inverse);
+  return glb.add("skins", {{"joints", joints}, {"inverseBindMatrices", glb.add_floats(inverse, "MAT4", 16, 0)}});
+}
+
+}  // namespace foredraw::import
