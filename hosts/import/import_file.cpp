@@ -1,6 +1,7 @@
 #include "import_file.h"
 
 #include "animations.h"
+#include "axes.h"
 #include "confined_files.h"
 #include "glb.h"
 #include "materials.h"
@@ -15,20 +16,6 @@
 #include <stdexcept>
 
 namespace foredraw::import {
-
-namespace {
-
-/// Assimp gives FBX in the file's unit, whose length in centimetres the file says; glTF has metres. All other formats
-/// that name a unit come in metres.
-double metres_per_unit(const aiScene& scene, const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  double unused = 0;
-  const bool says_unit = scene.mMetaData != nullptr && scene.mMetaData->Get("UnitScaleFactor", unused);
-  return extension == ".fbx" && says_unit ? 0.01 : 1;
-}
-
-}  // namespace
 
 std::string import_file(const std::filesystem::path& file, const std::filesystem::path& root, Told& told) {
   Assimp::Importer importer;
@@ -45,8 +32,8 @@ std::string import_file(const std::filesystem::path& file, const std::filesystem
   if (scene->mRootNode == nullptr) throw std::runtime_error("it holds no nodes");
   Glb glb;
   add_materials(*scene, *files, glb, told);
-  const NodeNumbers nodes = add_nodes(*scene, metres_per_unit(*scene, file), glb, told);
-  add_animations(*scene, nodes, glb, told);
+  const NodeNumbers nodes = add_nodes(*scene, transform_of_root(*scene), glb, told);
+  add_animations(*scene, nodes, is_fbx(*scene), glb, told);
   if (scene->mNumLights != 0) told.left_out.push_back("its lights are left out");
   if (scene->mNumCameras != 0) told.left_out.push_back("its cameras are left out");
   return glb.bytes();

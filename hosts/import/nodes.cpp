@@ -14,7 +14,8 @@ using Json = nlohmann::json;
 
 class NodesMade {
  public:
-  NodesMade(const aiScene& scene, Glb& glb, Told& told) : scene_(scene), glb_(glb), told_(told) {
+  NodesMade(const aiScene& scene, const aiMatrix4x4& of_root, Glb& glb, Told& told)
+      : scene_(scene), of_root_(of_root), glb_(glb), told_(told) {
     for (unsigned i = 0; i < scene.mNumAnimations; ++i) {
       const aiAnimation& animation = *scene.mAnimations[i];
       for (unsigned c = 0; c < animation.mNumChannels; ++c) moved_.insert(animation.mChannels[c]->mNodeName.C_Str());
@@ -26,7 +27,7 @@ class NodesMade {
     const std::string name = node.mName.C_Str();
     const std::size_t number = glb_.add("nodes", {{"name", name}});
     numbers.by_name.try_emplace(name, number);
-    place(node.mTransformation, moved_.contains(name), glb_.json["nodes"][number]);
+    place(depth == 0 ? of_root_ : node.mTransformation, moved_.contains(name), glb_.json["nodes"][number]);
     Json children = Json::array();
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       std::size_t bearer = number;
@@ -92,6 +93,7 @@ class NodesMade {
   }
 
   const aiScene& scene_;
+  aiMatrix4x4 of_root_;
   Glb& glb_;
   Told& told_;
   std::set<std::string> moved_;
@@ -100,13 +102,9 @@ class NodesMade {
 
 }  // namespace
 
-NodeNumbers add_nodes(const aiScene& scene, double metres_per_unit, Glb& glb, Told& told) {
-  NodesMade made(scene, glb, told);
-  std::size_t root = made.add(*scene.mRootNode);
-  if (metres_per_unit != 1) {
-    const std::vector<double> scale(3, metres_per_unit);
-    root = glb.add("nodes", {{"name", "metres"}, {"scale", scale}, {"children", {root}}});
-  }
+NodeNumbers add_nodes(const aiScene& scene, const aiMatrix4x4& of_root, Glb& glb, Told& told) {
+  NodesMade made(scene, of_root, glb, told);
+  const std::size_t root = made.add(*scene.mRootNode);
   made.bear_meshes();
   glb.add("scenes", {{"nodes", {root}}});
   glb.json["scene"] = 0;

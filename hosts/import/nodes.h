@@ -16,8 +16,8 @@ struct NodeNumbers {
       morphs;  ///< nodes that bear a mesh with targets, by its name and theirs
 };
 
-/// Nodes in the file's order, below one that scales to metres where the unit is another; meshes that several nodes
-/// name are instances of one. A node with several meshes bears them in nodes below itself.
-NodeNumbers add_nodes(const aiScene& scene, double metres_per_unit, Glb& glb, Told& told);
+/// Nodes in the file's order, where the first one has the transform `of_root`; meshes that several nodes name are
+/// instances of one. A node with several meshes bears them in nodes below itself.
+NodeNumbers add_nodes(const aiScene& scene, const aiMatrix4x4& of_root, Glb& glb, Told& told);
 
 }  // namespace foredraw::import
