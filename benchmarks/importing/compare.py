@@ -4,14 +4,16 @@
     benchmarks/importing/compare.py BUILD UFBX [--fbx2gltf PROGRAM] [--poses N] [--limit E] FILE.fbx...
 
 BUILD is a build folder with benchmarks (imported-poses-bench) and foredraw-import; UFBX a folder with ufbx.h and ufbx.c,
-which are compiled with `cc`. Of each file, as it stands and at N moments (9) of each animation, the triangles are compared
-in world space: the farthest that a corner of one lies from the nearest corner of the other, over the diagonal of the
-box, and areas and volumes, which tell corners that were exchanged and triangles that were turned round. FBX2glTF's output
-is compared with ufbx's poses in the same way. Prints a line for each file and says how many are within E (0.001).
+which are compiled with `cc`. Of each file, as it stands and at N frames (9) of each animation, the triangles are compared in
+world space: the farthest that a corner of one lies from the nearest corner of the other, over the diagonal of the box.
+Areas and volumes are told beside it: they show corners that were exchanged and triangles that were turned round, and differ
+a little where polygons that are not flat were cut otherwise. FBX2glTF's output
+is compared with ufbx's poses in the same way. Prints a line for each file and says how many have the same triangles within E (0.001).
 """
 
 import argparse
 import json
+import math
 import os
 import subprocess
 import tempfile
@@ -29,7 +31,7 @@ def figures(bench, scene, referee):
     made = run([bench, scene, referee])
     if made.returncode != 0:
         return {"failed": made.stderr.strip().splitlines()[0] if made.stderr.strip() else f"exit {made.returncode}"}
-    return json.loads(made.stdout.replace("inf", "Infinity").replace("nan", "NaN"))
+    return {key: math.inf if value is None else value for key, value in json.loads(made.stdout).items()}
 
 
 def text_of(of):
@@ -45,7 +47,7 @@ def text_of(of):
 
 def is_within(of, limit):
     return of is not None and "failed" not in of and of["triangles"] == of["expected"] \
-        and of["poses_without_clip"] == 0 and max(of["at_rest"], of["in_motion"], of["area"], of["volume"]) <= limit
+        and of["poses_without_clip"] == 0 and max(of["at_rest"], of["in_motion"]) <= limit
 
 
 def main():

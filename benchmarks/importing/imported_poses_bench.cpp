@@ -6,8 +6,8 @@
 #include <foredraw/viewing/posed_positions.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -184,11 +184,17 @@ int compare(const char* path, const char* referee) {
     areas = std::max(areas, std::abs(area(made) / std::max(1e-30, area(pose.triangles)) - 1));
     volumes = std::max(volumes, std::abs(volume(made) - volume(pose.triangles)) / (size * size * size));
   }
-  fmt::print(R"({{"triangles": {}, "expected": {}, "clips": {}, "poses": {}, "poses_without_clip": {}, )"
-             R"("at_rest": {:.3g}, "in_motion": {:.3g}, "worst": "{}", "area": {:.3g}, "volume": {:.3g}}})"
-             "\n",
-             ours, theirs, file->scene.animations.size(), poses, without_clip, at_rest, in_motion, worst, areas,
-             volumes);
+  const nlohmann::json line{{"triangles", ours},
+                            {"expected", theirs},
+                            {"clips", file->scene.animations.size()},
+                            {"poses", poses},
+                            {"poses_without_clip", without_clip},
+                            {"at_rest", at_rest},
+                            {"in_motion", in_motion},
+                            {"worst", worst},
+                            {"area", areas},
+                            {"volume", volumes}};
+  std::puts(line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace).c_str());
   return 0;
 }
 

@@ -1,11 +1,13 @@
 // The poses of an FBX file as ufbx evaluates them: a second reader, beside which what was imported is put. compare.py
 // compiles it with the ufbx.h and ufbx.c of a folder that it is given.
 //   ufbx_poses FILE.fbx OUT POSES
-// writes the triangles of the file as it stands, and at POSES moments of each animation: metres, Y up, world space.
+// writes the triangles of the file as it stands, and at POSES frames of each animation: metres, Y up, world space. At
+// frames, because between keys FBX blends angles about axes, and glTF rotations.
 //   u32 poses; each: u32 length, name of its animation; i32 animation (-1: at rest); f64 seconds from its beginning;
 //   u64 triangles; f32[9] each
 #include "ufbx.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -70,9 +72,11 @@ int main(int argc, char** argv) {
   put_pose(to, "", -1, 0, scene);
   for (size_t s = 0; s < scene->anim_stacks.count; ++s) {
     const ufbx_anim_stack* stack = scene->anim_stacks.data[s];
+    const double rate = scene->settings.frames_per_second;
     const double lasts = stack->time_end - stack->time_begin;
     for (uint32_t m = 0; m < moments; ++m) {
-      const double seconds = moments < 2 ? 0 : lasts * m / (moments - 1);
+      double seconds = moments < 2 ? 0 : lasts * m / (moments - 1);
+      if (rate > 0) seconds = floor(seconds * rate + 1e-6) / rate;
       ufbx_evaluate_opts at = {0};
       at.evaluate_skinning = true;
       ufbx_scene* posed = ufbx_evaluate_scene(scene, stack->anim, stack->time_begin + seconds, &at, &error);

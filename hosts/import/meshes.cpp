@@ -118,7 +118,8 @@ void add_weights(const aiMesh& mesh, std::uint16_t still, Json& attributes, Glb&
   }
 }
 
-std::size_t add_mesh(const aiScene& scene, const aiMesh& mesh, bool is_relative, bool is_skinned, Glb& glb) {
+std::size_t add_mesh(const aiScene& scene, const aiMesh& mesh, bool has_weights, bool is_relative, bool is_skinned,
+                     Glb& glb) {
   Json attributes = attributes_of(mesh, glb);
   if (is_skinned) add_weights(mesh, static_cast<std::uint16_t>(mesh.mNumBones), attributes, glb);
   const Json targets = targets_of(mesh, is_relative, glb);
@@ -143,7 +144,8 @@ std::size_t add_mesh(const aiScene& scene, const aiMesh& mesh, bool is_relative,
   }
   Json made{{"name", mesh.mName.C_Str()}, {"primitives", std::move(primitives)}};
   for (unsigned i = 0; i < mesh.mNumAnimMeshes; ++i) {
-    made["weights"].push_back(mesh.mAnimMeshes[i]->mWeight);
+    made["weights"].push_back(has_weights && std::isfinite(mesh.mAnimMeshes[i]->mWeight) ? mesh.mAnimMeshes[i]->mWeight
+                                                                                         : 0);
     made["extras"]["targetNames"].push_back(mesh.mAnimMeshes[i]->mName.C_Str());
   }
   return glb.add("meshes", std::move(made));

@@ -13,13 +13,12 @@ void put_columns(const aiMatrix4x4& matrix, std::vector<float>& into) {
 
 }  // namespace
 
-std::optional<std::size_t> add_skin(const aiMesh& mesh, std::size_t own,
-                                    const std::map<std::string, std::size_t>& by_name, Glb& glb) {
+std::optional<std::size_t> add_skin(const aiMesh& mesh, std::size_t own, const NodeNumbers& nodes, Glb& glb) {
   nlohmann::json joints = nlohmann::json::array();
   std::vector<float> inverse;
   for (unsigned i = 0; i < mesh.mNumBones; ++i) {
-    const auto node = by_name.find(mesh.mBones[i]->mName.C_Str());
-    if (node == by_name.end()) return std::nullopt;
+    const auto node = nodes.by_name.find(mesh.mBones[i]->mName.C_Str());
+    if (node == nodes.by_name.end()) return std::nullopt;
     joints.push_back(node->second);
     put_columns(mesh.mBones[i]->mOffsetMatrix, inverse);
   }

@@ -1,17 +1,12 @@
 #pragma once
-#include "glb.h"
+#include "nodes.h"
 
-#include <assimp/scene.h>
-
-#include <map>
 #include <optional>
-#include <string>
 
 namespace foredraw::import {
 
 /// The skin of a mesh with bones, whose last joint is `own`, the node that bears the mesh, for vertices that no bone
 /// moves. nullopt where a bone's node is not there.
-std::optional<std::size_t> add_skin(const aiMesh& mesh, std::size_t own,
-                                    const std::map<std::string, std::size_t>& by_name, Glb& glb);
+std::optional<std::size_t> add_skin(const aiMesh& mesh, std::size_t own, const NodeNumbers& nodes, Glb& glb);
 
 }  // namespace foredraw::import
