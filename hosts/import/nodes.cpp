@@ -37,7 +37,7 @@ class NodesMade {
       const aiMesh& mesh = *scene_.mMeshes[one.mesh];
       if (mesh.mNumFaces == 0 || mesh.mNumVertices == 0) continue;
       Json& node = glb_.json["nodes"][one.node];
-      const auto skin = mesh.HasBones() ? add_skin(mesh, one.node, numbers, glb_) : std::nullopt;
+      const auto skin = mesh.HasBones() ? add_skin(mesh, one.node, one.of_geometry, numbers, glb_) : std::nullopt;
       if (mesh.HasBones() && !skin) {
         told_.left_out.push_back("the skin of '" + std::string(mesh.mName.C_Str()) +
                                  "' is left out: one of its bones is no node of the scene");
@@ -68,7 +68,8 @@ class NodesMade {
     return number;
   }
 
-  std::size_t add_one(const std::string& name, const aiMatrix4x4& transform, const aiNode& node, int depth) {
+  std::size_t add_one(const std::string& name, const aiMatrix4x4& transform, const aiNode& node, int depth,
+                      const aiMatrix4x4& of_geometry = {}) {
     const std::size_t number = put(name, transform, node.mNumMeshes != 0);
     Json children = Json::array();
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -77,7 +78,7 @@ class NodesMade {
         bearer = glb_.add("nodes", {{"name", scene_.mMeshes[node.mMeshes[i]]->mName.C_Str()}});
         children.push_back(bearer);
       }
-      bearers_.push_back({bearer, node.mMeshes[i], name});
+      bearers_.push_back({bearer, node.mMeshes[i], name, of_geometry});
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i) children.push_back(add(*node.mChildren[i], depth + 1));
     if (!children.empty()) glb_.json["nodes"][number]["children"] = children;
@@ -90,8 +91,8 @@ class NodesMade {
       return add_one(name, pivots.of_node * pivots.node->mTransformation, *pivots.node, depth);
     }
     const std::size_t number = put(name, pivots.of_node, false);
-    const std::size_t below =
-        add_one(name + " geometry", pivots.of_geometry * pivots.node->mTransformation, *pivots.node, depth + 1);
+    const std::size_t below = add_one(name + " geometry", pivots.of_geometry * pivots.node->mTransformation,
+                                      *pivots.node, depth + 1, pivots.of_geometry);
     glb_.json["nodes"][number]["children"] = {below};
     return number;
   }
@@ -100,6 +101,7 @@ class NodesMade {
     std::size_t node;
     unsigned mesh;
     std::string name;
+    aiMatrix4x4 of_geometry;  ///< what lies between the mesh and the FBX node, for which its bones are bound
   };
 
   /// What is animated has to say its parts.

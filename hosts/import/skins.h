@@ -7,6 +7,7 @@ namespace foredraw::import {
 
 /// The skin of a mesh with bones, whose last joint is `own`, the node that bears the mesh, for vertices that no bone
 /// moves. nullopt where a bone's node is not there.
-std::optional<std::size_t> add_skin(const aiMesh& mesh, std::size_t own, const NodeNumbers& nodes, Glb& glb);
+std::optional<std::size_t> add_skin(const aiMesh& mesh, std::size_t own, const aiMatrix4x4& of_geometry,
+                                    const NodeNumbers& nodes, Glb& glb);
 
 }  // namespace foredraw::import
