@@ -3,6 +3,7 @@
 #include "outputs.h"
 #include "session.h"
 
+#include <foredraw/io/imported_file.h>
 #include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/sprite/sprite_files.h>
 #include <foredraw/pipeline/presets.h>
@@ -243,10 +244,12 @@ class CommandLine {
   }
 
   void input(CLI::App& app, bool takes_folder = true) {
-    app.add_option("input", arguments_.inputs,
-                   fmt::format("A scene: {}, or - for standard input; an image ({}) or a frame list ({}) as sprites{}",
-                               extensions_that_hold(Holds::meshes), extensions_that_hold(Holds::image),
-                               extensions_that_hold(Holds::frame_list), takes_folder ? "; or a folder of these" : ""))
+    app.add_option(
+           "input", arguments_.inputs,
+           fmt::format("A scene: {}, or - for standard input; what foredraw-import reads: {}; an image ({}) or a "
+                       "frame list ({}) as sprites{}",
+                       extensions_that_hold(Holds::meshes), imported_extensions(), extensions_that_hold(Holds::image),
+                       extensions_that_hold(Holds::frame_list), takes_folder ? "; or a folder of these" : ""))
         ->required()
         ->expected(1);
     how_read(app);

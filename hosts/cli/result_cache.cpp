@@ -1,6 +1,7 @@
 #include "result_cache.h"
 
 #include <foredraw/cache/result_about.h>
+#include <foredraw/io/imported_file.h>
 #include <foredraw/pipeline/canonical.h>
 #include <foredraw/platform/machine.h>
 #include <foredraw/platform/program_stamp.h>
@@ -43,21 +44,25 @@ std::string done_by(const Pipeline& pipeline, const Registry& registry, const Ca
   return text;
 }
 
-/// How scenes are read.
+/// How scenes are read. What is imported comes by a program of its own, whose build counts as ours does.
 std::string read_by(const Arguments& arguments) {
-  return fmt::format("strict {}\nroot {}\n", arguments.strict, arguments.root);
+  const std::string& input = arguments.inputs[0];
+  const bool may_import = is_folder(input) || is_imported_file(input);
+  return fmt::format("strict {}\nroot {}\n{}", arguments.strict, arguments.root,
+                     may_import ? "importer " + to_text(importer_stamp(import_limits())) + '\n' : "");
 }
 
 /// Everything that decides what comes out, but for the file that is worked on and where it goes.
-std::string how(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry, const Cache& cache) {
-  return "results 1\n" + done_by(pipeline, registry, cache) + read_by(arguments) +
+std::string how(const Arguments& arguments, const std::string& read, const Pipeline& pipeline, const Registry& registry,
+                const Cache& cache) {
+  return "results 1\n" + done_by(pipeline, registry, cache) + read +
          fmt::format("compression {}\ncorners {}\nlevels {}\nproducts {}\n", arguments.compression, arguments.corners,
                      arguments.levels, arguments.products);
 }
 
 Stamp stamp_of(const std::string& text) { return content_hash(std::as_bytes(std::span(text))); }
 
-MilestoneKeys milestone_keys(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry,
+MilestoneKeys milestone_keys(const std::string& read, const Pipeline& pipeline, const Registry& registry,
                              const Cache& cache) {
   MilestoneKeys keys;
   Pipeline part = pipeline;
@@ -68,7 +73,7 @@ MilestoneKeys milestone_keys(const Arguments& arguments, const Pipeline& pipelin
   part.measure.clear();
   for (const Stage& stage : stages) {
     part.stages.push_back(stage);
-    keys.stages.push_back(stamp_of("milestone 1\n" + done_by(part, registry, cache) + read_by(arguments)));
+    keys.stages.push_back(stamp_of("milestone 1\n" + done_by(part, registry, cache) + read));
   }
   return keys;
 }
@@ -106,8 +111,9 @@ std::unique_ptr<ResultCache> ResultCache::opened(const Arguments& arguments, con
                                                  const Registry& registry, Diagnostics& diagnostics) {
   auto cache = Cache::in(arguments.cache, diagnostics);
   if (!cache) return nullptr;
-  std::string text = how(arguments, pipeline, registry, *cache);
-  MilestoneKeys keys = milestone_keys(arguments, pipeline, registry, *cache);
+  const std::string read = read_by(arguments);
+  std::string text = how(arguments, read, pipeline, registry, *cache);
+  MilestoneKeys keys = milestone_keys(read, pipeline, registry, *cache);
   return std::unique_ptr<ResultCache>(new ResultCache(std::move(*cache), std::move(text), print_file(pipeline),
                                                       std::move(keys), is_folder(arguments.inputs[0])));
 }

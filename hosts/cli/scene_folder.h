@@ -14,7 +14,7 @@ namespace foredraw {
 /// Which files of a folder count as scenes. Images lie beside models as their textures, so they are sprites only to who
 /// works on sprites.
 enum class FolderScenes {
-  meshes,       ///< .glb, .gltf, .obj, .ply, .off, .stl
+  meshes,       ///< .glb, .gltf, .obj, .ply, .off, .stl, and what is imported
   and_sprites,  ///< frame lists too, and images that no list in the folder names
 };
 
@@ -23,6 +23,10 @@ bool works_on_sprites(const Pipeline& pipeline, const Registry& registry);
 inline FolderScenes scenes_for(const Pipeline& pipeline, const Registry& registry) {
   return works_on_sprites(pipeline, registry) ? FolderScenes::and_sprites : FolderScenes::meshes;
 }
+
+/// Whether a file of a folder counts as a scene that holds meshes. One of another program, such as an FBX file, does
+/// where it can be imported, unless a .glb or .gltf of its name lies beside it, which was made of it.
+bool is_scene_of_folder(const std::filesystem::path& file);
 
 /// The scenes in a folder and the folders below it: their paths from the folder on, sorted. Links to folders are not
 /// followed, and `except` (a folder that may lie inside, where results go) is left out unless it is the folder itself.

@@ -175,7 +175,7 @@ void WatchedFolder::take(const std::vector<fs::path>& settled) {
   }
   const auto is_scene = [&](const fs::path& file) {
     if (!file.string().starts_with(from_ + '/') || !is_a_file(file)) return false;
-    return sprites ? std::ranges::binary_search(*sprites, file.lexically_relative(from_)) : is_scene_file(file);
+    return sprites ? std::ranges::binary_search(*sprites, file.lexically_relative(from_)) : is_scene_of_folder(file);
   };
   for (const fs::path& file : settled) {
     if (!is_utf8(file.native())) {

@@ -3,6 +3,7 @@
 #include "import_file.h"
 
 #include <foredraw/io/import_block.h>
+#include <foredraw/platform/program_stamp.h>
 #include <foredraw/platform/shared_block.h>
 #include <foredraw/platform/supervised.h>
 
@@ -31,7 +32,7 @@ void import_into(const SharedBlock& shared, const std::filesystem::path& file, c
   Told told;
   std::string why;
   try {
-    const std::string glb = import_file(file, root, told);
+    const std::string glb = file.empty() ? to_text(program_stamp()) : import_file(file, root, told);
     std::memcpy(shared.data() + glb_place, glb.data(), glb.size());
     block_of(shared).glb_bytes = glb.size();
   } catch (const std::bad_alloc&) {

@@ -4,6 +4,7 @@
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/import_block.h>
 #include <foredraw/io/text/private/file_kind.h>
+#include <foredraw/platform/file_facts.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/platform/program_stamp.h>
 #include <foredraw/platform/shared_block.h>
@@ -19,6 +20,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <span>
 #include <system_error>
 
 namespace foredraw {
@@ -99,6 +101,21 @@ ImportEnd wait_for_import(const ImportBlock& block, WatchedProcess& process, con
   return end_without_answer(block, limits);
 }
 
+/// Throws std::system_error where there is no block, or no process.
+ImportEnd run_importer(const SharedBlock& shared, const std::string& file, const std::string& root,
+                       const ImportLimits& limits) {
+  WatchedProcess process(limits.importer,
+                         {"--handed", std::to_string(process_number()), std::to_string(limits.memory), file, root},
+                         std::array{shared.descriptor()});
+  return wait_for_import(*reinterpret_cast<const ImportBlock*>(shared.data()), process, limits);
+}
+
+/// What it handed over.
+std::span<const std::byte> handed(const SharedBlock& shared) {
+  const ImportBlock& block = *reinterpret_cast<const ImportBlock*>(shared.data());
+  return {shared.data() + glb_place, std::min<std::size_t>(block.glb_bytes, shared.size() - glb_place)};
+}
+
 /// Tells of files and of what was left out; a refusal's reason becomes the end's.
 void take_told(const SharedBlock& shared, const std::string& file, const SceneInput& how, Diagnostics& diagnostics,
                ImportEnd& end) {
@@ -146,6 +163,19 @@ std::string imported_extensions() {
   return text;
 }
 
+Stamp importer_stamp(const ImportLimits& limits) {
+  if (limits.importer.empty()) return {};
+  const auto file = hashed_content(limits.importer.string(), ~std::uint64_t{0});
+  const Stamp alone = file ? file->stamp : Stamp{};
+  try {
+    const SharedBlock shared(import_block_bytes, false);
+    if (!run_importer(shared, "", "", limits).why.empty()) return alone;
+    return combine(std::array{alone, content_hash(handed(shared))});
+  } catch (const std::system_error&) {
+    return alone;
+  }
+}
+
 std::optional<Scene> read_imported(const fs::path& path, Diagnostics& diagnostics, const SceneInput& how,
                                    const ImportLimits& limits) {
   const std::string file = path.string();
@@ -158,19 +188,15 @@ std::optional<Scene> read_imported(const fs::path& path, Diagnostics& diagnostic
   std::vector<std::byte> glb;
   try {
     const SharedBlock shared(import_block_bytes, false);
-    WatchedProcess process(limits.importer,
-                           {"--handed", std::to_string(process_number()), std::to_string(limits.memory),
-                            fs::absolute(path).string(), how.root.empty() ? "" : fs::absolute(how.root).string()},
-                           std::array{shared.descriptor()});
-    const ImportBlock& block = *reinterpret_cast<const ImportBlock*>(shared.data());
-    ImportEnd end = wait_for_import(block, process, limits);
+    ImportEnd end = run_importer(shared, fs::absolute(path).string(),
+                                 how.root.empty() ? "" : fs::absolute(how.root).string(), limits);
     take_told(shared, file, how, diagnostics, end);
     if (!end.why.empty()) {
       diagnostics.error({.file = file}, "import-failed", end.why, end.hint);
       return std::nullopt;
     }
-    const auto* bytes = shared.data() + glb_place;
-    glb.assign(bytes, bytes + std::min<std::size_t>(block.glb_bytes, shared.size() - glb_place));
+    const auto bytes = handed(shared);
+    glb.assign(bytes.begin(), bytes.end());
   } catch (const std::system_error& error) {
     diagnostics.error({.file = file}, "import-failed", std::string("the importer can not be run: ") + error.what(),
                       other_way);

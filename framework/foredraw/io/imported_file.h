@@ -1,6 +1,7 @@
 #pragma once
 // Scenes of other formats, which the program foredraw-import turns into glTF in a process of its own.
 
+#include <foredraw/base/content_hash.h>
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/reading/scene_input.h>
 
@@ -25,6 +26,10 @@ ImportLimits import_limits();
 bool is_imported_file(const std::filesystem::path& path);
 /// ".3ds, .ac, .ase"
 std::string imported_extensions();
+
+/// Of the importer and the libraries that it loads: what one build reads, another may read otherwise. The stamp of
+/// nothing where there is none, and of its file alone where it does not answer.
+Stamp importer_stamp(const ImportLimits& limits);
 
 /// Of a file that is there. Files that it names are read below its folder or `how.root`; `how.files` is told of them.
 /// nullopt, with a diagnostic, where there is no importer, where it refuses the file, crashes, or reaches a limit.
