@@ -44,9 +44,9 @@ void read_number(const char* name, Number& number) {
 }
 
 fs::path found_importer() {
-  const char* named = std::getenv("FOREDRAW_IMPORTER");
-  if (named != nullptr && *named != '\0') return named;
   std::error_code error;
+  const char* named = std::getenv("FOREDRAW_IMPORTER");
+  if (named != nullptr && *named != '\0') return fs::exists(named, error) ? fs::absolute(named, error) : fs::path();
   for (const fs::path& from : {program_folder(), own_folder()}) {
     for (const char* way : {"", "../libexec/foredraw", "../../libexec/foredraw"}) {
       const fs::path place = from / way / "foredraw-import";
@@ -110,10 +110,11 @@ ImportEnd run_importer(const SharedBlock& shared, const std::string& file, const
   return wait_for_import(*reinterpret_cast<const ImportBlock*>(shared.data()), process, limits);
 }
 
-/// What it handed over.
+/// What it handed over; nothing where it says that there is more than there is room.
 std::span<const std::byte> handed(const SharedBlock& shared) {
-  const ImportBlock& block = *reinterpret_cast<const ImportBlock*>(shared.data());
-  return {shared.data() + glb_place, std::min<std::size_t>(block.glb_bytes, shared.size() - glb_place)};
+  const std::uint64_t bytes = reinterpret_cast<const ImportBlock*>(shared.data())->glb_bytes;
+  if (bytes > shared.size() - glb_place) return {};
+  return {shared.data() + glb_place, static_cast<std::size_t>(bytes)};
 }
 
 /// Tells of files and of what was left out; a refusal's reason becomes the end's.
@@ -180,9 +181,10 @@ std::optional<Scene> read_imported(const fs::path& path, Diagnostics& diagnostic
                                    const ImportLimits& limits) {
   const std::string file = path.string();
   if (limits.importer.empty()) {
-    diagnostics.error(
-        {.file = file}, "no-importer", "files of this kind are read by foredraw-import, which is not installed",
-        "install it beside foredraw (it is built where the package libassimp-dev is), or " + std::string(other_way));
+    diagnostics.error({.file = file}, "no-importer",
+                      "files of this kind are read by foredraw-import, which is not there",
+                      "install the package foredraw-import, or build it where the package libassimp-dev is, or " +
+                          std::string(other_way));
     return std::nullopt;
   }
   std::vector<std::byte> glb;
