@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, in four components: runtime (the program, presets, the schema of pipelines), libraries
+# What `cmake --install` puts where, in components: runtime (the program, presets, the schema of pipelines), import, libraries
 # (those for C), development (libraries, headers, the package for find_package) and python.
 #
 # Every library of ours is a component of the package foredraw with a file of its own, so that an engine gets the targets
@@ -12,6 +12,7 @@ set(foredraw_package_of_runtime foredraw)
 set(foredraw_package_of_libraries libforedraw1)
 set(foredraw_package_of_development libforedraw-dev)
 set(foredraw_package_of_python python3-foredraw)
+set(foredraw_package_of_import foredraw-import)
 
 # foredraw_install_component(scene): foredraw::scene, made by foredraw_add_library, or a shared library.
 function(foredraw_install_component name)
@@ -88,7 +89,11 @@ function(foredraw_install_package)
   set(examples "${CMAKE_INSTALL_DATAROOTDIR}/foredraw/examples")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/tests/embedding/c/" DESTINATION "${examples}/engine" COMPONENT development)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/hosts/module/examples/" DESTINATION "${examples}/module" COMPONENT development)
-  foreach(component runtime libraries development python)
+  set(documented runtime libraries development python)
+  if(TARGET foredraw_import)
+    list(APPEND documented import)
+  endif()
+  foreach(component IN LISTS documented)
     install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/LICENSES.md"
             DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/${foredraw_package_of_${component}}" COMPONENT ${component})
   endforeach()

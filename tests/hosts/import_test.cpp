@@ -116,6 +116,18 @@ TEST_F(Imported, ASkinBendsAsTheClipSays) {
             1e-4f);
 }
 
+TEST_F(Imported, ABoneMayBeCalledAsItsMesh) {
+  const Scene scene = read("tip.fbx", testing::bending_bar("tip").text());
+  EXPECT_LT(distance(shown(scene, {.clip = 0, .time = 1}), {0.1f, 1.1f, 1}), 1e-4f);
+}
+
+TEST_F(Imported, ASkinKeepsWhereItsGeometryWasMoved) {
+  const Scene scene =
+      read("moved.fbx", testing::bending_bar("bar", FbxBuilder::vector("GeometricTranslation", 0, 0, 50)).text());
+  EXPECT_LT(distance(shown(scene), {0.1f, 2.5f, 0.1f}), 1e-4f);
+  EXPECT_LT(distance(shown(scene, {.clip = 0, .time = 1}), {0.1f, 1.1f, 1.5f}), 1e-4f);
+}
+
 TEST_F(Imported, PivotsThatStandStillAreNodesNoMore) {
   const std::string turned =
       FbxBuilder::vector("PreRotation", 0, 90, 0) + "P: \"RotationActive\", \"bool\", \"\", \"\",1\n" +

@@ -1,5 +1,6 @@
 // A folder that people work in while the program watches: what they change comes out, once and whole, and nothing else.
 
+#include "support/fbx_builder.h"
 #include "support/image_builder.h"
 #include "support/meshes.h"
 #include "support/running_program.h"
@@ -94,6 +95,24 @@ TEST_F(Watch, AFileThatChangesIsMadeAnewAndNoOtherOne) {
   EXPECT_EQ(program.count("a.obj"), 2) << "a line each time";
   EXPECT_TRUE(output("a.glb") == clean("a.glb"));
   EXPECT_EQ(program.end(), 0);
+}
+
+TEST_F(Watch, AFileThatIsImportedIsAFileAsOthers) {
+  if (!fs::exists(fs::path(FOREDRAW_PROGRAM).parent_path() / "foredraw-import")) GTEST_SKIP() << "no foredraw-import";
+  put_quad("in/a.obj", 1);
+  testing::FbxBuilder file = testing::bending_bar();
+  file.texture(260, 250, "steel.png");
+  testing::put(folder_ / "in/bar.fbx", file.text());
+  Running program = watching();
+  program.tells("2 files up to date");
+  testing::put(folder_ / "in/bar.fbx", testing::bending_bar("post").text());
+  program.tells("bar.fbx: written", 2);
+  testing::put(folder_ / "in/bar.fbx", file.text());
+  program.tells("bar.fbx: written", 3);
+  testing::put(folder_ / "in/steel.png", "no picture");
+  program.tells("bar.fbx (steel.png changed): ");  // which was looked for, and was not there
+  EXPECT_EQ(program.end(), 0);
+  EXPECT_TRUE(output("bar.glb") == clean("bar.glb"));
 }
 
 TEST_F(Watch, AFileThatIsSavedInManyStepsIsTakenOnce) {

@@ -161,7 +161,7 @@ class FbxBuilder {
 
 /// A bar of 2 m by 20 cm that stands along Z, in centimetres, as 3ds Max and Blender have the axes: bones "root" and
 /// "tip" at its foot and its middle. In one second "Bend" turns the tip by 90 degrees, so that it points to glTF's +Z.
-inline FbxBuilder bending_bar() {
+inline FbxBuilder bending_bar(const std::string& name = "bar", const std::string& properties = {}) {
   FbxBuilder file({.up = 2, .front = 1, .front_sign = -1});
   std::vector<double> points;
   for (const double z : {0.0, 100.0, 200.0}) {
@@ -176,8 +176,8 @@ inline FbxBuilder bending_bar() {
       faces.insert(faces.end(), {ring + k, ring + next, ring + next + 4, -1 - (ring + k + 4)});
     }
   }
-  file.mesh(100, "bar", points, faces);
-  file.node(200, "bar", "Mesh");
+  file.mesh(100, name, points, faces);
+  file.node(200, name, "Mesh", properties);
   file.node(300, "root", "LimbNode");
   file.node(301, "tip", "LimbNode", FbxBuilder::vector("Lcl Translation", 0, 0, 100));
   file.connect(100, 200);
