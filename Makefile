@@ -46,7 +46,7 @@ tsan: TESTS = tsan
 fuzz: TESTS = fuzz
 fuzz: MORE = fuzz
 test asan tsan fuzz:
-	packages/install build test $(MORE)
+	packages/install build test import $(MORE)
 	cmake --preset $(TESTS) && cmake --build --preset $(TESTS) && ctest --preset $(TESTS)
 
 long-test: fuzz
@@ -122,7 +122,7 @@ level-walk:
 
 packages: export SOURCE_DATE_EPOCH ?= $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
 packages:
-	packages/install build package
+	packages/install build import package
 	cmake --preset release && cmake --build --preset release
 	cd build/release && cpack -G DEB
 	hosts/python/make_wheel build/release/packages
