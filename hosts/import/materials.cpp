@@ -1,5 +1,6 @@
 #include "materials.h"
 
+#include "axes.h"
 #include "textures.h"
 
 #include <assimp/material.h>
@@ -37,7 +38,7 @@ float within_one(float value, float otherwise) {
   return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;
 }
 
-Json material_of(const aiMaterial& from, Textures& textures) {
+Json material_of(const aiMaterial& from, bool picture_is_colour, Textures& textures) {
   Json material{{"name", from.GetName().C_Str()}};
   aiColor4D base(1, 1, 1, 1);
   if (from.Get(AI_MATKEY_BASE_COLOR, base) != aiReturn_SUCCESS) from.Get(AI_MATKEY_COLOR_DIFFUSE, base);
@@ -52,12 +53,16 @@ Json material_of(const aiMaterial& from, Textures& textures) {
   Json pbr;
   Json picture = texture_of(from, aiTextureType_BASE_COLOR, textures);
   if (picture.is_null()) picture = texture_of(from, aiTextureType_DIFFUSE, textures);
-  if (!picture.is_null()) pbr["baseColorTexture"] = picture;
+  if (!picture.is_null()) {
+    pbr["baseColorTexture"] = picture;
+    if (picture_is_colour) base = aiColor4D(1, 1, 1, 1);
+  }
   pbr["baseColorFactor"] = {within_one(base.r, 1), within_one(base.g, 1), within_one(base.b, 1), opacity};
   pbr["metallicFactor"] = within_one(metallic, 0);
   pbr["roughnessFactor"] = within_one(roughness, 1);
   material["pbrMetallicRoughness"] = pbr;
-  if (opacity < 1 || from.GetTextureCount(aiTextureType_OPACITY) != 0) material["alphaMode"] = "BLEND";
+  const bool has_alpha = !picture.is_null() && from.GetTextureCount(aiTextureType_OPACITY) != 0;
+  if (opacity < 1 || has_alpha) material["alphaMode"] = "BLEND";
 
   if (const Json normals = texture_of(from, aiTextureType_NORMALS, textures); !normals.is_null()) {
     material["normalTexture"] = normals;
@@ -81,7 +86,8 @@ Json material_of(const aiMaterial& from, Textures& textures) {
 
 void add_materials(const aiScene& scene, const ConfinedFiles& files, Glb& glb, Told& told) {
   Textures textures(scene, files, glb, told);
-  for (unsigned i = 0; i < scene.mNumMaterials; ++i) glb.add("materials", material_of(*scene.mMaterials[i], textures));
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i)
+    glb.add("materials", material_of(*scene.mMaterials[i], is_fbx(scene), textures));
 }
 
 }  // namespace foredraw::import

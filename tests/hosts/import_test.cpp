@@ -220,6 +220,9 @@ TEST_F(Imported, PicturesComeAlongAndAreNamedWhereTheyDoNot) {
   EXPECT_EQ(made->scene.images.size(), 1u);
   ASSERT_EQ(made->scene.materials.size(), 1u);
   EXPECT_EQ(made->scene.materials[0].name, "green");
+  EXPECT_EQ(made->scene.materials[0].colour, glm::vec3(1)) << "a picture of an FBX file takes the colour's place";
+  testing::put(folder_ / "leaf.png", "no picture");
+  EXPECT_EQ(read("leaf.fbx", file.text()).materials[0].colour, glm::vec3(0.5f, 0.25f, 1));
 }
 
 TEST_F(Imported, NothingIsReadOutsideTheFolder) {
