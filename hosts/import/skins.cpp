@@ -1,5 +1,9 @@
 #include "skins.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace foredraw::import {
 
 namespace {
@@ -9,6 +13,19 @@ void put_columns(const aiMatrix4x4& matrix, std::vector<float>& into) {
   for (unsigned column = 0; column < 4; ++column) {
     for (unsigned row = 0; row < 4; ++row) into.push_back(row < 3 ? matrix[row][column] : column < 3 ? 0.0f : 1.0f);
   }
+}
+
+bool bones_move_all(const aiMesh& mesh) {
+  std::vector<bool> moved(mesh.mNumVertices, false);
+  for (unsigned i = 0; i < mesh.mNumBones; ++i) {
+    const aiBone& bone = *mesh.mBones[i];
+    for (unsigned k = 0; k < bone.mNumWeights; ++k) {
+      const aiVertexWeight& one = bone.mWeights[k];
+      if (one.mVertexId < mesh.mNumVertices && one.mWeight > 0 && std::isfinite(one.mWeight))
+        moved[one.mVertexId] = true;
+    }
+  }
+  return std::ranges::find(moved, false) == moved.end();
 }
 
 }  // namespace
@@ -23,8 +40,10 @@ std::optional<std::size_t> add_skin(const aiMesh& mesh, std::size_t own, const a
     joints.push_back(node->second);
     put_columns(mesh.mBones[i]->mOffsetMatrix * of_geometry, inverse);
   }
-  joints.push_back(own);
-  put_columns(aiMatrix4x4(), inverse);
+  if (!bones_move_all(mesh)) {
+    joints.push_back(own);
+    put_columns(aiMatrix4x4(), inverse);
+  }
   return glb.add("skins", {{"joints", joints}, {"inverseBindMatrices", glb.add_floats(inverse, "MAT4", 16, 0)}});
 }
 

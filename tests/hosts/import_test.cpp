@@ -116,6 +116,23 @@ TEST_F(Imported, ASkinBendsAsTheClipSays) {
             1e-4f);
 }
 
+TEST_F(Imported, VerticesThatNoBoneMovesStayWithTheirNode) {
+  FbxBuilder file;
+  file.mesh(100, "leaf", {0, 0, 0, 100, 0, 0, 0, 0, 200}, {0, 1, -3});
+  file.node(200, "leaf", "Mesh");
+  file.node(300, "stem", "LimbNode");
+  file.connect(100, 200);
+  file.connect(200, 0);
+  file.connect(300, 0);
+  file.skin(400, 100);
+  file.cluster(401, 400, 300, {1}, {1}, 0);
+  file.clip(500, "Lift", 0, 1);
+  file.curve(510, 501, 300, "Lcl Translation", "d|Y", {{0, 0}, {1, 100}});
+  const std::vector<glm::vec3> lifted = shown(read("stem.fbx", file.text()), {.clip = 0, .time = 1});
+  EXPECT_LT(distance(lifted, {1, 1, 0}), 1e-4f);
+  EXPECT_LT(distance(lifted, {0, 0, 2}), 1e-4f);
+}
+
 TEST_F(Imported, ABoneMayBeCalledAsItsMesh) {
   const Scene scene = read("tip.fbx", testing::bending_bar("tip").text());
   EXPECT_LT(distance(shown(scene, {.clip = 0, .time = 1}), {0.1f, 1.1f, 1}), 1e-4f);
