@@ -5,6 +5,7 @@
 #include <foredraw/io/scene_file.h>
 #include <foredraw/io/sprite/sprite_files.h>
 
+#include <set>
 #include <unordered_map>
 
 namespace foredraw::cli {
@@ -13,21 +14,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where paths lead to, there or not. Of many files in a few folders, links are followed once for each folder; and
+/// Where paths lead to, there or not. Of many files in a few folders, the system is asked once for each folder; and
 /// texts take a tenth of the memory of paths.
 class Places {
  public:
   std::string of(const fs::path& file) {
     std::error_code error;
-    const fs::path whole = fs::absolute(file, error).lexically_normal();
-    if (fs::is_symlink(fs::symlink_status(whole, error))) return fs::weakly_canonical(whole, error).string();
+    const fs::path whole = (here_ / file).lexically_normal();
     const auto [at, is_new] = folders_.try_emplace(whole.parent_path().string());
-    if (is_new) at->second = fs::weakly_canonical(whole.parent_path(), error).string() + '/';
-    return at->second + whole.filename().string();
+    if (is_new) at->second = looked_at(whole.parent_path());
+    const std::string name = whole.filename().string();
+    return at->second.links.contains(name) ? fs::weakly_canonical(whole, error).string() : at->second.place + name;
   }
 
  private:
-  std::unordered_map<std::string, std::string> folders_;
+  struct Folder {
+    std::string place;            ///< with a slash behind it
+    std::set<std::string> links;  ///< in it
+  };
+
+  static Folder looked_at(const fs::path& folder) {
+    std::error_code error;
+    Folder found{fs::weakly_canonical(folder, error).string() + '/', {}};
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+      std::error_code gone;
+      if (at->is_symlink(gone)) found.links.insert(at->path().filename().string());
+    }
+    return found;
+  }
+
+  static fs::path here() {
+    std::error_code error;
+    return fs::current_path(error);
+  }
+
+  fs::path here_ = here();
+  std::unordered_map<std::string, Folder> folders_;
 };
 
 constexpr std::size_t an_input = ~std::size_t{0};
