@@ -33,7 +33,8 @@ EnergyMesh::EnergyMesh(std::span<const glm::vec3> positions, std::span<const std
       values_(scalars.values.begin(), scalars.values.end()),
       width_(options.scalar > 0 ? scalars.width : 0) {
   if (!(frame_.diagonal > 0)) frame_.diagonal = 1;
-  for (float& value : values_) value = std::isfinite(value) ? value : 0.0f;
+  constexpr float most = 1e30f;  // so that what two of them differ by is a float, and its square a double
+  for (float& value : values_) value = std::isfinite(value) ? std::clamp(value, -most, most) : 0.0f;
   places_.reserve(positions.size());
   for (std::uint32_t p = 0; p < positions.size(); ++p) {
     places_.push_back(recorder_.is_finite(p) ? at(positions[p]) : glm::dvec3(0));

@@ -103,6 +103,17 @@ TEST(EnergyCollapse, SeamsStay) { testing::expect_seams_stay(with({})); }
 
 TEST(EnergyCollapse, TakesWhateverItIsGiven) { testing::expect_odd_meshes_run(with({.samples = 2})); }
 
+/// Numbers whose differences are no floats.
+TEST(EnergyCollapse, TakesWhateverVerticesCarry) {
+  const testing::TestMesh mesh = testing::torus(16, 8);
+  std::vector<float> scalars;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    scalars.push_back(v % 2 == 0 ? 3e38f : v % 3 == 0 ? NAN : -3e38f);
+  const CollapseSequence sequence = energy_collapse(mesh.positions, mesh.indices, {scalars, 1}, {.samples = 2});
+  EXPECT_EQ(replay(sequence, mesh.positions, mesh.indices).mistake, "");
+  EXPECT_GT(sequence.collapses.size(), 50u);
+}
+
 TEST(EnergyCollapse, StopsWhereItIsToldTo) {
   testing::expect_it_stops(with({}));
   const TestMesh torus = testing::closed_torus(16, 8);
