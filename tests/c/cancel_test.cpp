@@ -174,6 +174,7 @@ class CancelledRuns : public ::testing::TestWithParam<std::string> {
     if (preset == "character") return read(corpus + "animated/cesium_man_notex.glb");
     if (preset == "city") return read(corpus + "scenes/house.glb");
     if (preset == "wires") return scene_of(Wires(2000));
+    if (preset == "levels" || preset == "simplify") return scene_of(Ring(200));
     if (preset != "displaced") return scene_of(Ring(preset == "crowd" || preset == "walk" ? 150 : 400));
     const SceneHandle plain = scene_of(Ring(100));
     const std::string pipeline = "displacement(map=\"" + corpus + "particles/kenney_dirt_03.png\")";

@@ -43,7 +43,7 @@ TEST_P(FilesWithoutMemory, AreNotRead) {
 }
 
 TEST_P(FilesWithoutMemory, AreNotReadInMemory) {
-  if (!path_.ends_with(".glb")) GTEST_SKIP() << "has files beside it";
+  if (!path_.ends_with(".glb")) GTEST_SKIP() << "is not read from memory";
   const std::string bytes = bytes_of(path_);
   expect_survives([&] {
     foredraw_scene* scene = nullptr;
@@ -54,6 +54,7 @@ TEST_P(FilesWithoutMemory, AreNotReadInMemory) {
 }
 
 TEST_P(FilesWithoutMemory, AreNotWritten) {
+  if (path_.find(".gl") == std::string::npos) GTEST_SKIP() << "what was no glTF ends the program: docs/c-library.md";
   const fs::path folder = fs::temp_directory_path() / ("foredraw_" + std::to_string(::getpid()));
   foredraw_scene *scene = nullptr, *changed = nullptr;
   ASSERT_EQ(foredraw_read(context_, path_.c_str(), &scene, nullptr), FOREDRAW_DONE);
@@ -80,12 +81,12 @@ TEST_P(FilesWithoutMemory, AreNotWritten) {
   foredraw_scene_free(scene);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, FilesWithoutMemory,
-                         ::testing::Values("benchmarks/corpus/static/spot.glb",
-                                           "benchmarks/corpus/animated/cesium_man_notex.glb",
-                                           "tests/compressed/robot.glb", "tests/compressed/rover.glb",
-                                           "tests/compressed/spot_fallback.gltf"),
-                         [](const auto& file) { return fs::path(file.param).stem().string(); });
+INSTANTIATE_TEST_SUITE_P(
+    Files, FilesWithoutMemory,
+    ::testing::Values("benchmarks/corpus/static/spot.glb", "benchmarks/corpus/animated/cesium_man_notex.glb",
+                      "tests/compressed/robot.glb", "tests/compressed/rover.glb", "tests/compressed/spot_fallback.gltf",
+                      "tests/hostile/meshes/assimp/concave_polygon.obj", "tests/hostile/meshes/assimp/issue623.ply"),
+    [](const auto& file) { return fs::path(file.param).stem().string(); });
 
 }  // namespace
 }  // namespace foredraw::testing

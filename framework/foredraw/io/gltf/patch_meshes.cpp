@@ -112,9 +112,10 @@ class MeshPatch {
     mesh_ = m;
     primitive_ = primitives_[m].size();
     primitives_[m].push_back(
-        was == nullptr ? Json{{"attributes", Json::object()}}
+        was == nullptr ? Json::object()
                        : source_.document.json["meshes"][now.origin->mesh]["primitives"][now.origin->primitive]);
     Json& json = primitives_[m].back();
+    if (was == nullptr) json["attributes"] = Json::object();
     if (!vertices(now, was, json)) return false;
     corners(now, was, json);
     further_orders(now, was, json);

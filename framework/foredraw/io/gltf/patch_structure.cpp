@@ -36,6 +36,14 @@ Json numbers(const float* from, int count) {
   return result;
 }
 
+/// The list of that name, which is made where there is none: what the library makes of null can not be freed where
+/// memory runs out in it.
+Json& list_in(Json& holder, const char* name) {
+  Json& list = holder[name];
+  if (list.is_null()) list = Json::array();
+  return list;
+}
+
 Json json_of(const Node& node) {
   Json json = Json::object();
   if (!node.name.empty()) json["name"] = node.name;
@@ -90,7 +98,7 @@ class StructurePatch {
     if (!said || !materials() || !images()) return false;
     add_nodes();
     for (std::size_t i = was_.skins.size(); i < scene_.skins.size(); ++i)
-      json_["skins"][i] = json_of(scene_.skins[i], store_);
+      list_in(json_, "skins")[i] = json_of(scene_.skins[i], store_);
     return true;
   }
 
@@ -152,7 +160,7 @@ class StructurePatch {
 
   void add_nodes() {
     for (std::size_t i = was_.nodes.size(); i < scene_.nodes.size(); ++i) {
-      json_["nodes"][i] = json_of(scene_.nodes[i]);
+      list_in(json_, "nodes")[i] = json_of(scene_.nodes[i]);
       if (const auto instances = scene_.nodes[i].instances.view(); !instances.empty()) {
         json_["nodes"][i]["extensions"][mesh_gpu_instancing] = instancing_of(instances, store_);
         // Who does not know it would show one where there are many, also in a file that could do without it so far.
@@ -162,7 +170,9 @@ class StructurePatch {
     for (const NodeId root : roots_of(scene_)) {
       if (root < was_.nodes.size() || !scene_.nodes[root].is_shown) continue;  // a coarser node is in no scene
       if (!json_.contains("scene")) json_["scene"] = 0;
-      json_["scenes"][json_["scene"].get<std::size_t>()]["nodes"].push_back(root);
+      Json& scene = list_in(json_, "scenes")[json_["scene"].get<std::size_t>()];
+      if (scene.is_null()) scene = Json::object();
+      list_in(scene, "nodes").push_back(root);
     }
   }
 
@@ -174,7 +184,7 @@ class StructurePatch {
       while (old >= was_.materials.size() && scene_.materials[old].copy_of) old = *scene_.materials[old].copy_of;
       const bool is_old = old < was_.materials.size();
       if (i >= was_.materials.size()) {
-        json_["materials"][i] = is_old ? Json(json_["materials"][old]) : Json::object();
+        list_in(json_, "materials")[i] = is_old ? Json(json_["materials"][old]) : Json::object();
       }
       const Material was = is_old ? was_.materials[old] : Material{};
       put_material(i, now, was, json_);
@@ -192,7 +202,7 @@ class StructurePatch {
   }
 
   bool image(std::size_t i, const Image& now, const Image& was) {
-    if (i >= was_.images.size()) json_["images"][i] = Json::object();
+    if (i >= was_.images.size()) list_in(json_, "images")[i] = Json::object();
     Json& json = json_["images"][i];
     if (now.name != was.name) json["name"] = now.name;
     if (!now.uri.empty() && now.uri != was.uri) {

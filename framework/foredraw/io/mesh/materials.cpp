@@ -19,6 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Not by a list in braces, which leaks where memory runs out, nor by a member of null, which can not be freed then.
+Json object_of(const char* key, Json value) {
+  Json object = Json::object();
+  object[key] = std::move(value);
+  return object;
+}
+
 /// A path as libraries write it, with either slash, to one that may be opened; empty, with a fault, where it may not.
 std::string path_beside(std::string_view written, const char* what, const Where& told_at, const FilePlaces& where,
                         Faults& faults) {
@@ -58,7 +65,8 @@ class LibraryReader {
     is_open_ = !name.empty() && names_.insert(name).second;
     if (!is_open_) return;
     library.materials.push_back({.name = name});
-    library.json.push_back({{"name", name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+    Json& json = library.json.emplace_back(object_of("name", name));
+    json["pbrMetallicRoughness"] = object_of("metallicFactor", 0);
     color_ = {1, 1, 1, 1};
   }
 
@@ -109,7 +117,7 @@ class LibraryReader {
     const std::string uri = gltf::percent_encoded(path);
     const auto [found, is_new] = image_numbers_.try_emplace(uri, library.images.size());
     if (is_new) library.images.push_back({.uri = uri});
-    library.json.back()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", found->second}};
+    library.json.back()["pbrMetallicRoughness"]["baseColorTexture"] = object_of("index", found->second);
   }
 
   const FilePlaces& where_;
@@ -182,18 +190,20 @@ std::shared_ptr<const gltf::Source> gltf_source_of(Json materials, Scene& scene,
                                                    Faults& faults) {
   find_unknown(std::span(scene.materials).subspan(materials.size()), scene.name, faults);
   for (std::size_t i = materials.size(); i < scene.materials.size(); ++i) {
-    materials.push_back({{"name", scene.materials[i].name}});
+    materials.push_back(object_of("name", scene.materials[i].name));
   }
   part_from_textures(materials, scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) gltf::add_stamps(scene.materials[i], materials[i]);
   gltf::Document document;
   document.name = scene.name;
   document.folder = folder;
-  document.json = {{"asset", {{"version", "2.0"}, {"generator", "foredraw"}}}};
+  document.json = object_of("asset", object_of("version", "2.0"));
+  document.json["asset"]["generator"] = "foredraw";
   if (!materials.empty()) document.json["materials"] = std::move(materials);
+  if (!scene.images.empty()) document.json["textures"] = Json::array(), document.json["images"] = Json::array();
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
-    document.json["textures"].push_back({{"source", i}});
-    document.json["images"].push_back({{"uri", scene.images[i].uri}});
+    document.json["textures"].push_back(object_of("source", i));
+    document.json["images"].push_back(object_of("uri", scene.images[i].uri));
   }
   Scene as_read;
   as_read.materials = scene.materials;
