@@ -3,6 +3,7 @@
 #include "touching_draws.h"
 
 #include <foredraw/analysis/diagonal.h>
+#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/scene/vertex_groups.h>
 #include <foredraw/technique/plugin.h>
@@ -10,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace foredraw {
 
@@ -24,14 +27,35 @@ struct QuantizeOptions {
   double translation_error = 3e-5;
   double rotation_error = .07;
   double scale_error = 1e-4;
+  int position_bits = 0;
+  int direction_bits = 0;
+  int uv_bits = 0;
 };
 
 constexpr double texels = 4096;
 
+/// Half the diagonal of a cell of a grid of so many bits over a length of 1.
+double half_cell(int bits, double dimensions) { return std::sqrt(dimensions) / 2 / ((1 << bits) - 1); }
+
+/// How far the middle between points of an octahedron of so many bits is from them, in degrees.
+double between_directions(int bits) { return .86 * 127 / ((1 << (bits - 1)) - 1); }
+
+/// The largest side of the box.
+double side_of(std::span<const glm::vec3> positions) {
+  glm::vec3 least(std::numeric_limits<float>::infinity()), most(-least);
+  for (const glm::vec3& position : positions) {
+    if (!is_finite(position)) continue;
+    least = glm::min(least, position);
+    most = glm::max(most, position);
+  }
+  const glm::dvec3 sides = glm::dvec3(most) - glm::dvec3(least);
+  return std::max({sides.x, sides.y, sides.z, 0.0});
+}
+
 /// [draw] how far its positions may be off: what hangs together has one lattice.
 std::vector<double> position_tolerances(const Scene& scene, const std::vector<DrawId>& draws,
                                         const std::vector<VertexGroup>& groups, const std::vector<Meeting>& meetings,
-                                        double part, Run& run) {
+                                        const QuantizeOptions& options, Run& run) {
   JoinedSets sets(scene.draws.size());
   const std::vector<Subject> subjects = subjects_of(scene, run.subjects);
   for (const Subject& subject : subjects) {
@@ -41,8 +65,10 @@ std::vector<double> position_tolerances(const Scene& scene, const std::vector<Dr
   for (const DrawId id : draws) {
     const auto positions = positions_of(run.analyses, *scene.draws[id].full().vertices);
     double& size = sizes[sets.of(id)];
-    size = std::max(size, diagonal_of(positions->values));
+    const bool by_bits = options.position_bits > 0;
+    size = std::max(size, by_bits ? side_of(positions->values) : diagonal_of(positions->values));
   }
+  const double part = options.position_bits > 0 ? half_cell(options.position_bits, 3) : options.position_error;
   std::vector<double> tolerances(scene.draws.size());
   for (const DrawId id : draws) tolerances[id] = part * sizes[sets.of(id)];
   for (const VertexGroup& group : groups) {
@@ -70,15 +96,17 @@ class QuantizeVertices final : public Processor {
           "not quantised: it shares its vertices with " + scene.draws[held.by].name + ", which must stay as it is");
     }
     const std::vector<Meeting> meetings = meetings_of(scene, draws, run.analyses);
-    const std::vector<double> tolerances =
-        position_tolerances(scene, draws, groups, meetings, options_.position_error, run);
+    const std::vector<double> tolerances = position_tolerances(scene, draws, groups, meetings, options_, run);
+    const double direction =
+        options_.direction_bits > 1 ? between_directions(options_.direction_bits) : options_.direction_error;
+    const double uv = options_.uv_bits > 0 ? half_cell(options_.uv_bits, 2) : options_.uv_error / texels;
 
     std::vector<Quantized> made(groups.size());
     run.executor.for_each(groups.size(), [&](std::size_t i) {
       made[i] = quantize(*groups[i].vertices,
                          {.position = tolerances[groups[i].users.front().draw],
-                          .direction = options_.direction_error,
-                          .uv = options_.uv_error / texels,
+                          .direction = direction,
+                          .uv = uv,
                           .color = options_.color_error,
                           .weight = options_.weight_error},
                          run.cancel);
@@ -202,7 +230,16 @@ Plugin quantize_plugin() {
       .row(&QuantizeOptions::rotation_error, "rotation-error",
            "How far animated rotations may be off at any key; 0: they stay", {0, 45, "degrees"})
       .row(&QuantizeOptions::scale_error, "scale-error", "How far animated scales may be off at any key; 0: they stay",
-           {0, 1, "of 1"});
+           {0, 1, "of 1"})
+      .row(&QuantizeOptions::position_bits, "position-bits",
+           "In place of position-error: the error of a grid of so many bits over the largest side of the subject's "
+           "largest draw; 0: by error",
+           {0, 24, "bits"})
+      .row(&QuantizeOptions::direction_bits, "direction-bits",
+           "In place of direction-error: the error of so many bits for each of two components; 0 or 1: by error",
+           {0, 16, "bits"})
+      .row(&QuantizeOptions::uv_bits, "uv-bits",
+           "In place of uv-error: the error of a grid of so many bits over the texture; 0: by error", {0, 24, "bits"});
   bind_options(plugin, table,
                [](const QuantizeOptions& options) { return std::make_unique<QuantizeVertices>(options); });
   return plugin;

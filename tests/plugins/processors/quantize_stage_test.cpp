@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <set>
 
@@ -52,6 +53,23 @@ TEST(QuantizeStage, SheetsApartHaveLatticesOfTheirOwn) {
     }
   }
   EXPECT_LT(least[0], least[1]);
+}
+
+TEST(QuantizeStage, BitsStandForTheErrorOfTheirGrid) {
+  const Scene scene = two_sheets(7);
+  for (const int bits : {6, 10, 14}) {
+    const Result result =
+        testing::run("quantize(position-error=.1, position-bits=" + std::to_string(bits) + ")", scene);
+    const auto was = decode_vec3(*scene.draws[1].full().vertices->find("POSITION"));
+    const auto is = decode_vec3(*result.scene.draws[1].full().vertices->find("POSITION"));
+    double farthest = 0;
+    for (std::size_t v = 0; v < was.size(); ++v) {
+      farthest = std::max(farthest, double{glm::distance(glm::dvec3(was[v]), glm::dvec3(is[v]))});
+    }
+    const double middle = std::sqrt(3.0) / 2 * 3 / ((1 << bits) - 1);
+    EXPECT_LE(farthest, middle) << bits;
+    EXPECT_GT(farthest, middle / 4) << bits;
+  }
 }
 
 TEST(QuantizeStage, WhatWasNearBecomesEqualAndIsWelded) {
