@@ -45,6 +45,23 @@ def text_of(of):
            f"volume {of['volume']:.0e}{triangles}{clips}"
 
 
+def error_of(of):
+    if of is None or "failed" in of:
+        return "refused"
+    error = max(of["at_rest"], of["in_motion"])
+    missing = of["expected"] - of["triangles"]
+    return ("-" if error > 1e9 else f"{error:.1e}") + (f", {missing} triangles missing" if missing else "")
+
+
+def markdown(rows):
+    """The table of docs/importing.md."""
+    print("| file | triangles | clips | `foredraw-import` | FBX2glTF |\n|---|---|---|---|---|")
+    for row in rows:
+        ours = row.get("foredraw", {})
+        print(f"| {row['file']} | {ours.get('expected', '')} | {ours.get('clips', '')} | {error_of(row.get('foredraw'))} "
+              f"| {error_of(row.get('fbx2gltf'))} |")
+
+
 def is_within(of, limit):
     return of is not None and "failed" not in of and of["triangles"] == of["expected"] \
         and of["poses_without_clip"] == 0 and max(of["at_rest"], of["in_motion"]) <= limit
@@ -58,6 +75,7 @@ def main():
     options.add_argument("--fbx2gltf", type=Path)
     options.add_argument("--poses", type=int, default=9)
     options.add_argument("--limit", type=float, default=1e-3)
+    options.add_argument("--markdown", action="store_true", help="prints a table, too")
     options.add_argument("--json", type=Path, help="writes all figures there")
     args = options.parse_args()
     bench = args.build / "benchmarks/importing/imported-poses-bench"
@@ -90,6 +108,8 @@ def main():
         within = sum(is_within(row.get(name), args.limit) for row in asked)
         if any(name in row for row in rows):
             print(f"{name}: {within} of {len(asked)} files within {args.limit} of ufbx")
+    if args.markdown:
+        markdown(asked)
     if args.json:
         args.json.write_text(json.dumps(rows, indent=1))
 

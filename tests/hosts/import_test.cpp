@@ -1,20 +1,11 @@
-// Scenes of other formats: what comes of them is what their files say, and no file and no importer ends the program.
+// Scenes of other formats: what comes of them is what their files say.
 
-#include "support/fbx_builder.h"
 #include "support/image_builder.h"
-#include "support/meshes.h"
-#include "support/program.h"
-
-#include <foredraw/io/scene_file.h>
-#include <foredraw/scene/subject.h>
-#include <foredraw/viewing/animation.h>
-#include <foredraw/viewing/posed_positions.h>
+#include "support/importing.h"
 
 #include <gmock/gmock.h>
-#include <glm/geometric.hpp>
 
-#include <chrono>
-#include <random>
+#include <cmath>
 
 namespace foredraw {
 namespace {
@@ -24,57 +15,9 @@ using testing::content;
 using testing::Ended;
 using testing::FbxBuilder;
 using ::testing::HasSubstr;
+using testing::Imported;
 using ::testing::Not;
-
-constexpr const char* quick = " -p 'tipsify, vertex-fetch' --with vertex-cache";
-
-class Imported : public testing::InFolder {
- protected:
-  Imported() {
-    ::setenv("FOREDRAW_IMPORTER", FOREDRAW_IMPORT_PROGRAM, 1);
-    for (const char* name : {"FOREDRAW_IMPORT_SECONDS", "FOREDRAW_IMPORT_MEMORY", "FOREDRAW_STAND_IN"})
-      ::unsetenv(name);
-  }
-
-  Ended run(const std::string& arguments, const std::string& before = {}) {
-    return testing::run_program(folder_, arguments, before);
-  }
-  /// With the stand-in for the importer.
-  Ended run_with(const std::string& stand_in, const std::string& more = {}) {
-    testing::put(folder_ / "bar.fbx", testing::bending_bar().text());
-    return run(
-        "optimize bar.fbx -o bar.glb" + std::string(quick),
-        "export FOREDRAW_STAND_IN='" + stand_in + "' FOREDRAW_IMPORTER='" FOREDRAW_STAND_IN_PROGRAM "' " + more + ";");
-  }
-
-  Scene read(const std::string& name, const std::string& text) {
-    testing::put(folder_ / name, text);
-    Diagnostics diagnostics;
-    auto file = read_scene((folder_ / name).string(), diagnostics, {});
-    EXPECT_TRUE(file) << to_text(diagnostics);
-    told_ = to_text(diagnostics);
-    return file ? std::move(file->scene) : Scene{};
-  }
-
-  /// Of all vertices that are shown, part by part.
-  static std::vector<glm::vec3> shown(const Scene& scene, const Pose& pose = {}) {
-    std::vector<glm::vec3> all;
-    const PosedNodes nodes = posed_nodes(scene, pose);
-    for (const Subject& subject : subjects_of(scene, SubjectUnit::scene)) {
-      for (const SubjectPart& part : subject.parts) {
-        for (const glm::vec3& place : posed_positions(scene, part, nodes)) all.push_back(place);
-      }
-    }
-    return all;
-  }
-  static float distance(const std::vector<glm::vec3>& from, const glm::vec3& to) {
-    float least = 1e30f;
-    for (const glm::vec3& one : from) least = std::min(least, glm::length(one - to));
-    return least;
-  }
-
-  std::string told_;
-};
+using testing::quick;
 
 std::vector<std::byte> small_png() {
   return testing::png_of({.width = 2, .height = 2, .channels = 3, .bits = 8}, std::vector<std::uint16_t>(12, 99));
@@ -291,145 +234,6 @@ TEST_F(Imported, ThreeDs) {
   const Scene scene = read("leaf.3ds", chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("leaf\0", 5) + mesh))));
   ASSERT_EQ(scene.draws.size(), 1u);
   EXPECT_EQ(scene.draws[0].full().stream().triangle_count(), 1u);
-}
-
-TEST_F(Imported, TheProgramOptimizesAnFbx) {
-  testing::put(folder_ / "bar.fbx", testing::bending_bar().text());
-  const Ended ended = run("optimize bar.fbx -o bar.glb -p @default");
-  EXPECT_EQ(ended.code, 0) << ended.err;
-  Diagnostics diagnostics;
-  const auto made = read_scene((folder_ / "bar.glb").string(), diagnostics, {});
-  ASSERT_TRUE(made) << to_text(diagnostics);
-  EXPECT_LT(distance(shown(made->scene, {.clip = 0, .time = 1}), {0.1f, 1.1f, 1}), 1e-4f);
-  EXPECT_EQ(run("inspect bar.fbx").code, 0);
-  const Ended as_fbx = run("optimize bar.fbx -o other.fbx");
-  EXPECT_EQ(as_fbx.code, 1);
-  EXPECT_THAT(as_fbx.err, HasSubstr(".glb"));
-}
-
-TEST_F(Imported, WithoutAnImporterTheMessageSaysWhatToInstall) {
-  testing::put(folder_ / "bar.fbx", testing::bending_bar().text());
-  const Ended ended = run("optimize bar.fbx -o bar.glb", "export FOREDRAW_IMPORTER=/nowhere/foredraw-import;");
-  EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("foredraw-import"));
-  EXPECT_THAT(ended.err, HasSubstr("libassimp-dev"));
-}
-
-TEST_F(Imported, WhateverTheImporterDoesIsOneError) {
-  using namespace std::chrono_literals;
-  for (const auto& [stand_in, told] :
-       std::vector<std::pair<std::string, std::string>>{{"leaves", "bar.fbx: error:"},
-                                                        {"is ended", "bar.fbx: error:"},
-                                                        {"rubbish", "bar.fbx: error:"},
-                                                        {"nothing", "bar.fbx: error:"},
-                                                        {"half", "bar.fbx: error:"},
-                                                        {"no end", "bar.fbx: error:"},
-                                                        {"words", "its words are ?[31mred?"}}) {
-    SCOPED_TRACE(stand_in);
-    const Ended ended = run_with(stand_in);
-    EXPECT_EQ(ended.code, 2) << ended.err;
-    EXPECT_THAT(ended.err, HasSubstr("bar.fbx: error:"));
-    EXPECT_THAT(ended.err, HasSubstr(stand_in == "words" ? "its words are" : told));
-    EXPECT_THAT(ended.err, Not(HasSubstr("\x1b")));
-    EXPECT_FALSE(fs::exists(folder_ / "bar.glb"));
-  }
-  const auto begin = std::chrono::steady_clock::now();
-  const Ended ended = run_with("hangs", "FOREDRAW_IMPORT_SECONDS=1");
-  EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("was not done within 1 seconds"));
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, 20s);
-}
-
-TEST_F(Imported, MemoryHasALimit) {
-  if (testing::is_sanitized) GTEST_SKIP() << "sanitizers keep terabytes mapped";
-  testing::put(folder_ / "bar.fbx", testing::bending_bar().text());
-  const Ended ended = run("optimize bar.fbx -o bar.glb", "export FOREDRAW_IMPORT_MEMORY=300000;");
-  EXPECT_EQ(ended.code, 2) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("bar.fbx: error:"));
-}
-
-TEST_F(Imported, AFolderHoldsThemBesideOthers) {
-  fs::create_directories(folder_ / "in");
-  testing::put(folder_ / "in/bar.fbx", testing::bending_bar().text());
-  testing::put(folder_ / "in/broken.fbx", testing::bending_bar().text().substr(0, 900));
-  testing::put(folder_ / "in/quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
-  fs::copy_file(testing::project_file("benchmarks/corpus/static/spot.glb"), folder_ / "in/spot.glb");
-  testing::put(folder_ / "in/spot.fbx", testing::bending_bar().text());
-  const Ended ended = run("optimize in -o out" + std::string(quick));
-  EXPECT_EQ(ended.code, 2) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("broken.fbx: error:"));
-  for (const char* name : {"bar.glb", "quad.glb", "spot.glb"}) EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
-  EXPECT_GT(fs::file_size(folder_ / "out/spot.glb"), 50000u) << "of the .glb, and not of the .fbx beside it";
-
-  const Ended without =
-      run("optimize in -o others" + std::string(quick), "export FOREDRAW_IMPORTER=/nowhere/foredraw-import;");
-  EXPECT_EQ(without.code, 0) << without.err;
-  EXPECT_THAT(without.err, HasSubstr("is passed by"));
-  EXPECT_TRUE(fs::exists(folder_ / "others/spot.glb"));
-}
-
-TEST_F(Imported, ACacheKnowsTheImportersBuild) {
-  fs::create_directories(folder_ / "in");
-  testing::put(folder_ / "in/bar.fbx", testing::bending_bar().text());
-  fs::copy_file(FOREDRAW_IMPORT_PROGRAM, folder_ / "other-import");
-  const std::string optimize = "optimize in -o out --cache cache --report r.json" + std::string(quick);
-  const auto is_kept = [&] { return content(folder_ / "r.json").find("\"cached\": true") != std::string::npos; };
-  ASSERT_EQ(run(optimize).code, 0);
-  EXPECT_FALSE(is_kept());
-  ASSERT_EQ(run(optimize).code, 0);
-  EXPECT_TRUE(is_kept());
-  std::ofstream(folder_ / "other-import", std::ios::app) << "another build";
-  ASSERT_EQ(run(optimize, "export FOREDRAW_IMPORTER=./other-import;").code, 0);
-  EXPECT_FALSE(is_kept());
-}
-
-/// What is left of a file after damage: cut short, bytes changed, pieces moved.
-std::string damaged(const std::string& text, std::mt19937& random) {
-  std::string made = text;
-  const auto below = [&](std::size_t end) { return random() % std::max<std::size_t>(end, 1); };
-  switch (random() % 4) {
-    case 0: made.resize(below(made.size())); break;
-    case 1:
-      for (std::size_t k = 0, count = 1 + below(30); k < count; ++k) {
-        made[below(made.size())] = static_cast<char>(random());
-      }
-      break;
-    case 2: made.insert(below(made.size()), made.substr(below(made.size()), below(3000))); break;
-    default: {
-      const std::size_t at = made.find_first_of("0123456789", below(made.size()));
-      constexpr std::array numbers{"-1", "4294967295", "1e308", "nan", "99999999999999999999", "2147483648"};
-      if (at != std::string::npos) made.replace(at, 1, numbers[below(numbers.size())]);
-    }
-  }
-  return made;
-}
-
-void expect_no_end(const fs::path& folder, const std::string& text, std::mt19937& random) {
-  testing::put(folder / "damaged.fbx", damaged(text, random));
-  const Ended ended = testing::run_program(folder, "optimize damaged.fbx -o made.glb -p 'tipsify' --with vertex-cache",
-                                           "export FOREDRAW_IMPORT_SECONDS=20 FOREDRAW_IMPORT_MEMORY=1000000000;");
-  EXPECT_THAT(ended.code, ::testing::AnyOf(0, 2)) << ended.err;
-  if (ended.code != 2) return;
-  EXPECT_THAT(ended.err, HasSubstr("damaged.fbx: error:"));
-}
-
-TEST_F(Imported, DamagedFilesNeverEndTheProgram) {
-  std::mt19937 random(1);
-  const std::string text = testing::bending_bar().text();
-  for (int i = 0; i < 60; ++i) expect_no_end(folder_, text, random);
-}
-
-/// FOREDRAW_FUZZ_SECONDS and FOREDRAW_FUZZ_FILE: for how long (600), and of which file.
-TEST_F(Imported, DamagedFilesNeverEndTheProgramLong) {
-  using Clock = std::chrono::steady_clock;
-  const char* asked = std::getenv("FOREDRAW_FUZZ_SECONDS");
-  const char* named = std::getenv("FOREDRAW_FUZZ_FILE");
-  const auto end = Clock::now() + std::chrono::seconds(asked == nullptr ? 600 : std::atoi(asked));
-  std::mt19937 random(2);
-  const std::string text = named == nullptr ? testing::bending_bar().text() : content(named);
-  std::size_t runs = 0;
-  for (; Clock::now() < end && !HasFailure(); ++runs) expect_no_end(folder_, text, random);
-  std::fprintf(stderr, "%zu damaged files\n", runs);
 }
 
 }  // namespace
