@@ -8,7 +8,8 @@ which are compiled with `cc`. Of each file, as it stands and at N frames (9) of 
 world space: the farthest that a corner of one lies from the nearest corner of the other, over the diagonal of the box.
 Areas and volumes are told beside it: they show corners that were exchanged and triangles that were turned round, and differ
 a little where polygons that are not flat were cut otherwise. FBX2glTF's output
-is compared with ufbx's poses in the same way. Prints a line for each file and says how many have the same triangles within E (0.001).
+is compared with ufbx's poses in the same way. Poses of takes
+without keys, which are no clips in glTF, are passed by. Prints a line for each file and says how many have the same triangles within E (0.001).
 """
 
 import argparse
@@ -64,7 +65,7 @@ def markdown(rows):
 
 def is_within(of, limit):
     return of is not None and "failed" not in of and of["triangles"] == of["expected"] \
-        and of["poses_without_clip"] == 0 and max(of["at_rest"], of["in_motion"]) <= limit
+        and max(of["at_rest"], of["in_motion"]) <= limit
 
 
 def main():
