@@ -7,9 +7,9 @@ BUILD is a build folder with benchmarks (imported-poses-bench) and foredraw-impo
 which are compiled with `cc`. Of each file, as it stands and at N frames (9) of each animation, the triangles are compared in
 world space: the farthest that a corner of one lies from the nearest corner of the other, over the diagonal of the box.
 Areas and volumes are told beside it: they show corners that were exchanged and triangles that were turned round, and differ
-a little where polygons that are not flat were cut otherwise. FBX2glTF's output
-is compared with ufbx's poses in the same way. Poses of takes
-without keys, which are no clips in glTF, are passed by. Prints a line for each file and says how many have the same triangles within E (0.001).
+a little where polygons that are not flat were cut otherwise. FBX2glTF's output is compared with ufbx's poses in the same
+way. Takes without keys, which are no clips in glTF, are passed by. Prints a line for each file, and says how many have the
+same triangles within E (0.001).
 """
 
 import argparse
