@@ -97,7 +97,8 @@ TEST(Schema, OffersEachPluginWhereItBelongs) {
   EXPECT_EQ(schema["required"], Json({"pipeline"}));
   EXPECT_EQ(schema["properties"]["views"]["additionalProperties"], false);
   EXPECT_EQ(schema["properties"]["services"]["additionalProperties"], false);
-  EXPECT_EQ(schema["properties"].size(), 12u);
+  EXPECT_EQ(schema["properties"]["output"]["additionalProperties"], false);
+  EXPECT_EQ(schema["properties"].size(), 13u);
   EXPECT_EQ(names_offered(schema, "any_stage"), std::vector<std::string>{"arrange"});
   EXPECT_EQ(names_offered(schema, "any_measure"), (std::vector<std::string>{"measure", "serve"}));
   EXPECT_EQ(names_offered(schema, "any_overdraw_service"), std::vector<std::string>{"serve"});
