@@ -123,9 +123,10 @@ void load_inside(LoadedModule& module) {
 /// What Python says of a package that it lacks does not say which Python that is.
 std::string hint_for(const fs::path& module, std::string_view wrong) {
   const bool lacks = module.extension() == ".py" && wrong.find("ModuleNotFoundError") != wrong.npos;
-  return lacks ? "it runs in the python3 of PATH, which has to have foredraw and numpy: PYTHONPATH says where they are, "
-                 "or FOREDRAW_PYTHON names another python3"
-               : "";
+  return lacks
+             ? "it runs in the python3 of PATH, which has to have foredraw and numpy: PYTHONPATH says where they are, "
+               "or FOREDRAW_PYTHON names another python3"
+             : "";
 }
 
 void load(LoadedModule& module, const ModuleChoice& choice) {
