@@ -51,7 +51,7 @@ def error_of(of):
         return "refused"
     error = max(of["at_rest"], of["in_motion"])
     missing = of["expected"] - of["triangles"]
-    return ("-" if error > 1e9 else f"{error:.1e}") + (f", {missing} triangles missing" if missing else "")
+    return ("-" if error > 1e9 else f"{error:.1e}") + (f", {missing} triangle{'' if missing == 1 else 's'} missing" if missing else "")
 
 
 def markdown(rows):
