@@ -47,7 +47,8 @@ class Compressing {
       if (!said.is_null()) fallback.json["extensions"][extension_] = std::move(said);
     }
     if (made_ != 0) {
-      laid_out_.fallbacks.push_back({{{"extensions", {{extension_, {{"fallback", true}}}}}}, made_, false, {}});
+      laid_out_.fallbacks.push_back(
+          {JsonObject{{"extensions", JsonObject{{extension_, JsonObject{{"fallback", true}}}}}}, made_, false, {}});
     }
     list();
   }

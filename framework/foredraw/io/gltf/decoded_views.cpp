@@ -33,7 +33,7 @@ std::uint64_t DecodedViews::put(Document& document, std::size_t buffer) && {
   std::uint64_t bytes = 0;
   for (View& view : views_) {
     bytes += view.bytes.size();
-    Json json{{"buffer", buffer}, {"byteLength", view.bytes.size()}};
+    Json json = JsonObject{{"buffer", buffer}, {"byteLength", view.bytes.size()}};
     if (view.stride != 0) json["byteStride"] = view.stride;
     json["target"] = view.stride != 0 ? 34962 : 34963;
     document.json["bufferViews"].push_back(std::move(json));

@@ -22,7 +22,7 @@ void put_displacement(std::size_t material, const Material& now, const Material&
     return;
   }
   const Displacement& put = *now.displacement;
-  Json members{{"displacementGeometryFactor", put.factor}, {"displacementGeometryOffset", put.offset}};
+  Json members = JsonObject{{"displacementGeometryFactor", put.factor}, {"displacementGeometryOffset", put.offset}};
   if (!was.displacement || put.texture != was.displacement->texture) {
     members["displacementGeometryTexture"] = texture_use(put.texture, document);
   }

@@ -39,7 +39,7 @@ Json meshes_of_triangles(const Gate& gate) {
 
 /// The extensions that triangles have, or what moves or holds them; sorted.
 std::vector<std::string> extensions_of_triangles(const Gate& gate) {
-  Json held = {{"meshes", meshes_of_triangles(gate)}};
+  Json held = JsonObject{{"meshes", meshes_of_triangles(gate)}};
   for (const char* kind : {"accessors", "animations", "buffers", "bufferViews", "nodes", "skins"})
     held[kind] = gate.all(kind);
   return extensions_in(held);

@@ -174,11 +174,11 @@ void Gate::let_go_of_unused() {
          {"bufferView", "byteOffset", "byteStride", "sparse", "min", "max", "normalized", "extensions"})
       json.erase(key);
     if (kind == accessors_kind) {
-      json.update({{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}});
+      json.update(JsonObject{{"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}});
       accessors[number] = Accessor{*format_of("SCALAR", 5126, false), 1, std::nullopt, std::nullopt};
     } else {
       const auto buffer = static_cast<std::size_t>(stand_in - document_.buffers.begin());
-      json.update({{"buffer", buffer}, {"byteLength", 1}});
+      json.update(JsonObject{{"buffer", buffer}, {"byteLength", 1}});
       document_.views[number] = {buffer, 0, 1, 0, stand_in->bytes.first(1), std::nullopt};
     }
   }

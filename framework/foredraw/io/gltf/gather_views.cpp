@@ -193,7 +193,7 @@ class Gathering {
       }
     }
     laid_out_.bytes.resize(aligned(laid_out_.bytes.size(), 8));
-    Json view = {{"buffer", 0}, {"byteOffset", laid_out_.bytes.size()}, {"byteLength", bytes.size()}};
+    Json view = JsonObject{{"buffer", 0}, {"byteOffset", laid_out_.bytes.size()}, {"byteLength", bytes.size()}};
     if (kind == Kind::vertices) view["byteStride"] = stride;
     if (kind != Kind::other) view["target"] = kind == Kind::vertices ? 34962 : 34963;
     laid_out_.bytes.insert(laid_out_.bytes.end(), bytes.begin(), bytes.end());

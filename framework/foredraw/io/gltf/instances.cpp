@@ -57,10 +57,10 @@ Json instancing_of(std::span<const Transform> instances, AccessorStore& store) {
   }
   const bool turned = std::ranges::any_of(instances, [](auto& t) { return t.rotation != glm::quat(1, 0, 0, 0); });
   const bool scaled = std::ranges::any_of(instances, [](auto& t) { return t.scale != glm::vec3(1); });
-  Json attributes{{"TRANSLATION", append(store, translations, 3)}};
+  Json attributes = JsonObject{{"TRANSLATION", append(store, translations, 3)}};
   if (turned) attributes["ROTATION"] = append(store, rotations, 4);
   if (scaled) attributes["SCALE"] = append(store, scales, 3);
-  return {{"attributes", std::move(attributes)}};
+  return JsonObject{{"attributes", std::move(attributes)}};
 }
 
 }  // namespace foredraw::gltf

@@ -114,7 +114,7 @@ void enclose_levels(const Scene& scene, Json& json) {
         levels.push_back(json_of(primitives[behind++], draw.levels[i].error));
       }
       if (levels.empty()) continue;
-      primitives[p]["extensions"][levels_extension] = {{"levels", std::move(levels)}};
+      primitives[p]["extensions"][levels_extension] = JsonObject{{"levels", std::move(levels)}};
       any = true;
     }
     while (primitives.size() > draws.size()) primitives.erase(primitives.size() - 1);

@@ -66,15 +66,16 @@ std::optional<Texture> texture_of(const Json& use, const Json& document) {
 
 Json texture_use(const Texture& texture, Json& document) {
   const int filter = texture.is_nearest ? 9728 : 9729;
-  const Json sampler{
+  const Json sampler = JsonObject{
       {"magFilter", filter}, {"minFilter", filter}, {"wrapS", word(texture.wrap[0])}, {"wrapT", word(texture.wrap[1])}};
   const std::size_t number = listed(document["samplers"], sampler);
-  Json use{{"index", listed(document["textures"], {{"sampler", number}, {"source", *texture.image}})}};
+  Json use =
+      JsonObject{{"index", listed(document["textures"], JsonObject{{"sampler", number}, {"source", *texture.image}})}};
   if (texture.texcoord != 0) use["texCoord"] = texture.texcoord;
   if (texture.scale != glm::dvec2(1) || texture.rotation != 0 || texture.offset != glm::dvec2(0)) {
-    use["extensions"]["KHR_texture_transform"] = {{"offset", {texture.offset.x, texture.offset.y}},
-                                                  {"rotation", texture.rotation},
-                                                  {"scale", {texture.scale.x, texture.scale.y}}};
+    use["extensions"]["KHR_texture_transform"] = JsonObject{{"offset", {texture.offset.x, texture.offset.y}},
+                                                            {"rotation", texture.rotation},
+                                                            {"scale", {texture.scale.x, texture.scale.y}}};
     listed(document["extensionsUsed"], "KHR_texture_transform");
   }
   return use;

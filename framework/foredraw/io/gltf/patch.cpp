@@ -62,7 +62,7 @@ bool may_join_buffers(const Json& value, const Document& document) {
 
 /// An object that grows copies all that its members hold, and of a document this is everything.
 Json copy_with_room(const Json& from) {
-  Json::object_t members;
+  JsonObject members;
   members.reserve(from.size() + 16);
   for (const auto& [key, value] : from.items()) members.emplace_back(key, value);
   return members;

@@ -156,10 +156,11 @@ Json json_of(const Animation& animation, AccessorStore& store) {
   json["samplers"] = Json::array();
   for (const AnimationChannel& channel : animation.channels) {
     json["channels"].push_back(
-        {{"sampler", json["samplers"].size()}, {"target", {{"node", channel.node}, {"path", word(channel.path)}}}});
-    json["samplers"].push_back({{"input", store.append(floats(channel.times.view(), 1, true))},
-                                {"interpolation", word(channel.interpolation)},
-                                {"output", output_of(channel, store)}});
+        JsonObject{{"sampler", json["samplers"].size()},
+                   {"target", JsonObject{{"node", channel.node}, {"path", word(channel.path)}}}});
+    json["samplers"].push_back(JsonObject{{"input", store.append(floats(channel.times.view(), 1, true))},
+                                          {"interpolation", word(channel.interpolation)},
+                                          {"output", output_of(channel, store)}});
   }
   return json;
 }

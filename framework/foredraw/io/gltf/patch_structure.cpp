@@ -64,7 +64,7 @@ Json json_of(const Node& node) {
 }
 
 Json json_of(const Skin& skin, AccessorStore& store) {
-  Json json{{"joints", skin.joints}};
+  Json json = JsonObject{{"joints", skin.joints}};
   if (!skin.name.empty()) json["name"] = skin.name;
   if (skin.inverse_bind_matrices.empty()) return json;
   const Bytes bytes = std::as_bytes(std::span(skin.inverse_bind_matrices));

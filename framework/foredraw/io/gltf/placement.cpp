@@ -76,7 +76,7 @@ class Placement {
 
   void place(const NewView& view) {
     const BufferView* was = view.is_old ? &document_.views[*view.number] : nullptr;
-    Json json = was != nullptr ? document_.json["bufferViews"][*view.number] : Json{{"buffer", 0}};
+    Json json = was != nullptr ? document_.json["bufferViews"][*view.number] : Json(JsonObject{{"buffer", 0}});
     const Plain plain = plain_of(view);
     const BufferView* like = view.like ? &document_.views[*view.like] : nullptr;
     const bool coded = like != nullptr && put_stream(view, plain, *like->compressed, json);

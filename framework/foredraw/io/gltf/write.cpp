@@ -46,7 +46,7 @@ std::optional<std::vector<OutputFile>> as_it_was(const gltf::Document& document,
 std::shared_ptr<const gltf::Source> empty_source(const Scene& scene) {
   gltf::Document document;
   document.name = scene.name;
-  document.json = {{"asset", {{"version", "2.0"}, {"generator", "foredraw"}}}};
+  document.json = JsonObject{{"asset", JsonObject{{"version", "2.0"}, {"generator", "foredraw"}}}};
   return std::make_shared<const gltf::Source>(std::move(document), Scene{});
 }
 

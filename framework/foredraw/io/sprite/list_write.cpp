@@ -38,11 +38,11 @@ void put_polygon(Json& frame, const DrawnSprite& sprite) {
 
 void put_place(Json& json, const FrameEntry& frame) {
   const glm::ivec2 size = frame.size();
-  json["frame"] = {{"x", frame.place.x}, {"y", frame.place.y}, {"w", size.x}, {"h", size.y}};
+  json["frame"] = JsonObject{{"x", frame.place.x}, {"y", frame.place.y}, {"w", size.x}, {"h", size.y}};
   json["rotated"] = frame.is_turned;
   json["trimmed"] = frame.whole != size;
-  json["spriteSourceSize"] = {{"x", frame.offset.x}, {"y", frame.offset.y}, {"w", size.x}, {"h", size.y}};
-  json["sourceSize"] = {{"w", frame.whole.x}, {"h", frame.whole.y}};
+  json["spriteSourceSize"] = JsonObject{{"x", frame.offset.x}, {"y", frame.offset.y}, {"w", size.x}, {"h", size.y}};
+  json["sourceSize"] = JsonObject{{"w", frame.whole.x}, {"h", frame.whole.y}};
 }
 
 const auto& member_at(const Json& object, std::size_t i) {
@@ -73,17 +73,17 @@ Json frame_of(const Sheet& sheet, const DrawnSprite& sprite, bool with_name) {
 }
 
 Json polygon_facts(std::span<const Sheet> sheets) {
-  return {{"vertices", "texels of the untrimmed sprite"},
-          {"verticesUV", "texels of the image"},
-          {"origin", "upper left"},
-          {"winding", winding_of(sheets)}};
+  return JsonObject{{"vertices", "texels of the untrimmed sprite"},
+                    {"verticesUV", "texels of the image"},
+                    {"origin", "upper left"},
+                    {"winding", winding_of(sheets)}};
 }
 
 Json image_facts_of(const Sheet& sheet, std::size_t image, const std::filesystem::path& target) {
   const ImageFacts& facts = *sheet.scene->images[image].facts;
-  return {{"image", image_beside(sheet, image, target)},
-          {"format", facts.channels % 2 == 0 ? "RGBA8888" : "RGB888"},
-          {"size", {{"w", facts.width}, {"h", facts.height}}}};
+  return JsonObject{{"image", image_beside(sheet, image, target)},
+                    {"format", facts.channels % 2 == 0 ? "RGBA8888" : "RGB888"},
+                    {"size", JsonObject{{"w", facts.width}, {"h", facts.height}}}};
 }
 
 /// A texture being made: its frames have names of their own.
@@ -121,7 +121,7 @@ Json textures_of(std::span<const Sheet> sheets, const std::filesystem::path& tar
 Json new_list(std::span<const Sheet> sheets, const std::filesystem::path& target) {
   Json list = Json::object();
   Json textures = textures_of(sheets, target);
-  Json meta{{"app", "foredraw"}};
+  Json meta = JsonObject{{"app", "foredraw"}};
   if (textures.size() == 1) {
     list["frames"] = std::move(textures[0]["frames"]);
     for (const char* key : {"image", "format", "size"}) meta[key] = textures[0][key];

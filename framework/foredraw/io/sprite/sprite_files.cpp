@@ -58,12 +58,13 @@ bool spares(const Scene& scene, const fs::path& file, Diagnostics& diagnostics) 
 std::shared_ptr<const gltf::Source> unlit(const Scene& scene) {
   gltf::Document document;
   document.name = scene.name;
-  document.json = {{"asset", {{"version", "2.0"}, {"generator", "foredraw"}}},
-                   {"extensionsUsed", {"KHR_materials_unlit"}}};
+  document.json = JsonObject{{"asset", JsonObject{{"version", "2.0"}, {"generator", "foredraw"}}},
+                             {"extensionsUsed", Json::array_t{"KHR_materials_unlit"}}};
   Scene as_read;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     as_read.materials.emplace_back();
-    document.json["materials"].push_back({{"extensions", {{"KHR_materials_unlit", Json::object()}}}});
+    document.json["materials"].push_back(
+        JsonObject{{"extensions", JsonObject{{"KHR_materials_unlit", Json::object()}}}});
   }
   return std::make_shared<const gltf::Source>(std::move(document), std::move(as_read));
 }

@@ -60,7 +60,7 @@ class Reading {
   bool start_array(std::size_t) { return begin(Json::array()); }
   bool end_array() { return end(); }
   bool start_object(std::size_t) {
-    Json::object_t members;
+    JsonObject members;
     members.reserve(open_.empty() ? 32 : 4);  // where it grows it copies all that its members hold
     return begin(std::move(members));
   }
