@@ -1,4 +1,5 @@
 // A call that is cancelled from another thread ends within a second, in whichever stage of whichever preset it is.
+// Seconds are the processor's.
 #include "handles.h"
 
 #include <gtest/gtest.h>
@@ -168,13 +169,17 @@ class CancelledRuns : public ::testing::TestWithParam<std::string> {
     return SceneHandle(scene);
   }
 
+  /// The stages before the one that is cancelled run each time, which takes minutes where several are slow. Then a
+  /// scene of a quarter has to end in a quarter of the time: a stretch that hears nothing grows with the scene.
+  static bool is_smaller(const std::string& preset) { return preset == "levels" || preset == "simplify"; }
+
   /// One that has something to do for every stage of the preset, and a good while of it.
   SceneHandle scene_for(const std::string& preset) {
     if (preset == "sprites") return read(corpus + "particles/atlas_smoke15frames.json");
     if (preset == "character") return read(corpus + "animated/cesium_man_notex.glb");
     if (preset == "city") return read(corpus + "scenes/house.glb");
     if (preset == "wires") return scene_of(Wires(2000));
-    if (preset == "levels" || preset == "simplify") return scene_of(Ring(200));
+    if (is_smaller(preset)) return scene_of(Ring(100));
     if (preset != "displaced") return scene_of(Ring(preset == "crowd" || preset == "walk" ? 150 : 400));
     const SceneHandle plain = scene_of(Ring(100));
     const std::string pipeline = "displacement(map=\"" + corpus + "particles/kenney_dirt_03.png\")";
@@ -203,7 +208,8 @@ TEST_P(CancelledRuns, EndWithinASecondInEveryStage) {
   for (std::size_t i = 0; i < stages.size(); ++i) {
     stages[i].second = (i + 1 < stages.size() ? stages[i + 1].second : seconds_worked()) - stages[i].second;
   }
-  constexpr double worth_cancelling = 0.3;
+  const double allowed = is_smaller(GetParam()) ? 0.25 : 1;
+  const double worth_cancelling = 0.3 * allowed;
   std::size_t cancelled = 0;
   for (const auto& [stage, seconds] : stages) {
     if (seconds < worth_cancelling) continue;
@@ -214,13 +220,14 @@ TEST_P(CancelledRuns, EndWithinASecondInEveryStage) {
       canceller_ = nullptr;
       if (canceller.moment() < 0) continue;  // it was faster this time
       EXPECT_EQ(status, FOREDRAW_CANCELLED) << stage;
-      EXPECT_LT(seconds_worked() - canceller.moment(), 1) << stage << ", after " << part << " of " << seconds << " s";
+      EXPECT_LT(seconds_worked() - canceller.moment(), allowed)
+          << stage << ", after " << part << " of " << seconds << " s";
       ++cancelled;
     }
   }
   std::printf("%zu of %zu stages take long; cancelled %zu times\n",
               static_cast<std::size_t>(
-                  std::ranges::count_if(stages, [](const auto& s) { return s.second >= worth_cancelling; })),
+                  std::ranges::count_if(stages, [&](const auto& s) { return s.second >= worth_cancelling; })),
               stages.size(), cancelled);
 }
 
