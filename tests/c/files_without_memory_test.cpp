@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace foredraw::testing {
 namespace {
@@ -22,11 +23,37 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// 128 triangles with all that a scene of arrays may have.
+struct Grid {
+  std::vector<float> positions, normals, texcoords;
+  std::vector<std::uint32_t> indices;
+
+  Grid() {
+    for (std::uint32_t i = 0; i < 81; ++i) {
+      const float x = static_cast<float>(i % 9) / 8, y = static_cast<float>(i / 9) / 8;
+      positions.insert(positions.end(), {x, y, x * y});
+      normals.insert(normals.end(), {0, 0, 1});
+      texcoords.insert(texcoords.end(), {x, y});
+      if (i % 9 == 8 || i / 9 == 8) continue;
+      indices.insert(indices.end(), {i, i + 1, i + 9, i + 9, i + 1, i + 10});
+    }
+  }
+};
+
 class WrittenWithoutMemory : public WithoutMemory {
  protected:
   ~WrittenWithoutMemory() override { fs::remove_all(folder_); }
 
   /// However much memory there is: no file, or all of it.
+  void expect_whole_or_none(const foredraw_scene* scene, const std::string& pipeline,
+                            const std::vector<std::string>& names) {
+    foredraw_scene* changed = nullptr;
+    ASSERT_EQ(foredraw_optimize(context_, scene, pipeline.c_str(), &changed, nullptr), FOREDRAW_DONE);
+    for (const std::string& name : names) expect_whole_or_none(changed, name);
+    foredraw_scene_free(changed);
+  }
+
+ private:
   void expect_whole_or_none(const foredraw_scene* scene, const std::string& name) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
@@ -45,7 +72,6 @@ class WrittenWithoutMemory : public WithoutMemory {
         every);
   }
 
- private:
   const fs::path folder_ = fs::temp_directory_path() / ("foredraw_" + std::to_string(::getpid()));
 };
 
@@ -81,13 +107,11 @@ TEST_P(FilesWithoutMemory, AreNotReadInMemory) {
 }
 
 TEST_P(FilesWithoutMemory, AreNotWritten) {
-  foredraw_scene *scene = nullptr, *changed = nullptr;
+  foredraw_scene* scene = nullptr;
   ASSERT_EQ(foredraw_read(context_, path_.c_str(), &scene, nullptr), FOREDRAW_DONE);
-  ASSERT_EQ(foredraw_optimize(context_, scene, "weld, tipsify, vertex-fetch", &changed, nullptr), FOREDRAW_DONE);
-  for (const char* name : {"out.glb", "out.gltf"}) expect_whole_or_none(changed, name);
-  if (path_.ends_with(".obj") || path_.ends_with(".ply"))
-    expect_whole_or_none(changed, "out" + path_.substr(path_.size() - 4));
-  foredraw_scene_free(changed);
+  std::vector<std::string> names = {"out.glb", "out.gltf"};
+  if (path_.ends_with(".obj") || path_.ends_with(".ply")) names.push_back("out" + path_.substr(path_.size() - 4));
+  expect_whole_or_none(scene, "weld, tipsify, vertex-fetch", names);
   foredraw_scene_free(scene);
 }
 
@@ -98,29 +122,50 @@ INSTANTIATE_TEST_SUITE_P(
                       "tests/hostile/meshes/assimp/concave_polygon.obj", "tests/hostile/meshes/assimp/issue623.ply"),
     [](const auto& file) { return fs::path(file.param).stem().string(); });
 
-/// Two draws with all that a scene of arrays may have.
+/// Two draws, and what extensions hold of them.
 TEST_F(WrittenWithoutMemory, ArraysAreNotWritten) {
-  const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
-  const float normals[] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
-  const float texcoords[] = {0, 0, 1, 0, 0, 1, 1, 1};
-  const std::uint32_t indices[] = {0, 1, 2, 2, 1, 3};
-  const foredraw_stream streams[] = {{"NORMAL", normals, 0, FOREDRAW_FLOAT32, 3, 0},
-                                     {"TEXCOORD_0", texcoords, 0, FOREDRAW_FLOAT32, 2, 0}};
+  const Grid grid;
+  const foredraw_stream streams[] = {{"NORMAL", grid.normals.data(), 0, FOREDRAW_FLOAT32, 3, 0},
+                                     {"TEXCOORD_0", grid.texcoords.data(), 0, FOREDRAW_FLOAT32, 2, 0}};
   foredraw_draw draws[2]{};
   for (foredraw_draw& draw : draws) {
     draw.size = sizeof draw;
-    draw.vertex_count = 4;
-    draw.triangle_count = 2;
-    draw.indices = indices;
-    draw.positions = positions;
+    draw.name = "a name of more than fifteen characters";
+    draw.vertex_count = static_cast<std::uint32_t>(grid.positions.size() / 3);
+    draw.triangle_count = grid.indices.size() / 3;
+    draw.indices = grid.indices.data();
+    draw.positions = grid.positions.data();
     draw.streams = streams;
     draw.stream_count = 2;
   }
-  foredraw_scene *scene = nullptr, *changed = nullptr;
+  foredraw_scene* scene = nullptr;
   ASSERT_EQ(foredraw_make_scene(context_, draws, 2, &scene, nullptr), FOREDRAW_DONE);
-  ASSERT_EQ(foredraw_optimize(context_, scene, "weld, tipsify, vertex-fetch", &changed, nullptr), FOREDRAW_DONE);
-  for (const char* name : {"out.glb", "out.gltf"}) expect_whole_or_none(changed, name);
-  foredraw_scene_free(changed);
+  expect_whole_or_none(scene, "weld, tipsify, vertex-fetch", {"out.glb", "out.gltf"});
+  expect_whole_or_none(scene, "weld, quadric-collapse, levels(keep-sequences=true)", {"out.glb"});
+  foredraw_scene_free(scene);
+}
+
+/// Materials with textures become glTF's.
+TEST_F(WrittenWithoutMemory, TexturedMeshesAreNotWritten) {
+  const fs::path folder = fs::temp_directory_path() / ("foredraw_textured_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  fs::copy_file(source + "/benchmarks/corpus/particles/kenney_dirt_03.png", folder / "dirt.png",
+                fs::copy_options::overwrite_existing);
+  std::ofstream(folder / "mesh.mtl") << "newmtl dirt\nKd 1 0.5 0.2\nmap_Kd dirt.png\nnewmtl plain\nKd 0 0 1\n";
+  std::ofstream(folder / "mesh.obj") << "mtllib mesh.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                        "usemtl dirt\nf 1/1 2/2 3/3\nusemtl plain\nf 3/1 2/2 4/3\n";
+  foredraw_scene* scene = nullptr;
+  ASSERT_EQ(foredraw_read(context_, (folder / "mesh.obj").string().c_str(), &scene, nullptr), FOREDRAW_DONE);
+  expect_whole_or_none(scene, "weld, tipsify", {"out.glb", "out.gltf", "out.obj"});
+  foredraw_scene_free(scene);
+  fs::remove_all(folder);
+}
+
+TEST_F(WrittenWithoutMemory, SpritesAreNotWritten) {
+  const std::string atlas = source + "/benchmarks/corpus/particles/atlas_playcanvas_bonus.json";
+  foredraw_scene* scene = nullptr;
+  ASSERT_EQ(foredraw_read(context_, atlas.c_str(), &scene, nullptr), FOREDRAW_DONE);
+  expect_whole_or_none(scene, "particle-trim", {"out.json", "out.glb"});
   foredraw_scene_free(scene);
 }
 
