@@ -264,7 +264,7 @@ TEST_F(ForC, ProgressTellsAndMayCancel) {
 
 TEST_F(ForC, ThreadsShareAContextAndAScene) {
   const SceneHandle scene = read(spot);
-  std::vector<std::string> outputs(4);
+  std::vector<std::string> outputs(8);
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     threads.emplace_back([&, i] {
