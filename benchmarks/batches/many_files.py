@@ -141,7 +141,8 @@ def again(program, folder, options):
     runs = [run(second + PIPELINE) for _ in range(options.rounds)]
     clock, processors, memory = median(r[0] for r in runs), median(r[1] for r in runs), max(r[2] for r in runs)
     cached = sum(file.get("cached", False) for file in json.loads(report.read_text())["files"])
-    touched = sum(facts(out)[path] != was for path, was in before.items())
+    after = facts(out)
+    touched = sum(after[path] != was for path, was in before.items())
     different = [p for p in before if p.read_bytes() != (folder / "plain0" / p.relative_to(out)).read_bytes()]
     assert not different, different[:3]
     print(f"| again | {processors:.2f} s of processors, {1000 * processors / options.files:.2f} ms a file "
