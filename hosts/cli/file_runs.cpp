@@ -74,7 +74,8 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   const Scene before = draws || !job.arguments.html.empty() ? file->scene : Scene();
   Analyses analyses(image_decoder(input, job.arguments.root, files));
   Result result = with_memory(input, "work on it", [&] {
-    return work(*plan, std::move(file->scene), {job.executor, analyses, job.cancel, job.progress, milestones});
+    return work(*plan, std::move(file->scene),
+                {job.executor, analyses, job.arguments.cancel(), job.progress, milestones});
   });
   if (job.is_cancelled()) return lost(interrupted);  // its stages stopped anywhere
   result.report.command = command;

@@ -24,9 +24,8 @@ struct FileJob {
   const ResultCache* cache = nullptr;
   std::shared_ptr<FilesRead> lent = nullptr;               ///< what the lender has read; null: nobody asks what is read
   std::vector<std::filesystem::path> pipeline_files = {};  ///< that the pipeline is, and names
-  const std::atomic<bool>* cancel = nullptr;               ///< once it is true, nothing more is written
 
-  bool is_cancelled() const { return cancel != nullptr && *cancel; }
+  bool is_cancelled() const { return arguments.is_cancelled(); }  ///< nothing more is written then
 };
 
 struct FileRun {

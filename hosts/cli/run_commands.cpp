@@ -65,7 +65,6 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   const FileLender lender(how);
   FileJob job{arguments, *pipeline, registry, executor, lender};
   job.lent = how.files;
-  job.cancel = arguments.cancel();
   if (!arguments.depfile.empty()) job.pipeline_files = files_of(arguments, *pipeline, registry);
   const auto cache =
       arguments.cache.empty() ? nullptr : ResultCache::opened(arguments, *pipeline, registry, diagnostics);
@@ -120,7 +119,6 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
   const FileLender lender(input_of(arguments, registry));
   const std::string& input = arguments.inputs[0];
   FileJob job{arguments, pipelines->front().pipeline, registry, executor, lender};
-  job.cancel = arguments.cancel();
   if (is_folder(input)) return measure_folder(job);
 
   job.progress = progress_line();

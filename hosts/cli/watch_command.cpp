@@ -43,10 +43,10 @@ Exit watch(const Arguments& arguments, const Registry& registry) {
   const std::string out = out_for(arguments, registry, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  auto workshop = Workshop::opened(arguments, registry, executor, *arguments.interruption, diagnostics);
+  auto workshop = Workshop::opened(arguments, registry, executor, diagnostics);
   if (!workshop) return refuse(diagnostics);
   try {
-    WatchedFolder folder(arguments, registry, out, std::move(workshop), executor, *arguments.interruption);
+    WatchedFolder folder(arguments, registry, out, std::move(workshop), executor);
     return folder.keep_up();
   } catch (const std::system_error& problem) {
     tell_cannot_watch(arguments.inputs[0], problem.code().value(), diagnostics);

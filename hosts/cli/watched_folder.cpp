@@ -60,8 +60,7 @@ Workshop::Workshop(const Arguments& arguments, const Registry& registry, const E
 Workshop::~Workshop() = default;
 
 std::unique_ptr<Workshop> Workshop::opened(const Arguments& arguments, const Registry& registry,
-                                           const Executor& executor, const Interruption& interruption,
-                                           Diagnostics& diagnostics) {
+                                           const Executor& executor, Diagnostics& diagnostics) {
   auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return nullptr;
   SceneInput how = input_of(arguments, registry);
@@ -69,7 +68,6 @@ std::unique_ptr<Workshop> Workshop::opened(const Arguments& arguments, const Reg
   std::unique_ptr<Workshop> workshop(new Workshop(arguments, registry, executor, std::move(*pipeline), how));
   if (!is_sound(workshop->pipeline, registry, workshop->lender, diagnostics)) return nullptr;
   workshop->job.pipeline_files = files_of(arguments, workshop->pipeline, registry);
-  workshop->job.cancel = &interruption.came();
   if (!arguments.cache.empty()) {
     workshop->cache = ResultCache::opened(arguments, workshop->pipeline, registry, diagnostics);
     if (!workshop->cache) return nullptr;
@@ -79,12 +77,11 @@ std::unique_ptr<Workshop> Workshop::opened(const Arguments& arguments, const Reg
 }
 
 WatchedFolder::WatchedFolder(const Arguments& arguments, const Registry& registry, const std::string& out,
-                             std::unique_ptr<Workshop> workshop, const Executor& executor,
-                             const Interruption& interruption)
+                             std::unique_ptr<Workshop> workshop, const Executor& executor)
     : arguments_(arguments),
       registry_(registry),
       executor_(executor),
-      interruption_(interruption),
+      interruption_(*arguments.interruption),
       from_(one_name(arguments.inputs[0])),
       out_(out),
       workshop_(std::move(workshop)),
@@ -213,7 +210,7 @@ void WatchedFolder::take_gone(const std::string& file) {
 void WatchedFolder::open_again() {
   has_to_open_ = false;
   Diagnostics diagnostics;
-  auto workshop = Workshop::opened(arguments_, registry_, executor_, interruption_, diagnostics);
+  auto workshop = Workshop::opened(arguments_, registry_, executor_, diagnostics);
   tell(diagnostics);
   if (!workshop) return say("the pipeline is used as it was before");
   workshop_ = std::move(workshop);

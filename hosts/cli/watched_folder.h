@@ -20,8 +20,7 @@ namespace foredraw::cli {
 struct Workshop {
   /// Nothing, with errors, where the pipeline or the cache is not as it should be.
   static std::unique_ptr<Workshop> opened(const Arguments& arguments, const Registry& registry,
-                                          const Executor& executor, const Interruption& interruption,
-                                          Diagnostics& diagnostics);
+                                          const Executor& executor, Diagnostics& diagnostics);
   ~Workshop();
 
   Pipeline pipeline;
@@ -39,7 +38,7 @@ class WatchedFolder {
  public:
   /// `out` is there. Throws std::system_error where the folder can not be watched.
   WatchedFolder(const Arguments& arguments, const Registry& registry, const std::string& out,
-                std::unique_ptr<Workshop> workshop, const Executor& executor, const Interruption& interruption);
+                std::unique_ptr<Workshop> workshop, const Executor& executor);
 
   /// All files that are there at first, then each that changes, and those that depend on it. Returns when it is
   /// interrupted, or when the folder is gone.

@@ -44,7 +44,8 @@ class Track {
   Keys cut() const {
     Keys made;
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-      const bool is_before = keys_[i].tick<0, is_behind = span_.ends> 0 && keys_[i].tick > span_.ends;
+      const bool is_before = keys_[i].tick < 0;
+      const bool is_behind = span_.ends > 0 && keys_[i].tick > span_.ends;
       if (!is_before && !is_behind) add(keys_[i].tick, keys_[i].value, made);
       if (is_before && (i + 1 == keys_.size() || keys_[i + 1].tick > 0)) add(0, value_at(0), made);
       if (is_behind && (i == 0 || keys_[i - 1].tick < span_.ends)) add(span_.ends, value_at(span_.ends), made);
