@@ -142,6 +142,8 @@ TEST_F(WrittenWithoutMemory, ArraysAreNotWritten) {
   ASSERT_EQ(foredraw_make_scene(context_, draws, 2, &scene, nullptr), FOREDRAW_DONE);
   expect_whole_or_none(scene, "weld, tipsify, vertex-fetch", {"out.glb", "out.gltf"});
   expect_whole_or_none(scene, "weld, quadric-collapse, levels(keep-sequences=true)", {"out.glb"});
+  const std::string map = source + "/benchmarks/corpus/particles/kenney_dirt_03.png";
+  expect_whole_or_none(scene, "displacement(map=\"" + map + "\"), tessellation-levels, vertex-pack", {"out.glb"});
   foredraw_scene_free(scene);
 }
 
