@@ -52,8 +52,8 @@ class RunsWithoutMemory : public DrawsWithoutMemory {
   RunsWithoutMemory() { foredraw_make_scene(context_, &draw_, 1, &scene_, nullptr); }
   ~RunsWithoutMemory() override { foredraw_scene_free(scene_); }
 
-  void expect_optimize_survives(const char* pipeline) {
-    expect_survives([&] {
+  void expect_optimize_survives(const char* pipeline, long most = 500) {
+    const auto call = [&] {
       foredraw_scene* result = nullptr;
       foredraw_text report{};
       const int status = foredraw_optimize(context_, scene_, pipeline, &result, &report);
@@ -61,7 +61,8 @@ class RunsWithoutMemory : public DrawsWithoutMemory {
       foredraw_scene_free(result);
       foredraw_text_free(&report);
       return status;
-    });
+    };
+    expect_survives(call, most);
   }
 
   foredraw_scene* scene_ = nullptr;
@@ -70,6 +71,10 @@ class RunsWithoutMemory : public DrawsWithoutMemory {
 TEST_F(RunsWithoutMemory, ReportsOfALineOfStages) { expect_optimize_survives("weld, lookahead, vertex-fetch"); }
 TEST_F(RunsWithoutMemory, ReportsOfALineWithValues) {
   expect_optimize_survives("weld, lookahead(cache-size=16, quality=fast), vertex-fetch");
+}
+/// Values of more than 15 characters need memory wherever they are copied.
+TEST_F(RunsWithoutMemory, ReportsOfALineWithLongValues) {
+  expect_optimize_survives("weld, quadric-collapse, levels(ratios=\"0.75, 0.5, 0.25, 0.125\"), tipsify", 20'000);
 }
 TEST_F(RunsWithoutMemory, ReportsOfAPreset) { expect_optimize_survives("@cache-only"); }
 TEST_F(RunsWithoutMemory, ReportsOfAFile) {

@@ -4,15 +4,6 @@
 
 namespace foredraw {
 
-ExtensionValue::ExtensionValue(const ExtensionValue& other) {
-  std::visit([this](const auto& value) { any_ = value; }, other.any_);
-}
-
-ExtensionValue& ExtensionValue::operator=(ExtensionValue other) noexcept {
-  any_ = std::move(other.any_);
-  return *this;
-}
-
 const ExtensionValue* ExtensionValue::member(std::string_view name) const {
   if (const Members* all = members()) {
     for (const auto& [key, value] : *all) {

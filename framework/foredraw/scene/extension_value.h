@@ -1,6 +1,8 @@
 #pragma once
 // What stands in an extension of a file, without the library that reads the file.
 
+#include <foredraw/base/copy_safe_variant.h>
+
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -22,13 +24,9 @@ class ExtensionValue {
  public:
   using List = std::vector<ExtensionValue>;
   using Members = std::vector<std::pair<std::string, ExtensionValue>>;
-  using Any = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Members, AccessorRef>;
+  using Any = CopySafeVariant<std::monostate, bool, std::int64_t, double, std::string, List, Members, AccessorRef>;
 
   ExtensionValue() = default;
-  /// Of its own: that of libstdc++ 12's variant loses the program where a copy of what it holds finds no memory.
-  ExtensionValue(const ExtensionValue& other);
-  ExtensionValue(ExtensionValue&&) noexcept = default;
-  ExtensionValue& operator=(ExtensionValue other) noexcept;
   ExtensionValue(bool value) : any_(value) {}
   template <std::integral T>
   requires(!std::same_as<T, bool>) ExtensionValue(T value) : any_(static_cast<std::int64_t>(value)) {}

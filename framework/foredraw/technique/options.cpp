@@ -72,13 +72,6 @@ std::variant<OptionValue, std::string> in_range(const OptionSpec& spec, double n
   return fmt::format("'{}' is {}, but must be {}", spec.name, to_text(value), range_text(spec));
 }
 
-/// A copy whose text is copied first. libstdc++ 12 takes such a variant for one that always has a value, so that its
-/// own copy ends the program where memory runs out for the text.
-OptionValue copied(const OptionValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text == nullptr ? value : OptionValue(std::string(*text));
-}
-
 std::string wants(const OptionSpec& spec, std::string_view what, const OptionValue& value) {
   return fmt::format("'{}' must be {}, not {}", spec.name, what, to_text(value, true));
 }
@@ -131,11 +124,10 @@ std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionV
       }
       return wants(spec, "a finite number", value);
     case OptionType::text:
-      if (std::holds_alternative<std::string>(value)) return copied(value);
+      if (std::holds_alternative<std::string>(value)) return value;
       return wants(spec, "a string", value);
     case OptionType::numbers:
-      if (const auto* text = std::get_if<std::string>(&value); text != nullptr && numbers_in(*text))
-        return copied(value);
+      if (const auto* text = std::get_if<std::string>(&value); text != nullptr && numbers_in(*text)) return value;
       if (const auto* whole = std::get_if<std::int64_t>(&value)) return OptionValue(to_text(*whole));
       if (const auto* number = std::get_if<double>(&value); number != nullptr && std::isfinite(*number)) {
         return OptionValue(to_text(*number));
@@ -143,16 +135,16 @@ std::variant<OptionValue, std::string> fit(const OptionSpec& spec, const OptionV
       return wants(spec, "numbers, such as \"0.5, 0.25\"", value);
     case OptionType::scene:
     case OptionType::image:
-      if (const auto* path = std::get_if<std::string>(&value); path != nullptr && !path->empty()) return copied(value);
+      if (const auto* path = std::get_if<std::string>(&value); path != nullptr && !path->empty()) return value;
       return wants(spec, spec.type == OptionType::scene ? "the path of a scene" : "the path of an image", value);
     case OptionType::number_or_text:
     case OptionType::views:
-      if (std::holds_alternative<std::string>(value)) return copied(value);
+      if (std::holds_alternative<std::string>(value)) return value;
       if (std::holds_alternative<std::int64_t>(value)) return OptionValue(to_text(value));
       return wants(spec, "a whole number or a string", value);
     case OptionType::choice:
       if (const auto* word = std::get_if<std::string>(&value)) {
-        if (std::find(spec.choices.begin(), spec.choices.end(), *word) != spec.choices.end()) return copied(value);
+        if (std::find(spec.choices.begin(), spec.choices.end(), *word) != spec.choices.end()) return value;
       }
       return fmt::format("'{}' is {}, but must be one of {}", spec.name, to_text(value), joined(spec.choices));
   }

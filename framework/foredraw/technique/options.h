@@ -2,6 +2,8 @@
 // Option tables. A row binds a member of an options struct to its name, and everything else follows from the rows:
 // help, reference pages, the JSON Schema, checks, "did you mean". The default is the member's own initialiser.
 
+#include <foredraw/base/copy_safe_variant.h>
+
 #include <concepts>
 #include <cstdint>
 #include <functional>
@@ -18,7 +20,7 @@
 namespace foredraw {
 
 /// A value as a pipeline spells it. monostate: an optional option left out.
-using OptionValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+using OptionValue = CopySafeVariant<std::monostate, bool, std::int64_t, double, std::string>;
 
 /// By option name, checked against the table.
 using Settings = std::map<std::string, OptionValue>;

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace foredraw::archive {
@@ -52,15 +53,19 @@ void fields(Out<Handles>& to, const ExtensionValue& value) {
       value.any());
 }
 
+template <class... Types>
+std::variant<Types...> as_std(const std::variant<Types...>&);
+using AnyValue = decltype(as_std(std::declval<ExtensionValue::Any>()));  ///< of which the standard counts alternatives
+
 /// Of the alternative of that number: [index of ExtensionValue::Any].
 template <std::size_t alternative = 0, class Handles>
 void take_value(In<Handles>& from, std::size_t number, ExtensionValue& value) {
-  if constexpr (alternative == std::variant_size_v<ExtensionValue::Any>) {
+  if constexpr (alternative == std::variant_size_v<AnyValue>) {
     throw std::runtime_error("a value is of no kind");
   } else if (number != alternative) {
     take_value<alternative + 1>(from, number, value);
   } else {
-    using T = std::variant_alternative_t<alternative, ExtensionValue::Any>;
+    using T = std::variant_alternative_t<alternative, AnyValue>;
     T held{};
     if constexpr (std::is_same_v<T, AccessorRef>) {
       from(held.number);
