@@ -288,8 +288,9 @@ class CommandLine {
     app.add_option("--compression", arguments_.compression,
                    "keep: what was read compressed is written compressed; none: nothing is; ext-meshopt: all is, by "
                    "EXT_meshopt_compression, which most readers know; khr-meshopt: by KHR_meshopt_compression, which "
-                   "is shorter and newer (default: the pipeline's, else keep)")
-        ->check(CLI::IsMember({"keep", "none", "ext-meshopt", "khr-meshopt"}));
+                   "is shorter and newer; draco: by KHR_draco_mesh_compression, in the order that there is; "
+                   "draco-edgebreaker: by the same, which undoes all orders (default: the pipeline's, else keep)")
+        ->check(CLI::IsMember({"keep", "none", "ext-meshopt", "khr-meshopt", "draco", "draco-edgebreaker"}));
     app.add_option(
            "--corners", arguments_.corners,
            "What --compression may do to the corners of triangles: keep: nothing; turn: a triangle may start at "

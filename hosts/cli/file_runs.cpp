@@ -128,6 +128,8 @@ std::uint64_t bytes_of(std::span<const OutputFile> files) {
 Compression compression_of(const std::string& word) {
   if (word == "none") return Compression::none;
   if (word == "ext-meshopt") return Compression::ext;
+  if (word == "draco") return Compression::draco;
+  if (word == "draco-edgebreaker") return Compression::draco_edgebreaker;
   return word == "khr-meshopt" ? Compression::khr : Compression::keep;
 }
 

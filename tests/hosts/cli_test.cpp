@@ -172,6 +172,26 @@ TEST_F(Cli, KeepsCompressionUnlessAskedOtherwise) {
   EXPECT_EQ(run("optimize " + spot + " -o - -p tipsify --compression none").out.substr(0, 4), "glTF");
 }
 
+TEST_F(Cli, DracoKeepsWhatTheStagesMadeAndEdgebreakerWarns) {
+  const std::string fox =
+      "optimize " + model("animated/fox.glb") + " -p 'quantize, weld, tipsify' --with vertex-cache ";
+  ASSERT_EQ(run(fox + "-o plain.glb").code, 0);
+  const Ended kept = run(fox + "-o kept.glb --compression draco");
+  ASSERT_EQ(kept.code, 0) << kept.err;
+  EXPECT_EQ(kept.err.find("draco"), std::string::npos) << kept.err;  // all attributes lie on grids
+  EXPECT_NE(content(folder_ / "kept.glb").find("KHR_draco_mesh_compression"), std::string::npos);
+  EXPECT_LT(fs::file_size(folder_ / "kept.glb"), fs::file_size(folder_ / "plain.glb"));
+  const auto figures = [&](const std::string& file) {
+    const std::string text = run("measure " + file + " --with vertex-cache").out;
+    return text.substr(std::min(text.find("acmr"), text.size()));
+  };
+  EXPECT_NE(figures("kept.glb"), "");
+  EXPECT_EQ(figures("kept.glb"), figures("plain.glb"));
+  const Ended free = run(fox + "-o free.glb --compression draco-edgebreaker");
+  ASSERT_EQ(free.code, 0) << free.err;
+  EXPECT_NE(free.err.find("warning: meshes: the edgebreaker method"), std::string::npos) << free.err;
+}
+
 TEST_F(Cli, WritesAsThePipelineSaysUnlessToldOtherwise) {
   const auto written = [&](const std::string& options) {
     const Ended ended = run("optimize " + model("animated/fox.glb") + " -o fox.glb --with vertex-cache " + options);

@@ -39,7 +39,7 @@ struct SubjectChoice {
 
 /// How glTF is written, in the words of the command line, where that says nothing.
 struct OutputChoice {
-  std::string compression = "keep";  ///< keep, none, ext-meshopt, khr-meshopt
+  std::string compression = "keep";  ///< keep, none, ext-meshopt, khr-meshopt, draco, draco-edgebreaker
   std::string corners = "keep";      ///< keep, turn
   std::string levels = "keep";       ///< keep, msft-lod
   friend bool operator==(const OutputChoice&, const OutputChoice&) = default;

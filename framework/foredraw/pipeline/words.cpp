@@ -47,9 +47,11 @@ OptionTable<OutputChoice> output_words() {
     return choices;
   };
   OptionTable<OutputChoice> table;
-  table.choice(&OutputChoice::compression, "compression",
-               "How glTF is compressed: as it came, not at all, by EXT_meshopt_compression or KHR_meshopt_compression",
-               words({"keep", "none", "ext-meshopt", "khr-meshopt"}));
+  table.choice(
+      &OutputChoice::compression, "compression",
+      "How glTF is compressed: as it came, not at all, by EXT_meshopt_compression or KHR_meshopt_compression, by "
+      "KHR_draco_mesh_compression in the order that there is or, by edgebreaker, in its own",
+      words({"keep", "none", "ext-meshopt", "khr-meshopt", "draco", "draco-edgebreaker"}));
   table.choice(&OutputChoice::corners, "corners",
                "Whether compression may let a triangle start at another of its corners, which takes fewer bytes",
                words({"keep", "turn"}));

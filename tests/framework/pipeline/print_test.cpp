@@ -102,7 +102,8 @@ Pipeline any_pipeline() {
   if (*rc::gen::arbitrary<bool>()) pipeline.frames.angle = *rc::gen::inRange(10, 1000) / 7.0;
   if (*rc::gen::arbitrary<bool>()) pipeline.frames.seed = *rc::gen::inRange<std::int64_t>(0, 1000);
   if (*rc::gen::arbitrary<bool>()) pipeline.overdraw = any_stage();
-  pipeline.output.compression = *rc::gen::element<std::string>("keep", "none", "ext-meshopt", "khr-meshopt");
+  pipeline.output.compression =
+      *rc::gen::element<std::string>("keep", "none", "ext-meshopt", "khr-meshopt", "draco", "draco-edgebreaker");
   pipeline.output.corners = *rc::gen::element<std::string>("keep", "turn");
   pipeline.output.levels = *rc::gen::element<std::string>("keep", "msft-lod");
   pipeline.seed = *rc::gen::arbitrary<std::int64_t>();

@@ -15,6 +15,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace foredraw::gltf {
@@ -77,12 +78,19 @@ class BoundedIntegers final : public Decoder {
   }
 };
 
+using Sequencer = std::unique_ptr<draco::PointsSequencer>;
+
+/// `rounded` gets the attributes whose floats the encoder rounded.
 class BoundedAttributes final : public draco::SequentialAttributeDecodersController {
  public:
-  using SequentialAttributeDecodersController::SequentialAttributeDecodersController;
+  BoundedAttributes(Sequencer sequencer, std::set<std::int32_t>& rounded)
+      : SequentialAttributeDecodersController(std::move(sequencer)), rounded_(rounded) {}
 
  protected:
   std::unique_ptr<draco::SequentialAttributeDecoder> CreateSequentialDecoder(std::uint8_t type) override {
+    const std::int32_t attribute = GetAttributeId(made_++);  // libdraco asks for one after the other
+    if (type == draco::SEQUENTIAL_ATTRIBUTE_ENCODER_QUANTIZATION || type == draco::SEQUENTIAL_ATTRIBUTE_ENCODER_NORMALS)
+      rounded_.insert(attribute);
     switch (type) {
       case draco::SEQUENTIAL_ATTRIBUTE_ENCODER_INTEGER:
         return std::make_unique<BoundedIntegers<draco::SequentialIntegerAttributeDecoder>>();
@@ -91,9 +99,12 @@ class BoundedAttributes final : public draco::SequentialAttributeDecodersControl
       default: return SequentialAttributeDecodersController::CreateSequentialDecoder(type);
     }
   }
+
+ private:
+  std::set<std::int32_t>& rounded_;
+  std::int32_t made_ = 0;
 };
 
-using Sequencer = std::unique_ptr<draco::PointsSequencer>;
 Sequencer& sequencer_of(draco::SequentialAttributeDecodersController& controller);
 
 /// Only a controller knows the sequence that was made for it, and a derived one needs the same. Access is not checked
@@ -169,6 +180,8 @@ class Bounded final : public Decoder {
  public:
   explicit Bounded(const DracoClaim& claim) : claim_(claim) {}
 
+  bool has_rounded(std::int32_t attribute) const { return rounded_.contains(attribute); }
+
  protected:
   bool DecodeConnectivity() override {
     const auto header = header_of<Decoder>(*this->buffer());
@@ -183,7 +196,8 @@ class Bounded final : public Decoder {
     // libdraco hands it out as const; it is this decoder's own.
     auto* made = const_cast<draco::AttributesDecoderInterface*>(this->attributes_decoder(number));
     auto& controller = static_cast<draco::SequentialAttributeDecodersController&>(*made);
-    return this->SetAttributesDecoder(number, std::make_unique<BoundedAttributes>(std::move(sequencer_of(controller))));
+    return this->SetAttributesDecoder(
+        number, std::make_unique<BoundedAttributes>(std::move(sequencer_of(controller)), rounded_));
   }
 
   bool DecodeAllAttributes() override {
@@ -210,6 +224,7 @@ class Bounded final : public Decoder {
 
   const DracoClaim& claim_;
   std::uint64_t spent_ = 0;
+  std::set<std::int32_t> rounded_;
 };
 
 std::vector<std::uint32_t> indices_of(const draco::Mesh& mesh) {
@@ -238,13 +253,16 @@ std::vector<std::byte> elements_of(const draco::PointAttribute& attribute, std::
 template <class Decoder>
 DracoMesh decode(draco::DecoderBuffer& buffer, const DracoClaim& claim) {
   draco::Mesh mesh;
-  if (!Bounded<Decoder>(claim).Decode(draco::DecoderOptions(), &buffer, &mesh).ok()) throw damaged();
+  Bounded<Decoder> decoder(claim);
+  if (!decoder.Decode(draco::DecoderOptions(), &buffer, &mesh).ok()) throw damaged();
   DracoMesh result{mesh.num_points(), indices_of(mesh), {}};
   if (result.points == 0 || result.indices.empty()) refuse("compressed-count", "the Draco buffer holds no triangles");
+  std::vector<bool> rounded;
   for (const DracoClaim::Attribute& attribute : claim.attributes) {
     result.attributes.push_back(elements_of(*mesh.GetAttributeByUniqueId(attribute.id), result.points));
+    rounded.push_back(decoder.has_rounded(mesh.GetAttributeIdByUniqueId(attribute.id)));
   }
-  undo_rounding(claim, result);
+  undo_rounding(claim, rounded, result);
   return result;
 }
 

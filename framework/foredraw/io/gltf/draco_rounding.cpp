@@ -70,11 +70,11 @@ void keep_sum(std::vector<Floats>& weights, std::size_t points) {
 
 }  // namespace
 
-void undo_rounding(const DracoClaim& claim, DracoMesh& mesh) {
+void undo_rounding(const DracoClaim& claim, const std::vector<bool>& rounded, DracoMesh& mesh) {
   std::vector<Floats> weights;
   for (std::size_t a = 0; a < claim.attributes.size(); ++a) {
     const auto& [id, format, semantic] = claim.attributes[a];
-    if (format.component != Component::float32) continue;
+    if (format.component != Component::float32 || !rounded[a]) continue;
     const Floats values(mesh.attributes[a], format.components);
     if (semantic.starts_with("COLOR_")) keep_in_range(values, mesh.points);
     if ((semantic == "NORMAL" || semantic == "TANGENT") && format.components >= 3) keep_unit(values, mesh.points);

@@ -12,7 +12,8 @@
 namespace foredraw {
 
 /// Reads a file. nullopt, with a diagnostic that names file and place, where it can not be read whole and right. What
-/// is compressed by Draco (KHR_draco_mesh_compression) goes out plain, unless nothing changes at all.
+/// is compressed by Draco (KHR_draco_mesh_compression) goes out plain, unless nothing changes at all or the writer is
+/// asked for Draco.
 std::optional<Scene> read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics, const SceneInput& how = {});
 
 /// Reads bytes of either kind; `name` is what diagnostics call them, and files beside are looked for in `folder`
@@ -23,10 +24,12 @@ std::optional<Scene> read_gltf(std::vector<std::byte> bytes, const std::string& 
 
 /// How data goes out that came in compressed (EXT_meshopt_compression, KHR_meshopt_compression), or plain.
 enum class Compression {
-  keep,  ///< as it came, as its parts allow: what no stage touched as it was, the rest compressed again
-  none,  ///< plain
-  ext,   ///< compressed for EXT_meshopt_compression, which most readers know
-  khr,   ///< compressed for KHR_meshopt_compression, its successor, whose vertices are shorter
+  keep,               ///< as it came, as its parts allow: what no stage touched as it was, the rest compressed again
+  none,               ///< plain
+  ext,                ///< compressed for EXT_meshopt_compression, which most readers know
+  khr,                ///< compressed for KHR_meshopt_compression, its successor, whose vertices are shorter
+  draco,              ///< by KHR_draco_mesh_compression, where triangles and vertices keep their order, and all bits
+  draco_edgebreaker,  ///< by the same, where both go into the codec's own order; a warning says so
 };
 
 /// How levels of detail that did not come as MSFT_lod go out.

@@ -6,9 +6,6 @@
 
 namespace foredraw::gltf {
 
-namespace {
-
-/// Whether an extension of ours is anywhere: products name accessors, and the rows alone know where.
 bool holds_products(const Json& value) {
   if (!value.is_structured()) return false;
   return std::ranges::any_of(value.items(), [&](const auto& item) {
@@ -16,8 +13,6 @@ bool holds_products(const Json& value) {
     return is_ours || holds_products(item.value());
   });
 }
-
-}  // namespace
 
 void leave_out_accessors(Json& json) {
   if (!json.contains("accessors") || holds_products(json)) return;

@@ -40,6 +40,8 @@ Json json_of(const Json& primitive, float error) {
   for (const char* key : {"attributes", "indices", "mode", "targets"}) {
     if (const auto found = primitive.find(key); found != primitive.end()) level[key] = *found;
   }
+  // As any primitive it may be compressed; its other extensions are those of full detail.
+  if (const Json* coded = extension_of(primitive, draco_extension)) level["extensions"][draco_extension] = *coded;
   // Digits that read back as this number, and no more.
   if (std::isfinite(error)) level["error"] = Json::parse(fmt::format("{}", error));
   return level;

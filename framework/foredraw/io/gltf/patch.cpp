@@ -1,5 +1,6 @@
 #include <foredraw/base/counted.h>
 #include <foredraw/io/gltf/private/accessor_store.h>
+#include <foredraw/io/gltf/private/draco_primitives.h>
 #include <foredraw/io/gltf/private/layout.h>
 #include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/gltf/private/list_care.h>
@@ -16,11 +17,16 @@ namespace {
 
 /// What came compressed by Draco goes out plain: its buffers and the plain copies beside them are left out, unless
 /// somebody else names them.
-void leave_draco(const Document& document, AccessorStore& store, Diagnostics& diagnostics) {
+void leave_draco(const Document& document, AccessorStore& store) {
   const FromDraco& from = *document.from_draco;
   for (const std::size_t view : from.views) store.forget_view(view);
   for (const std::size_t accessor : freed(from.copies, document.products, document)) store.release(accessor);
   for (const std::size_t accessor : from.accessors) store.correct_range(accessor);
+}
+
+void tell_plain(const Document& document, LaidOut& laid_out, Diagnostics& diagnostics) {
+  const FromDraco& from = *document.from_draco;
+  laid_out.sizes.push_back({"geometry that Draco had compressed", from.coded, from.plain});
   diagnostics.note({.file = document.name}, "draco-decompressed",
                    fmt::format("the file was compressed by Draco: {} bytes of geometry become {}", counted(from.coded),
                                counted(from.plain)));
@@ -99,11 +105,19 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
                       "pack the file into one .glb first");
     return std::nullopt;
   }
-  if (document.from_draco) leave_draco(document, store, diagnostics);
-  written.laid_out = store.lay_out(compress);
+  if (document.from_draco) leave_draco(document, store);
   const bool may_renumber = document.knows_all_extensions();
+  const bool reorders = as.compression == Compression::draco_edgebreaker;
+  const bool by_draco = (as.compression == Compression::draco || reorders) && may_renumber;
+  written.laid_out = store.lay_out(compress && !by_draco);
+  if (document.from_draco && !by_draco) tell_plain(document, written.laid_out, diagnostics);
   if (scene.lists.leaves_out_unnamed && may_renumber) leave_out_accessors(written.json);
-  if (all_compressed && may_renumber) {
+  if (by_draco) {
+    leave_out_accessors(written.json);
+    DracoOutput how{reorders && !holds_products(written.json), used_by_products(written.json, document.products)};
+    how.held.merge(used_by_products(written.json, as.products));
+    compress_primitives(written.json, written.laid_out, how, document.name, diagnostics);
+  } else if (all_compressed && may_renumber) {
     if (scene.lists.joins_equal) join_accessors(written.json, written.laid_out);
     leave_out_accessors(written.json);
     gather_views(written.json, written.laid_out);
@@ -112,10 +126,6 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   } else if (all_compressed) {
     diagnostics.note({.file = document.name, .inside = "extensionsUsed"}, "not-compressed",
                      "an unknown extension may refer to buffer views, which stay as they are");
-  }
-  if (document.from_draco) {
-    written.laid_out.sizes.push_back(
-        {"geometry that Draco had compressed", document.from_draco->coded, document.from_draco->plain});
   }
   unlist_what_is_not_used(written.json);
   told.enclose(written.json);

@@ -35,8 +35,9 @@ struct DracoMesh {
 
 /// Draco rounds floats, and may so leave what glTF allows. Normals and tangents become of length 1, whatever length
 /// they have but 0, as shaders make them. Colours are kept from 0 to 1, and weights to a sum of 1 over all their sets,
-/// where they are as near as rounding brings them; what is farther away stays.
-void undo_rounding(const DracoClaim& claim, DracoMesh& mesh);
+/// where they are as near as rounding brings them; what is farther away stays. `rounded`: of each attribute of the
+/// claim, whether the encoder rounded it. The others are as they were before.
+void undo_rounding(const DracoClaim& claim, const std::vector<bool>& rounded, DracoMesh& mesh);
 
 /// Why a buffer is refused.
 struct DracoFault {

@@ -90,6 +90,9 @@ void set_place(Json& json, std::size_t buffer, std::size_t offset, std::size_t l
 
 inline std::size_t aligned(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
 
+/// Whether an extension of ours is anywhere: products name accessors, and the rows alone know where.
+bool holds_products(const Json& value);
+
 /// Leaves out accessors that nothing names. Nobody but primitives, skins, animations and instancing may name accessors;
 /// a document with products stays as it is.
 void leave_out_accessors(Json& json);

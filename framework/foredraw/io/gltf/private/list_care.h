@@ -1,6 +1,7 @@
 #pragma once
 // What a document lists and nobody needs, left out; equal entries, made one. Private to io.
 
+#include <foredraw/base/diagnostics.h>
 #include <foredraw/io/gltf/private/accessor_store.h>
 #include <foredraw/scene/scene.h>
 
