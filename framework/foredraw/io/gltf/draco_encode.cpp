@@ -59,8 +59,11 @@ Form form_of(const DracoInput::Attribute& attribute) {
   if (format.component == Component::float32)
     return {.grid = draco_grid(values_of<float>(attribute.bytes), format.components)};
   if (format.component != Component::uint32) return {};
-  constexpr std::uint32_t most = std::numeric_limits<std::int32_t>::max();  // libdraco takes differences of signed ones
-  return {.out = std::ranges::any_of(values_of<std::uint32_t>(attribute.bytes), [](auto id) { return id > most; })};
+  // libdraco takes differences of signed ones, and counts how often each of them comes, in memory for all that may.
+  constexpr std::uint32_t most = std::numeric_limits<std::int32_t>::max(), most_apart = std::uint32_t{1} << 22;
+  const std::vector<std::uint32_t> values = values_of<std::uint32_t>(attribute.bytes);
+  const auto [least, greatest] = std::ranges::minmax(values);
+  return {.out = greatest > most || greatest - least > most_apart};
 }
 
 int add_attribute(const DracoInput::Attribute& attribute, draco::Mesh& mesh) {

@@ -16,7 +16,7 @@ namespace {
 enum class Kind { vertices, triangles, indices, other };
 
 /// Rows of one accessor, or of several that share them.
-struct Rows {
+struct GatheredRows {
   std::size_t view = 0, phase = 0, stride = 0;  ///< of the view; `phase`: where in each stride they begin
   std::size_t element = 0;                      ///< bytes
   Kind kind = Kind::other;
@@ -55,9 +55,9 @@ class Gathering {
     if (!json_.contains("bufferViews") || !json_.contains("accessors")) return;
     is_free_ = free_views(json_);
     find_kinds();
-    const std::vector<Rows> all = rows();
-    std::map<Key, std::vector<const Rows*>> groups;
-    for (const Rows& one : all) groups[key_of(one)].push_back(&one);
+    const std::vector<GatheredRows> all = rows();
+    std::map<Key, std::vector<const GatheredRows*>> groups;
+    for (const GatheredRows& one : all) groups[key_of(one)].push_back(&one);
     keep_the_others();
     for (const auto& [key, members] : groups) put(key, members);
     json_["bufferViews"] = std::move(views_);
@@ -99,8 +99,8 @@ class Gathering {
     for (const std::size_t number : not_lists) kinds_[number] = Kind::indices;
   }
 
-  std::vector<Rows> rows() const {
-    std::map<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, Kind>, std::vector<Rows>> found;
+  std::vector<GatheredRows> rows() const {
+    std::map<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, Kind>, std::vector<GatheredRows>> found;
     for (std::size_t a = 0; a < json_["accessors"].size(); ++a) {
       const Json& accessor = json_["accessors"][a];
       if (!accessor.contains("bufferView") || !is_free_[accessor["bufferView"].get<std::size_t>()]) continue;
@@ -116,11 +116,11 @@ class Gathering {
       found[{view, offset % stride, stride, element, kind}].push_back(
           {view, offset % stride, stride, element, kind, first, first + accessor["count"].get<std::size_t>(), {a}});
     }
-    std::vector<Rows> all;
+    std::vector<GatheredRows> all;
     for (auto& [where, several] : found) {
-      std::ranges::stable_sort(several, {}, &Rows::first);
+      std::ranges::stable_sort(several, {}, &GatheredRows::first);
       const std::size_t begin = all.size();
-      for (Rows& one : several) {  // accessors of rows that overlap stay so
+      for (GatheredRows& one : several) {  // accessors of rows that overlap stay so
         if (all.size() > begin && one.first < all.back().end) {
           all.back().end = std::max(all.back().end, one.end);
           all.back().accessors.push_back(one.accessors.front());
@@ -129,16 +129,17 @@ class Gathering {
         }
       }
     }
-    std::ranges::sort(all, [](const Rows& a, const Rows& b) { return a.accessors.front() < b.accessors.front(); });
+    std::ranges::sort(
+        all, [](const GatheredRows& a, const GatheredRows& b) { return a.accessors.front() < b.accessors.front(); });
     return all;
   }
 
-  const std::byte* row(const Rows& of, std::size_t number) const {
+  const std::byte* row(const GatheredRows& of, std::size_t number) const {
     const Json& view = json_["bufferViews"][of.view];
     return laid_out_.bytes.data() + view.value("byteOffset", std::size_t{0}) + number * of.stride + of.phase;
   }
 
-  Key key_of(const Rows& rows) const {
+  Key key_of(const GatheredRows& rows) const {
     const std::size_t accessor = rows.accessors.front();
     int lattice = 0;
     if (json_["accessors"][accessor]["componentType"] == 5126 && rows.kind == Kind::vertices) {
@@ -178,12 +179,12 @@ class Gathering {
   }
 
   /// One view for all of them.
-  void put(const Key& key, const std::vector<const Rows*>& members) {
+  void put(const Key& key, const std::vector<const GatheredRows*>& members) {
     const Kind kind = std::get<Kind>(key);
     const std::size_t element = std::get<1>(key);
     const std::size_t stride = kind == Kind::vertices ? aligned(element, 4) : element;
     std::vector<std::byte> bytes;
-    for (const Rows* rows : members) {
+    for (const GatheredRows* rows : members) {
       const std::size_t start = bytes.size();
       bytes.resize(start + (rows->end - rows->first) * stride);
       copy_rows(bytes.data() + start, stride, row(*rows, rows->first), rows->stride, element, rows->end - rows->first);

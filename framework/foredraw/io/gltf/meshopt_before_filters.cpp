@@ -16,7 +16,7 @@ namespace {
 
 using Filter = Coding::Filter;
 using Bytes = std::span<const std::byte>;
-using Rows = std::optional<std::vector<std::byte>>;
+using BeforeFilter = std::optional<std::vector<std::byte>>;
 
 template <class T, std::size_t N>
 std::array<T, N> load(const std::byte* from) {
@@ -40,7 +40,7 @@ bool put_rows(std::size_t count, int fewest, int most, Put put) {
 }
 
 template <class T>
-Rows before_octahedral(Bytes elements) {
+BeforeFilter before_octahedral(Bytes elements) {
   constexpr std::size_t stride = 4 * sizeof(T);
   std::vector<std::byte> rows(elements.begin(), elements.end());  // with the fourth component, which stays
   const auto put = [&](std::size_t row, int bits) {
@@ -51,10 +51,10 @@ Rows before_octahedral(Bytes elements) {
     return true;
   };
   const bool can = put_rows(elements.size() / stride, 2, static_cast<int>(8 * sizeof(T)), put);
-  return can ? Rows(std::move(rows)) : std::nullopt;
+  return can ? BeforeFilter(std::move(rows)) : std::nullopt;
 }
 
-Rows before_quaternion(Bytes elements) {
+BeforeFilter before_quaternion(Bytes elements) {
   std::vector<std::byte> rows(elements.size());
   const auto put = [&](std::size_t row, int bits) {
     const auto coded = coded_rotation(load<std::int16_t, 4>(elements.data() + row * 8), bits);
@@ -64,13 +64,13 @@ Rows before_quaternion(Bytes elements) {
     std::memcpy(rows.data() + row * 8 + 6, &last, 2);
     return true;
   };
-  return put_rows(elements.size() / 8, 4, 16, put) ? Rows(std::move(rows)) : std::nullopt;
+  return put_rows(elements.size() / 8, 4, 16, put) ? BeforeFilter(std::move(rows)) : std::nullopt;
 }
 
 constexpr int most_exponent = 100;  ///< either way; decoders may do anything beyond
 
 /// Each component of all elements as whole multiples of one power of two, the greatest that will do.
-Rows before_exponential(Bytes elements, std::size_t stride) {
+BeforeFilter before_exponential(Bytes elements, std::size_t stride) {
   constexpr int most = (1 << 23) - 1;
   std::vector<std::byte> rows(elements.size());
   for (std::size_t component = 0; component < stride; component += 4) {
@@ -109,7 +109,7 @@ std::vector<std::byte> with_sign_on_top(Bytes rows) {
   return raised;
 }
 
-Rows candidates(Filter filter, std::size_t stride, Bytes elements) {
+BeforeFilter candidates(Filter filter, std::size_t stride, Bytes elements) {
   switch (filter) {
     case Filter::octahedral:
       if (stride == 4) return before_octahedral<std::int8_t>(elements);

@@ -114,7 +114,7 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   if (scene.lists.leaves_out_unnamed && may_renumber) leave_out_accessors(written.json);
   if (by_draco) {
     leave_out_accessors(written.json);
-    DracoOutput how{reorders && !holds_products(written.json), used_by_products(written.json, document.products)};
+    DracoOutput how{reorders, holds_products(written.json), used_by_products(written.json, document.products)};
     how.held.merge(used_by_products(written.json, as.products));
     compress_primitives(written.json, written.laid_out, how, document.name, diagnostics);
   } else if (all_compressed && may_renumber) {
