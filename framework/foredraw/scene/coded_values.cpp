@@ -76,17 +76,24 @@ template OctahedralPoint nearest_point<std::int16_t>(const glm::dvec3&, int);
 template std::optional<OctahedralPoint> point_of(const std::array<std::int8_t, 3>&, int);
 template std::optional<OctahedralPoint> point_of(const std::array<std::int16_t, 3>&, int);
 
+namespace {
+
+float step_of(const SmallestThree& coded) { return 0.70710678f / static_cast<float>(coded.one | 3); }
+
+std::int16_t as_16_bits(float component) { return nearest_whole<std::int16_t>(component * 32767); }
+
+}  // namespace
+
 std::array<std::int16_t, 4> rotation_of(const SmallestThree& coded) {
-  constexpr float one = 32767;
-  const float scale = 0.70710678f / static_cast<float>(coded.one | 3);
+  const float step = step_of(coded);
   std::array<std::int16_t, 4> result{};
   float rest = 1;
   for (std::size_t i = 0; i < 3; ++i) {
-    const float part = static_cast<float>(coded.parts[i]) * scale;
+    const float part = static_cast<float>(coded.parts[i]) * step;
     rest -= part * part;
-    result[(coded.greatest + 1 + i) % 4] = nearest_whole<std::int16_t>(part * one);
+    result[(coded.greatest + 1 + i) % 4] = as_16_bits(part);
   }
-  result[coded.greatest] = nearest_whole<std::int16_t>(std::sqrt(std::max(rest, 0.0f)) * one);
+  result[coded.greatest] = as_16_bits(std::sqrt(std::max(rest, 0.0f)));
   return result;
 }
 
@@ -111,17 +118,30 @@ SmallestThree nearest_rotation(const std::array<double, 4>& rotation, int bits) 
 
 std::optional<SmallestThree> coded_rotation(const std::array<std::int16_t, 4>& rotation, int bits) {
   SmallestThree coded{{}, static_cast<std::int16_t>(one_of(bits)), 0};
-  for (; coded.greatest < 4; ++coded.greatest) {  // with few bits it need not be the greatest any more
-    std::array<int, 3> middle{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double part = rotation[(coded.greatest + 1u + i) % 4] / 32767.0 * std::sqrt(2.0) * (coded.one | 3);
-      middle[i] = static_cast<int>(std::lround(part));
+  const float step = step_of(coded);
+  // With many bits several parts become the same component; with few perhaps none does.
+  struct Parts {
+    std::array<std::int16_t, 3> each{};
+    std::size_t count = 0;
+  };
+  std::array<Parts, 4> parts;
+  std::size_t without = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const int middle = static_cast<int>(std::lround(rotation[i] / 32767.0 * std::sqrt(2.0) * (coded.one | 3)));
+    for (const int near : {middle, middle + 1, middle - 1}) {
+      const auto part = static_cast<std::int16_t>(std::clamp(near, -32767, 32767));
+      if (as_16_bits(static_cast<float>(part) * step) == rotation[i]) parts[i].each[parts[i].count++] = part;
     }
-    for (int near = 0; near < 27; ++near) {  // with many bits several parts are rounded to the same number
-      const std::array<int, 3> off{(near + 1) % 3 - 1, (near / 3 + 1) % 3 - 1, (near / 9 + 1) % 3 - 1};
-      for (std::size_t i = 0; i < 3; ++i) {
-        coded.parts[i] = static_cast<std::int16_t>(std::clamp(middle[i] + off[i], -32767, 32767));
-      }
+    if (parts[i].count == 0 && ++without == 2) return std::nullopt;
+  }
+  for (; coded.greatest < 4; ++coded.greatest) {  // with few bits it need not be the greatest any more
+    const std::array others{&parts[(coded.greatest + 1) % 4], &parts[(coded.greatest + 2) % 4],
+                            &parts[(coded.greatest + 3) % 4]};
+    const std::size_t choices = others[0]->count * others[1]->count * others[2]->count;
+    for (std::size_t choice = 0; choice < choices; ++choice) {
+      std::size_t rest = choice;
+      for (std::size_t i = 0; i < 3; rest /= others[i++]->count)
+        coded.parts[i] = others[i]->each[rest % others[i]->count];
       if (rotation_of(coded) == rotation) return coded;
     }
   }

@@ -1,37 +1,30 @@
 // Who refers to which accessor.
+#include <foredraw/io/gltf/private/each_extension.h>
 #include <foredraw/io/gltf/private/write.h>
 
 #include <algorithm>
 
 namespace foredraw::gltf {
 
-namespace {
-
-/// Every whole number anywhere in the value: what an extension that we do not know might mean as an accessor.
 void collect_numbers(const Json& value, std::set<std::size_t>& numbers) {
   if (value.is_number_unsigned()) numbers.insert(value.get<std::size_t>());
   if (!value.is_structured()) return;
   for (const Json& part : value) collect_numbers(part, numbers);
 }
 
-void collect_extension_users(const Json& value, const Document& document, std::set<std::size_t>& numbers) {
-  if (!value.is_structured()) return;
-  for (const auto& [key, part] : value.items()) {
-    if (value.is_object() && key == "extras") continue;
-    if (value.is_object() && key == "extensions" && part.is_object()) {
-      for (const auto& [name, held] : part.items()) {
-        if (!document.knows_extension(name) || name == mesh_gpu_instancing) collect_numbers(held, numbers);
-      }
-    }
-    collect_extension_users(part, document, numbers);
-  }
+namespace {
+
+void collect_extension_users(const Document& document, std::set<std::size_t>& numbers) {
+  each_extension(document.json, [&](const std::string& name, const Json& held) {
+    if (!document.knows_extension(name) || name == mesh_gpu_instancing) collect_numbers(held, numbers);
+  });
 }
 
 }  // namespace
 
 std::set<std::size_t> named_by_unknown_extensions(const Document& document) {
   std::set<std::size_t> numbers;
-  collect_extension_users(document.json, document, numbers);
+  collect_extension_users(document, numbers);
   return numbers;
 }
 
@@ -52,7 +45,7 @@ std::set<std::size_t> used_elsewhere(const Document& document) {
       }
     }
   }
-  collect_extension_users(json, document, numbers);
+  collect_extension_users(document, numbers);
   return numbers;
 }
 

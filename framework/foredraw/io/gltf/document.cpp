@@ -1,4 +1,5 @@
 #include <foredraw/io/gltf/private/document.h>
+#include <foredraw/io/gltf/private/each_extension.h>
 #include <foredraw/io/gltf/private/rows.h>
 #include <foredraw/io/text/private/uri.h>
 
@@ -168,24 +169,6 @@ std::uint64_t bytes_read(const Document& document) {
   return bytes;
 }
 
-namespace {
-
-void collect_extensions(const Json& json, std::set<std::string>& names) {
-  if (json.is_array()) {
-    for (const Json& value : json) collect_extensions(value, names);
-  }
-  if (!json.is_object()) return;
-  for (const auto& [key, value] : json.items()) {
-    if (key == "extras") continue;
-    if (key == "extensions" && value.is_object()) {
-      for (const auto& [name, held] : value.items()) names.insert(name);
-    }
-    collect_extensions(value, names);
-  }
-}
-
-}  // namespace
-
 std::vector<std::string> extensions_in(const Json& json) {
   std::set<std::string> names;
   if (const auto used = json.find("extensionsUsed"); used != json.end() && used->is_array()) {
@@ -193,7 +176,7 @@ std::vector<std::string> extensions_in(const Json& json) {
       if (name.is_string()) names.insert(name.get<std::string>());
     }
   }
-  collect_extensions(json, names);
+  each_extension(json, [&](const std::string& name, const Json&) { names.insert(name); });
   return {names.begin(), names.end()};
 }
 

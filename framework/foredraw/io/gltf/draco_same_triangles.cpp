@@ -45,7 +45,7 @@ std::vector<Stamp> stamps_of_triangles(std::span<const std::uint32_t> indices, c
     const std::uint32_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
     if (same_place(a, b) || same_place(b, c) || same_place(c, a)) continue;
     std::array<Stamp, 3> corners{vertices[a], vertices[b], vertices[c]};
-    std::ranges::rotate(corners, std::ranges::min_element(corners));  // may begin at any corner
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());  // may begin at any corner
     stamps.push_back(combine(corners));
   }
   std::ranges::sort(stamps);

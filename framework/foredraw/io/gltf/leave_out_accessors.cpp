@@ -1,17 +1,14 @@
 // Accessors that nothing names any more, left out of the text: others move up.
+#include <foredraw/io/gltf/private/each_extension.h>
 #include <foredraw/io/gltf/private/layout.h>
 #include <foredraw/io/gltf/private/write.h>
-
-#include <algorithm>
 
 namespace foredraw::gltf {
 
 bool holds_products(const Json& value) {
-  if (!value.is_structured()) return false;
-  return std::ranges::any_of(value.items(), [&](const auto& item) {
-    const bool is_ours = value.is_object() && item.key().starts_with("FOREDRAW_");
-    return is_ours || holds_products(item.value());
-  });
+  bool found = false;
+  each_extension(value, [&](const std::string& name, const Json&) { found = found || name.starts_with("FOREDRAW_"); });
+  return found;
 }
 
 void leave_out_accessors(Json& json) {

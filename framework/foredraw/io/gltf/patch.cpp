@@ -1,6 +1,7 @@
 #include <foredraw/base/counted.h>
 #include <foredraw/io/gltf/private/accessor_store.h>
 #include <foredraw/io/gltf/private/draco_primitives.h>
+#include <foredraw/io/gltf/private/each_extension.h>
 #include <foredraw/io/gltf/private/layout.h>
 #include <foredraw/io/gltf/private/levels.h>
 #include <foredraw/io/gltf/private/list_care.h>
@@ -53,17 +54,12 @@ bool names_a_buffer(const Json& value) {
 }
 
 /// All buffers become one. An extension that we do not know must not be left pointing at another.
-bool may_join_buffers(const Json& value, const Document& document) {
-  if (!value.is_structured()) return true;
-  for (const auto& [key, part] : value.items()) {
-    if (value.is_object() && key == "extensions" && part.is_object()) {
-      for (const auto& [name, held] : part.items()) {
-        if (!document.knows_extension(name) && names_a_buffer(held)) return false;
-      }
-    }
-    if (!may_join_buffers(part, document)) return false;
-  }
-  return true;
+bool may_join_buffers(const Document& document) {
+  bool may = true;
+  each_extension(document.json, [&](const std::string& name, const Json& held) {
+    may = may && (document.knows_extension(name) || !names_a_buffer(held));
+  });
+  return may;
 }
 
 /// An object that grows copies all that its members hold, and of a document this is everything.
@@ -99,7 +95,7 @@ std::optional<Written> patched(const Scene& of_levels, const Source& source, con
   written.changed = !may_stay || document.left_out || store.changed() || written.json != document.json ||
                     !told.same_errors() || (!compress && is_compressed(document)) || all_compressed;
   if (!written.changed) return written;
-  if (document.buffers.size() > 1 && !may_join_buffers(document.json, document)) {
+  if (document.buffers.size() > 1 && !may_join_buffers(document)) {
     diagnostics.error({.file = document.name, .inside = "buffers"}, "cannot-express",
                       "the file has several buffers, and an unknown extension refers to them by index",
                       "pack the file into one .glb first");

@@ -1,4 +1,5 @@
 // Animations put back: what a stage changed of their keys. Rotations that 16 bits hold to the last bit are written so.
+#include <foredraw/io/gltf/private/each_extension.h>
 #include <foredraw/io/gltf/private/write.h>
 
 #include <algorithm>
@@ -55,15 +56,6 @@ std::size_t output_of(const AnimationChannel& channel, AccessorStore& store) {
   return store.append(floats(values, channel.path == AnimatedPath::weights ? 1 : 3, false));
 }
 
-/// Whole numbers that any extension holds: any may mean an accessor.
-void collect_held(const Json& value, bool is_held, std::set<std::size_t>& numbers) {
-  if (is_held && value.is_number_unsigned()) numbers.insert(value.get<std::size_t>());
-  if (!value.is_structured()) return;
-  for (const auto& [key, part] : value.items()) {
-    collect_held(part, is_held || (value.is_object() && key == "extensions"), numbers);
-  }
-}
-
 std::set<std::size_t> used_by_samplers(const Json& animation) {
   std::set<std::size_t> numbers;
   for (const Json& sampler : animation["samplers"]) {
@@ -75,7 +67,7 @@ std::set<std::size_t> used_by_samplers(const Json& animation) {
 /// Those of the accessors that nothing in the document names.
 std::set<std::size_t> unused(std::set<std::size_t> candidates, Json& json) {
   std::set<std::size_t> used;
-  collect_held(json, false, used);
+  each_extension(json, [&](const std::string&, const Json& held) { collect_numbers(held, used); });
   each_accessor_named(json, [&](const Json& number) { used.insert(number.get<std::size_t>()); });
   std::erase_if(candidates, [&](std::size_t number) { return used.contains(number); });
   return candidates;

@@ -74,7 +74,7 @@ std::vector<std::vector<std::array<Stamp, 3>>> shown(const Scene& scene) {
       const std::uint32_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
       if (place(a) == place(b) || place(b) == place(c) || place(c) == place(a)) continue;  // draws nothing
       std::array corners{stamp(a), stamp(b), stamp(c)};
-      std::ranges::rotate(corners, std::ranges::min_element(corners));
+      std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
       triangles.push_back(corners);
     }
     std::ranges::sort(triangles);
