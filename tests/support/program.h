@@ -1,6 +1,8 @@
 #pragma once
 // The program, run in a folder of its own as its users run it.
 
+#include "support/test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,17 +37,10 @@ inline constexpr bool is_sanitized = false;
 
 /// A test with a folder that is empty at first and gone at last.
 class InFolder : public ::testing::Test {
- protected:
-  InFolder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string("foredraw-") + test->test_suite_name() + '-' + test->name();
-    for (char& c : name) c = c == '/' ? '-' : c;
-    folder_ = std::filesystem::path(::testing::TempDir()) / name;
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~InFolder() override { std::filesystem::remove_all(folder_); }
+ private:
+  TestFolder own_{name_of_test()};
 
+ protected:
   /// Sorted.
   std::vector<std::string> files() const {
     std::vector<std::string> names;
@@ -55,7 +50,7 @@ class InFolder : public ::testing::Test {
     return names;
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = own_.path();
 };
 
 struct Ended {

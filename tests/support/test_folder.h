@@ -1,0 +1,44 @@
+#pragma once
+// A folder on the disk for one test.
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace foredraw::testing {
+
+/// Empty at first, and gone at last with all that it holds. No other test has it, nor has the same test of another run
+/// that goes on at this time.
+class TestFolder {
+ public:
+  explicit TestFolder(const std::string& name) {
+    std::string path = std::filesystem::path(::testing::TempDir()) / ("foredraw-" + name + ".XXXXXX");
+    if (::mkdtemp(path.data()) == nullptr) throw std::system_error(errno, std::generic_category(), path);
+    path_ = path;
+  }
+  ~TestFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TestFolder(const TestFolder&) = delete;
+  TestFolder& operator=(const TestFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Named after the test that runs.
+inline std::string name_of_test() {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  std::string name = std::string(test->test_suite_name()) + '-' + test->name();
+  for (char& c : name) c = c == '/' ? '-' : c;
+  return name;
+}
+
+}  // namespace foredraw::testing
