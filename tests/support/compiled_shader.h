@@ -5,8 +5,6 @@
 
 #include "support/program.h"
 
-#include <unistd.h>
-
 #include <cstdint>
 #include <cstring>
 
@@ -18,10 +16,8 @@ inline bool has_shader_compiler() { return std::system("glslangValidator --versi
 /// "tesc", "tese", "frag" or "comp".
 inline std::vector<std::uint32_t> compiled_shader(const std::string& text, ShaderLanguage language,
                                                   const std::string& stage) {
-  static int number = 0;
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) /
-                                       ("foredraw_shader_" + std::to_string(getpid()) + "_" + std::to_string(number++));
-  std::filesystem::create_directories(folder);
+  const TestFolder own;
+  const std::filesystem::path& folder = own.path();
   const bool glsl = language == ShaderLanguage::glsl;
   put(folder / "source", (glsl ? "#version 450\n" : "") + text);
   const std::string path = "'" + folder.string() + "/";
@@ -31,7 +27,6 @@ inline std::vector<std::uint32_t> compiled_shader(const std::string& text, Shade
   const bool compiles = std::system(command.c_str()) == 0;
   EXPECT_TRUE(compiles) << content(folder / "log") << text;
   const std::string code = compiles ? content(folder / "code") : "";
-  std::filesystem::remove_all(folder);
   std::vector<std::uint32_t> words(code.size() / sizeof(std::uint32_t));
   std::memcpy(words.data(), code.data(), words.size() * sizeof(std::uint32_t));
   return words;

@@ -38,7 +38,7 @@ inline constexpr bool is_sanitized = false;
 /// A test with a folder that is empty at first and gone at last.
 class InFolder : public ::testing::Test {
  private:
-  TestFolder own_{name_of_test()};
+  TestFolder own_;
 
  protected:
   /// Sorted.

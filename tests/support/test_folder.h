@@ -11,12 +11,12 @@
 
 namespace foredraw::testing {
 
-/// Empty at first, and gone at last with all that it holds. No other test has it, nor has the same test of another run
-/// that goes on at this time.
+/// Named after the test that runs; empty at first, and gone at last with all that it holds. No other test has it, nor
+/// has the same test of another run that goes on at this time.
 class TestFolder {
  public:
-  explicit TestFolder(const std::string& name) {
-    std::string path = std::filesystem::path(::testing::TempDir()) / ("foredraw-" + name + ".XXXXXX");
+  TestFolder() {
+    std::string path = std::filesystem::path(::testing::TempDir()) / ("foredraw-" + name_of_test() + ".XXXXXX");
     if (::mkdtemp(path.data()) == nullptr) throw std::system_error(errno, std::generic_category(), path);
     path_ = path;
   }
@@ -30,15 +30,14 @@ class TestFolder {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  static std::string name_of_test() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(test->test_suite_name()) + '-' + test->name();
+    for (char& c : name) c = c == '/' ? '-' : c;
+    return name;
+  }
+
   std::filesystem::path path_;
 };
-
-/// Named after the test that runs.
-inline std::string name_of_test() {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = std::string(test->test_suite_name()) + '-' + test->name();
-  for (char& c : name) c = c == '/' ? '-' : c;
-  return name;
-}
 
 }  // namespace foredraw::testing

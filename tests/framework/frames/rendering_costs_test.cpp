@@ -1,5 +1,7 @@
 #include <foredraw/frames/rendering_costs.h>
 
+#include "support/test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -96,13 +98,13 @@ TEST(RenderingCosts, MistakesNameTheLineAndWhatWasExpected) {
 }
 
 TEST(RenderingCosts, OfAFileAreThoseOfItsText) {
-  const std::string path = ::testing::TempDir() + "rendering_costs_test.txt";
+  const testing::TestFolder folder;
+  const std::string path = folder.path() / "costs.txt";
   std::ofstream(path, std::ios::binary) << by_hand;
   EXPECT_EQ(std::get<RenderingCosts>(read_costs(path)), made_up(Stages::max));
-  std::remove(path.c_str());
   EXPECT_EQ(std::get<std::string>(read_costs("nowhere/costs.txt")).find("nowhere/costs.txt: there is no such file"),
             0u);
-  EXPECT_TRUE(std::holds_alternative<std::string>(read_costs(::testing::TempDir()))) << "a folder is no file";
+  EXPECT_TRUE(std::holds_alternative<std::string>(read_costs(folder.path().string()))) << "a folder is no file";
 }
 
 TEST(RenderingCosts, ARenderingIsCalledAsInTheFile) {

@@ -1,5 +1,7 @@
 #include <foredraw/pipeline/parse.h>
 
+#include "support/test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -17,10 +19,10 @@ TEST(LoadPipeline, TakesALineAPresetOrAFile) {
   ASSERT_TRUE(preset);
   EXPECT_EQ(preset->stages.front().where.file, "@default");
 
-  const auto file = std::filesystem::path(::testing::TempDir()) / "foredraw load pipeline.toml";
+  const testing::TestFolder folder;
+  const auto file = folder.path() / "a pipeline.toml";
   std::ofstream(file) << "pipeline = 1\nseed = 7\n";
   const auto read = load_pipeline(file.string(), diagnostics);
-  std::filesystem::remove(file);
   ASSERT_TRUE(read) << to_text(diagnostics);
   EXPECT_EQ(read->seed, 7);
   EXPECT_TRUE(diagnostics.empty());

@@ -5,6 +5,7 @@
 #include <foredraw/technique/built_in_plugins.h>
 
 #include "support/meshes.h"
+#include "support/test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,8 @@ TEST(MeasuredFrames, EvaluatorsOfFramesTakeWhatTheyDoNotSay) {
 }
 
 TEST(MeasuredFrames, PathsOfFilesCountFromThePipelinesFolder) {
-  const std::filesystem::path folder = ::testing::TempDir();
+  const testing::TestFolder own;
+  const std::filesystem::path& folder = own.path();
   std::ofstream(folder / "a.walk") << "0  0 0 5  0 0 0\n";
   const auto settings = frames_settings("pipeline = 1\nmeasure = ['lod-walk']\n[frames]\npath = 'a.walk'\n",
                                         (folder / "p.toml").string());

@@ -1,5 +1,7 @@
 #include <foredraw/platform/files.h>
 
+#include "support/test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -31,8 +33,7 @@ std::string text_of(const std::vector<std::byte>& bytes) {
 
 class Files : public ::testing::Test {
  protected:
-  Files() { fs::create_directories(folder_); }
-  ~Files() override { fs::remove_all(folder_); }
+  Files() { fs::create_directory(folder_); }
 
   static void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
   static std::string get(const fs::path& path) {
@@ -46,9 +47,8 @@ class Files : public ::testing::Test {
   std::string only_code() const { return diagnostics_.all().size() == 1 ? diagnostics_.all()[0].code : "not one"; }
   std::string only_file() const { return diagnostics_.all().at(0).where.file; }
 
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) /
-      ("foredraw files " + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const testing::TestFolder own_;
+  const fs::path folder_ = own_.path() / "with blanks";
   Diagnostics diagnostics_;
 };
 

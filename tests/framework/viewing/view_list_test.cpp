@@ -2,6 +2,8 @@
 
 #include <foredraw/viewing/view_set.h>
 
+#include "support/test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -15,8 +17,6 @@ namespace {
 /// A file of this text, for as long as the test runs.
 class ViewList : public ::testing::Test {
  protected:
-  ~ViewList() override { std::filesystem::remove(path_); }
-
   ViewSet set_of(const std::string& text) const {
     std::ofstream(path_, std::ios::binary) << text;
     ViewSet set;
@@ -35,8 +35,8 @@ class ViewList : public ::testing::Test {
     return complaint.starts_with(path_) ? complaint.substr(path_.size()) : complaint;
   }
 
-  const std::string path_ =
-      ::testing::TempDir() + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".views.txt";
+  const testing::TestFolder folder_;
+  const std::string path_ = folder_.path() / "views.txt";
 };
 
 TEST_F(ViewList, directions_and_positions) {

@@ -3,6 +3,7 @@
 
 #include "support/merged_scenes.h"
 #include "support/meshes.h"
+#include "support/test_folder.h"
 
 #include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/scene_file.h>
@@ -172,7 +173,8 @@ TEST(MergedFiles, TheirPlacesAreKnownBefore) {
 
 /// Whether the compiler takes a vertex shader. Its output tells why not.
 bool compiles(const std::string& text, const std::string& arguments) {
-  const std::filesystem::path folder = ::testing::TempDir();
+  const testing::TestFolder own;
+  const std::filesystem::path& folder = own.path();
   const std::filesystem::path source = folder / "merged_files_test.vert";
   std::ofstream(source) << text;
   const std::string command = "glslangValidator " + arguments + " -o \"" + (folder / "merged_files_test.spv").string() +

@@ -1,6 +1,7 @@
 // FOREDRAW_merge_instances: from a scene to a file and back, and where its bytes lie.
 
 #include "support/merged_scenes.h"
+#include "support/test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,8 @@ TEST(GltfMergedInstances, come_back_as_they_were_and_no_vertex_is_written_twice)
 
 TEST(GltfMergedInstances, come_back_from_a_gltf_with_its_buffer) {
   const Scene scene = merged_yard(read(yard()));
-  const std::filesystem::path folder = ::testing::TempDir();
+  const testing::TestFolder own;
+  const std::filesystem::path& folder = own.path();
   Diagnostics diagnostics;
   const auto files = encode_gltf(scene, folder / "yard.gltf", diagnostics);
   ASSERT_TRUE(files);

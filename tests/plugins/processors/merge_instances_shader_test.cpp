@@ -1,5 +1,7 @@
 #include <plugins/processors/merge_instances/merged_shader.h>
 
+#include "support/test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -32,7 +34,8 @@ VertexStreams all_formats() {
 
 /// Whether the compiler takes a shader. Its output tells why not.
 bool compiles(const std::string& text, const std::string& arguments, const std::string& name) {
-  const std::filesystem::path folder = ::testing::TempDir();
+  const testing::TestFolder own;
+  const std::filesystem::path& folder = own.path();
   const std::filesystem::path source = folder / (name + ".vert");
   std::ofstream(source) << text;
   const std::string command = "glslangValidator " + arguments + " -o \"" + (folder / (name + ".spv")).string() +

@@ -4,6 +4,7 @@
 #include "support/compiled_shader.h"
 #include "support/packed_vertices.h"
 #include "support/program.h"
+#include "support/test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -199,8 +200,8 @@ using PackedOnDevice = testing::OnDevice;
 /// A million random rows and vertices for each layout that has all fields; fewer for the others.
 TEST_F(PackedOnDevice, DecodesAndEncodesToTheBitsOfTheHeader) {
   if (!testing::has_shader_compiler()) GTEST_SKIP() << "there is no glslangValidator";
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "foredraw-packed-on-device";
-  std::filesystem::create_directories(folder);
+  const testing::TestFolder own;
+  const std::filesystem::path& folder = own.path();
   gpu::Device device(choice());
   const std::vector<PackedLayout> all = layouts();
   for (std::size_t l = 0; l < all.size(); ++l) {
@@ -216,7 +217,6 @@ TEST_F(PackedOnDevice, DecodesAndEncodesToTheBitsOfTheHeader) {
       EXPECT_TRUE(encoded == wanted.encoded) << language << ' ' << l;
     }
   }
-  std::filesystem::remove_all(folder);
 }
 
 #endif

@@ -15,6 +15,7 @@
 #include "framework/io/gltf/compressed_scenes.h"
 
 #include "support/meshes.h"
+#include "support/test_folder.h"
 
 namespace foredraw {
 namespace {
@@ -245,20 +246,18 @@ TEST(GltfCompression, beside_unknown_extensions_plain_copies_stay_too) {
   builder.json["extensions"]["ACME_secrets"] = {{"bufferView", 6}};
   Scene scene = testing::read(builder);
   testing::reverse(scene.draws[0]);
-  const fs::path folder = fs::temp_directory_path() / "foredraw-compression-unknown";
-  fs::create_directories(folder);
+  const testing::TestFolder own;
+  const fs::path& folder = own.path();
   for (const OutputFile& one : encode(scene).files) put(folder / one.path, one.bytes);
   Diagnostics quiet;
   const auto again = read_gltf(folder / "out.glb", quiet);
   ASSERT_TRUE(again && quiet.empty()) << to_text(quiet);
   expect_same(*again, scene);
-  fs::remove_all(folder);
 }
 
 TEST(GltfCompression, a_plain_copy_that_is_a_file_is_written_beside_and_may_be_missing) {
-  const fs::path folder = fs::temp_directory_path() / "foredraw-compression-fallback";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const testing::TestFolder own;
+  const fs::path& folder = own.path();
   GltfBuilder builder = testing::compressed(testing::puppet());
   builder.json["buffers"][1]["uri"] = "plain%20copy.bin";
   const Bytes file = builder.glb();
@@ -286,7 +285,6 @@ TEST(GltfCompression, a_plain_copy_that_is_a_file_is_written_beside_and_may_be_m
   const auto again = read_gltf(folder / "out.gltf", quiet);
   ASSERT_TRUE(again && quiet.empty()) << to_text(quiet);
   expect_same(*again, *scene);
-  fs::remove_all(folder);
 }
 
 TEST(GltfCompression, what_is_not_known_is_read_from_its_plain_copy_and_replaced_when_anything_changes) {

@@ -8,6 +8,7 @@
 #include "framework/io/gltf/edits.h"
 #include "support/gltf_builder.h"
 #include "support/meshes.h"
+#include "support/test_folder.h"
 
 namespace foredraw {
 namespace {
@@ -24,7 +25,8 @@ TEST(GltfWrite, untouched_file_comes_out_byte_for_byte) {
 
 /// A .bin beside is that of a .gltf of the name, which may be written there too.
 TEST(GltfWrite, untouched_glb_takes_in_the_bytes_that_lay_beside_it) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "foredraw-glb-with-bin-beside";
+  const testing::TestFolder own;
+  const std::filesystem::path& folder = own.path();
   std::filesystem::create_directories(folder / "out");
   const GltfBuilder built = ribbon(3);
   GltfJson json = built.json;
@@ -43,7 +45,6 @@ TEST(GltfWrite, untouched_glb_takes_in_the_bytes_that_lay_beside_it) {
   EXPECT_EQ(files->size(), 1u);
   EXPECT_EQ(stream(read(files->front().bytes), 0, "POSITION").bytes.stamp(),
             stream(*scene, 0, "POSITION").bytes.stamp());
-  std::filesystem::remove_all(folder);
 }
 
 TEST(GltfWrite, reordered_triangles_change_the_bytes_of_the_indices_alone) {

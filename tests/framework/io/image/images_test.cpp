@@ -16,6 +16,7 @@
 
 #include "support/gltf_builder.h"
 #include "support/image_builder.h"
+#include "support/test_folder.h"
 
 namespace foredraw {
 namespace {
@@ -275,7 +276,8 @@ TEST(Images, facts_are_known_of_a_scene_that_was_read) {
 TEST(Images, are_decoded_for_analyses_from_the_scene_or_from_beside_it) {
   const ImageFacts facts{3, 2, 4, 8};
   const std::vector<std::byte> png = testing::png_of(facts, values_of(facts));
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "images beside";
+  const testing::TestFolder own;
+  const std::filesystem::path folder = own.path() / "images beside";
   std::filesystem::create_directories(folder / "inner");
   std::ofstream(folder / "inner" / "a leaf.png", std::ios::binary)
       .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "support/mesh_reading.h"
+#include "support/test_folder.h"
 
 namespace foredraw {
 namespace {
@@ -222,15 +223,11 @@ TEST(MeshObj, WhatIsTooSmallForAFloatIsZero) {
 
 class MeshObjMaterials : public ::testing::Test {
  protected:
-  MeshObjMaterials()
-      : folder_(fs::temp_directory_path() /
-                ("foredraw-mtl-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-    fs::create_directories(folder_ / "inner");
-  }
-  ~MeshObjMaterials() override { fs::remove_all(folder_); }
+  MeshObjMaterials() { fs::create_directories(folder_ / "inner"); }
   void put(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
 
-  fs::path folder_;
+  testing::TestFolder own_;
+  const fs::path folder_ = own_.path();
 };
 
 TEST_F(MeshObjMaterials, BlendedOnesAndTexturesAreKnown) {

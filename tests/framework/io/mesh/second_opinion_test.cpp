@@ -14,6 +14,7 @@
 
 #include "support/mesh_reading.h"
 #include "support/meshes.h"
+#include "support/test_folder.h"
 
 namespace foredraw {
 namespace {
@@ -136,8 +137,8 @@ TEST(MeshSecondOpinion, OpenMeshSeesTheSameTriangles) {
     ASSERT_TRUE(ours.scene) << ours.error();
     const Level& level = ours.scene->draws[0].levels[0];
 
-    const auto file =
-        std::filesystem::temp_directory_path() / ("foredraw-second-opinion" + std::string(extension_of(kind)));
+    const testing::TestFolder folder;
+    const auto file = folder.path() / ("torus" + std::string(extension_of(kind)));
     std::ofstream(file) << text;
     FlatImporter theirs;
     OpenMesh::IO::Options options;
@@ -147,7 +148,6 @@ TEST(MeshSecondOpinion, OpenMeshSeesTheSameTriangles) {
         : kind == MeshKind::off ? static_cast<OpenMesh::IO::BaseReader&>(OpenMesh::IO::OFFReader())
                                 : OpenMesh::IO::STLReader();
     ASSERT_TRUE(reader.read(file.string(), theirs, options));
-    std::filesystem::remove(file);
 
     EXPECT_EQ(triangles(decode_vec3(*level.vertices->find("POSITION")), level.orders[0].indices.view()),
               triangles(theirs.positions, theirs.indices))

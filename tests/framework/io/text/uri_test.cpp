@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "support/gltf_builder.h"
+#include "support/test_folder.h"
 
 namespace foredraw {
 namespace {
@@ -38,7 +39,6 @@ TEST(GltfUri, data_uris_are_decoded_or_refused) {
 class GltfFiles : public ::testing::Test {
  protected:
   GltfFiles() {
-    folder_ = fs::temp_directory_path() / ("foredraw_gltf_" + std::to_string(::getpid()));
     fs::create_directories(folder_ / "inside" / "deeper");
     write("secret.bin");
     write("inside/my mesh.bin");
@@ -48,7 +48,6 @@ class GltfFiles : public ::testing::Test {
     fs::create_symlink("deeper/mesh.bin", folder_ / "inside" / "way_in.bin", ignored);
     fs::create_directory_symlink("..", folder_ / "inside" / "up", ignored);
   }
-  ~GltfFiles() override { fs::remove_all(folder_); }
 
   void write(const std::string& name) {
     Diagnostics diagnostics;
@@ -66,7 +65,8 @@ class GltfFiles : public ::testing::Test {
     return diagnostics.empty() ? "" : diagnostics.all().front().code;
   }
 
-  fs::path folder_;
+  testing::TestFolder own_;
+  const fs::path folder_ = own_.path();
 };
 
 TEST_F(GltfFiles, buffers_beside_are_found) {
