@@ -24,7 +24,7 @@ namespace foredraw::cli {
 namespace {
 
 /// The inputs, folders among them replaced by the scenes that they hold.
-std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>& inputs, FolderScenes which,
+std::optional<std::vector<std::string>> scenes_of(const std::vector<std::string>& inputs, const FolderScenes& which,
                                                   Diagnostics& diagnostics) {
   std::vector<std::string> files;
   for (const std::string& input : inputs) {
@@ -216,8 +216,7 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   if (!pipelines || !fronts) return refuse(diagnostics);
   const bool has_sprites = std::ranges::any_of(
       *pipelines, [&](const NamedPipeline& named) { return works_on_sprites(named.pipeline, registry); });
-  const auto inputs =
-      scenes_of(arguments.inputs, has_sprites ? FolderScenes::and_sprites : FolderScenes::meshes, diagnostics);
+  const auto inputs = scenes_of(arguments.inputs, scenes_for(has_sprites), diagnostics);
   if (!inputs) return refuse(diagnostics);
   const auto budget = budget_of(arguments, pipelines->size(), diagnostics);
   if (!budget || !have_sources(*fronts, *budget, *pipelines, diagnostics) ||

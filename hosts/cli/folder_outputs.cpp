@@ -96,15 +96,18 @@ bool outputs_meet(const std::vector<fs::path>& scenes, const fs::path& from, con
     }
   }
   const auto name_of = [&](std::size_t taker) {
-    return taker == an_input ? "an input" : taker < scenes.size() ? scenes[taker].string() : "all sprites";
+    return taker < scenes.size() ? scenes[taker].string() : "all sprites";
   };
   const auto take = [&](const fs::path& output, std::size_t taker) {
     for (const fs::path& file : foredraw::paths_written_for(output)) {
       const auto [at, is_new] = taken.emplace(places.of(file), taker);
       if (is_new) continue;
-      diagnostics.error({.file = file.string()}, "outputs-meet",
-                        name_of(at->second) + " and the output of " + name_of(taker) + " would both have this name",
-                        "give one of them another name, or -o another folder");
+      const bool is_input = at->second == an_input;
+      const std::string who =
+          is_input ? "an input and the output of " : "the outputs of " + name_of(at->second) + " and ";
+      diagnostics.error({.file = file.string()}, "outputs-meet", who + name_of(taker) + " would both have this name",
+                        is_input ? "give -o another folder" : "give one of them another name");
+      return;  // that further files of the two meet is the same
     }
   };
   for (std::size_t i = 0; i < scenes.size(); ++i) take(output_of(scenes[i], outputs.folder), i);

@@ -43,21 +43,21 @@ bool works_on_sprites(const Pipeline& pipeline, const Registry& registry) {
   return std::ranges::any_of(pipeline.stages, does) || std::ranges::any_of(pipeline.measure, does);
 }
 
-bool is_scene_of_folder(const fs::path& file) {
+FolderScenes scenes_for(bool works_on_sprites) { return {works_on_sprites, !import_limits().importer.empty()}; }
+
+bool is_scene_of_folder(const fs::path& file, const FolderScenes& which) {
   if (is_scene_file(file)) return true;
-  if (!is_imported_file(file) || import_limits().importer.empty()) return false;
+  if (!which.with_imported || !is_imported_file(file)) return false;
   std::error_code error;
   return std::ranges::none_of(std::array{".glb", ".gltf"}, [&](const char* extension) {
     return fs::exists(fs::path(file).replace_extension(extension), error);
   });
 }
 
-std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const fs::path& except, FolderScenes which,
-                                                  Diagnostics& diagnostics) {
-  const bool with_sprites = which == FolderScenes::and_sprites;
+std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const fs::path& except,
+                                                  const FolderScenes& which, Diagnostics& diagnostics) {
   std::vector<fs::path> scenes;
   bool has_images = false;
-  const bool is_importing = !import_limits().importer.empty();
   std::string not_imported;
   std::error_code error;
   fs::recursive_directory_iterator at(folder, error);
@@ -65,7 +65,7 @@ std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const 
     std::error_code gone;
     if (at->is_directory(gone)) {
       if (is_same(at->path(), except)) at.disable_recursion_pending();
-    } else if (is_scene_of_folder(at->path()) || (with_sprites && is_sprite_input(at->path()))) {
+    } else if (is_scene_of_folder(at->path(), which) || (which.with_sprites && is_sprite_input(at->path()))) {
       fs::path scene = at->path().lexically_relative(folder);
       if (is_utf8(scene.native())) {
         scenes.push_back(std::move(scene));
@@ -74,7 +74,9 @@ std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const 
                             "is passed by: its name is not UTF-8, which reports and glTF need", "give it another name");
       }
     } else {
-      if (!is_importing && not_imported.empty() && is_imported_file(at->path())) not_imported = at->path().string();
+      if (!which.with_imported && not_imported.empty() && is_imported_file(at->path())) {
+        not_imported = at->path().string();
+      }
       has_images = has_images || (is_sprite_input(at->path()) && !is_frame_list(at->path()));
     }
   }
@@ -90,10 +92,10 @@ std::optional<std::vector<fs::path>> scenes_below(const fs::path& folder, const 
   }
   if (scenes.empty()) {
     const std::string meshes = "scenes are files with the extensions " + extensions_that_hold(Holds::meshes) +
-                               (is_importing ? ", and " + imported_extensions() : "");
+                               (which.with_imported ? ", and " + imported_extensions() : "");
     diagnostics.error({.file = folder.string()}, "no-scenes", "holds no scene, nor do the folders below it",
-                      with_sprites ? meshes + "; sprites are images (" + extensions_that_hold(Holds::image) +
-                                         ") and frame lists (" + extensions_that_hold(Holds::frame_list) + ')'
+                      which.with_sprites ? meshes + "; sprites are images (" + extensions_that_hold(Holds::image) +
+                                               ") and frame lists (" + extensions_that_hold(Holds::frame_list) + ')'
                       : has_images ? "its images count as sprites only if the pipeline has a stage or an evaluator for "
                                      "sprites, which it does not"
                                    : meshes);

@@ -166,13 +166,14 @@ void WatchedFolder::take(const std::vector<fs::path>& settled) {
   if (settled.empty()) return;
   const FolderScenes which = scenes_for(workshop_->pipeline, registry_);
   std::optional<std::vector<fs::path>> sprites;  // an image is a scene unless a list names it
-  if (which == FolderScenes::and_sprites) {
+  if (which.with_sprites) {
     Diagnostics none;
     sprites = scenes_below(from_, out_, which, none).value_or(std::vector<fs::path>());
   }
   const auto is_scene = [&](const fs::path& file) {
     if (!file.string().starts_with(from_ + '/') || !is_a_file(file)) return false;
-    return sprites ? std::ranges::binary_search(*sprites, file.lexically_relative(from_)) : is_scene_of_folder(file);
+    return sprites ? std::ranges::binary_search(*sprites, file.lexically_relative(from_))
+                   : is_scene_of_folder(file, which);
   };
   for (const fs::path& file : settled) {
     if (!is_utf8(file.native())) {
@@ -245,8 +246,9 @@ bool WatchedFolder::has_place_for(const std::string& scene, const fs::path& outp
     const auto [at, is_new] = makers_.try_emplace(file, scene);
     if (is_new || at->second == scene) continue;
     diagnostics.error({.file = file.string()}, "outputs-meet",
-                      name_of(at->second) + " and the output of " + name_of(scene) + " would both have this name",
+                      "the outputs of " + name_of(at->second) + " and " + name_of(scene) + " would both have this name",
                       "give one of them another name");
+    break;  // that further files of the two meet is the same
   }
   if (!diagnostics.has_errors()) make_folder(output.parent_path(), diagnostics);
   tell(diagnostics);

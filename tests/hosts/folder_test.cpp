@@ -151,6 +151,7 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
     const Ended ended = run(arguments);
     EXPECT_EQ(ended.code, 1) << arguments;
     EXPECT_THAT(ended.err, HasSubstr(what)) << arguments;
+    EXPECT_EQ(ended.err.find("hint:"), ended.err.rfind("hint:")) << "one error: " << ended.err;
     EXPECT_FALSE(fs::exists(folder_ / "out")) << arguments;
   };
   refused("optimize in -o in/spot.glb", "is not a folder");
@@ -160,7 +161,7 @@ TEST_F(Folder, MistakesAreToldBeforeAnythingIsDone) {
   fs::create_directories(folder_ / "empty");
   refused("optimize empty -o out", "holds no scene");
   testing::put(folder_ / "in/spot.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  refused("optimize in -o out", "would both have this name");
+  refused("optimize in -o out", "the outputs of spot.glb and spot.obj would both have this name\n    hint: give one");
   refused("optimize in -o in", "is the input folder itself");
   refused("optimize in -o out --report out/spot.glb", "has the extension of a scene");
   fs::create_directories(folder_ / "named");

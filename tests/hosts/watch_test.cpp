@@ -251,7 +251,7 @@ TEST_F(Watch, TwoScenesDoNotBecomeOneFile) {
   program.tells("1 file up to date");
   const std::string before = output("a.glb");
   copy("static/spot.glb", "in/a.glb");
-  program.tells("a.obj and the output of a.glb would both have this name");
+  program.tells("the outputs of a.obj and a.glb would both have this name");
   EXPECT_TRUE(output("a.glb") == before);
   fs::remove(folder_ / "in/a.obj");
   program.tells("a.obj: is gone");
