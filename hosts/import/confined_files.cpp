@@ -8,6 +8,34 @@ namespace foredraw::import {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+/// Of other systems and programs, too: "C:\\art\\leaf.png"; "//leaf.png", as Blender begins where the scene lies; and
+/// of "leaf.png""http://a.net/leaf.png", as X3D lists places, the first.
+fs::path from_folder(std::string named) {
+  named.erase(std::min(named.find("\"\""), named.size()));
+  std::ranges::replace(named, '\\', '/');
+  if (named.starts_with("//")) named.erase(0, 2);
+  return named;
+}
+
+/// "art/leaf.png" of "C:/art/leaf.png"; empty where nothing is left.
+fs::path without_first(const fs::path& path) {
+  fs::path rest;
+  for (auto part = path.begin(); part != path.end(); ++part) {
+    if (part != path.begin() && *part != "/") rest /= *part;
+  }
+  return rest;
+}
+
+}  // namespace
+
 ConfinedFiles::ConfinedFiles(const fs::path& scene, const fs::path& root, Told& told)
     : scene_(fs::weakly_canonical(scene)),
       folder_(fs::absolute(scene).parent_path()),
@@ -41,19 +69,46 @@ Assimp::IOStream* ConfinedFiles::Open(const char* file, const char* mode) {
   return DefaultIOSystem::Open(file, mode);
 }
 
-fs::path ConfinedFiles::found(const std::string& named) const {
-  std::string path = named;
-  std::ranges::replace(path, '\\', '/');
+/// As the path says from the scene's folder on, but for capitals of names; empty: there is none.
+fs::path ConfinedFiles::in_other_capitals(const fs::path& path) const {
   std::error_code error;
-  for (const fs::path& file : {folder_ / path, folder_ / fs::path(path).filename()}) {
-    if (!may_read(file)) continue;
-    if (fs::is_regular_file(file, error)) {
-      told_.read.insert(file.string());
-      return file;
+  fs::path at = folder_;
+  for (const fs::path& part : path) {
+    fs::path next = at / part;
+    if (!fs::exists(next, error)) {
+      next.clear();
+      for (fs::directory_iterator one(at, error), end; !error && one != end; one.increment(error)) {
+        const bool is_same = in_small_letters(one->path().filename().string()) == in_small_letters(part.string());
+        if (is_same && (next.empty() || one->path() < next)) next = one->path();
+      }
     }
+    if (next.empty()) return {};
+    at = std::move(next);
+  }
+  return at;
+}
+
+ConfinedFiles::Found ConfinedFiles::found(const std::string& named) const {
+  Found found;
+  const auto is_there = [&](const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return false;
+    if (may_read(file)) {
+      told_.read.insert(file.string());
+      found = {file, false};
+      return true;
+    }
+    found.is_outside = true;
+    return false;
+  };
+  for (fs::path path = from_folder(named); !path.empty(); path = without_first(path)) {
+    const fs::path file = folder_ / path;
+    if (is_there(file)) return found;
+    if (!may_read(file)) continue;
+    if (const fs::path other = in_other_capitals(path); !other.empty() && is_there(other)) return found;
     told_.missing.insert(file.string());
   }
-  return {};
+  return found;
 }
 
 std::string ConfinedFiles::content(const fs::path& file) const {

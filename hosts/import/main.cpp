@@ -21,7 +21,10 @@ bool read(const char* text, Number& number) {
 int import_to(const char* input, const char* output) {
   foredraw::import::Told told;
   const std::string glb = foredraw::import::import_file(input, {}, told);
-  for (const std::string& text : told.left_out) std::fprintf(stderr, "%s: warning: %s\n", input, text.c_str());
+  for (std::string text : told.left_out) {
+    if (const auto line = text.find('\n'); line != std::string::npos) text.insert(line + 1, "    hint: ");
+    std::fprintf(stderr, "%s: warning: %s\n", input, text.c_str());
+  }
   foredraw::OutputFile file{output, {}};
   const auto* bytes = reinterpret_cast<const std::byte*>(glb.data());
   file.bytes.assign(bytes, bytes + glb.size());

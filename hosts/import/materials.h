@@ -11,4 +11,8 @@ namespace foredraw::import {
 /// takes the colour's place, and is not multiplied by it.
 void add_materials(const aiScene& scene, const ConfinedFiles& files, Glb& glb, Told& told);
 
+/// The material of a mesh, once they are added: where it looks up texture coordinates that the mesh lacks, which glTF
+/// forbids, one without these textures.
+std::size_t material_for(const aiMesh& mesh, Glb& glb, Told& told);
+
 }  // namespace foredraw::import

@@ -1,8 +1,11 @@
 #include "meshes.h"
 
+#include "materials.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 namespace foredraw::import {
@@ -26,14 +29,37 @@ std::vector<float> floats_of(const aiVector3D* from, const aiVector3D* minus, co
   return values;
 }
 
-/// Of length 1, but where a normal has none.
+/// Of each vertex that of its last triangle with an area; where there is none, upwards.
+std::vector<aiVector3D> normals_of_triangles(const aiMesh& mesh) {
+  std::vector<aiVector3D> normals(mesh.mNumVertices, aiVector3D(0, 1, 0));
+  for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+    const std::span<const unsigned> corners(mesh.mFaces[i].mIndices, mesh.mFaces[i].mNumIndices);
+    const auto is_there = [&](unsigned corner) { return corner < mesh.mNumVertices; };
+    if (corners.size() != 3 || !std::ranges::all_of(corners, is_there)) continue;
+    const aiVector3D& first = mesh.mVertices[corners[0]];
+    const aiVector3D normal = (mesh.mVertices[corners[1]] - first) ^ (mesh.mVertices[corners[2]] - first);
+    const float length = normal.Length();
+    if (!(length > 0) || !std::isfinite(length)) continue;
+    for (const unsigned corner : corners) normals[corner] = normal / length;
+  }
+  return normals;
+}
+
+/// Of length 1, which glTF asks for; where the file has none, that of a triangle.
 std::vector<float> normals_of(const aiMesh& mesh) {
   std::vector<float> values = floats_of(mesh.mNormals, nullptr, mesh, "normal");
+  std::vector<aiVector3D> of_triangles;
   for (std::size_t i = 0; i < values.size(); i += 3) {
-    const float length =
-        std::sqrt(values[i] * values[i] + values[i + 1] * values[i + 1] + values[i + 2] * values[i + 2]);
-    if (length <= 0 || !std::isfinite(length) || std::abs(length - 1) < 1e-5f) continue;
-    for (std::size_t k = i; k < i + 3; ++k) values[k] /= length;
+    aiVector3D normal(values[i], values[i + 1], values[i + 2]);
+    const float length = normal.Length();
+    if (std::abs(length - 1) < 1e-5f) continue;
+    if (length > 0 && std::isfinite(length)) {
+      normal /= length;
+    } else {
+      if (of_triangles.empty()) of_triangles = normals_of_triangles(mesh);
+      normal = of_triangles[i / 3];
+    }
+    for (unsigned k = 0; k < 3; ++k) values[i + k] = normal[k];
   }
   return values;
 }
@@ -47,7 +73,24 @@ std::vector<float> coordinates_of(const aiMesh& mesh, unsigned set) {
   return values;
 }
 
-Json attributes_of(const aiMesh& mesh, Glb& glb) {
+/// glTF has colours from 0 to 1 alone.
+std::vector<float> colours_of(const aiMesh& mesh, unsigned set, Told& told) {
+  const float* first = &mesh.mColors[set][0].r;
+  std::vector<float> values(first, first + std::size_t{4} * mesh.mNumVertices);
+  bool is_any_beyond = false;
+  for (float& value : values) {
+    const float kept = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 1.0f;
+    is_any_beyond = is_any_beyond || kept != value;
+    value = kept;
+  }
+  if (is_any_beyond) {
+    told.left_out.push_back("what colours of the mesh '" + std::string(mesh.mName.C_Str()) +
+                            "' have below 0 or above 1 is left out");
+  }
+  return values;
+}
+
+Json attributes_of(const aiMesh& mesh, Glb& glb, Told& told) {
   Json attributes;
   attributes["POSITION"] =
       glb.add_floats(floats_of(mesh.mVertices, nullptr, mesh, "vertex"), "VEC3", 3, vertices, true);
@@ -56,9 +99,7 @@ Json attributes_of(const aiMesh& mesh, Glb& glb) {
     attributes["TEXCOORD_" + std::to_string(set)] = glb.add_floats(coordinates_of(mesh, set), "VEC2", 2, vertices);
   }
   for (unsigned set = 0; set < AI_MAX_NUMBER_OF_COLOR_SETS && mesh.HasVertexColors(set); ++set) {
-    const float* first = &mesh.mColors[set][0].r;
-    attributes["COLOR_" + std::to_string(set)] =
-        glb.add_floats(std::vector<float>(first, first + std::size_t{4} * mesh.mNumVertices), "VEC4", 4, vertices);
+    attributes["COLOR_" + std::to_string(set)] = glb.add_floats(colours_of(mesh, set, told), "VEC4", 4, vertices);
   }
   return attributes;
 }
@@ -119,8 +160,8 @@ void add_weights(const aiMesh& mesh, std::uint16_t still, Json& attributes, Glb&
 }
 
 std::size_t add_mesh(const aiScene& scene, const aiMesh& mesh, bool has_weights, bool is_relative, bool is_skinned,
-                     Glb& glb) {
-  Json attributes = attributes_of(mesh, glb);
+                     Glb& glb, Told& told) {
+  Json attributes = attributes_of(mesh, glb, told);
   if (is_skinned) add_weights(mesh, static_cast<std::uint16_t>(mesh.mNumBones), attributes, glb);
   const Json targets = targets_of(mesh, is_relative, glb);
   std::array<std::vector<std::uint32_t>, 3> corners;  // of points, lines, triangles
@@ -138,7 +179,7 @@ std::size_t add_mesh(const aiScene& scene, const aiMesh& mesh, bool has_weights,
   for (std::size_t kind = 3; kind-- > 0;) {
     if (corners[kind].empty()) continue;
     Json primitive{{"attributes", attributes}, {"indices", glb.add_indices(corners[kind])}, {"mode", modes[kind]}};
-    if (mesh.mMaterialIndex < scene.mNumMaterials) primitive["material"] = mesh.mMaterialIndex;
+    if (mesh.mMaterialIndex < scene.mNumMaterials) primitive["material"] = material_for(mesh, glb, told);
     if (!targets.empty()) primitive["targets"] = targets;
     primitives.push_back(std::move(primitive));
   }

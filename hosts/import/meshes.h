@@ -1,5 +1,6 @@
 #pragma once
 #include "glb.h"
+#include "told.h"
 
 #include <assimp/scene.h>
 
@@ -10,7 +11,7 @@ namespace foredraw::import {
 /// `is_relative`: morph targets hold differences and no places. Throws std::runtime_error at numbers that are not
 /// finite.
 std::size_t add_mesh(const aiScene& scene, const aiMesh& mesh, bool has_weights, bool is_relative, bool is_skinned,
-                     Glb& glb);
+                     Glb& glb, Told& told);
 
 /// JOINTS_n and WEIGHTS_n of a mesh with bones, four to a set. `still`: the joint of vertices that no bone moves.
 void add_weights(const aiMesh& mesh, std::uint16_t still, nlohmann::json& attributes, Glb& glb);

@@ -44,7 +44,7 @@ class NodesMade {
       }
       if (const auto [place, is_new] = made.try_emplace(one.mesh, 0); is_new) {
         const bool is_relative = mesh.mMethod == aiMorphingMethod_MORPH_RELATIVE;
-        place->second = add_mesh(scene_, mesh, !is_fbx(scene_), is_relative, skin.has_value(), glb_);
+        place->second = add_mesh(scene_, mesh, !is_fbx(scene_), is_relative, skin.has_value(), glb_, told_);
       }
       node["mesh"] = made.at(one.mesh);
       if (skin) node["skin"] = *skin;

@@ -27,8 +27,7 @@ void tell(const SharedBlock& shared, ImportTold kind, const std::string& text) {
   block.told_bytes += text.size() + 2;
 }
 
-void import_into(const SharedBlock& shared, const std::filesystem::path& file, const std::filesystem::path& root,
-                 std::uint64_t memory) {
+void import_into(const SharedBlock& shared, const std::filesystem::path& file, const std::filesystem::path& root) {
   Told told;
   std::string why;
   try {
@@ -36,7 +35,9 @@ void import_into(const SharedBlock& shared, const std::filesystem::path& file, c
     std::memcpy(shared.data() + glb_place, glb.data(), glb.size());
     block_of(shared).glb_bytes = glb.size();
   } catch (const std::bad_alloc&) {
-    why = "it needs more than the " + std::to_string(memory) + " bytes of memory that it may have";
+    tell(shared, ImportTold::no_memory, "");
+    block_of(shared).is_refused = 1;
+    return;
   } catch (const std::exception& error) {
     why = error.what();
   }
@@ -52,7 +53,7 @@ void import_into(const SharedBlock& shared, const std::filesystem::path& file, c
 int serve_import(const std::filesystem::path& file, const std::filesystem::path& root, int parent,
                  std::uint64_t memory) {
   const SharedBlock shared = SharedBlock::handed(import_descriptor, true);
-  const auto end = supervised([&] { import_into(shared, file, root, memory); }, parent, memory, import_descriptor + 1);
+  const auto end = supervised([&] { import_into(shared, file, root); }, parent, memory, import_descriptor + 1);
   if (!end) return 0;
   ImportBlock& block = block_of(shared);
   block.by_signal = end->by_signal ? 1 : 0;

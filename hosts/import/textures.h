@@ -16,13 +16,13 @@ class Textures {
   Textures(const aiScene& scene, const ConfinedFiles& files, Glb& glb, Told& told)
       : scene_(scene), files_(files), glb_(glb), told_(told) {}
 
-  /// The number of a glTF texture; nullopt, which is told, where there is no PNG or JPEG. `wrap_u`, `wrap_v`: as
-  /// samplers of glTF say.
+  /// The number of a glTF texture; nullopt, which is told, where there is no PNG, JPEG or TGA. A TGA becomes a PNG.
+  /// `wrap_u`, `wrap_v`: as samplers of glTF say.
   std::optional<std::size_t> texture(const std::string& named, int wrap_u, int wrap_v);
 
  private:
   std::optional<std::size_t> image(const std::string& named);
-  std::string content(const std::string& named) const;
+  void leave_out(const std::string& named, const std::string& why, const std::string& hint);
 
   const aiScene& scene_;
   const ConfinedFiles& files_;

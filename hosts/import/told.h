@@ -10,7 +10,7 @@ namespace foredraw::import {
 struct Told {
   std::set<std::string> read;         ///< files beside the scene
   std::set<std::string> missing;      ///< that were looked for
-  std::vector<std::string> left_out;  ///< what glTF does not get, and why
+  std::vector<std::string> left_out;  ///< what glTF does not get, and why; behind a line end, what to do
 };
 
 }  // namespace foredraw::import

@@ -36,10 +36,24 @@ TEST_F(ImportedByProgram, TheProgramOptimizesAnFbx) {
 
 TEST_F(ImportedByProgram, WithoutAnImporterTheMessageSaysWhatToInstall) {
   testing::put(folder_ / "bar.fbx", testing::bending_bar().text());
-  const Ended ended = run("optimize bar.fbx -o bar.glb", "export FOREDRAW_IMPORTER=/nowhere/foredraw-import;");
+  fs::copy_file(FOREDRAW_PROGRAM, folder_ / "alone");
+  const Ended ended = run("", "unset FOREDRAW_IMPORTER; exec ./alone optimize bar.fbx -o bar.glb;");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("foredraw-import"));
   EXPECT_THAT(ended.err, HasSubstr("libassimp-dev"));
+}
+
+TEST_F(ImportedByProgram, WhatTheEnvironmentSaysWrongIsNotPassedOver) {
+  testing::put(folder_ / "bar.fbx", testing::bending_bar().text());
+  for (const char* wrong : {"FOREDRAW_IMPORTER=/nowhere/foredraw-import", "FOREDRAW_IMPORT_MEMORY=4G",
+                            "FOREDRAW_IMPORT_SECONDS=-1", "FOREDRAW_IMPORT_SECONDS=soon"}) {
+    const Ended ended = run("optimize bar.fbx -o bar.glb", std::string("export ") + wrong + ";");
+    EXPECT_EQ(ended.code, 2) << wrong;
+    EXPECT_THAT(ended.err, HasSubstr(std::string("bar.fbx: error: cannot be imported: the environment has ") + wrong));
+  }
+  const Ended other = run("optimize bar.fbx -o bar.glb", "export FOREDRAW_IMPORTER=/bin/true;");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("the importer /bin/true ended without an answer"));
 }
 
 TEST_F(ImportedByProgram, WhateverTheImporterDoesIsOneError) {
@@ -63,7 +77,7 @@ TEST_F(ImportedByProgram, WhateverTheImporterDoesIsOneError) {
   const auto begin = std::chrono::steady_clock::now();
   const Ended ended = run_with("hangs", "FOREDRAW_IMPORT_SECONDS=1");
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("was not done within 1 seconds"));
+  EXPECT_THAT(ended.err, HasSubstr("was not done within 1 second"));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 20s);
 }
 
@@ -72,7 +86,8 @@ TEST_F(ImportedByProgram, MemoryHasALimit) {
   testing::put(folder_ / "bar.fbx", testing::bending_bar().text());
   const Ended ended = run("optimize bar.fbx -o bar.glb", "export FOREDRAW_IMPORT_MEMORY=300000;");
   EXPECT_EQ(ended.code, 2) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("bar.fbx: error:"));
+  EXPECT_THAT(ended.err, HasSubstr("bar.fbx: error: the importer needs more than the 300,000 bytes"));
+  EXPECT_THAT(ended.err, HasSubstr("hint: set FOREDRAW_IMPORT_MEMORY to more bytes"));
 }
 
 TEST_F(ImportedByProgram, AFolderHoldsThemBesideOthers) {

@@ -81,11 +81,19 @@ class FbxBuilder {
                 "P: \"DiffuseColor\", \"Color\", \"\", \"A\",0.5,0.25,1\n}\n}\n";
     connect(number, node);
   }
-  void texture(int number, int material, const std::string& file) {
-    objects_ +=
-        "Texture: " + id(number) + ", \"Texture::picture\", \"\" {\nType: \"TextureVideoClip\"\nVersion: 202\n" +
-        "TextureName: \"Texture::picture\"\nFileName: \"" + file + "\"\nRelativeFilename: \"" + file + "\"\n}\n";
+  /// `properties`: by vector().
+  void texture(int number, int material, const std::string& file, const std::string& properties = {}) {
+    objects_ += "Texture: " + id(number) +
+                ", \"Texture::picture\", \"\" {\nType: \"TextureVideoClip\"\nVersion: 202\n"
+                "TextureName: \"Texture::picture\"\nProperties70: {\n" +
+                properties + "}\nFileName: \"" + file + "\"\nRelativeFilename: \"" + file + "\"\n}\n";
     connect(number, material, "DiffuseColor");
+  }
+  /// The content of a texture's file, in base64.
+  void video(int number, int texture, const std::string& file, const std::string& content) {
+    objects_ += "Video: " + id(number) + ", \"Video::picture\", \"Clip\" {\nType: \"Clip\"\nFileName: \"" + file +
+                "\"\nRelativeFilename: \"" + file + "\"\nContent: , \"" + content + "\"\n}\n";
+    connect(number, texture);
   }
 
   /// The layer of a clip has the number after `number`.
@@ -158,6 +166,22 @@ class FbxBuilder {
   double unit_;
   std::string objects_, connections_;
 };
+
+struct Leaf {
+  FbxAxes axes = {};
+  double centimetres = 1;
+  std::string properties = {};  ///< of its node
+  std::vector<double> uv = {};
+};
+/// One triangle, (0, 0, 0), (100, 0, 0), (0, 0, 200): mesh 100 on node 200.
+inline FbxBuilder leaf(const Leaf& made = {}) {
+  FbxBuilder file(made.axes, made.centimetres);
+  file.mesh(100, "leaf", {0, 0, 0, 100, 0, 0, 0, 0, 200}, {0, 1, -3}, made.uv);
+  file.node(200, "leaf", "Mesh", made.properties);
+  file.connect(100, 200);
+  file.connect(200, 0);
+  return file;
+}
 
 /// A bar of 2 m by 20 cm that stands along Z, in centimetres, as 3ds Max and Blender have the axes: bones "root" and
 /// "tip" at its foot and its middle. In one second "Bend" turns the tip by 90 degrees, so that it points to glTF's +Z.

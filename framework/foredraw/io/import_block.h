@@ -34,10 +34,11 @@ struct ImportBlock {
 
 /// What is told stands one after the other: one of these, a text, a zero.
 enum class ImportTold : char {
-  read = 'r',      ///< the path of a file beside, which was read
-  missing = 'm',   ///< the path of one that was looked for
-  left_out = 'w',  ///< what glTF does not get, and why
-  refused = 'e',   ///< why there is no GLB
+  read = 'r',       ///< the path of a file beside, which was read
+  missing = 'm',    ///< the path of one that was looked for
+  left_out = 'w',   ///< what glTF does not get, and why; behind a line end, what to do
+  refused = 'e',    ///< why there is no GLB
+  no_memory = 'o',  ///< there is none, for the memory that it may have is too little
 };
 
 inline constexpr std::size_t told_place = 8192;

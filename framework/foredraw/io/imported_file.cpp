@@ -1,5 +1,6 @@
 #include <foredraw/io/imported_file.h>
 
+#include <foredraw/base/counted.h>
 #include <foredraw/base/printable.h>
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/import_block.h>
@@ -34,19 +35,29 @@ constexpr std::array<std::string_view, 18> extensions = {".3ds",   ".3mf",     "
                                                          ".blend", ".cob",     ".dae",  ".dxf", ".fbx", ".lwo",
                                                          ".lws",   ".md5mesh", ".ms3d", ".x",   ".x3d", ".xgl"};
 
+/// Where the environment says something else than a number, that is wrong.
 template <class Number>
-void read_number(const char* name, Number& number) {
+void read_number(const char* name, const char* unit, Number& number, std::string& wrong) {
   const char* text = std::getenv(name);
-  if (text == nullptr) return;
+  if (text == nullptr || *text == '\0') return;
   Number read{};
   const char* end = text + std::strlen(text);
-  if (std::from_chars(text, end, read).ptr == end && read > 0) number = read;
+  if (std::from_chars(text, end, read).ptr == end && read > 0) {
+    number = read;
+  } else {
+    wrong = fmt::format("the environment has {}={}, which is no number of {} above 0", name, printable(text), unit);
+  }
 }
 
-fs::path found_importer() {
-  std::error_code error;
+/// Of the environment; empty: it names none.
+std::string named_importer() {
   const char* named = std::getenv("FOREDRAW_IMPORTER");
-  if (named != nullptr && *named != '\0') return fs::exists(named, error) ? fs::absolute(named, error) : fs::path();
+  return named == nullptr ? "" : named;
+}
+
+fs::path found_importer(const std::string& named) {
+  std::error_code error;
+  if (!named.empty()) return fs::exists(named, error) ? fs::absolute(named, error) : fs::path();
   for (const fs::path& from : {program_folder(), own_folder()}) {
     for (const char* way : {"", "../libexec/foredraw", "../../libexec/foredraw"}) {
       const fs::path place = from / way / "foredraw-import";
@@ -64,19 +75,21 @@ struct ImportEnd {
 
 constexpr const char* other_way = "export the scene as .glb from the program that made it";
 
+ImportEnd without_memory(const ImportLimits& limits) {
+  return {fmt::format("the importer needs more than the {} bytes of memory that it may have", counted(limits.memory)),
+          "set FOREDRAW_IMPORT_MEMORY to more bytes, or " + std::string(other_way)};
+}
+
 /// How a process ended that handed over nothing.
 ImportEnd end_without_answer(const ImportBlock& block, const ImportLimits& limits) {
-  if (limits.memory != 0 && block.peak_memory > limits.memory / 10 * 9) {
-    return {fmt::format("the importer needs more than the {} bytes of memory that it may have", limits.memory),
-            "set FOREDRAW_IMPORT_MEMORY to more bytes, or " + std::string(other_way)};
-  }
+  if (limits.memory != 0 && block.peak_memory > limits.memory / 10 * 9) return without_memory(limits);
   std::string why = block.by_signal != 0
                         ? "the importer crashed on it (" + signal_name(block.code) + ")"
                         : fmt::format("the importer left without an answer (exit code {})", block.code);
   const std::size_t bytes = std::min<std::size_t>(block.last_words_bytes, sizeof block.last_words);
-  std::string words = printable(std::string_view(block.last_words, bytes));
-  while (!words.empty() && words.back() == ' ') words.pop_back();
-  if (!words.empty()) why += "; it wrote: " + words;
+  std::string_view words(block.last_words, bytes);
+  while (!words.empty() && static_cast<unsigned char>(words.back()) <= ' ') words.remove_suffix(1);
+  if (!words.empty()) why += "; it wrote: " + printable(words);
   return {std::move(why), "the file may be damaged: " + std::string(other_way)};
 }
 
@@ -88,10 +101,12 @@ ImportEnd wait_for_import(const ImportBlock& block, WatchedProcess& process, con
   const auto begins = static_cast<std::uint32_t>(ImportTurn::begins);
   while (block.turn.load() == begins) {
     if (process.ended_within(0ms) && block.turn.load() == begins) {
-      return {"the importer's process is no more", "try again; " + std::string(other_way)};
+      return {"the importer " + limits.importer.string() + " ended without an answer",
+              "check that FOREDRAW_IMPORTER, if it is set, names foredraw-import; or " + std::string(other_way)};
     }
     if (std::chrono::duration<double>(Clock::now() - begin).count() > limits.seconds) {
-      return {fmt::format("the importer was not done within {} seconds", limits.seconds),
+      return {fmt::format("the importer was not done within {} {}", limits.seconds,
+                          limits.seconds == 1 ? "second" : "seconds"),
               "set FOREDRAW_IMPORT_SECONDS to more, or " + std::string(other_way)};
     }
     wait_while(block.turn, begins, 50);
@@ -118,8 +133,8 @@ std::span<const std::byte> handed(const SharedBlock& shared) {
 }
 
 /// Tells of files and of what was left out; a refusal's reason becomes the end's.
-void take_told(const SharedBlock& shared, const std::string& file, const SceneInput& how, Diagnostics& diagnostics,
-               ImportEnd& end) {
+void take_told(const SharedBlock& shared, const std::string& file, const SceneInput& how, const ImportLimits& limits,
+               Diagnostics& diagnostics, ImportEnd& end) {
   const ImportBlock& block = *reinterpret_cast<const ImportBlock*>(shared.data());
   const std::string all(reinterpret_cast<const char*>(shared.data() + told_place),
                         std::min<std::size_t>(block.told_bytes, told_room));
@@ -135,7 +150,13 @@ void take_told(const SharedBlock& shared, const std::string& file, const SceneIn
       case ImportTold::missing:
         if (how.files) how.files->missing(text);
         break;
-      case ImportTold::left_out: diagnostics.warning({.file = file}, "import-left-out", printable(text)); break;
+      case ImportTold::left_out: {
+        const std::size_t line = std::min(text.find('\n'), text.size());
+        diagnostics.warning({.file = file}, "import-left-out", printable(text.substr(0, line)),
+                            printable(text.substr(std::min(line + 1, text.size()))));
+        break;
+      }
+      case ImportTold::no_memory: end = without_memory(limits); break;
       case ImportTold::refused:
         if (!end.why.empty()) end.why = "the importer refuses it: " + printable(text);
         break;
@@ -148,9 +169,13 @@ void take_told(const SharedBlock& shared, const std::string& file, const SceneIn
 
 ImportLimits import_limits() {
   ImportLimits limits;
-  read_number("FOREDRAW_IMPORT_SECONDS", limits.seconds);
-  read_number("FOREDRAW_IMPORT_MEMORY", limits.memory);
-  limits.importer = found_importer();
+  read_number("FOREDRAW_IMPORT_SECONDS", "seconds", limits.seconds, limits.wrong);
+  read_number("FOREDRAW_IMPORT_MEMORY", "bytes", limits.memory, limits.wrong);
+  const std::string named = named_importer();
+  limits.importer = found_importer(named);
+  if (limits.importer.empty() && !named.empty()) {
+    limits.wrong = "the environment has FOREDRAW_IMPORTER=" + printable(named) + ", and there is no such file";
+  }
   return limits;
 }
 
@@ -180,6 +205,11 @@ Stamp importer_stamp(const ImportLimits& limits) {
 std::optional<Scene> read_imported(const fs::path& path, Diagnostics& diagnostics, const SceneInput& how,
                                    const ImportLimits& limits) {
   const std::string file = path.string();
+  if (!limits.wrong.empty()) {
+    diagnostics.error({.file = file}, "bad-environment", "cannot be imported: " + limits.wrong,
+                      "set it to what is expected, or unset it");
+    return std::nullopt;
+  }
   if (limits.importer.empty()) {
     diagnostics.error({.file = file}, "no-importer",
                       "files of this kind are read by foredraw-import, which is not there",
@@ -192,7 +222,7 @@ std::optional<Scene> read_imported(const fs::path& path, Diagnostics& diagnostic
     const SharedBlock shared(import_block_bytes, false);
     ImportEnd end = run_importer(shared, fs::absolute(path).string(),
                                  how.root.empty() ? "" : fs::absolute(how.root).string(), limits);
-    take_told(shared, file, how, diagnostics, end);
+    take_told(shared, file, how, limits, diagnostics, end);
     if (!end.why.empty()) {
       diagnostics.error({.file = file}, "import-failed", end.why, end.hint);
       return std::nullopt;
@@ -201,7 +231,7 @@ std::optional<Scene> read_imported(const fs::path& path, Diagnostics& diagnostic
     glb.assign(bytes.begin(), bytes.end());
   } catch (const std::system_error& error) {
     diagnostics.error({.file = file}, "import-failed", std::string("the importer can not be run: ") + error.what(),
-                      other_way);
+                      "check that you may run it, or " + std::string(other_way));
     return std::nullopt;
   }
   return read_gltf(std::move(glb), file, {}, diagnostics, how);

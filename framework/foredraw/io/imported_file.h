@@ -16,6 +16,7 @@ struct ImportLimits {
   double seconds = 300;
   std::uint64_t memory = std::uint64_t{4} << 30;  ///< bytes of data that the process may hold
   std::filesystem::path importer = {};            ///< the program foredraw-import; empty: there is none
+  std::string wrong = {};  ///< what the environment says that can not be; then nothing is imported
 };
 
 /// As FOREDRAW_IMPORT_SECONDS and FOREDRAW_IMPORT_MEMORY (bytes) say; the importer is FOREDRAW_IMPORTER, or lies by the

@@ -32,7 +32,7 @@ std::optional<ImageFacts> checked_image_facts(std::span<const std::byte> bytes, 
 std::optional<Texels> decode_image(std::span<const std::byte> bytes, const Where& where, Diagnostics& diagnostics,
                                    const ImageLimits& limits = {});
 
-/// A PNG of grey or RGB texels of 8 or 16 bits; std::invalid_argument for others.
+/// A PNG of grey or RGB texels of 8 or 16 bits, or of such with alpha of 8 bits; std::invalid_argument for others.
 std::vector<std::byte> encode_png(const Texels& texels);
 
 /// What analyses of a scene decode its images with: those that it holds, and those beside the file that it was read

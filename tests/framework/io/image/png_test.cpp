@@ -19,8 +19,9 @@ Texels noise(ImageFacts facts) {
 }
 
 TEST(EncodePng, ComesBackToTheBit) {
-  for (const int channels : {1, 3}) {
+  for (const int channels : {1, 2, 3, 4}) {
     for (const int bits : {8, 16}) {
+      if (channels % 2 == 0 && bits == 16) continue;
       const Texels texels = noise({37, 21, channels, bits});
       Diagnostics diagnostics;
       const auto again = decode_image(encode_png(texels), {}, diagnostics);
@@ -31,8 +32,9 @@ TEST(EncodePng, ComesBackToTheBit) {
   }
 }
 
-TEST(EncodePng, TakesOnlyWholeImagesOfGreyOrRgb) {
-  EXPECT_THROW(encode_png(noise({4, 4, 2, 8})), std::invalid_argument);
+TEST(EncodePng, TakesOnlyWholeImagesThatPngHas) {
+  EXPECT_THROW(encode_png(noise({4, 4, 2, 16})), std::invalid_argument);
+  EXPECT_THROW(encode_png(noise({4, 4, 5, 8})), std::invalid_argument);
   EXPECT_THROW(encode_png(noise({4, 4, 4, 16})), std::invalid_argument);
   EXPECT_THROW(encode_png(noise({4, 4, 1, 32})), std::invalid_argument);
   EXPECT_THROW(encode_png({{0, 0, 1, 8}, {}}), std::invalid_argument);
