@@ -24,12 +24,12 @@ def name_in_c(name):
 class Header(unittest.TestCase):
     def test_layouts_and_values_are_the_compilers(self):
         lines = subprocess.run([os.environ["FOREDRAW_LAYOUTS"]], capture_output=True, text=True, check=True).stdout
-        compilers = dict(line.split() for line in lines.splitlines())
+        compilers = dict(line.split(maxsplit=1) for line in lines.splitlines())
         ours = {}
         for name, struct in STRUCTS.items():
             ours[name_in_c(name)] = str(ctypes.sizeof(struct))
             for member, _ in struct._fields_:
-                ours[f"{name_in_c(name)}.{member}"] = str(getattr(struct, member).offset)
+                ours[f"{name_in_c(name)}.{member}"] = "{0.offset} {0.size}".format(getattr(struct, member))
         for name, value in vars(_header).items():
             if isinstance(value, int):
                 ours["FOREDRAW_" + name] = str(value)
