@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
 namespace foredraw::testing {
 namespace {
 
@@ -90,10 +92,13 @@ TEST_F(Loading, RefusesWhatIsNoLibraryOrOfAnotherMachine) {
   other[18] = '\xF3', other[19] = 0;  // e_machine: EM_RISCV
   put(folder_ / "other.so", other);
   put(folder_ / "empty.so", "");
-  for (const std::string name : {"text.so", "other.so", "empty.so", "none.so"}) {
+  put(folder_ / "notes.txt", "no library\n");
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.so").c_str(), 0600), 0);  // which nobody writes to
+  for (const std::string name : {"text.so", "other.so", "empty.so", "none.so", "notes.txt", "pipe.so"}) {
     const Ended ended = run_program(folder_, "list --module " + name);
     EXPECT_EQ(ended.code, 2) << name;
     EXPECT_THAT(ended.err, HasSubstr(name + ": error: "));
+    EXPECT_EQ(ended.err.find("or a Python file, .py") != std::string::npos, name == "notes.txt") << ended.err;
     EXPECT_THAT(ended.out, HasSubstr("tipsify"));
   }
 }

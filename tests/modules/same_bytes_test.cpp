@@ -110,7 +110,11 @@ TEST_F(PythonModules, SayWhereTheyFailed) {
   EXPECT_THAT(ended.err, HasSubstr("SyntaxError"));
   ended = run_program(folder_, "list --module none.py");
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("plugin_count is 0"));
+  EXPECT_THAT(ended.err, HasSubstr("none of its functions is decorated with @foredraw.orderer"));
+  put(folder_ / "short.py", "import foredraw as fd\n\n@fd.orderer('short')\ndef short(draw):\n    return []\n");
+  ended = run_program(folder_, "list --module short.py");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("'short' must begin with its vendor's name, such as 'acme-short'"));
   ended = run_program(folder_, "list --module none.py --modules inside");
   EXPECT_THAT(ended.err, HasSubstr("a module in Python runs in a process of its own alone"));
   ended = run_program(folder_, "list --module none.py", "FOREDRAW_PYTHON=no-such-program");

@@ -88,6 +88,11 @@ void take(LoadedModule& module, const foredraw_plugin& described, std::shared_pt
 }
 
 std::shared_ptr<ModuleFile> file_of(LoadedModule& module) {
+  std::error_code error;
+  if (const auto what = fs::status(module.path, error); fs::exists(what) && !fs::is_regular_file(what)) {
+    module.refuse("is no file of bytes, so it is no module");  // but a pipe, say, which would be waited for
+    return nullptr;
+  }
   const auto bytes = read_file(module.path, module.diagnostics);
   if (!bytes) return nullptr;
   return std::make_shared<ModuleFile>(ModuleFile{
@@ -120,8 +125,10 @@ void load_inside(LoadedModule& module) {
   }
 }
 
-/// What Python says of a package that it lacks does not say which Python that is.
+/// What Python says of a package that it lacks does not say which Python that is; what loads libraries does not say
+/// that it takes what is not Python for one.
 std::string hint_for(const fs::path& module, std::string_view wrong) {
+  if (!is_module(module)) return "a module is a shared library, .so, or a Python file, .py";
   const bool lacks = module.extension() == ".py" && wrong.find("ModuleNotFoundError") != wrong.npos;
   return lacks
              ? "it runs in the python3 of PATH, which has to have foredraw and numpy: PYTHONPATH says where they are, "

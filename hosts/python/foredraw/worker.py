@@ -19,8 +19,13 @@ def serve(path: str) -> int:
     """Answers the calls of the program that started this one."""
     names = runpy.run_path(path)
     techniques = list({id(one): one for one in names.values() if isinstance(one, Technique)}.values())
+    if not techniques:
+        sys.exit("it has no technique: none of its functions is decorated with @foredraw.orderer or the like")
+    for one in techniques:
+        if "-" not in one.name:
+            sys.exit(f"'{one.name}' must begin with its vendor's name, such as 'acme-{one.name}'")
     plugins = (POINTER(c.Plugin) * len(techniques))(*(pointer(one._plugin) for one in techniques))
-    vendor = techniques[0].name.partition("-")[0] if techniques else "none"
+    vendor = techniques[0].name.partition("-")[0]
     version = str(names.get("__version__", "0"))
     module = c.Module(sizeof(c.Module), c.MODULE_MAJOR, c.MODULE_MINOR, len(techniques), text_for_c(vendor, "a name"),
                       text_for_c(version, "__version__"), plugins)
