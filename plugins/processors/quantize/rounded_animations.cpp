@@ -125,22 +125,21 @@ class Track {
     return is_rotation_ ? on_arc(now(from), now(to), t) : mixed(now(from), 1 - t, now(to), t);
   }
 
-  bool is_near() const {
+  /// With as few bits as will do for all keys. Where they will not, a key near the begin mostly says so.
+  bool round_rotations() {
+    for (int bits = 4; bits <= 16; ++bits) {
+      if (round_rotations_to(bits)) return true;
+    }
+    return false;
+  }
+
+  bool round_rotations_to(int bits) {
     for (std::size_t k = 0; k < keys(); ++k) {
+      const auto whole = rotation_of(nearest_rotation(at(was_, k), bits));
+      for (std::size_t i = 0; i < 4; ++i) now_[4 * k + i] = static_cast<float>(whole[i]) / 32767.0f;
       if (off(k, now(k)) > most_ / 2) return false;
     }
     return true;
-  }
-
-  bool round_rotations() {
-    for (int bits = 4; bits <= 16; ++bits) {
-      for (std::size_t k = 0; k < keys(); ++k) {
-        const auto whole = rotation_of(nearest_rotation(at(was_, k), bits));
-        for (std::size_t i = 0; i < 4; ++i) now_[4 * k + i] = static_cast<float>(whole[i]) / 32767.0f;
-      }
-      if (is_near()) return true;
-    }
-    return false;
   }
 
   bool round_on_lattice() {

@@ -32,10 +32,15 @@ constexpr const char* kinds[] = {"accessors", "animations", "buffers", "bufferVi
 
 }  // namespace
 
-std::string at(const std::string& place, std::size_t i) { return fmt::format("{}[{}]", place, i); }
+std::string at(const std::string& place, std::size_t i) { return place + '[' + std::to_string(i) + ']'; }
 
 std::string in(const std::string& place, std::string_view key) {
-  return place.empty() ? std::string(key) : fmt::format("{}.{}", place, key);
+  std::string whole;  // made of every key of a file
+  whole.reserve(place.size() + 1 + key.size());
+  whole += place;
+  if (!place.empty()) whole += '.';
+  whole += key;
+  return whole;
 }
 
 const Json& Gate::all(const char* kind) const {

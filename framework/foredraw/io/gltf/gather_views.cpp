@@ -134,9 +134,9 @@ class Gathering {
     return all;
   }
 
-  const std::byte* row(const GatheredRows& of, std::size_t number) const {
+  const std::byte* first_row(const GatheredRows& of) const {
     const Json& view = json_["bufferViews"][of.view];
-    return laid_out_.bytes.data() + view.value("byteOffset", std::size_t{0}) + number * of.stride + of.phase;
+    return laid_out_.bytes.data() + view.value("byteOffset", std::size_t{0}) + of.first * of.stride + of.phase;
   }
 
   Key key_of(const GatheredRows& rows) const {
@@ -144,10 +144,11 @@ class Gathering {
     int lattice = 0;
     if (json_["accessors"][accessor]["componentType"] == 5126 && rows.kind == Kind::vertices) {
       lattice = 128;  // of zeros alone
+      const std::byte* const begin = first_row(rows);
       for (std::size_t i = rows.first; i < rows.end; ++i) {
         for (std::size_t at = 0; at < rows.element; at += 4) {
           float value = 0;
-          std::memcpy(&value, row(rows, i) + at, 4);
+          std::memcpy(&value, begin + (i - rows.first) * rows.stride + at, 4);
           lattice = std::min(lattice, lattice_of(value).value_or(128));
         }
       }
@@ -187,7 +188,7 @@ class Gathering {
     for (const GatheredRows* rows : members) {
       const std::size_t start = bytes.size();
       bytes.resize(start + (rows->end - rows->first) * stride);
-      copy_rows(bytes.data() + start, stride, row(*rows, rows->first), rows->stride, element, rows->end - rows->first);
+      copy_rows(bytes.data() + start, stride, first_row(*rows), rows->stride, element, rows->end - rows->first);
       for (const std::size_t a : rows->accessors) {
         const auto offset = json_["accessors"][a].value("byteOffset", std::size_t{0});
         places_.push_back({a, views_.size(), start + (offset / rows->stride - rows->first) * stride});

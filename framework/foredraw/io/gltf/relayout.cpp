@@ -107,8 +107,9 @@ class Relayout {
 
   void make_new_views() {
     std::vector<NewView> made;
+    const auto like_indices = like_kind(true), like_others = like_kind(false);
     for (Block& block : new_blocks_) {
-      const auto like = like_kind(*block.kind);
+      const auto like = block.kind == Content::Kind::indices ? like_indices : like_others;
       place(std::move(block), made, like, [](const NewView& view, const Block& one) {
         return !one.alone && !view.blocks.front().alone && view.kind() == one.kind;
       });
@@ -121,13 +122,13 @@ class Relayout {
     return compress_ && document_.views[v].compressed ? std::optional(v) : std::nullopt;
   }
 
-  /// The first compressed view that what is new of this kind can follow.
-  std::optional<std::size_t> like_kind(Content::Kind kind) const {
+  /// The first compressed view that what is new can follow, indices or not.
+  std::optional<std::size_t> like_kind(bool of_indices) const {
     for (std::size_t v = 0; v < document_.views.size(); ++v) {
       if (!like(v)) continue;
       const Coding::Mode mode = document_.views[v].compressed->coding.mode;
       const bool indices = mode == Coding::Mode::triangles || mode == Coding::Mode::indices;
-      if (mode != Coding::Mode::unknown && indices == (kind == Content::Kind::indices)) return v;
+      if (mode != Coding::Mode::unknown && indices == of_indices) return v;
     }
     return std::nullopt;
   }
