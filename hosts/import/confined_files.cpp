@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 namespace foredraw::import {
 
@@ -25,13 +26,17 @@ fs::path from_folder(std::string named) {
   return named;
 }
 
-/// "art/leaf.png" of "C:/art/leaf.png"; empty where nothing is left.
-fs::path without_first(const fs::path& path) {
-  fs::path rest;
-  for (auto part = path.begin(); part != path.end(); ++part) {
-    if (part != path.begin() && *part != "/") rest /= *part;
+/// A path and its ends: "C:/art/leaf.png", "art/leaf.png", "leaf.png". Of a long one, the shortest.
+std::vector<fs::path> ends_of(const fs::path& path) {
+  constexpr std::size_t most = 10;
+  const std::vector<fs::path> parts(path.begin(), path.end());
+  std::vector<fs::path> ends{path};
+  for (std::size_t first = std::max<std::size_t>(parts.size(), most + 1) - most; first < parts.size(); ++first) {
+    fs::path end;
+    for (std::size_t i = first; i < parts.size(); ++i) end /= parts[i];
+    ends.push_back(std::move(end));
   }
-  return rest;
+  return ends;
 }
 
 }  // namespace
@@ -101,7 +106,8 @@ ConfinedFiles::Found ConfinedFiles::found(const std::string& named) const {
     found.is_outside = true;
     return false;
   };
-  for (fs::path path = from_folder(named); !path.empty(); path = without_first(path)) {
+  if (named.empty()) return found;
+  for (const fs::path& path : ends_of(from_folder(named))) {
     const fs::path file = folder_ / path;
     if (is_there(file)) return found;
     if (!may_read(file)) continue;

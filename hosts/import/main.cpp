@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
+#include <stdexcept>
 
 namespace {
 
@@ -18,7 +20,20 @@ bool read(const char* text, Number& number) {
   return std::from_chars(text, end, number).ptr == end;
 }
 
+constexpr const char* usage =
+    "foredraw-import INPUT OUTPUT.glb: reads FBX, COLLADA, 3DS, Blend and other scenes, and writes glTF\n";
+
+void check(const std::filesystem::path& input, const std::filesystem::path& output) {
+  std::error_code error;
+  if (!std::filesystem::exists(input, error)) throw std::runtime_error("there is no such file");
+  if (std::filesystem::is_directory(input, error)) throw std::runtime_error("is a folder; a file was expected");
+  if (output.extension() != ".glb") {
+    throw std::runtime_error("becomes a GLB: give the output the extension .glb, and not " + output.string());
+  }
+}
+
 int import_to(const char* input, const char* output) {
+  check(input, output);
   foredraw::import::Told told;
   const std::string glb = foredraw::import::import_file(input, {}, told);
   for (std::string text : told.left_out) {
@@ -44,8 +59,9 @@ int main(int argc, char** argv) {
       return foredraw::import::serve_import(argv[4], argv[5], parent, memory);
     }
     if (argc == 3 && argv[1][0] != '-') return import_to(argv[1], argv[2]);
-    std::fputs("foredraw-import INPUT OUTPUT.glb: reads FBX, COLLADA, 3DS, Blend and other scenes, and writes glTF\n",
-               stderr);
+    const bool asks = argc == 2 && (std::strcmp(argv[1], "--help") == 0 || std::strcmp(argv[1], "-h") == 0);
+    std::fputs(usage, asks ? stdout : stderr);
+    if (asks) return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: error: %s\n", argc > 1 ? argv[1] : "foredraw-import", error.what());
   }

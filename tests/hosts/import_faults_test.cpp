@@ -56,6 +56,22 @@ TEST_F(ImportedByProgram, WhatTheEnvironmentSaysWrongIsNotPassedOver) {
   EXPECT_THAT(other.err, HasSubstr("the importer /bin/true ended without an answer"));
 }
 
+TEST_F(ImportedByProgram, TheImporterAloneSaysWhatIsWrong) {
+  testing::put(folder_ / "bar.fbx", testing::bending_bar().text());
+  const auto alone = [&](const std::string& arguments) {
+    return run("", "exec '" FOREDRAW_IMPORT_PROGRAM "' " + arguments + ";");
+  };
+  EXPECT_EQ(alone("bar.fbx bar.glb").code, 0);
+  EXPECT_EQ(content(folder_ / "bar.glb").substr(0, 4), "glTF");
+  EXPECT_EQ(alone("no.fbx no.glb").err, "no.fbx: error: there is no such file\n");
+  EXPECT_EQ(alone(". no.glb").err, ".: error: is a folder; a file was expected\n");
+  EXPECT_THAT(alone("bar.fbx bar.gltf").err, HasSubstr("give the output the extension .glb"));
+  const Ended help = alone("--help");
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, HasSubstr("INPUT OUTPUT.glb"));
+  EXPECT_EQ(alone("bar.fbx").code, 1);
+}
+
 TEST_F(ImportedByProgram, WhateverTheImporterDoesIsOneError) {
   using namespace std::chrono_literals;
   for (const auto& [stand_in, told] :
