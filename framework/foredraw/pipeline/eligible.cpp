@@ -1,9 +1,11 @@
 #include <foredraw/pipeline/eligible.h>
 
 #include <foredraw/base/name_pattern.h>
+#include <foredraw/base/printable.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace foredraw {
@@ -40,6 +42,25 @@ Holders holders_of_draws(const Scene& scene, const ProductRows& rows) {
     for (const DrawId draw : row->held(scene)) holders.emplace(draw, row->card().title);
   }
   return holders;
+}
+
+std::optional<std::string> names_instead(const Stage& stage, const Scene& scene) {
+  const auto is_named = [&](const Draw& draw) { return matches(stage.only, draw.name); };
+  if (stage.only.empty() || scene.draws.empty() || std::ranges::any_of(scene.draws, is_named)) return std::nullopt;
+  constexpr std::size_t most = 8;
+  std::vector<std::string> names;
+  for (const Draw& draw : scene.draws) {
+    if (std::ranges::find(names, draw.name) == names.end()) names.push_back(draw.name);
+    if (names.size() > 1000) break;
+  }
+  if (const std::string_view near = nearest(stage.only, names); !near.empty()) {
+    return fmt::format("did you mean '{}'?", near);
+  }
+  std::string text = "its draws are called ";
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) {
+    text += (i == 0 ? "'" : ", '") + printable(names[i]) + "'";
+  }
+  return text + (names.size() > most ? " and so on" : "") + "; * stands for any characters";
 }
 
 std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits,

@@ -17,6 +17,10 @@ Holders holders_of_draws(const Scene& scene, const ProductRows& rows);
 std::optional<Skip> why_not(const PlannedStage& stage, const Scene& scene, DrawId id, const Traits& traits,
                             const Holders& holders);
 
+/// What to name instead, where a stage's `only` names no draw of a scene that has some: their names, or the first of
+/// them. Nothing where there is nothing wrong.
+std::optional<std::string> names_instead(const Stage& stage, const Scene& scene);
+
 /// The traits in `wanted` that are not in `held`, as "clustered" or "uv0 and normals".
 std::string missing(const Traits& wanted, const Traits& held);
 

@@ -177,6 +177,12 @@ class Planner {
         planned.draws.push_back(id);
       }
     }
+    if (const auto hint = names_instead(planned.stage, scene_); hint && !planned.stage.required) {
+      diagnostics_.warning(
+          planned.stage.where, "only",
+          fmt::format("'{}' works on nothing: only = \"{}\" names no draw of the scene", card.name, planned.stage.only),
+          *hint);
+    }
     if (planned.plugin->kind != Kind::evaluator) follow(planned);
     if (planned.draws.empty() && !planned.skips.empty()) {
       refuse_where_required(planned, planned.skips.front().reason);

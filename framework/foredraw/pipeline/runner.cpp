@@ -234,8 +234,10 @@ class PlanRunner {
     } else {
       std::optional<Scene> coarser;
       if (stage.stage.level > 0) coarser = at_level(scene, static_cast<std::size_t>(stage.stage.level));
+      Diagnostics told;
       step.measured =
-          run_stage(stage, number, coarser ? *coarser : scene, original_, *plan_, surroundings, record, diagnostics_);
+          run_stage(stage, number, coarser ? *coarser : scene, original_, *plan_, surroundings, record, told);
+      for (const Diagnostic& one : told.all()) tell(one);
       // Figures of the whole scene last: they stand in place of the sum over its parts.
       std::stable_partition(step.measured.begin(), step.measured.end(),
                             [](const Measured& figure) { return figure.about != About{}; });
@@ -244,6 +246,14 @@ class PlanRunner {
     if (memory) record.memory = memory->growth();
     ++done_;
     return step;
+  }
+
+  /// Evaluators run on the input and on the output: what is wrong with both is told once.
+  void tell(const Diagnostic& one) {
+    const auto is_same = [&](const Diagnostic& other) {
+      return other.code == one.code && other.message == one.message && other.where.inside == one.where.inside;
+    };
+    if (std::ranges::none_of(diagnostics_.all(), is_same)) diagnostics_.add(one);
   }
 
   std::optional<MemoryWatch> watch_memory() {

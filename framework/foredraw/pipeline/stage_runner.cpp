@@ -302,7 +302,8 @@ class StageRunner {
     } else {
       diagnostics_.error({.file = scene_.name, .inside = place}, "stage-failed",
                          fmt::format("stage {} '{}' failed: {}", number_, stage_.plugin->card.name, outcome.failure),
-                         "this stage leaves it unchanged; the run continues");
+                         stage_.plugin->kind == Kind::evaluator ? "its figures are left out; the run continues"
+                                                                : "this stage leaves it unchanged; the run continues");
     }
   }
 

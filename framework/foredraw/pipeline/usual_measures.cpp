@@ -31,12 +31,13 @@ std::vector<Stage> usual_measures(const std::vector<Stage>& stages, const Regist
       if (std::ranges::find(measures, one.use, &Stage::use) == measures.end()) measures.push_back(one);
     }
   };
+  const std::vector<Stage> of_default = measures_of_default();
   for (const Stage& stage : stages) {
     if (!stage.enabled) continue;
     const std::vector<Stage> own = measures_of(registry.find(stage.use), registry);
-    add(own.empty() ? measures_of_default() : own);
+    add(own.empty() ? of_default : own);
   }
-  if (measures.empty()) add(measures_of_default());
+  if (measures.empty()) add(of_default);
   return measures;
 }
 

@@ -112,6 +112,25 @@ TEST(Plan, FollowsOnlyAndEnabled) {
   EXPECT_EQ(planned.plan->stages[0].draws, (std::vector<DrawId>{0}));
 }
 
+TEST(Plan, WarnsWhereOnlyNamesNothing) {
+  const auto told = [](const std::string& stages, Scene of) {
+    const Planned planned(stages, std::move(of));
+    EXPECT_TRUE(planned.plan);
+    return to_text(planned.diagnostics);
+  };
+  EXPECT_EQ(told("reverse-draw(only=\"Rok\")", scene()),
+            "pipeline:1:1: warning: 'reverse-draw' works on nothing: only = \"Rok\" names no draw of the scene\n"
+            "    hint: did you mean 'Rock'?\n");
+  EXPECT_NE(told("reverse-draw(only=\"Tree_*\")", scene()).find("hint: its draws are called 'Rock', "),
+            std::string::npos);
+  Scene many = scene();
+  many.draws.resize(20, many.draws[0]);
+  for (std::size_t i = 0; i < many.draws.size(); ++i) many.draws[i].name = "Stone_" + std::to_string(i);
+  EXPECT_NE(told("reverse-draw(only=\"Tree_*\")", many).find("'Stone_7' and so on; * stands for any characters"),
+            std::string::npos);
+  EXPECT_EQ(told("reverse-draw(only=\"Tree_*\")", {}), "") << "what has no draws has no names";
+}
+
 TEST(Plan, FindsAServiceForWhoAsks) {
   EXPECT_TRUE(Planned("ask-overdraw", scene()).plan->overdraw);
   EXPECT_FALSE(Planned("reverse-draw", scene()).plan->overdraw);

@@ -252,6 +252,28 @@ INSTANTIATE_TEST_SUITE_P(EveryKind, Fault, ::testing::Values("throw", "odd-throw
                            return name;
                          });
 
+Plugin failing_evaluator() {
+  class Fails final : public Evaluator {
+   public:
+    void evaluate(const Scene&, Run&) const override { throw std::runtime_error("there is nothing to count with"); }
+  };
+  Plugin plugin;
+  plugin.kind = Kind::evaluator;
+  plugin.card = {.name = "fails", .summary = "For tests", .reference = "own"};
+  plugin.create = [](const Settings&) -> Technique { return std::make_unique<Fails>(); };
+  return plugin;
+}
+
+/// It fails on the input and on the output.
+TEST_F(Runner, AFailingEvaluatorIsToldOnce) {
+  registry_.add(failing_evaluator());
+  const Result result = run("reverse-draw", two_, "fails, count-draws");
+  EXPECT_TRUE(result.failed);
+  ASSERT_EQ(result.report.diagnostics.size(), 1u);
+  EXPECT_EQ(result.report.diagnostics[0].message, "stage 2 'fails' failed: there is nothing to count with");
+  EXPECT_EQ(result.report.diagnostics[0].hint, "its figures are left out; the run continues");
+}
+
 TEST_F(Runner, AsksTheServiceThatThePipelineNames) {
   const Result result = run("ask-overdraw", two_);
   EXPECT_FALSE(result.failed);
