@@ -1,7 +1,7 @@
 // Several pipelines on the same scenes, as users of the program compare them.
 
-#include "support/meshes.h"
-#include "support/program.h"
+#include "support/mistake.h"
+#include "support/on_corpus.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -12,15 +12,13 @@ namespace {
 using testing::content;
 using testing::Ended;
 using ::testing::HasSubstr;
+using testing::Mistake;
 using ::testing::Not;
 using testing::put;
 using Json = nlohmann::json;
 
-class Compare : public testing::InFolder {
+class Compare : public testing::OnCorpus {
  protected:
-  Ended run(const std::string& arguments) { return testing::run_program(folder_, arguments); }
-  std::string spot() { return "'" + testing::project_file("benchmarks/corpus/static/spot.glb").string() + "'"; }
-
   /// What `compare` of spot says in JSON.
   Json compared(const std::string& arguments) {
     const Ended ended = run("compare " + spot() + " --with vertex-cache --json " + arguments);
@@ -164,13 +162,6 @@ TEST_F(Compare, TellsMemoryStageByStage) {
   EXPECT_LT(stage["memory"], 100'000'000);
 }
 
-struct Mistake {
-  const char* what;
-  std::string arguments;
-  int code;
-  std::string says;
-};
-
 class CompareMistakes : public Compare, public ::testing::WithParamInterface<Mistake> {};
 
 TEST_P(CompareMistakes, AreToldInOneClearLineBeforeTheWork) {
@@ -213,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "--front: error: there is no figure 'vertex-cash.acmr': figures come from "},
         Mistake{"bound_of_nobody", "--fail-if 'x.y > 1'", 1, "--fail-if: error: there is no figure 'x.y'"},
         Mistake{"no_rows", "-p empty.toml", 1, "empty.toml:2:11: error: compare: 'compare' has no pipelines"}),
-    [](const auto& info) { return std::string(info.param.what); });
+    testing::by_what);
 
 TEST_F(Compare, AFrontOfFiguresThatNobodyHasIsTold) {
   const Ended ended = run("compare " + spot() + " -p weld --with vertex-cache --front time,vertex-cache.acm");
