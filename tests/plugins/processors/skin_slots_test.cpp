@@ -16,7 +16,6 @@
 namespace foredraw {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 
@@ -41,24 +40,30 @@ std::vector<int> values(const VertexStreams& vertices, const char* name) {
   return result;
 }
 
+using Row = std::vector<std::uint8_t>;
+
+/// Four joints and four weights for each vertex, before and afterwards.
+SlottedSkin expect_slots(const Row& joints, const Row& weights, const std::vector<int>& joints_then,
+                         const std::vector<int>& weights_then, const SkinSlotsOptions& options = {}) {
+  SlottedSkin made = keep_slots(skin(joints, weights), options);
+  EXPECT_EQ(values(*made.vertices, "JOINTS_0"), joints_then);
+  EXPECT_EQ(values(*made.vertices, "WEIGHTS_0"), weights_then);
+  return made;
+}
+
 TEST(SkinSlots, JointsStayWhereTheVertexBeforeHasThem) {
-  const VertexStreams vertices =
-      skin({3, 5, 0, 0, 5, 3, 0, 0, 5, 7, 3, 0}, {200, 55, 0, 0, 130, 125, 0, 0, 90, 85, 80, 0});
-  const SlottedSkin made = keep_slots(vertices);
-  EXPECT_THAT(values(*made.vertices, "JOINTS_0"), ElementsAre(3, 5, 0, 0, 3, 5, 0, 0, 3, 5, 7, 0));
-  EXPECT_THAT(values(*made.vertices, "WEIGHTS_0"), ElementsAre(200, 55, 0, 0, 125, 130, 0, 0, 80, 90, 85, 0));
+  const SlottedSkin made =
+      expect_slots({3, 5, 0, 0, 5, 3, 0, 0, 5, 7, 3, 0}, {200, 55, 0, 0, 130, 125, 0, 0, 90, 85, 80, 0},
+                   {3, 5, 0, 0, 3, 5, 0, 0, 3, 5, 7, 0}, {200, 55, 0, 0, 125, 130, 0, 0, 80, 90, 85, 0});
   EXPECT_EQ(made.moved, 2u);
   EXPECT_TRUE(made.why_not.empty());
 }
 
 TEST(SkinSlots, ASlotWithoutWeightNamesItsLastJointOr0) {
-  const VertexStreams vertices =
-      skin({3, 5, 0, 0, 5, 0, 0, 0, 3, 5, 0, 0}, {200, 55, 0, 0, 255, 0, 0, 0, 100, 155, 0, 0});
-  const SlottedSkin made = keep_slots(vertices);
-  EXPECT_THAT(values(*made.vertices, "JOINTS_0"), ElementsAre(3, 5, 0, 0, 3, 5, 0, 0, 3, 5, 0, 0));
-  EXPECT_THAT(values(*made.vertices, "WEIGHTS_0"), ElementsAre(200, 55, 0, 0, 0, 255, 0, 0, 100, 155, 0, 0));
-  EXPECT_THAT(values(*keep_slots(vertices, {.zero_unused = true}).vertices, "JOINTS_0"),
-              ElementsAre(3, 5, 0, 0, 0, 5, 0, 0, 3, 5, 0, 0));
+  const Row joints{3, 5, 0, 0, 5, 0, 0, 0, 3, 5, 0, 0}, weights{200, 55, 0, 0, 255, 0, 0, 0, 100, 155, 0, 0};
+  const std::vector<int> weights_then{200, 55, 0, 0, 0, 255, 0, 0, 100, 155, 0, 0};
+  expect_slots(joints, weights, {3, 5, 0, 0, 3, 5, 0, 0, 3, 5, 0, 0}, weights_then);
+  expect_slots(joints, weights, {3, 5, 0, 0, 0, 5, 0, 0, 3, 5, 0, 0}, weights_then, {.zero_unused = true});
 }
 
 RC_GTEST_PROP(SkinSlots, EveryVertexKeepsItsInfluences, (std::vector<std::array<std::uint8_t, 4>> rows, bool zero)) {
