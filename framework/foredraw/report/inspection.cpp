@@ -139,7 +139,7 @@ std::string inspection_text(const Scene& scene, const ProductRows& rows, Analyse
   for (DrawId id = 0; id < scene.draws.size(); ++id) {
     const Draw& draw = scene.draws[id];
     const VertexStreams& vertices = *draw.full().vertices;
-    table.add({draw.name, std::to_string(elements(draw)), text_of(draw.topology), std::to_string(vertices.count),
+    table.add({draw.name, counted(elements(draw)), text_of(draw.topology), counted(vertices.count),
                std::to_string(vertices.bytes_per_vertex()), attributes_text(vertices),
                fmt::format("{}", fmt::join(traits_of(draw), " "))});
     if (const std::string what = odd_text(facts[id]); !what.empty()) {

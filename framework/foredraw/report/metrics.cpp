@@ -6,11 +6,23 @@
 
 namespace foredraw {
 
+namespace {
+
+/// With a comma before each three digits of a count, as counts in words have them.
+std::string number_text(double value, bool is_ratio) {
+  if (is_ratio) return fmt::format("{:.4f}", value);
+  std::string digits = fmt::format("{:.0f}", value);
+  const std::size_t first = digits.front() == '-' ? 1 : 0;
+  for (std::size_t at = digits.size(); at > first + 3; digits.insert(at, ",")) at -= 3;
+  return digits;
+}
+
+}  // namespace
+
 std::string to_text(const Figure& figure) {
   if (!std::isfinite(figure.value())) return "-";
-  const int places = figure.denominator ? 4 : 0;
-  const std::string text = fmt::format("{:.{}f}", figure.value(), places);
-  return figure.error > 0 ? fmt::format("{} ±{:.{}f}", text, figure.error, places) : text;
+  const std::string text = number_text(figure.value(), figure.denominator.has_value());
+  return figure.error > 0 ? text + " ±" + number_text(figure.error, figure.denominator.has_value()) : text;
 }
 
 void Metrics::add(const std::string& plugin, const std::string& metric, const Figure& figure) {

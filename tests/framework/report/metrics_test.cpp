@@ -26,6 +26,14 @@ TEST(Metrics, CountsAddUp) {
   EXPECT_FALSE(metrics.find("cache", "misses")->denominator);
 }
 
+TEST(Metrics, CountsHaveCommasAsInSentences) {
+  EXPECT_EQ(to_text(Figure{.numerator = 999}), "999");
+  EXPECT_EQ(to_text(Figure{.numerator = 1000}), "1,000");
+  EXPECT_EQ(to_text(Figure{.numerator = -123456}), "-123,456");
+  EXPECT_EQ(to_text(Figure{.numerator = 6734382, .error = 295218}), "6,734,382 ±295,218");
+  EXPECT_EQ(to_text(Figure{.numerator = 12345, .denominator = 10}), "1234.5000") << "a ratio is no count";
+}
+
 TEST(Metrics, OfSomeTheWorstStands) {
   Metrics metrics;
   const auto add = [&](double numerator, double denominator) {
@@ -58,8 +66,8 @@ TEST(Metrics, ErrorsOfCountsAddUp) {
 
 TEST(Figure, IsTextWithItsError) {
   EXPECT_EQ(to_text({1, 4, 0.0123, ""}), "0.2500 ±0.0123");
-  EXPECT_EQ(to_text({1234.5, std::nullopt, 56.7, ""}), "1234 ±57");
-  EXPECT_EQ(to_text({1234, std::nullopt, 0, ""}), "1234");
+  EXPECT_EQ(to_text({1234.5, std::nullopt, 56.7, ""}), "1,234 ±57");
+  EXPECT_EQ(to_text({1234, std::nullopt, 0, ""}), "1,234");
 }
 
 TEST(Metrics, NothingOverNothingIsNoNumber) {

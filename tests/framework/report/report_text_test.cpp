@@ -71,7 +71,7 @@ TEST(ReportText, FiguresAsTheyAre) {
   after.set("cache", "models.amd.acmr", {1, 2.0});
   const std::string text = to_text(report);
   EXPECT_THAT(text, HasSubstr("same      2.0000  2.0001          same\n"));
-  EXPECT_THAT(text, HasSubstr("count     -       1234 "));
+  EXPECT_THAT(text, HasSubstr("count     -       1,234 "));
   EXPECT_THAT(text, HasSubstr("estimate  -       0.5000 ±0.0100"));
   EXPECT_THAT(text, HasSubstr("gone      0.5000  -\n")) << "what can not be divided has no change either";
   EXPECT_THAT(text, Not(HasSubstr("models")));

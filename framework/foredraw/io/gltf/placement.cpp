@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* uncompressed = "data written uncompressed";
 constexpr const char* recompressed = "data compressed again";
-constexpr const char* rewritten = "data written anew";
+constexpr const char* changed = "data that changed";
 
 /// A view's plain bytes, and who refers to where in them.
 struct Plain {
@@ -179,7 +179,7 @@ class Placement {
     std::uint64_t after = plain;
     if (coded.is_object()) after = extension_of(coded, view_extension(view))->at("byteLength").get<std::uint64_t>();
     if (before == after && view.untouched) return;
-    const char* what = coded.is_object() ? recompressed : was_coded ? uncompressed : rewritten;
+    const char* what = coded.is_object() ? recompressed : was_coded ? uncompressed : changed;
     const auto found =
         std::find_if(out_.sizes.begin(), out_.sizes.end(), [&](const Sizes& sizes) { return sizes.what == what; });
     Sizes& sizes = found != out_.sizes.end() ? *found : out_.sizes.emplace_back(Sizes{what, 0, 0});

@@ -50,16 +50,17 @@ std::shared_ptr<const gltf::Source> empty_source(const Scene& scene) {
   return std::make_shared<const gltf::Source>(std::move(document), Scene{});
 }
 
-/// "data written uncompressed: 1200 -> 4600 bytes" for each cause. What no cause explains is text and padding.
+/// "data written uncompressed: 1,200 -> 4,600 bytes" for each cause. What no cause explains is text and padding.
 std::string causes(std::uint64_t grown, const std::vector<gltf::Sizes>& sizes) {
   std::vector<std::string> words;
   std::int64_t rest = static_cast<std::int64_t>(grown);
   for (const gltf::Sizes& part : sizes) {
     rest -= static_cast<std::int64_t>(part.after) - static_cast<std::int64_t>(part.before);
     if (part.after > part.before)
-      words.push_back(fmt::format("{}: {} -> {} bytes", part.what, part.before, part.after));
+      words.push_back(fmt::format("{}: {} -> {} bytes", part.what, counted(part.before), counted(part.after)));
   }
-  if (rest > 0) words.push_back(fmt::format("JSON and padding: {} bytes more", rest));
+  if (rest > 0)
+    words.push_back(fmt::format("JSON and padding: {} bytes more", counted(static_cast<std::uint64_t>(rest))));
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
