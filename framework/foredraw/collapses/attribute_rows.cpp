@@ -1,5 +1,6 @@
 #include <foredraw/analysis/diagonal.h>
 #include <foredraw/base/random.h>
+#include <foredraw/collapses/alike_vertices.h>
 #include <foredraw/collapses/attribute_rows.h>
 #include <foredraw/scene/skin_weights.h>
 
@@ -45,6 +46,7 @@ class RowMaking {
     AttributeRows made = rows();
     made.blended = columns_.size() - solved;
     if (normals > 0) made.directions.push_back({0, weights_.normals * diagonal_});
+    made.alike = alike_vertices(mesh_);
     return made;
   }
 

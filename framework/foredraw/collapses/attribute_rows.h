@@ -25,7 +25,11 @@ struct AttributeRows {
     double length = 0;
   };
   std::vector<Direction> directions = {};
+  /// [vertex] the first one at its place that differs from it in directions alone, as where faces are shaded flat: one
+  /// may stand for the other, at the cost of what their directions differ. None: each vertex is unlike all others.
+  std::vector<std::uint32_t> alike = {};
 
+  std::uint32_t kind(std::uint32_t vertex) const { return alike.empty() ? vertex : alike[vertex]; }
   const float* of(std::uint32_t vertex) const { return values.data() + vertex * width; }
   float* of(std::uint32_t vertex) { return values.data() + vertex * width; }
 };

@@ -51,7 +51,10 @@ void AttributeWalk::put(std::uint32_t vertex, std::uint32_t removed) {
 
 std::span<const JoinedVertex> AttributeWalk::next() {
   count_ = 0;
-  for (const VertexPair& pair : pairs()) put(pair.kept, pair.removed);
+  for (const VertexPair& pair : pairs()) {
+    const auto known = std::span(joined_).first(count_);
+    if (std::ranges::find(known, pair.kept, &JoinedVertex::vertex) == known.end()) put(pair.kept, pair.removed);
+  }
   if (!point_of_.empty()) {
     const Collapse& collapse = sequence_.collapses[at_];
     if (place() != places_[collapse.kept] && place() != places_[collapse.removed]) find_shares();

@@ -16,7 +16,7 @@ struct JoinedVertex {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
   std::uint32_t vertex = 0;
-  std::uint32_t removed = none;         ///< that it stands for from now on
+  std::uint32_t removed = none;         ///< that it stands for from now on; of several the first
   std::vector<WedgeShare> shares = {};  ///< of what it carries then; none: it is blended with the removed one, if any
 
   bool stands_for_another() const { return removed != none; }

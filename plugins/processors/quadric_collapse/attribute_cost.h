@@ -13,6 +13,14 @@
 
 namespace foredraw::collapsing {
 
+/// Which vertex of the kept point each vertex of the removed one becomes.
+struct JoinedVertices {
+  std::vector<VertexPair> pairs;
+  std::size_t by_faces = 0;  ///< the first ones are beside each other in a face, and one to one
+
+  void clear() { pairs.clear(), by_faces = 0; }
+};
+
 class AttributeCosts {
  public:
   /// `solves`: whether the joined vertex has the best values; if not, all are blended.
@@ -28,11 +36,17 @@ class AttributeCosts {
         sums_by_number_(sums_.size() * rows_.width) {}
 
   bool empty() const { return rows_.width == 0; }
+  /// Vertices of one point and one kind differ in directions alone.
+  std::uint32_t kind(std::uint32_t vertex) const { return rows_.kind(vertex); }
+  /// The square of how much directions differ, of two of a kind; of length 1. 1 where directions do not count.
+  double turned(std::uint32_t one, std::uint32_t other) const;
   /// Finds the slopes of the face, which is new or has changed.
   void measure(std::uint32_t face);
   /// Squared differences of the faces around both points by area, as a function of where the joined point lies, from p.
   /// `shared`: the faces of both, at least one.
   Quadric around(std::uint32_t p, std::uint32_t q, std::span<const std::uint32_t> shared);
+  /// What around() leaves out at that place: that vertices become another one which no face joins them to.
+  double jumps(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, float blend, const JoinedVertices& joined);
   /// Memory of who joins points.
   struct Room {
     struct WedgeFace {
@@ -55,6 +69,7 @@ class AttributeCosts {
   };
   struct Edge;
   struct Ends;
+  struct Jump;
 
   void add_up(std::uint32_t point);
   void add_wedge(const Ends& ends, const Edge& edge, Quadric& from_p, Quadric& from_q) const;

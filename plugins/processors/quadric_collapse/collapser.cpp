@@ -7,6 +7,8 @@ namespace foredraw::collapsing {
 
 namespace {
 
+constexpr double refused = std::numeric_limits<double>::infinity();
+
 /// How far the place lies from the one that is kept towards the one that goes.
 float blend_of(glm::vec3 kept, glm::vec3 removed, glm::vec3 place) {
   const glm::dvec3 edge = glm::dvec3(removed) - glm::dvec3(kept), to = glm::dvec3(place) - glm::dvec3(kept);
@@ -97,7 +99,7 @@ void Collapser::take(Collapser& other) {
 void Collapser::remove_part(std::uint32_t part, double cost, std::size_t least) {
   if (all_.parts.is_all(part, faces_)) return;
   while (faces_ > least) {
-    const auto step = all_.parts.next(part, pairs_);
+    const auto step = all_.parts.next(part, joined_.pairs);
     if (!step) break;
     collapse(step->removed, step->kept, {cost, mesh_.point(step->kept).place});
   }
@@ -129,24 +131,37 @@ void Collapser::consider(const EdgeEntry& edge) {
   const EdgeCost best = has_changed ? costs_.least(p, q) : EdgeCost{edge.cost, edge.place};
   if (has_changed && CostQueue::rank_of(best.cost) > queue_.lowest()) return enter(p, q, best, best.cost, false);
   if (!legal_.keeps_topology(p, q)) return;
-  if ((has_changed || !edge.is_checked) && is_too_far(p, q, best)) return;
+  if ((has_changed || !edge.is_checked) && is_too_far(p, q, best, 0)) return;
   const bool stays_at_q = best.place == mesh_.point(q).place;
-  const std::uint32_t first = stays_at_q ? q : p, second = stays_at_q ? p : q;
-  const bool may_turn = all_.options.placement == CollapsePlacement::optimal;
-  const bool is_first_kept = legal_.pair_vertices(second, first, pairs_);
-  if (!is_first_kept && !(may_turn && legal_.pair_vertices(first, second, pairs_))) return;
-  if (!legal_.keeps_sides(p, q, best.place)) return;
-  collapse(is_first_kept ? second : first, is_first_kept ? first : second, best);
+  std::uint32_t kept = stays_at_q ? q : p, removed = stays_at_q ? p : q;
+  double jumps = pair_up(removed, kept, best.place, joined_);
+  if (jumps > 0 && all_.options.placement == CollapsePlacement::optimal) {
+    if (const double other = pair_up(kept, removed, best.place, turned_); other < jumps) {
+      jumps = other;
+      std::swap(kept, removed);
+      std::swap(joined_, turned_);
+    }
+  }
+  if (jumps == refused || !legal_.keeps_sides(p, q, best.place)) return;
+  if (jumps > 0 && is_too_far(p, q, best, jumps)) return;
+  collapse(removed, kept, best);
+}
+
+/// What the edge's cost lacks if vertices jump, or `refused`.
+double Collapser::pair_up(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, JoinedVertices& joined) {
+  if (!legal_.pair_vertices(removed, kept, joined)) return refused;
+  const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, place);
+  return all_.attributes.jumps(removed, kept, place, blend, joined);
 }
 
 /// A quadric does not see where faces end: at a crease the least place may lie far from all of them. Where an edge
-/// moves the surface farther than its cost says, it waits until that is the cost.
-bool Collapser::is_too_far(std::uint32_t p, std::uint32_t q, const EdgeCost& best) {
+/// moves the surface farther than its cost says, or vertices jump, it waits until that is the cost.
+bool Collapser::is_too_far(std::uint32_t p, std::uint32_t q, const EdgeCost& best, double jumps) {
   constexpr std::size_t slack = 6;  // ranks; to be stricter gains nothing
   const double weight = all_.options.deviation * area_around(p, q);
-  if (!(weight > 0)) return false;
-  const double cost = best.cost + weight * distance_.squared(mesh_, p, q, best.place);
-  if (CostQueue::rank_of(cost) <= queue_.lowest() + slack) return false;
+  const double moved = weight > 0 ? weight * distance_.squared(mesh_, p, q, best.place) : 0;
+  const double cost = best.cost + moved + jumps;
+  if (!(cost > best.cost) || CostQueue::rank_of(cost) <= queue_.lowest() + slack) return false;
   enter(p, q, best, cost, true);
   return true;
 }
@@ -168,11 +183,12 @@ void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCo
   const float blend = blend_of(mesh_.point(kept).place, mesh_.point(removed).place, best.place);
   const Quadric memory = costs_.joined_memory(removed, kept, best.place);
   all_.poses.join(removed, kept, blend, best.place);
-  all_.attributes.join(removed, kept, best.place, blend, pairs_, joining_);
+  all_.attributes.join(removed, kept, best.place, blend, joined_.pairs, joining_);
   Point& point = mesh_.point(kept);
   point.is_sharp = point.is_sharp || mesh_.point(removed).is_sharp;
+  point.is_seam = point.is_seam || mesh_.point(removed).is_seam;
   const std::size_t gone = editor_.collapse(removed, kept, best.place, [&](std::uint32_t vertex) {
-    return std::ranges::find(pairs_, vertex, &VertexPair::removed)->kept;
+    return std::ranges::find(joined_.pairs, vertex, &VertexPair::removed)->kept;
   });
   faces_ -= gone;
   --points_;
@@ -181,7 +197,7 @@ void Collapser::collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCo
     all_.attributes.measure(f);
     all_.poses.measure(f);
   }
-  steps_.pairs.insert(steps_.pairs.end(), pairs_.begin(), pairs_.end());
+  steps_.pairs.insert(steps_.pairs.end(), joined_.pairs.begin(), joined_.pairs.end());
   const auto rank = static_cast<std::uint32_t>(queue_.lowest());
   steps_.steps.push_back({
       .collapse = {mesh_.name_of(removed), mesh_.name_of(kept), blend, static_cast<float>(error)},

@@ -50,7 +50,7 @@ class Collapser {
                {all.options.memory, all.options.border, all.options.seam,
                 all.options.placement == CollapsePlacement::endpoint},
                all.attributes, all.poses),
-        legal_(mesh_, editor_) {}
+        legal_(mesh_, editor_, all_.attributes) {}
 
   /// Prepares the points of the piece.
   void begin();
@@ -100,7 +100,8 @@ class Collapser {
   void take_up(const EdgeEntry& edge, std::size_t least);
   void remove_part(std::uint32_t part, double cost, std::size_t least);
   void consider(const EdgeEntry& edge);
-  bool is_too_far(std::uint32_t p, std::uint32_t q, const EdgeCost& best);
+  bool is_too_far(std::uint32_t p, std::uint32_t q, const EdgeCost& best, double jumps);
+  double pair_up(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, JoinedVertices& joined);
   double area_around(std::uint32_t p, std::uint32_t q) const;
   void collapse(std::uint32_t removed, std::uint32_t kept, const EdgeCost& best);
 
@@ -113,7 +114,7 @@ class Collapser {
   LocalDistance distance_;
   CostQueue queue_;
   std::vector<Elsewhere> elsewhere_;
-  std::vector<VertexPair> pairs_;
+  JoinedVertices joined_, turned_;
   AttributeCosts::Room joining_;
   std::vector<Neighbour> neighbours_;
   std::vector<EdgeCost> found_;

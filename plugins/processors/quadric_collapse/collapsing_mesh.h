@@ -37,7 +37,8 @@ struct alignas(128) Point {
   std::uint32_t room = 0;          ///< for faces
   bool is_gone = false;
   bool is_fixed = false;   ///< stays: it is not finite
-  bool is_sharp = false;   ///< some edge here is of one face, of more than two, or of unlike vertices
+  bool is_sharp = false;   ///< some edge here is of one face, of more than two, or of several vertices
+  bool is_seam = false;    ///< the same, where not directions alone differ
   std::uint64_t mark = 0;  ///< an editor's, as the slot is
   std::uint32_t slot = 0;
   Quadric memory;  ///< of the planes of all faces that ever were; about its place

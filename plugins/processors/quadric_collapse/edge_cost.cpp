@@ -1,5 +1,8 @@
 #include "edge_cost.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace foredraw::collapsing {
 
 /// Calls see(number of the face, neighbour, weight) for each face of each sharp edge at p.
@@ -12,32 +15,46 @@ void EdgeCosts::each_sharp_edge(std::uint32_t p, See see) const {
     for (const int other : {(k + 1) % 3, (k + 2) % 3}) {
       const std::uint32_t q = face.point[other];
       int faces = 0;
-      bool alike = true;
+      std::uint32_t beside = f;
       for (const std::uint32_t g : ring) {
-        const Face& beside = mesh_.face(g);
-        if (!beside.has(q)) continue;
+        if (!mesh_.face(g).has(q)) continue;
         ++faces;
-        alike = alike && beside.vertex[beside.corner_of(p)] == face.vertex[k] &&
-                beside.vertex[beside.corner_of(q)] == face.vertex[other];
+        if (g != f) beside = g;
       }
-      if (faces != 2 || !alike) see(f, q, faces == 2 ? weights_.seam : weights_.border);
+      const double weight = faces == 2 ? seam_weight(f, beside, p, q) : weights_.border;
+      if (weight > 0) see(f, q, weight);
     }
   }
 }
 
-/// Whether each edge at p goes out of one face and into another, of the same vertices.
-bool EdgeCosts::is_smooth(std::uint32_t p) const {
+/// A seam where directions alone differ counts as much as it shows: it may be a crease, or a face's border in a mesh
+/// that is shaded flat.
+double EdgeCosts::seam_weight(std::uint32_t f, std::uint32_t g, std::uint32_t p, std::uint32_t q) const {
+  double turned = 0;
+  for (const std::uint32_t one : {p, q}) {
+    const std::uint32_t a = mesh_.face(f).vertex[mesh_.face(f).corner_of(one)];
+    const std::uint32_t b = mesh_.face(g).vertex[mesh_.face(g).corner_of(one)];
+    if (a == b) continue;
+    if (attributes_.kind(a) != attributes_.kind(b)) return weights_.seam;
+    turned = std::max(turned, attributes_.turned(a, b));
+  }
+  return weights_.seam * std::min(turned, 1.0);
+}
+
+/// Whether each edge at p goes out of one face and into another, of the same vertices, or what `of` tells of them.
+template <class Of>
+bool EdgeCosts::is_smooth(std::uint32_t p, const Of& of) const {
   const std::span<const std::uint32_t> ring = mesh_.ring(p);
   std::array<std::uint32_t, most_faces> next, next_point, previous;
   std::uint32_t vertex = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Face& face = mesh_.face(ring[i]);
     const int k = face.corner_of(p);
-    if (i > 0 && face.vertex[k] != vertex) return false;
-    vertex = face.vertex[k];
-    next[i] = face.vertex[(k + 1) % 3];
+    if (i > 0 && of(face.vertex[k]) != vertex) return false;
+    vertex = of(face.vertex[k]);
+    next[i] = of(face.vertex[(k + 1) % 3]);
     next_point[i] = face.point[(k + 1) % 3];
-    previous[i] = face.vertex[(k + 2) % 3];
+    previous[i] = of(face.vertex[(k + 2) % 3]);
   }
   for (std::size_t i = 0; i < ring.size(); ++i) {
     int into = 0, out_of = 0;
@@ -87,7 +104,8 @@ void EdgeCosts::begin(std::uint32_t first, std::uint32_t end) {
   for (std::uint32_t p = first; p < end; ++p) {
     Point& point = mesh_.point(p);
     const bool is_hub = mesh_.ring(p).size() > most_faces;
-    point.is_sharp = is_hub || !is_smooth(p);
+    point.is_sharp = is_hub || !is_smooth(p, std::identity());
+    point.is_seam = point.is_sharp && (is_hub || !is_smooth(p, [&](std::uint32_t v) { return attributes_.kind(v); }));
     if (is_hub) continue;
     Around& here = first_[p - first];
     here = faces_around(p);
@@ -111,10 +129,11 @@ Quadric EdgeCosts::planes_around(const Around& a, std::uint32_t p, std::uint32_t
   }
   const bool p_is_sharp = mesh_.point(p).is_sharp, q_is_sharp = mesh_.point(q).is_sharp;
   if (p_is_sharp && q_is_sharp && !is_smooth_between(p, q)) {
-    const double weight = shared_.size() == 2 ? weights_.seam : weights_.border;
+    const double weight = shared_.size() == 2 ? seam_weight(shared_[0], shared_[1], p, q) : weights_.border;
     for (const std::uint32_t f : shared_) add_sharp(f, p, q, -weight, sum.matrix);
   }
-  volume = p_is_sharp || q_is_sharp ? Constraint{} : Constraint{a.area + area, dot(area, there)};
+  volume =
+      mesh_.point(p).is_seam || mesh_.point(q).is_seam ? Constraint{} : Constraint{a.area + area, dot(area, there)};
   return sum;
 }
 

@@ -46,10 +46,12 @@ class EdgeCosts {
   void add_together(Around a, std::uint32_t p, const Neighbour& other);
   Around faces_around(std::uint32_t p) const;
   Around around(std::uint32_t p) const;
-  bool is_smooth(std::uint32_t p) const;
+  template <class Of>
+  bool is_smooth(std::uint32_t p, const Of& of) const;
   bool is_smooth_between(std::uint32_t p, std::uint32_t q) const;
   template <class See>
   void each_sharp_edge(std::uint32_t p, See see) const;
+  double seam_weight(std::uint32_t f, std::uint32_t g, std::uint32_t p, std::uint32_t q) const;
   void add_sharp(std::uint32_t f, std::uint32_t p, std::uint32_t q, double weight, Symmetric& planes) const;
 
   CollapsingMesh& mesh_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foredraw::collapsing {
 
@@ -65,24 +66,43 @@ bool LegalCollapses::is_border(std::uint32_t p) const {
   return false;
 }
 
-bool LegalCollapses::pair_vertices(std::uint32_t removed, std::uint32_t kept, std::vector<VertexPair>& pairs) {
-  pairs.clear();
+bool LegalCollapses::pair_vertices(std::uint32_t removed, std::uint32_t kept, JoinedVertices& joined) {
+  joined.clear(), kinds_.clear();
+  std::vector<VertexPair>& pairs = joined.pairs;
   for (const std::uint32_t f : shared_) {
     const Face& face = mesh_.face(f);
     const VertexPair pair{face.vertex[face.corner_of(removed)], face.vertex[face.corner_of(kept)]};
-    bool is_new = true;
-    for (const VertexPair& known : pairs) {
-      const bool same = known.removed == pair.removed, onto_same = known.kept == pair.kept;
-      if (same != onto_same) return false;
-      is_new = is_new && !same;
+    const VertexPair kinds{attributes_.kind(pair.removed), attributes_.kind(pair.kept)};
+    for (const VertexPair& known : kinds_) {
+      if ((known.removed == kinds.removed) != (known.kept == kinds.kept)) return false;
     }
-    if (is_new) pairs.push_back(pair);
+    kinds_.push_back(kinds);
+    const auto has_one = [&](const VertexPair& known) {
+      return known.removed == pair.removed || known.kept == pair.kept;
+    };
+    if (std::ranges::none_of(pairs, has_one)) pairs.push_back(pair);
   }
+  joined.by_faces = pairs.size();
   return std::ranges::all_of(mesh_.ring(removed), [&](std::uint32_t f) {
     const Face& face = mesh_.face(f);
     const std::uint32_t vertex = face.vertex[face.corner_of(removed)];
-    return face.has(kept) || std::ranges::any_of(pairs, [&](const VertexPair& pair) { return pair.removed == vertex; });
+    if (std::ranges::find(pairs, vertex, &VertexPair::removed) != pairs.end()) return true;
+    const auto kinds = std::ranges::find(kinds_, attributes_.kind(vertex), &VertexPair::removed);
+    if (kinds == kinds_.end()) return false;
+    pairs.push_back({vertex, nearest(vertex, kept, kinds->kept)});
+    return true;
   });
+}
+
+std::uint32_t LegalCollapses::nearest(std::uint32_t vertex, std::uint32_t kept, std::uint32_t kind) const {
+  std::uint32_t found = kind;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t f : mesh_.ring(kept)) {
+    const std::uint32_t other = mesh_.face(f).vertex[mesh_.face(f).corner_of(kept)];
+    if (attributes_.kind(other) != kind) continue;
+    if (const double turned = attributes_.turned(vertex, other); turned < least) least = turned, found = other;
+  }
+  return found;
 }
 
 bool LegalCollapses::keeps_sides(std::uint32_t p, std::uint32_t q, glm::vec3 place) const {

@@ -1,6 +1,7 @@
 #include "quadric_collapse.h"
 
 #include <foredraw/c/with_collapses.h>
+#include <foredraw/collapses/alike_vertices.h>
 
 using namespace foredraw;
 
@@ -15,6 +16,7 @@ int foredraw_quadric_collapse(foredraw_collapses* sequence, const foredraw_trian
     const auto places = c::elements_at<glm::vec3>(positions->first, positions->stride, mesh.vertex_count());
     AttributeRows counted{rows.width, std::move(rows.values), rows.blended};
     for (const auto& [first, length] : rows.directions) counted.directions.push_back({first, length});
+    counted.alike = alike_vertices(counted, places);
     return quadric_collapse(places, mesh.indices(), options, std::move(counted));
   };
   return c::with_collapses(sequence, triangles, positions, attributes, attribute_count, find);

@@ -1,3 +1,4 @@
+#include <foredraw/collapses/alike_vertices.h>
 #include <foredraw/collapses/attribute_rows.h>
 
 #include "support/meshes.h"
@@ -144,6 +145,29 @@ TEST(AttributeRows, ATextureOfOnePointIsNothing) {
     const AttributeRows rows = attribute_rows(square({floats("TEXCOORD_0", 2, std::vector<float>(8, at))}), weights);
     EXPECT_EQ(rows.values, std::vector<float>(8, 0));
   }
+}
+
+/// Four vertices of one place.
+TEST(AttributeRows, VerticesAreAlikeThatDifferInDirectionsAlone) {
+  const std::vector<glm::vec3> at{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 4}};
+  Draw draw = testing::draw_of({at, {0, 1, 4}});
+  auto vertices = std::make_shared<VertexStreams>(*draw.levels[0].vertices);
+  vertices->base.push_back(floats("NORMAL", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0}));
+  vertices->base.push_back(floats("TANGENT", 4, std::vector<float>(20, 1)));
+  vertices->base.push_back(floats("_HEAT", 1, {5, 5, 5, 6, 5}));
+  draw.levels[0].vertices = vertices;
+  Analyses analyses;
+  const DrawId first[] = {0};
+  const JoinedMesh mesh = joined_mesh(testing::scene_of({draw}), first, analyses).value();
+  const std::vector<std::uint32_t> alike{0, 0, 0, 3, 4};
+  EXPECT_EQ(attribute_rows(mesh, {}).alike, alike) << "what no weight counts is a seam all the same";
+  AttributeRows rows{.width = 4, .values = {}};
+  for (std::size_t v = 0; v < at.size(); ++v) {
+    for (const float number : {v == 3 ? 6.0f : 5.0f, v == 1 ? 1.0f : 0.0f, 1.0f, 0.0f}) rows.values.push_back(number);
+  }
+  EXPECT_TRUE(alike_vertices(rows, at).empty());
+  rows.directions = {{1, 1}};
+  EXPECT_EQ(alike_vertices(rows, at), alike);
 }
 
 }  // namespace

@@ -124,5 +124,17 @@ TEST(AttributeWalk, FollowsWhatHasCollapsedBefore) {
   }
 }
 
+/// Two vertices of a point become one: it is blended with the first of them, and not twice.
+TEST(AttributeWalk, WhatTwoBecomeIsBlendedOnce) {
+  const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  const std::vector<std::uint32_t> indices{0, 1, 3, 0, 4, 2};
+  const CollapseSequence sequence{.collapses = {{1, 0, 0.5f, 0}}, .pairs = {{1, 0}, {2, 0}}, .first_pair = {0, 2}};
+  AttributeWalk walk(sequence, positions, indices);
+  const auto found = walk.next();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].vertex, 0u);
+  EXPECT_EQ(found[0].removed, 1u);
+}
+
 }  // namespace
 }  // namespace foredraw

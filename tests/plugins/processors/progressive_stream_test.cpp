@@ -78,6 +78,37 @@ TEST_P(ProgressiveStreams_, EndAsFullDetail) {
   }
 }
 
+/// Where several vertices become one.
+TEST(ProgressiveStream, OfFacetsEndsAsFullDetail) {
+  const testing::TestMesh torus = testing::closed_torus(40, 20);
+  testing::TestMesh apart;
+  std::vector<float> normals;
+  for (std::size_t i = 0; i < torus.indices.size(); ++i) {
+    apart.positions.push_back(torus.positions[torus.indices[i]]);
+    apart.indices.push_back(static_cast<std::uint32_t>(i));
+    const float turned = 0.1f * static_cast<float>(i / 3 % 7);
+    normals.insert(normals.end(), {std::sin(turned), std::cos(turned), 0});
+  }
+  Scene scene = testing::scene_of(apart);
+  auto vertices = std::make_shared<VertexStreams>(*scene.draws[0].full().vertices);
+  const auto bytes = std::as_bytes(std::span(normals));
+  vertices->base.push_back({"NORMAL", Format{}, Shared<std::byte>({bytes.begin(), bytes.end()})});
+  scene.draws[0].full().vertices = std::move(vertices);
+  Sequenced of = sequenced(std::move(scene));
+  EXPECT_TRUE(of.sequence.collapses.empty());
+  of.sequence = quadric_collapse(of.mesh.positions, of.mesh.indices, {.placement = CollapsePlacement::endpoint},
+                                 attribute_rows(of.mesh, {}));
+  ASSERT_GT(of.sequence.collapses.size(), 500u);
+  ASSERT_EQ(replay(of.sequence, of.mesh.positions, of.mesh.indices, of.mesh.part).mistake, "");
+  ProgressiveStreamOptions options;
+  options.lossless = true;
+  const ProgressiveStream made = progressive_stream(of.mesh, of.sequence, options);
+  const auto read = StreamMesh::read(made.bytes);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(difference(*read, of.mesh), "");
+  EXPECT_EQ(triangles_of(Reader(made.bytes, all_chunks), made), triangles_of(of.mesh.indices));
+}
+
 TEST(ProgressiveStream, KeepsFloatsExactlyIfAsked) {
   const Sequenced of = sequenced(two_halves());
   ProgressiveStreamOptions options;

@@ -1,11 +1,6 @@
 // What vertices carry where they come to lie: solved for, as level_vertices() writes it.
 
-#include "plugins/processors/quadric_collapse/quadric_collapse.h"
-
-#include "support/collapses.h"
-
-#include <foredraw/collapses/cut.h>
-#include <foredraw/scene/encode_component.h>
+#include "support/simplified.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -16,57 +11,13 @@
 namespace foredraw {
 namespace {
 
+using testing::Simplified;
+using testing::simplified;
+using testing::stream;
 using testing::TestMesh;
+using testing::values;
 
 constexpr Format vec2{Component::float32, 2, false, 8}, vec3{}, bytes4{Component::uint8, 4, true, 4};
-
-/// Numbers of each vertex in that format.
-template <class Of>
-VertexStream stream(std::string semantic, const Format& format, const TestMesh& mesh, const Of& of) {
-  std::vector<std::byte> bytes(mesh.positions.size() * format.bytes);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    const auto numbers = of(static_cast<std::uint32_t>(v));
-    for (int c = 0; c < format.components; ++c) {
-      encode_component(bytes.data() + v * format.bytes + c * bytes_of(format.component), format, numbers[c]);
-    }
-  }
-  return {std::move(semantic), format, Shared<std::byte>(std::move(bytes))};
-}
-
-struct Simplified {
-  JoinedMesh mesh;
-  CollapseSequence sequence;
-
-  CutDraw after(std::size_t collapses) const {
-    return cut(sequence, collapses, collapsed(sequence, collapses, mesh), mesh).front();
-  }
-  CutDraw at_triangles(std::size_t triangles) const {
-    const Replay run = replay(sequence, mesh.positions, mesh.indices, mesh.part);
-    EXPECT_EQ(run.mistake, "");
-    const auto reached = std::ranges::find_if(run.triangles, [&](std::uint32_t left) { return left <= triangles; });
-    EXPECT_NE(reached, run.triangles.end());
-    return after(static_cast<std::size_t>(reached - run.triangles.begin()));
-  }
-};
-
-Simplified simplified(const TestMesh& mesh, std::vector<VertexStream> carried, const AttributeWeights& weights = {},
-                      const QuadricCollapseOptions& options = {}) {
-  Draw draw = testing::draw_of(mesh);
-  auto vertices = std::make_shared<VertexStreams>(*draw.full().vertices);
-  for (VertexStream& one : carried) vertices->base.push_back(std::move(one));
-  draw.full().vertices = std::move(vertices);
-  std::vector<Draw> draws;
-  draws.push_back(std::move(draw));
-  Analyses analyses;
-  const std::vector<DrawId> all{0};
-  Simplified made{joined_mesh(testing::scene_of(std::move(draws)), all, analyses).value(), {}};
-  made.sequence = quadric_collapse(made.mesh.positions, made.mesh.indices, options, attribute_rows(made.mesh, weights));
-  return made;
-}
-
-std::vector<glm::vec3> values(const CutDraw& draw, std::string_view semantic) {
-  return decode_vec3(*draw.vertices->find(semantic));
-}
 
 /// A flat sheet whose points do not lie in rows.
 TestMesh uneven_sheet() {
