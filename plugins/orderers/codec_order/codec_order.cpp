@@ -35,13 +35,22 @@ class Edges {
     }
   }
 
-  /// The first triangle that is not drawn and runs from a to b.
-  std::optional<Across> find(std::uint32_t a, std::uint32_t b, const std::vector<bool>& is_drawn) {
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  /// Number of the first edge from a to b, behind which are the others; or none.
+  std::uint32_t run(std::uint32_t a, std::uint32_t b) const {
     const std::span all = std::span(edges_).subspan(first_[a], first_[a + 1] - first_[a]);
-    const auto run = std::ranges::lower_bound(all, b, {}, &Edge::to);
-    if (run == all.end()) return std::nullopt;
-    for (auto edge = run + run->drawn; edge != all.end() && edge->to == b; ++edge, ++run->drawn) {
-      if (!is_drawn[edge->triangle]) return Across{edge->triangle, edge->across};
+    const auto found = std::ranges::lower_bound(all, b, {}, &Edge::to);
+    if (found == all.end() || found->to != b) return none;
+    return first_[a] + static_cast<std::uint32_t>(found - all.begin());
+  }
+
+  /// The first triangle of a run from `a` that is not drawn.
+  std::optional<Across> find(std::uint32_t run, std::uint32_t a, const std::vector<bool>& is_drawn) {
+    const std::uint32_t end = first_[a + 1], to = edges_[run].to;
+    for (std::uint32_t& passed = edges_[run].drawn; run + passed < end && edges_[run + passed].to == to; ++passed) {
+      const Edge& edge = edges_[run + passed];
+      if (!is_drawn[edge.triangle]) return Across{edge.triangle, edge.across};
     }
     return std::nullopt;
   }
@@ -88,11 +97,17 @@ class Walk {
     Edges::Across across;
   };
 
+  /// An edge of what is drawn as the neighbour runs along it, and its run, looked up once.
+  struct Crossed {
+    std::uint32_t a = 0, b = 0, run = 0;
+  };
+
   std::optional<Seen> at_edges() {
     std::optional<Seen> with_a_new_vertex;
     for (std::size_t back = 1; back <= std::min(remembered, crossed_); ++back) {
-      const auto [a, b] = last_[(crossed_ - back) % last_.size()];
-      const auto across = edges_.find(a, b, is_drawn_);
+      const auto [a, b, run] = last_[(crossed_ - back) % last_.size()];
+      if (run == Edges::none) continue;
+      const auto across = edges_.find(run, a, is_drawn_);
       if (!across) continue;
       if (is_known_[across->corner]) return Seen{a, b, *across};
       if (!with_a_new_vertex) with_a_new_vertex = Seen{a, b, *across};
@@ -125,7 +140,9 @@ class Walk {
   }
 
   /// The neighbour runs along the edge the other way.
-  void cross(std::uint32_t from, std::uint32_t to) { last_[crossed_++ % last_.size()] = {from, to}; }
+  void cross(std::uint32_t from, std::uint32_t to) {
+    last_[crossed_++ % last_.size()] = {from, to, edges_.run(from, to)};
+  }
 
   void emit(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners) {
     order_.push_back(triangle);
@@ -142,7 +159,7 @@ class Walk {
   std::vector<bool> is_known_, is_drawn_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> touched_;  ///< vertices, the last one behind
-  std::array<std::pair<std::uint32_t, std::uint32_t>, 16> last_{};
+  std::array<Crossed, 16> last_{};
   std::size_t crossed_ = 0;
   std::uint32_t next_ = 0;
 };

@@ -39,28 +39,30 @@ class Slots {
 
   /// Brings the row into the slots of the row before. True where an influence with weight moved.
   bool place(std::vector<Influence>& row) {
-    std::vector<Influence> open = row;
-    std::ranges::stable_sort(open, [](const Influence& a, const Influence& b) { return a.amount > b.amount; });
-    std::erase_if(open, [](const Influence& one) { return one.amount == 0; });
-    std::vector<bool> is_taken(row.size());
+    open_.clear();  // those with weight, the greatest first; few, so by insertion, which keeps equal ones in sequence
+    for (const Influence& one : row) {
+      if (one.amount == 0) continue;
+      open_.insert(std::ranges::find_if(open_, [&](const Influence& less) { return less.amount < one.amount; }), one);
+    }
+    is_taken_.assign(row.size(), false);
     const auto take = [&](const Influence& one, auto fits) {
       for (std::size_t s = 0; s < row_.size(); ++s) {
-        if (is_taken[s] || !fits(s)) continue;
+        if (is_taken_[s] || !fits(s)) continue;
         row_[s] = one;
-        is_taken[s] = true;
+        is_taken_[s] = true;
         return true;
       }
       return false;
     };
-    std::erase_if(open, [&](const Influence& one) {
+    std::erase_if(open_, [&](const Influence& one) {
       return take(one, [&](std::size_t s) { return last_[s].joint == one.joint; });
     });
-    for (const Influence& one : open) take(one, [](std::size_t) { return true; });
+    for (const Influence& one : open_) take(one, [](std::size_t) { return true; });
     bool moved = false;
     for (std::size_t s = 0; s < row_.size(); ++s) {
-      if (!is_taken[s]) row_[s] = {options_.zero_unused ? 0 : last_[s].joint, 0, 0};
-      if (is_taken[s]) last_[s] = row_[s];
-      moved |= is_taken[s] && (row[s].joint != row_[s].joint || row[s].weight != row_[s].weight);
+      if (!is_taken_[s]) row_[s] = {options_.zero_unused ? 0 : last_[s].joint, 0, 0};
+      if (is_taken_[s]) last_[s] = row_[s];
+      moved |= is_taken_[s] && (row[s].joint != row_[s].joint || row[s].weight != row_[s].weight);
     }
     row = row_;
     return moved;
@@ -70,6 +72,8 @@ class Slots {
   SkinSlotsOptions options_;
   std::vector<Influence> last_;  ///< of each slot the last one with weight
   std::vector<Influence> row_;
+  std::vector<Influence> open_;  ///< that have no slot yet
+  std::vector<bool> is_taken_;
 };
 
 std::uint32_t load(const VertexStream& stream, std::size_t vertex, std::size_t component) {
