@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace foredraw {
 
@@ -83,6 +85,36 @@ void find_shared(std::vector<Placed>& placed, double near) {
   }
 }
 
+using MetCell = std::pair<Cell, MetPoint>;
+
+std::uint64_t hash_of(const Cell& cell) {
+  std::uint64_t hash = 0;
+  for (const std::int64_t number : cell) {
+    hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+/// Leaves out cells that one placed draw alone has, which are most of them; some whose hashes agree with another's
+/// stay.
+void leave_out_lonely(std::vector<MetCell>& cells) {
+  enum class Met : std::uint8_t { nobody, one, several };
+  struct Place {
+    Met met = Met::nobody;
+    NodeId node = 0;
+    DrawId draw = 0;
+  };
+  std::vector<Place> places(std::bit_ceil(2 * cells.size()));
+  const auto place_of = [&](const Cell& cell) -> Place& { return places[hash_of(cell) & (places.size() - 1)]; };
+  for (const auto& [cell, point] : cells) {
+    Place& place = place_of(cell);
+    if (place.met == Met::nobody) place = {Met::one, point.node, point.draw};
+    if (place.node != point.node || place.draw != point.draw) place.met = Met::several;
+  }
+  std::erase_if(cells, [&](const MetCell& one) { return place_of(one.first).met != Met::several; });
+}
+
 }  // namespace
 
 std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses) {
@@ -97,7 +129,7 @@ std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& 
   const double near = std::max(extent.x, std::max(extent.y, extent.z)) * 1e-6;
   if (placed.size() < 2 || !(near > 0)) return {};
   find_shared(placed, near);
-  std::vector<std::pair<Cell, MetPoint>> cells;
+  std::vector<MetCell> cells;
   for (const Placed& one : placed) {
     for (std::uint32_t v = 0; v < one.positions->values.size() && !one.shared.is_empty(); ++v) {
       const glm::dvec3 at = in_world(worlds[one.node], one.positions->values[v]);
@@ -107,6 +139,8 @@ std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& 
           {{std::llround(number.x), std::llround(number.y), std::llround(number.z)}, {one.draw, one.node, v}});
     }
   }
+  if (cells.empty()) return {};
+  leave_out_lonely(cells);
   std::ranges::sort(cells, [](const auto& a, const auto& b) {
     return std::tie(a.first, a.second.node, a.second.draw, a.second.vertex) <
            std::tie(b.first, b.second.node, b.second.draw, b.second.vertex);
