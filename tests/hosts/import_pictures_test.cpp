@@ -82,7 +82,7 @@ TEST_F(ImportedPictures, NothingIsReadOutsideTheFolder) {
 TEST_F(ImportedPictures, AreFoundByTheEndOfTheirPathWhateverTheirCapitals) {
   fs::create_directories(folder_ / "maps/green");
   put(folder_ / "maps/green/leaf.png", small_png());
-  for (const char* path : {"C:\\\\art\\\\Maps\\\\green\\\\LEAF.PNG", "/home/me/maps/green/leaf.png",
+  for (const char* path : {"C:\\\\art\\\\Maps\\\\green\\\\LEAF.PNG", "/art/maps/green/leaf.png",
                            "//maps/green/leaf.png", "maps/./green/Leaf.png", "maps/green/leaf.png"}) {
     EXPECT_EQ(read("leaf.fbx", with_texture(path)).images.size(), 1u) << path;
     EXPECT_EQ(told_, "") << path;

@@ -178,10 +178,10 @@ class Planner {
       }
     }
     if (const auto hint = names_instead(planned.stage, scene_); hint && !planned.stage.required) {
-      diagnostics_.warning(
-          planned.stage.where, "only",
-          fmt::format("'{}' works on nothing: only = \"{}\" names no draw of the scene", card.name, planned.stage.only),
-          *hint);
+      diagnostics_.warning(planned.stage.where, "only",
+                           fmt::format("'{}' works on nothing: only = \"{}\" names no draw of {}", card.name,
+                                       planned.stage.only, scene_.name.empty() ? "the scene" : scene_.name),
+                           *hint);
     }
     if (planned.plugin->kind != Kind::evaluator) follow(planned);
     if (planned.draws.empty() && !planned.skips.empty()) {

@@ -119,7 +119,7 @@ TEST(Plan, WarnsWhereOnlyNamesNothing) {
     return to_text(planned.diagnostics);
   };
   EXPECT_EQ(told("reverse-draw(only=\"Rok\")", scene()),
-            "pipeline:1:1: warning: 'reverse-draw' works on nothing: only = \"Rok\" names no draw of the scene\n"
+            "pipeline:1:1: warning: 'reverse-draw' works on nothing: only = \"Rok\" names no draw of test scene\n"
             "    hint: did you mean 'Rock'?\n");
   EXPECT_NE(told("reverse-draw(only=\"Tree_*\")", scene()).find("hint: its draws are called 'Rock', "),
             std::string::npos);
