@@ -45,7 +45,7 @@ def main():
                     "--threads", "1"]
             theirs = [arguments.gltfpack, "-i", model, "-o", out, "-cz", "-ce", "khr", "-kn", "-km"]
             least = [min(times) for times in zip(*((seconds(ours), seconds(theirs)) for _ in range(arguments.rounds)))]
-            print(f"| `{model.name}` | {least[0]:.3f} s | {least[1]:.3f} s | {least[0] / least[1]:.1f} |")
+            print(f"| `{model.name}` | {1000 * least[0]:.1f} ms | {1000 * least[1]:.1f} ms | {least[0] / least[1]:.1f} |")
     start = min(seconds([arguments.foredraw, "--version"]) for _ in range(arguments.rounds))
     print(f"\nstart of the program: {1000 * start:.1f} ms")
 
