@@ -1,5 +1,5 @@
-// A buffer of Draco's in a sound glTF: whatever it holds is refused, or read, written plain and read again. The first
-// byte says what the glTF claims to be in it.
+// A buffer of Draco's in a sound glTF: whatever it holds is refused, or read, written plain and by Draco and read
+// again. The first byte says what the glTF claims to be in it.
 
 #include "claim.h"
 #include "support/gltf_builder.h"
@@ -41,13 +41,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto scene = read_gltf(around(bytes.subspan(1), data[0]).glb(), "input", {}, diagnostics);
   claim(scene.has_value() != diagnostics.has_errors(), "read and not read at once: " + to_text(diagnostics));
   if (!scene) return 0;
-  const auto files = encode_gltf(*scene, "again.glb", diagnostics, {.compression = Compression::none});
-  claim(files && files->size() == 1, "what was read can not be written: " + to_text(diagnostics));
-  const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics);
-  claim(again.has_value(), "what was written can not be read: " + to_text(diagnostics));
-  const Level& was = scene->draws.at(0).levels[0];
-  const Level& is = again->draws.at(0).levels[0];
-  claim(is.vertices->stamp() == was.vertices->stamp(), "other vertices");
-  claim(is.orders[0].indices == was.orders[0].indices, "other triangles");
+  for (const Compression how : {Compression::none, Compression::draco, Compression::draco_edgebreaker}) {
+    const auto files = encode_gltf(*scene, "again.glb", diagnostics, {.compression = how});
+    claim(files && files->size() == 1, "what was read can not be written: " + to_text(diagnostics));
+    const auto again = read_gltf(files->front().bytes, "again.glb", {}, diagnostics);
+    claim(again.has_value(), "what was written can not be read: " + to_text(diagnostics));
+    if (how == Compression::draco_edgebreaker) continue;  // which sorts as it likes
+    const Level& was = scene->draws.at(0).levels[0];
+    const Level& is = again->draws.at(0).levels[0];
+    claim(is.vertices->stamp() == was.vertices->stamp(), "other vertices");
+    claim(is.orders[0].indices == was.orders[0].indices, "other triangles");
+  }
   return 0;
 }
