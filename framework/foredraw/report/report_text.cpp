@@ -137,8 +137,8 @@ std::string skips_text(const StageRecord& stage) {
   }
   for (const auto& [code, count] : of_code) {
     if (count > shown)
-      text += fmt::format("  {} left {} more {} alone ({}); --json lists them all\n", stage.use, count - shown,
-                          stage.loops_over == "scene" ? "draws" : stage.loops_over, code);
+      text +=
+          fmt::format("  {} left {} more alone ({}); --json lists them all\n", stage.use, counted(count - shown), code);
   }
   return text;
 }

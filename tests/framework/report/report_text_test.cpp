@@ -97,7 +97,7 @@ TEST(ReportText, ThreeReasonsOfAKindAndTheRestCounted) {
   const std::string text = to_text(report);
   EXPECT_THAT(text, HasSubstr("  tipsify left Rock3 alone: reason 3\n"));
   EXPECT_THAT(text, Not(HasSubstr("reason 4")));
-  EXPECT_THAT(text, HasSubstr("  tipsify left 2 more draws alone (no-gain); --json lists them all\n"));
+  EXPECT_THAT(text, HasSubstr("  tipsify left 2 more alone (no-gain); --json lists them all\n"));
   EXPECT_THAT(text, HasSubstr("  tipsify left Glass alone: another kind\n"));
   EXPECT_THAT(text, Not(HasSubstr("(blended)")));
 }
