@@ -145,9 +145,9 @@ class RowMaking {
     }
   }
 
-  /// What is no number counts as 0; what is too large, as much as many diagonals.
+  /// What is no number counts as 0; what is too large, as much as many diagonals. Differences are finite, too.
   float scaled(float value, double scale) const {
-    const double most = 1e6 * diagonal_, length = double{value} * scale;
+    const double most = std::min(1e6 * diagonal_, 0x1p126), length = double{value} * scale;
     return std::isfinite(length) ? static_cast<float>(std::clamp(length, -most, most)) : 0.0f;
   }
 

@@ -14,8 +14,10 @@ namespace {
 constexpr AttributeWeights nothing{.normals = 0, .texcoords = 0, .colors = 0, .joints = 0, .targets = 0};
 
 /// A square of 3 by 4, whose diagonal is 5.
-JoinedMesh square(const std::vector<VertexStream>& more, std::vector<std::vector<VertexStream>> targets = {}) {
+JoinedMesh square(const std::vector<VertexStream>& more, std::vector<std::vector<VertexStream>> targets = {},
+                  float scale = 1) {
   testing::TestMesh mesh{{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {0, 4, 0}}, {0, 1, 2, 0, 2, 3}};
+  for (glm::vec3& position : mesh.positions) position *= scale;
   Draw draw = testing::draw_of(mesh);
   auto vertices = std::make_shared<VertexStreams>(*draw.levels[0].vertices);
   vertices->base.insert(vertices->base.end(), more.begin(), more.end());
@@ -109,6 +111,14 @@ TEST(AttributeRows, AreFinite) {
       {});
   EXPECT_EQ(rows.width, 9u + 6 + 6);
   for (const float value : rows.values) EXPECT_LT(std::abs(value), 1e8f);
+}
+
+/// Where a million diagonals are more than a float holds.
+TEST(AttributeRows, AreFiniteInMeshesOfAnySize) {
+  const AttributeRows rows =
+      attribute_rows(square({floats("NORMAL", 3, {3e38f, 0, 0, -3e38f, 0, 0, 0, 0, 1, 0, 0, 1})}, {}, 1e35f), {});
+  EXPECT_TRUE(std::isfinite(rows.of(0)[0] - rows.of(1)[0]));
+  EXPECT_LT(rows.of(1)[0], 0);
 }
 
 /// So that no two vertices seem alike that a pose tears apart.
