@@ -54,7 +54,7 @@ std::optional<std::string> names_instead(const Stage& stage, const Scene& scene)
     if (names.size() > 1000) break;
   }
   if (const std::string_view near = nearest(stage.only, names); !near.empty()) {
-    return fmt::format("did you mean '{}'?", near);
+    return fmt::format("did you mean '{}'?", printable(near));
   }
   std::string text = "its draws are called ";
   for (std::size_t i = 0; i < std::min(most, names.size()); ++i) {

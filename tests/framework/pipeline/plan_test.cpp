@@ -123,6 +123,9 @@ TEST(Plan, WarnsWhereOnlyNamesNothing) {
             "    hint: did you mean 'Rock'?\n");
   EXPECT_NE(told("reverse-draw(only=\"Tree_*\")", scene()).find("hint: its draws are called 'Rock', "),
             std::string::npos);
+  Scene escaping = scene();
+  escaping.draws[0].name = "Ro\x1b[ck";
+  EXPECT_EQ(told("reverse-draw(only=\"Ro[ck\")", escaping).find('\x1b'), std::string::npos);
   Scene many = scene();
   many.draws.resize(20, many.draws[0]);
   for (std::size_t i = 0; i < many.draws.size(); ++i) many.draws[i].name = "Stone_" + std::to_string(i);
