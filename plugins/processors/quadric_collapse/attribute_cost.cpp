@@ -176,8 +176,7 @@ double AttributeCosts::turned(std::uint32_t one, std::uint32_t other) const {
   return squared;
 }
 
-/// Of vertices that become one: their faces' functions at the place, and what these differ from their mean. `sums[i]`
-/// tells of a vertex.
+/// A vertex, seen from the place where it becomes one with others: what the functions of its faces say there.
 struct AttributeCosts::Jump {
   const Sums& of;
   const glm::dvec3* by_number;

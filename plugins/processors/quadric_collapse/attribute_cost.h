@@ -38,7 +38,8 @@ class AttributeCosts {
   bool empty() const { return rows_.width == 0; }
   /// Vertices of one point and one kind differ in directions alone.
   std::uint32_t kind(std::uint32_t vertex) const { return rows_.kind(vertex); }
-  /// The square of how much directions differ, of two of a kind; of length 1. 1 where directions do not count.
+  /// By how much the directions of two vertices of a kind differ, squared, directions having length 1. 1 where they do
+  /// not count.
   double turned(std::uint32_t one, std::uint32_t other) const;
   /// Finds the slopes of the face, which is new or has changed.
   void measure(std::uint32_t face);
