@@ -29,7 +29,8 @@ Json as_json(double value, Component component) {
   return component == Component::float32 ? Json(value) : Json(static_cast<std::int64_t>(value));
 }
 
-/// The least and greatest of the finite values of each component. A number that says the same in fewer digits stays.
+}  // namespace
+
 void set_range(Json& accessor, const Content& content) {
   VertexStream plain{{}, content.format, content.bytes};
   plain.format.normalized = false;
@@ -51,8 +52,6 @@ void set_range(Json& accessor, const Content& content) {
     accessor[key] = std::move(range);
   }
 }
-
-}  // namespace
 
 bool same_content(const Content& a, const Content& b) {
   return a.kind == b.kind && a.format == b.format && a.count == b.count && a.wants_range == b.wants_range &&

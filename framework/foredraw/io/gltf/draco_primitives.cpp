@@ -1,4 +1,5 @@
 // What a document says of primitives that are compressed by Draco.
+#include <foredraw/base/counted.h>
 #include <foredraw/io/gltf/private/draco_primitives.h>
 #include <foredraw/io/gltf/private/layout.h>
 #include <foredraw/io/gltf/private/write.h>
@@ -6,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace foredraw::gltf {
@@ -18,39 +18,16 @@ Json& primitive_at(Json& json, const std::pair<std::size_t, std::size_t>& place)
   return json["meshes"][place.first]["primitives"][place.second];
 }
 
-/// Where it says them.
-void correct_range(Json& accessor, const std::vector<std::byte>& elements) {
-  const auto told =
-      *format_of(accessor["type"].get<std::string>(), accessor["componentType"].get<std::uint64_t>(), false);
-  const auto put_of = [&]<class T>(T) {
-    std::vector<T> values(elements.size() / sizeof(T)), least, greatest;
-    std::memcpy(values.data(), elements.data(), values.size() * sizeof(T));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::size_t c = i % told.components;
-      if (c == least.size()) least.push_back(values[i]), greatest.push_back(values[i]);
-      least[c] = std::min(least[c], values[i]);
-      greatest[c] = std::max(greatest[c], values[i]);
-    }
-    if (accessor.contains("min")) accessor["min"] = least;
-    if (accessor.contains("max")) accessor["max"] = greatest;
-  };
-  switch (told.component) {
-    case Component::int8: return put_of(std::int8_t{});
-    case Component::uint8: return put_of(std::uint8_t{});
-    case Component::int16: return put_of(std::int16_t{});
-    case Component::uint16: return put_of(std::uint16_t{});
-    case Component::uint32: return put_of(std::uint32_t{});
-    case Component::float32: return put_of(float{});
-  }
-}
-
 /// Triangles without area are gone, and vertices that none has or that were there twice.
 void correct_counts(Json& json, const DracoTriangles& one) {
   const DracoMesh& mesh = one.coded->decoded;
   for (std::size_t i = 0; i < one.coded->ids.size(); ++i) {
     Json& accessor = json["accessors"][one.accessors[i]];
     accessor["count"] = mesh.points;
-    if (accessor.contains("min") || accessor.contains("max")) correct_range(accessor, mesh.attributes[i]);
+    if (!accessor.contains("min") && !accessor.contains("max")) continue;
+    const auto format =
+        *format_of(accessor["type"].get<std::string>(), accessor["componentType"].get<std::uint64_t>(), false);
+    set_range(accessor, {Content::Kind::other, format, mesh.points, Shared<std::byte>(mesh.attributes[i])});
   }
   Json& indices = json["accessors"][one.accessors.back()];
   indices["count"] = mesh.indices.size();
@@ -108,21 +85,24 @@ void tell(const DracoChoice& choice, bool edgebreaker, const std::string& file, 
     for (const auto& id : one.coded->ids) left_out += id ? 0 : 1;
   }
   if (compressed < choice.primitives) {
-    diagnostics.note({.file = file, .inside = "meshes"}, "draco-left-plain",
-                     fmt::format("{} of {} primitives stay plain: Draco knows lists of triangles alone, and makes "
-                                 "small meshes and shared vertices longer",
-                                 choice.primitives - compressed, choice.primitives));
+    diagnostics.note(
+        {.file = file, .inside = "meshes"}, "draco-left-plain",
+        fmt::format("Draco leaves {} of {} plain: it knows lists of triangles alone, and makes small meshes and "
+                    "shared vertices longer",
+                    counted(choice.primitives - compressed), counted(choice.primitives, "primitive")));
   }
   if (left_out > 0) {
-    diagnostics.note({.file = file, .inside = "meshes"}, "draco-left-out",
-                     fmt::format("{} attributes stay plain beside compressed ones: Draco does not give back every bit "
-                                 "of matrices with gaps, nor of integers of 32 bits that are far apart",
-                                 left_out));
+    diagnostics.note(
+        {.file = file, .inside = "meshes"}, "draco-left-out",
+        fmt::format("Draco leaves {} plain beside compressed ones: it does not give back every bit of matrices "
+                    "with gaps, nor of integers of 32 bits that are far apart",
+                    counted(left_out, "attribute")));
   }
   if (loose > 0) {
-    diagnostics.note({.file = file, .inside = "meshes"}, "draco-keeps-floats",
-                     fmt::format("{} attributes of floats are not shorter: no value may be rounded here", loose),
-                     "put `quantize` into the pipeline, which rounds within an error and tells it");
+    diagnostics.note(
+        {.file = file, .inside = "meshes"}, "draco-keeps-floats",
+        fmt::format("Draco makes {} of floats no shorter: no value may be rounded here", counted(loose, "attribute")),
+        "put `quantize` into the pipeline, which rounds within an error and tells it");
   }
   if (edgebreaker && reordered < compressed) {
     diagnostics.note(

@@ -140,6 +140,25 @@ TEST(DracoExact, positions_of_every_size_come_back) {
   }
 }
 
+/// JSON has no infinite numbers: where the order is another, ranges are told anew.
+TEST(DracoExact, ranges_are_of_finite_positions) {
+  GltfBuilder plain = ribbon(squares);
+  std::vector<float> positions;
+  for (std::size_t v = 0; v < vertices; ++v)
+    positions.insert(positions.end(), {static_cast<float>(v / 2), static_cast<float>(v % 2), HUGE_VALF});
+  GltfJson& attributes = attributes_of(plain);
+  attributes = {{"POSITION", plain.add_values(positions, "VEC3")}};
+  GltfJson& accessor = plain.json["accessors"][attributes["POSITION"].get<std::size_t>()];
+  accessor["min"] = {0, 0, 0}, accessor["max"] = {squares, 1, 1};
+  const Written written = encode(testing::read(plain), Compression::draco_edgebreaker);
+  ASSERT_TRUE(tells(written, "draco-reorders"));
+  for (const GltfJson& one : written.json["accessors"]) {
+    for (const char* key : {"min", "max"}) {
+      for (const GltfJson& number : one.value(key, GltfJson::array())) EXPECT_TRUE(number.is_number()) << one;
+    }
+  }
+}
+
 TEST(DracoExact, texture_coordinates_of_a_thousand_tiles_come_back) {
   for (const int bits : {8, 11, 14, 18}) {  // behind the point; 22 in all are held short
     GltfBuilder plain = ribbon(squares);

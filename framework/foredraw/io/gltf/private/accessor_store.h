@@ -22,6 +22,9 @@ struct Content {
 };
 
 bool same_content(const Content& a, const Content& b);
+/// Writes the least and greatest of the finite values of each component as min and max. A number that says the same in
+/// fewer digits stays.
+void set_range(Json& accessor, const Content& content);
 
 /// A buffer of plain copies of compressed views.
 struct Fallback {
