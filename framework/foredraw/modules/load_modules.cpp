@@ -90,7 +90,7 @@ void take(LoadedModule& module, const foredraw_plugin& described, std::shared_pt
 std::shared_ptr<ModuleFile> file_of(LoadedModule& module) {
   std::error_code error;
   if (const auto what = fs::status(module.path, error); fs::exists(what) && !fs::is_regular_file(what)) {
-    module.refuse("is no file of bytes, so it is no module");  // but a pipe, say, which would be waited for
+    module.refuse("is not a regular file, so it is no module");  // a pipe, say, would be waited for
     return nullptr;
   }
   const auto bytes = read_file(module.path, module.diagnostics);
