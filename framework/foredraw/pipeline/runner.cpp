@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
+#include <string>
+#include <tuple>
 #include <utility>
 
 namespace foredraw {
@@ -250,10 +253,7 @@ class PlanRunner {
 
   /// Evaluators run on the input and on the output: what is wrong with both is told once.
   void tell(const Diagnostic& one) {
-    const auto is_same = [&](const Diagnostic& other) {
-      return other.code == one.code && other.message == one.message && other.where.inside == one.where.inside;
-    };
-    if (std::ranges::none_of(diagnostics_.all(), is_same)) diagnostics_.add(one);
+    if (told_.emplace(one.code, one.message, one.where.inside).second) diagnostics_.add(one);
   }
 
   std::optional<MemoryWatch> watch_memory() {
@@ -287,7 +287,8 @@ class PlanRunner {
   std::size_t steps_ = 0;
   double done_ = 0;
   bool watches_memory_ = false;
-  std::uint64_t peak_memory_ = 0;  ///< before the last watch began
+  std::uint64_t peak_memory_ = 0;                                     ///< before the last watch began
+  std::set<std::tuple<std::string, std::string, std::string>> told_;  ///< code, message, inside of what
 };
 
 /// Whether stages find the same surroundings in both.

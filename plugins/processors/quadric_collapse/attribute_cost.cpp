@@ -235,7 +235,8 @@ double AttributeCosts::jumps(std::uint32_t removed, std::uint32_t kept, glm::vec
   return std::max(sum, 0.0);
 }
 
-/// As AttributeWalk and level_vertices() say it.
+/// As AttributeWalk and level_vertices() say it; but a face between the points, of vertices that do not become each
+/// other, is of the kept one here, and there of what its removed one becomes.
 void AttributeCosts::solve(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, float blend,
                            std::span<const VertexPair> pairs, Room& room) {
   using WedgeFace = Room::WedgeFace;
