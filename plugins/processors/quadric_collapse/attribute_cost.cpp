@@ -139,13 +139,14 @@ Quadric AttributeCosts::around(std::uint32_t p, std::uint32_t q, std::span<const
     const Face& face = mesh_.face(f);
     return Ends{face.vertex[face.corner_of(p)], face.vertex[face.corner_of(q)]};
   };
-  const auto is_joined = [&](std::span<const std::uint32_t> faces, auto end, std::uint32_t vertex) {
-    return std::ranges::any_of(faces, [&](std::uint32_t f) { return ends_in(f).*end == vertex; });
+  joined_.clear();
+  const auto is_joined = [&](auto end, std::uint32_t vertex) {
+    return std::ranges::find(joined_, vertex, end) != joined_.end();
   };
-  for (std::size_t i = 0; i < shared.size(); ++i) {
-    const Ends ends = ends_in(shared[i]);
-    const std::span<const std::uint32_t> before = shared.first(i);
-    if (is_joined(before, &Ends::at_p, ends.at_p) || is_joined(before, &Ends::at_q, ends.at_q)) continue;
+  for (const std::uint32_t f : shared) {
+    const Ends ends = ends_in(f);
+    if (is_joined(&VertexPair::removed, ends.at_p) || is_joined(&VertexPair::kept, ends.at_q)) continue;
+    joined_.push_back({ends.at_p, ends.at_q});
     add_wedge(ends, edge, from_p, from_q);
   }
   for (const std::uint32_t point : {p, q}) {
@@ -155,7 +156,7 @@ Quadric AttributeCosts::around(std::uint32_t p, std::uint32_t q, std::span<const
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::uint32_t vertex = vertex_in(ring[i]);
       const bool is_known = std::ranges::any_of(ring.first(i), [&](std::uint32_t f) { return vertex_in(f) == vertex; });
-      if (is_known || is_joined(shared, point == p ? &Ends::at_p : &Ends::at_q, vertex)) continue;
+      if (is_known || is_joined(point == p ? &VertexPair::removed : &VertexPair::kept, vertex)) continue;
       add_alone(vertex, point == p ? from_p : from_q);
     }
   }
@@ -235,22 +236,23 @@ double AttributeCosts::jumps(std::uint32_t removed, std::uint32_t kept, glm::vec
   return std::max(sum, 0.0);
 }
 
-/// As AttributeWalk and level_vertices() say it; but a face between the points, of vertices that do not become each
-/// other, is of the kept one here, and there of what its removed one becomes.
+/// As AttributeWalk and level_vertices() say it.
 void AttributeCosts::solve(std::uint32_t removed, std::uint32_t kept, glm::vec3 place, float blend,
                            std::span<const VertexPair> pairs, Room& room) {
   using WedgeFace = Room::WedgeFace;
   auto& [faces, shares, solved] = room;
   faces.clear();
+  const auto becomes = [&](const Face& face) {
+    const std::uint32_t vertex = face.vertex[face.corner_of(removed)];
+    return std::ranges::find(pairs, vertex, &VertexPair::removed)->kept;
+  };
   for (const std::uint32_t f : mesh_.ring(kept)) {
     const Face& face = mesh_.face(f);
-    faces.push_back({f, face.vertex[face.corner_of(kept)]});
+    faces.push_back({f, face.has(removed) ? becomes(face) : face.vertex[face.corner_of(kept)]});
   }
   for (const std::uint32_t f : mesh_.ring(removed)) {
     const Face& face = mesh_.face(f);
-    if (face.has(kept)) continue;
-    const std::uint32_t vertex = face.vertex[face.corner_of(removed)];
-    faces.push_back({f, std::ranges::find(pairs, vertex, &VertexPair::removed)->kept});
+    if (!face.has(kept)) faces.push_back({f, becomes(face)});
   }
   for (std::size_t first = 0; first < faces.size(); ++first) {
     const std::uint32_t wedge = faces[first].wedge;
