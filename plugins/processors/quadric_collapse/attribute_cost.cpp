@@ -1,7 +1,9 @@
 #include "attribute_cost.h"
+#include "local_distance.h"
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -139,14 +141,18 @@ Quadric AttributeCosts::around(std::uint32_t p, std::uint32_t q, std::span<const
     const Face& face = mesh_.face(f);
     return Ends{face.vertex[face.corner_of(p)], face.vertex[face.corner_of(q)]};
   };
-  joined_.clear();
+  std::bitset<LocalDistance::most_faces> joins;  // [i]: whether that face joins its vertices, one to one
+  const std::size_t faces = std::min(shared.size(), joins.size());
   const auto is_joined = [&](auto end, std::uint32_t vertex) {
-    return std::ranges::find(joined_, vertex, end) != joined_.end();
+    for (std::size_t i = 0; i < faces; ++i) {
+      if (joins[i] && ends_in(shared[i]).*end == vertex) return true;
+    }
+    return false;
   };
-  for (const std::uint32_t f : shared) {
-    const Ends ends = ends_in(f);
-    if (is_joined(&VertexPair::removed, ends.at_p) || is_joined(&VertexPair::kept, ends.at_q)) continue;
-    joined_.push_back({ends.at_p, ends.at_q});
+  for (std::size_t i = 0; i < faces; ++i) {
+    const Ends ends = ends_in(shared[i]);
+    if (is_joined(&Ends::at_p, ends.at_p) || is_joined(&Ends::at_q, ends.at_q)) continue;
+    joins.set(i);
     add_wedge(ends, edge, from_p, from_q);
   }
   for (const std::uint32_t point : {p, q}) {
@@ -156,7 +162,7 @@ Quadric AttributeCosts::around(std::uint32_t p, std::uint32_t q, std::span<const
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::uint32_t vertex = vertex_in(ring[i]);
       const bool is_known = std::ranges::any_of(ring.first(i), [&](std::uint32_t f) { return vertex_in(f) == vertex; });
-      if (is_known || is_joined(point == p ? &VertexPair::removed : &VertexPair::kept, vertex)) continue;
+      if (is_known || is_joined(point == p ? &Ends::at_p : &Ends::at_q, vertex)) continue;
       add_alone(vertex, point == p ? from_p : from_q);
     }
   }

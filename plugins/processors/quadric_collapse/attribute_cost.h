@@ -89,7 +89,6 @@ class AttributeCosts {
   std::vector<std::uint32_t> changes_;      ///< [point]: of its faces, when they were added up
   std::vector<Sums> sums_;                  ///< [vertex]
   std::vector<glm::dvec3> sums_by_number_;  ///< [vertex * width + i]: of each attribute's slopes
-  std::vector<VertexPair> joined_;          ///< of around(): vertices of both points that a face joins, one to one
 };
 
 }  // namespace foredraw::collapsing
