@@ -26,9 +26,10 @@ double diagonal_of(const Surface& surface) {
   return low.x <= high.x ? glm::length(high - low) : 0;
 }
 
-/// Of a draw's own triangles they are kept.
-std::shared_ptr<const ClosestPoints> points_of(const SeenSurface& seen, const Level& level, Analyses& analyses) {
-  if (!seen.displaced) return closest_points_of(analyses, *level.vertices, level.stream().indices);
+/// Of a draw's own triangles, where they lie in its own space, they are kept.
+std::shared_ptr<const ClosestPoints> points_of(const SeenSurface& seen, const Level& level, bool is_own_space,
+                                               Analyses& analyses) {
+  if (!seen.displaced && is_own_space) return closest_points_of(analyses, *level.vertices, level.stream().indices);
   return std::make_shared<const ClosestPoints>(Surface{seen.positions, seen.indices});
 }
 
@@ -84,10 +85,12 @@ class SurfaceErrorEvaluator final : public DrawEvaluator {
   void at_rest(const DrawView& draw, const Scene& original, Run& run) const {
     const SubjectPart part{draw.id, {}};
     const SeenSurface before = seen_surface(original, part, {}, run.analyses);
-    const SeenSurface now = seen_surface(draw.scene, part, {}, run.analyses);
+    SeenSurface now = seen_surface(draw.scene, part, {}, run.analyses);
+    const DrawSpace &space = draw.draw().space, &space_before = original.draws[draw.id].space;
+    for (glm::vec3& position : now.positions) position = position_in(space_before, space, position);
     const Surface from{before.positions, before.indices};
-    const auto of_original = points_of(before, original.draws[draw.id].full(), run.analyses);
-    const auto of_draw = points_of(now, draw.draw().full(), run.analyses);
+    const auto of_original = points_of(before, original.draws[draw.id].full(), true, run.analyses);
+    const auto of_draw = points_of(now, draw.draw().full(), space == space_before, run.analyses);
     const auto error = surface_error({{now.positions, now.indices}, *of_draw}, {from, *of_original}, options_, run.seed,
                                      run.executor, run.cancel);
     if (!error)

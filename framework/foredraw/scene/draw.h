@@ -7,6 +7,8 @@
 #include <foredraw/scene/traits.h>
 #include <foredraw/scene/vertex_streams.h>
 
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -56,6 +58,20 @@ inline constexpr std::uint32_t no_vertex = ~std::uint32_t{0};
 
 enum class Topology : std::uint8_t { triangles, lines, points };
 
+/// How the units of a draw read in those that it had in its file: offset + scale * position. A stage that changed them
+/// changed with them what places the draw.
+struct DrawSpace {
+  glm::dvec3 offset{0};
+  double scale = 1;
+  friend bool operator==(const DrawSpace&, const DrawSpace&) = default;
+};
+
+/// A position from the units of one space to those of another one, both of the same draw.
+inline glm::vec3 position_in(const DrawSpace& to, const DrawSpace& from, const glm::vec3& position) {
+  if (to == from) return position;
+  return glm::vec3((from.offset + from.scale * glm::dvec3(position) - to.offset) / to.scale);
+}
+
 struct Draw {
   std::string name;           ///< the mesh's, and a number where the mesh has several draws: "Rock", "House/1"
   std::vector<Level> levels;  ///< from full detail to the coarsest; never empty
@@ -64,6 +80,7 @@ struct Draw {
   Traits traits;  ///< found in the asset; traits_of() has those of a level that stages made too
   std::optional<DrawOrigin> origin;
   std::optional<SpriteFrame> frame;  ///< of a draw that shows a part of an image
+  DrawSpace space = {};
 
   const Level& full() const { return levels.front(); }
   Level& full() { return levels.front(); }

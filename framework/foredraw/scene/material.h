@@ -2,11 +2,13 @@
 #include <foredraw/base/content_hash.h>
 #include <foredraw/scene/texture.h>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace foredraw {
 
@@ -21,6 +23,14 @@ struct Displacement {
   float factor = 1;
   float offset = 0;
   friend bool operator==(const Displacement&, const Displacement&) = default;
+};
+
+/// What coordinates of the file that was read are of those that vertices hold now: offset + scale * uv.
+struct ScaledTexcoords {
+  std::uint32_t set = 0;  ///< TEXCOORD_n
+  glm::dvec2 offset{0};
+  glm::dvec2 scale{1};
+  friend bool operator==(const ScaledTexcoords&, const ScaledTexcoords&) = default;
 };
 
 /// What a material's textures need of vertices.
@@ -43,8 +53,9 @@ struct Material {
   std::optional<Texture> normal_map;
   float normal_scale = 1;  ///< of the normal map's x and y
   std::optional<Displacement> displacement;
-  std::optional<Stamp> look;  ///< of all that the file says but the name: equal ones look alike
-  std::optional<Stamp> kind;  ///< of the same without its numbers: equal ones differ in factors and textures alone
+  std::optional<float> thickness;  ///< KHR_materials_volume: of what lies below the surface, in the draw's units
+  std::optional<Stamp> look;       ///< of all that the file says but the name: equal ones look alike
+  std::optional<Stamp> kind;       ///< of the same without its numbers: equal ones differ in factors and textures alone
   /// Which sides are drawn has to stay: light passes through, the file animates the material, or a variant of the file
   /// puts one in its place that shows other sides. Found by the reader.
   bool keeps_sides = false;
@@ -53,6 +64,10 @@ struct Material {
   /// What its textures, and those of materials that variants put in its place, need; nothing: it may need anything, as
   /// an extension that we do not know. Found by the reader.
   std::optional<VertexNeeds> needs = {};
+  /// Units and texture coordinates of its draws have to stay: another material may stand in its place or it in that of
+  /// another one, the file animates it, or an extension that we do not know may hold lengths. Found by the reader.
+  bool keeps_spaces = false;
+  std::vector<ScaledTexcoords> scaled_texcoords = {};  ///< by set; its textures take them in
 };
 
 }  // namespace foredraw

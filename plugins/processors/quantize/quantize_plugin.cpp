@@ -1,10 +1,10 @@
+#include "integer_positions.h"
 #include "quantize.h"
 #include "rounded_animations.h"
+#include "scale_back.h"
 #include "touching_draws.h"
 
 #include <foredraw/analysis/diagonal.h>
-#include <foredraw/analysis/mesh_facts.h>
-#include <foredraw/analysis/welded_positions.h>
 #include <foredraw/scene/vertex_groups.h>
 #include <foredraw/technique/plugin.h>
 
@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 
 namespace foredraw {
 
@@ -30,6 +30,7 @@ struct QuantizeOptions {
   int position_bits = 0;
   int direction_bits = 0;
   int uv_bits = 0;
+  bool integers = true;
 };
 
 constexpr double texels = 4096;
@@ -39,50 +40,6 @@ double half_cell(int bits, double dimensions) { return std::sqrt(dimensions) / 2
 
 /// How far the middle between points of an octahedron of so many bits is from them, in degrees.
 double between_directions(int bits) { return .86 * 127 / ((1 << (bits - 1)) - 1); }
-
-/// The largest side of the box.
-double side_of(std::span<const glm::vec3> positions) {
-  glm::vec3 least(std::numeric_limits<float>::infinity()), most(-least);
-  for (const glm::vec3& position : positions) {
-    if (!is_finite(position)) continue;
-    least = glm::min(least, position);
-    most = glm::max(most, position);
-  }
-  const glm::dvec3 sides = glm::dvec3(most) - glm::dvec3(least);
-  return std::max({sides.x, sides.y, sides.z, 0.0});
-}
-
-/// [draw] how far its positions may be off: what hangs together has one lattice.
-std::vector<double> position_tolerances(const Scene& scene, const std::vector<DrawId>& draws,
-                                        const std::vector<VertexGroup>& groups, const std::vector<Meeting>& meetings,
-                                        const QuantizeOptions& options, Run& run) {
-  JoinedSets sets(scene.draws.size());
-  const std::vector<Subject> subjects = subjects_of(scene, run.subjects);
-  for (const Subject& subject : subjects) {
-    for (const SubjectPart& other : subject.parts) sets.join(subject.parts.front().draw, other.draw);
-  }
-  std::vector<double> sizes(scene.draws.size());  // of a subject: the largest of its draws
-  for (const DrawId id : draws) {
-    const auto positions = positions_of(run.analyses, *scene.draws[id].full().vertices);
-    double& size = sizes[sets.of(id)];
-    const bool by_bits = options.position_bits > 0;
-    size = std::max(size, by_bits ? side_of(positions->values) : diagonal_of(positions->values));
-  }
-  const double part = options.position_bits > 0 ? half_cell(options.position_bits, 3) : options.position_error;
-  std::vector<double> tolerances(scene.draws.size());
-  for (const DrawId id : draws) tolerances[id] = part * sizes[sets.of(id)];
-  for (const VertexGroup& group : groups) {
-    for (const VertexGroup::User& user : group.users) sets.join(group.users.front().draw, user.draw);
-  }
-  for (const Meeting& meeting : meetings) sets.join(meeting.at.draw, meeting.with.draw);
-  std::vector<double> least(scene.draws.size());
-  for (const DrawId id : draws) {
-    double& one = least[sets.of(id)];
-    if (one == 0 || (tolerances[id] > 0 && tolerances[id] < one)) one = tolerances[id];
-  }
-  for (const DrawId id : draws) tolerances[id] = least[sets.of(id)];
-  return tolerances;
-}
 
 class QuantizeVertices final : public Processor {
  public:
@@ -95,45 +52,94 @@ class QuantizeVertices final : public Processor {
           {held.draw}, "shared-vertices",
           "not quantised: it shares its vertices with " + scene.draws[held.by].name + ", which must stay as it is");
     }
+    bool any = round_animations(scene, draws, run);
     const std::vector<Meeting> meetings = meetings_of(scene, draws, run.analyses);
-    const std::vector<double> tolerances = position_tolerances(scene, draws, groups, meetings, options_, run);
-    const double direction =
-        options_.direction_bits > 1 ? between_directions(options_.direction_bits) : options_.direction_error;
-    const double uv = options_.uv_bits > 0 ? half_cell(options_.uv_bits, 2) : options_.uv_error / texels;
-
-    std::vector<Quantized> made(groups.size());
-    run.executor.for_each(groups.size(), [&](std::size_t i) {
-      made[i] = quantize(*groups[i].vertices,
-                         {.position = tolerances[groups[i].users.front().draw],
-                          .direction = direction,
-                          .uv = uv,
-                          .color = options_.color_error,
-                          .weight = options_.weight_error},
-                         run.cancel);
-    });
+    const IntegerPositions integers = placed_positions(scene, draws, groups, meetings, run);
+    const std::vector<Quantized> made = rounded_groups(groups, integers, run);
     std::vector<DrawId> changed;
-    bool any = false;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       any |= made[i].vertices->stamp() != groups[i].vertices->stamp();
       for (const VertexGroup::User& user : groups[i].users) {
         changed.push_back(user.draw);
-        put(made[i], scene.draws[user.draw].levels[user.level], user.level > 0);
+        put(made[i], scene.draws[user.draw].levels[user.level], user.level > 0, integers.grids[user.draw]);
       }
       tell(made[i], groups[i].users.front(), run);
     }
-    any |= round_animations(scene, draws, run);
+    for (const DrawId id : draws) {
+      if (integers.grids[id]) put(*integers.grids[id], scene.draws[id].space);
+    }
+    const std::vector<NodeId> drawn_by = scale_back(scene, integers.grids);
     if (!any) run.keep("every attribute is as coarse as the errors allow");
-    if (!meetings.empty()) run.measure_at({}, "gap", largest_gap(scene, meetings, run.analyses), 1);
+    if (!meetings.empty()) run.measure_at({}, "gap", largest_gap(scene, meetings, drawn_by, run.analyses), 1);
     std::ranges::sort(changed);
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     return changed;
   }
 
  private:
+  IntegerPositions placed_positions(const Scene& scene, const std::vector<DrawId>& draws,
+                                    const std::vector<VertexGroup>& groups, const std::vector<Meeting>& meetings,
+                                    Run& run) const {
+    const bool by_bits = options_.position_bits > 0;
+    const PositionTolerance tolerance{by_bits ? half_cell(options_.position_bits, 3) : options_.position_error,
+                                      by_bits};
+    Lattices lattices = lattices_of(scene, draws, groups, meetings, run.subjects, tolerance, run.analyses);
+    if (options_.integers && scene.products.empty()) {
+      IntegerPositions made = integer_positions(scene, draws, groups, lattices, run.analyses);
+      std::map<std::string, std::vector<DrawId>> by_reason;
+      for (const auto& [draw, why] : made.staying) by_reason[why].push_back(draw);
+      for (const auto& [why, of] : by_reason) tell_staying(scene, of, why, run);
+      return made;
+    }
+    if (options_.integers) {
+      run.note_at(
+          {}, "positions-stay-floats",
+          "positions stay floats: the scene holds what earlier stages made, whose lengths are in the units of its "
+          "draws; put quantize before those stages");
+    }
+    return {std::vector<std::optional<PositionGrid>>(scene.draws.size()), std::move(lattices.tolerances), {}};
+  }
+
+  static void tell_staying(const Scene& scene, const std::vector<DrawId>& draws, const std::string& why, Run& run) {
+    const std::string& first = scene.draws[draws.front()].name;
+    const std::string others = draws.size() == 1 ? "" : fmt::format(" and {} more", draws.size() - 1);
+    run.note_at({}, "positions-stay-floats", fmt::format("positions of {}{} stay floats: {}", first, others, why));
+  }
+
+  std::vector<Quantized> rounded_groups(const std::vector<VertexGroup>& groups, const IntegerPositions& integers,
+                                        const Run& run) const {
+    Tolerances tolerances{.direction = options_.direction_bits > 1 ? between_directions(options_.direction_bits)
+                                                                   : options_.direction_error,
+                          .uv = options_.uv_bits > 0 ? half_cell(options_.uv_bits, 2) : options_.uv_error / texels,
+                          .color = options_.color_error,
+                          .weight = options_.weight_error};
+    std::vector<Quantized> made(groups.size());
+    run.executor.for_each(groups.size(), [&](std::size_t i) {
+      const DrawId draw = groups[i].users.front().draw;
+      Tolerances own = tolerances;
+      own.position = integers.tolerances[draw];
+      if (!integers.grids[draw]) {
+        made[i] = quantize(*groups[i].vertices, own, run.cancel);
+        return;
+      }
+      const OnGrid placed = on_grid(*groups[i].vertices, *integers.grids[draw]);
+      made[i] = quantize(*placed.vertices, own, run.cancel);
+      made[i].largest.position = placed.error;
+    });
+    return made;
+  }
+
   /// Both surfaces moved, the level's and that of full detail.
-  static void put(const Quantized& made, Level& level, bool is_coarser) {
+  static void put(const Quantized& made, Level& level, bool is_coarser, const std::optional<PositionGrid>& grid) {
     level.vertices = made.vertices;
-    if (is_coarser) level.error += static_cast<float>(2 * made.largest.position);
+    if (!is_coarser) return;
+    level.error += static_cast<float>(2 * made.largest.position);
+    if (grid) level.error = static_cast<float>(level.error / grid->step);
+  }
+
+  static void put(const PositionGrid& grid, DrawSpace& space) {
+    space.offset += space.scale * glm::dvec3(grid.offset());
+    space.scale *= grid.step;
   }
 
   /// False where no key changed.
@@ -239,7 +245,9 @@ Plugin quantize_plugin() {
            "In place of direction-error: the error of so many bits for each of two components; 0 or 1: by error",
            {0, 16, "bits"})
       .row(&QuantizeOptions::uv_bits, "uv-bits",
-           "In place of uv-error: the error of a grid of so many bits over the texture; 0: by error", {0, 24, "bits"});
+           "In place of uv-error: the error of a grid of so many bits over the texture; 0: by error", {0, 24, "bits"})
+      .row(&QuantizeOptions::integers, "integers",
+           "Whether positions become integers, which nodes, instances and skins scale back; else they stay floats");
   bind_options(plugin, table,
                [](const QuantizeOptions& options) { return std::make_unique<QuantizeVertices>(options); });
   return plugin;

@@ -154,11 +154,12 @@ std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& 
   return meetings;
 }
 
-double largest_gap(const Scene& rounded, const std::vector<Meeting>& meetings, Analyses& analyses) {
+double largest_gap(const Scene& rounded, const std::vector<Meeting>& meetings, const std::vector<NodeId>& drawn_by,
+                   Analyses& analyses) {
   const std::vector<glm::mat4> worlds = world_transforms(rounded);
   const auto place = [&](const MetPoint& point) {
     const auto positions = positions_of(analyses, *rounded.draws[point.draw].full().vertices);
-    return in_world(worlds[point.node], positions->values[point.vertex]);
+    return in_world(worlds[drawn_by[point.node]], positions->values[point.vertex]);
   };
   double largest = 0;
   for (const Meeting& meeting : meetings) {

@@ -25,7 +25,8 @@ struct Meeting {
 /// that lies there. Full detail alone; skins, instances and morph targets move their draws otherwise, and are left out.
 std::vector<Meeting> meetings_of(const Scene& scene, const std::vector<DrawId>& draws, Analyses& analyses);
 
-/// The largest distance in the world between two that met.
-double largest_gap(const Scene& rounded, const std::vector<Meeting>& meetings, Analyses& analyses);
+/// The largest distance in the world between two that met. [node] `drawn_by`: the node that draws its mesh now.
+double largest_gap(const Scene& rounded, const std::vector<Meeting>& meetings, const std::vector<NodeId>& drawn_by,
+                   Analyses& analyses);
 
 }  // namespace foredraw

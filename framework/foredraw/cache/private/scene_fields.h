@@ -67,10 +67,16 @@ void fields(A& archive, T& value) {
   archive(x, y, width, height);
 }
 
+template <class A, Is<DrawSpace> T>
+void fields(A& archive, T& value) {
+  auto& [offset, scale] = value;
+  archive(offset, scale);
+}
+
 template <class A, Is<Draw> T>
 void fields(A& archive, T& value) {
-  auto& [name, levels, topology, material, traits, origin, frame] = value;
-  archive(name, levels, topology, material, traits, origin, frame);
+  auto& [name, levels, topology, material, traits, origin, frame, space] = value;
+  archive(name, levels, topology, material, traits, origin, frame, space);
 }
 
 template <class A, Is<Mesh> T>
@@ -129,12 +135,18 @@ void fields(A& archive, T& value) {
   archive(texcoords, has_tangents);
 }
 
+template <class A, Is<ScaledTexcoords> T>
+void fields(A& archive, T& value) {
+  auto& [set, offset, scale] = value;
+  archive(set, offset, scale);
+}
+
 template <class A, Is<Material> T>
 void fields(A& archive, T& value) {
   auto& [name, alpha_mode, alpha_cutoff, double_sided, alpha, colour, base_colour, normal_map, normal_scale,
-         displacement, look, kind, keeps_sides, copy_of, needs] = value;
+         displacement, thickness, look, kind, keeps_sides, copy_of, needs, keeps_spaces, scaled_texcoords] = value;
   archive(name, alpha_mode, alpha_cutoff, double_sided, alpha, colour, base_colour, normal_map, normal_scale,
-          displacement, look, kind, keeps_sides, copy_of, needs);
+          displacement, thickness, look, kind, keeps_sides, copy_of, needs, keeps_spaces, scaled_texcoords);
 }
 
 template <class A, Is<ImageFacts> T>
