@@ -1,6 +1,7 @@
 // Checks of materials and textures. Only what a material says is left out where it is wrong: the triangles are sound.
 #include <foredraw/io/gltf/private/displacement.h>
 #include <foredraw/io/gltf/private/gate.h>
+#include <foredraw/io/gltf/private/thickness.h>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,11 @@ void check_materials(Gate& gate) {
       check_texture(gate, *moved, "displacementGeometryTexture", extension);
       for (const char* key : {"displacementGeometryFactor", "displacementGeometryOffset"})
         gate.leave_out_if_wrong("material", in(extension, key), [&] { gate.number(*moved, key, extension); });
+    }
+    if (const Json* volume = extension_of(materials[i], volume_extension); volume && volume->is_object()) {
+      const std::string extension = in(in(place, "extensions"), volume_extension);
+      gate.leave_out_if_wrong("material", in(extension, "thicknessFactor"),
+                              [&] { gate.number(*volume, "thicknessFactor", extension); });
     }
     const Json* surface = nullptr;
     gate.leave_out_if_wrong("material", in(place, "pbrMetallicRoughness"),

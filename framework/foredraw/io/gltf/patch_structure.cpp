@@ -89,7 +89,12 @@ std::string media_type_of(std::span<const std::byte> bytes) {
 class StructurePatch {
  public:
   StructurePatch(const Scene& scene, const Source& source, Json& json, AccessorStore& store, Diagnostics& diagnostics)
-      : scene_(scene), was_(source.as_read), json_(json), store_(store), diagnostics_(diagnostics) {}
+      : scene_(scene),
+        was_(source.as_read),
+        json_as_read_(source.document.json),
+        json_(json),
+        store_(store),
+        diagnostics_(diagnostics) {}
 
   bool run() {
     bool said = old_nodes();
@@ -184,7 +189,7 @@ class StructurePatch {
       while (old >= was_.materials.size() && scene_.materials[old].copy_of) old = *scene_.materials[old].copy_of;
       const bool is_old = old < was_.materials.size();
       if (i >= was_.materials.size()) {
-        list_in(json_, "materials")[i] = is_old ? Json(json_["materials"][old]) : Json::object();
+        list_in(json_, "materials")[i] = is_old ? Json(json_as_read_["materials"][old]) : Json::object();
       }
       const Material was = is_old ? was_.materials[old] : Material{};
       put_material(i, now, was, json_);
@@ -225,6 +230,7 @@ class StructurePatch {
 
   const Scene& scene_;
   const Scene& was_;
+  const Json& json_as_read_;
   Json& json_;
   AccessorStore& store_;
   Diagnostics& diagnostics_;

@@ -4,9 +4,11 @@
 #include <foredraw/io/gltf/private/displacement.h>
 #include <foredraw/io/gltf/private/instances.h>
 #include <foredraw/io/gltf/private/kept_sides.h>
+#include <foredraw/io/gltf/private/kept_spaces.h>
 #include <foredraw/io/gltf/private/material_stamps.h>
 #include <foredraw/io/gltf/private/source.h>
 #include <foredraw/io/gltf/private/streams.h>
+#include <foredraw/io/gltf/private/thickness.h>
 #include <foredraw/io/gltf/private/vertex_needs.h>
 #include <foredraw/io/image/images.h>
 #include <foredraw/io/text/private/uri.h>
@@ -178,6 +180,7 @@ Material material_of(const Json& from, const Json& document) {
   material.double_sided = from.value("doubleSided", false);
   add_base_colour(material, from, document);
   add_displacement(material, from, document);
+  add_thickness(material, from);
   add_stamps(material, from);
   return material;
 }
@@ -229,6 +232,7 @@ Scene scene_of(const Document& document) {
     scene.materials.push_back(material_of(material, document.json));
   find_kept_sides(scene, document.json);
   find_vertex_needs(scene, document);
+  find_kept_spaces(scene, document);
   ViewBytes views;
   for (const Json& image : all(document, "images")) scene.images.push_back(image_of(image, document, views));
   find_traits(scene);

@@ -1,6 +1,6 @@
 #include <foredraw/io/gltf/private/vertex_needs.h>
 
-#include <foredraw/io/gltf/private/kept_sides.h>
+#include <foredraw/io/gltf/private/exchanged_materials.h>
 #include <foredraw/io/gltf/private/material_textures.h>
 
 #include <algorithm>
@@ -47,17 +47,6 @@ void take_on(std::optional<VertexNeeds>& needs, const std::optional<VertexNeeds>
   } else {
     needs.reset();
   }
-}
-
-/// The numbers of materials that stand for this one from far away.
-std::vector<std::size_t> coarser_materials(const Json& material) {
-  const Json* lod = extension_of(material, "MSFT_lod");
-  std::vector<std::size_t> numbers;
-  if (lod == nullptr) return numbers;
-  for (const Json& number : object_in(*lod, "ids")) {
-    if (number.is_number_unsigned()) numbers.push_back(number.get<std::size_t>());
-  }
-  return numbers;
 }
 
 }  // namespace

@@ -115,9 +115,10 @@ TEST(GltfDisplacement, OfANewMapIsWrittenAndReadAgain) {
 TEST(GltfDisplacement, ThatIsChangedKeepsWhatWeDoNotKnow) {
   Scene scene = read(moved_ribbon(whole()));
   scene.materials[0].displacement->factor = 0.5f;
+  scene.materials[0].displacement->offset = 0.1f;
   const GltfJson members = written(scene)["materials"][0]["extensions"][name];
   EXPECT_EQ(members["displacementGeometryFactor"], 0.5);
-  EXPECT_EQ(members["displacementGeometryOffset"], -0.5);
+  EXPECT_EQ(members["displacementGeometryOffset"], 0.1f);
   EXPECT_EQ(members["displacementGeometryTexture"], GltfJson({{"index", 1}}));
   EXPECT_EQ(members["myOwn"], "word");
 }
@@ -139,6 +140,17 @@ TEST(GltfDisplacement, OfACopyLeavesTheOther) {
   const GltfJson materials = written(scene)["materials"];
   EXPECT_EQ(materials[0]["extensions"][name], whole());
   EXPECT_FALSE(materials[1].contains("extensions"));
+}
+
+TEST(GltfDisplacement, OfTheFirstAndOfACopyAreTheirOwn) {
+  Scene scene = read(moved_ribbon(whole()));
+  Material copy = scene.materials[0];
+  copy.copy_of = 0;
+  scene.materials.push_back(copy);
+  scene.materials[0].displacement->factor = 8;
+  const GltfJson materials = written(scene)["materials"];
+  EXPECT_EQ(materials[0]["extensions"][name]["displacementGeometryFactor"], 8.0);
+  EXPECT_EQ(materials[1]["extensions"][name], whole()) << "a copy of what was read";
 }
 
 }  // namespace

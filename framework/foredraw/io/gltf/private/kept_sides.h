@@ -10,7 +10,4 @@ namespace foredraw::gltf {
 /// a variant (KHR_materials_variants) may put one in place of which shows other sides, or is not as opaque.
 void find_kept_sides(Scene& scene, const Json& document);
 
-/// The materials that a primitive's variants may put in place of its own.
-std::vector<std::size_t> variants_of(const Json& primitive);
-
 }  // namespace foredraw::gltf
