@@ -1,5 +1,6 @@
 // Who refers to which accessor.
 #include <foredraw/io/gltf/private/each_extension.h>
+#include <foredraw/io/gltf/private/products.h>
 #include <foredraw/io/gltf/private/write.h>
 
 #include <algorithm>
@@ -91,6 +92,18 @@ void each_accessor_named(Json& json, const std::function<void(Json& number)>& vi
     if (extension_of(node, mesh_gpu_instancing) == nullptr) return;
     for (Json& number : node["extensions"][mesh_gpu_instancing]["attributes"]) visit(number);
   });
+}
+
+void release_unnamed(std::set<std::size_t> accessors, const Document& document, Json& json, AccessorStore& store) {
+  if (accessors.empty()) return;
+  std::set<std::size_t> named = used_by_products(json, document.products);
+  each_extension(json, [&](const std::string& name, const Json& held) {
+    if (!document.knows_extension(name)) collect_numbers(held, named);
+  });
+  each_accessor_named(json, [&](const Json& number) { named.insert(number.get<std::size_t>()); });
+  for (const std::size_t accessor : accessors) {
+    if (!named.contains(accessor)) store.release(accessor);
+  }
 }
 
 }  // namespace foredraw::gltf

@@ -1,6 +1,5 @@
 #include <foredraw/io/gltf/private/instances.h>
 
-#include <algorithm>
 #include <map>
 
 namespace foredraw::gltf {
@@ -26,13 +25,18 @@ std::vector<Transform> instances_of(const Json& attributes, const Document& docu
   return instances;
 }
 
-std::size_t append(AccessorStore& store, std::span<const float> values, std::uint8_t components) {
-  const Bytes bytes = std::as_bytes(values);
-  return store.append({Content::Kind::other,
-                       {Component::float32, components, false, static_cast<std::uint16_t>(4 * components)},
-                       values.size() / components,
-                       Shared<std::byte>({bytes.begin(), bytes.end()})});
-}
+/// [instance * components + component]
+struct Columns {
+  explicit Columns(std::span<const Transform> instances) {
+    for (const Transform& t : instances) {
+      translations.insert(translations.end(), {t.translation.x, t.translation.y, t.translation.z});
+      rotations.insert(rotations.end(), {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w});
+      scales.insert(scales.end(), {t.scale.x, t.scale.y, t.scale.z});
+    }
+  }
+
+  std::vector<float> translations, rotations, scales;
+};
 
 }  // namespace
 
@@ -48,18 +52,30 @@ void add_instances(Scene& scene, const Document& document) {
   }
 }
 
+void patch_instancing(std::span<const Transform> now, std::span<const Transform> was, Json& attributes,
+                      AccessorStore& store, std::set<std::size_t>& left) {
+  const auto put = [&](const char* semantic, const std::vector<float>& values, const std::vector<float>& before) {
+    // Where there is no attribute, nothing says how many instances there are.
+    if (values == before && !attributes.empty()) return;
+    if (attributes.contains(semantic)) left.insert(attributes[semantic].get<std::size_t>());
+    const auto components = static_cast<std::uint8_t>(values.size() / now.size());
+    const Bytes bytes = std::as_bytes(std::span(values));
+    attributes[semantic] =
+        store.append({Content::Kind::other,
+                      {Component::float32, components, false, static_cast<std::uint16_t>(4 * components)},
+                      now.size(),
+                      Shared<std::byte>({bytes.begin(), bytes.end()})});
+  };
+  const Columns columns(now), before(was);
+  put("TRANSLATION", columns.translations, before.translations);
+  put("ROTATION", columns.rotations, before.rotations);
+  put("SCALE", columns.scales, before.scales);
+}
+
 Json instancing_of(std::span<const Transform> instances, AccessorStore& store) {
-  std::vector<float> translations, rotations, scales;
-  for (const Transform& t : instances) {
-    translations.insert(translations.end(), {t.translation.x, t.translation.y, t.translation.z});
-    rotations.insert(rotations.end(), {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w});
-    scales.insert(scales.end(), {t.scale.x, t.scale.y, t.scale.z});
-  }
-  const bool turned = std::ranges::any_of(instances, [](auto& t) { return t.rotation != glm::quat(1, 0, 0, 0); });
-  const bool scaled = std::ranges::any_of(instances, [](auto& t) { return t.scale != glm::vec3(1); });
-  Json attributes = JsonObject{{"TRANSLATION", append(store, translations, 3)}};
-  if (turned) attributes["ROTATION"] = append(store, rotations, 4);
-  if (scaled) attributes["SCALE"] = append(store, scales, 3);
+  Json attributes = Json::object();
+  std::set<std::size_t> none;
+  patch_instancing(instances, std::vector<Transform>(instances.size()), attributes, store, none);
   return JsonObject{{"attributes", std::move(attributes)}};
 }
 

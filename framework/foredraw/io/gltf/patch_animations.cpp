@@ -1,5 +1,4 @@
 // Animations put back: what a stage changed of their keys. Rotations that 16 bits hold to the last bit are written so.
-#include <foredraw/io/gltf/private/each_extension.h>
 #include <foredraw/io/gltf/private/write.h>
 
 #include <algorithm>
@@ -64,15 +63,6 @@ std::set<std::size_t> used_by_samplers(const Json& animation) {
   return numbers;
 }
 
-/// Those of the accessors that nothing in the document names.
-std::set<std::size_t> unused(std::set<std::size_t> candidates, Json& json) {
-  std::set<std::size_t> used;
-  each_extension(json, [&](const std::string&, const Json& held) { collect_numbers(held, used); });
-  each_accessor_named(json, [&](const Json& number) { used.insert(number.get<std::size_t>()); });
-  std::erase_if(candidates, [&](std::size_t number) { return used.contains(number); });
-  return candidates;
-}
-
 /// Samplers that no channel names are gone; the others keep their sequence.
 void leave_out_unused_samplers(Json& animation) {
   std::vector<std::optional<std::size_t>> numbers(animation["samplers"].size());
@@ -87,13 +77,33 @@ void leave_out_unused_samplers(Json& animation) {
   animation["samplers"] = std::move(samplers);
 }
 
-bool same_target(const AnimationChannel& a, const AnimationChannel& b) {
-  return a.node == b.node && a.path == b.path && a.interpolation == b.interpolation;
+/// The same; or, of weights, a child that was added to the node that they moved.
+bool is_target(const AnimationChannel& now, const AnimationChannel& was, const Scene& scene, std::size_t old) {
+  if (now.path != was.path || now.interpolation != was.interpolation) return false;
+  if (now.node == was.node) return true;
+  const std::vector<NodeId>& children = scene.nodes[was.node].children;
+  return now.path == AnimatedPath::weights && now.node >= old &&
+         std::ranges::find(children, now.node) != children.end();
+}
+
+/// Whether each key of weights holds one for each morph target of the node's mesh.
+bool fits(const AnimationChannel& weights, const Scene& scene) {
+  const std::optional<MeshId> mesh = scene.nodes[weights.node].mesh;
+  if (!mesh || *mesh >= scene.meshes.size()) return false;
+  std::size_t targets = 0;
+  for (const DrawId draw : scene.meshes[*mesh].draws) {
+    if (draw >= scene.draws.size()) return false;
+    targets = std::max(targets, scene.draws[draw].full().vertices->morph_targets.size());
+  }
+  const std::size_t parts = weights.interpolation == Interpolation::cubic_spline ? 3 : 1;
+  return weights.values.size() == weights.times.size() * parts * targets;
 }
 
 bool same_keys(const AnimationChannel& a, const AnimationChannel& b) {
   return a.times == b.times && a.values == b.values;
 }
+
+bool same_channel(const AnimationChannel& a, const AnimationChannel& b) { return a.node == b.node && same_keys(a, b); }
 
 /// The channels of the document that the scene knows, in its sequence.
 std::vector<Json*> channels_of(Json& animation) {
@@ -105,15 +115,30 @@ std::vector<Json*> channels_of(Json& animation) {
 }
 
 /// [channel] its number before; nullopt where some channel was not there, or came behind a later one.
-std::optional<std::vector<std::size_t>> numbers_before(const Animation& now, const Animation& was) {
+std::optional<std::vector<std::size_t>> numbers_before(const Animation& now, const Animation& was, const Scene& scene,
+                                                       std::size_t old) {
   std::vector<std::size_t> numbers;
   std::size_t before = 0;
   for (const AnimationChannel& channel : now.channels) {
-    while (before < was.channels.size() && !same_target(channel, was.channels[before])) ++before;
+    while (before < was.channels.size() && !is_target(channel, was.channels[before], scene, old)) ++before;
     if (before == was.channels.size()) return std::nullopt;
     numbers.push_back(before++);
   }
   return numbers;
+}
+
+/// Why channels can not be written; empty: they can.
+std::string why_not(const Animation& now, const Scene& scene, const Scene& was) {
+  for (const AnimationChannel& channel : now.channels) {
+    if (channel.path != AnimatedPath::weights) continue;
+    const bool is_new = channel.node >= was.nodes.size();
+    if (!is_new && scene.nodes[channel.node].mesh == was.nodes[channel.node].mesh) continue;
+    if (!fits(channel, scene)) {
+      return "it moves the morph weights of node " + std::to_string(channel.node) +
+             ", whose mesh is gone or has another number of morph targets";
+    }
+  }
+  return {};
 }
 
 void put_channels(const Animation& now, const Animation& was, const std::vector<std::size_t>& numbers, Json& json,
@@ -121,8 +146,9 @@ void put_channels(const Animation& now, const Animation& was, const std::vector<
   const std::vector<Json*> channels = channels_of(json);
   for (std::size_t c = 0; c < numbers.size(); ++c) {
     const AnimationChannel& before = was.channels[numbers[c]];
-    if (same_keys(now.channels[c], before)) continue;
     Json& channel = *channels[numbers[c]];
+    if (now.channels[c].node != before.node) channel["target"]["node"] = now.channels[c].node;
+    if (same_keys(now.channels[c], before)) continue;
     Json sampler = json["samplers"][channel["sampler"].get<std::size_t>()];
     if (!(now.channels[c].times == before.times)) {
       sampler["input"] = store.append(floats(now.channels[c].times.view(), 1, true));
@@ -159,22 +185,23 @@ Json json_of(const Animation& animation, AccessorStore& store) {
 
 }  // namespace
 
-std::optional<std::string> patch_animations(const std::vector<Animation>& now, const std::vector<Animation>& was,
-                                            Json& json, AccessorStore& store) {
-  std::set<std::size_t> left;
-  for (std::size_t i = 0; i < was.size(); ++i) {
-    const auto numbers = numbers_before(now[i], was[i]);
-    if (now[i].name != was[i].name || !numbers || (numbers->empty() && !was[i].channels.empty())) {
-      return "animations[" + std::to_string(i) + ']';
-    }
-    if (std::ranges::equal(now[i].channels, was[i].channels, same_keys)) continue;
+std::optional<Refusal> patch_animations(const Scene& scene, const Scene& was, Json& json, AccessorStore& store,
+                                        std::set<std::size_t>& left) {
+  const std::vector<Animation>& now = scene.animations;
+  const std::size_t old = was.animations.size();
+  if (now.size() < old) return Refusal{"animations", "some were removed"};
+  for (std::size_t i = 0; i < old; ++i) {
+    const Animation& before = was.animations[i];
+    const std::string place = "animations[" + std::to_string(i) + ']';
+    const auto numbers = numbers_before(now[i], before, scene, was.nodes.size());
+    if (now[i].name != before.name || !numbers || (numbers->empty() && !before.channels.empty()))
+      return Refusal{place, "channels were added or moved, or all are gone"};
+    if (const std::string why = why_not(now[i], scene, was); !why.empty()) return Refusal{place, why};
+    if (std::ranges::equal(now[i].channels, before.channels, same_channel)) continue;
     left.merge(used_by_samplers(json["animations"][i]));
-    put_channels(now[i], was[i], *numbers, json["animations"][i], store);
+    put_channels(now[i], before, *numbers, json["animations"][i], store);
   }
-  for (std::size_t i = was.size(); i < now.size(); ++i) json["animations"][i] = json_of(now[i], store);
-  if (!left.empty()) {
-    for (const std::size_t accessor : unused(std::move(left), json)) store.release(accessor);
-  }
+  for (std::size_t i = old; i < now.size(); ++i) json["animations"][i] = json_of(now[i], store);
   return std::nullopt;
 }
 

@@ -1,9 +1,7 @@
-// Nodes, skins, animations, materials and images put back: additions, changed materials and images, and nodes without
-// the mesh that they had. Nothing else of the structure may change, and whoever changes it is told.
-#include <foredraw/io/gltf/private/instances.h>
+// Nodes, skins, animations, materials and images put back: what was added, and what may change of the old ones. Whoever
+// changes anything else of the structure is told.
 #include <foredraw/io/gltf/private/write.h>
 #include <foredraw/io/image/images.h>
-#include <foredraw/scene/walk.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -13,66 +11,18 @@ namespace foredraw::gltf {
 
 namespace {
 
-std::vector<NodeId> sorted(std::vector<NodeId> nodes) {
-  std::ranges::sort(nodes);
-  return nodes;
-}
-
-/// The children may come in another sequence.
-bool same_but_for_mesh(const Node& a, const Node& b) {
-  return a.name == b.name && a.transform.translation == b.transform.translation &&
-         a.transform.rotation == b.transform.rotation && a.transform.scale == b.transform.scale &&
-         a.matrix == b.matrix && a.skin == b.skin && a.weights == b.weights && a.instances == b.instances &&
-         sorted(a.children) == sorted(b.children);
-}
-
-bool same(const Skin& a, const Skin& b) {
-  return a.name == b.name && a.joints == b.joints && a.inverse_bind_matrices == b.inverse_bind_matrices;
-}
-
-Json numbers(const float* from, int count) {
-  Json result = Json::array();
-  for (int i = 0; i < count; ++i) result.push_back(from[i]);
-  return result;
-}
-
-/// The list of that name, which is made where there is none: what the library makes of null can not be freed where
-/// memory runs out in it.
-Json& list_in(Json& holder, const char* name) {
-  Json& list = holder[name];
-  if (list.is_null()) list = Json::array();
-  return list;
-}
-
-Json json_of(const Node& node) {
-  Json json = Json::object();
-  if (!node.name.empty()) json["name"] = node.name;
-  if (node.matrix) {
-    json["matrix"] = numbers(glm::value_ptr(*node.matrix), 16);
-  } else {
-    const Transform& t = node.transform;
-    if (t.translation != glm::vec3(0)) json["translation"] = numbers(glm::value_ptr(t.translation), 3);
-    if (t.rotation != glm::quat(1, 0, 0, 0))
-      json["rotation"] = {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w};
-    if (t.scale != glm::vec3(1)) json["scale"] = numbers(glm::value_ptr(t.scale), 3);
-  }
-  if (node.mesh) json["mesh"] = *node.mesh;
-  if (node.skin) json["skin"] = *node.skin;
-  if (!node.weights.empty()) json["weights"] = node.weights;
-  if (!node.children.empty()) json["children"] = node.children;
-  return json;
+std::size_t append(const std::vector<glm::mat4>& inverse_bind_matrices, AccessorStore& store) {
+  const Bytes bytes = std::as_bytes(std::span(inverse_bind_matrices));
+  return store.append({Content::Kind::inverse_bind_matrices,
+                       {Component::float32, 16, false, 64},
+                       inverse_bind_matrices.size(),
+                       Shared<std::byte>({bytes.begin(), bytes.end()})});
 }
 
 Json json_of(const Skin& skin, AccessorStore& store) {
   Json json = JsonObject{{"joints", skin.joints}};
   if (!skin.name.empty()) json["name"] = skin.name;
-  if (skin.inverse_bind_matrices.empty()) return json;
-  const Bytes bytes = std::as_bytes(std::span(skin.inverse_bind_matrices));
-  const Content matrices{Content::Kind::inverse_bind_matrices,
-                         {Component::float32, 16, false, 64},
-                         skin.inverse_bind_matrices.size(),
-                         Shared<std::byte>({bytes.begin(), bytes.end()})};
-  json["inverseBindMatrices"] = store.append(matrices);
+  if (!skin.inverse_bind_matrices.empty()) json["inverseBindMatrices"] = append(skin.inverse_bind_matrices, store);
   return json;
 }
 
@@ -91,19 +41,20 @@ class StructurePatch {
   StructurePatch(const Scene& scene, const Source& source, Json& json, AccessorStore& store, Diagnostics& diagnostics)
       : scene_(scene),
         was_(source.as_read),
-        json_as_read_(source.document.json),
+        document_(source.document),
         json_(json),
         store_(store),
         diagnostics_(diagnostics) {}
 
   bool run() {
-    bool said = old_nodes();
-    said = unchanged(scene_.skins, was_.skins, "skins") && said;
-    said = animations() && said;
-    if (!said || !materials() || !images()) return false;
-    add_nodes();
+    if (!say(patch_nodes(scene_, was_, json_, store_, left_)) || !say(old_skins()) ||
+        !say(patch_animations(scene_, was_, json_, store_, left_)) || !materials() || !images()) {
+      return false;
+    }
+    add_nodes(scene_, was_.nodes.size(), json_, store_);
     for (std::size_t i = was_.skins.size(); i < scene_.skins.size(); ++i)
       list_in(json_, "skins")[i] = json_of(scene_.skins[i], store_);
+    release_unnamed(std::move(left_), document_, json_, store_);
     return true;
   }
 
@@ -114,71 +65,27 @@ class StructurePatch {
     return false;
   }
 
-  template <class T>
-  bool unchanged(const std::vector<T>& now, const std::vector<T>& was, const char* kind) {
-    if (now.size() < was.size()) return fail(kind, "some were removed");
-    for (std::size_t i = 0; i < was.size(); ++i) {
-      if (!same(now[i], was[i])) return fail(std::string(kind) + '[' + std::to_string(i) + ']', "it was changed");
-    }
-    return true;
-  }
+  bool say(const std::optional<Refusal>& refusal) { return !refusal || fail(refusal->inside, refusal->why); }
 
-  bool animations() {
-    if (scene_.animations.size() < was_.animations.size()) return fail("animations", "some were removed");
-    const auto changed = patch_animations(scene_.animations, was_.animations, json_, store_);
-    return !changed || fail(*changed, "channels were added or moved, or all are gone");
-  }
-
-  bool old_nodes() {
-    if (scene_.nodes.size() < was_.nodes.size()) return fail("nodes", "some were removed");
-    for (std::size_t i = 0; i < was_.nodes.size(); ++i) {
-      if (!old_node(i, scene_.nodes[i], was_.nodes[i])) return false;
+  /// Their inverse bind matrices may be others.
+  std::optional<Refusal> old_skins() {
+    if (scene_.skins.size() < was_.skins.size()) return Refusal{"skins", "some were removed"};
+    for (std::size_t i = 0; i < was_.skins.size(); ++i) {
+      const Skin& now = scene_.skins[i];
+      const std::vector<glm::mat4>& matrices = now.inverse_bind_matrices;
+      const std::string place = "skins[" + std::to_string(i) + ']';
+      if (now.name != was_.skins[i].name || now.joints != was_.skins[i].joints)
+        return Refusal{place, "its name or joints were changed"};
+      if (matrices == was_.skins[i].inverse_bind_matrices) continue;
+      const auto is_finite = [](const glm::mat4& matrix) { return all_finite({glm::value_ptr(matrix), 16}); };
+      if (matrices.size() != now.joints.size() || !std::ranges::all_of(matrices, is_finite))
+        return Refusal{place, "its inverse bind matrices are not finite, or not as many as joints"};
+      const std::size_t accessor = append(matrices, store_);
+      Json& json = json_["skins"][i];
+      if (json.contains("inverseBindMatrices")) left_.insert(json["inverseBindMatrices"].get<std::size_t>());
+      json["inverseBindMatrices"] = accessor;
     }
-    return old_roots();
-  }
-
-  /// They may come in another sequence.
-  bool old_roots() {
-    std::vector<NodeId> now = scene_.roots;
-    std::erase_if(now, [&](NodeId root) { return root >= was_.nodes.size(); });
-    if (now == was_.roots) return true;
-    if (sorted(now) != sorted(was_.roots)) return fail("the scene's roots", "some were added or removed");
-    json_["scenes"][json_.value("scene", std::size_t{0})]["nodes"] = now;
-    return true;
-  }
-
-  /// As it was, but for the sequence of its children; or without its mesh, which another node may draw.
-  bool old_node(std::size_t i, const Node& now, const Node& was) {
-    const std::string place = "nodes[" + std::to_string(i) + ']';
-    if (!same_but_for_mesh(now, was)) return fail(place, "it was changed");
-    if (now.children != was.children) json_["nodes"][i]["children"] = now.children;
-    if (now.mesh == was.mesh) return true;
-    const bool is_drawn_plainly = !was.skin && was.weights.empty() && was.instances.empty();
-    if (now.mesh || !is_drawn_plainly) return fail(place, "it was changed");
-    if (was.keeps_mesh) {
-      return fail(place,
-                  "its mesh was removed, but an extension or a further scene refers to it, or no scene shows it");
-    }
-    json_["nodes"][i].erase("mesh");
-    return true;
-  }
-
-  void add_nodes() {
-    for (std::size_t i = was_.nodes.size(); i < scene_.nodes.size(); ++i) {
-      list_in(json_, "nodes")[i] = json_of(scene_.nodes[i]);
-      if (const auto instances = scene_.nodes[i].instances.view(); !instances.empty()) {
-        json_["nodes"][i]["extensions"][mesh_gpu_instancing] = instancing_of(instances, store_);
-        // Who does not know it would show one where there are many, also in a file that could do without it so far.
-        for (const char* list : {"extensionsUsed", "extensionsRequired"}) listed(json_[list], mesh_gpu_instancing);
-      }
-    }
-    for (const NodeId root : roots_of(scene_)) {
-      if (root < was_.nodes.size() || !scene_.nodes[root].is_shown) continue;  // a coarser node is in no scene
-      if (!json_.contains("scene")) json_["scene"] = 0;
-      Json& scene = list_in(json_, "scenes")[json_["scene"].get<std::size_t>()];
-      if (scene.is_null()) scene = Json::object();
-      list_in(scene, "nodes").push_back(root);
-    }
+    return std::nullopt;
   }
 
   bool materials() {
@@ -189,7 +96,7 @@ class StructurePatch {
       while (old >= was_.materials.size() && scene_.materials[old].copy_of) old = *scene_.materials[old].copy_of;
       const bool is_old = old < was_.materials.size();
       if (i >= was_.materials.size()) {
-        list_in(json_, "materials")[i] = is_old ? Json(json_as_read_["materials"][old]) : Json::object();
+        list_in(json_, "materials")[i] = is_old ? Json(document_.json["materials"][old]) : Json::object();
       }
       const Material was = is_old ? was_.materials[old] : Material{};
       put_material(i, now, was, json_);
@@ -230,13 +137,20 @@ class StructurePatch {
 
   const Scene& scene_;
   const Scene& was_;
-  const Json& json_as_read_;
+  const Document& document_;
   Json& json_;
   AccessorStore& store_;
   Diagnostics& diagnostics_;
+  std::set<std::size_t> left_;  ///< accessors that were named, where others are now
 };
 
 }  // namespace
+
+Json& list_in(Json& holder, const char* name) {
+  Json& list = holder[name];
+  if (list.is_null()) list = Json::array();
+  return list;
+}
 
 bool patch_structure(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
                      Diagnostics& diagnostics) {

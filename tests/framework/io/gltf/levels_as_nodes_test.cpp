@@ -54,6 +54,58 @@ TEST(GltfLevels, StayWithThePrimitiveWhereNodesCannotTellOfThem) {
   EXPECT_EQ(told(with_two), code + "its primitives have different numbers of levels");
 }
 
+/// Which nodes draw, and where; coarser ones are in no scene.
+std::string placed_meshes(const Scene& scene) {
+  std::string text;
+  for (const Node& node : scene.nodes) {
+    if (node.mesh)
+      text += std::to_string(*node.mesh) + (node.is_shown ? "" : "'") + '@' +
+              std::to_string(node.transform.scale.x).substr(0, 4) + ' ';
+  }
+  return text;
+}
+
+TEST(GltfLevels, AsNodesStandWhereTheNodeIsPlacedAnew) {
+  GltfBuilder builder = ribbon(8);
+  builder.json["scenes"] = {{{"nodes", {0}}}};
+  builder.json["scene"] = 0;
+  const std::vector<Level> levels = with_made_levels().draws[0].levels;
+  const auto again = [&](const Scene& scene) {
+    Diagnostics diagnostics;
+    const auto files = encode_gltf(scene, "out.glb", diagnostics, {.levels = LevelsAs::lod_nodes});
+    return read(files->front().bytes);
+  };
+  Scene scene = read(builder);
+  scene.draws[0].levels = levels;
+  scene.nodes[0].transform.scale = glm::vec3(0.25f);
+  EXPECT_EQ(placed_meshes(again(scene)), "0@0.25 1'@0.25 2'@0.25 ");
+  EXPECT_EQ(again(scene).draws.size(), 1u);
+  EXPECT_EQ(again(scene).draws[0].levels.size(), 3u) << "read as levels";
+
+  // The mesh went to a child: its coarser ones stand in for that child, and the node above holds it alone.
+  Scene below = read(builder);
+  below.draws[0].levels = levels;
+  below.nodes.push_back(below.nodes[0]);
+  below.nodes[1].transform.scale = glm::vec3(0.5f);
+  below.nodes[0].mesh.reset();
+  below.nodes[0].children = {1};
+  const Scene after = again(below);
+  EXPECT_EQ(placed_meshes(after), "0@0.50 1'@0.50 2'@0.50 ");
+  EXPECT_EQ(after.nodes[0].children, (std::vector<NodeId>{1}));
+  EXPECT_EQ(after.roots, (std::vector<NodeId>{0}));
+  EXPECT_EQ(after.draws[0].levels.size(), 3u);
+}
+
+/// Those that came as nodes stay levels as long as all of their nodes are placed alike.
+TEST(GltfLevels, ThatCameAsNodesAreLevelsWhereTheseAreAllPlacedAnew) {
+  Scene scene = read(with_lods());
+  for (Node& node : scene.nodes) node.transform.translation.x = 2;
+  const Scene again = read(write(scene));
+  ASSERT_EQ(again.draws.size(), 1u);
+  EXPECT_EQ(again.draws[0].levels.size(), 3u);
+  for (const Node& node : again.nodes) EXPECT_EQ(node.transform.translation.x, 2);
+}
+
 /// What stands in a node's extras stays, whatever it is.
 TEST(GltfLevels, CoverageTakesNobodysPlace) {
   for (const char* extras : {"3", R"({"MSFT_screencoverage": "mine"})", R"({"name": "rock"})"}) {

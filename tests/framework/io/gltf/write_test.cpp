@@ -251,7 +251,7 @@ TEST(GltfWrite, what_can_not_be_said_is_an_error) {
            diagnostics.all()[0].where.inside == inside;
   };
   Scene changed = scene;
-  changed.nodes[1].name = "other";
+  changed.nodes[1].skin = 0;
   EXPECT_TRUE(refused(changed, "nodes[1]"));
   changed = scene;
   changed.animations.clear();

@@ -39,11 +39,36 @@ Content index_content(std::span<const std::uint32_t> indices, Component was);
 bool patch_structure(const Scene& scene, const Source& source, Json& json, AccessorStore& store,
                      Diagnostics& diagnostics);
 
+/// A change that a document can not say, and the place of it.
+struct Refusal {
+  std::string inside;
+  std::string why;
+};
+
+/// What differs of the nodes that there were: their places, names and weights, meshes that are gone, children that were
+/// added, their instances, and the sequence of children and roots. Accessors that instances named join `left`.
+std::optional<Refusal> patch_nodes(const Scene& scene, const Scene& was, Json& json, AccessorStore& store,
+                                   std::set<std::size_t>& left);
+
+/// Nodes behind the `old` ones, which are there. patch_nodes() has looked at them.
+void add_nodes(const Scene& scene, std::size_t old, Json& json, AccessorStore& store);
+
 /// The keys of animations that changed, channels that are gone, and animations that were added. Of those that there
-/// were, channels keep their sequence and what they move, and one stays; else the answer is the place of one that
-/// changed otherwise.
-std::optional<std::string> patch_animations(const std::vector<Animation>& now, const std::vector<Animation>& was,
-                                            Json& json, AccessorStore& store);
+/// were, channels keep their sequence and what they move, and one stays; weights may move a child that was added to the
+/// node that they moved. Accessors that samplers named join `left`.
+std::optional<Refusal> patch_animations(const Scene& scene, const Scene& was, Json& json, AccessorStore& store,
+                                        std::set<std::size_t>& left);
+
+/// Releases those of the accessors that nothing in `json` names any more. An extension that we do not know may mean any
+/// number that it holds.
+void release_unnamed(std::set<std::size_t> accessors, const Document& document, Json& json, AccessorStore& store);
+
+/// The list of that name, which is made where there is none: what the library makes of null can not be freed where
+/// memory runs out in it.
+Json& list_in(Json& holder, const char* name);
+
+/// JSON has no words for other numbers, and the reader refuses them in accessors.
+bool all_finite(std::span<const float> values);
 
 /// What differs from `was`: of material `number`, which the document has. Textures that are not there are listed.
 void put_material(std::size_t number, const Material& now, const Material& was, Json& document);
