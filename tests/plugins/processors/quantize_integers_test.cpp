@@ -106,7 +106,7 @@ TEST(QuantizeIntegers, ANodeThatAProgramMayMoveStaysWhereItIs) {
     EXPECT_EQ(now.transform.scale, glm::vec3(1)) << by;
     ASSERT_FALSE(now.children.empty()) << by;
     EXPECT_EQ(result.scene.nodes[now.children.front()].mesh, 0u) << by << ": it is drawn before its children";
-    const Pose pose = scene.animations.empty() ? Pose{} : Pose{.clip = 0, .seconds = .5};
+    const Pose pose = scene.animations.empty() ? Pose{} : Pose{.clip = 0u, .time = .5};
     EXPECT_LT(farthest(drawn(scene, pose), drawn(result.scene, pose)), .0035) << by;
   }
 }
@@ -189,7 +189,7 @@ TEST(QuantizeIntegers, MorphTargetsAndTheirWeightsGoToTheChild) {
   EXPECT_TRUE(result.scene.nodes[0].weights.empty());
   EXPECT_EQ(result.scene.nodes[1].weights, std::vector<float>{.25f});
   EXPECT_EQ(result.scene.animations[0].channels[0].node, 1u);
-  for (const Pose& pose : {Pose{}, Pose{.clip = 0, .seconds = .75}})
+  for (const Pose& pose : {Pose{}, Pose{.clip = 0u, .time = .75}})
     EXPECT_LT(farthest(drawn(scene, pose), drawn(result.scene, pose)), 2 * .0035);
 }
 
