@@ -10,19 +10,6 @@ namespace foredraw::testing {
 
 namespace {
 
-struct NoOptions {};
-
-template <class T>
-Plugin plugin_of(Kind kind, Card card) {
-  Plugin plugin;
-  plugin.kind = kind;
-  if (card.summary.empty()) card.summary = "For tests";
-  card.reference = "own";
-  plugin.card = std::move(card);
-  bind_options(plugin, OptionTable<NoOptions>(), [](const NoOptions&) { return std::make_unique<T>(); });
-  return plugin;
-}
-
 std::vector<std::uint32_t> falling(std::size_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.rbegin(), order.rend(), 0u);

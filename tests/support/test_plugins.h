@@ -28,4 +28,17 @@ Plugin needs_clusters();    ///< draw orderer that needs clustered, and undoes c
 /// All of them.
 void add_test_plugins(Registry& registry);
 
+/// A plugin of a technique that a test defines. It has no options.
+template <class Technique>
+Plugin plugin_of(Kind kind, Card card) {
+  struct NoOptions {};
+  Plugin plugin;
+  plugin.kind = kind;
+  if (card.summary.empty()) card.summary = "For tests";
+  card.reference = "own";
+  plugin.card = std::move(card);
+  bind_options(plugin, OptionTable<NoOptions>(), [](const NoOptions&) { return std::make_unique<Technique>(); });
+  return plugin;
+}
+
 }  // namespace foredraw::testing

@@ -1,14 +1,7 @@
 // What techniques attach reaches the record: by stage, before and after, with the names of what it is about.
 #include <foredraw/pipeline/runner.h>
 
-#include "support/meshes.h"
-#include "support/test_plugins.h"
-
-#include <foredraw/pipeline/parse.h>
-
-#include <gtest/gtest.h>
-
-#include <functional>
+#include "runs_stages.h"
 
 namespace foredraw {
 namespace {
@@ -51,43 +44,20 @@ struct AddAndShow final : Processor {
   }
 };
 
-template <class Technique>
-Plugin plugin(const std::string& name, Kind kind) {
-  struct NoOptions {};
-  Plugin plugin;
-  plugin.kind = kind;
-  plugin.card.name = name;
-  plugin.card.summary = "For tests";
-  plugin.card.reference = "own";
-  bind_options(plugin, OptionTable<NoOptions>(), [](const NoOptions&) { return std::make_unique<Technique>(); });
-  return plugin;
-}
-
-class RunnerAttachments : public ::testing::Test {
+class RunnerAttachments : public testing::RunsStages {
  protected:
   RunnerAttachments() {
-    testing::add_test_plugins(registry_);
-    registry_.add(plugin<Watch>("watch", Kind::evaluator));
-    registry_.add(plugin<WatchDraws>("watch-draws", Kind::evaluator));
-    registry_.add(plugin<WatchSubject>("watch-subject", Kind::evaluator));
-    registry_.add(plugin<AddAndShow>("add-and-show", Kind::processor));
+    registry_.add(testing::plugin_of<Watch>(Kind::evaluator, {.name = "watch"}));
+    registry_.add(testing::plugin_of<WatchDraws>(Kind::evaluator, {.name = "watch-draws"}));
+    registry_.add(testing::plugin_of<WatchSubject>(Kind::evaluator, {.name = "watch-subject"}));
+    registry_.add(testing::plugin_of<AddAndShow>(Kind::processor, {.name = "add-and-show"}));
   }
 
-  Plan plan(const std::string& stages, const std::string& measure) {
-    Diagnostics diagnostics;
-    Pipeline pipeline = stages.empty() ? Pipeline() : *parse_line(stages, diagnostics);
-    pipeline.measure = *parse_stages(measure, "measure", diagnostics);
-    auto plan = foredraw::plan(pipeline, registry_, scene_, diagnostics);
-    if (!plan) throw std::runtime_error(to_text(diagnostics));
-    return std::move(*plan);
+  Plan plan(const std::string& stages, const std::string& measure) const { return planned(stages, scene_, measure); }
+  Report optimized(const std::string& stages, const std::string& measure) const {
+    return run(stages, scene_, measure).report;
   }
 
-  Report optimized(const std::string& stages, const std::string& measure) {
-    Analyses analyses;
-    return foredraw::optimize(plan(stages, measure), scene_, {executor_, analyses}).report;
-  }
-
-  Registry registry_;
   Executor executor_{2};
   Scene scene_ = testing::scene_of({testing::draw_of(testing::grid(2, 1), "A"), testing::draw_of(testing::grid(1, 1))});
 };
@@ -147,8 +117,7 @@ TEST_F(RunnerAttachments, OfAStageAreItsOwn) {
 
 TEST_F(RunnerAttachments, ThatAreWrongAreAFailureWithoutAttachments) {
   scene_.draws[0].name = "Bad";
-  Analyses analyses;
-  const Result result = foredraw::optimize(plan("reverse-draw", "watch-draws"), scene_, {executor_, analyses});
+  const Result result = run("reverse-draw", scene_, "watch-draws");
   EXPECT_TRUE(result.failed);
   EXPECT_EQ(told(result.report.measures[0].attachments), Lines{"mesh: triangles of 2"});
   ASSERT_FALSE(result.report.diagnostics.empty());

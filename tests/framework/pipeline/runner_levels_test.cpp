@@ -2,16 +2,13 @@
 
 #include <foredraw/pipeline/runner.h>
 
-#include "support/meshes.h"
-#include "support/test_plugins.h"
+#include "runs_stages.h"
 
 #include <foredraw/measuring/level_processor.h>
-#include <foredraw/pipeline/parse.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/technique/built_in_plugins.h>
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace foredraw {
@@ -52,23 +49,11 @@ Plugin halved() {
   return plugin;
 }
 
-class RunnerLevels : public ::testing::Test {
+class RunnerLevels : public testing::RunsStages {
  protected:
   RunnerLevels() {
-    testing::add_test_plugins(registry_);
     add_built_in_plugins(registry_);
     registry_.add(halved());
-  }
-
-  Result run(const std::string& stages, const Scene& scene, const std::string& measure = "", int threads = 2) {
-    Diagnostics diagnostics;
-    auto pipeline = parse_line(stages, diagnostics);
-    if (pipeline && !measure.empty()) pipeline->measure = *parse_stages(measure, "measure", diagnostics);
-    const auto plan = pipeline ? foredraw::plan(*pipeline, registry_, scene, diagnostics) : std::nullopt;
-    if (!plan) throw std::runtime_error(to_text(diagnostics));
-    const Executor executor(threads);
-    Analyses analyses;
-    return foredraw::optimize(*plan, scene, {executor, analyses});
   }
 
   /// The same, of each level alone.
@@ -81,7 +66,6 @@ class RunnerLevels : public ::testing::Test {
     return {view.begin(), view.end()};
   }
 
-  Registry registry_;
   Scene levels_ = testing::scene_of(
       {levels_of({testing::shuffled(testing::sphere(24, 16), 1), testing::shuffled(testing::sphere(12, 8), 2),
                   testing::shuffled(testing::sphere(6, 4), 3)},
@@ -196,8 +180,8 @@ TEST_F(RunnerLevels, TheLevelIsAWordOfEvaluators) {
 
 TEST_F(RunnerLevels, GivesTheSameAtAnyThreadCount) {
   const std::string stages = "weld, tipsify, linear-clusters, occlusion-order, vertex-fetch";
-  const Result one = run(stages, levels_, "", 1);
-  const Result many = run(stages, levels_, "", 4);
+  const Result one = run(stages, levels_, "", Executor(1));
+  const Result many = run(stages, levels_, "", Executor(4));
   for (std::size_t level = 0; level < 3; ++level) {
     EXPECT_EQ(indices(one.scene.draws[0], level), indices(many.scene.draws[0], level));
   }
