@@ -181,6 +181,7 @@ class PlanRunner {
     if (is_known) done_ += static_cast<double>(steps.size());
     if (surroundings_->milestones != nullptr) milestone_.measures = steps;
     book_measures(std::move(steps), &DrawRecord::before, report.before);
+    for (const Diagnostic& one : diagnostics_.all()) told_of_input_.insert(words_of(one));
   }
 
   std::vector<Step> measured(Scene& scene, std::string_view what) {
@@ -251,10 +252,16 @@ class PlanRunner {
     return step;
   }
 
-  /// Evaluators run on the input and on the output: what is wrong with both is told once.
+  /// What an evaluator says of the input is not told again when it says so of the output.
   void tell(const Diagnostic& one) {
-    if (told_.emplace(one.code, one.message, one.where.inside).second) diagnostics_.add(one);
+    const auto before = told_of_input_.find(words_of(one));
+    if (before == told_of_input_.end()) return diagnostics_.add(one);
+    told_of_input_.erase(before);
   }
+
+  /// Code, message, and inside of what.
+  using Words = std::tuple<std::string, std::string, std::string>;
+  static Words words_of(const Diagnostic& one) { return {one.code, one.message, one.where.inside}; }
 
   std::optional<MemoryWatch> watch_memory() {
     if (!watches_memory_) return std::nullopt;
@@ -287,8 +294,8 @@ class PlanRunner {
   std::size_t steps_ = 0;
   double done_ = 0;
   bool watches_memory_ = false;
-  std::uint64_t peak_memory_ = 0;                                     ///< before the last watch began
-  std::set<std::tuple<std::string, std::string, std::string>> told_;  ///< code, message, inside of what
+  std::uint64_t peak_memory_ = 0;       ///< before the last watch began
+  std::multiset<Words> told_of_input_;  ///< and not of the output yet
 };
 
 /// Whether stages find the same surroundings in both.
