@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 10> names = {
 /// Examples of engines read products, and Python has the functions.
 bool may_name(const std::string& path, std::string_view name) {
   return path.starts_with("hosts/embed/") || (path.starts_with("hosts/python/") && name == "merge_instances") ||
-         (path == "framework/foredraw/pipeline/stage_runner.cpp" && name == "DrawOrders");
+         (path == "framework/foredraw/pipeline/changed_tables.cpp" && name == "DrawOrders");
 }
 
 }  // namespace

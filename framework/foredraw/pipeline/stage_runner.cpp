@@ -3,10 +3,11 @@
 #include <foredraw/analysis/placements.h>
 #include <foredraw/base/random.h>
 #include <foredraw/pipeline/answers.h>
+#include <foredraw/pipeline/changed_tables.h>
 #include <foredraw/pipeline/eligible.h>
+#include <foredraw/pipeline/stage_book.h>
 #include <foredraw/pipeline/stage_levels.h>
 #include <foredraw/pipeline/stage_products.h>
-#include <foredraw/scene/order_table.h>
 
 #include <fmt/format.h>
 
@@ -57,11 +58,11 @@ class StageRunner {
         surroundings_(surroundings),
         executor_(ending_with(surroundings.executor, surroundings.cancel)),
         record_(record),
-        diagnostics_(diagnostics),
+        book_(stage, number, plan, scene, record, diagnostics),
         products_(plan.products, record),
         chosen_(stage, scene, plan.products) {
     if (surroundings.progress) progress_ = [this](double part) { surroundings_.progress(stage_.label, part); };
-    for (const LevelSkip& skip : chosen_.skips()) add_skip(skip.why.code, skip.why.reason, name_of(skip.at));
+    for (const LevelSkip& skip : chosen_.skips()) book_.skip(skip.why.code, skip.why.reason, name_of(skip.at));
   }
 
   std::vector<Measured> run() {
@@ -69,7 +70,7 @@ class StageRunner {
     const Scene before = may_change && !scene_.products.empty() ? scene_ : Scene();
     std::visit([this](const auto& technique) { run(*technique); }, *stage_.technique);
     if (may_change) products_.settle(before, scene_);
-    return std::move(measured_);
+    return std::move(book_.measured());
   }
 
  private:
@@ -123,8 +124,7 @@ class StageRunner {
           SubjectOrders orders = ranges ? orders_of(technique, view, *ranges, run) : technique.order(view, run);
           if (!run.keeps()) outcome.answer = ordered(view, std::move(orders), run.analyses);
         });
-    const auto before = order_tables(scene_);
-    std::vector<OrderTable> tables(before.begin(), before.end());
+    ChangedTables tables(scene_);
     std::vector<std::vector<SubjectPart>> sequences;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string& name = subjects[parts[i].subject].name;
@@ -132,24 +132,19 @@ class StageRunner {
       accept(outcomes[i], parts[i].level == 0 ? name : fmt::format("{} (level {})", name, parts[i].level));
       if (outcomes[i].answer && !outcomes[i].answer->sequence.empty())
         sequences.push_back(outcomes[i].answer->sequence);
-      if (outcomes[i].answer) put_subject(std::move(*outcomes[i].answer), parts[i].level, tables);
+      if (outcomes[i].answer) tables.put(std::move(*outcomes[i].answer), parts[i].level);
       for (DrawId id : parts[i].draws) update_traits(scene_.draws[id], parts[i].level, outcomes[i]);
     }
     put_in_sequence(scene_, sequences);
-    if (tables.empty()) {
-      scene_.products.erase(DrawOrders::product);
-    } else {
-      scene_.products.set(DrawOrders{std::move(tables)});
-    }
-    products_.made(DrawOrders::product);
+    tables.settle(products_);
   }
 
   void run(const VertexOrderer& technique) {
     std::vector<VertexGroup> groups = vertex_groups(scene_);
     for (const HeldDraw& held : keep_groups_of(groups, chosen_.draws())) {
-      add_skip("shared-vertices",
-               "it shares its vertices with " + scene_.draws[held.by].name + ", which stays as it is",
-               scene_.draws[held.draw].name);
+      book_.skip("shared-vertices",
+                 "it shares its vertices with " + scene_.draws[held.by].name + ", which stays as it is",
+                 scene_.draws[held.draw].name);
     }
     using Users = std::vector<std::pair<VertexGroup::User, Draw>>;
     auto outcomes = over<Users>(
@@ -277,33 +272,16 @@ class StageRunner {
     accept(outcome, place, scene_);
   }
 
-  /// Books what came of one. Notes and attachments call draws what they were called before the stage; those that it
-  /// added are in `changed`.
+  /// `changed`: the scene with the draws that the stage added.
   template <class Answer>
   void accept(Outcome<Answer>& outcome, const std::string& place, const Scene& changed) {
-    for (Measured& measured : outcome.findings.measured) measured_.push_back(std::move(measured));
-    const auto name_at = [&](const About& at) {
-      const Scene& scene = *at.draw < scene_.draws.size() ? scene_ : changed;
-      return *at.draw < scene.draws.size() ? foredraw::name_of(scene.draws[*at.draw], at.level) : "";
-    };
-    const auto place_of = [&](const About& at) { return at.draw ? name_at(at) : at == About{} ? "" : place; };
-    for (Note& note : outcome.findings.notes) {
-      record_.notes.push_back({place_of(note.about), std::move(note.code), std::move(note.message)});
-    }
-    for (Attached& attached : outcome.findings.attached) {
-      const About& at = attached.about;
-      record_.attachments.push_back(
-          {at.subject && place.empty() ? name_of_subject(*at.subject) : place_of(at), std::move(attached.content)});
-    }
+    book_.found(outcome.findings, place, changed);
     if (outcome.answer) {
-      ++record_.changed;
+      book_.changed_one();
     } else if (outcome.kept()) {
-      add_skip("nothing-to-gain", *outcome.findings.nothing_to_gain, place);
+      book_.skip("nothing-to-gain", *outcome.findings.nothing_to_gain, place);
     } else {
-      diagnostics_.error({.file = scene_.name, .inside = place}, "stage-failed",
-                         fmt::format("stage {} '{}' failed: {}", number_, stage_.plugin->card.name, outcome.failure),
-                         stage_.plugin->kind == Kind::evaluator ? "its figures are left out; the run continues"
-                                                                : "this stage leaves it unchanged; the run continues");
+      book_.failed(outcome.failure, place);
     }
   }
 
@@ -314,13 +292,6 @@ class StageRunner {
       if (outcomes[i].answer) put_level(draw, chosen_.levels()[i].level, std::move(*outcomes[i].answer));
       update_traits(draw, chosen_.levels()[i].level, outcomes[i]);
     }
-  }
-
-  void add_skip(const std::string& code, const std::string& reason, const std::string& place) {
-    for (SkipRecord& skip : record_.skipped) {
-      if (skip.code == code && skip.reason == reason) return skip.about.push_back(place);
-    }
-    record_.skipped.push_back({code, reason, {place}});
   }
 
   /// What stays as it was has what the stage provides, and loses nothing that it had.
@@ -340,15 +311,6 @@ class StageRunner {
     }
   }
 
-  /// A draw that is ordered anew has no orders of the old table, and without its table other draws' are of no use.
-  void forget_tables_of(DrawId id, std::vector<OrderTable>& tables) {
-    std::erase_if(tables, [&](const OrderTable& table) {
-      if (std::ranges::find(table.draws, id) == table.draws.end()) return false;
-      for (const DrawId other : table.draws) scene_.draws[other].full().orders.resize(1);
-      return true;
-    });
-  }
-
   /// Products may name a draw by its number in its mesh, so nothing moves beside them.
   bool may_change_places(DrawId id) const {
     return scene_.products.empty() && std::ranges::binary_search(chosen_.draws(), id);
@@ -364,22 +326,7 @@ class StageRunner {
   }
 
   std::string name_of(const DrawLevel& at) const { return foredraw::name_of(scene_.draws[at.draw], at.level); }
-  std::string name_of_subject(std::uint32_t number) const {
-    const std::vector<Subject> subjects = subjects_of(scene_, plan_.pipeline.subjects.subject);
-    return number < subjects.size() ? subjects[number].name : "";
-  }
   static About about_of(const DrawLevel& at) { return {.draw = at.draw, .level = at.level}; }
-
-  /// Engines choose among several orders at full detail alone: of the others the one that stands alone is kept.
-  void put_subject(OrderedSubject answer, std::size_t level, std::vector<OrderTable>& tables) {
-    for (auto& [id, draw] : answer.draws) {
-      if (level == 0) forget_tables_of(id, tables);
-      if (level > 0) draw.full().orders.resize(1);
-      put_level(scene_.draws[id], level, std::move(draw));
-    }
-    const bool has_choice = std::ranges::any_of(answer.table.order, [](std::uint8_t order) { return order > 0; });
-    if (level == 0 && has_choice) tables.push_back(std::move(answer.table));
-  }
 
   const PlannedStage& stage_;
   std::size_t number_;
@@ -389,11 +336,10 @@ class StageRunner {
   const Surroundings& surroundings_;
   const Executor executor_;
   StageRecord& record_;
-  Diagnostics& diagnostics_;
+  StageBook book_;
   StageProducts products_;
   const StageLevels chosen_;
   std::function<void(double)> progress_;
-  std::vector<Measured> measured_;
 };
 
 }  // namespace
