@@ -4,7 +4,7 @@
 #include <foredraw/pipeline/measured_frames.h>
 #include <foredraw/pipeline/measured_subjects.h>
 #include <foredraw/pipeline/named_files.h>
-#include <foredraw/pipeline/stage_order.h>
+#include <foredraw/pipeline/trait_makers.h>
 #include <foredraw/scene/levels.h>
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 class Planner {
  public:
   Planner(const Registry& registry, const Scene& scene, const Lender* lender, Diagnostics& diagnostics)
-      : registry_(registry), scene_(scene), lender_(lender), diagnostics_(diagnostics) {
+      : registry_(registry), scene_(scene), lender_(lender), diagnostics_(diagnostics), makers_(registry, diagnostics) {
     for (const Draw& draw : scene.draws) traits_.push_back(traits_of(draw));
     holders_ = holders_of_draws(scene, registry.products());
   }
@@ -183,62 +183,13 @@ class Planner {
                                        planned.stage.only, scene_.name.empty() ? "the scene" : scene_.name),
                            *hint);
     }
-    if (planned.plugin->kind != Kind::evaluator) follow(planned);
+    if (planned.plugin->kind != Kind::evaluator) {
+      if (!is_gap_before_) makers_.look_around(planned, later_);
+      makers_.follow(planned);
+      for (DrawId id : planned.draws) traits_[id] = after_stage(card, traits_[id]);
+    }
     if (planned.draws.empty() && !planned.skips.empty()) {
       refuse_where_required(planned, planned.skips.front().reason);
-    }
-  }
-
-  /// What stages so far have made, and none has undone.
-  Traits made() const {
-    Traits made;
-    for (const auto& [trait, maker] : provider_) made.add(Trait(trait));
-    return made;
-  }
-
-  /// A need that no earlier stage was to provide is a mistake in the pipeline; one that was not met for some draws
-  /// alone is a reason to skip those.
-  bool has_needs(const PlannedStage& planned) {
-    const Card& card = planned.plugin->card;
-    const bool unmet = std::ranges::any_of(planned.skips, [](const Skip& skip) { return skip.code == "needs"; });
-    const std::string lacks = missing(card.needs, made());
-    if (!unmet || lacks.empty()) return true;
-    Traits wanted = card.needs;
-    wanted.add(card.wants);
-    const std::string before = way_to(wanted, made(), registry_);
-    const std::string after = who_restores(left_broken(*planned.plugin, later_, registry_), registry_);
-    error(planned.stage.where, "needs",
-          fmt::format("'{}' needs draws that are {}, but no stage before it makes them so", card.name, lacks),
-          way_to(card.needs, made(), registry_).empty() ? "no plugin in this build provides that"
-          : after.empty()                               ? fmt::format("put {} before it", before)
-                          : fmt::format("put {} before it, and {} after it", before, after));
-    return false;
-  }
-
-  /// Warns of stages that a pipeline lacks around this one, which runs without them.
-  void look_around(const PlannedStage& planned) {
-    const Card& card = planned.plugin->card;
-    if (const std::string lacks = missing(card.wants, made()); !lacks.empty()) {
-      const std::string before = way_to(card.wants, made(), registry_);
-      diagnostics_.warning(
-          planned.stage.where, "wants",
-          fmt::format("'{}' works best on draws that are {}, but no stage before it makes them so", card.name, lacks),
-          before.empty() ? "" : fmt::format("put {} before it", before));
-    }
-    Traits broken = left_broken(*planned.plugin, later_, registry_);
-    broken.remove(made());  // of which it is said who undoes whose work
-    if (!broken.empty()) {
-      diagnostics_.warning(planned.stage.where, "left-broken",
-                           fmt::format("after '{}', draws are no longer {}, and no later stage restores that",
-                                       card.name, missing(broken, {})),
-                           fmt::format("put {} after it", who_restores(broken, registry_)));
-    }
-    if (const Traits unused = left_unused(*planned.plugin, later_); !unused.empty()) {
-      const std::string users = who_asks_for(unused, registry_);
-      diagnostics_.warning(planned.stage.where, "unused",
-                           fmt::format("'{}' makes draws {} for later stages, but none uses that, and no file keeps it",
-                                       card.name, missing(unused, {})),
-                           users.empty() ? "" : fmt::format("put {} after it", users));
     }
   }
 
@@ -247,26 +198,6 @@ class Planner {
     error(planned.stage.where, "required",
           fmt::format("'{}' is required but would be skipped: {}", planned.stage.use, reason),
           "remove required = true, or use a scene that the stage acts on");
-  }
-
-  /// Keeps the books: who made what, and what this stage undoes.
-  void follow(PlannedStage& planned) {
-    const Card& card = planned.plugin->card;
-    if (!is_gap_before_ && has_needs(planned) && !planned.draws.empty()) look_around(planned);
-    for (DrawId id : planned.draws) traits_[id] = after_stage(card, traits_[id]);
-    for (const std::string& trait : card.breaks) {
-      const auto made = provider_.find(trait);
-      if (made == provider_.end() || made->second == card.name || card.provides.has(trait)) continue;
-      if (card.needs.has(trait) || card.acts_on.has(trait)) {  // used up, not undone
-        provider_.erase(made);
-        continue;
-      }
-      diagnostics_.warning(planned.stage.where, "undoes",
-                           fmt::format("'{}' undoes what '{}' made ({})", card.name, made->second, trait),
-                           fmt::format("put '{}' before '{}'", card.name, made->second));
-      provider_.erase(made);
-    }
-    for (const std::string& trait : card.provides) provider_[trait] = card.name;
   }
 
   static const PlannedStage* user_of_overdraw(const Plan& plan) {
@@ -317,6 +248,7 @@ class Planner {
   const Scene& scene_;
   const Lender* lender_;
   Diagnostics& diagnostics_;
+  TraitMakers makers_;
   Loans loans_;
   std::vector<Traits> traits_;  // of each draw, as the stages so far leave them
   Holders holders_;
@@ -324,7 +256,6 @@ class Planner {
   std::map<std::string, int> uses_;
   /// A mistake in a stage before was told. What that stage would have made is not known, so nothing is said to lack it.
   bool is_gap_before_ = false;
-  std::map<std::string, std::string, std::less<>> provider_;  // trait -> stage that made it
 };
 
 }  // namespace
