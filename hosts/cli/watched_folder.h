@@ -2,12 +2,11 @@
 // Keeps the outputs of a folder up to date while people work in it.
 
 #include "dependants.h"
-#include "file_runs.h"
 #include "folder_outputs.h"
 #include "scene_folder.h"
 #include "settling.h"
+#include "workshop.h"
 
-#include <foredraw/io/file_lender.h>
 #include <foredraw/platform/folder_watch.h>
 #include <foredraw/platform/interruption.h>
 
@@ -15,24 +14,6 @@
 #include <map>
 
 namespace foredraw::cli {
-
-/// What files are worked on with: made anew when a file changes that the pipeline is read from, or that it names.
-struct Workshop {
-  /// Nothing, with errors, where the pipeline or the cache is not as it should be.
-  static std::unique_ptr<Workshop> opened(const Arguments& arguments, const Registry& registry,
-                                          const Executor& executor, Diagnostics& diagnostics);
-  ~Workshop();
-
-  Pipeline pipeline;
-  SceneInput how;
-  FileLender lender;
-  std::unique_ptr<ResultCache> cache;
-  FileJob job;
-
- private:
-  Workshop(const Arguments& arguments, const Registry& registry, const Executor& executor, Pipeline read,
-           SceneInput input);
-};
 
 class WatchedFolder {
  public:
