@@ -1,5 +1,6 @@
 // CLI11 is slow to compile, so it is included here alone.
 #include "arguments.h"
+#include "byte_size.h"
 #include "outputs.h"
 #include "session.h"
 
@@ -12,7 +13,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 
 namespace foredraw::cli {
 
@@ -22,18 +22,6 @@ std::string presets_text() {
   std::string text = "Presets:";
   for (const Preset& preset : presets()) text += fmt::format(" @{}", preset.name);
   return text;
-}
-
-/// "500M" to bytes; nullopt where it is no size, or none.
-std::optional<std::uint64_t> size_of(std::string_view text) {
-  std::uint64_t size = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-  const std::string unit(end, text.data() + text.size());
-  constexpr std::string_view units = "KMGT";
-  const std::size_t power = unit.size() == 1 ? units.find(unit[0]) : std::string_view::npos;
-  if (error != std::errc() || size == 0 || (!unit.empty() && power == std::string_view::npos)) return std::nullopt;
-  const std::size_t shift = unit.empty() ? 0 : 10 * (power + 1);
-  return size > (~std::uint64_t{0} >> shift) ? std::nullopt : std::optional(size << shift);
 }
 
 class CommandLine {
@@ -377,7 +365,7 @@ class CommandLine {
   static void size(CLI::App& app, const std::string& name, std::function<void(std::uint64_t)> take,
                    const std::string& what) {
     const auto read = [name, take = std::move(take)](const std::string& text) {
-      const auto bytes = size_of(text);
+      const auto bytes = byte_size_in(text);
       if (!bytes) throw CLI::ValidationError(name, "'" + text + "' is not a size; give one such as 500M or 2G");
       take(*bytes);
     };
