@@ -12,6 +12,7 @@
 #include <cstring>
 
 #ifdef FOREDRAW_HAS_GPU
+#include "support/compute_pipeline.h"
 #include "support/on_device.h"
 
 #include <foredraw/gpu/graphics_pipeline.h>
@@ -153,12 +154,6 @@ TEST_F(PackedShader, IsTakenByACompilerInBothLanguages) {
 
 #ifdef FOREDRAW_HAS_GPU
 
-VkResult create_compute(VkDevice device, const VkComputePipelineCreateInfo* info, const VkAllocationCallbacks* by,
-                        VkPipeline* pipeline) {
-  return vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, info, by, pipeline);
-}
-using OwnedCompute = gpu::Owned<VkPipeline, create_compute, vkDestroyPipeline>;
-
 /// Runs a compute shader over the vertices, 64 at once, and answers with what it wrote.
 void run_on(gpu::Device& device, const std::string& code, const Wanted& wanted, std::vector<float>& decoded,
             std::vector<std::uint32_t>& encoded) {
@@ -168,13 +163,7 @@ void run_on(gpu::Device& device, const std::string& code, const Wanted& wanted, 
   const gpu::OwnedSetLayout set_layout = gpu::storage_layout(device, 4, VK_SHADER_STAGE_COMPUTE_BIT);
   const VkDescriptorSetLayout layouts[] = {set_layout.get()};
   const gpu::OwnedPipelineLayout layout = gpu::pipeline_layout(device, layouts, VK_SHADER_STAGE_COMPUTE_BIT, 4);
-  VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-  info.stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                .module = shader.get(),
-                .pName = "main"};
-  info.layout = layout.get();
-  const OwnedCompute pipeline(device.get(), info, "vkCreateComputePipelines");
+  const testing::ComputePipeline pipeline = testing::compute_pipeline(device, shader.get(), layout.get());
   const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   const gpu::DeviceBuffer rows(device, std::as_bytes(std::span(wanted.rows)), storage);
   const gpu::DeviceBuffer plain(device, std::as_bytes(std::span(wanted.plain)), storage);

@@ -44,13 +44,7 @@ Sorted sorted_on(gpu::Device& device, const foredraw_crowd_table& table, double 
   for (const CrowdStage stage : {CrowdStage::count, CrowdStage::scan, CrowdStage::place}) {
     const std::string text = crowd_shader_text({.draw_words = words_of_draw}, language, stage);
     const gpu::OwnedShader module = make_shader(device, compiled_shader(text, language, "comp"));
-    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                           .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                                     .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                                                     .module = module.get(),
-                                                     .pName = "main"},
-                                           .layout = pipelines.get()};
-    const ComputePipeline pipeline(device.get(), info, "vkCreateComputePipelines");
+    const ComputePipeline pipeline = compute_pipeline(device, module.get(), pipelines.get());
     device.run([&](VkCommandBuffer commands) {
       vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
       vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines.get(), 0, 1, &set, 0, nullptr);

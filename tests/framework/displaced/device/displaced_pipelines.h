@@ -10,17 +10,12 @@
 
 #include "shaders/counted_frag.h"
 #include "support/compiled_shader.h"
+#include "support/compute_pipeline.h"
 
 #include <algorithm>
 #include <memory>
 
 namespace foredraw::testing {
-
-inline VkResult create_compute_pipeline(VkDevice device, const VkComputePipelineCreateInfo* info,
-                                        const VkAllocationCallbacks* allocator, VkPipeline* pipeline) {
-  return vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, info, allocator, pipeline);
-}
-using ComputePipeline = gpu::Owned<VkPipeline, create_compute_pipeline, vkDestroyPipeline>;
 
 template <class T>
 gpu::VisibleBuffer filled_buffer(const gpu::Device& device, std::span<const T> content,
@@ -80,13 +75,7 @@ class DisplacedPipelines {
 
   void compute(std::span<const std::uint32_t> code, VkDescriptorSet set, std::size_t columns, std::uint32_t rows) {
     const gpu::OwnedShader module = make_shader(device_, code);
-    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                           .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                                     .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                                                     .module = module.get(),
-                                                     .pName = "main"},
-                                           .layout = layout_.get()};
-    const ComputePipeline pipeline(device_.get(), info, "vkCreateComputePipelines");
+    const ComputePipeline pipeline = compute_pipeline(device_, module.get(), layout_.get());
     device_.run([&](VkCommandBuffer commands) {
       vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
       const std::array sets = {set, texture_set_};
