@@ -43,6 +43,14 @@ inline const GltfJson& extension(const GltfJson& json, std::size_t view, const c
   return json["bufferViews"][view]["extensions"][name];
 }
 
+/// What a compressed view of a .glb holds.
+inline Bytes stream_of(const Bytes& glb, std::size_t view) {
+  const GltfJson json = json_of(glb);
+  const Bytes bin = builder_of(glb).buffer;
+  const auto from = bin.begin() + extension(json, view).value("byteOffset", std::ptrdiff_t{0});
+  return {from, from + extension(json, view)["byteLength"].get<std::ptrdiff_t>()};
+}
+
 struct Written {
   std::vector<OutputFile> files;
   Diagnostics diagnostics;
