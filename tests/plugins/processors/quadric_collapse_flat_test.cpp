@@ -5,22 +5,20 @@
 #include <foredraw/base/parallel.h>
 #include <foredraw/collapses/alike_vertices.h>
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
 #include <map>
 
 namespace foredraw {
 namespace {
 
+using testing::floats2;
+using testing::floats3;
+using testing::mesh_of;
+using testing::normal_error;
 using testing::Simplified;
 using testing::simplified;
 using testing::stream;
 using testing::TestMesh;
 using testing::values;
-
-constexpr Format vec2{Component::float32, 2, false, 8}, vec3{}, vec4{Component::float32, 4, false, 16},
-    bytes4{Component::uint8, 4, false, 4};
 
 /// Each triangle with vertices of its own.
 TestMesh flat(const TestMesh& mesh) {
@@ -33,38 +31,17 @@ TestMesh flat(const TestMesh& mesh) {
 }
 
 VertexStream normals_of(const TestMesh& apart) {
-  return stream("NORMAL", vec3, apart, [&](std::uint32_t v) {
+  return stream("NORMAL", floats3, apart, [&](std::uint32_t v) {
     const glm::dvec3 a(apart.positions[v - v % 3]), b(apart.positions[v - v % 3 + 1]),
         c(apart.positions[v - v % 3 + 2]);
     return glm::vec3(glm::normalize(glm::cross(b - a, c - a)));
   });
 }
 
-TestMesh left_of(const CutDraw& draw) {
-  const auto indices = draw.indices.view();
-  return {values(draw, "POSITION"), {indices.begin(), indices.end()}};
-}
-
+/// Of the torus.
 glm::vec3 normal_at(glm::vec3 place) {
   const glm::vec3 core = glm::normalize(glm::vec3(place.x, 0, place.z));
   return glm::normalize(place - core);
-}
-
-/// Root mean square angle, in degrees, between what triangles show in their middles and the normal of a torus there.
-double normal_error(const CutDraw& draw) {
-  const std::vector<glm::vec3> places = values(draw, "POSITION"), normals = values(draw, "NORMAL");
-  const auto indices = draw.indices.view();
-  double sum = 0;
-  for (std::size_t i = 0; i < indices.size(); i += 3) {
-    glm::dvec3 place(0), normal(0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      place += glm::dvec3(places[indices[i + k]]) / 3.0;
-      normal += glm::dvec3(normals[indices[i + k]]);
-    }
-    const double cosine = glm::dot(glm::dvec3(normal_at(glm::vec3(place))), glm::normalize(normal));
-    sum += std::pow(std::acos(std::min(1.0, cosine)), 2);
-  }
-  return std::sqrt(sum / (static_cast<double>(indices.size()) / 3)) * 57.29577951308232;
 }
 
 class FlatShaded : public ::testing::TestWithParam<CollapsePlacement> {
@@ -78,17 +55,17 @@ class FlatShaded : public ::testing::TestWithParam<CollapsePlacement> {
 /// Nearly as if it were shaded smoothly.
 TEST_P(FlatShaded, ATorusBecomesCoarser) {
   const TestMesh torus = testing::closed_torus(60, 30), apart = flat(torus);
-  const auto smooth = stream("NORMAL", vec3, torus, [&](std::uint32_t v) { return normal_at(torus.positions[v]); });
+  const auto smooth = stream("NORMAL", floats3, torus, [&](std::uint32_t v) { return normal_at(torus.positions[v]); });
   const Simplified made = flat_simplified(apart), shared = simplified(torus, {smooth}, {}, {.placement = GetParam()});
   for (const std::size_t triangles : {1800, 720, 360}) {
     const CutDraw left = made.at_triangles(triangles);
-    const TestMesh coarse = left_of(left);
+    const TestMesh coarse = mesh_of(left);
     EXPECT_LE(coarse.indices.size() / 3, triangles);
     EXPECT_EQ(testing::euler(coarse), 0) << triangles;
     EXPECT_EQ(testing::edges(coarse).size(), 1u) << "a hole";
-    const double of_shared = testing::distance(left_of(shared.at_triangles(triangles)), torus);
+    const double of_shared = testing::distance(mesh_of(shared.at_triangles(triangles)), torus);
     EXPECT_LT(testing::distance(coarse, torus), 3 * of_shared) << triangles;
-    EXPECT_LT(normal_error(left), 5) << triangles;
+    EXPECT_LT(normal_error(left, normal_at), 5) << triangles;
   }
 }
 
@@ -96,7 +73,7 @@ TEST_P(FlatShaded, ATorusBecomesCoarser) {
 TEST_P(FlatShaded, ABoxKeepsItsSides) {
   const TestMesh apart = flat(testing::box_of_sides(6));
   const CutDraw left = flat_simplified(apart).at_triangles(12);
-  const TestMesh coarse = left_of(left);
+  const TestMesh coarse = mesh_of(left);
   EXPECT_LT(testing::distance(coarse, apart), 1e-6);
   const std::vector<glm::vec3> normals = values(left, "NORMAL");
   for (std::size_t i = 0; i < coarse.indices.size(); i += 3) {
@@ -110,36 +87,21 @@ TEST_P(FlatShaded, ABoxKeepsItsSides) {
 /// A torus that is cut open in its texture: corners stay on their side of each cut, and cuts stay where they were.
 TEST_P(FlatShaded, TexturesKeepTheirSeams) {
   constexpr std::uint32_t around = 60, sides = 30;
-  TestMesh torus = testing::torus(around, sides);
-  for (std::uint32_t y = 0; y <= sides; ++y) {  // to the last bit
-    for (std::uint32_t x = 0; x <= around; ++x) {
-      torus.positions[y * (around + 1) + x] = torus.positions[y % sides * (around + 1) + x % around];
-    }
-  }
-  const TestMesh apart = flat(torus);
-  const auto uv = stream("TEXCOORD_0", vec2, apart, [&](std::uint32_t v) {
-    const std::uint32_t was = torus.indices[v];
-    return glm::vec2(static_cast<float>(was % (around + 1)) / around, static_cast<float>(was / (around + 1)) / sides);
-  });
+  const TestMesh torus = testing::cut_open_torus(around, sides), apart = flat(torus);
+  const auto uv = stream("TEXCOORD_0", floats2, apart,
+                         [&](std::uint32_t v) { return testing::texcoord_on_torus(torus.indices[v], around, sides); });
   const Simplified made = flat_simplified(apart, {uv});
   for (const std::size_t triangles : {1800, 720}) {
     const CutDraw left = made.at_triangles(triangles);
-    EXPECT_EQ(testing::edges(left_of(left)).size(), 1u) << "a hole";
-    const std::vector<glm::vec3> uvs = values(left, "TEXCOORD_0");
-    const auto indices = left.indices.view();
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
-      const glm::vec3 a = uvs[indices[i]], b = uvs[indices[i + 1]], c = uvs[indices[i + 2]];
-      for (int k = 0; k < 2; ++k) {
-        EXPECT_LT(std::max({a[k], b[k], c[k]}) - std::min({a[k], b[k], c[k]}), 0.7f) << "a corner from across a seam";
-      }
-    }
+    EXPECT_EQ(testing::edges(mesh_of(left)).size(), 1u) << "a hole";
+    EXPECT_LT(testing::widest_texcoords(left), 0.7f) << "a corner from across a seam";
   }
 }
 
 /// Colours of faces are no directions: where they differ nothing jumps.
 TEST_P(FlatShaded, FacesOfColoursOfTheirOwnStay) {
   const TestMesh apart = flat(testing::closed_torus(12, 8));
-  const auto colours = stream("COLOR_0", {Component::uint8, 4, true, 4}, apart, [](std::uint32_t v) {
+  const auto colours = stream("COLOR_0", testing::unit_bytes4, apart, [](std::uint32_t v) {
     return glm::vec4(static_cast<float>(v / 3) / 255, static_cast<float>(v / 3 % 7) / 7, 0, 1);
   });
   EXPECT_LT(flat_simplified(apart, {colours}).sequence.collapses.size(), 5u);
@@ -148,8 +110,9 @@ TEST_P(FlatShaded, FacesOfColoursOfTheirOwnStay) {
 /// Where joints move vertices, those of a point stay together.
 TEST_P(FlatShaded, PointsMoveAsOne) {
   const TestMesh apart = flat(testing::closed_torus(40, 20));
-  const auto joints = stream("JOINTS_0", bytes4, apart, [](std::uint32_t) { return glm::vec4(0, 1, 0, 0); });
-  const auto weights = stream("WEIGHTS_0", vec4, apart, [&](std::uint32_t v) {
+  const auto joints =
+      stream("JOINTS_0", {Component::uint8, 4, false, 4}, apart, [](std::uint32_t) { return glm::vec4(0, 1, 0, 0); });
+  const auto weights = stream("WEIGHTS_0", testing::floats4, apart, [&](std::uint32_t v) {
     const float one = 0.5f + 0.35f * apart.positions[v].x;
     return glm::vec4(one, 1 - one, 0, 0);
   });

@@ -2,22 +2,18 @@
 
 #include "support/simplified.h"
 
-#include <gtest/gtest.h>
-#include <glm/geometric.hpp>
-
-#include <cmath>
 #include <limits>
 
 namespace foredraw {
 namespace {
 
+using testing::floats2;
+using testing::floats3;
 using testing::Simplified;
 using testing::simplified;
 using testing::stream;
 using testing::TestMesh;
 using testing::values;
-
-constexpr Format vec2{Component::float32, 2, false, 8}, vec3{}, bytes4{Component::uint8, 4, true, 4};
 
 /// A flat sheet whose points do not lie in rows.
 TestMesh uneven_sheet() {
@@ -48,7 +44,7 @@ double worst_texcoord(const CutDraw& draw) {
 
 TEST(QuadricCollapseSolved, ATextureThatIsLinearOnAPlaneStaysSo) {
   const TestMesh sheet = uneven_sheet();
-  const auto uv = stream("TEXCOORD_0", vec2, sheet, [&](std::uint32_t v) {
+  const auto uv = stream("TEXCOORD_0", floats2, sheet, [&](std::uint32_t v) {
     return glm::vec2(0.25f + sheet.positions[v].x / 80, sheet.positions[v].y / 50);
   });
   for (const AttributeWeights& weights : {AttributeWeights{}, blind}) {
@@ -65,7 +61,7 @@ TEST(QuadricCollapseSolved, ATextureThatIsLinearOnAPlaneStaysSo) {
 /// Half a step of a byte is what it takes to store it.
 TEST(QuadricCollapseSolved, ARampOfColoursStaysOne) {
   const TestMesh sheet = uneven_sheet();
-  const auto ramp = stream("COLOR_0", bytes4, sheet, [&](std::uint32_t v) {
+  const auto ramp = stream("COLOR_0", testing::unit_bytes4, sheet, [&](std::uint32_t v) {
     const float x = sheet.positions[v].x / 40;
     return glm::vec4(x, 1 - x, 0, 1);
   });
@@ -82,62 +78,37 @@ TEST(QuadricCollapseSolved, ARampOfColoursStaysOne) {
   }
 }
 
-/// Root mean square angle to the true normals, at the middles of triangles of a unit sphere.
-double normal_error(const CutDraw& draw) {
-  const std::vector<glm::vec3> places = values(draw, "POSITION"), normals = values(draw, "NORMAL");
-  const auto indices = draw.indices.view();
-  double sum = 0;
-  for (std::size_t i = 0; i < indices.size(); i += 3) {
-    glm::dvec3 place(0), normal(0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      place += glm::dvec3(places[indices[i + k]]);
-      normal += glm::dvec3(normals[indices[i + k]]);
-    }
-    const double angle = std::acos(std::min(1.0, glm::dot(glm::normalize(place), glm::normalize(normal))));
-    sum += angle * angle;
-  }
-  return std::sqrt(sum / (static_cast<double>(indices.size()) / 3));
-}
-
 TEST(QuadricCollapseSolved, NormalsOfASphereImprove) {
   const TestMesh ball = testing::sphere(96, 64);
-  const auto normals = stream("NORMAL", vec3, ball, [&](std::uint32_t v) { return glm::normalize(ball.positions[v]); });
+  const auto normals =
+      stream("NORMAL", floats3, ball, [&](std::uint32_t v) { return glm::normalize(ball.positions[v]); });
+  const auto normal_at = [](glm::vec3 place) { return glm::normalize(place); };
   const Simplified solved = simplified(ball, {normals});
   const Simplified blended = simplified(ball, {normals}, {}, {.solves = false});
   for (const std::size_t triangles : {3000, 1200, 400}) {
     const CutDraw left = solved.at_triangles(triangles);
     for (const glm::vec3& normal : values(left, "NORMAL")) EXPECT_NEAR(glm::length(normal), 1, 1e-5);
-    EXPECT_LT(normal_error(left), 0.8 * normal_error(blended.at_triangles(triangles))) << triangles;
+    const double of_blended = testing::normal_error(blended.at_triangles(triangles), normal_at);
+    EXPECT_LT(testing::normal_error(left, normal_at), 0.8 * of_blended) << triangles;
   }
 }
 
 /// A torus that is cut open: along each cut points have vertices with texture coordinates of 0 and of 1.
 TEST(QuadricCollapseSolved, SeamsStayShutAndKeepTheirSides) {
   constexpr std::uint32_t around = 80, sides = 40;
-  TestMesh torus = testing::torus(around, sides);
-  for (std::uint32_t y = 0; y <= sides; ++y) {  // to the last bit
-    for (std::uint32_t x = 0; x <= around; ++x) {
-      torus.positions[y * (around + 1) + x] = torus.positions[y % sides * (around + 1) + x % around];
-    }
-  }
-  const auto uv = stream("TEXCOORD_0", vec2, torus, [&](std::uint32_t v) {
-    return glm::vec2(static_cast<float>(v % (around + 1)) / around, static_cast<float>(v / (around + 1)) / sides);
-  });
+  const TestMesh torus = testing::cut_open_torus(around, sides);
+  const auto uv = stream("TEXCOORD_0", floats2, torus,
+                         [](std::uint32_t v) { return testing::texcoord_on_torus(v, around, sides); });
   const Simplified made = simplified(torus, {uv});
   for (const std::size_t triangles : {3200, 1000, 400}) {
     const CutDraw left = made.at_triangles(triangles);
-    const std::vector<glm::vec3> places = values(left, "POSITION"), uvs = values(left, "TEXCOORD_0");
-    const auto indices = left.indices.view();
-    const TestMesh coarse{places, {indices.begin(), indices.end()}};
+    const TestMesh coarse = testing::mesh_of(left);
     EXPECT_EQ(testing::edges(coarse).size(), 1u) << "a hole";
     EXPECT_EQ(testing::edges(coarse).begin()->first, 2);
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
-      const glm::vec3 a = uvs[indices[i]], b = uvs[indices[i + 1]], c = uvs[indices[i + 2]];
-      for (int k = 0; k < 2; ++k) {
-        EXPECT_GE(std::min({a[k], b[k], c[k]}), 0);
-        EXPECT_LE(std::max({a[k], b[k], c[k]}), 1);
-        EXPECT_LT(std::max({a[k], b[k], c[k]}) - std::min({a[k], b[k], c[k]}), 0.7f) << "a corner from across a seam";
-      }
+    EXPECT_LT(testing::widest_texcoords(left), 0.7f) << "a corner from across a seam";
+    for (const glm::vec3& uv_of_one : values(left, "TEXCOORD_0")) {
+      EXPECT_GE(std::min(uv_of_one.x, uv_of_one.y), 0);
+      EXPECT_LE(std::max(uv_of_one.x, uv_of_one.y), 1);
     }
   }
 }
@@ -147,10 +118,10 @@ TEST(QuadricCollapseSolved, WhatIsNoNumberDoesNotSpread) {
   const TestMesh sheet = uneven_sheet();
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   const auto is_odd = [](std::uint32_t v) { return v % 97 == 0; };
-  const auto uv = stream("TEXCOORD_0", vec2, sheet, [&](std::uint32_t v) {
+  const auto uv = stream("TEXCOORD_0", floats2, sheet, [&](std::uint32_t v) {
     return is_odd(v) ? glm::vec2(nan, infinity) : glm::vec2(sheet.positions[v] / 40.0f);
   });
-  const auto normals = stream("NORMAL", vec3, sheet, [&](std::uint32_t v) {
+  const auto normals = stream("NORMAL", floats3, sheet, [&](std::uint32_t v) {
     return is_odd(v) ? glm::vec3(v % 2 == 0 ? nan : 0.0f) : glm::vec3(0, 0, 1);
   });
   const Simplified made = simplified(sheet, {uv, normals});
@@ -170,7 +141,8 @@ TEST(QuadricCollapseSolved, WhatIsNoNumberDoesNotSpread) {
 
 TEST(QuadricCollapseSolved, EndpointsAreExact) {
   const TestMesh ball = testing::sphere(32, 24);
-  const auto normals = stream("NORMAL", vec3, ball, [&](std::uint32_t v) { return glm::normalize(ball.positions[v]); });
+  const auto normals =
+      stream("NORMAL", floats3, ball, [&](std::uint32_t v) { return glm::normalize(ball.positions[v]); });
   const Simplified made = simplified(ball, {normals}, {}, {.placement = CollapsePlacement::endpoint});
   EXPECT_FALSE(made.sequence.solves);
   EXPECT_TRUE(leaves_vertices(made.sequence, made.mesh));
