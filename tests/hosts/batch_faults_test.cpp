@@ -1,8 +1,7 @@
 // What may go wrong around a folder of many files: full disks, clocks, files that change, names, links, sheer numbers.
 // One line for each, nothing lost, nothing torn.
 
-#include "support/meshes.h"
-#include "support/program.h"
+#include "support/on_corpus.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -24,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* quick = " -p 'tipsify, vertex-fetch' --with vertex-cache ";
 
-class BatchFaults : public testing::InFolder {
+class BatchFaults : public testing::OnCorpus {
  protected:
   BatchFaults() { fs::create_directories(folder_ / "in"); }
 
@@ -42,9 +41,6 @@ class BatchFaults : public testing::InFolder {
   }
   void put_strips(int count, int quads = 1) {
     for (int i = 0; i < count; ++i) put_strip("in/strip" + std::to_string(1000 + i) + ".obj", i, quads);
-  }
-  Ended run(const std::string& arguments, const std::string& before = {}) {
-    return testing::run_program(folder_, arguments, before);
   }
   std::map<std::string, std::string> contents(const std::string& folder) const {
     std::map<std::string, std::string> all;

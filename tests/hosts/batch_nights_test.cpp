@@ -1,7 +1,6 @@
 // A folder that is worked on night after night: what a changed pipeline does again, and what changed since last time.
 
-#include "support/meshes.h"
-#include "support/program.h"
+#include "support/on_corpus.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -17,19 +16,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
-class BatchNights : public testing::InFolder {
+class BatchNights : public testing::OnCorpus {
  protected:
   BatchNights() { fs::create_directories(folder_ / "in/props"); }
 
-  void copy(const std::string& model, const std::string& to) {
-    fs::copy_file(testing::project_file("benchmarks/corpus/" + model), folder_ / to);
-  }
-  void put_quad(const std::string& name, int number) {
-    const std::string z = std::to_string(number);
-    testing::put(folder_ / name,
-                 "v 0 0 " + z + "\nv 1 0 " + z + "\nv 1 1 " + z + "\nv 0 1 " + z + "\nf 1 2 3\nf 1 3 4\n");
-  }
-  Ended run(const std::string& arguments) { return testing::run_program(folder_, arguments); }
   Json report() { return Json::parse(content(folder_ / "r.json")); }
   /// Without what differs from run to run.
   static Json without_times(Json json) {

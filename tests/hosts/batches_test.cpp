@@ -1,8 +1,7 @@
 // Folders worked on again and again, by several processes, and with a cache: nothing is done twice, and nothing is
 // lost.
 
-#include "support/meshes.h"
-#include "support/program.h"
+#include "support/on_corpus.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -25,19 +24,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* quick = " -p 'tipsify, vertex-fetch' --with vertex-cache ";
 
-class Batches : public testing::InFolder {
+class Batches : public testing::OnCorpus {
  protected:
   Batches() { fs::create_directories(folder_ / "in/props"); }
 
-  void copy(const std::string& model, const std::string& to) {
-    fs::copy_file(testing::project_file("benchmarks/corpus/" + model), folder_ / to);
-  }
-  /// A quad of its own, as an OBJ.
-  void put_quad(const std::string& name, int number) {
-    const std::string z = std::to_string(number);
-    testing::put(folder_ / name,
-                 "v 0 0 " + z + "\nv 1 0 " + z + "\nv 1 1 " + z + "\nv 0 1 " + z + "\nf 1 2 3\nf 1 3 4\n");
-  }
   void put_quads(int count) {
     for (int i = 0; i < count; ++i) put_quad("in/props/quad" + std::to_string(i) + ".obj", i);
   }
@@ -45,9 +35,6 @@ class Batches : public testing::InFolder {
     copy("static/spot.glb", "in/spot.glb");
     copy("scenes/kaykit_city/bench.gltf", "in/props/bench.gltf");
     copy("scenes/kaykit_city/bench.bin", "in/props/bench.bin");
-  }
-  Ended run(const std::string& arguments, const std::string& before = {}) {
-    return testing::run_program(folder_, arguments, before);
   }
   std::string optimize(const std::string& rest = "", int code = 0) {
     const Ended ended = run("optimize in -o out --report r.json --cache cache" + std::string(quick) + rest);

@@ -1,7 +1,6 @@
 // A folder as input: every scene in it by itself, a line for each, and one bad file does not end the run.
 
-#include "support/meshes.h"
-#include "support/program.h"
+#include "support/on_corpus.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -20,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
 
-class Folder : public testing::InFolder {
+class Folder : public testing::OnCorpus {
  protected:
   Folder() {
     fs::create_directories(folder_ / "in/props");
@@ -29,11 +28,6 @@ class Folder : public testing::InFolder {
     copy("scenes/kaykit_city/bench.bin", "in/props/bench.bin");
     testing::put(folder_ / "in/notes.txt", "no scene");
   }
-
-  void copy(const std::string& model, const std::string& to) {
-    fs::copy_file(testing::project_file("benchmarks/corpus/" + model), folder_ / to);
-  }
-  Ended run(const std::string& arguments) { return testing::run_program(folder_, arguments); }
 };
 
 TEST_F(Folder, IsWorkedOnFileByFile) {

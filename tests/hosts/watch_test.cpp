@@ -2,12 +2,9 @@
 
 #include "support/fbx_builder.h"
 #include "support/image_builder.h"
-#include "support/meshes.h"
-#include "support/running_program.h"
+#include "watching.h"
 
 #include <gmock/gmock.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace foredraw {
 namespace {
@@ -15,53 +12,11 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using testing::content;
-using testing::Ended;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::Running;
 
-constexpr const char* quick = " -p 'tipsify, vertex-fetch' --with vertex-cache";
-
-class Watch : public testing::InFolder {
- protected:
-  Watch() { fs::create_directories(folder_ / "in/props"); }
-
-  void copy(const std::string& model, const std::string& to) {
-    fs::copy_file(testing::project_file("benchmarks/corpus/" + model), folder_ / to,
-                  fs::copy_options::overwrite_existing);
-  }
-  void put_bench() {
-    copy("scenes/kaykit_city/bench.gltf", "in/props/bench.gltf");
-    copy("scenes/kaykit_city/bench.bin", "in/props/bench.bin");
-  }
-  static std::string quad(int number) {
-    const std::string z = std::to_string(number);
-    return "v 0 0 " + z + "\nv 1 0 " + z + "\nv 1 1 " + z + "\nv 0 1 " + z + "\nf 1 2 3\nf 1 3 4\n";
-  }
-  void put_quad(const std::string& name, int number) { testing::put(folder_ / name, quad(number)); }
-
-  Running watching(const std::string& more = quick, const std::string& before = "") {
-    return Running(folder_, "watch in -o out " + more, before);
-  }
-  /// Nothing is left to be done; whatever was wrongly begun has had the time to be told.
-  static void rest() { std::this_thread::sleep_for(1s); }
-
-  std::string output(const std::string& name) const { return content(folder_ / "out" / name); }
-  /// The output as a run of its own makes it.
-  std::string clean(const std::string& output) {
-    const Ended ended = testing::run_program(folder_, "optimize in -o clean" + std::string(quick));
-    EXPECT_LE(ended.code, 2) << ended.err;
-    return content(folder_ / "clean" / output);
-  }
-  std::vector<std::string> all_files(const std::string& folder) const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_ / folder)) {
-      if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder_ / folder).string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-};
+class Watch : public testing::Watching {};
 
 TEST_F(Watch, WhatIsThereIsBroughtUpToDateAndCtrlCEnds) {
   put_bench();
@@ -231,34 +186,6 @@ TEST_F(Watch, OutputsInTheFolderDoNotCountAsChanges) {
   EXPECT_EQ(program.end(), 0);
 }
 
-TEST_F(Watch, AFileThatIsWrongIsToldAndLosesNothing) {
-  put_quad("in/a.obj", 1);
-  Running program = watching();
-  program.tells("1 file up to date");
-  const std::string before = output("a.glb");
-  testing::put(folder_ / "in/a.obj", "v 0 0 none\nf 1 2 3\n");
-  program.tells("a.obj: failed; its output stays as it was");
-  EXPECT_THAT(program.told(), HasSubstr("in/a.obj:1"));
-  EXPECT_TRUE(output("a.glb") == before);
-  put_quad("in/a.obj", 2);
-  program.tells("a.obj: written", 2);
-  EXPECT_EQ(program.end(), 0) << "whatever failed";
-}
-
-TEST_F(Watch, TwoScenesDoNotBecomeOneFile) {
-  put_quad("in/a.obj", 1);
-  Running program = watching();
-  program.tells("1 file up to date");
-  const std::string before = output("a.glb");
-  copy("static/spot.glb", "in/a.glb");
-  program.tells("the outputs of a.obj and a.glb would both have this name");
-  EXPECT_TRUE(output("a.glb") == before);
-  fs::remove(folder_ / "in/a.obj");
-  program.tells("a.obj: is gone");
-  copy("static/spot.glb", "in/a.glb");
-  program.tells("a.glb: written");
-}
-
 TEST_F(Watch, ThePipelineMayChangeMeanwhile) {
   put_quad("in/a.obj", 1);
   copy("static/spot.glb", "in/spot.glb");
@@ -293,90 +220,6 @@ TEST_F(Watch, ImagesThatAListNamesAreNoSprites) {
   program.tells("frames.json (atlas.png changed)");
   EXPECT_THAT(all_files("out"), ::testing::Contains("frames.json"));
   EXPECT_THAT(all_files("out"), Not(::testing::Contains("atlas.json")));
-}
-
-/// At many moments of its work: an output is whole or not there.
-TEST_F(Watch, CtrlCLeavesNothingHalfDone) {
-  copy("animated/kaykit_knight.glb", "in/knight.glb");
-  copy("static/spot.glb", "in/spot.glb");
-  for (int i = 0; i < 12; ++i) {
-    fs::remove_all(folder_ / "out");
-    Running program = watching("--with vertex-cache");
-    program.tells("watching in");
-    std::this_thread::sleep_for(i * 120ms);
-    const auto begin = std::chrono::steady_clock::now();
-    EXPECT_EQ(program.end(), 0) << program.told();
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
-    if (!fs::exists(folder_ / "out")) continue;
-    for (const std::string& name : all_files("out")) {
-      EXPECT_THAT(name, Not(HasSubstr("foredraw-part")));
-      EXPECT_EQ(testing::run_program(folder_, "measure out/" + name + " --with vertex-cache").code, 0) << name;
-    }
-  }
-}
-
-TEST_F(Watch, NamesThatAreNotUtf8ArePassedBy) {
-  Running program = watching();
-  program.tells("waiting for changes");
-  put_quad("in/\xFF.obj", 1);
-  if (!fs::exists(folder_ / "in/\xFF.obj")) GTEST_SKIP() << "this file system takes no such names";
-  put_quad("in/a.obj", 1);
-  program.tells("a.obj: written");
-  program.tells(".obj: is passed by: its name is not UTF-8");
-  EXPECT_EQ(program.count("failed"), 0);
-  EXPECT_THAT(all_files("out"), ::testing::ElementsAre("a.glb"));
-}
-
-TEST_F(Watch, AFolderThatGoesAwayEndsIt) {
-  put_quad("in/a.obj", 1);
-  Running program = watching();
-  program.tells("1 file up to date");
-  fs::rename(folder_ / "in", folder_ / "elsewhere");
-  EXPECT_EQ(program.ended(), 2);
-  EXPECT_THAT(program.told(), HasSubstr("in: error: was removed or renamed while it was watched"));
-}
-
-/// Spaces of users have limits of their own.
-TEST_F(Watch, LimitsOfTheSystemAreToldWithARemedy) {
-  const auto limited = [](const std::string& name, int most) {
-    return "unshare --user --map-root-user sh -c 'echo " + std::to_string(most) + " > /proc/sys/user/" + name +
-           " && exec \"$@\"' sh";
-  };
-  if (std::system(("(" + limited("max_inotify_watches", 3) + " true) 2>/dev/null").c_str()) != 0) {
-    GTEST_SKIP() << "this system gives no limits to a test";
-  }
-  put_quad("in/a.obj", 1);
-  {
-    Running program = watching(quick, limited("max_inotify_instances", 0));
-    EXPECT_EQ(program.ended(), 2);
-    EXPECT_THAT(program.told(), HasSubstr("fs.inotify.max_user_instances is "));
-    EXPECT_THAT(program.told(), HasSubstr("sudo sysctl fs.inotify.max_user_instances=524288"));
-  }
-  Running program = watching(quick, limited("max_inotify_watches", 3));
-  program.tells("1 file up to date");
-  fs::create_directories(folder_ / "in/b/c/d");
-  program.tells("fs.inotify.max_user_watches is ");
-  put_quad("in/a.obj", 2);
-  program.tells("a.obj: written", 2);
-  EXPECT_EQ(program.count("fs.inotify.max_user_watches is "), 1);
-}
-
-TEST_F(Watch, WhatCanNotBeWatchedIsRefused) {
-  put_quad("in/a.obj", 1);
-  const auto refused = [&](const std::string& arguments) {
-    const Ended ended = testing::run_program(folder_, "watch " + arguments);
-    EXPECT_EQ(ended.code, 1) << ended.out << ended.err;
-    return ended.err;
-  };
-  EXPECT_THAT(refused("in/a.obj -o out"), HasSubstr("is no folder"));
-  EXPECT_THAT(refused("nowhere -o out"), HasSubstr("there is no such folder"));
-  EXPECT_THAT(refused("in -o in/../in"), HasSubstr("is the input folder itself"));
-  EXPECT_THAT(refused("in -o in/a.obj"), HasSubstr("is not a folder"));
-  EXPECT_THAT(refused("in -o remap:a.json"), HasSubstr("the input is a folder"));
-  EXPECT_THAT(refused("in -o out -p 'tipsify('"), HasSubstr("error"));
-  EXPECT_THAT(refused("in -o out -p tipsfy"), HasSubstr("did you mean 'tipsify'?"));
-  EXPECT_THAT(refused("in -o out --settle 0"), HasSubstr("--settle"));
-  EXPECT_THAT(refused("in"), HasSubstr("--output"));
 }
 
 }  // namespace
