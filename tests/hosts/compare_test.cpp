@@ -169,10 +169,7 @@ TEST_P(CompareMistakes, AreToldInOneClearLineBeforeTheWork) {
   put(folder_ / "old.json", R"({"batch": 1, "files": []})");
   put(folder_ / "noise.json", "not JSON");
   put(folder_ / "empty.toml", "pipeline = 1\ncompare = {}\n");
-  const Ended ended = run("compare " + spot() + ' ' + GetParam().arguments);
-  EXPECT_EQ(ended.code, GetParam().code) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr(GetParam().says));
-  EXPECT_TRUE(ended.out.empty()) << ended.out;
+  expect_told(GetParam(), run("compare " + spot() + ' ' + GetParam().arguments));
 }
 
 INSTANTIATE_TEST_SUITE_P(
