@@ -71,7 +71,7 @@ TEST_F(Watch, AFileThatIsImportedIsAFileAsOthers) {
 }
 
 TEST_F(Watch, AFileThatIsSavedInManyStepsIsTakenOnce) {
-  Running program = watching(quick + std::string(" --settle 1"));  // however slow the machine is
+  Running program = watching(testing::quick_stages + std::string(" --settle 1"));  // however slow the machine is
   program.tells("waiting for changes");
   for (int i = 0; i < 6; ++i) {
     put_quad("in/a.obj", i);
@@ -120,7 +120,7 @@ TEST_F(Watch, WhatDependsOnAChangedFileIsMadeAnew) {
   for (const char* cache : {"", " --cache cache", " --cache cache"}) {  // none, an empty one, one that knows it all
     put_bench();
     fs::remove(folder_ / "in/quad.mtl");
-    Running program = watching(std::string(quick) + cache);
+    Running program = watching(std::string(testing::quick_stages) + cache);
     program.tells("2 files up to date");
     std::string bin = content(folder_ / "in/props/bench.bin");
     bin[bin.size() / 2] = static_cast<char>(bin[bin.size() / 2] ^ 1);
@@ -175,7 +175,7 @@ TEST_F(Watch, WhatIsGoneLeavesItsOutput) {
 TEST_F(Watch, OutputsInTheFolderDoNotCountAsChanges) {
   put_bench();
   copy("static/spot.glb", "in/spot.glb");
-  Running program(folder_, "watch in -o in/built --cache in/cache" + std::string(quick));
+  Running program(folder_, "watch in -o in/built --cache in/cache" + std::string(testing::quick_stages));
   program.tells("2 files up to date");
   testing::put(folder_ / "in/built/other.glb", "nobody asks for this one");
   copy("static/spot.glb", "in/new.glb");
