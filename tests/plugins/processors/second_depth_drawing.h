@@ -157,7 +157,7 @@ class SecondDepthDrawing {
     gpu::PipelineState state;
     state.layout = layout_.get();
     state.render_pass = render_pass_.get();
-    state.piece_vertex_shader = vertex_.get();
+    state.vertex_shader = vertex_.get();
     state.fragment_shader = fragments;
     state.inputs = inputs;
     state.culled = culled;
