@@ -7,7 +7,7 @@
 #include "solid_noise.h"
 #include "walk_scene.h"
 
-#include <foredraw/image/turn.h>
+#include <foredraw/scene/turn.h>
 
 #include <algorithm>
 #include <cmath>

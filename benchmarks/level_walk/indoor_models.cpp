@@ -4,7 +4,7 @@
 #include "shapes.h"
 
 #include <foredraw/base/random.h>
-#include <foredraw/image/turn.h>
+#include <foredraw/scene/turn.h>
 
 namespace foredraw::bench {
 

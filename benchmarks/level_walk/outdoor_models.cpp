@@ -4,7 +4,7 @@
 #include "solid_noise.h"
 
 #include <foredraw/base/random.h>
-#include <foredraw/image/turn.h>
+#include <foredraw/scene/turn.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "solid_noise.h"
 
-#include <foredraw/image/turn.h>
+#include <foredraw/scene/turn.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

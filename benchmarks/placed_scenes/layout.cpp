@@ -1,6 +1,6 @@
 #include "layout.h"
 
-#include <foredraw/image/turn.h>
+#include <foredraw/scene/turn.h>
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "pixel_rows.h"
 
 #include <foredraw/base/random.h>
-#include <foredraw/image/turn.h>
+#include <foredraw/scene/turn.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/base/random.h>
 #include <foredraw/frames/frame_moment.h>
-#include <foredraw/image/turn.h>
+#include <foredraw/scene/turn.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>

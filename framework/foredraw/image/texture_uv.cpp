@@ -1,6 +1,6 @@
 #include <foredraw/image/texture_uv.h>
 
-#include <foredraw/image/turn.h>
+#include <foredraw/scene/turn.h>
 
 namespace foredraw {
 
@@ -8,9 +8,7 @@ std::vector<glm::dvec2> texture_uv(const VertexStream& texcoords, const Texture&
   const Turn turn = turn_by(texture.rotation);
   std::vector<glm::dvec2> places;
   for (const glm::vec3& texcoord : decode_vec3(texcoords)) {
-    const glm::dvec2 scaled = texture.scale * glm::dvec2(texcoord);
-    places.push_back(texture.offset + glm::dvec2(turn.cosine * scaled.x + turn.sine * scaled.y,
-                                                 turn.cosine * scaled.y - turn.sine * scaled.x));
+    places.push_back(texture.offset + turned(texture.scale * glm::dvec2(texcoord), turn));
   }
   return places;
 }

@@ -2,7 +2,6 @@
 #include <foredraw/base/content_hash.h>
 #include <foredraw/scene/texture.h>
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -25,14 +24,6 @@ struct Displacement {
   friend bool operator==(const Displacement&, const Displacement&) = default;
 };
 
-/// What coordinates of the file that was read are of those that vertices hold now: offset + scale * uv.
-struct ScaledTexcoords {
-  std::uint32_t set = 0;  ///< TEXCOORD_n
-  glm::dvec2 offset{0};
-  glm::dvec2 scale{1};
-  friend bool operator==(const ScaledTexcoords&, const ScaledTexcoords&) = default;
-};
-
 /// What a material's textures need of vertices.
 struct VertexNeeds {
   std::uint32_t texcoords = 0;  ///< a bit for each set of texture coordinates that a texture is looked up by
@@ -53,21 +44,25 @@ struct Material {
   std::optional<Texture> normal_map;
   float normal_scale = 1;  ///< of the normal map's x and y
   std::optional<Displacement> displacement;
-  std::optional<float> thickness;  ///< KHR_materials_volume: of what lies below the surface, in the draw's units
-  std::optional<Stamp> look;       ///< of all that the file says but the name: equal ones look alike
-  std::optional<Stamp> kind;       ///< of the same without its numbers: equal ones differ in factors and textures alone
+  /// Of what light passes through below the surface, in the draw's units; none: it is a thin sheet.
+  std::optional<float> thickness = {};
+  std::optional<Stamp> look;  ///< of all that the file says but the name: equal ones look alike
+  std::optional<Stamp> kind;  ///< of the same without its numbers: equal ones differ in factors and textures alone
   /// Which sides are drawn has to stay: light passes through, the file animates the material, or a variant of the file
   /// puts one in its place that shows other sides. Found by the reader.
   bool keeps_sides = false;
+  /// The units and the texture coordinates of its draws have to stay: the file may put another material in its place or
+  /// it in another one's, animates it, or says something of it that we do not know, which may hold lengths or look up
+  /// textures. Found by the reader.
+  bool keeps_spaces = false;
   /// A stage made it of this one: the file says of it all that it says of that, but for what differs here.
   std::optional<MaterialId> copy_of = {};
   /// What its textures, and those of materials that variants put in its place, need; nothing: it may need anything, as
   /// an extension that we do not know. Found by the reader.
   std::optional<VertexNeeds> needs = {};
-  /// Units and texture coordinates of its draws have to stay: another material may stand in its place or it in that of
-  /// another one, the file animates it, or an extension that we do not know may hold lengths. Found by the reader.
-  bool keeps_spaces = false;
-  std::vector<ScaledTexcoords> scaled_texcoords = {};  ///< by set; its textures take them in
+  /// Of sets of texture coordinates that stages put into other units, by set: what leads back to the file's. The
+  /// textures above are of the coordinates as they are now.
+  std::vector<ScaledTexcoords> scaled_texcoords = {};
 };
 
 }  // namespace foredraw

@@ -28,6 +28,14 @@ struct Texture {
   friend bool operator==(const Texture&, const Texture&) = default;
 };
 
+/// What other coordinates of a set are of those that vertices hold: offset + scale * these.
+struct ScaledTexcoords {
+  std::uint32_t set = 0;  ///< the stream TEXCOORD_n
+  glm::dvec2 offset{0};
+  glm::dvec2 scale{1};
+  friend bool operator==(const ScaledTexcoords&, const ScaledTexcoords&) = default;
+};
+
 /// Rows from the top, channels interleaved, no padding. 8 or 16 bits unsigned a channel in the machine's byte order, as
 /// stored (fewer than 8 and palettes become 8); 32-bit float where the image holds floats, of 16 bits too.
 struct Texels {

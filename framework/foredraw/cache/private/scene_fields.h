@@ -123,6 +123,12 @@ void fields(A& archive, T& value) {
   archive(image, texcoord, wrap, is_nearest, scale, rotation, offset);
 }
 
+template <class A, Is<ScaledTexcoords> T>
+void fields(A& archive, T& value) {
+  auto& [set, offset, scale] = value;
+  archive(set, offset, scale);
+}
+
 template <class A, Is<Displacement> T>
 void fields(A& archive, T& value) {
   auto& [texture, factor, offset] = value;
@@ -135,18 +141,12 @@ void fields(A& archive, T& value) {
   archive(texcoords, has_tangents);
 }
 
-template <class A, Is<ScaledTexcoords> T>
-void fields(A& archive, T& value) {
-  auto& [set, offset, scale] = value;
-  archive(set, offset, scale);
-}
-
 template <class A, Is<Material> T>
 void fields(A& archive, T& value) {
   auto& [name, alpha_mode, alpha_cutoff, double_sided, alpha, colour, base_colour, normal_map, normal_scale,
-         displacement, thickness, look, kind, keeps_sides, copy_of, needs, keeps_spaces, scaled_texcoords] = value;
+         displacement, thickness, look, kind, keeps_sides, keeps_spaces, copy_of, needs, scaled_texcoords] = value;
   archive(name, alpha_mode, alpha_cutoff, double_sided, alpha, colour, base_colour, normal_map, normal_scale,
-          displacement, thickness, look, kind, keeps_sides, copy_of, needs, keeps_spaces, scaled_texcoords);
+          displacement, thickness, look, kind, keeps_sides, keeps_spaces, copy_of, needs, scaled_texcoords);
 }
 
 template <class A, Is<ImageFacts> T>

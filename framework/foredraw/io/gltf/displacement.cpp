@@ -23,7 +23,11 @@ void put_displacement(std::size_t material, const Material& now, const Material&
   }
   const Displacement& put = *now.displacement;
   Json members = JsonObject{{"displacementGeometryFactor", put.factor}, {"displacementGeometryOffset", put.offset}};
-  if (!was.displacement || put.texture != was.displacement->texture) {
+  const bool is_moved = was.displacement && differ_in_place_alone(put.texture, was.displacement->texture);
+  if (is_moved) {
+    put_place(put.texture, json["extensions"][displacement_extension]["displacementGeometryTexture"]);
+    listed(document["extensionsUsed"], texture_transform);
+  } else if (!was.displacement || put.texture != was.displacement->texture) {
     members["displacementGeometryTexture"] = texture_use(put.texture, document);
   }
   Json& extension = document["materials"][material]["extensions"][displacement_extension];

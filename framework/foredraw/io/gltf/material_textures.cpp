@@ -49,19 +49,39 @@ std::optional<Texture> texture_of(const Json& use, const Json& document) {
   const Json& texture = document["textures"][use["index"].get<std::size_t>()];
   Texture made;
   made.image = image_of(texture, document);
-  made.texcoord = texcoord_in(use, 0);
   if (const Json& number = object_in(texture, "sampler"); number.is_number()) {
     const Json& sampler = document["samplers"][number.get<std::size_t>()];
     made.wrap = {wrap_of(sampler, "wrapS"), wrap_of(sampler, "wrapT")};
     made.is_nearest = number_in(sampler, "magFilter", 9729) == 9728;
   }
-  if (const Json* transform = extension_of(use, "KHR_texture_transform"); transform && transform->is_object()) {
-    made.scale = pair_in(*transform, "scale", 1);
-    made.rotation = number_in(*transform, "rotation", 0);
-    made.offset = pair_in(*transform, "offset", 0);
-    made.texcoord = texcoord_in(*transform, made.texcoord);
-  }
+  add_place(made, use);
   return made;
+}
+
+void add_place(Texture& texture, const Json& use) {
+  texture.texcoord = texcoord_in(use, 0);
+  const Json* transform = extension_of(use, texture_transform);
+  if (transform == nullptr || !transform->is_object()) return;
+  texture.scale = pair_in(*transform, "scale", 1);
+  texture.rotation = number_in(*transform, "rotation", 0);
+  texture.offset = pair_in(*transform, "offset", 0);
+  texture.texcoord = texcoord_in(*transform, texture.texcoord);
+}
+
+bool differ_in_place_alone(const Texture& a, const Texture& b) {
+  Texture moved = a;
+  moved.scale = b.scale;
+  moved.rotation = b.rotation;
+  moved.offset = b.offset;
+  return a != b && moved == b;
+}
+
+void put_place(const Texture& texture, Json& use) {
+  Json& transform = use["extensions"][texture_transform];
+  if (!transform.is_object()) transform = Json::object();
+  transform["offset"] = {texture.offset.x, texture.offset.y};
+  if (texture.rotation != number_in(transform, "rotation", 0)) transform["rotation"] = texture.rotation;
+  transform["scale"] = {texture.scale.x, texture.scale.y};
 }
 
 Json texture_use(const Texture& texture, Json& document) {
@@ -73,10 +93,8 @@ Json texture_use(const Texture& texture, Json& document) {
       JsonObject{{"index", listed(document["textures"], JsonObject{{"sampler", number}, {"source", *texture.image}})}};
   if (texture.texcoord != 0) use["texCoord"] = texture.texcoord;
   if (texture.scale != glm::dvec2(1) || texture.rotation != 0 || texture.offset != glm::dvec2(0)) {
-    use["extensions"]["KHR_texture_transform"] = JsonObject{{"offset", {texture.offset.x, texture.offset.y}},
-                                                            {"rotation", texture.rotation},
-                                                            {"scale", {texture.scale.x, texture.scale.y}}};
-    listed(document["extensionsUsed"], "KHR_texture_transform");
+    put_place(texture, use);
+    listed(document["extensionsUsed"], texture_transform);
   }
   return use;
 }

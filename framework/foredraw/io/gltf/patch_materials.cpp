@@ -1,6 +1,7 @@
 // Materials put back: what a stage changed of them, and new ones.
 #include <foredraw/io/gltf/private/displacement.h>
 #include <foredraw/io/gltf/private/material_textures.h>
+#include <foredraw/io/gltf/private/texture_places.h>
 #include <foredraw/io/gltf/private/thickness.h>
 #include <foredraw/io/gltf/private/write.h>
 
@@ -34,11 +35,14 @@ Json textured_surface(Json& document, const Material& now, const Texture& textur
 
 void put_material(std::size_t number, const Material& now, const Material& was, Json& document) {
   put_members(document["materials"][number], now, was);
+  put_texture_places(now, was, document["materials"][number]);
   put_displacement(number, now, was, document);
   put_thickness(number, now, was, document);
-  if (!now.base_colour || !now.base_colour->image || was.base_colour) return;
-  const Json surface = textured_surface(document, now, *now.base_colour);
-  document["materials"][number]["pbrMetallicRoughness"].update(surface);
+  if (now.base_colour && now.base_colour->image && !was.base_colour) {
+    const Json surface = textured_surface(document, now, *now.base_colour);
+    document["materials"][number]["pbrMetallicRoughness"].update(surface);
+  }
+  list_texture_transform(now, document["materials"][number], document);
 }
 
 }  // namespace foredraw::gltf

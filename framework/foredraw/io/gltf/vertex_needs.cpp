@@ -1,7 +1,9 @@
 #include <foredraw/io/gltf/private/vertex_needs.h>
 
+#include <foredraw/io/gltf/private/each_extension.h>
 #include <foredraw/io/gltf/private/exchanged_materials.h>
 #include <foredraw/io/gltf/private/material_textures.h>
+#include <foredraw/io/gltf/private/texture_uses.h>
 
 #include <algorithm>
 
@@ -14,8 +16,9 @@ constexpr std::uint32_t most_sets = 32;  // as many as a VertexNeeds can tell ap
 /// What a use of a texture needs: its set, and the one that a transform puts in its place for viewers that know it.
 /// False where a set is beyond those that can be told.
 bool add_use(std::string_view name, const Json& use, VertexNeeds& needs) {
-  const Json* transform = extension_of(use, "KHR_texture_transform");
-  for (const double set : {number_in(use, "texCoord", 0), transform ? number_in(*transform, "texCoord", 0) : 0.0}) {
+  const Json* transform = extension_of(use, texture_transform);
+  const double outer = number_in(use, "texCoord", 0);
+  for (const double set : {outer, transform ? number_in(*transform, "texCoord", outer) : outer}) {
     if (!(set >= 0 && set < most_sets)) return false;
     needs.texcoords |= 1u << static_cast<std::uint32_t>(set);
   }
@@ -23,21 +26,17 @@ bool add_use(std::string_view name, const Json& use, VertexNeeds& needs) {
   return true;
 }
 
-/// Adds the needs of all textures in the value, wherever extensions hold them. False where one is not known.
-bool add_uses(const Json& value, const Document& document, VertexNeeds& needs) {
-  if (!value.is_object()) return true;
-  for (const auto& [name, part] : value.items()) {
-    if (name == "extras" || !part.is_object()) continue;
-    if (name == "extensions") {
-      for (const auto& [extension, held] : part.items()) {
-        if (!document.knows_extension(extension)) return false;
-        if (extension == "KHR_materials_anisotropy") needs.has_tangents = true;
-      }
-    }
-    if (part.contains("index") && !add_use(name, part, needs)) return false;
-    if (!add_uses(part, document, needs)) return false;
-  }
-  return true;
+/// Nothing where a need is not known.
+std::optional<VertexNeeds> needs_of(const Json& material, const Document& document) {
+  VertexNeeds needs;
+  bool are_known = true;
+  each_extension(material, [&](const std::string& name, const Json&) {
+    are_known = are_known && document.knows_extension(name);
+    if (name == "KHR_materials_anisotropy") needs.has_tangents = true;
+  });
+  each_texture_use(material,
+                   [&](std::string_view name, const Json& use) { are_known = add_use(name, use, needs) && are_known; });
+  return are_known ? std::optional(needs) : std::nullopt;
 }
 
 void take_on(std::optional<VertexNeeds>& needs, const std::optional<VertexNeeds>& others) {
@@ -54,8 +53,7 @@ void take_on(std::optional<VertexNeeds>& needs, const std::optional<VertexNeeds>
 void find_vertex_needs(Scene& scene, const Document& document) {
   std::vector<Material>& materials = scene.materials;
   for (std::size_t m = 0; m < materials.size(); ++m) {
-    VertexNeeds needs;
-    if (add_uses(document.json["materials"][m], document, needs)) materials[m].needs = needs;
+    materials[m].needs = needs_of(document.json["materials"][m], document);
   }
   const auto others = [&](std::size_t m, const std::vector<std::size_t>& numbers) {
     for (const std::size_t other : numbers) {

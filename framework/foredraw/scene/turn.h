@@ -1,4 +1,6 @@
 #pragma once
+#include <glm/vec2.hpp>
+
 #include <cmath>
 
 namespace foredraw {
@@ -23,6 +25,11 @@ inline Turn turn_by(double angle) {
     term *= x / (n + 1);
   }
   return turn;
+}
+
+/// Counter-clockwise, where y points down.
+inline glm::dvec2 turned(const glm::dvec2& point, const Turn& by) {
+  return {by.cosine * point.x + by.sine * point.y, by.cosine * point.y - by.sine * point.x};
 }
 
 }  // namespace foredraw
