@@ -1,5 +1,6 @@
 #include "attribute_error.h"
 
+#include <foredraw/scene/scaled_texcoords.h>
 #include <foredraw/technique/plugin.h>
 
 #include <string>
@@ -9,17 +10,20 @@ namespace foredraw {
 
 namespace {
 
-/// A level's surface and what its vertices carry, in its own space.
+/// A draw's surface and what its vertices carry, in its own space; texture coordinates as the file had them.
 struct DecodedSurface {
   std::shared_ptr<const Positions> positions;
   std::vector<glm::vec3> uvs, normals;
   Shared<std::uint32_t> indices;
 
-  DecodedSurface(Analyses& analyses, const Level& level)
-      : positions(positions_of(analyses, *level.vertices)),
-        uvs(decoded(*level.vertices, "TEXCOORD_0")),
-        normals(decoded(*level.vertices, "NORMAL")),
-        indices(level.stream().indices) {}
+  DecodedSurface(Analyses& analyses, const Scene& scene, const Draw& draw)
+      : positions(positions_of(analyses, *draw.full().vertices)),
+        uvs(decoded(*draw.full().vertices, "TEXCOORD_0")),
+        normals(decoded(*draw.full().vertices, "NORMAL")),
+        indices(draw.full().stream().indices) {
+    const ScaledTexcoords file = scaled_texcoords_of(scene.material_of(draw), 0);
+    for (glm::vec3& uv : uvs) uv = glm::vec3(file.offset + file.scale * glm::dvec2(uv), 0);
+  }
 
   AttributedSurface view() const { return {{positions->values, indices.view()}, uvs, normals}; }
 
@@ -39,8 +43,8 @@ class AttributeErrorEvaluator final : public DrawEvaluator {
     if (draw.id >= original.draws.size() || original.draws[draw.id].topology != Topology::triangles) {
       return run.note("no-original", "the scene that the run began with has no such draw to compare it with");
     }
-    const DecodedSurface now(run.analyses, draw.draw().full());
-    const DecodedSurface before(run.analyses, original.draws[draw.id].full());
+    const DecodedSurface now(run.analyses, draw.scene, draw.draw());
+    const DecodedSurface before(run.analyses, original, original.draws[draw.id]);
     // At nearest points of one surface on itself rounding alone is left, which is no error.
     const bool is_same = now.indices == before.indices &&
                          draw.draw().full().vertices->stamp() == original.draws[draw.id].full().vertices->stamp();

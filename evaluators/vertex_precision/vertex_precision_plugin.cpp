@@ -48,7 +48,10 @@ class VertexPrecision final : public Evaluator {
       pair("tangent", of.errors.most.tangent, of.bounds.tangent, 1);
       run.count_at(about, "handedness", static_cast<double>(of.errors.handedness));
     }
-    if (vertices.find("TEXCOORD_0") != nullptr) pair("uv", of.errors.most.uv() * texels, of.bounds.uv() * texels, 1);
+    if (vertices.find("TEXCOORD_0") != nullptr) {
+      const double unit = packed_uv_widths(scene, of.draw) * texels;
+      pair("uv", of.errors.most.uv() * unit, of.bounds.uv() * unit, 1);
+    }
     if (of.plain_bytes > 0) {
       run.measure_at(about, "size", static_cast<double>(of.packed_bytes), static_cast<double>(of.plain_bytes));
     }

@@ -1,6 +1,7 @@
 #include "evaluators/attribute_error/attribute_error.h"
 
 #include "support/meshes.h"
+#include "support/other_units.h"
 
 #include <foredraw/technique/plugin.h>
 
@@ -107,6 +108,19 @@ TEST(AttributeErrorPlugin, MeasuresAgainstTheSceneThatTheRunBeganWith) {
   EXPECT_NEAR(measured[0].numerator, 0.25, 1e-6);
   EXPECT_EQ(measured[5].metric, "from-original.normal-rms");
   EXPECT_NEAR(measured[5].numerator, 45, 1e-4);
+}
+
+TEST(AttributeErrorPlugin, MeasuresTextureCoordinatesInTheUnitsOfTheFile) {
+  Carrying moved = square(0, 1);
+  for (glm::vec3& uv : moved.uvs) uv.x += 0.25f;
+  const Scene original = scene_of(square());
+  const Scene changed =
+      testing::in_other_units(scene_of(moved), {.set = 0, .offset = {-3, 1}, .scale = glm::dvec2(0x1p-12)});
+  testing::RunFixture fixture;
+  fixture.run.original = &original;
+  const Technique technique = attribute_error_plugin().create({});
+  std::get<std::unique_ptr<DrawEvaluator>>(technique)->evaluate({changed, 0}, fixture.run);
+  EXPECT_NEAR(fixture.findings.measured.at(0).numerator, 0.25, 1e-6);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <foredraw/analysis/packed_precision.h>
 
+#include <foredraw/scene/scaled_texcoords.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -73,6 +75,11 @@ PackedBounds packed_bounds(const PackedLayout& layout, double skew) {
   constexpr double half_diagonal = 0.8660254037844388;  // sqrt(3) / 2, rounded up
   return {half_diagonal * static_cast<double>(layout.step), normal_bound(layout) * degrees,
           tangent_bound(layout, skew) * degrees, uv_bound(layout, 0), uv_bound(layout, 1)};
+}
+
+double packed_uv_widths(const Scene& scene, DrawId draw) {
+  const glm::dvec2 widths = texture_widths(scene.material_of(scene.draws[draw]), 0);
+  return std::max(widths.x, widths.y);
 }
 
 PackedErrors packed_errors(const VertexStreams& vertices, const PackedLayout& layout,

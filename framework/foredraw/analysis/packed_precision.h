@@ -3,13 +3,14 @@
 
 #include <foredraw/base/parallel.h>
 #include <foredraw/scene/packed_vertices.h>
+#include <foredraw/scene/scene.h>
 
 #include <span>
 
 namespace foredraw {
 
 /// Largest errors. Position as a distance, in the draw's units; normal and tangent as angles in degrees; u and v each
-/// by itself, 1 across the texture. What the layout does not have is 0.
+/// by itself, in units of TEXCOORD_0. What the layout does not have is 0.
 struct PackedBounds {
   double position = 0, normal = 0, tangent = 0, u = 0, v = 0;
 
@@ -32,6 +33,9 @@ struct PackedBounds {
 ///             angle. At right angles to each other, they are sqrt(a^2 + b^2) together at most.
 /// Where floats come near to a corner of a cell, they may take the cell beside it: that is in it too.
 PackedBounds packed_bounds(const PackedLayout& layout, double skew = 0);
+
+/// How many widths of the texture 1 of the draw's TEXCOORD_0 is at most, along u or v.
+double packed_uv_widths(const Scene& scene, DrawId draw);
 
 /// How far rows are from the streams that they stand for.
 struct PackedErrors {

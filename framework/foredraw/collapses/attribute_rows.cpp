@@ -62,6 +62,12 @@ class RowMaking {
   }
 
   void add(const std::string& semantic, std::size_t most, double scale) {
+    const std::size_t first = add_unscaled(semantic, most);
+    scale_columns(first, scale);
+  }
+
+  /// Answers with the first column.
+  std::size_t add_unscaled(const std::string& semantic, std::size_t most) {
     const std::size_t first = columns_.size();
     for (std::size_t c = 0; c < most; ++c) add_column();
     for (std::size_t s = 0; s < mesh_.streams.size(); ++s) {
@@ -70,9 +76,16 @@ class RowMaking {
       const std::size_t components = std::min<std::size_t>(most, stream->format.components);
       for (std::size_t v = 0; v < stream->count(); ++v) {
         for (std::size_t c = 0; c < components; ++c) {
-          columns_[first + c][mesh_.first_vertex[s] + v] = scaled(decode_component(*stream, v, c), scale);
+          columns_[first + c][mesh_.first_vertex[s] + v] = decode_component(*stream, v, c);
         }
       }
+    }
+    return first;
+  }
+
+  void scale_columns(std::size_t first, double scale) {
+    for (std::size_t c = first; c < columns_.size(); ++c) {
+      for (float& value : columns_[c]) value = scaled(value, scale);
     }
   }
 
@@ -80,8 +93,7 @@ class RowMaking {
   void add_texcoords() {
     if (!(weights_.texcoords > 0)) return;
     for (const std::string& semantic : semantics_of(mesh_, "TEXCOORD_")) {
-      const std::size_t first = columns_.size();
-      add(semantic, 2, 1);
+      const std::size_t first = add_unscaled(semantic, 2);
       double surface = 0, texture = 0;
       for (std::size_t i = 0; i + 2 < mesh_.indices.size(); i += 3) {
         const std::uint32_t a = mesh_.indices[i], b = mesh_.indices[i + 1], c = mesh_.indices[i + 2];
@@ -89,13 +101,11 @@ class RowMaking {
         const double area = twice_area(a, b, c);
         if (!std::isfinite(area)) continue;
         surface += area;
-        texture +=
+        const double covered =
             std::abs((double{u[b]} - u[a]) * (double{v[c]} - v[a]) - (double{u[c]} - u[a]) * (double{v[b]} - v[a]));
+        if (std::isfinite(covered)) texture += covered;
       }
-      const double scale = texture > 0 ? weights_.texcoords * std::sqrt(surface / texture) : 0;
-      for (std::size_t c = first; c < first + 2; ++c) {
-        for (float& value : columns_[c]) value = scaled(value, scale);
-      }
+      scale_columns(first, texture > 0 ? weights_.texcoords * std::sqrt(surface / texture) : 0);
     }
   }
 

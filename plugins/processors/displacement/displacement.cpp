@@ -3,6 +3,7 @@
 #include <foredraw/analysis/diagonal.h>
 #include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
+#include <foredraw/scene/scaled_texcoords.h>
 
 #include <map>
 
@@ -36,6 +37,15 @@ double diagonal_of(const Scene& scene, const std::vector<DrawId>& draws) {
   return foredraw::diagonal_of(all);
 }
 
+/// Looked up by another set of coordinates, with the same transform of those that the file had.
+Texture on_set(Texture texture, std::uint32_t set, const Material& material) {
+  if (texture.texcoord == set) return texture;
+  const ScaledTexcoords was = scaled_texcoords_of(&material, texture.texcoord);
+  texture = with_scaled_texcoords(texture, {was.set, -was.offset / was.scale, 1.0 / was.scale});
+  texture.texcoord = set;
+  return with_scaled_texcoords(texture, scaled_texcoords_of(&material, set));
+}
+
 }  // namespace
 
 DisplacementAnswer displace(Scene& scene, const std::vector<DrawId>& draws, const GivenDisplacement& given) {
@@ -57,11 +67,12 @@ DisplacementAnswer displace(Scene& scene, const std::vector<DrawId>& draws, cons
 
   for (const auto& [material, sharing] : by_material) {
     Material& own = scene.materials[own_material(scene, material, sharing)];
-    Displacement displacement = own.displacement.value_or(Displacement{{}, answer.factor.value_or(1)});
+    const Texture plain = with_scaled_texcoords(Texture{}, scaled_texcoords_of(&own, 0));
+    Displacement displacement = own.displacement.value_or(Displacement{plain, answer.factor.value_or(1)});
     if (given.map) displacement.texture.image = given.map;
     if (given.factor) displacement.factor = *given.factor;
     if (given.offset) displacement.offset = *given.offset;
-    if (given.texcoord) displacement.texture.texcoord = *given.texcoord;
+    if (given.texcoord) displacement.texture = on_set(displacement.texture, *given.texcoord, own);
     if (own.displacement == displacement) continue;
     own.displacement = displacement;
     change_look(own, stamp_of(displacement));  // alike are those that were, and are moved alike

@@ -1,6 +1,7 @@
 #include "energy_collapse.h"
 
 #include <foredraw/measuring/collapse_processor.h>
+#include <foredraw/scene/scaled_texcoords.h>
 
 #include <algorithm>
 
@@ -18,8 +19,28 @@ std::size_t components_of(const VertexStream& stream) {
   return is("NORMAL") || is("TEXCOORD_") || is("COLOR_") ? stream.format.components : 0;
 }
 
+/// Of the first draw with those vertices.
+const Material* material_of(const MeshInScene& of, std::size_t stream) {
+  for (std::size_t d = 0; d < of.draws.size(); ++d) {
+    if (of.mesh.stream_of[d] == stream) return of.scene.material_of(of.scene.draws[of.draws[d]]);
+  }
+  return nullptr;
+}
+
+/// By how much numbers of the first two components count: those of texture coordinates in widths of the texture.
+glm::dvec2 weight_of(const VertexStream& stream, const Material* material) {
+  constexpr std::string_view word = "TEXCOORD_";
+  if (!stream.semantic.starts_with(word)) return glm::dvec2(1);
+  const std::string number = stream.semantic.substr(word.size());
+  for (std::uint32_t set = 0; set < 32; ++set) {
+    if (std::to_string(set) == number) return texture_widths(material, set);
+  }
+  return glm::dvec2(1);
+}
+
 /// [vertex * width] of the joined mesh. Streams that have less are filled up with zeros.
-std::vector<float> scalars_of(const JoinedMesh& mesh, std::size_t& width) {
+std::vector<float> scalars_of(const MeshInScene& of, std::size_t& width) {
+  const JoinedMesh& mesh = of.mesh;
   width = 0;
   for (const auto& streams : mesh.streams) {
     std::size_t here = 0;
@@ -30,9 +51,11 @@ std::vector<float> scalars_of(const JoinedMesh& mesh, std::size_t& width) {
   for (std::size_t s = 0; s < mesh.streams.size(); ++s) {
     std::size_t column = 0;
     for (const VertexStream& stream : mesh.streams[s]->base) {
+      const glm::dvec2 weight = weight_of(stream, material_of(of, s));
       for (std::size_t k = 0; k < components_of(stream); ++k, ++column) {
+        const auto scale = static_cast<float>(k < 2 ? weight[static_cast<int>(k)] : 1);
         for (std::size_t v = 0; v < mesh.streams[s]->count; ++v) {
-          values[(mesh.first_vertex[s] + v) * width + column] = decode_component(stream, v, k);
+          values[(mesh.first_vertex[s] + v) * width + column] = decode_component(stream, v, k) * scale;
         }
       }
     }
@@ -50,7 +73,7 @@ class EnergyCollapse final : public Simplifier {
     options.seed = run.seed;
     options.cancel = run.cancel;
     std::size_t width = 0;
-    const std::vector<float> values = scalars_of(of.mesh, width);
+    const std::vector<float> values = scalars_of(of, width);
     return energy_collapse(of.mesh.positions, of.mesh.indices, {values, width}, options);
   }
 

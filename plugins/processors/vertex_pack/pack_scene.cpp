@@ -32,10 +32,12 @@ const VertexStream* stream_of(const VertexStreams& vertices, std::string_view se
 struct Content {
   bool normals = false, tangents = false, uvs = false;
   glm::dvec2 least_uv{std::numeric_limits<double>::infinity()}, most_uv{-std::numeric_limits<double>::infinity()};
+  double uv_widths = 1;  ///< of the texture, for 1 of uv
   std::optional<Relief> relief = {};
   std::string why_not;  ///< empty: it can be packed
 
-  glm::dvec2 uv_extent() const { return uvs ? most_uv - least_uv : glm::dvec2(0); }
+  /// In widths of the texture.
+  glm::dvec2 uv_extent() const { return uvs ? (most_uv - least_uv) * uv_widths : glm::dvec2(0); }
 };
 
 bool is_finite(const VertexStream& stream, std::size_t count, std::size_t components) {
@@ -74,6 +76,7 @@ std::vector<Content> contents_of(const Scene& scene, Analyses& analyses) {
   for (DrawId id = 0; id < scene.draws.size(); ++id) {
     for (const Level& level : scene.draws[id].levels) add_level(contents[id], *level.vertices);
     contents[id].relief = relief_of(scene, id, analyses);
+    contents[id].uv_widths = packed_uv_widths(scene, id);
     if (scene.draws[id].full().vertices->count == 0) contents[id].why_not = "it has no vertices";
   }
   return contents;
@@ -132,7 +135,7 @@ class Layouts {
       const auto scale = scales.find(id);
       const double units = scale == scales.end() ? 1 : scale->second;
       displacement = std::max(displacement.value_or(0), units * relief->displacement);
-      if (relief->slope) slope = std::max(slope.value_or(0), units * *relief->slope);
+      if (relief->slope) slope = std::max(slope.value_or(0), units * *relief->slope / contents_[id].uv_widths);
     }
     const auto chosen = [&](const std::optional<double>& option, const std::optional<double>& said, double usual) {
       return option || !said ? option.value_or(usual) * box.diagonal() : *said;
@@ -164,7 +167,7 @@ class Layouts {
     if (layout.field[FOREDRAW_PACKED_U].bits == 0) return {};
     if (!content.uvs) return set_uv_lattice(layout, glm::dvec2(0), glm::dvec2(1)), std::string();
     if (!set_uv_lattice(layout, content.least_uv, content.most_uv)) return "its texture coordinates are too large";
-    const double error = packed_bounds(layout).uv() * texels;
+    const double error = packed_bounds(layout).uv() * content.uv_widths * texels;
     if (error <= options_.most_uv_error) return {};
     std::ostringstream why;
     why << "its texture coordinates are too far apart: they would be off by up to " << std::setprecision(3) << error

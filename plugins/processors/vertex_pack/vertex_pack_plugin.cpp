@@ -42,7 +42,7 @@ class VertexPack final : public Processor {
     bool is_posed = false;
     for (packing::PackedDraw& draw : made.draws) {
       is_posed |= draw.packed.posed.has_value();
-      tell(draw, run);
+      tell(draw, packed_uv_widths(scene, draw.packed.draw), run);
       changed.push_back(draw.packed.draw);
       all.draws.push_back(std::move(draw.packed));
     }
@@ -55,7 +55,8 @@ class VertexPack final : public Processor {
   }
 
  private:
-  static void tell(const packing::PackedDraw& draw, const Run& run) {
+  /// `uv_widths`: of the texture, for 1 of uv.
+  static void tell(const packing::PackedDraw& draw, double uv_widths, const Run& run) {
     const About about{.draw = draw.packed.draw};
     constexpr double texels = 4096;
     const auto measure = [&](const char* metric, double bound, double whole, int field) {
@@ -64,7 +65,7 @@ class VertexPack final : public Processor {
     measure("position-bound", draw.bounds.position, draw.diagonal / 1e6, FOREDRAW_PACKED_X);
     measure("normal-bound", draw.bounds.normal, 1, FOREDRAW_PACKED_NORMAL_0);
     measure("tangent-bound", draw.bounds.tangent, 1, FOREDRAW_PACKED_TANGENT);
-    measure("uv-bound", draw.bounds.uv() * texels, 1, FOREDRAW_PACKED_U);
+    measure("uv-bound", draw.bounds.uv() * uv_widths * texels, 1, FOREDRAW_PACKED_U);
     if (draw.packed.posed) {
       const double bound = packed_bounds(*draw.packed.posed).position;
       run.measure_at(about, "posed-bound", bound, draw.posed_diagonal / 1e6);

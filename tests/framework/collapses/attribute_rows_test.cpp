@@ -180,5 +180,21 @@ TEST(AttributeRows, VerticesAreAlikeThatDifferInDirectionsAlone) {
   EXPECT_EQ(alike_vertices(rows, at), alike);
 }
 
+/// Whole numbers to 65535 in a mesh that is small beside them.
+TEST(AttributeRows, TexcoordsCountTheSameInAnyUnits) {
+  AttributeWeights weights = nothing;
+  weights.texcoords = 1;
+  const auto rows = [&](float scale, float offset, float size) {
+    std::vector<float> uvs{0, 0, 0.5f, 0, 0.5f, 0.25f, 0, 1};
+    for (float& uv : uvs) uv = uv * scale + offset;
+    return attribute_rows(square({floats("TEXCOORD_0", 2, uvs)}, {}, size), weights);
+  };
+  const AttributeRows plain = rows(1, 0, 0x1p-12f), whole = rows(0x1p16f, 4096, 0x1p-12f);
+  for (std::uint32_t v = 1; v < 4; ++v) {
+    EXPECT_GT(squared_difference(plain, 0, v), 0);
+    EXPECT_NEAR(squared_difference(plain, 0, v) / squared_difference(whole, 0, v), 1, 1e-5) << v;
+  }
+}
+
 }  // namespace
 }  // namespace foredraw

@@ -3,6 +3,8 @@
 #include "support/displaced.h"
 #include "support/staged.h"
 
+#include <foredraw/scene/scaled_texcoords.h>
+
 #include <gtest/gtest.h>
 #include <glm/common.hpp>
 
@@ -130,6 +132,35 @@ TEST(Displacement, OfACageWithAFoldIsTold) {
   EXPECT_NE(told(0.12f), "") << "into the fold";
   EXPECT_EQ(told(-0.12f), "") << "away from it";
   EXPECT_EQ(told(0.001f), "");
+}
+
+/// Which scene's texture coordinates are in other units by now.
+TEST(Displacement, OfAMapLiesWhereItWouldInTheFile) {
+  const ScaledTexcoords of_0{.set = 0, .offset = {-3, 1}, .scale = glm::dvec2(0x1p-8)};
+  const ScaledTexcoords of_1{.set = 1, .offset = {0.5, 0}, .scale = {0.25, 2}};
+  const auto placed = [&](Texture before, std::uint32_t set, bool has_any) {
+    Scene scene = two_draws();
+    for (const Scene& other = scene; Draw & draw : scene.draws) {
+      auto vertices = std::make_shared<VertexStreams>(*other.draws[0].full().vertices);
+      if (vertices->find("TEXCOORD_1") == nullptr) {
+        vertices->base.push_back(*vertices->find("TEXCOORD_0"));
+        vertices->base.back().semantic = "TEXCOORD_1";
+      }
+      draw.full().vertices = vertices;
+    }
+    if (has_any) scene.materials[0].displacement = Displacement{before, 1};
+    for (const ScaledTexcoords& change : {of_0, of_1})
+      scene.materials[0] = with_scaled_texcoords(scene.materials[0], change);
+    displace(scene, {0, 1}, {.map = 0, .factor = 0.5f, .offset = {}, .texcoord = set});
+    return scene.materials[0].displacement->texture;
+  };
+  const Texture turned{.image = 0, .scale = {2, 4}, .rotation = 0, .offset = {0.5, 0.25}};
+  EXPECT_EQ(placed({}, 0, false), with_scaled_texcoords({.image = 0}, of_0));
+  EXPECT_EQ(placed({}, 1, false), with_scaled_texcoords({.image = 0, .texcoord = 1}, of_1));
+  EXPECT_EQ(placed(turned, 0, true), with_scaled_texcoords(turned, of_0));
+  Texture on_1 = turned;
+  on_1.texcoord = 1;
+  EXPECT_EQ(placed(turned, 1, true), with_scaled_texcoords(on_1, of_1));
 }
 
 }  // namespace

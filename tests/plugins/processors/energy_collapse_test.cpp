@@ -1,8 +1,12 @@
 #include "plugins/processors/energy_collapse/energy_collapse.h"
 
 #include "support/collapses.h"
+#include "support/meshes.h"
+#include "support/other_units.h"
 
 #include <foredraw/analysis/closest_points.h>
+#include <foredraw/collapses/collapse_sequences.h>
+#include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
 
@@ -119,6 +123,38 @@ TEST(EnergyCollapse, StopsWhereItIsToldTo) {
   const TestMesh torus = testing::closed_torus(16, 8);
   const std::atomic<bool> cancel = true;
   EXPECT_TRUE(energy_collapse(torus.positions, torus.indices, {}, {.cancel = &cancel}).collapses.empty());
+}
+
+CollapseSequence sequence_of(const Scene& scene) {
+  testing::RunFixture fixture;
+  Scene changed = scene;
+  const Technique technique = energy_collapse_plugin().create({});
+  std::get<std::unique_ptr<Processor>>(technique)->process(changed, {0}, fixture.run);
+  return *changed.products.find<CollapseSequences>()->meshes.at(0).sequence;
+}
+
+/// A wave whose texture runs faster on one side.
+Scene textured_wave() {
+  TestMesh wave = testing::grid(12, 12);
+  std::vector<glm::vec2> uvs;
+  for (glm::vec3& p : wave.positions) {
+    uvs.emplace_back(0x1p-7f * std::floor(p.x * p.x), 0x1p-7f * p.y);
+    p.z = 0.1f * std::sin(p.x + p.y);
+  }
+  Draw draw = testing::draw_of(wave);
+  VertexStreams streams = *draw.full().vertices;
+  streams.base.push_back(float_stream("TEXCOORD_0", uvs));
+  draw.full().vertices = std::make_shared<const VertexStreams>(std::move(streams));
+  return testing::scene_of({std::move(draw)});
+}
+
+TEST(EnergyCollapse, TextureCoordinatesCountInWidthsOfTheTexture) {
+  const Scene plain = textured_wave();
+  EXPECT_EQ(sequence_of(testing::in_other_units(plain, {.set = 0, .scale = glm::dvec2(0x1p-12)})), sequence_of(plain));
+  Scene tiled = plain;
+  tiled.materials = {{.base_colour = Texture{.scale = glm::dvec2(100)}}};
+  tiled.draws[0].material = 0;
+  EXPECT_NE(sequence_of(tiled), sequence_of(plain)) << "a hundred times as much of the texture slides";
 }
 
 }  // namespace

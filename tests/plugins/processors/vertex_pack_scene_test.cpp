@@ -1,6 +1,7 @@
 // Whole scenes packed: lattices that parts share, boxes over poses, what can not be packed, and what moves on.
 #include "plugins/processors/vertex_pack/packed_boxes.h"
 
+#include "support/other_units.h"
 #include "support/packed_scenes.h"
 
 #include <foredraw/analysis/packed_precision.h>
@@ -244,6 +245,20 @@ TEST(VertexPackScene, TextureCoordinatesOutsideOf0To1AreHeldWhereBitsSuffice) {
   const foredraw_packed_vertex vertex = testing::unpacked_vertex(packed_of(after).draws[1], 3);
   EXPECT_NEAR(vertex.uv[0], -1.25f, 3e-5f);
   EXPECT_NEAR(vertex.uv[1], 2.5f, 3e-5f);
+}
+
+TEST(VertexPackScene, TextureCoordinatesInOtherUnitsAreHeldAsWell) {
+  const Scene plain = framed_scene();
+  const Scene whole = testing::in_other_units(plain, {.set = 0, .scale = glm::dvec2(0x1p-12)});
+  EXPECT_EQ(packed_uv_widths(plain, 1), 1);
+  EXPECT_EQ(packed_uv_widths(whole, 1), 0x1p-12);
+  const auto bound = [](const Scene& scene) {
+    const Result result = testing::run("vertex-pack", scene);
+    EXPECT_EQ(packed_of(result.scene).draws.size(), 2u) << notes_of(result);
+    return result.report.draws[1].after.metrics.find("vertex-pack", "uv-bound")->value();
+  };
+  EXPECT_GT(bound(plain), 0);
+  EXPECT_NEAR(bound(whole) / bound(plain), 1, 1e-6);
 }
 
 TEST(VertexPackScene, NormalsOfNoLengthArePackedAndTold) {

@@ -1,5 +1,7 @@
 #include <foredraw/io/mesh/private/shown_meshes.h>
 
+#include <foredraw/scene/scaled_texcoords.h>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/mat3x3.hpp>
@@ -35,7 +37,10 @@ ShownMesh mesh_of(const Scene& scene, const Draw& draw, const glm::mat4& world) 
                  .texcoords = values<2>(*level.vertices, "TEXCOORD_0"),
                  .colors = values<4>(*level.vertices, "COLOR_0", 1),
                  .indices = {indices.begin(), indices.end()}};
-  if (const Material* material = scene.material_of(draw)) mesh.material = material->name;
+  const Material* material = scene.material_of(draw);
+  if (material != nullptr) mesh.material = material->name;
+  const ScaledTexcoords plain = scaled_texcoords_of(material, 0);  // these files have no words for other units
+  for (glm::vec2& uv : mesh.texcoords) uv = glm::vec2(plain.offset + plain.scale * glm::dvec2(uv));
   const glm::mat3 turn(world), of_normals = glm::inverseTranspose(turn);
   for (glm::vec3& position : mesh.positions) position = glm::vec3(world * glm::vec4(position, 1));
   for (glm::vec3& normal : mesh.normals) {

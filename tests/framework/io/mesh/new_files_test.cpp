@@ -8,6 +8,7 @@
 
 #include "support/mesh_reading.h"
 #include "support/meshes.h"
+#include "support/other_units.h"
 
 #include <cmath>
 #include <cstring>
@@ -67,6 +68,11 @@ TEST_P(NewMeshFile, ReadsAsWhatWasShown) {
   // The mirrored one is wound the other way round, so that it shows the same side.
   EXPECT_EQ(corners,
             (std::vector<glm::vec3>{{10, 0, 0}, {11, 0, 0}, {10, 1, 0.1f}, {0, 0, 5}, {0, 1, 5 + 0.1f}, {-2, 0, 5}}));
+}
+
+TEST_P(NewMeshFile, HasTextureCoordinatesInTheUnitsOfTheScenesFile) {
+  const ScaledTexcoords change{.set = 0, .offset = {-3, 1}, .scale = glm::dvec2(0x1p-8)};
+  EXPECT_EQ(text_of(testing::in_other_units(scene(), change), GetParam()), text_of(scene(), GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NewMeshFile,
