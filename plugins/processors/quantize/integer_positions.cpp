@@ -19,7 +19,6 @@ namespace foredraw {
 
 namespace {
 
-constexpr int step_bits = 6;
 constexpr double most_steps = 65535, most_of_target = 32767;
 /// Floats hold multiples of a step of six bits up to here, and of a power of two up to there.
 constexpr double exact_multiples = 1 << (24 - step_bits), exact_powers = 1 << 23;
@@ -183,12 +182,12 @@ class Finding {
   void choose_steps() {
     for (const auto& [root, unit] : units_) {
       if (unit.is_untouched) continue;
-      lattice_of(unit).has_floats |= unit.why || !fits(unit.extent, grid_step(tolerance_of(unit)), exact_multiples);
+      lattice_of(unit).has_floats |= unit.why || !fits(unit.extent, grid_step(tolerance_of(unit), 3), exact_multiples);
     }
     for (auto& [root, unit] : units_) {
       if (unit.why) continue;
       Lattice& lattice = lattice_of(unit);
-      const double step = lattice.has_floats ? power_step(tolerance_of(unit)) : grid_step(tolerance_of(unit));
+      const double step = lattice.has_floats ? power_step(tolerance_of(unit)) : grid_step(tolerance_of(unit), 3);
       if (fits(unit.extent, step, exact_powers)) {
         lattice.step = step;
       } else {
@@ -256,12 +255,6 @@ glm::vec3 PositionGrid::offset() const {
   return {static_cast<float>(step * static_cast<double>(first[0])),
           static_cast<float>(step * static_cast<double>(first[1])),
           static_cast<float>(step * static_cast<double>(first[2]))};
-}
-
-double grid_step(double distance) {
-  const double most = 2 * distance / std::sqrt(3.0);
-  const double unit = std::ldexp(1.0, std::ilogb(most) + 1 - step_bits);
-  return std::floor(most / unit) * unit;
 }
 
 IntegerPositions integer_positions(const Scene& scene, const std::vector<DrawId>& draws,

@@ -21,11 +21,6 @@ struct PositionGrid {
   glm::vec3 offset() const;
 };
 
-/// The greatest step such that no point of space is farther than `distance` (above 0) from the nearest point of its
-/// grid, but for its lower bits: it has six. So floats add whole multiples of it without an error, and equal ones of
-/// two draws stay equal.
-double grid_step(double distance);
-
 struct IntegerPositions {
   std::vector<std::optional<PositionGrid>> grids;  ///< [draw] none: its positions stay floats
   /// [draw] what floats may be off, where some draw of their lattice has a grid: less than before, so that both have

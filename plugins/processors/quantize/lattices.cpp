@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <span>
@@ -28,6 +29,12 @@ double side_of(std::span<const glm::vec3> positions) {
 }
 
 }  // namespace
+
+double grid_step(double distance, int dimensions) {
+  const double most = 2 * distance / std::sqrt(static_cast<double>(dimensions));
+  const double unit = std::ldexp(1.0, std::ilogb(most) + 1 - step_bits);
+  return std::floor(most / unit) * unit;
+}
 
 void join_placed_together(const Scene& scene, JoinedSets& sets) {
   for (const Mesh& mesh : scene.meshes) {

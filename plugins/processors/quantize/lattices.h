@@ -11,6 +11,12 @@
 
 namespace foredraw {
 
+/// The greatest step such that no point of a space of so many dimensions is farther than `distance` (above 0) from the
+/// nearest whole multiple, but for its lower bits: it has step_bits. So floats add whole multiples of it without an
+/// error, and equal ones of two draws stay equal.
+double grid_step(double distance, int dimensions);
+inline constexpr int step_bits = 6;
+
 struct Lattices {
   JoinedSets sets;                 ///< of draws
   std::vector<double> tolerances;  ///< [draw] how far a position may be off, alike within a set; 0: positions stay

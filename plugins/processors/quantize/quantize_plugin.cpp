@@ -1,4 +1,5 @@
 #include "integer_positions.h"
+#include "integer_texcoords.h"
 #include "quantize.h"
 #include "rounded_animations.h"
 #include "scale_back.h"
@@ -55,7 +56,9 @@ class QuantizeVertices final : public Processor {
     bool any = round_animations(scene, draws, run);
     const std::vector<Meeting> meetings = meetings_of(scene, draws, run.analyses);
     const IntegerPositions integers = placed_positions(scene, draws, groups, meetings, run);
-    const std::vector<Quantized> made = rounded_groups(groups, integers, run);
+    const double uv = options_.uv_bits > 0 ? half_cell(options_.uv_bits, 2) : options_.uv_error / texels;
+    const IntegerTexcoords texcoords = find_integer_texcoords(scene, groups, options_.integers ? uv : 0);
+    const std::vector<Quantized> made = rounded_groups(groups, integers, texcoords, uv, run);
     std::vector<DrawId> changed;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       any |= made[i].vertices->stamp() != groups[i].vertices->stamp();
@@ -69,6 +72,7 @@ class QuantizeVertices final : public Processor {
       if (integers.grids[id]) put(*integers.grids[id], scene.draws[id].space);
     }
     const std::vector<NodeId> drawn_by = scale_back(scene, integers.grids);
+    scale_textures(scene.materials, texcoords);
     if (!any) run.keep("every attribute is as coarse as the errors allow");
     if (!meetings.empty()) run.measure_at({}, "gap", largest_gap(scene, meetings, drawn_by, run.analyses), 1);
     std::ranges::sort(changed);
@@ -107,24 +111,23 @@ class QuantizeVertices final : public Processor {
   }
 
   std::vector<Quantized> rounded_groups(const std::vector<VertexGroup>& groups, const IntegerPositions& integers,
-                                        const Run& run) const {
-    Tolerances tolerances{.direction = options_.direction_bits > 1 ? between_directions(options_.direction_bits)
-                                                                   : options_.direction_error,
-                          .uv = options_.uv_bits > 0 ? half_cell(options_.uv_bits, 2) : options_.uv_error / texels,
-                          .color = options_.color_error,
-                          .weight = options_.weight_error};
+                                        const IntegerTexcoords& texcoords, double uv, const Run& run) const {
+    const Tolerances tolerances{.direction = options_.direction_bits > 1 ? between_directions(options_.direction_bits)
+                                                                         : options_.direction_error,
+                                .uv = uv,
+                                .color = options_.color_error,
+                                .weight = options_.weight_error};
     std::vector<Quantized> made(groups.size());
     run.executor.for_each(groups.size(), [&](std::size_t i) {
       const DrawId draw = groups[i].users.front().draw;
       Tolerances own = tolerances;
       own.position = integers.tolerances[draw];
-      if (!integers.grids[draw]) {
-        made[i] = quantize(*groups[i].vertices, own, run.cancel);
-        return;
-      }
-      const OnGrid placed = on_grid(*groups[i].vertices, *integers.grids[draw]);
-      made[i] = quantize(*placed.vertices, own, run.cancel);
-      made[i].largest.position = placed.error;
+      // What is whole numbers already stays in quantize().
+      const auto uvs = with_integer_texcoords(*groups[i].vertices, texcoords.of_groups[i]);
+      const auto all = integers.grids[draw] ? on_grid(*uvs.vertices, *integers.grids[draw]) : OnGrid{uvs.vertices};
+      made[i] = quantize(*all.vertices, own, run.cancel);
+      made[i].largest.position = std::max(made[i].largest.position, all.error);
+      made[i].largest.uv = std::max(made[i].largest.uv, uvs.largest);
     });
     return made;
   }
@@ -247,7 +250,9 @@ Plugin quantize_plugin() {
       .row(&QuantizeOptions::uv_bits, "uv-bits",
            "In place of uv-error: the error of a grid of so many bits over the texture; 0: by error", {0, 24, "bits"})
       .row(&QuantizeOptions::integers, "integers",
-           "Whether positions become integers, which nodes, instances and skins scale back; else they stay floats");
+           "Whether positions and texture coordinates become integers, which nodes, skins and materials scale back; "
+           "false: "
+           "they stay floats");
   bind_options(plugin, table,
                [](const QuantizeOptions& options) { return std::make_unique<QuantizeVertices>(options); });
   return plugin;
