@@ -1,5 +1,7 @@
 #include "integer_texcoords.h"
 
+#include "lattices.h"
+
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/scene/scaled_texcoords.h>
 
@@ -25,14 +27,14 @@ std::span<const glm::vec2> coordinates_of(const VertexStream& stream) {
   return {reinterpret_cast<const glm::vec2*>(stream.bytes.view().data()), stream.count()};
 }
 
-struct Box {
+struct UvBox {
   glm::dvec2 least{std::numeric_limits<double>::infinity()};
   glm::dvec2 most{-std::numeric_limits<double>::infinity()};
 };
 
 /// Nothing where one is not finite.
-std::optional<Box> box_of(std::span<const glm::vec2> coordinates) {
-  Box box;
+std::optional<UvBox> box_of(std::span<const glm::vec2> coordinates) {
+  UvBox box;
   for (const glm::vec2& uv : coordinates) {
     if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return std::nullopt;
     box.least = glm::min(box.least, glm::dvec2(uv));
@@ -52,18 +54,11 @@ const VertexStream* fit_stream(const VertexStreams& vertices, const std::string&
   return is_fit ? stream : nullptr;
 }
 
-/// The greatest number m * 2^e, 32 <= m < 64, of which half the diagonal of its square is within the tolerance.
-double step_within(double tolerance) {
-  const double widest = tolerance * std::sqrt(2.0);
-  const double unit = std::ldexp(1.0, std::ilogb(widest) - 5);
-  return std::floor(widest / unit) * unit;
-}
-
-std::optional<TexcoordGrid> grid_of(std::uint32_t set, const Box& box, double step) {
+std::optional<TexcoordGrid> grid_of(std::uint32_t set, const UvBox& box, double step) {
   const glm::dvec2 first = glm::round(box.least / step), last = glm::round(box.most / step);
   const double farthest = std::max({std::abs(first.x), std::abs(first.y), std::abs(last.x), std::abs(last.y)});
   const double steps = std::max(last.x - first.x, last.y - first.y);
-  constexpr double most_of_step = 64;  // 6 bits
+  constexpr double most_of_step = 1 << step_bits;
   if (!(steps <= most_wide) || !(farthest * most_of_step <= most_exact)) return std::nullopt;
   return TexcoordGrid{set, step, first, steps > most_narrow};
 }
@@ -85,7 +80,7 @@ class Joining {
   }
 
   void put(IntegerTexcoords& planned, double step) {
-    std::vector<Box> boxes(stays_.size());
+    std::vector<UvBox> boxes(stays_.size());
     std::vector<bool> stay(stays_.size());
     for (std::uint32_t one = 0; one < stays_.size(); ++one) {
       const std::uint32_t whole = joined_.of(one);
@@ -141,8 +136,8 @@ class Joining {
   std::span<const VertexGroup> groups_;
   std::uint32_t set_;
   JoinedSets joined_;
-  std::vector<bool> stays_;                ///< [group, then material]
-  std::vector<std::optional<Box>> boxes_;  ///< [group] of coordinates that can be whole numbers
+  std::vector<bool> stays_;                  ///< [group, then material]
+  std::vector<std::optional<UvBox>> boxes_;  ///< [group] of coordinates that can be whole numbers
   std::map<const VertexStreams*, std::uint32_t> number_of_;
 };
 
@@ -177,7 +172,7 @@ IntegerTexcoords find_integer_texcoords(const Scene& scene, std::span<const Vert
   std::uint32_t looked_up = 0;
   for (const Material& material : scene.materials) looked_up |= material.needs ? material.needs->texcoords : 0;
   for (std::uint32_t set = 0; set < most_sets; ++set) {
-    if (looked_up >> set & 1u) Joining(scene, groups, set).put(planned, step_within(tolerance));
+    if (looked_up >> set & 1u) Joining(scene, groups, set).put(planned, grid_step(tolerance, 2));
   }
   return planned;
 }
