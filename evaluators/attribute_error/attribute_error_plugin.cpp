@@ -10,22 +10,22 @@ namespace foredraw {
 
 namespace {
 
-/// A draw's surface and what its vertices carry, in its own space; texture coordinates as the file had them.
+/// A draw's surface and what its vertices carry, positions and texture coordinates in the units of the file.
 struct DecodedSurface {
-  std::shared_ptr<const Positions> positions;
-  std::vector<glm::vec3> uvs, normals;
+  std::vector<glm::vec3> positions, uvs, normals;
   Shared<std::uint32_t> indices;
 
-  DecodedSurface(Analyses& analyses, const Scene& scene, const Draw& draw)
-      : positions(positions_of(analyses, *draw.full().vertices)),
+  DecodedSurface(const Scene& scene, const Draw& draw)
+      : positions(decoded(*draw.full().vertices, "POSITION")),
         uvs(decoded(*draw.full().vertices, "TEXCOORD_0")),
         normals(decoded(*draw.full().vertices, "NORMAL")),
         indices(draw.full().stream().indices) {
+    for (glm::vec3& position : positions) position = position_in({}, draw.space, position);
     const ScaledTexcoords file = scaled_texcoords_of(scene.material_of(draw), 0);
     for (glm::vec3& uv : uvs) uv = glm::vec3(file.offset + file.scale * glm::dvec2(uv), 0);
   }
 
-  AttributedSurface view() const { return {{positions->values, indices.view()}, uvs, normals}; }
+  AttributedSurface view() const { return {{positions, indices.view()}, uvs, normals}; }
 
  private:
   static std::vector<glm::vec3> decoded(const VertexStreams& vertices, std::string_view semantic) {
@@ -43,8 +43,8 @@ class AttributeErrorEvaluator final : public DrawEvaluator {
     if (draw.id >= original.draws.size() || original.draws[draw.id].topology != Topology::triangles) {
       return run.note("no-original", "the scene that the run began with has no such draw to compare it with");
     }
-    const DecodedSurface now(run.analyses, draw.scene, draw.draw());
-    const DecodedSurface before(run.analyses, original, original.draws[draw.id]);
+    const DecodedSurface now(draw.scene, draw.draw());
+    const DecodedSurface before(original, original.draws[draw.id]);
     // At nearest points of one surface on itself rounding alone is left, which is no error.
     const bool is_same = now.indices == before.indices &&
                          draw.draw().full().vertices->stamp() == original.draws[draw.id].full().vertices->stamp();

@@ -111,6 +111,19 @@ TEST(SurfaceError, IsTheSameAtAnyThreadCount) {
   EXPECT_EQ(one->largest(), many->largest());
 }
 
+TEST(SurfaceErrorPlugin, ADrawInOtherUnitsIsMeasuredInThoseOfItsFile) {
+  const Scene original = testing::scene_of(testing::sphere(16, 12, 1, {3, 0, 0}));
+  Scene changed = original;
+  auto positions = decode_vec3(*original.draws[0].full().vertices->find("POSITION"));
+  for (glm::vec3& p : positions) p = (p - glm::vec3(2, -1, -1)) * 4096.0f;
+  changed.draws[0].full().vertices = testing::vertex_streams(positions);
+  const auto largest = [&] { return find(evaluate(changed, &original), "largest")->numerator; };
+  EXPECT_GT(largest(), 1000);
+  changed.draws[0].space = {{2, -1, -1}, 1 / 4096.0};
+  EXPECT_GE(largest(), 0);
+  EXPECT_LT(largest(), 1e-6);
+}
+
 /// The draw's units over a hundredth of the diagonal, which is that of the original.
 TEST(SurfaceErrorPlugin, MeasuresAgainstTheSceneThatTheRunBeganWith) {
   const Scene original = testing::scene_of(square(5)), changed = testing::scene_of(square(2, 0.5f));
