@@ -4,8 +4,8 @@
 #include "rounded_animations.h"
 #include "scale_back.h"
 #include "touching_draws.h"
+#include "world_lengths.h"
 
-#include <foredraw/analysis/diagonal.h>
 #include <foredraw/scene/vertex_groups.h>
 #include <foredraw/technique/plugin.h>
 
@@ -71,8 +71,8 @@ class QuantizeVertices final : public Processor {
     for (const DrawId id : draws) {
       if (integers.grids[id]) put(*integers.grids[id], scene.draws[id].space);
     }
+    scale_textures(scene.materials, texcoords);  // before others copy materials
     const std::vector<NodeId> drawn_by = scale_back(scene, integers.grids);
-    scale_textures(scene.materials, texcoords);
     if (!any) run.keep("every attribute is as coarse as the errors allow");
     if (!meetings.empty()) run.measure_at({}, "gap", largest_gap(scene, meetings, drawn_by, run.analyses), 1);
     std::ranges::sort(changed);
@@ -147,13 +147,12 @@ class QuantizeVertices final : public Processor {
 
   /// False where no key changed.
   bool round_animations(Scene& scene, const std::vector<DrawId>& draws, Run& run) const {
-    double size = 0;
-    for (const DrawId id : draws) {
-      size = std::max(size, diagonal_of(positions_of(run.analyses, *scene.draws[id].full().vertices)->values));
-    }
+    const double size = longest_diagonal(scene, draws, run.analyses);
     const KeyTolerances tolerances{options_.translation_error * size, options_.rotation_error, options_.scale_error};
+    const std::vector<double> units = longest_units(scene);
     std::vector<RoundedAnimation> made(scene.animations.size());
-    run.executor.for_each(made.size(), [&](std::size_t i) { made[i] = rounded(scene.animations[i], tolerances); });
+    run.executor.for_each(made.size(),
+                          [&](std::size_t i) { made[i] = rounded(scene.animations[i], tolerances, units); });
     KeyErrors largest;
     std::size_t before = 0, after = 0;
     bool any = false;
@@ -212,8 +211,8 @@ Plugin quantize_plugin() {
                   {"uv-error", "texels of 4096", "Largest distance of a rounded texture coordinate", true, true},
                   {"color-error", "", "Largest error of a component of a colour, of 1", true, true},
                   {"weight-error", "", "Largest error of a skin weight, of 1", true, true},
-                  {"translation-error", "units", "Largest distance of an animated translation from its key", true,
-                   true},
+                  {"translation-error", "units",
+                   "Largest distance of an animated translation from its key, in the world", true, true},
                   {"rotation-error", "degrees", "Largest angle of an animated rotation from its key", true, true},
                   {"scale-error", "", "Largest error of an animated scale, of 1", true, true},
                   {"keys-left", "keys per key", "Keys that animations keep", true},
@@ -233,8 +232,9 @@ Plugin quantize_plugin() {
       .row(&QuantizeOptions::weight_error, "weight-error", "How far each skin weight may be off; 0: they stay",
            {0, .1, "of 1"})
       .row(&QuantizeOptions::translation_error, "translation-error",
-           "How far animated translations may be off at any key, as part of the diagonal of the largest draw; 0: they "
-           "stay",
+           "How far animated translations may be off at any key, as part of the diagonal of the draw that is largest "
+           "in the "
+           "world; 0: they stay",
            {0, .1, "of the diagonal"})
       .row(&QuantizeOptions::rotation_error, "rotation-error",
            "How far animated rotations may be off at any key; 0: they stay", {0, 45, "degrees"})

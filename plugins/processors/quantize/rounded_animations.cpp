@@ -160,9 +160,9 @@ class Track {
   std::vector<float> now_;
 };
 
-double tolerance_of(const AnimationChannel& channel, const KeyTolerances& tolerances) {
+double tolerance_of(const AnimationChannel& channel, const KeyTolerances& tolerances, double unit) {
   switch (channel.path) {
-    case AnimatedPath::translation: return tolerances.translation;
+    case AnimatedPath::translation: return unit > 0 ? tolerances.translation / unit : 0;
     case AnimatedPath::rotation: return tolerances.rotation;
     case AnimatedPath::scale: return tolerances.scale;
     case AnimatedPath::weights: break;
@@ -198,10 +198,11 @@ std::vector<std::size_t> kept_keys(std::span<const Track> tracks, std::span<cons
 /// The tracks of an animation, and which keys of each are kept.
 class KeyRounding {
  public:
-  KeyRounding(const Animation& animation, const KeyTolerances& tolerances) : animation_(animation) {
+  KeyRounding(const Animation& animation, const KeyTolerances& tolerances, std::span<const double> units)
+      : animation_(animation), units_(units) {
     for (std::size_t c = 0; c < animation.channels.size(); ++c) {
       const AnimationChannel& channel = animation.channels[c];
-      const double tolerance = tolerance_of(channel, tolerances);
+      const double tolerance = tolerance_of(channel, tolerances, units[channel.node]);
       if (!can_be_rounded(channel, tolerance)) continue;
       Track track(channel, tolerance);
       if (!track.round()) continue;
@@ -259,7 +260,8 @@ class KeyRounding {
     double& largest = to.path == AnimatedPath::rotation ? result.largest.rotation
                       : to.path == AnimatedPath::scale  ? result.largest.scale
                                                         : result.largest.translation;
-    largest = std::max(largest, tracks_[t].error(kept_[t]));
+    const double unit = to.path == AnimatedPath::translation ? units_[to.node] : 1;
+    largest = std::max(largest, tracks_[t].error(kept_[t]) * unit);
     if (kept_[t].size() < tracks_[t].keys()) {
       std::vector<float> times;
       for (const std::size_t k : kept_[t]) times.push_back(channel(t).times.view()[k]);
@@ -269,6 +271,7 @@ class KeyRounding {
   }
 
   const Animation& animation_;
+  std::span<const double> units_;
   std::vector<Track> tracks_;
   std::vector<std::size_t> channels_;           ///< [track] its channel
   std::vector<std::vector<std::size_t>> kept_;  ///< [track] keys
@@ -276,8 +279,8 @@ class KeyRounding {
 
 }  // namespace
 
-RoundedAnimation rounded(const Animation& animation, const KeyTolerances& tolerances) {
-  return KeyRounding(animation, tolerances).run();
+RoundedAnimation rounded(const Animation& animation, const KeyTolerances& tolerances, std::span<const double> units) {
+  return KeyRounding(animation, tolerances, units).run();
 }
 
 }  // namespace foredraw
