@@ -69,7 +69,7 @@ class QuantizeVertices final : public Processor {
       tell(made[i], groups[i].users.front(), run);
     }
     for (const DrawId id : draws) {
-      if (integers.grids[id]) put(*integers.grids[id], scene.draws[id].space);
+      if (integers.grids[id]) put(*integers.grids[id], scene.draws[id]);
     }
     scale_textures(scene.materials, texcoords);  // before others copy materials
     const std::vector<NodeId> drawn_by = scale_back(scene, integers.grids);
@@ -140,9 +140,10 @@ class QuantizeVertices final : public Processor {
     if (grid) level.error = static_cast<float>(level.error / grid->step);
   }
 
-  static void put(const PositionGrid& grid, DrawSpace& space) {
-    space.offset += space.scale * glm::dvec3(grid.offset());
-    space.scale *= grid.step;
+  static void put(const PositionGrid& grid, Draw& draw) {
+    draw.traits.add(traits::quantized);
+    draw.space.offset += draw.space.scale * glm::dvec3(grid.offset());
+    draw.space.scale *= grid.step;
   }
 
   /// False where no key changed.
@@ -205,8 +206,8 @@ Plugin quantize_plugin() {
       .breaks = {traits::welded},
       .pays_if = "the file is written compressed",
       .measured_by = {"scene-cost"},
-      .metrics = {{"position-error", "units", "Largest distance of a rounded position, in the draw's units", true,
-                   true},
+      .metrics = {{"position-error", "units", "Largest distance of a rounded position, in the units that the draw had",
+                   true, true},
                   {"direction-error", "degrees", "Largest angle of a rounded normal or tangent", true, true},
                   {"uv-error", "texels of 4096", "Largest distance of a rounded texture coordinate", true, true},
                   {"color-error", "", "Largest error of a component of a colour, of 1", true, true},
