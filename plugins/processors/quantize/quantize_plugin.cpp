@@ -199,12 +199,13 @@ Plugin quantize_plugin() {
   plugin.card = {
       .name = "quantize",
       .summary =
-          "Rounds vertex attributes within the errors asked for, so that compressed files are small; put `weld` "
+          "Rounds vertex attributes and animations within the errors asked for, and stores them in few bits; put "
+          "`weld` "
           "behind it, and write with --compression",
-      .reference = "EXT_meshopt_compression, appendix B",
+      .reference = "KHR_mesh_quantization; EXT_meshopt_compression, appendix B",
       .acts_on = {traits::triangles},
       .breaks = {traits::welded},
-      .pays_if = "the file is written compressed",
+      .pays_if = "the file is written compressed, or vertices take much of the GPU memory",
       .measured_by = {"scene-cost"},
       .metrics = {{"position-error", "units", "Largest distance of a rounded position, in the units that the draw had",
                    true, true},
