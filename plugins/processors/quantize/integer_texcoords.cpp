@@ -67,7 +67,7 @@ std::optional<TexcoordGrid> grid_of(std::uint32_t set, const UvBox& box, double 
 class Joining {
  public:
   Joining(const Scene& scene, std::span<const VertexGroup> groups, std::uint32_t set)
-      : scene_(scene), groups_(groups), set_(set), joined_(groups.size() + scene.materials.size()) {
+      : groups_(groups), set_(set), joined_(groups.size() + scene.materials.size()) {
     stays_.resize(groups.size() + scene.materials.size());
     for (std::uint32_t g = 0; g < groups.size(); ++g) number_of_[groups[g].vertices.get()] = g;
     find_streams();
@@ -132,7 +132,6 @@ class Joining {
     }
   }
 
-  const Scene& scene_;
   std::span<const VertexGroup> groups_;
   std::uint32_t set_;
   JoinedSets joined_;
