@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Curves of the errors of ways over the radius of wires, from the table that antialiasing-bench prints.
 
-    antialiasing-bench lines | curves.py docs/antialiasing.svg
+    antialiasing-bench lines | curves.py docs/guides/antialiasing.svg
 """
 import math
 import sys

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the plots of docs/sides.md, docs/hidden.md and docs/draw-sequence.md from their figures:
+"""Makes the plots of docs/guides/sides.md, docs/guides/hidden.md and docs/guides/draw-sequence.md from their figures:
 
     benchmarks/back_sides/back_sides_page.py [benchmarks/back_sides/figures.tsv]
 
@@ -39,7 +39,7 @@ def main():
         cost, left, is_log = AXES[page]
         for panel in panels:
             panel.worst = 1.04 * max(point.quality for point in panel.points)
-        write_svg(ROOT / f"docs/{page}.svg", panels, cost, left, worst=0, columns=len(panels), size=(4.4, 3.2),
+        write_svg(ROOT / f"docs/guides/{page}.svg", panels, cost, left, worst=0, columns=len(panels), size=(4.4, 3.2),
                   is_log=is_log)
 
 

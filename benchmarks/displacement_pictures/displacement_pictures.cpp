@@ -1,4 +1,4 @@
-// The pictures of docs/displacement.md.
+// The pictures of docs/guides/displacement.md.
 //   displacement-pictures MOVED.glb COW.glb FOLDER
 //
 // Both are of one draw with its map, after `displacement`: a head, and a surface on which the map's seams gape. Files

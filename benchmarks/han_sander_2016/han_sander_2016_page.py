@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the tables and plots of docs/han-sander-2016.md from the figures of han-sander-2016-bench:
+"""Makes the tables and plots of docs/results/han-sander-2016.md from the figures of han-sander-2016-bench:
 
     benchmarks/han_sander_2016/han_sander_2016_page.py FIGURES.tsv
 
@@ -13,8 +13,8 @@ from pathlib import Path
 from statistics import geometric_mean, mean
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs/han-sander-2016.md"
-PLOT = ROOT / "docs/han-sander-2016-{}.svg"
+PAGE = ROOT / "docs/results/han-sander-2016.md"
+PLOT = ROOT / "docs/results/han-sander-2016-{}.svg"
 sys.path.insert(0, str(ROOT / "benchmarks/plots"))
 from page import replaced
 

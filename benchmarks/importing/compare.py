@@ -55,7 +55,7 @@ def error_of(of):
 
 
 def markdown(rows):
-    """The table of docs/importing.md."""
+    """The table of docs/reference/importing.md."""
     print("| file | triangles | clips | `foredraw-import` | FBX2glTF |\n|---|---|---|---|---|")
     for row in rows:
         ours = row.get("foredraw", {})

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the tables and the plot of docs/overdraw-error.md from the figures of overdraw-error-bench:
+"""Makes the tables and the plot of docs/results/overdraw-error.md from the figures of overdraw-error-bench:
 
     benchmarks/overdraw_error/overdraw_error_page.py FIGURES.tsv
 
@@ -13,8 +13,8 @@ from pathlib import Path
 from statistics import geometric_mean
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs/overdraw-error.md"
-PLOT = ROOT / "docs/overdraw-error.svg"
+PAGE = ROOT / "docs/results/overdraw-error.md"
+PLOT = ROOT / "docs/results/overdraw-error.svg"
 sys.path.insert(0, str(ROOT / "benchmarks/plots"))
 from page import replaced
 

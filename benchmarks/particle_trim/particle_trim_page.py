@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Makes the tables and the plot of docs/particle-trim.md from the figures of particle-trim-bench, and from those of
-sprite-fill in tests/golden/sprites.tsv:
+"""Makes the tables and the plot of docs/results/particle-trim.md from the figures of particle-trim-bench, and from
+those of sprite-fill in tests/golden/sprites.tsv:
 
     benchmarks/particle_trim/particle_trim_page.py FIGURES.tsv
 
@@ -13,8 +13,8 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs/particle-trim.md"
-PLOT = ROOT / "docs/particle-trim.svg"
+PAGE = ROOT / "docs/results/particle-trim.md"
+PLOT = ROOT / "docs/results/particle-trim.svg"
 FILLED = ROOT / "tests/golden/sprites.tsv"
 sys.path.insert(0, str(ROOT / "benchmarks/plots"))
 from page import replaced

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the tables and the plot of docs/simplifiers.md from the figures of simplifiers-bench:
+"""Makes the tables and the plot of docs/results/simplifiers.md from the figures of simplifiers-bench:
 
     benchmarks/simplification/simplifiers_page.py FIGURES.tsv
 
@@ -13,8 +13,8 @@ from pathlib import Path
 from statistics import geometric_mean
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs/simplifiers.md"
-PLOT = ROOT / "docs/simplifiers.svg"
+PAGE = ROOT / "docs/results/simplifiers.md"
+PLOT = ROOT / "docs/results/simplifiers.svg"
 sys.path.insert(0, str(ROOT / "benchmarks/plots"))
 from page import replaced
 from quality_against_time import Panel, Point, write_svg

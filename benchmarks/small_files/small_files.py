@@ -11,7 +11,7 @@ that such a grid has in the middle of a cell, and for the angle that 8 bits have
 (-kv), names and materials (-kn -km), as Foredraw is asked to.
 
 Prints the bytes of all buffer views of vertices and indices, ours over gltfpack's, and the geometric mean; with --markdown
-the table of docs/small-files.md.
+the table of docs/results/small-files.md.
 """
 
 import argparse

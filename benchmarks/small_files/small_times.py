@@ -6,7 +6,7 @@
 Each model (default: six of the corpus) goes through `foredraw optimize -p @small --compression khr-meshopt --threads 1` and
 `gltfpack -cz -ce khr -kn -km`, one after the other, so many times, so that whatever else the machine does meets both. The
 time is what the system charges a process for, in itself and for it; of all rounds the least counts. Prints the table of
-docs/small-files.md, with the time that `foredraw --version` takes below: what every start of the program costs.
+docs/results/small-files.md, with the time that `foredraw --version` takes below: what every start of the program costs.
 """
 
 import argparse

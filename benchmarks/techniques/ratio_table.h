@@ -1,5 +1,5 @@
 #pragma once
-// Google Benchmark's results as the tables of docs/benchmarks.md: ours beside the peer, as ratios.
+// Google Benchmark's results as the tables of docs/results/benchmarks.md: ours beside the peer, as ratios.
 
 #include <benchmark/benchmark.h>
 

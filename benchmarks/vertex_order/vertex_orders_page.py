@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the tables and the plot of docs/vertex-orders.md from the figures of vertex-order-bench:
+"""Makes the tables and the plot of docs/results/vertex-orders.md from the figures of vertex-order-bench:
 
     benchmarks/vertex_order/vertex_orders_page.py FIGURES.tsv
 
@@ -14,8 +14,8 @@ from pathlib import Path
 from statistics import fmean, geometric_mean
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs/vertex-orders.md"
-PLOT = ROOT / "docs/vertex-orders.svg"
+PAGE = ROOT / "docs/results/vertex-orders.md"
+PLOT = ROOT / "docs/results/vertex-orders.svg"
 sys.path.insert(0, str(ROOT / "benchmarks/plots"))
 from page import replaced
 

@@ -68,7 +68,7 @@ TEST_F(Architecture, plugins_are_whole_folders) {
 TEST_F(Architecture, plugins_have_a_function_for_c_or_a_reason) {
   std::set<std::string> paths;
   for (const SourceFile& file : source_files(root)) paths.insert(file.path);
-  const Breaches breaches = c_function_breaches(paths, text_of(root / "docs/c-functions.md"));
+  const Breaches breaches = c_function_breaches(paths, text_of(root / "docs/reference/c-functions.md"));
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 

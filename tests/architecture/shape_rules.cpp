@@ -55,7 +55,7 @@ Breaches c_function_breaches(const std::set<std::string>& paths, const std::stri
     const bool has_reason = without.find('`' + name + '`') != std::string::npos;
     if (has_function == has_reason) {
       breaches.push_back(own + "_c.cpp: " + (has_function ? "is there, but" : "is missing, and") +
-                         " docs/c-functions.md says " + (has_reason ? "" : "not ") + "why there is none");
+                         " docs/reference/c-functions.md says " + (has_reason ? "" : "not ") + "why there is none");
     }
   }
   return breaches;

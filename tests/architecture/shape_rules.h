@@ -12,7 +12,7 @@ namespace foredraw::architecture {
 Breaches plugin_shape_breaches(const std::set<std::string>& paths);
 
 /// Plugins that have neither a function for C, <name>_c.cpp, nor a row in the table of those that have none in
-/// `page`, the text of docs/c-functions.md; and those that have both.
+/// `page`, the text of docs/reference/c-functions.md; and those that have both.
 Breaches c_function_breaches(const std::set<std::string>& paths, const std::string& page);
 
 /// benchmarks/corpus/: at most 25 MB (25,000,000 bytes) in all, no links, names in plain ASCII, every model named in

@@ -1,4 +1,4 @@
-// The code that README.md, docs/embedding.md and the pages of C show is code that the tests build and run.
+// The code that README.md, docs/guides/embedding.md and the pages of C show is code that the tests build and run.
 
 #include "support/meshes.h"
 
@@ -32,14 +32,14 @@ TEST(Embedding, DocumentationQuotesWhatIsCompiled) {
   const std::string sources = text_of("tests/embedding/functions/main.cpp") +
                               text_of("tests/embedding/pipeline/main.cpp") +
                               text_of("hosts/embed/examples/displaced_shaders.cpp");
-  EXPECT_GE(quotes(text_of("docs/embedding.md"), sources), 5);
+  EXPECT_GE(quotes(text_of("docs/guides/embedding.md"), sources), 5);
 }
 
 TEST(Embedding, ThePagesOfCQuoteWhatIsCompiled) {
-  EXPECT_EQ(quotes(text_of("docs/c-functions.md"), text_of("tests/c/functions_test.c"), "c"), 3);
+  EXPECT_EQ(quotes(text_of("docs/reference/c-functions.md"), text_of("tests/c/functions_test.c"), "c"), 3);
   const std::string tools = text_of("tests/embedding/c/tool.c") + text_of("tests/embedding/c/orders.c") +
                             text_of("tests/embedding/c/radial.c");
-  EXPECT_EQ(quotes(text_of("docs/c-library.md"), tools, "c"), 3);
+  EXPECT_EQ(quotes(text_of("docs/reference/c-library.md"), tools, "c"), 3);
 }
 
 TEST(Embedding, TheReadmeQuotesWhatIsCompiled) {

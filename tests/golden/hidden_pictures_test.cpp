@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
                            SubjectUnit::character, 1}),
     [](const auto& one) { return one.param.name; });
 
-/// Prints how many pixels change as samples grow: docs/hidden.md has the table.
+/// Prints how many pixels change as samples grow: docs/guides/hidden.md has the table.
 class HiddenBySamples : public ::testing::TestWithParam<Case> {};
 
 TEST_P(HiddenBySamples, FewerPixelsChange) {

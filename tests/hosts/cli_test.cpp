@@ -87,14 +87,14 @@ TEST_F(Cli, ItsReferencePagesAreTheCommittedOnes) {
   std::vector<std::string> expected;
   for (const Json& plugin : list["plugins"]) {
     const std::string name = plugin["name"];
-    const fs::path page = testing::project_file("docs/reference/" + name + ".md");
+    const fs::path page = testing::project_file("docs/reference/plugins/" + name + ".md");
     const std::string text = run("show " + name).out;
     if (std::getenv("FOREDRAW_UPDATE_GOLDEN") != nullptr) std::ofstream(page) << text;
     EXPECT_EQ(content(page), text) << name << ": FOREDRAW_UPDATE_GOLDEN=1 writes the page anew";
     expected.push_back(name + ".md");
   }
   std::vector<std::string> there;
-  for (const auto& entry : fs::directory_iterator(testing::project_file("docs/reference")))
+  for (const auto& entry : fs::directory_iterator(testing::project_file("docs/reference/plugins")))
     there.push_back(entry.path().filename().string());
   // A page may be there of a plugin that this build leaves out.
   const Json left_out = list.value("left-out", Json::object());

@@ -55,7 +55,7 @@ TEST_F(Docs, TheCommandLineIsTheHelp) {
   ASSERT_NE(commands, std::string::npos);
   EXPECT_EQ(std::distance(std::sregex_iterator(whole.begin() + static_cast<long>(commands), whole.end(), line), {}),
             13);
-  expect_section("command-line.md", "commands", text);
+  expect_section("reference/command-line.md", "commands", text);
 }
 
 TEST_F(Docs, ThePresetsAreThoseThatTravelInTheProgram) {
@@ -68,8 +68,8 @@ TEST_F(Docs, ThePresetsAreThoseThatTravelInTheProgram) {
     ASSERT_TRUE(std::regex_search(text, about, std::regex("about += +\"(.*)\""))) << preset;
     table += "| `@" + preset.stem().string() + "` | " + about[1].str() + " |\n";
   }
-  expect_section("pipelines.md", "presets", table);
-  expect_section("for-artists.md", "presets", table);
+  expect_section("reference/pipelines.md", "presets", table);
+  expect_section("guides/for-artists.md", "presets", table);
 }
 
 TEST_F(Docs, TheFaultsOfRealFilesAreThoseOfTheTable) {
@@ -78,7 +78,7 @@ TEST_F(Docs, TheFaultsOfRealFilesAreThoseOfTheTable) {
     table += "| `" + std::string(kind.code) + "` | " + std::string(kind.files) + " | " + std::string(kind.what) +
              " | " + std::string(kind.done) + " | " + std::string(kind.why) + " |\n";
   }
-  expect_section("real-files.md", "faults", table);
+  expect_section("reference/real-files.md", "faults", table);
 }
 
 /// Folders of the sources of plugins and evaluators, by the plugins' names.
@@ -111,16 +111,16 @@ TEST_F(Docs, WhoReadsTheViewsAndPosesOfAPipeline) {
     return text;
   };
   expect_section(
-      "pipelines.md", "readers",
+      "reference/pipelines.md", "readers",
       "`[views]` is read by " + readers("run.views") + ".\n`[poses]` is read by " + readers("run.poses") + ".\n");
 }
 
 TEST_F(Docs, EveryPluginStandsInTheTableOfLibraries) {
-  const std::string page = page_of("embedding.md");
+  const std::string page = page_of("guides/embedding.md");
   for (const auto& [name, folder] : folders_of_plugins()) {
     const std::string target = folder.filename().string();
     const std::regex row("\\n\\| `foredraw::(" + target + "|[^|]*`" + target + ")`");
-    EXPECT_TRUE(std::regex_search(page, row)) << target << " is in no row of docs/embedding.md's first table";
+    EXPECT_TRUE(std::regex_search(page, row)) << target << " is in no row of docs/guides/embedding.md's first table";
   }
 }
 
@@ -129,19 +129,19 @@ TEST_F(Docs, TheKindsOfOutputsAreThoseOfTheProgram) {
   const std::string help = told("optimize --help");
   std::smatch kinds;
   ASSERT_TRUE(std::regex_search(help, kinds, std::regex("the kinds are ([^.]*)\\.")));
-  const std::string page = page_of("command-line.md");
+  const std::string page = page_of("reference/command-line.md");
   std::string list = kinds[1];
   for (std::size_t at = 0; at != std::string::npos;) {
     const std::size_t end = list.find(", ", at);
     const std::string kind = list.substr(at, end - at);
     EXPECT_NE(page.find("| `" + kind + ":FILE` |"), std::string::npos)
-        << kind << " is in no row of docs/command-line.md";
+        << kind << " is in no row of docs/reference/command-line.md";
     at = end == std::string::npos ? end : end + 2;
   }
 }
 
 TEST_F(Docs, TheExitCodesStandInOneTable) {
-  const std::string page = page_of("command-line.md");
+  const std::string page = page_of("reference/command-line.md");
   for (const std::string code : {"0", "1", "2", "3"}) {
     EXPECT_NE(page.find("\n| " + code + " | "), std::string::npos) << code;
     EXPECT_NE(told("--help").find(code + ' '), std::string::npos) << code;

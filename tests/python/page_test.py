@@ -1,4 +1,4 @@
-"""What docs/python.md and the package's README show can be run."""
+"""What docs/guides/python.md and the package's README show can be run."""
 
 import contextlib
 import io
@@ -31,7 +31,7 @@ class Page(unittest.TestCase):
 
     def test_of_the_documentation(self):
         names = {}
-        count, said = self.run_page("docs/python.md", names)
+        count, said = self.run_page("docs/guides/python.md", names)
         self.assertEqual(count, 6)
         self.assertIn("vertex-cache acmr ", said)
         before, after = map(float, said.splitlines()[-4].split())

@@ -12,8 +12,9 @@
  *   if (status == FOREDRAW_DONE) ...        foredraw_write(), or foredraw_scene_draw()
  *   puts(text.data);
  *
- * - Texts are UTF-8. Those that come out are JSON (docs/report.md), even where something failed: "diagnostics" says
- * what is wrong, where, and what to do about it. Each out-parameter may be NULL where the caller does not want it.
+ * - Texts are UTF-8. Those that come out are JSON (docs/reference/report.md), even where something failed:
+ * "diagnostics" says what is wrong, where, and what to do about it. Each out-parameter may be NULL where the caller
+ * does not want it.
  * - Scenes never change; what is made of one is another. All handles may be used on several threads at once. Each is
  *   freed once, in any sequence; freeing NULL does nothing.
  * - No exception leaves a function. Statuses: status.h. */
@@ -107,7 +108,7 @@ foredraw_scene* foredraw_scene_copy(const foredraw_scene* scene); /* a handle of
 void foredraw_scene_free(foredraw_scene* scene);
 
 /* Runs. A pipeline is "@default" or another preset, a line of stages, or the text of a pipeline's file
- * (docs/pipelines.md). `report` is that of the program's --json. */
+ * (docs/reference/pipelines.md). `report` is that of the program's --json. */
 
 /* Runs the stages. Where one failed the status is FOREDRAW_FAILED and `result` is what the others made; after
  * FOREDRAW_MISTAKE and FOREDRAW_CANCELLED it is NULL. */

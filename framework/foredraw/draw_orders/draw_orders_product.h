@@ -1,6 +1,6 @@
 #pragma once
 // Several orders of a draw and the tables that choose among them, as a product: FOREDRAW_draw_orders.
-// docs/draw-orders.md tells what the members mean.
+// docs/reference/draw-orders.md tells what the members mean.
 
 #include <foredraw/scene/order_table.h>
 #include <foredraw/scene/product_row.h>

@@ -37,7 +37,7 @@ inline constexpr double errors_to_bound = 3.25;
 int balanced_size(std::size_t triangles);
 
 /// How many views a set needs so that the error falls from what `count` views left to `wanted`. Errors of even sets
-/// fall about with their count, as measured on the corpus (docs/overdraw-error.md).
+/// fall about with their count, as measured on the corpus (docs/results/overdraw-error.md).
 std::size_t views_for(std::size_t count, double error, double wanted);
 
 /// What each sample counts: the sums of every `views_in_sample` tallies.

@@ -114,7 +114,7 @@ struct Report {
   std::uint64_t peak_memory = 0;  ///< bytes
 };
 
-/// The JSON form, described in docs/report.md.
+/// The JSON form, described in docs/reference/report.md.
 std::string to_json(const Report& report);
 
 /// The same text handed over in pieces: of many draws it is longer than all the rest of a run.

@@ -1,5 +1,6 @@
 /* Which of its index buffers a frame loop draws: the table that Foredraw writes, looked up by clip, time and where the
- * camera is. C99, no allocation, no state but the caller's; docs/draw-orders.md tells where the numbers come from.
+ * camera is. C99, no allocation, no state but the caller's; docs/reference/draw-orders.md tells where the
+ * numbers come from.
  *
  *   foredraw_order_state state = {0};                                  once for each character that is on the screen
  *   ...

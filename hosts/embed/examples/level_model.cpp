@@ -30,7 +30,7 @@ level_model* model_of(const foredraw::Scene& scene) {
   const auto* sequences = scene.products.find<foredraw::CollapseSequences>();
   const auto* geomorphs = scene.products.find<foredraw::Geomorphs>();
   if (sequences == nullptr || geomorphs == nullptr) {
-    throw std::runtime_error("no sequence of collapses, or no geomorphs: keep them, as docs/levels.md says");
+    throw std::runtime_error("no sequence of collapses, or no geomorphs: keep them, as docs/reference/levels.md says");
   }
   foredraw::Analyses analyses;
   for (const foredraw::DrawsCollapse& one : sequences->meshes) {

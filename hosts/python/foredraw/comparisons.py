@@ -25,7 +25,8 @@ class Comparison(List[Row]):
     Attributes
     ----------
     report : dict
-        As the program's ``compare --json`` (docs/report.md): reports of each pipeline, and sums over all scenes.
+        As the program's ``compare --json`` (docs/reference/report.md): reports of each pipeline, and sums over all
+        scenes.
     """
 
     def __init__(self, report: Dict[str, Any]) -> None:

@@ -12,7 +12,7 @@ class Error(Exception):
     ----------
     diagnostics : list of dict
         What the library said, warnings among it: severity, code, message, hint, file, line, column, inside, places
-        (docs/report.md).
+        (docs/reference/report.md).
     result
         What was made all the same, where only a part failed: what the function would have returned. Otherwise None.
     """

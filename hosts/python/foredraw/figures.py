@@ -11,12 +11,12 @@ def figures(state: Mapping[str, Any]) -> List[Row]:
     Parameters
     ----------
     state : mapping
-        ``report["totals"]``, what that has as "before", or one of ``report["draws"]`` (docs/report.md).
+        ``report["totals"]``, what that has as "before", or one of ``report["draws"]`` (docs/reference/report.md).
 
     Returns
     -------
     list of dict
-        evaluator, metric, value, unit, error. What they mean: docs/figures.md.
+        evaluator, metric, value, unit, error. What they mean: docs/reference/figures.md.
     """
     return [
         {

@@ -18,7 +18,7 @@ class Optimized(NamedTuple):
     """What a pipeline made."""
 
     scene: Scene
-    report: Dict[str, Any]  #: as the program's ``--json`` (docs/report.md)
+    report: Dict[str, Any]  #: as the program's ``--json`` (docs/reference/report.md)
 
 
 def optimize(
@@ -30,8 +30,8 @@ def optimize(
     ----------
     scene : Scene
     pipeline : str or path
-        "@default" or another preset, a line of stages, or the text of a pipeline's file (docs/pipelines.md); a
-        :class:`pathlib.Path` names such a file.
+        "@default" or another preset, a line of stages, or the text of a pipeline's file (docs/reference/pipelines.md);
+        a :class:`pathlib.Path` names such a file.
     context : Context, optional
     progress : callable, optional
         Called with what is going on, and which part of the whole is done, 0 to 1, on the calling thread. What it
@@ -78,7 +78,7 @@ def measure(
     Returns
     -------
     report : dict
-        As the program's ``--json`` (docs/report.md); ``figures(report["totals"])`` makes a table of it.
+        As the program's ``--json`` (docs/reference/report.md); ``figures(report["totals"])`` makes a table of it.
     """
     context = context or default_context()
     text = None if evaluators is None else text_for_c(evaluators, "a list of evaluators")

@@ -1,6 +1,6 @@
 #pragma once
-// Merged draws as a product: FOREDRAW_merge_instances, and files for engines. docs/merge-instances.md tells what the
-// members mean.
+// Merged draws as a product: FOREDRAW_merge_instances, and files for engines. docs/guides/merge-instances.md tells what
+// the members mean.
 
 #include <foredraw/scene/merged_instances.h>
 #include <foredraw/scene/product_row.h>

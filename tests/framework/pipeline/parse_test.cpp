@@ -184,7 +184,7 @@ TEST(ParseFile, TellsWhereItIsNoToml) {
 }
 
 TEST(ParseFile, ReadsEveryExampleOfTheDocuments) {
-  std::ifstream page(testing::project_file("docs/pipelines.md"));
+  std::ifstream page(testing::project_file("docs/reference/pipelines.md"));
   const std::string text((std::istreambuf_iterator<char>(page)), {});
   constexpr std::string_view begin = "```toml\n";
   int examples = 0;

@@ -1,6 +1,6 @@
 #pragma once
 // What is wrong in a file and yet can be read in one way only, or is not used: it is kept or mended, with a warning.
-// docs/real-files.md holds this table.
+// docs/reference/real-files.md holds this table.
 
 #include <foredraw/base/diagnostics.h>
 

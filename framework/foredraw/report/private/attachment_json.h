@@ -4,7 +4,7 @@
 
 namespace foredraw {
 
-/// Charts are whole; of a film everything but its pictures. Described in docs/report.md.
+/// Charts are whole; of a film everything but its pictures. Described in docs/reference/report.md.
 Json json_of(const AttachmentRecord& attachment);
 
 }  // namespace foredraw

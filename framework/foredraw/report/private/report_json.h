@@ -4,7 +4,7 @@
 
 namespace foredraw {
 
-/// Described in docs/report.md.
+/// Described in docs/reference/report.md.
 void write(JsonWriter& out, const Report& report);
 
 /// Charts are whole; of a film everything but its pictures.

@@ -1,7 +1,7 @@
 #pragma once
 // Levels of detail in a document. glTF knows primitives alone, so each level is one while the document is checked, read
 // and patched: FOREDRAW_levels behind those of its own mesh, MSFT_lod in the meshes of coarser nodes. The scene alone
-// holds levels as levels. docs/levels.md tells what the extension's members mean. Private to io.
+// holds levels as levels. docs/reference/levels.md tells what the extension's members mean. Private to io.
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/gltf/gltf.h>
