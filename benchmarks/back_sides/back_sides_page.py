@@ -4,7 +4,7 @@
     benchmarks/back_sides/back_sides_page.py [benchmarks/back_sides/figures.tsv]
 
 Debian's python3, for the sake of its matplotlib. Each row is a point of a page's plot: the panel, the family that it
-belongs to, its label, and what it costs and leaves. benchmarks.md says how rows are measured.
+belongs to, its label, and what it costs and leaves. overdraw.md says how rows are measured.
 """
 
 import csv
