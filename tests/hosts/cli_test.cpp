@@ -95,7 +95,7 @@ TEST_F(Cli, ItsReferencePagesAreTheCommittedOnes) {
   }
   std::vector<std::string> there;
   for (const auto& entry : fs::directory_iterator(testing::project_file("docs/reference/plugins")))
-    there.push_back(entry.path().filename().string());
+    if (entry.path().filename() != "README.md") there.push_back(entry.path().filename().string());
   // A page may be there of a plugin that this build leaves out.
   const Json left_out = list.value("left-out", Json::object());
   for (const std::string& page : there) {

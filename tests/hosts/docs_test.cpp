@@ -58,6 +58,23 @@ TEST_F(Docs, TheCommandLineIsTheHelp) {
   expect_section("reference/command-line.md", "commands", text);
 }
 
+/// A table for each kind, made of the pages' first lines: "# tipsify", "", "orderer: Orders triangles ...".
+TEST_F(Docs, TheIndexOfPluginsHasEveryPage) {
+  std::map<std::string, std::string> tables;
+  std::set<fs::path> pages;
+  for (const auto& entry : fs::directory_iterator(testing::project_file("docs/reference/plugins"))) pages.insert(entry);
+  for (const fs::path& page : pages) {
+    if (page.filename() == "README.md") continue;
+    std::smatch head;
+    const std::string text = testing::content(page);
+    ASSERT_TRUE(std::regex_search(text, head, std::regex("^# (.*)\n\n([a-z]+): (.*)\n"))) << page;
+    tables[head[2]] += "| [" + head[1].str() + "](" + page.filename().string() + ") | " + head[3].str() + " |\n";
+  }
+  std::string text;
+  for (const auto& [kind, rows] : tables) text += "\n## " + kind + "s\n\n| name | summary |\n|---|---|\n" + rows;
+  expect_section("reference/plugins/README.md", "plugins", text + '\n');
+}
+
 TEST_F(Docs, ThePresetsAreThoseThatTravelInTheProgram) {
   std::string table = "| preset | for |\n|---|---|\n";
   std::set<fs::path> presets;
