@@ -16,7 +16,8 @@ const std::map<std::string, std::string>& readers() {
       {"tests/farm/processes.py", "gives up on processes that do not end"},
       {"tests/farm/slurm.py", "gives up on a cluster that does not answer"},
       {"tests/hostile/kill_test.cpp", "chooses moments at which programs are killed"},
-      {"tests/long/displaced_growth_test.cpp", "prints figures of docs/benchmarks.md"},
+      {"tests/long/displaced_growth_test.cpp", "prints figures of docs/results/displaced-surfaces.md"},
+      {"tests/pages/checks.mjs", "prints how long each group took"},
       {"tests/python/runs_test.py", "waits until a run has begun to work"},
   };
   return reasons;

@@ -129,7 +129,9 @@ void PlanRunner::offer_milestone() {
 
 Step PlanRunner::run_one(const PlannedStage& stage, std::size_t number, std::string_view what, Scene& scene) {
   Surroundings surroundings = *surroundings_;
-  if (surroundings_->progress) {
+  if (surroundings.cancel != nullptr && *surroundings.cancel) {
+    surroundings.progress = nullptr;  // the stage ends before it begins
+  } else if (surroundings.progress) {
     surroundings.progress = [&](std::string_view, double part) {
       surroundings_->progress(std::string(what) + stage.label, (done_ + part) / static_cast<double>(steps_));
     };
