@@ -25,12 +25,8 @@ export function check_near(name, is, should_be, tolerance) {
   check(name, off <= tolerance, `${is}, should be ${should_be}`);
 }
 
-/** Groups that look at the clock: run by themselves with --clock, when nothing else runs. */
-const of_the_clock = new Set(['time', 'thousands of files']);
-
 /** A group of checks: what it throws is one more that fails, and the other groups go on. */
 export async function group(name, run) {
-  if (of_the_clock.has(name) !== process.argv.includes('--clock')) return;
   console.log(`-- ${name}`);
   const [made_before, held_before] = [made, held];
   try {

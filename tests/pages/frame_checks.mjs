@@ -3,7 +3,7 @@
 import path from 'node:path';
 import { set_width, settled } from './browser.mjs';
 import { check, check_equal, check_near } from './checks.mjs';
-import { play_for } from './playing.mjs';
+import { hold_frames, play_for } from './playing.mjs';
 
 const frames = (page, name, ...given) =>
   page.evaluate(([called, args]) => window.foredraw.frames[called](...args), [name, given]);
@@ -137,7 +137,7 @@ async function check_charts(page, comparison, states) {
   const is_whole = told.includes('frame 16 of 24') && told.includes(`<b>eager</b>: ${values[15].toFixed(2)} ms`);
   check('frames: hovering tells a frame and its values', is_whole && told.includes('budget: 10.00 ms'), told);
   await canvas.click({ position: { x, y } });
-  await page.waitForFunction(() => window.foredraw.frames.frame(0) !== 20, null, { timeout: 5000 }).catch(() => {});
+  await page.waitForFunction(() => window.foredraw.frames.frame(0) !== 20);
   check_equal('frames: a click moves the slider', await frames(page, 'frame', 0), 15);
   await page.mouse.move(1, 1);
 }
@@ -149,11 +149,14 @@ async function check_playing(page) {
   await play_for(page, play, 2000);
   const stopped = await frames(page, 'frame', 0);
   check('frames: it plays from the first frame again', stopped > 3 && stopped < 20, stopped);
-  await page.waitForTimeout(400);
+  await settled(page);
   check_equal('frames: it stands where it was stopped', await frames(page, 'frame', 0), stopped);
+  const film = await hold_frames(page);
   await play.press('Enter');
   check_equal('frames: the button stops it', await play.textContent(), 'Pause');
-  await page.waitForFunction(() => document.querySelector('#frames .slider button').textContent === 'Play');
+  await film.show(10_000);
+  check_equal('frames: the button plays it again', await play.textContent(), 'Play');
+  await film.let_go();
   check_equal('frames: it ends at the last frame', await frames(page, 'frame', 0), 23);
 }
 

@@ -33,7 +33,7 @@ export async function check_levels(page, levels, { step }) {
   await play_for(page, page.locator('#viewer .levels button'), 3000);
   const stopped = await viewer(page, 'level');
   check('levels: playing goes through them', stopped > 0 && stopped < coarsest, stopped);
-  await page.waitForTimeout(200);
+  await settled(page);
   check_equal('levels: it plays until it is stopped', await viewer(page, 'level'), stopped);
   await viewer(page, 'set_level', 0);
 }

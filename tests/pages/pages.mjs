@@ -3,16 +3,15 @@
 // left in the folder.
 // Exit 77 where the program was built without the page's script, 1 where a check failed.
 
-import { mkdirSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, statSync } from 'node:fs';
 import path from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { launch, open, settled } from './browser.mjs';
 import { check, check_equal, exit_code, group } from './checks.mjs';
 import { check_files, write_strips } from './file_checks.mjs';
 import { check_frames, check_frames_of_files, check_no_frames } from './frame_checks.mjs';
 import { check_deviation, check_levels, check_no_levels, check_pops } from './level_checks.mjs';
 import { check_colours, check_paper, check_widths, check_without_gl, check_without_script } from './look_checks.mjs';
-import { rectangles, torus, tube, write_gltf } from './models.mjs';
+import { rectangles, tube, write_gltf } from './models.mjs';
 import {
   check_pose_ratios,
   check_ratios,
@@ -296,37 +295,6 @@ await on_page('looks', made.html, async (page) => {
 await group('without scripts', () => check_without_script(browser, made.html));
 await group('without WebGL', () => check_without_gl(made.html));
 
-await group('time', async () => {
-  const large = write_gltf(path.join(folder, 'large.gltf'), [{ name: 'torus', ...torus(320, 160) }]);
-  const sizes = [8, 10, 12, 14, 16, 20, 24, 32];
-  const { html } = program.compare(
-    'large',
-    [large],
-    sizes.map((size) => `tipsify(cache-size=${size})`),
-    { more: ['--with', 'vertex-cache'] },
-  );
-  // Machines differ, and what else they do. So time counts beside that of a bare page of the same size with a picture.
-  const bare = path.join(folder, 'bare.html');
-  const made_by_hand = "const gl = document.createElement('canvas').getContext('webgl2');" +
-    'gl.clear(gl.COLOR_BUFFER_BIT); gl.finish();' + "performance.mark('viewer-ready');";
-  const text = 'A'.repeat(statSync(html).size);
-  writeFileSync(bare, `<!doctype html><script type="text/plain">${text}</script><script>${made_by_hand}</script>`);
-  const ready = async (file) => {
-    const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
-    await page.goto(pathToFileURL(file).href);
-    await page.waitForFunction(() => performance.getEntriesByName('viewer-ready').length > 0);
-    const time = await page.evaluate(() => performance.getEntriesByName('viewer-ready')[0].startTime);
-    await page.close();
-    return time;
-  };
-  const times = [];
-  for (let i = 0; i < 5; ++i) times.push([await ready(html), await ready(bare)]);
-  console.log(`      ready after ${times.map((pair) => pair.map((time) => time.toFixed(0)).join(' / ')).join(', ')} ms`);
-  // The pair that was disturbed least: both are loaded one after the other, so that a busy machine is busy for both.
-  const least = Math.min(...times.map(([ours, its]) => ours / its));
-  check('time: 102,400 triangles in 9 states are there within 2.5 times that of a bare page', least < 2.5, times);
-});
-
 await group('thousands of files', async () => {
   const strips = path.join(folder, 'strips');
   const count = 5000;
@@ -337,23 +305,6 @@ await group('thousands of files', async () => {
   const size = statSync(html).size;
   check(`thousands of files: the page has ${(size / 1e6).toFixed(1)} MB, of 8 at most`, size <= 8e6, size);
   await on_page('thousands of files', html, (page) => check_files(page, comparison));
-  // As above, beside a bare page that holds as much: within 3 s where that takes 0.3.
-  const text = 'A'.repeat(size);
-  const bare = path.join(folder, 'bare-strips.html');
-  const mark = "performance.mark('files-ready');";
-  writeFileSync(bare, `<!doctype html><script type="text/plain">${text}</script><script>${mark}</script>`);
-  const ready = async (file) => {
-    const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
-    await page.goto(pathToFileURL(file).href);
-    const time = await page.evaluate(() => performance.getEntriesByName('files-ready')[0].startTime);
-    await page.close();
-    return time;
-  };
-  const times = [];
-  for (let i = 0; i < 5; ++i) times.push([await ready(html), await ready(bare)]);
-  console.log(`      ready after ${times.map((pair) => pair.map((time) => time.toFixed(0)).join(' / ')).join(', ')} ms`);
-  const least = Math.min(...times.map(([ours, its]) => ours / its));
-  check('thousands of files: the page is there within ten times that of a bare page', least < 10, times);
 });
 
 await browser.close();

@@ -2,6 +2,7 @@
 // FILE: the number of the file among those that the viewer has. The third pipeline stands beside the second.
 
 import { launch, open } from './browser.mjs';
+import { counted } from './viewer_checks.mjs';
 
 const [html, file, subject, picture] = process.argv.slice(2);
 const browser = await launch();
@@ -18,6 +19,6 @@ await page.evaluate(
   },
   [Number(file), Number(subject)],
 );
-await page.waitForTimeout(2000); // until the ratios below the panes stand
+await counted(page);
 await page.screenshot({ path: picture, fullPage: true });
 await browser.close();

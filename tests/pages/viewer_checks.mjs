@@ -294,6 +294,6 @@ export async function check_poses(page) {
   await play_for(page, page.locator('#viewer .poses .slider button'), 500);
   const stopped = await text();
   check('poses: playing goes on to others', stopped !== was, stopped);
-  await page.waitForTimeout(400);
+  await settled(page);
   check_equal('poses: nothing moves when it does not play', await text(), stopped);
 }
