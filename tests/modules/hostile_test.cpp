@@ -6,9 +6,6 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <thread>
-
 namespace foredraw::testing {
 namespace {
 
@@ -48,7 +45,6 @@ TEST_P(HostileModules, CostTheirStageAlone) {
   const std::string without = content(folder_ / "out.glb");
   std::filesystem::remove(folder_ / "out.glb");
   const std::string module = module_in(folder_, hostile.name);
-  const auto begin = std::chrono::steady_clock::now();
   const bool measures =
       hostile.name == "not-finite" || hostile.name == "negative-error" || hostile.name == "other-metric";
   const std::string stage =
@@ -57,11 +53,9 @@ TEST_P(HostileModules, CostTheirStageAlone) {
                                     (measures ? " -p 'weld, tipsify, vertex-fetch' --with 'vertex-cache, " + stage + "'"
                                               : " -p 'weld, " + stage + ", tipsify, vertex-fetch' --with vertex-cache"),
                                 hostile.code);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(taken.count(), 60);
   EXPECT_TRUE(content(folder_ / "out.glb") == without) << "the stage changed what others make";
   EXPECT_THAT(report.dump(), HasSubstr(hostile.says));
-  EXPECT_THAT(workers_alive_after(1000, folder_), IsEmpty());
+  EXPECT_THAT(workers_left(folder_), IsEmpty());
   EXPECT_THAT(files(), ::testing::UnorderedElementsAre(hostile.name + ".so", "out.glb"));
 }
 
@@ -131,11 +125,9 @@ TEST_F(HostileModules, EndWithAProgramThatIsKilled) {
                               "' -p hostile-spins --with vertex-cache --module '" + module_in(folder_, "spins") +
                               "' >/dev/null 2>&1 & echo $! >'" + (folder_ / "pid").string() + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
-  for (int i = 0; i < 500 && workers_alive(folder_).empty(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  EXPECT_FALSE(workers_alive(folder_).empty());
+  EXPECT_TRUE(a_worker_spins(folder_));
   ASSERT_EQ(std::system(("kill -9 $(cat '" + (folder_ / "pid").string() + "')").c_str()), 0);
-  EXPECT_THAT(workers_alive_after(2000, folder_), IsEmpty());
+  EXPECT_THAT(workers_left(folder_), IsEmpty());
 }
 
 }  // namespace

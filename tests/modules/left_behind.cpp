@@ -1,14 +1,18 @@
 #include "left_behind.h"
 
+#include "support/process_time.h"
 #include "support/program.h"
 
-#include <chrono>
-#include <thread>
+#include <algorithm>
+#include <map>
 
 namespace foredraw::testing {
 
-std::vector<std::string> workers_alive(const std::filesystem::path& folder) {
-  std::vector<std::string> found;
+namespace {
+
+/// Command lines by the number of the process.
+std::map<std::string, std::string> workers_by_number(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> found;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
     std::string words = content(entry.path() / "cmdline");  // empty where it is no process, or one that has ended
@@ -16,18 +20,29 @@ std::vector<std::string> workers_alive(const std::filesystem::path& folder) {
     if (words.find(FOREDRAW_WORKER) == std::string::npos && words.find("foredraw.worker") == std::string::npos)
       continue;
     std::replace(words.begin(), words.end(), '\0', ' ');
-    found.push_back(std::move(words));
+    found[entry.path().filename().string()] = std::move(words);
   }
   return found;
 }
 
-std::vector<std::string> workers_alive_after(int milliseconds, const std::filesystem::path& folder) {
-  auto alive = workers_alive(folder);
-  for (int waited = 0; !alive.empty() && waited < milliseconds; waited += 20) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    alive = workers_alive(folder);
-  }
-  return alive;
+}  // namespace
+
+std::vector<std::string> workers_alive(const std::filesystem::path& folder) {
+  std::vector<std::string> lines;
+  for (const auto& [number, words] : workers_by_number(folder)) lines.push_back(words);
+  return lines;
+}
+
+std::vector<std::string> workers_left(const std::filesystem::path& folder) {
+  comes_true([&] { return workers_alive(folder).empty(); });
+  return workers_alive(folder);
+}
+
+bool a_worker_spins(const std::filesystem::path& folder) {
+  return comes_true([&] {
+    return std::ranges::any_of(workers_by_number(folder),
+                               [](const auto& worker) { return seconds_worked(worker.first) >= 0.2; });
+  });
 }
 
 std::string module_in(const std::filesystem::path& folder, const std::string& name) {
