@@ -168,14 +168,16 @@ TEST_F(BatchFaults, FilesThatChangeWhileTheyAreReadAreNotMixed) {
   // One writer puts whole files into the place, the other overwrites them there.
   testing::put(folder_ / "writers.sh",
                "(while [ ! -e stop ]; do for n in 1 2; do cp state$n next; mv next in/strip.obj; done; done) &\n"
-               "(while [ ! -e stop ]; do for n in 1 2; do cat state$n >in/strip.obj; done; done) &\n");
-  ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && sh writers.sh >/dev/null 2>&1").c_str()), 0);
+               "(while [ ! -e stop ]; do for n in 1 2; do cat state$n >in/strip.obj; done; done) &\n"
+               "wait\n"
+               ": >stopped\n");
+  ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && sh writers.sh >/dev/null 2>&1 &").c_str()), 0);
   for (int i = 0; i < 40; ++i) {
     const Ended ended = run("optimize in -o out --cache cache" + std::string(quick));
     EXPECT_EQ(lines_with(ended.err, ": error: "), ended.code == 0 ? 0u : 1u) << ended.err;  // it was cut off
   }
   testing::put(folder_ / "stop", "");
-  std::system("sleep 0.3");
+  ASSERT_TRUE(testing::comes_true([&] { return fs::exists(folder_ / "stopped"); }));
   for (const int number : {1, 2, 1}) {
     put_strip("in/strip.obj", number, 2000);
     for (int again = 0; again < 2; ++again) {

@@ -333,10 +333,15 @@ TEST_F(Batches, MakeReadsTheRules) {
         << content(folder_ / "made");
     return content(folder_ / "made");
   };
+  const auto set_age = [&](const std::string& file, int hours) {
+    fs::last_write_time(folder_ / file, fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  };
+  for (const std::string& file : {odd + "/bench.gltf", odd + "/bench.bin", std::string("p.toml")}) set_age(file, 3);
   const auto touch = [&](const std::string& file) {
-    fs::last_write_time(folder_ / file, fs::file_time_type::clock::now() + std::chrono::seconds(1));
+    set_age("o u#t.glb", 2);
+    set_age(file, 1);
     const bool made = !make().empty();
-    fs::last_write_time(folder_ / file, fs::file_time_type::clock::now() - std::chrono::hours(1));
+    set_age(file, 3);
     return made;
   };
   EXPECT_EQ(make(), "");

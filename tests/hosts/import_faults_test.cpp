@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <chrono>
 #include <random>
 
 namespace foredraw {
@@ -73,7 +72,6 @@ TEST_F(ImportedByProgram, TheImporterAloneSaysWhatIsWrong) {
 }
 
 TEST_F(ImportedByProgram, WhateverTheImporterDoesIsOneError) {
-  using namespace std::chrono_literals;
   for (const auto& [stand_in, told] :
        std::vector<std::pair<std::string, std::string>>{{"leaves", "bar.fbx: error:"},
                                                         {"is ended", "bar.fbx: error:"},
@@ -90,11 +88,9 @@ TEST_F(ImportedByProgram, WhateverTheImporterDoesIsOneError) {
     EXPECT_THAT(ended.err, Not(HasSubstr("\x1b")));
     EXPECT_FALSE(fs::exists(folder_ / "bar.glb"));
   }
-  const auto begin = std::chrono::steady_clock::now();
   const Ended ended = run_with("hangs", "FOREDRAW_IMPORT_SECONDS=1");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("was not done within 1 second"));
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, 20s);
 }
 
 TEST_F(ImportedByProgram, MemoryHasALimit) {
@@ -177,17 +173,14 @@ TEST_F(ImportedByProgram, DamagedFilesNeverEndTheProgram) {
   for (int i = 0; i < 60; ++i) expect_no_end(folder_, text, random);
 }
 
-/// FOREDRAW_FUZZ_SECONDS and FOREDRAW_FUZZ_FILE: for how long (600), and of which file.
+/// FOREDRAW_FUZZ_RUNS and FOREDRAW_FUZZ_FILE: how many of them (10,000), and of which file.
 TEST_F(ImportedByProgram, DamagedFilesNeverEndTheProgramLong) {
-  using Clock = std::chrono::steady_clock;
-  const char* asked = std::getenv("FOREDRAW_FUZZ_SECONDS");
+  const char* asked = std::getenv("FOREDRAW_FUZZ_RUNS");
   const char* named = std::getenv("FOREDRAW_FUZZ_FILE");
-  const auto end = Clock::now() + std::chrono::seconds(asked == nullptr ? 600 : std::atoi(asked));
   std::mt19937 random(2);
   const std::string text = named == nullptr ? testing::bending_bar().text() : content(named);
-  std::size_t runs = 0;
-  for (; Clock::now() < end && !HasFailure(); ++runs) expect_no_end(folder_, text, random);
-  std::fprintf(stderr, "%zu damaged files\n", runs);
+  const int runs = asked == nullptr ? 10'000 : std::atoi(asked);
+  for (int i = 0; i < runs && !HasFailure(); ++i) expect_no_end(folder_, text, random);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@ namespace foredraw {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::chrono_literals;
 using testing::Ended;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -48,14 +47,12 @@ TEST_F(WatchFaults, TwoScenesDoNotBecomeOneFile) {
 TEST_F(WatchFaults, CtrlCLeavesNothingHalfDone) {
   copy("animated/kaykit_knight.glb", "in/knight.glb");
   copy("static/spot.glb", "in/spot.glb");
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 8; ++i) {
     fs::remove_all(folder_ / "out");
     Running program = watching("--with vertex-cache");
     program.tells("watching in");
-    std::this_thread::sleep_for(i * 120ms);
-    const auto begin = std::chrono::steady_clock::now();
+    testing::comes_true([&] { return program.worked() >= .1 * i || program.count("up to date") > 0; });
     EXPECT_EQ(program.end(), 0) << program.told();
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
     if (!fs::exists(folder_ / "out")) continue;
     for (const std::string& name : all_files("out")) {
       EXPECT_THAT(name, Not(HasSubstr("foredraw-part")));

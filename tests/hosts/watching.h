@@ -5,10 +5,8 @@
 #include "support/running_program.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace foredraw::testing {
@@ -28,8 +26,12 @@ class Watching : public OnCorpus {
   Running watching(const std::string& more = quick_stages, const std::string& before = "") {
     return Running(folder_, "watch in -o out " + more, before);
   }
-  /// Nothing is left to be done; whatever was wrongly begun has had the time to be told.
-  static void rest() { std::this_thread::sleep_for(std::chrono::seconds(1)); }
+  /// Changes a file, and waits until it is taken: what was taken before it has been told.
+  void rest(const Running& program) {
+    static int quads = 0;
+    put_quad("in/rest" + std::to_string(++quads) + ".obj", quads);
+    program.tells("rest" + std::to_string(quads) + ".obj: written");
+  }
 
   std::string output(const std::string& name) const { return content(folder_ / "out" / name); }
   /// The output as a run of its own makes it.

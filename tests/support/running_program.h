@@ -1,14 +1,14 @@
 #pragma once
 // The program as it runs on its own: what it tells meanwhile, and how it ends when it is interrupted.
 
+#include "support/process_time.h"
 #include "support/program.h"
 
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <thread>
+#include <string>
 
 namespace foredraw::testing {
 
@@ -36,13 +36,9 @@ class Running {
 
   /// Until it was told so many times.
   bool tells(const std::string& text, int times = 1) const {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (std::chrono::steady_clock::now() < end) {
-      if (count(text) >= times) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    ADD_FAILURE() << "it is never told that " << text << ", but: " << told();
-    return false;
+    const bool is_told = comes_true([&] { return count(text) >= times; });
+    EXPECT_TRUE(is_told) << "it is never told that " << text << ", but: " << told();
+    return is_told;
   }
   int count(const std::string& text) const {
     const std::string all = told();
@@ -51,12 +47,11 @@ class Running {
     return count;
   }
 
-  /// Until it has used so many seconds of a processor: it has begun.
+  /// Seconds of a processor that it has used.
+  double worked() const { return seconds_worked(std::to_string(process_)); }
+  /// Until it has used so many: it has begun.
   void has_worked_for(double seconds) const {
-    const std::string file = "/proc/" + std::to_string(process_) + "/schedstat";
-    for (int tries = 0; tries < 3000 && std::atof(content(file).c_str()) < 1e9 * seconds; ++tries) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
+    EXPECT_TRUE(comes_true([&] { return worked() >= seconds; }));
   }
 
   void interrupt(int signal = SIGINT) const { ::kill(process_, signal); }
