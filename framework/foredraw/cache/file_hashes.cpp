@@ -52,7 +52,7 @@ std::optional<HashedContent> FileHashes::of(const fs::path& file, std::uint64_t 
   const fs::path note = place_below(memory_, content_hash(std::span(fs::absolute(file, error).native())));
   if (auto known = remembered(note, *facts)) return known;
   const auto content = hashed_content(file, at_most);
-  if (!content || content->bytes != facts->size || file_facts(file) != facts || !tell_changes(*facts, file_clock())) {
+  if (!content || content->bytes != facts->size || file_facts(file) != facts || !tell_changes(*facts, clock_())) {
     return content;
   }
   fs::create_directories(note.parent_path(), error);

@@ -16,8 +16,9 @@ bool tell_changes(const FileFacts& facts, std::int64_t now);
 
 class FileHashes {
  public:
-  /// `memory`: the folder where they are remembered; empty: they are not.
-  explicit FileHashes(std::filesystem::path memory = {}) : memory_(std::move(memory)) {}
+  /// `memory`: the folder where they are remembered; empty: they are not. `clock`: that of the files' times.
+  explicit FileHashes(std::filesystem::path memory = {}, std::int64_t (*clock)() = file_clock)
+      : memory_(std::move(memory)), clock_(clock) {}
 
   /// Of the file's first `at_most` bytes, or all where it has fewer. Nothing where it can not be read.
   std::optional<HashedContent> of(const std::filesystem::path& file, std::uint64_t at_most) const;
@@ -26,6 +27,7 @@ class FileHashes {
   std::optional<HashedContent> remembered(const std::filesystem::path& note, const FileFacts& facts) const;
 
   std::filesystem::path memory_;
+  std::int64_t (*clock_)();
 };
 
 }  // namespace foredraw

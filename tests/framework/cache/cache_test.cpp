@@ -151,8 +151,10 @@ TEST_F(CacheIn, VerifyRemovesWhatIsDamaged) {
 
 class HashesIn : public testing::InFolder {
  protected:
-  Stamp now(const char* name) {
-    return hashes_.of(folder_ / name, FileRead::all_of_it).value_or(HashedContent{}).stamp;
+  Stamp now(const char* name) { return stamp_of(hashes_, name); }
+  Stamp later(const char* name) { return stamp_of(hashes_later_, name); }
+  Stamp stamp_of(const FileHashes& hashes, const char* name) const {
+    return hashes.of(folder_ / name, FileRead::all_of_it).value_or(HashedContent{}).stamp;
   }
   std::size_t notes() const {
     std::error_code error;
@@ -163,19 +165,22 @@ class HashesIn : public testing::InFolder {
   }
 
   FileHashes hashes_{folder_ / "memory"};
+  FileHashes hashes_later_{folder_ / "memory", [] { return file_clock() + 60'000'000'000; }};
 };
 
 TEST_F(HashesIn, LargeFilesAreRememberedOnceTheirTimesTell) {
   const std::string large(400'000, 'x');
   testing::put(folder_ / "large", large);
   testing::put(folder_ / "small", "x");
-  const Stamp stamp = now("large");
-  now("small");
-  EXPECT_EQ(notes(), 0u) << "it was written just now: a change within the same tick would go unseen";
-  std::this_thread::sleep_for(std::chrono::milliseconds(2100));
+  const Stamp stamp = content_hash(std::as_bytes(std::span(large)));
+  fs::last_write_time(folder_ / "large", fs::file_time_type::clock::now() + std::chrono::hours(1));
   EXPECT_EQ(now("large"), stamp);
+  EXPECT_EQ(notes(), 0u) << "a change within the same tick would go unseen";
+  fs::last_write_time(folder_ / "large", fs::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_EQ(later("large"), stamp);
+  later("small");
   EXPECT_EQ(notes(), 1u);
-  EXPECT_EQ(now("large"), stamp);
+  EXPECT_EQ(later("large"), stamp);
   testing::put(folder_ / "large", large.substr(1) + "y");
   EXPECT_NE(now("large"), stamp);
   EXPECT_FALSE(hashes_.of(folder_ / "none", 10));
@@ -185,8 +190,7 @@ TEST_F(HashesIn, LargeFilesAreRememberedOnceTheirTimesTell) {
 /// Whoever turns a byte of a note makes no file another one.
 TEST_F(HashesIn, ANoteThatIsDamagedCountsAsNone) {
   testing::put(folder_ / "large", std::string(400'000, 'x'));
-  std::this_thread::sleep_for(std::chrono::milliseconds(2100));
-  const Stamp stamp = now("large");
+  const Stamp stamp = later("large");
   fs::path note;
   for (const auto& entry : fs::recursive_directory_iterator(folder_ / "memory"))
     if (entry.is_regular_file()) note = entry.path();
