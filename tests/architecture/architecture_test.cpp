@@ -5,6 +5,7 @@
 #include <iostream>
 #include <set>
 
+#include "clock_rules.h"
 #include "include_rules.h"
 #include "name_rules.h"
 #include "product_rules.h"
@@ -102,6 +103,12 @@ TEST_F(Architecture, files_hold_one_idea) {
 TEST_F(Architecture, texts_are_finished_and_belong_to_no_machine) {
   Breaches breaches;
   for (const TextFile& file : texts()) add(breaches, text_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, no_test_asserts_time) {
+  Breaches breaches;
+  for (const TextFile& file : texts()) add(breaches, clock_breaches(file.path, file.text));
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 

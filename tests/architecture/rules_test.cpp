@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "clock_rules.h"
 #include "include_rules.h"
 #include "name_rules.h"
 #include "product_rules.h"
@@ -193,6 +194,16 @@ TEST(NameRules, long_files_are_found) {
   EXPECT_EQ(length_breaches("a.cpp", text, 300).size(), 1u);
   EXPECT_TRUE(length_breaches("a.cpp", text, 301).empty());
   EXPECT_TRUE(length_breaches("a.md", text, 300).empty());
+}
+
+TEST(ClockRules, tests_that_read_clocks_are_found) {
+  for (const char* text : {"std::chrono::steady_clock::now()", "std::clock()", "await page.waitForTimeout(400)",
+                           "time.perf_counter()", "performance.now()"}) {
+    EXPECT_EQ(clock_breaches("tests/a_test.cpp", std::string("fine\n") + text).size(), 1u) << text;
+    EXPECT_TRUE(clock_breaches("benchmarks/a.cpp", text).empty()) << text;
+    EXPECT_TRUE(clock_breaches("tests/farm/slurm.py", text).empty()) << text;
+  }
+  EXPECT_TRUE(clock_breaches("tests/a_test.cpp", "fs::last_write_time(file, std::chrono::hours(1))").empty());
 }
 
 TEST(TextRules, unfinished_work_and_machine_paths_are_found) {
