@@ -119,7 +119,7 @@ TEST_F(Killed, writer_leaves_the_old_file_or_the_new) {
   ASSERT_TRUE(write(0));
   Random random(7);
   int left_over = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 100 || (left_over == 0 && round < 10'000); ++round) {
     killed_after(microseconds(random.below(6000)), [&] {
       for (std::size_t i = 0;; ++i) write(i % 2);
     });
@@ -147,7 +147,7 @@ TEST_F(Killed, writer_leaves_the_old_scene_or_the_new) {
   ASSERT_TRUE(write_scene(versions[0], diagnostics));
   Random random(8);
   int stand_ins = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 100 || (stand_ins == 0 && round < 10'000); ++round) {
     killed_after(microseconds(random.below(12000)), [&] {
       Diagnostics ignored;
       for (std::size_t i = 1;; ++i) write_scene(versions[i % 2], ignored);

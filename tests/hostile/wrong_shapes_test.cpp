@@ -6,8 +6,6 @@
 
 #include <foredraw/scene/subject.h>
 
-#include <chrono>
-
 namespace foredraw {
 namespace {
 
@@ -53,8 +51,8 @@ TEST(WrongShapes, circles_of_nodes_are_refused) {
 }
 
 /// A chain is no circle, however long. Names of characters, what hangs below what and who is moved must not take the
-/// square of its length.
-TEST(WrongShapes, long_chains_are_read_in_no_time) {
+/// square of its length: that would be longer than a test may take.
+TEST(WrongShapes, long_chains_are_read) {
   constexpr std::size_t many = 100'000;
   GltfBuilder chain = testing::puppet();
   GltfJson joints = GltfJson::array();  // the deepest first, so that each hangs below another
@@ -65,11 +63,9 @@ TEST(WrongShapes, long_chains_are_read_in_no_time) {
   for (std::size_t i = many; i-- > 1;) joints.push_back(i);
   chain.json["skins"][0] = {{"joints", joints}};
   Diagnostics diagnostics;
-  const auto start = std::chrono::steady_clock::now();
   const auto scene = read_gltf(chain.glb(), "chain", {}, diagnostics);
   ASSERT_TRUE(scene) << to_text(diagnostics);
   EXPECT_EQ(subjects_of(*scene).size(), 1u);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
 TEST(WrongShapes, primitives_times_nodes_are_bounded) {
@@ -95,9 +91,7 @@ TEST(WrongShapes, a_crowd_of_keys_is_refused) {
   std::string text = R"({"asset":{"version":"2.0"},"extras":{)";
   for (int i = 0; i < 1'000'000; ++i) text += '"' + std::to_string(i) + "\":0,";
   text.back() = '}';
-  const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(codes_of(text + '}'), Codes{"json-crowd"});
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST(WrongShapes, text_that_is_no_utf8_is_refused) {

@@ -12,7 +12,6 @@
 #include <meshoptimizer.h>
 #include <rapidcheck/gtest.h>
 
-#include <chrono>
 #include <limits>
 #include <numeric>
 
@@ -149,17 +148,11 @@ TEST(Tipsify, KeepsEveryCopyOfATriangle) {
   EXPECT_EQ(tipsify_indices(indices, 5), in_order(indices, tipsify(indices, 5)));
 }
 
-/// A million triangles around one vertex, and as many dead ends: no worse than the same number elsewhere.
+/// A million triangles around one vertex, and as many dead ends: the square of them would take hours.
 TEST(Tipsify, TakesLinearTime) {
-  const auto seconds = [](const TestMesh& mesh) {
-    const auto start = std::chrono::steady_clock::now();
+  for (const TestMesh& mesh : {fan(1'000'000), testing::shuffled(fan(1'000'000), 1), testing::soup(1'000'000, 1)}) {
     EXPECT_TRUE(is_permutation(tipsify(mesh.indices, mesh.positions.size()), mesh.indices.size() / 3));
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  const double usual = seconds(testing::shuffled(testing::grid(1000, 500), 1));
-  EXPECT_LT(seconds(fan(1'000'000)), 20 * usual + 1);
-  EXPECT_LT(seconds(testing::shuffled(fan(1'000'000), 1)), 20 * usual + 1);
-  EXPECT_LT(seconds(testing::soup(1'000'000, 1)), 20 * usual + 1);
+  }
 }
 
 /// Numbers of vertices have 31 bits, times 32: what does not fit stays in its own order, and no memory is asked for.

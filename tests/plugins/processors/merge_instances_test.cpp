@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -241,20 +240,15 @@ TEST(MergeInstances, OfNothingThereIsNothing) {
   EXPECT_TRUE(merged.left_alone.empty());
 }
 
-TEST(MergeInstances, AHundredThousandInstancesOf150MeshesTakeLittleTime) {
+TEST(MergeInstances, AHundredThousandInstancesOf150MeshesAreOneSet) {
   std::vector<Placements> placements = random_placements(19, 150, 0);
   Random random(20);
   for (int i = 0; i < 100'000; ++i) placements[random.below(150)].at.push_back(random_transform(random));
   const Scene scene = scene_with(placements);
   const Executor executor(2);
-  const auto begin = std::chrono::steady_clock::now();
   const MergedScene merged = merge_scene(scene, all_draws(scene), {}, executor);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   ASSERT_EQ(merged.merged.size(), 1u);
-  std::printf("100k instances of 150 meshes: %zu draws, %.2f %% padding, %.1f bytes of slots each: %.3f s\n",
-              merged.merged[0].packed.draws.size(), 100 * merged.merged[0].layout.frequencies.padding(),
-              8e-5 * static_cast<double>(merged.merged[0].packed.slots.size()), time.count());
-  EXPECT_LT(time.count(), 30);  // far above what it takes, also under a sanitizer
+  EXPECT_TRUE(merged.not_merged.empty());
 }
 
 TEST(MergeInstances, IsTheSameAtAnyNumberOfThreads) {

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <functional>
 #include <optional>
@@ -55,20 +53,6 @@ TEST(TessellationLevelsGrowth, TakeAtMost150BytesATriangle) {
   RecordProperty("bytes-a-triangle", std::to_string(*peak / 320'000));
   EXPECT_LT(*peak / 320'000, 150);
   EXPECT_GT(*peak / 320'000, 50) << "nothing was counted";
-}
-
-/// By the processor's time: sixteen times the triangles take nothing like the square of that.
-TEST(TessellationLevelsGrowth, TakeTimeAsTheirTriangles) {
-  const auto seconds = [](const ManyTriangles& many) {
-    const std::clock_t begin = std::clock();
-    EXPECT_GT(many.levels().chosen.triangles, many.grid.indices.size() / 3);
-    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  };
-  const ManyTriangles few(100), many(400);
-  const double once = std::min(seconds(few), seconds(few));
-  const double times = seconds(many) / once;
-  RecordProperty("times", std::to_string(times));
-  EXPECT_LT(times, 48);
 }
 
 }  // namespace
