@@ -2,6 +2,7 @@
 // One line for each, nothing lost, nothing torn.
 
 #include "support/on_corpus.h"
+#include "support/process_time.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -165,21 +165,6 @@ export async function check_worst_view(page, comparison) {
   await viewer(page, 'set_state', 1, 1);
 }
 
-/** The worst of all subjects, in each state. */
-export async function check_worst_view_of_table(page, comparison, subjects) {
-  const { input, values } = comparison.files[0].metrics.find(({ metric }) => metric === 'worst-view');
-  for (const [state, expected] of [input, ...values].entries()) {
-    const ratios = [];
-    for (let subject = 0; subject < subjects; ++subject) {
-      await viewer(page, 'set_subject', subject);
-      await viewer(page, 'set_state', 0, state);
-      await viewer(page, 'show_worst_view');
-      ratios.push((await viewer(page, 'overdraw', 0)).ratio);
-    }
-    check_near(`worst view: that of the figures in state ${state}`, Math.max(...ratios), expected, 0.02);
-  }
-}
-
 /** Of two states with different numbers of triangles each is drawn to its own end. */
 export async function check_unlike_states(page) {
   await viewer(page, 'set_state', 0, 0);
