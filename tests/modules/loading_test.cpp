@@ -67,9 +67,9 @@ INSTANTIATE_TEST_SUITE_P(Begins, Loading, ::testing::Values(Refused{"begin-crash
 
 TEST_F(Loading, EndsWhoNeverBegins) {
   const Ended ended =
-      run_program(folder_, "list --module '" + module_in(folder_, "begin-waits") + "' --module-seconds 5");
+      run_program(folder_, "list --module '" + module_in(folder_, "begin-waits") + "' --module-seconds .5");
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("it gave no answer within 5 seconds"));
+  EXPECT_THAT(ended.err, HasSubstr("it gave no answer within 0.5 seconds"));
   EXPECT_THAT(workers_left(folder_), IsEmpty());
 }
 
