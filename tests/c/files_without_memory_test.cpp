@@ -3,6 +3,8 @@
 
 #include "without_memory.h"
 
+#include <support/test_folder.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -42,8 +44,6 @@ struct Grid {
 
 class WrittenWithoutMemory : public WithoutMemory {
  protected:
-  ~WrittenWithoutMemory() override { fs::remove_all(folder_); }
-
   /// However much memory there is: no file, or all of it.
   void expect_whole_or_none(const foredraw_scene* scene, const std::string& pipeline,
                             const std::vector<std::string>& names) {
@@ -72,7 +72,8 @@ class WrittenWithoutMemory : public WithoutMemory {
         every);
   }
 
-  const fs::path folder_ = fs::temp_directory_path() / ("foredraw_" + std::to_string(::getpid()));
+  const TestFolder own_;
+  const fs::path folder_ = own_.path() / "written";
 };
 
 /// Files that differ in what their reader has to do.
@@ -149,8 +150,8 @@ TEST_F(WrittenWithoutMemory, ArraysAreNotWritten) {
 
 /// Materials with textures become glTF's.
 TEST_F(WrittenWithoutMemory, TexturedMeshesAreNotWritten) {
-  const fs::path folder = fs::temp_directory_path() / ("foredraw_textured_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const TestFolder own;
+  const fs::path& folder = own.path();
   fs::copy_file(source + "/benchmarks/corpus/particles/kenney_dirt_03.png", folder / "dirt.png",
                 fs::copy_options::overwrite_existing);
   std::ofstream(folder / "mesh.mtl") << "newmtl dirt\nKd 1 0.5 0.2\nmap_Kd dirt.png\nnewmtl plain\nKd 0 0 1\n";
@@ -160,7 +161,6 @@ TEST_F(WrittenWithoutMemory, TexturedMeshesAreNotWritten) {
   ASSERT_EQ(foredraw_read(context_, (folder / "mesh.obj").string().c_str(), &scene, nullptr), FOREDRAW_DONE);
   expect_whole_or_none(scene, "weld, tipsify", {"out.glb", "out.gltf", "out.obj"});
   foredraw_scene_free(scene);
-  fs::remove_all(folder);
 }
 
 TEST_F(WrittenWithoutMemory, SpritesAreNotWritten) {
