@@ -2,8 +2,6 @@
 
 #include "watched_folder.h"
 
-#include <system_error>
-
 namespace foredraw::cli {
 
 namespace {
@@ -45,13 +43,7 @@ Exit watch(const Arguments& arguments, const Registry& registry) {
   const Executor executor(arguments.threads);
   auto workshop = Workshop::opened(arguments, registry, executor, diagnostics);
   if (!workshop) return refuse(diagnostics);
-  try {
-    WatchedFolder folder(arguments, registry, out, std::move(workshop), executor);
-    return folder.keep_up();
-  } catch (const std::system_error& problem) {
-    tell_cannot_watch(arguments.inputs[0], problem.code().value(), diagnostics);
-    return refuse_file(diagnostics);
-  }
+  return WatchedFolder(arguments, registry, out, std::move(workshop), executor).keep_up();
 }
 
 }  // namespace foredraw::cli
