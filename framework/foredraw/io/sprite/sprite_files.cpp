@@ -19,14 +19,11 @@ using MakeText = std::optional<std::string> (*)(std::span<const Sheet>, const fs
 
 struct Writer {
   std::string_view extension;
-  MakeText make;  ///< none: the picture
+  MakeText make;
 };
 
-constexpr Writer writers[] = {{".json", sprites::list_text},
-                              {".h", sprites::header_text},
-                              {".svg", sprites::overlay_text},
-                              {".png", nullptr},
-                              {".html", sprites::page_text}};
+constexpr Writer writers[] = {
+    {".json", sprites::list_text}, {".h", sprites::header_text}, {".html", sprites::page_text}};
 
 const Writer* writer_of(const fs::path& path) {
   const std::string extension = lower_extension(path);
@@ -122,18 +119,10 @@ std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const fs
     if (!drawn) return std::nullopt;
     sheets.push_back({&scene, dynamic_cast<const SpriteSource*>(scene.source.get()), std::move(*drawn)});
   }
-  OutputFile file{target, {}};
-  if (writer->make == nullptr) {
-    auto picture = sprites::contact_sheet(sheets, target, diagnostics);
-    if (!picture) return std::nullopt;
-    file.bytes = std::move(*picture);
-  } else {
-    const auto text = writer->make(sheets, target, diagnostics);
-    if (!text) return std::nullopt;
-    const auto bytes = std::as_bytes(std::span(*text));
-    file.bytes = {bytes.begin(), bytes.end()};
-  }
-  return file;
+  const auto text = writer->make(sheets, target, diagnostics);
+  if (!text) return std::nullopt;
+  const auto bytes = std::as_bytes(std::span(*text));
+  return OutputFile{target, {bytes.begin(), bytes.end()}};
 }
 
 bool spares_its_inputs(const Scene& scene, std::span<const OutputFile> files, Diagnostics& diagnostics) {
