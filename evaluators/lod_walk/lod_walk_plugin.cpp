@@ -22,7 +22,7 @@ using walking::Method;
 enum class FrameTimes { model, drawn, vulkan };
 
 struct WalkSettings : LodWalkOptions, FrameSet {
-  std::string methods_text = "none static feedback value incremental budget";
+  std::string methods_text = "none static feedback budget";
   std::string costs_file;
   FrameTimes times = FrameTimes::model;
 };
@@ -34,15 +34,12 @@ std::vector<Method> methods_in(const std::string& text) {
     const auto found = std::ranges::find(walking::all_methods, word, [](Method m) { return to_text(m); });
     if (found == walking::all_methods.end()) {
       throw std::invalid_argument(
-          fmt::format("there is no method '{}'; expected none, static, feedback, value, "
-                      "incremental or budget, separated by spaces",
-                      word));
+          fmt::format("there is no method '{}'; expected none, static, feedback or budget, separated by spaces", word));
     }
     if (std::ranges::find(methods, *found) == methods.end()) methods.push_back(*found);
   }
   if (methods.empty())
-    throw std::invalid_argument(
-        "methods is empty; name at least one of none, static, feedback, value, incremental and budget");
+    throw std::invalid_argument("methods is empty; name at least one of none, static, feedback and budget");
   return methods;
 }
 
@@ -161,8 +158,8 @@ Plugin lod_walk_plugin() {
   OptionTable<WalkSettings> table;
   add_frame_rows(table);
   table.row(&WalkSettings::methods_text, "methods",
-            "Which methods walk: none, static, feedback, value, incremental and budget, separated by spaces; the "
-            "scene's own figures are those of the last one");
+            "Which methods walk: none, static, feedback and budget, separated by spaces; the scene's own figures are "
+            "those of the last one");
   table.number_or_text(
       &WalkSettings::costs_file, "costs",
       "File with what a triangle, a vertex and a pixel cost on the machine (default: an example's; where frames are "

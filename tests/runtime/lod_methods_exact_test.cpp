@@ -2,7 +2,7 @@
 
 #include "runtime/lod_instances.h"
 
-#include <foredraw/runtime/lod_methods.h>
+#include <benchmarks/lod_select/lod_methods.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 /* The ways of choosing that lod_select.h is compared with. */
 #include "check.h"
 
+#include <benchmarks/lod_select/lod_methods.h>
 #include <foredraw/runtime/lod_methods.h>
 
 #include <stdlib.h>
