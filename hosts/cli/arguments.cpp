@@ -1,6 +1,5 @@
 // CLI11 is slow to compile, so it is included here alone.
 #include "arguments.h"
-#include "byte_size.h"
 #include "outputs.h"
 #include "session.h"
 
@@ -362,14 +361,12 @@ class CommandLine {
         app, "--module-memory", [this](std::uint64_t bytes) { arguments_.module_memory = bytes; },
         "The most memory that a module's process may hold, such as 500M (default: 2G)");
   }
-  static void size(CLI::App& app, const std::string& name, std::function<void(std::uint64_t)> take,
+  /// Bytes, or K, M, G, T of 1024.
+  static void size(CLI::App& app, const std::string& name, const std::function<void(const std::uint64_t&)>& take,
                    const std::string& what) {
-    const auto read = [name, take = std::move(take)](const std::string& text) {
-      const auto bytes = byte_size_in(text);
-      if (!bytes) throw CLI::ValidationError(name, "'" + text + "' is not a size; give one such as 500M or 2G");
-      take(*bytes);
-    };
-    app.add_option_function<std::string>(name, read, what)->type_name("SIZE");
+    app.add_option_function<std::uint64_t>(name, take, what)
+        ->transform(CLI::AsSizeValue(false).description(""))
+        ->type_name("SIZE");
   }
 
   Asked asked_;
