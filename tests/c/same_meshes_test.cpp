@@ -6,7 +6,6 @@
 #include <foredraw/c/functions.h>
 #include <foredraw/scene/draw.h>
 #include <foredraw/viewing/view_directions.h>
-#include <plugins/processors/energy_collapse/energy_collapse.h>
 #include <plugins/processors/merge_instances/merge_instances.h>
 #include <plugins/processors/particle_trim/particle_trim.h>
 #include <plugins/processors/quadric_collapse/quadric_collapse.h>
@@ -201,30 +200,6 @@ TEST_P(Simplified, CountsWhatVerticesCarry) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, Simplified, ::testing::Bool());
-
-TEST(MeshesForC, CollapseByEnergyAsByTheFunction) {
-  const BumpySheet sheet(5);
-  const foredraw_triangles triangles = sheet.triangles();
-  const foredraw_positions positions = sheet.positions();
-  Sequence sequence(sheet.vertices.size(), true);
-  ASSERT_EQ(foredraw_energy_collapse(&sequence.arrays, &triangles, &positions, nullptr, 0, 20, 3, 7), FOREDRAW_DONE);
-  const std::vector<std::uint32_t> indices(sheet.indices.begin(), sheet.indices.end());
-  const CollapseSequence made = energy_collapse(sheet.places(), indices, {}, {.samples = 3, .seed = 7, .least = 20});
-  ASSERT_EQ(sequence.arrays.count, made.collapses.size());
-  EXPECT_GT(made.collapses.size(), 5u);
-  for (std::size_t i = 0; i < made.collapses.size(); ++i) {
-    EXPECT_EQ(sequence.collapses[i].removed, made.collapses[i].removed);
-    EXPECT_EQ(sequence.collapses[i].error, made.collapses[i].error);
-  }
-  EXPECT_TRUE(std::equal(made.places.begin(), made.places.end(), sequence.places.begin()));
-  const auto refused = [&](std::uint32_t samples) {
-    return foredraw_energy_collapse(&sequence.arrays, &triangles, &positions, nullptr, 0, 0, samples, 0);
-  };
-  EXPECT_EQ(refused(101), FOREDRAW_OPTION_RANGE);
-  sequence.arrays.places = nullptr;
-  EXPECT_EQ(refused(1), FOREDRAW_NULL_POINTER);
-  EXPECT_EQ(foredraw_energy_collapse(nullptr, &triangles, &positions, nullptr, 0, 0, 1, 0), FOREDRAW_NULL_POINTER);
-}
 
 TEST(MeshesForC, HaveShellsOfFiveKinds) {
   // A cube, the same inside out beside it, and half of one behind.

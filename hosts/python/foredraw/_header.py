@@ -336,10 +336,6 @@ PROTOTYPES = {
         c_int,
         [POINTER(Collapses), _triangles, _places, POINTER(WeightedAttribute), c_uint32, c_uint32],
     ),
-    "energy_collapse": (
-        c_int,
-        [POINTER(Collapses), _triangles, _places, POINTER(WeightedAttribute), c_uint32, c_uint32, c_uint32, c_uint64],
-    ),
     "shell_kinds": (c_int, [c_void_p, _triangles, _places]),
     "simplify": (
         c_int,

@@ -1,4 +1,4 @@
-#include "plugins/processors/energy_collapse/energy_collapse.h"
+#include "benchmarks/peers/energy_collapse/energy_collapse.h"
 
 #include "support/collapses.h"
 #include "support/meshes.h"
