@@ -39,7 +39,7 @@ class Interrupted : public testing::InFolder {
   }
 };
 
-constexpr const char* slow = " -p 'weld, energy-collapse(samples=100), simplify(ratio=0.1)' --with vertex-cache";
+constexpr const char* slow = " -p 'hidden(views=1000, size=2048)' --with vertex-cache";
 constexpr const char* many_views = " --with 'overdraw-raster(count=100000)'";
 
 TEST_F(Interrupted, OptimizeWritesNothing) {
