@@ -12,6 +12,19 @@ namespace foredraw {
 
 using Json = nlohmann::ordered_json;
 
+/// An object but for its member `files`, an array of which each element is handed on and not kept: of many files no
+/// tree stands in memory. Throws Json::exception, as `take` may.
+template <class Take>
+Json parse_files(std::string_view text, Take take) {
+  bool is_in_files = false;
+  return Json::parse(text, [&](int depth, Json::parse_event_t event, const Json& value) {
+    if (depth == 1 && event == Json::parse_event_t::key) is_in_files = value == "files";
+    if (!is_in_files || depth != 2 || event != Json::parse_event_t::object_end) return true;
+    take(value);
+    return false;
+  });
+}
+
 /// JSON knows neither infinities nor NaN: null.
 inline Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
