@@ -87,11 +87,8 @@ class SecondDepthRow final : public ProductRow {
                      card().remedy);
     }
     std::ranges::sort(left.draws, {}, &SecondDepth::OfDraw::draw);
-    if (left.draws.empty()) {
-      after.products.erase(SecondDepth::product);
-    } else {
-      after.products.set(std::move(left));
-    }
+    const bool is_empty = left.draws.empty();
+    put_left(after, std::move(left), is_empty);
     return told;
   }
 
