@@ -63,23 +63,14 @@ std::vector<float> scalars_of(const MeshInScene& of, std::size_t& width) {
   return values;
 }
 
-class EnergyCollapse final : public Simplifier {
- public:
-  explicit EnergyCollapse(const EnergyCollapseOptions& options) : options_(options) {}
-
-  CollapseSequence collapses(const MeshInScene& of, std::size_t least, Run& run) const override {
-    EnergyCollapseOptions options = options_;
-    options.least = least;
-    options.seed = run.seed;
-    options.cancel = run.cancel;
-    std::size_t width = 0;
-    const std::vector<float> values = scalars_of(of, width);
-    return energy_collapse(of.mesh.positions, of.mesh.indices, {values, width}, options);
-  }
-
- private:
-  EnergyCollapseOptions options_;
-};
+CollapseSequence collapses(Options options, const MeshInScene& of, std::size_t least, Run& run) {
+  options.least = least;
+  options.seed = run.seed;
+  options.cancel = run.cancel;
+  std::size_t width = 0;
+  const std::vector<float> values = scalars_of(of, width);
+  return energy_collapse(of.mesh.positions, of.mesh.indices, {values, width}, options);
+}
 
 }  // namespace
 
@@ -102,7 +93,10 @@ Plugin energy_collapse_plugin() {
       .row(&Options::samples, "samples", "Points on the original surface", {1, 100, "points per triangle"})
       .row(&Options::rounds, "rounds", "How often points are projected and the place is solved for", {0, 20});
   bind_options(plugin, table, [](const Options& options) -> Technique {
-    return collapse_processor(std::make_unique<const EnergyCollapse>(options), {.until = options.until});
+    const auto find = [options](const MeshInScene& of, std::size_t least, Run& run) {
+      return collapses(options, of, least, run);
+    };
+    return collapse_processor(find, {.until = options.until});
   });
   return plugin;
 }
