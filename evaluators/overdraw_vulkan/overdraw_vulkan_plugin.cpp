@@ -15,7 +15,6 @@ namespace {
 
 struct OverdrawVulkanOptions : OverdrawOptions {
   std::optional<std::string> device;
-  CountMethod method = CountMethod::queries;
   bool times = false;
 };
 
@@ -25,7 +24,7 @@ class OverdrawVulkan final : public OverdrawService {
 
   OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) const override {
     const std::lock_guard lock(one_at_a_time_);
-    return overdraw_vulkan(device(), parts, views, options_.method);
+    return overdraw_vulkan(device(), parts, views);
   }
 
   /// Of the subjects at rest.
@@ -84,10 +83,6 @@ void add_rows(OptionTable<OverdrawVulkanOptions>& table) {
   table.row(
       &OverdrawVulkanOptions::device, "device",
       "Part of the name of the device to draw with; by default a hardware device, else one that runs on the processor");
-  table.choice(
-      &OverdrawVulkanOptions::method, "method",
-      "How fragments are counted: queries around each draw, or atomics in the shader, which are slower; both agree",
-      {{"queries", CountMethod::queries}, {"atomics", CountMethod::atomics}});
   table.row(&OverdrawVulkanOptions::times, "times",
             "Measure times too; they differ from run to run, as no other figure does");
 }
