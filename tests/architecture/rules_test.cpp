@@ -59,6 +59,8 @@ TEST(IncludeRules, framework_headers_show_glm_alone) {
   EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<draco/core/decoder_buffer.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/io/gltf/private/document.h", "<draco/core/decoder_buffer.h>"));
   EXPECT_FALSE(may_include("hosts/cli/main.cpp", "<foredraw/io/gltf/private/document.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/report/private/json_values.h", "<foredraw/io/text/private/json_tree.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<foredraw/io/text/private/json_tree.h>"));
 }
 
 TEST(IncludeRules, runtime_is_c) {

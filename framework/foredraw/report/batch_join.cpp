@@ -21,8 +21,7 @@ bool BatchJoin::add(const std::string& text, const std::string& name, Diagnostic
       const Json& report = file.at("report");
       const auto outcome = outcome_called(file.at("outcome").get<std::string>());
       is_known = is_known && outcome;
-      files.push_back({report.at("input").at("path").get<std::string>(),
-                       spool_.put(report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'),
+      files.push_back({report.at("input").at("path").get<std::string>(), spool_.put(indented_text(report) + '\n'),
                        outcome.value_or(Outcome::lost), file.value("cached", false), name});
     } catch (const Json::exception&) {
       is_whole = false;  // which matters where it is a batch at all

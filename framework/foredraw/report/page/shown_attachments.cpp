@@ -1,7 +1,7 @@
 #include <foredraw/report/page/private/shown_attachments.h>
 
 #include <foredraw/report/page/private/page_buffer.h>
-#include <foredraw/report/private/attachment_json.h>
+#include <foredraw/report/private/report_json.h>
 
 #include <foredraw/base/content_hash.h>
 #include <foredraw/io/image/picture.h>
