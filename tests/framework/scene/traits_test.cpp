@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cctype>
-
 namespace foredraw {
 namespace {
 
@@ -41,24 +38,6 @@ TEST(Traits, HoldTheNamesThemselves) {
 TEST(Traits, AreInNameOrder) {
   const Traits traits = {"c", "a", "b", "a"};
   EXPECT_EQ(std::vector<std::string>(traits.begin(), traits.end()), (std::vector<std::string>{"a", "b", "c"}));
-}
-
-TEST(Traits, EveryKnownOneHasAMeaningAndANameOfItsOwn) {
-  Traits seen;
-  for (const TraitRow& row : known_traits()) {
-    EXPECT_FALSE(seen.has(row.name)) << row.name;
-    seen.add(row.name);
-    EXPECT_FALSE(row.meaning.empty()) << row.name;
-    EXPECT_TRUE(std::all_of(row.name.begin(), row.name.end(), [](unsigned char c) {
-      return std::islower(c) || std::isdigit(c) || c == '-';
-    })) << row.name;
-  }
-  for (const Trait trait :
-       {traits::triangles, traits::uv0, traits::normals, traits::skinned, traits::morphed, traits::animated,
-        traits::blended, traits::masked, traits::double_sided, traits::instanced, traits::quantized, traits::extended,
-        traits::welded, traits::clustered, traits::cache_ordered, traits::overdraw_ordered, traits::fetch_ordered}) {
-    EXPECT_TRUE(seen.has(trait)) << trait;
-  }
 }
 
 }  // namespace
