@@ -9,6 +9,7 @@
 #include "include_rules.h"
 #include "name_rules.h"
 #include "product_rules.h"
+#include "room_rules.h"
 #include "shape_rules.h"
 #include "source_tree.h"
 #include "text_rules.h"
@@ -56,6 +57,11 @@ TEST_F(Architecture, includes_point_leftwards) {
 TEST_F(Architecture, who_is_handed_rows_names_no_product) {
   Breaches breaches;
   for (const TextFile& file : texts()) add(breaches, product_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, the_page_shows_the_rooms) {
+  const Breaches breaches = room_breaches(text_of(root / "docs/concepts.md"), rooms());
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 

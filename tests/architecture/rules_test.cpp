@@ -6,6 +6,7 @@
 #include "include_rules.h"
 #include "name_rules.h"
 #include "product_rules.h"
+#include "room_rules.h"
 #include "shape_rules.h"
 #include "text_rules.h"
 #include "type_rules.h"
@@ -237,6 +238,24 @@ TEST(TextRules, unfinished_work_and_machine_paths_are_found) {
                 .front()
                 .find("a.md:2: "),
             0u);
+}
+
+TEST(RoomRules, the_picture_gives_floors_and_links) {
+  const std::vector<Room> rooms = {{"base", {}}, {"high", {"low", "base"}}, {"low", {"base"}}};
+  EXPECT_EQ(picture_of(rooms),
+            " 0  base\n"
+            " 1  low           base\n"
+            " 2  high          low base\n");
+}
+
+TEST(RoomRules, the_page_shows_each_room_once) {
+  const std::vector<Room> rooms = {{"base", {}}, {"low", {"base"}}};
+  const std::string picture = "# Page\n\n## Rooms\n\n```\n" + picture_of(rooms) + "```\n";
+  EXPECT_TRUE(room_breaches(picture + "| `base`, `low` | `no` room |\n| `runtime` | C |\n", rooms).empty());
+  EXPECT_EQ(room_breaches(picture + "| `base` | it |\n", rooms).size(), 1u);
+  EXPECT_EQ(room_breaches(picture + "| `base`, `low` | it |\n| `low` | it |\n", rooms).size(), 1u);
+  EXPECT_EQ(room_breaches(picture + "| `base`, `low`, `attic` | it |\n", rooms).size(), 1u);
+  EXPECT_EQ(room_breaches("## Rooms\n\n```\n 0  base\n```\n| `base`, `low` | it |\n", rooms).size(), 1u);
 }
 
 TEST(TypeRules, TypesOfOneNameAreTold) {
