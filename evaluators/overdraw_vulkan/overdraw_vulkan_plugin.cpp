@@ -18,9 +18,10 @@ struct OverdrawVulkanOptions : OverdrawOptions {
   bool times = false;
 };
 
-class OverdrawVulkan final : public OverdrawService {
+class OverdrawVulkanService final : public OverdrawService {
  public:
-  explicit OverdrawVulkan(const OverdrawVulkanOptions& options) : OverdrawService(options.faces), options_(options) {}
+  explicit OverdrawVulkanService(const OverdrawVulkanOptions& options)
+      : OverdrawService(options.faces), options_(options) {}
 
   OverdrawCounts draw(std::span<const RasterPart> parts, const Views& views, Run&) const override {
     const std::lock_guard lock(one_at_a_time_);
@@ -105,7 +106,7 @@ Plugin overdraw_vulkan_plugin() {
                    "Time on the device with an expensive fragment shader: 256 sines in a row"},
               },
       },
-      add_rows, [](const OverdrawVulkanOptions& options) { return std::make_unique<OverdrawVulkan>(options); });
+      add_rows, [](const OverdrawVulkanOptions& options) { return std::make_unique<OverdrawVulkanService>(options); });
   plugin.unavailable = [] { return gpu::why_no_device(); };
   plugin.device = [](const Settings& settings) {
     const auto device = settings.find("device");

@@ -141,9 +141,9 @@ std::string why_not(const DrawsCollapse& mesh, const Scene& scene) {
   return {};
 }
 
-class DisplacementBake final : public Processor {
+class DisplacementBakeProcessor final : public Processor {
  public:
-  explicit DisplacementBake(Options options) : options_(options) {
+  explicit DisplacementBakeProcessor(Options options) : options_(options) {
     if ((options.finest & (options.finest - 1)) != 0) throw std::invalid_argument("'finest' must be a power of two");
   }
 
@@ -242,7 +242,8 @@ Plugin displacement_bake_plugin() {
   table.row(&Options::finest, "finest", "Most parts of an edge, a power of two", {.least = 1, .most = 64});
   table.row(&Options::bits, "bits", "Bits of a height; without it, as many as the error needs",
             {.least = 4, .most = 16, .unit = "bits"});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<DisplacementBake>(options); });
+  bind_options(plugin, table,
+               [](const Options& options) { return std::make_unique<DisplacementBakeProcessor>(options); });
   return plugin;
 }
 

@@ -69,9 +69,9 @@ std::size_t count(const std::vector<std::uint8_t>& flags) {
   return static_cast<std::size_t>(std::ranges::count(flags, 1));
 }
 
-class RemoveHidden final : public Processor {
+class HiddenProcessor final : public Processor {
  public:
-  explicit RemoveHidden(const Options& options) : options_(search_options(options)) {}
+  explicit HiddenProcessor(const Options& options) : options_(search_options(options)) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     if (!scene.products.empty()) {
@@ -188,7 +188,7 @@ Plugin hidden_plugin() {
                   {"samples", "pixels", "Pixels of the last check, from held-out views", false}},
   };
   bind_options(plugin, std::move(table),
-               [](const Options& options) { return std::make_unique<RemoveHidden>(options); });
+               [](const Options& options) { return std::make_unique<HiddenProcessor>(options); });
   return plugin;
 }
 

@@ -101,9 +101,9 @@ struct Options : MergeSceneOptions {
   bool overdraw_order = false;  // sort the slots of each group where that pays
 };
 
-class MergeInstances final : public Processor {
+class MergeInstancesProcessor final : public Processor {
  public:
-  explicit MergeInstances(const Options& options) : options_(options) {
+  explicit MergeInstancesProcessor(const Options& options) : options_(options) {
     if (options.multiple % 3 == 0) return;
     throw std::invalid_argument(
         fmt::format("multiple is {}; it must be a multiple of 3, so that no triangle is cut", options.multiple));
@@ -231,7 +231,7 @@ Plugin merge_instances_plugin() {
   };
   plugin.products = {merged_draws_product()};
   bind_options(plugin, std::move(table),
-               [](const Options& options) { return std::make_unique<MergeInstances>(options); });
+               [](const Options& options) { return std::make_unique<MergeInstancesProcessor>(options); });
   return plugin;
 }
 

@@ -66,9 +66,9 @@ struct Options : ParticleTrimOptions {
   bool shared = false;  // one polygon for all frames of an image that are of one size
 };
 
-class ParticleTrim final : public Processor {
+class ParticleTrimProcessor final : public Processor {
  public:
-  explicit ParticleTrim(Options options) : options_(options) {}
+  explicit ParticleTrimProcessor(Options options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     std::vector<SpriteDraw> sprites = sprites_of(scene, draws, run);
@@ -256,7 +256,7 @@ Plugin particle_trim_plugin() {
            "Sprites that would save less than this stay as they are", {0, 1, "of the frame"})
       .row(&ParticleTrimOptions::hull_edges, "hull-edges",
            "With method persson: edges that the hull is reduced to first", {3, 32, "edges"});
-  bind_options(plugin, table, [](const Options& options) { return std::make_unique<ParticleTrim>(options); });
+  bind_options(plugin, table, [](const Options& options) { return std::make_unique<ParticleTrimProcessor>(options); });
   return plugin;
 }
 

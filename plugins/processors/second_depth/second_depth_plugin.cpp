@@ -16,9 +16,9 @@ namespace {
 
 using ShellKind = shells::Kind;
 
-class ClosedShellsFirst final : public Processor {
+class SecondDepthProcessor final : public Processor {
  public:
-  explicit ClosedShellsFirst(SecondDepthOptions options) : options_(options) {}
+  explicit SecondDepthProcessor(SecondDepthOptions options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     SecondDepth all;
@@ -145,7 +145,7 @@ Plugin second_depth_plugin() {
   table.row(&SecondDepthOptions::skinned, "skinned",
             "Take shells that follow joints, too: they stay closed, but a pose may fold them through themselves");
   bind_options(plugin, table,
-               [](const SecondDepthOptions& options) { return std::make_unique<ClosedShellsFirst>(options); });
+               [](const SecondDepthOptions& options) { return std::make_unique<SecondDepthProcessor>(options); });
   return plugin;
 }
 

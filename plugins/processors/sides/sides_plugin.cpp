@@ -107,9 +107,9 @@ double shaded(const Scene& scene, std::span<const DrawId> draws, Run& run) {
   return result;
 }
 
-class Sides final : public Processor {
+class SidesProcessor final : public Processor {
  public:
-  explicit Sides(const Options& options) : options_(options) {}
+  explicit SidesProcessor(const Options& options) : options_(options) {}
 
   std::vector<DrawId> process(Scene& scene, const std::vector<DrawId>& draws, Run& run) const override {
     const std::vector<DrawId> asked = candidates(scene, draws, run);
@@ -289,7 +289,8 @@ Plugin sides_plugin() {
                   {"contradicted", "per pixel checked",
                    "Pixels of the last check that lacked a side, which was put back"}},
   };
-  bind_options(plugin, std::move(table), [](const Options& options) { return std::make_unique<Sides>(options); });
+  bind_options(plugin, std::move(table),
+               [](const Options& options) { return std::make_unique<SidesProcessor>(options); });
   return plugin;
 }
 

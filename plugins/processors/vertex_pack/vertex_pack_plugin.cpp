@@ -19,9 +19,9 @@ struct VertexPackOptions : PoseSet, packing::PackOptions {
   VertexPackOptions() { poses = "all"; }
 };
 
-class VertexPack final : public Processor {
+class VertexPackProcessor final : public Processor {
  public:
-  explicit VertexPack(VertexPackOptions options) : options_(std::move(options)) {
+  explicit VertexPackProcessor(VertexPackOptions options) : options_(std::move(options)) {
     if (const auto mistake = mistake_in(options_)) throw std::invalid_argument(*mistake);
   }
 
@@ -126,7 +126,8 @@ Plugin vertex_pack_plugin() {
            "Room around the box of all poses, on each side, for what lies between poses and for blends of clips",
            {0, 10, "of its extent"});
   add_pose_rows(table);
-  bind_options(plugin, table, [](const VertexPackOptions& options) { return std::make_unique<VertexPack>(options); });
+  bind_options(plugin, table,
+               [](const VertexPackOptions& options) { return std::make_unique<VertexPackProcessor>(options); });
   return plugin;
 }
 

@@ -94,9 +94,9 @@ void take_any_shape(WireOptions& options) {
   options.least_length = 0;
 }
 
-class WireRadius final : public Processor {
+class WireRadiusProcessor final : public Processor {
  public:
-  explicit WireRadius(StageOptions options) : options_(std::move(options)) {
+  explicit WireRadiusProcessor(StageOptions options) : options_(std::move(options)) {
     if (!options_.names.empty()) take_any_shape(options_);
   }
 
@@ -244,7 +244,7 @@ Plugin wire_radius_plugin() {
   };
   plugin.products = {wires_product()};
   bind_options(plugin, std::move(table),
-               [](const StageOptions& options) { return std::make_unique<WireRadius>(options); });
+               [](const StageOptions& options) { return std::make_unique<WireRadiusProcessor>(options); });
   return plugin;
 }
 
