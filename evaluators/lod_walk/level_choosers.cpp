@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::walking {
+namespace foredraw::evaluators::lod_walk {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::uint32_t way_of(const FrameWays& frame, std::size_t seen, const WayName& na
   return static_cast<std::uint32_t>(std::find(begin, end, name) - begin);
 }
 
-}  // namespace foredraw::walking
+}  // namespace foredraw::evaluators::lod_walk

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace foredraw::walking {
+namespace foredraw::evaluators::lod_walk {
 
 enum class Method : std::uint8_t {
   none,      ///< full detail
@@ -59,4 +59,4 @@ inline std::uint32_t level_by_size(const MeshWays& mesh, float pixels, double mo
                               static_cast<float>(most));
 }
 
-}  // namespace foredraw::walking
+}  // namespace foredraw::evaluators::lod_walk

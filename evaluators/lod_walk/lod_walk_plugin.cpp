@@ -16,8 +16,8 @@ namespace foredraw {
 
 namespace {
 
-using walking::Accuracy;
-using walking::Method;
+using evaluators::lod_walk::Accuracy;
+using evaluators::lod_walk::Method;
 
 enum class FrameTimes { model, drawn, vulkan };
 
@@ -31,8 +31,8 @@ std::vector<Method> methods_in(const std::string& text) {
   std::vector<Method> methods;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    const auto found = std::ranges::find(walking::all_methods, word, [](Method m) { return to_text(m); });
-    if (found == walking::all_methods.end()) {
+    const auto found = std::ranges::find(evaluators::lod_walk::all_methods, word, [](Method m) { return to_text(m); });
+    if (found == evaluators::lod_walk::all_methods.end()) {
       throw std::invalid_argument(
           fmt::format("there is no method '{}'; expected none, static, feedback or budget, separated by spaces", word));
     }
@@ -123,7 +123,7 @@ class LodWalkEvaluator final : public Evaluator {
       const std::vector<FrameSample> drawn = samples_of(*walk);
       if (round > 0 && fit_error(options.costs, drawn).mean < good) break;
       samples.insert(samples.end(), drawn.begin(), drawn.end());
-      const walking::WalkFit fit = walking::walk_fit(samples);
+      const evaluators::lod_walk::WalkFit fit = evaluators::lod_walk::walk_fit(samples);
       options.costs = fit_costs(samples, fit.max.mean < fit.sum.mean ? Stages::max : Stages::sum);
       options.methods = {Method::budget};
     }

@@ -122,7 +122,8 @@ Scene merged_half(const Scene& plain, bool even) {
   const MergedScene sets = merge_scene(plain, draws, {}, Executor(2));
   for (const MergedSet& set : sets.merged) {
     testing::edit<MergedDraws>(scene)->sets.push_back(merged_instances(plain, set));
-    for (const merging::MergeableMesh& mesh : set.set.meshes) scene.draws[mesh.draw].traits.add(traits::extended);
+    for (const processors::merge_instances::MergeableMesh& mesh : set.set.meshes)
+      scene.draws[mesh.draw].traits.add(traits::extended);
   }
   return scene;
 }

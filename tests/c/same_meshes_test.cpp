@@ -335,8 +335,8 @@ TEST(InstancesForC, AreMergedAsByTheFunction) {
   foredraw_merged merged;
   ASSERT_EQ(foredraw_merge_instances(&merged, given.meshes.data(), 2, given.placed.data(), 50, 0, 0), FOREDRAW_DONE);
   std::vector<std::vector<std::uint32_t>> indices;
-  std::vector<merging::PackedMesh> meshes;
-  std::vector<merging::PlacedMesh> placed;
+  std::vector<processors::merge_instances::PackedMesh> meshes;
+  std::vector<processors::merge_instances::PlacedMesh> placed;
   for (const BumpySheet* sheet : {&given.small, &given.large}) {
     indices.emplace_back(sheet->indices.begin(), sheet->indices.end());
   }
@@ -345,14 +345,14 @@ TEST(InstancesForC, AreMergedAsByTheFunction) {
     meshes.push_back({"", indices[i], given.meshes[i].first_vertex, static_cast<std::uint32_t>(places[i].size())});
   }
   for (const foredraw_placed_mesh& at : given.placed) {
-    merging::PlacedMesh one{at.mesh};
+    processors::merge_instances::PlacedMesh one{at.mesh};
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) one.world[column][row] = at.transform[4 * row + column];
     }
     for (const glm::vec3& place : places[at.mesh]) one.box.add(glm::vec3(one.world * glm::vec4(place, 1)));
     placed.push_back(one);
   }
-  const merging::PackedInstances made = merge_instances(meshes, placed, {}, Executor(1));
+  const processors::merge_instances::PackedInstances made = merge_instances(meshes, placed, {}, Executor(1));
   ASSERT_EQ(merged.instance_count, 50u);
   EXPECT_TRUE(
       std::equal(made.indices.begin(), made.indices.end(), merged.indices, merged.indices + merged.index_count));

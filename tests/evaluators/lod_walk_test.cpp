@@ -13,7 +13,7 @@
 namespace foredraw {
 namespace {
 
-using walking::Method;
+using evaluators::lod_walk::Method;
 
 struct Walked {
   Scene scene = testing::levelled_field(12);
@@ -38,7 +38,7 @@ LodWalkOptions without_pictures() {
   LodWalkOptions options = usual();
   options.pictures = 0;
   options.renderings = false;
-  options.accuracy = walking::Accuracy::errors;
+  options.accuracy = evaluators::lod_walk::Accuracy::errors;
   return options;
 }
 

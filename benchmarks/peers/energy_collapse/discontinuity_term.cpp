@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 OnEdge nearest_on_edge(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& point) {
   const glm::dvec3 edge = to - from;
@@ -76,4 +76,4 @@ bool CurveRules::keeps_curves(std::uint32_t p, std::uint32_t q) const {
   return std::ranges::none_of(of_p, [&](std::uint32_t one) { return std::ranges::find(of_q, one) != of_q.end(); });
 }
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

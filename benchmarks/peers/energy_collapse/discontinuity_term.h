@@ -6,7 +6,7 @@
 
 #include <foredraw/collapses/collapse_recorder.h>
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 /// The sum of their squared distances, by `weight`, with the joined point at `place`. `nearest` gets [curve sample of
 /// the star] the curve's number in the star, and the squared distance.
@@ -35,4 +35,4 @@ class CurveRules {
   const CollapseRecorder& recorder_;
 };
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

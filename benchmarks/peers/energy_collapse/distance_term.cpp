@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 namespace {
 
@@ -80,4 +80,4 @@ double overshoot_term(const Star& star, const glm::dvec3& place, double weight, 
   return weight * points * std::max(0.0, least - slack * squared - spacing * spacing);
 }
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

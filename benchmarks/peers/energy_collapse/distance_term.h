@@ -3,7 +3,7 @@
 
 #include "star.h"
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 /// The sum of their squared distances, by `weight`, with the joined point at `place`. `nearest` gets [sample of the
 /// star], and `fit` the squares that are left while each keeps its place on its triangle.
@@ -14,4 +14,4 @@ double distance_term(const Star& star, const glm::dvec3& place, double weight, s
 /// the mean, and their spacing allow, for the points of one triangle.
 double overshoot_term(const Star& star, const glm::dvec3& place, double weight, double squared, double spacing);
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

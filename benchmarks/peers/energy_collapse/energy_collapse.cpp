@@ -10,7 +10,7 @@ namespace foredraw {
 
 namespace {
 
-using namespace energy;
+using namespace processors::energy_collapse;
 
 /// An edge, the lower point first, and what it came to when so much had happened to both points.
 struct Entry {

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 namespace {
 
@@ -286,4 +286,4 @@ void EnergyMesh::collapse(const Joined& joined) {
   places_[kept] = place;
 }
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

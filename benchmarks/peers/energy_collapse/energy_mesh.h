@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 /// What a collapse makes of an edge.
 struct Joined {
@@ -79,4 +79,4 @@ class EnergyMesh {
   std::vector<Nearest> nearest_, curve_nearest_;
 };
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 namespace {
 
@@ -53,4 +53,4 @@ ScalarFit scalar_term(const Star& star, const std::vector<Nearest>& nearest, con
   return {weight * (all - 2 * blend * across + blend * blend * squares), blend};
 }
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

@@ -4,7 +4,7 @@
 #include "energy_collapse.h"
 #include "star.h"
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 struct ScalarFit {
   double energy = 0;
@@ -20,4 +20,4 @@ ScalarFit scalar_term(const Star& star, const std::vector<Nearest>& nearest, con
 double scalar_difference(const StarTriangle& triangle, const glm::dvec3& weights, double blend,
                          const VertexScalars& scalars, std::span<const float> of_sample);
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

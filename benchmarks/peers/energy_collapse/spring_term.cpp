@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 double spring_factor(double points_per_triangle) {
   return points_per_triangle < 4 ? 1e-2 : points_per_triangle < 8 ? 1e-4 : 1e-8;
@@ -18,4 +18,4 @@ double spring_term(const Star& star, const glm::dvec3& place, Fit& fit) {
   return star.stiffness * sum;
 }
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

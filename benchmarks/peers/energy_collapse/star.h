@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace foredraw::energy {
+namespace foredraw::processors::energy_collapse {
 
 inline constexpr std::uint32_t no_vertex = ~std::uint32_t{0};
 
@@ -49,4 +49,4 @@ struct Fit {
   }
 };
 
-}  // namespace foredraw::energy
+}  // namespace foredraw::processors::energy_collapse

@@ -80,8 +80,9 @@ class BakedHeightsRow final : public ProductRow {
       const bool is_new = was == nullptr || std::ranges::find(was->draws, draw) == was->draws.end();
       if (!is_new) {
         const bool is_there = draw.draw < after.draws.size() && after.draws[draw.draw].levels.size() == 1;
-        now =
-            is_there ? bake::moved(draw, before.draws[draw.draw].full(), after.draws[draw.draw].full()) : std::nullopt;
+        now = is_there ? processors::displacement_bake::moved(draw, before.draws[draw.draw].full(),
+                                                              after.draws[draw.draw].full())
+                       : std::nullopt;
       }
       if (now && difference(*now, after.draws[now->draw]).empty()) {
         left.draws.push_back(std::move(*now));

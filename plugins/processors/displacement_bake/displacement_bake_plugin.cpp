@@ -48,7 +48,7 @@ class MeshBake {
 
   Made made() {
     Made best;
-    const bake::Target target(full());
+    const processors::displacement_bake::Target target(full());
     const double wanted = options_.rms * diagonal_of(joined_.positions);
     const std::vector<double> ratios =
         options_.cage ? std::vector{*options_.cage} : std::vector{1.0 / 512, 1.0 / 256, 1.0 / 128, 1.0 / 90, 1.0 / 64,
@@ -77,7 +77,8 @@ class MeshBake {
                                  replay_.triangles.size() - 1);
   }
 
-  std::optional<Made> made_of(std::size_t collapses, const bake::Target& target, double wanted) const {
+  std::optional<Made> made_of(std::size_t collapses, const processors::displacement_bake::Target& target,
+                              double wanted) const {
     const Collapsed after = collapsed(sequence_, collapses, joined_);
     Made made{std::move(cut(sequence_, collapses, after, joined_).front()), {}};
     const auto indices = made.cut.indices.view();

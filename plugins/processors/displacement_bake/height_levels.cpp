@@ -8,7 +8,7 @@
 #include <limits>
 #include <tuple>
 
-namespace foredraw::bake {
+namespace foredraw::processors::displacement_bake {
 
 namespace {
 
@@ -160,4 +160,4 @@ std::vector<std::uint8_t> levels_for(const Cage& cage, std::span<const UniformHe
   return levels;
 }
 
-}  // namespace foredraw::bake
+}  // namespace foredraw::processors::displacement_bake

@@ -64,7 +64,7 @@ class Gutter {
   }
 
  private:
-  bool is_over() const { return seams::is_cancelled(cancel_); }
+  bool is_over() const { return processors::displacement_seams::is_cancelled(cancel_); }
 
   /// Whether the triangle comes into the square of two texels around a texel's middle.
   static bool is_near(const UvTriangle& at, const glm::dvec2& middle) {

@@ -2,7 +2,7 @@
 
 #include <foredraw/analysis/welded_positions.h>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 Connected::Connected(std::span<const RasterPart> parts) {
   std::vector<glm::vec3> positions;
@@ -45,4 +45,4 @@ Flags Connected::with_rings(Flags flags, int rings) const {
   return flags;
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace foredraw::hidden {
+namespace foredraw::processors::hidden {
 
 namespace {
 
@@ -151,4 +151,4 @@ Pixels SeenSearch::check(const Sight& sight, std::span<const View> views, std::u
   return Rays(sight).add_seen_around(places, std::max(16, options_.size / 4), seed, asked, seen_, executor_);
 }
 
-}  // namespace foredraw::hidden
+}  // namespace foredraw::processors::hidden

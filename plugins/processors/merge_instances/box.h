@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// Empty until something is added.
 struct Box {
@@ -24,4 +24,4 @@ struct Box {
   bool is_empty() const { return !(least.x <= most.x); }
 };
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

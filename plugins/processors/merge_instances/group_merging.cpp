@@ -5,7 +5,7 @@
 #include <cmath>
 #include <queue>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -170,4 +170,4 @@ std::vector<std::uint32_t> merged_neighbours(std::span<const GroupSum> groups, c
   return result;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

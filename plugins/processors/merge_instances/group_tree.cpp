@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -204,4 +204,4 @@ std::vector<TreeGroup> tree_groups(std::span<TreeItem> items, const SeenBoxes& s
   return builder.harvest();
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// What is known of some instances together. Sums are taken in a fixed sequence, so they are the same everywhere.
 struct GroupSum {
@@ -50,4 +50,4 @@ struct TreeGroup {
 std::vector<TreeGroup> tree_groups(std::span<TreeItem> items, const SeenBoxes& seen_boxes, const GroupOptions& options,
                                    const Executor& executor);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

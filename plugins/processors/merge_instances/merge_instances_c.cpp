@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 using namespace foredraw;
-using namespace foredraw::merging;
+using namespace foredraw::processors::merge_instances;
 
 namespace {
 

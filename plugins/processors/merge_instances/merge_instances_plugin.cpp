@@ -19,7 +19,7 @@ namespace {
 /// A note for each draw and reason, however many nodes place it.
 void note_left_alone(const MergedScene& merged, const Run& run) {
   std::map<std::pair<DrawId, std::string>, std::size_t> placements;
-  for (const merging::LeftAlone& left : merged.left_alone) {
+  for (const processors::merge_instances::LeftAlone& left : merged.left_alone) {
     placements[{left.draw, left.why}] += left.node ? 1 : 0;
   }
   for (const auto& [place, count] : placements) {
@@ -29,7 +29,7 @@ void note_left_alone(const MergedScene& merged, const Run& run) {
                     ? fmt::format("not merged: {}", why)
                     : fmt::format("not merged in {} {}: {}", count, count == 1 ? "placement" : "placements", why));
   }
-  for (const merging::MergeableSet& set : merged.not_merged) {
+  for (const processors::merge_instances::MergeableSet& set : merged.not_merged) {
     if (set.meshes.empty()) continue;
     const std::size_t others = set.meshes.size() - 1;
     const std::string with = others == 0 ? ""
@@ -58,7 +58,7 @@ std::size_t draws_left(const Scene& scene) {
 
 /// Of a group by itself, from all views.
 OverdrawCount overdraw_of(const Scene& scene, const MergedInstances& merged, std::uint32_t group, Run& run) {
-  const Scene alone = merging::group_scene(scene, merged, group);
+  const Scene alone = processors::merge_instances::group_scene(scene, merged, group);
   Subject subject{scene.name, {}};
   for (DrawId id = 0; id < alone.draws.size(); ++id) subject.parts.push_back({id, {}});
   OverdrawCount sum;
@@ -71,7 +71,7 @@ OverdrawCount overdraw_of(const Scene& scene, const MergedInstances& merged, std
 /// Slots sorted where that lowers their group's measured overdraw: the rule is a guess.
 MergedInstances with_less_overdraw(const Scene& scene, MergedInstances merged, Run& run) {
   MergedInstances sorted = merged;
-  sorted.slots = Shared(merging::outward_slots(merged, run.executor));
+  sorted.slots = Shared(processors::merge_instances::outward_slots(merged, run.executor));
   std::vector<MergedSlot> slots(merged.slots.view().begin(), merged.slots.view().end());
   OverdrawCount before, after;
   for (std::uint32_t g = 0; g < merged.groups.size() && !run.cancelled(); ++g) {
@@ -124,7 +124,7 @@ class MergeInstancesProcessor final : public Processor {
     for (const MergedSet& set : merged.merged) {
       MergedInstances made = merged_instances(scene, set);
       all.sets.push_back(options_.overdraw_order ? with_less_overdraw(scene, std::move(made), run) : std::move(made));
-      for (const merging::MergeableMesh& mesh : set.set.meshes) {
+      for (const processors::merge_instances::MergeableMesh& mesh : set.set.meshes) {
         changed.push_back(mesh.draw);
       }
     }
@@ -167,7 +167,8 @@ Plugin merge_instances_plugin() {
   table.choice(&MergeSceneOptions::materials, "materials",
                "Which draws are merged. alike: those whose materials look the same; kind: those whose materials differ "
                "only in factors and textures, which the shader looks up for each instance",
-               {{"alike", merging::SharedMaterials::alike}, {"kind", merging::SharedMaterials::kind}});
+               {{"alike", processors::merge_instances::SharedMaterials::alike},
+                {"kind", processors::merge_instances::SharedMaterials::kind}});
   table.row(&MergeSceneOptions::skinned, "skinned",
             "Merge skinned draws too; the groups' boxes then enclose them in the pipeline's poses");
   table.row(&MergeInstancesOptions::multiple, "multiple",

@@ -17,7 +17,7 @@
 #include <map>
 #include <utility>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -283,4 +283,4 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
   return result;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct MergeablePlacement {
   std::uint32_t mesh = 0;  ///< its number in the set
@@ -79,4 +79,4 @@ struct MergeableScene {
 MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws, const MergeableOptions& options,
                                const Executor& executor);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -229,4 +229,4 @@ PackedInstances pack_instances(std::span<const PackedMesh> meshes, std::span<con
   return result;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

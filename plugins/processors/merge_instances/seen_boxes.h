@@ -3,7 +3,7 @@
 
 #include "box.h"
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 /// The part of all frustums that see anything of a scene which also touch a box in it: cameras stand anywhere and look
 /// anywhere, all equally likely.
@@ -43,4 +43,4 @@ class SeenBoxes {
   double of_scene_ = 1;
 };
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 namespace {
 
@@ -141,4 +141,4 @@ GroupCost best_grid(std::span<const PlacedBox> instances, const GroupOptions& op
   return best;
 }
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::merging {
+namespace foredraw::processors::merge_instances {
 
 struct PlacedBox {
   Box box;  ///< in the world; finite, not empty
@@ -61,4 +61,4 @@ SpatialGroups spatial_groups(std::span<const PlacedBox> instances, const GroupOp
 /// of two. Each instance is in its middle's cell, and cells beyond the budgets take as many draws as these allow.
 GroupCost best_grid(std::span<const PlacedBox> instances, const GroupOptions& options);
 
-}  // namespace foredraw::merging
+}  // namespace foredraw::processors::merge_instances

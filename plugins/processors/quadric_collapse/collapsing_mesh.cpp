@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
@@ -184,4 +184,4 @@ void MeshEditor::mark_neighbours(std::uint32_t p) {
   }
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 bool LegalCollapses::has_face(std::uint32_t p, std::uint32_t a, std::uint32_t b) const {
   return std::ranges::any_of(mesh_.ring(p),
@@ -129,4 +129,4 @@ bool LegalCollapses::keeps_sides_around(std::uint32_t p, std::uint32_t q, const 
   return true;
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
@@ -98,4 +98,4 @@ void PosedPlanes::join(std::uint32_t removed, std::uint32_t kept, float blend, g
   }
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::optional<WholeParts::Step> WholeParts::next(std::size_t part, std::vector<V
   return Step{removed, kept};
 }
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace foredraw::collapsing {
+namespace foredraw::processors::quadric_collapse {
 
 class WholeParts {
  public:
@@ -42,4 +42,4 @@ class WholeParts {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace foredraw::collapsing
+}  // namespace foredraw::processors::quadric_collapse

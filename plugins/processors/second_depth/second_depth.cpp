@@ -102,7 +102,7 @@ double area_of(const Draw& draw, Analyses& analyses) {
 
 std::vector<DrawShells> shells_of(const Scene& scene, std::span<const DrawId> draws,
                                   std::span<const std::uint32_t> triangles, Analyses& analyses,
-                                  const shells::Limits& limits) {
+                                  const processors::second_depth::Limits& limits) {
   const JoinedVertices joined(scene, draws, analyses);
   std::vector<std::uint32_t> indices;
   for (std::size_t i = 0; i < draws.size(); ++i) {
@@ -112,7 +112,8 @@ std::vector<DrawShells> shells_of(const Scene& scene, std::span<const DrawId> dr
       indices.push_back(first + v);
     }
   }
-  const std::vector<shells::Kind> kinds = shells::kinds_of(joined.positions, joined.points(), indices, limits);
+  const std::vector<processors::second_depth::Kind> kinds =
+      processors::second_depth::kinds_of(joined.positions, joined.points(), indices, limits);
   std::vector<DrawShells> result;
   std::size_t t = 0;
   for (std::size_t i = 0; i < draws.size(); ++i) {

@@ -14,7 +14,7 @@ namespace foredraw {
 
 namespace {
 
-using ShellKind = shells::Kind;
+using ShellKind = processors::second_depth::Kind;
 
 class SecondDepthProcessor final : public Processor {
  public:
@@ -30,7 +30,7 @@ class SecondDepthProcessor final : public Processor {
         candidates.push_back(id);
         triangles.push_back(first_range(scene, id, run));
       }
-      shells::Limits limits{&run.executor, run.cancel, {}};
+      processors::second_depth::Limits limits{&run.executor, run.cancel, {}};
       if (run.progress) {
         limits.progress = [&, m](double part) {
           run.progress((static_cast<double>(m) + part) / static_cast<double>(scene.meshes.size()));

@@ -141,8 +141,9 @@ class SecondDepthRow final : public ProductRow {
     }
     Analyses analyses;
     for (const DrawShells& draw : shells_of(scene, draws, triangles, analyses)) {
-      const bool is_closed =
-          std::ranges::all_of(draw.kinds, [](shells::Kind kind) { return kind == shells::Kind::closed; });
+      const bool is_closed = std::ranges::all_of(draw.kinds, [](processors::second_depth::Kind kind) {
+        return kind == processors::second_depth::Kind::closed;
+      });
       if (!is_closed) return "the first triangles of " + scene.draws[draw.draw].name + " are not closed shells";
     }
     return {};

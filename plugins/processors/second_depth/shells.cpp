@@ -9,7 +9,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace foredraw::shells {
+namespace foredraw::processors::second_depth {
 
 namespace {
 
@@ -164,4 +164,4 @@ std::vector<Kind> kinds_of(std::span<const glm::vec3> positions, std::span<const
   return kinds;
 }
 
-}  // namespace foredraw::shells
+}  // namespace foredraw::processors::second_depth

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-namespace foredraw::sides {
+namespace foredraw::processors::sides {
 
 namespace {
 
@@ -129,4 +129,4 @@ void add_rims(const Surface& surface, std::span<Side> sides) {
   });
 }
 
-}  // namespace foredraw::sides
+}  // namespace foredraw::processors::sides

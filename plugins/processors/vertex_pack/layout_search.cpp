@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
@@ -237,4 +237,4 @@ bool set_uv_lattice(PackedLayout& layout, const glm::dvec2& least, const glm::dv
   return true;
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

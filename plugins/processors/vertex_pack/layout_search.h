@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 /// No layout that is chosen has more for u or v.
 inline constexpr std::uint32_t most_uv_bits = 20;
@@ -49,4 +49,4 @@ std::optional<PackedLayout> best_layout(const Demand& demand);
 /// floats can not hold it.
 bool set_uv_lattice(PackedLayout& layout, const glm::dvec2& least, const glm::dvec2& most);
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

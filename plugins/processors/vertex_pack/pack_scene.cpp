@@ -15,7 +15,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
@@ -266,4 +266,4 @@ PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, Subjec
   return result;
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 /// Of surfaces of which the scene says nothing: of cloth, skin and worn metal.
 inline constexpr double usual_displacement = 0.002, usual_slope = 0.2;
@@ -54,4 +54,4 @@ struct PackedScene {
 PackedScene pack_scene(const Scene& scene, std::span<const DrawId> draws, SubjectUnit unit, const Poses& poses,
                        const PackOptions& options, Analyses& analyses, const Executor& executor);
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

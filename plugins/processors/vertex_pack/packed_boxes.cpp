@@ -11,7 +11,7 @@
 #include <map>
 #include <numeric>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 namespace {
 
@@ -191,4 +191,4 @@ double rest_scale(const Scene& scene, const SubjectPart& part) {
   return std::sqrt(std::max({glm::dot(map[0], map[0]), glm::dot(map[1], map[1]), glm::dot(map[2], map[2])}));
 }
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace foredraw::packing {
+namespace foredraw::processors::vertex_pack {
 
 /// Draws whose stored positions are in one space: of one subject, and of one mesh, one skin, or with one transform. So
 /// vertices of two draws that are at one place stay there. Each draw is in one group; draws rise, and so do groups by
@@ -32,4 +32,4 @@ std::vector<Box> posed_boxes(const Scene& scene, std::span<const std::vector<Sub
 /// How many units of the world one of the part's own is, at rest: along the longest of its axes, at its first vertex.
 double rest_scale(const Scene& scene, const SubjectPart& part);
 
-}  // namespace foredraw::packing
+}  // namespace foredraw::processors::vertex_pack

@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -227,4 +227,4 @@ std::vector<Net> find_nets(const WeldedMesh& mesh) {
   return nets;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

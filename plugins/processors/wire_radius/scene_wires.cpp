@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -277,4 +277,4 @@ std::vector<DrawWires> put_wires(Scene& scene, const WireUnit& unit, const UnitW
   return made;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -112,4 +112,4 @@ WeldedMesh weld_mesh(std::span<const glm::vec3> positions, std::span<const std::
   return mesh;
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

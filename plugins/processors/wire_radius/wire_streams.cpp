@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace foredraw::wiring {
+namespace foredraw::processors::wire_radius {
 
 namespace {
 
@@ -105,4 +105,4 @@ std::optional<std::vector<glm::vec4>> wire_rows(const VertexStreams& vertices, s
   return std::move(of->wires);
 }
 
-}  // namespace foredraw::wiring
+}  // namespace foredraw::processors::wire_radius

@@ -13,7 +13,7 @@
 #include <iterator>
 #include <ostream>
 
-namespace foredraw::trim {
+namespace foredraw::processors::particle_trim {
 
 // What GoogleTest shows of a point where two differ.
 void PrintTo(const Point& point, std::ostream* out) { *out << '(' << point.x << ", " << point.y << ')'; }
@@ -112,4 +112,4 @@ TEST(ConvexHull, of_nothing_and_of_one_point_is_the_same) {
 }
 
 }  // namespace
-}  // namespace foredraw::trim
+}  // namespace foredraw::processors::particle_trim

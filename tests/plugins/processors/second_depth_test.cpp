@@ -17,13 +17,13 @@
 namespace foredraw {
 namespace {
 
-using shells::Kind;
+using processors::second_depth::Kind;
 using testing::box;
 using testing::joined;
 using testing::TestMesh;
 
 std::vector<Kind> kinds_of(const TestMesh& mesh) {
-  return shells::kinds_of(mesh.positions, welded(mesh.positions), mesh.indices);
+  return processors::second_depth::kinds_of(mesh.positions, welded(mesh.positions), mesh.indices);
 }
 
 /// So many triangles of one kind behind the other.
@@ -149,8 +149,8 @@ TEST(Shells, AreTheSameAtAnyNumberOfThreads) {
   many = testing::shuffled(many, 4);
   const auto points = welded(many.positions);
   const Executor one(1), four(4);
-  const auto alone = shells::kinds_of(many.positions, points, many.indices, {.executor = &one});
-  EXPECT_EQ(shells::kinds_of(many.positions, points, many.indices, {.executor = &four}), alone);
+  const auto alone = processors::second_depth::kinds_of(many.positions, points, many.indices, {.executor = &one});
+  EXPECT_EQ(processors::second_depth::kinds_of(many.positions, points, many.indices, {.executor = &four}), alone);
   EXPECT_GT(std::ranges::count(alone, Kind::closed), 200);
 }
 

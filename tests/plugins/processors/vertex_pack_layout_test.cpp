@@ -14,8 +14,8 @@
 namespace foredraw {
 namespace {
 
-using packing::best_layout;
-using packing::Demand;
+using processors::vertex_pack::best_layout;
+using processors::vertex_pack::Demand;
 
 /// E of the layout: how far a displaced point is off at most.
 double displaced_error(const PackedLayout& layout, const Demand& demand) {
@@ -68,7 +68,7 @@ std::optional<PackedLayout> by_chance(const Demand& demand, Random& random) {
     layout.field[f] = {word, used[word], bits[f]};
     used[word] += bits[f];
   }
-  packing::set_uv_lattice(layout, glm::dvec2(0), demand.uv_extent);
+  processors::vertex_pack::set_uv_lattice(layout, glm::dvec2(0), demand.uv_extent);
   return layout;
 }
 
@@ -159,7 +159,7 @@ TEST(PackedLayoutSearch, TextureCoordinatesHaveALatticeOfTheirOwn) {
   PackedLayout layout = testing::unit_layout();
   for (const glm::dvec2 range :
        {glm::dvec2(0, 1), glm::dvec2(-3, 5), glm::dvec2(1000, 1000.5), glm::dvec2(0.25, 0.25)}) {
-    ASSERT_TRUE(packing::set_uv_lattice(layout, glm::dvec2(range.x), glm::dvec2(range.y)));
+    ASSERT_TRUE(processors::vertex_pack::set_uv_lattice(layout, glm::dvec2(range.x), glm::dvec2(range.y)));
     ASSERT_TRUE(foredraw_packed_is_layout(&layout));
     const double bound = packed_bounds(layout).u;
     for (int i = 0; i <= 10'000; ++i) {
@@ -171,7 +171,7 @@ TEST(PackedLayoutSearch, TextureCoordinatesHaveALatticeOfTheirOwn) {
       ASSERT_LE(std::abs(static_cast<double>(again.uv[0]) - static_cast<double>(u)), bound) << u;
     }
   }
-  EXPECT_FALSE(packing::set_uv_lattice(layout, glm::dvec2(0), glm::dvec2(1e30)));
+  EXPECT_FALSE(processors::vertex_pack::set_uv_lattice(layout, glm::dvec2(0), glm::dvec2(1e30)));
 }
 
 }  // namespace

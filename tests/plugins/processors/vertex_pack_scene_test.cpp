@@ -299,10 +299,12 @@ TEST(VertexPackScene, TangentsThatAreNoneComeOutAsSome) {
 TEST(VertexPackScene, IsTheSameAtAnyNumberOfThreads) {
   const Scene scene = testing::BendingTube().scene();
   const std::vector<Subject> subjects = subjects_of(scene);
-  const auto groups = packing::posed_groups(scene, subjects);
+  const auto groups = processors::vertex_pack::posed_groups(scene, subjects);
   const Poses poses = make_poses(scene, {.rate = 30});
-  const packing::Box one = packing::posed_boxes(scene, groups, poses, Executor(1)).at(0);
-  const packing::Box many = packing::posed_boxes(scene, groups, poses, Executor(5)).at(0);
+  const processors::vertex_pack::Box one =
+      processors::vertex_pack::posed_boxes(scene, groups, poses, Executor(1)).at(0);
+  const processors::vertex_pack::Box many =
+      processors::vertex_pack::posed_boxes(scene, groups, poses, Executor(5)).at(0);
   EXPECT_EQ(one.least, many.least);
   EXPECT_EQ(one.most, many.most);
 }
