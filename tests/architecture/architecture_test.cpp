@@ -85,6 +85,12 @@ TEST_F(Architecture, names_say_something) {
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 
+TEST_F(Architecture, plugins_carry_their_folders_name) {
+  Breaches breaches;
+  for (const TextFile& file : texts()) add(breaches, plugin_name_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
 TEST_F(Architecture, types_are_defined_once) {
   TypeFiles types;
   for (const TextFile& file : texts()) {

@@ -1,5 +1,5 @@
 #pragma once
-// How files are called and how long they get.
+// Names of files, and of classes and namespaces of plugins; lengths of files.
 
 #include "source_tree.h"
 
@@ -8,6 +8,11 @@ namespace foredraw::architecture {
 /// Names that say nothing (utils, common, manager, helper, misc), in files or folders, and C++ files that are not
 /// called in lower case with underscores.
 Breaches name_breaches(const std::string& path);
+
+/// In a folder of a plugin or an evaluator, names that are not the folder's. Its namespaces are foredraw and
+/// foredraw::<kinds>::<folder>. A class of <folder>_plugin.cpp that derives from another carries the folder's name in
+/// PascalCase and the last word of the other's: WeldProcessor, TipsifyOrderer.
+Breaches plugin_name_breaches(const std::string& path, const std::string& text);
 
 inline constexpr std::size_t long_file = 300;      ///< lines: worth a look
 inline constexpr std::size_t too_long_file = 450;  ///< lines: two ideas

@@ -240,6 +240,26 @@ TEST(TextRules, unfinished_work_and_machine_paths_are_found) {
             0u);
 }
 
+TEST(NameRules, plugins_carry_their_folders_name) {
+  const std::string plugin = "plugins/orderers/dot_rule/dot_rule_plugin.cpp";
+  const auto number_of_breaches = [](const std::string& path, const std::string& line) {
+    return plugin_name_breaches(path, "#pragma once\n" + line + '\n').size();
+  };
+  for (const char* line : {"namespace foredraw {", "namespace {", "namespace foredraw::orderers::dot_rule {",
+                           "namespace orderers::dot_rule {", "namespace foredraw::orderers::dot_rule::HWY_NAMESPACE {",
+                           "class DotRuleOrderer final : public DrawOrderer {", "class Steps {"}) {
+    EXPECT_EQ(number_of_breaches(plugin, line), 0u) << line;
+  }
+  for (const char* line :
+       {"namespace foredraw::dots {", "namespace foredraw::dot_rule {", "namespace foredraw::processors::dot_rule {",
+        "class DotRule final : public DrawOrderer {", "class SortDots final : public Clusterer {"}) {
+    EXPECT_EQ(number_of_breaches(plugin, line), 1u) << line;
+  }
+  EXPECT_EQ(number_of_breaches("evaluators/lod_walk/walk.h", "namespace foredraw::evaluators::lod_walk {"), 0u);
+  EXPECT_EQ(number_of_breaches("evaluators/lod_walk/walk.h", "namespace foredraw::lod_walk {"), 1u);
+  EXPECT_EQ(number_of_breaches("framework/foredraw/io/gltf/gltf.h", "namespace foredraw::gltf {"), 0u);
+}
+
 TEST(RoomRules, the_picture_gives_floors_and_links) {
   const std::vector<Room> rooms = {{"base", {}}, {"high", {"low", "base"}}, {"low", {"base"}}};
   EXPECT_EQ(picture_of(rooms),
