@@ -3,7 +3,7 @@
 #include "file_runs.h"
 #include "text_outputs.h"
 
-#include <foredraw/report/page/page.h>
+#include <foredraw/page/page.h>
 
 #include <foredraw/io/file_lender.h>
 #include <foredraw/io/image/images.h>

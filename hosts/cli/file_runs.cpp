@@ -3,11 +3,11 @@
 #include "depfile.h"
 #include "result_cache.h"
 
-#include <foredraw/report/page/page.h>
+#include <foredraw/page/page.h>
 
 #include <foredraw/io/image/images.h>
 #include <foredraw/io/side_files.h>
-#include <foredraw/report/page/heat_maps.h>
+#include <foredraw/page/heat_maps.h>
 #include <foredraw/report/remap.h>
 
 #include <numeric>
