@@ -2,6 +2,7 @@
 // What evaluators of overdraw share: a plugin says how triangles are drawn and counted, as an OverdrawService;
 // subjects, views, figures and what is told about them are the same for all.
 
+#include <foredraw/technique/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
 #include <foredraw/technique/pose_options.h>
 #include <foredraw/technique/subject_options.h>

@@ -6,6 +6,7 @@
 #include <foredraw/pipeline/named_files.h>
 #include <foredraw/pipeline/trait_makers.h>
 #include <foredraw/scene/levels.h>
+#include <foredraw/technique/overdraw_service.h>
 
 #include <fmt/format.h>
 
