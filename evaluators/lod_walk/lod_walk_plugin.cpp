@@ -2,8 +2,8 @@
 #include "lod_walk.h"
 #include "walk_findings_plugin.h"
 
+#include <foredraw/measuring/frame_options.h>
 #include <foredraw/scene/levels.h>
-#include <foredraw/technique/frame_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

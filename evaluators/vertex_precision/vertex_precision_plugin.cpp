@@ -1,7 +1,7 @@
 #include "vertex_precision.h"
 
+#include <foredraw/measuring/pose_options.h>
 #include <foredraw/technique/plugin.h>
-#include <foredraw/technique/pose_options.h>
 
 #include <stdexcept>
 

@@ -2,10 +2,10 @@
 #include "support/meshes.h"
 #include "support/program.h"
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/modules/draw_overdraw.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/technique/built_in_plugins.h>
-#include <foredraw/technique/overdraw_service.h>
 #include <foredraw/technique/registry.h>
 #include <foredraw/viewing/view_set.h>
 

@@ -2,11 +2,11 @@
 // What evaluators of overdraw share: a plugin says how triangles are drawn and counted, as an OverdrawService;
 // subjects, views, figures and what is told about them are the same for all.
 
-#include <foredraw/technique/overdraw_service.h>
+#include <foredraw/measuring/overdraw_service.h>
+#include <foredraw/measuring/pose_options.h>
+#include <foredraw/measuring/view_options.h>
 #include <foredraw/technique/plugin.h>
-#include <foredraw/technique/pose_options.h>
 #include <foredraw/technique/subject_options.h>
-#include <foredraw/technique/view_options.h>
 #include <foredraw/viewing/drawn_orders.h>
 
 #include <concepts>

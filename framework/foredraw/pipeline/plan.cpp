@@ -1,12 +1,12 @@
 #include <foredraw/pipeline/plan.h>
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/pipeline/eligible.h>
 #include <foredraw/pipeline/measured_frames.h>
 #include <foredraw/pipeline/measured_subjects.h>
 #include <foredraw/pipeline/named_files.h>
 #include <foredraw/pipeline/trait_makers.h>
 #include <foredraw/scene/levels.h>
-#include <foredraw/technique/overdraw_service.h>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include <foredraw/pipeline/private/words.h>
 
-#include <foredraw/technique/frame_options.h>
-#include <foredraw/technique/pose_options.h>
+#include <foredraw/measuring/frame_options.h>
+#include <foredraw/measuring/pose_options.h>
+#include <foredraw/measuring/view_options.h>
 #include <foredraw/technique/subject_options.h>
-#include <foredraw/technique/view_options.h>
 
 #include <algorithm>
 

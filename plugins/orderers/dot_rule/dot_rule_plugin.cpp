@@ -1,6 +1,6 @@
 #include "dot_rule.h"
 
-#include <foredraw/technique/overdraw_service.h>
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

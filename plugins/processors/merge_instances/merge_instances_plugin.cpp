@@ -3,7 +3,7 @@
 #include "merged_draws_product.h"
 #include "slot_order.h"
 
-#include <foredraw/technique/overdraw_service.h>
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

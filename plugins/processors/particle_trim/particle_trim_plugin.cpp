@@ -1,7 +1,7 @@
 #include "footprint.h"
 #include "sprite_quads.h"
 
-#include <foredraw/technique/alpha_options.h>
+#include <foredraw/measuring/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

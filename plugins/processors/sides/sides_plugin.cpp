@@ -5,7 +5,7 @@
 #include "sides.h"
 #include "surrounding.h"
 
-#include <foredraw/technique/overdraw_service.h>
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
 #include <foredraw/viewing/draw_mask.h>
 

@@ -2,7 +2,7 @@
 
 #include "quad_cutting.h"
 
-#include <foredraw/technique/alpha_options.h>
+#include <foredraw/measuring/alpha_options.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 #include "pack_scene.h"
 #include "packed_vertices_product.h"
 
+#include <foredraw/measuring/pose_options.h>
 #include <foredraw/technique/plugin.h>
-#include <foredraw/technique/pose_options.h>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
+#include <foredraw/measuring/view_options.h>
 #include <foredraw/technique/options.h>
-#include <foredraw/technique/view_options.h>
 
 #include <gtest/gtest.h>
 

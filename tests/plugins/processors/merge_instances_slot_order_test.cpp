@@ -4,8 +4,8 @@
 
 #include "support/placements.h"
 
+#include <foredraw/measuring/overdraw_service.h>
 #include <foredraw/runtime/merge_instances.h>
-#include <foredraw/technique/overdraw_service.h>
 #include <foredraw/technique/plugin.h>
 
 #include <gtest/gtest.h>
