@@ -1,6 +1,7 @@
 #include <foredraw/analysis/closed_surfaces.h>
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 
 #include <algorithm>
 #include <cmath>

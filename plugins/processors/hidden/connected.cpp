@@ -1,6 +1,7 @@
 #include "connected.h"
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 
 namespace foredraw::processors::hidden {
 

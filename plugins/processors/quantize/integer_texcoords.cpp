@@ -2,7 +2,7 @@
 
 #include "lattices.h"
 
-#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/scaled_texcoords.h>
 
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 #include "shells.h"
 
 #include <foredraw/analysis/ray_tree.h>
-#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 
 #include <glm/geometric.hpp>
 

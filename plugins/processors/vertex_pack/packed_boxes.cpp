@@ -1,5 +1,6 @@
 #include "packed_boxes.h"
 
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/viewing/posed_positions.h>
 
@@ -9,29 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace foredraw::processors::vertex_pack {
 
 namespace {
-
-/// Sets that are joined, each known by its smallest member.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), DrawId{0}); }
-
-  DrawId of(DrawId member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(DrawId a, DrawId b) {
-    a = of(a), b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<DrawId> parent_;
-};
 
 bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -86,7 +68,7 @@ bool is_moved(const Scene& scene, const SubjectPart& part) {
 }  // namespace
 
 std::vector<std::vector<DrawId>> stored_groups(const Scene& scene, std::span<const Subject> subjects) {
-  Sets sets(scene.draws.size());
+  JoinedSets sets(scene.draws.size());
   for (const Mesh& mesh : scene.meshes) {
     for (const DrawId draw : mesh.draws) sets.join(mesh.draws.front(), draw);
   }
@@ -117,7 +99,7 @@ std::vector<std::vector<DrawId>> stored_groups(const Scene& scene, std::span<con
 }
 
 std::vector<std::vector<SubjectPart>> posed_groups(const Scene& scene, std::span<const Subject> subjects) {
-  Sets sets(scene.draws.size());
+  JoinedSets sets(scene.draws.size());
   for (const Subject& subject : subjects) {
     for (const SubjectPart& part : subject.parts) sets.join(subject.parts.front().draw, part.draw);
   }

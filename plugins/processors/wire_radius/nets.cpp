@@ -1,6 +1,6 @@
 #include "nets.h"
 
-#include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 
 #include <glm/geometric.hpp>
 

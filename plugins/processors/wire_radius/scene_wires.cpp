@@ -3,6 +3,7 @@
 #include "wire_streams.h"
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/reorder.h>
 #include <foredraw/scene/skin_weights.h>
 #include <foredraw/scene/vertex_groups.h>

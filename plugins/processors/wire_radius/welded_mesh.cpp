@@ -1,6 +1,7 @@
 #include "welded_mesh.h"
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/joined_sets.h>
 
 #include <glm/geometric.hpp>
 

@@ -7,6 +7,7 @@
 #include <foredraw/analysis/surface_distance.h>
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/collapses/collapse_sequences.h>
+#include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/technique/plugin.h>
 
