@@ -1,6 +1,7 @@
 #include "distance_term.h"
 
 #include <foredraw/analysis/closest_points.h>
+#include <foredraw/geometry/box.h>
 
 #include <algorithm>
 #include <limits>
@@ -11,23 +12,18 @@ namespace {
 
 constexpr double nothing = 1e-30;  // a squared distance in box diagonals that is rounding
 
-struct Box {
-  glm::dvec3 least{0}, most{0};
-};
+using PlaceBox = Box<glm::dvec3>;
 
-Box box_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  Box box;
-  for (int k = 0; k < 3; ++k) {
-    box.least[k] = std::min({a[k], b[k], c[k]});
-    box.most[k] = std::max({a[k], b[k], c[k]});
-  }
+PlaceBox box_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  PlaceBox box;
+  for (const glm::dvec3& corner : {a, b, c}) box.add(corner);
   return box;
 }
 
-double squared_distance_of(const Box& box, const glm::dvec3& point) {
+double squared_distance_of(const PlaceBox& box, const glm::dvec3& point) {
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
-    const double off = std::max({box.least[k] - point[k], point[k] - box.most[k], 0.0});
+    const double off = std::max({box.min[k] - point[k], point[k] - box.max[k], 0.0});
     sum += off * off;
   }
   return sum;
@@ -37,7 +33,7 @@ double squared_distance_of(const Box& box, const glm::dvec3& point) {
 
 double distance_term(const Star& star, const glm::dvec3& place, double weight, std::vector<Nearest>& nearest,
                      Fit& fit) {
-  std::vector<Box> boxes;
+  std::vector<PlaceBox> boxes;
   boxes.reserve(star.triangles.size());
   for (const StarTriangle& triangle : star.triangles) {
     boxes.push_back(box_of(place, triangle.others[0], triangle.others[1]));

@@ -98,8 +98,7 @@ class Crossings {
  private:
   static bool overlap(const BoxTree::Box& box, const BoxTree::Node& node, std::size_t child) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(node.planes[0][axis][child] <= box.high[axis] && node.planes[1][axis][child] >= box.low[axis]))
-        return false;
+      if (!(node.planes[0][axis][child] <= box.max[axis] && node.planes[1][axis][child] >= box.min[axis])) return false;
     }
     return true;
   }

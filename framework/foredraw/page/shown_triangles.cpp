@@ -1,5 +1,7 @@
 #include <foredraw/page/shown_triangles.h>
 
+#include <foredraw/geometry/box.h>
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -17,31 +19,25 @@ constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-struct Box {
-  glm::vec3 least{std::numeric_limits<float>::max()};
-  glm::vec3 most{std::numeric_limits<float>::lowest()};
-};
-
-Box box_of(std::span<const glm::vec3> positions) {
-  Box box;
+Box<glm::vec3> box_of(std::span<const glm::vec3> positions) {
+  Box<glm::vec3> box;
   for (const glm::vec3& p : positions) {
-    if (!is_finite(p)) continue;
-    box.least = glm::min(box.least, p);
-    box.most = glm::max(box.most, p);
+    if (is_finite(p)) box.add(p);
   }
   return box;
 }
 
 /// [vertex] the first one in the same cell of a grid of so many cells along the longest edge.
-std::vector<std::uint32_t> first_in_cell(std::span<const glm::vec3> positions, const Box& box, std::uint32_t cells) {
-  const glm::vec3 extent = box.most - box.least;
+std::vector<std::uint32_t> first_in_cell(std::span<const glm::vec3> positions, const Box<glm::vec3>& box,
+                                         std::uint32_t cells) {
+  const glm::vec3 extent = box.max - box.min;
   const float longest = std::max({extent.x, extent.y, extent.z});
   const float scale = longest > 0 ? static_cast<float>(cells) / longest : 0;
   std::unordered_map<std::uint64_t, std::uint32_t> first;
   std::vector<std::uint32_t> result(positions.size(), nowhere);
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     if (!is_finite(positions[v])) continue;
-    const glm::vec3 place = (positions[v] - box.least) * scale;
+    const glm::vec3 place = (positions[v] - box.min) * scale;
     const auto cell = [&](float along) {
       return static_cast<std::uint64_t>(std::min(along, static_cast<float>(cells - 1)));
     };
@@ -86,7 +82,7 @@ ShownTriangles shown_triangles(std::span<const glm::vec3> positions, std::span<c
   shown.triangles = triangles_with(indices, vertex, [](const Corners&) { return true; });
   if (shown.triangles.size() > at_most) shown.triangles = unflattened(indices, vertex);
   if (shown.triangles.size() > at_most) {
-    const Box box = box_of(positions);
+    const Box<glm::vec3> box = box_of(positions);
     std::uint32_t few = 1, many = 1u << 20;  // cells: `few` leave few enough
     while (many - few > std::max(few / 50, 1u)) {
       const std::uint32_t cells = few + (many - few) / 2;

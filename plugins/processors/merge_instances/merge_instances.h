@@ -1,9 +1,8 @@
 #pragma once
 // Many meshes with many instances each, drawn as a few draws without a vertex stored twice.
 
-#include "box.h"
-
 #include <foredraw/base/parallel.h>
+#include <foredraw/geometry/box.h>
 #include <foredraw/scene/merged_instances.h>
 
 #include <glm/mat4x4.hpp>
@@ -49,7 +48,7 @@ struct PackedMesh {
 struct PlacedMesh {
   std::uint32_t mesh = 0;
   glm::mat4 world{1};
-  Box box;  ///< in the world; finite
+  Box<glm::vec3> box;  ///< in the world; finite
 };
 
 /// The buffers, and what they come to.

@@ -21,7 +21,7 @@ struct MergeablePlacement {
   std::uint32_t mesh = 0;  ///< its number in the set
   MergedPlace place;
   glm::mat4 world{1};
-  Box box;  ///< in the world
+  Box<glm::vec3> box;  ///< in the world
 };
 
 /// A draw of the set, as often as it is placed.

@@ -137,19 +137,19 @@ std::string transform_of(const FrameEntry& frame) {
 }
 
 void put_figure(const DrawnSprite& sprite, const std::string& image, std::string& text) {
-  const Box box = bounds_of(sprite);
-  const glm::dvec2 size = box.most - box.least;
+  const Box<glm::dvec2> box = bounds_of(sprite);
+  const glm::dvec2 size = box.max - box.min;
   const double margin = 0.04 * std::max(size.x, size.y);
   const glm::dvec2 corner = sprite.frame.offset, own = sprite.frame.size();
   text += fmt::format("<figure><svg viewBox=\"{} {} {} {}\" role=\"img\" aria-label=\"{}\">",
-                      shortest(box.least.x - margin), shortest(box.least.y - margin), shortest(size.x + 2 * margin),
+                      shortest(box.min.x - margin), shortest(box.min.y - margin), shortest(size.x + 2 * margin),
                       shortest(size.y + 2 * margin), escaped(sprite.frame.name));
   // What of the image lies around the frame is shown only as far as it is drawn.
   text += fmt::format(
       "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">"
       "<use href=\"#{4}\" transform=\"{5}\"{6}/></svg>",
-      shortest(box.least.x), shortest(box.least.y), shortest(size.x), shortest(size.y), image,
-      transform_of(sprite.frame), std::max(own.x, own.y) <= 96 ? " style=\"image-rendering:pixelated\"" : "");
+      shortest(box.min.x), shortest(box.min.y), shortest(size.x), shortest(size.y), image, transform_of(sprite.frame),
+      std::max(own.x, own.y) <= 96 ? " style=\"image-rendering:pixelated\"" : "");
   text += fmt::format("<path class=\"frame\" d=\"M{} {}h{}v{}h-{}Z\"/>", corner.x, corner.y, own.x, own.y, own.x);
   text += fmt::format("<path class=\"polygon\" d=\"{}\"/>", polygon_path(sprite));
   text += fmt::format("<path class=\"corners\" d=\"{}\"/></svg>", corner_path(sprite.points));
