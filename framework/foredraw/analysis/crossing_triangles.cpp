@@ -1,5 +1,7 @@
 #include <foredraw/analysis/crossing_triangles.h>
 
+#include <foredraw/geometry/finite.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -40,11 +42,6 @@ bool goes_through(const Corners& edges, const Corners& of) {
 
 bool has_common_corner(const Corners& a, const Corners& b) {
   return std::ranges::any_of(a, [&](const glm::vec3& p) { return std::ranges::find(b, p) != b.end(); });
-}
-
-bool is_finite(const Corners& corners) {
-  return std::ranges::all_of(
-      corners, [](const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
 }
 
 /// Where so many triangles lie in the box of one, and it crosses none of them, they lie on each other.

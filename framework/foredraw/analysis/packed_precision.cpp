@@ -1,5 +1,6 @@
 #include <foredraw/analysis/packed_precision.h>
 
+#include <foredraw/geometry/finite.h>
 #include <foredraw/scene/scaled_texcoords.h>
 
 #include <glm/geometric.hpp>
@@ -56,8 +57,6 @@ glm::dvec3 element(const VertexStream& stream, std::size_t vertex, std::size_t c
   }
   return value;
 }
-
-bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// As runtime/packed_vertex.h asks.
 bool is_direction(const glm::dvec3& v) {

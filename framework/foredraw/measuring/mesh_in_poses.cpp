@@ -1,5 +1,6 @@
 #include <foredraw/measuring/mesh_in_poses.h>
 
+#include <foredraw/geometry/finite.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/viewing/posed_positions.h>
 
@@ -50,15 +51,6 @@ double area(std::span<const std::uint32_t> indices, const PlaceOf& place_of) {
   return sum;
 }
 
-bool is_finite(const glm::dmat4x3& map) {
-  for (int c = 0; c < 4; ++c) {
-    for (int r = 0; r < 3; ++r) {
-      if (!std::isfinite(map[c][r])) return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 PosedVertices mesh_in_poses(const MeshInScene& of, const Poses& poses, std::size_t most) {
@@ -82,7 +74,8 @@ PosedVertices mesh_in_poses(const MeshInScene& of, const Poses& poses, std::size
   const double scale = std::sqrt(at_rest / areas);
   if (!(scale > 0)) return {};
   for (glm::dmat4x3& map : posed.maps) map *= scale;
-  return std::ranges::all_of(posed.maps, is_finite) ? posed : PosedVertices{};
+  return std::ranges::all_of(posed.maps, [](const glm::dmat4x3& map) { return is_finite(map); }) ? posed
+                                                                                                 : PosedVertices{};
 }
 
 }  // namespace foredraw

@@ -1,12 +1,12 @@
 #include <foredraw/page/shown_triangles.h>
 
 #include <foredraw/geometry/box.h>
+#include <foredraw/geometry/finite.h>
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
@@ -16,8 +16,6 @@ namespace foredraw {
 namespace {
 
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
-
-bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 Box<glm::vec3> box_of(std::span<const glm::vec3> positions) {
   Box<glm::vec3> box;

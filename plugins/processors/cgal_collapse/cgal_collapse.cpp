@@ -2,6 +2,7 @@
 
 #include <foredraw/collapses/surface_fans.h>
 #include <foredraw/collapses/unit_frame.h>
+#include <foredraw/geometry/finite.h>
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // gcc 12 sees it inside of boost::optional and of Eigen
@@ -60,7 +61,7 @@ class Placement {
     const Place best = (*base_)(profile);
     if (!best) return boost::none;
     const glm::vec3 place = work_->frame.to_mesh({best->x(), best->y(), best->z()});
-    if (!(std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z))) return boost::none;
+    if (!is_finite(place)) return boost::none;
     return cgal_point(work_->frame.from_mesh(place));
   }
 

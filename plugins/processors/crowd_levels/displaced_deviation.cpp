@@ -1,5 +1,7 @@
 #include "displaced_deviation.h"
 
+#include <foredraw/geometry/finite.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -71,8 +73,6 @@ std::vector<glm::vec3> moved(const MovedSurface& surface, const std::vector<Tess
   return displaced_positions(mesh, surface.indices, surface.positions, surface.directions, by);
 }
 
-bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 struct Sums {
   double largest = 0, squares = 0, area = 0;
 
@@ -132,7 +132,9 @@ std::vector<Deviation> displaced_deviations(const MovedSurface& surface, std::sp
     };
     std::vector<std::uint32_t> finite;
     for (std::uint32_t t = first; t < end; ++t) {
-      if (std::isfinite(area_of(surface, t)) && std::ranges::all_of(on(t), is_finite)) finite.push_back(t);
+      if (std::isfinite(area_of(surface, t)) &&
+          std::ranges::all_of(on(t), [](const glm::vec3& p) { return is_finite(p); }))
+        finite.push_back(t);
     }
     for (const std::uint32_t t : finite) {
       const glm::vec3* own = flat.data() + (t - first) * fine.points.size();

@@ -3,8 +3,8 @@
 #include "contained.h"
 #include "seen_in_pictures.h"
 
-#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/base/random.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
 #include <set>

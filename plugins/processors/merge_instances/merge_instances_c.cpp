@@ -4,6 +4,7 @@
 
 #include <foredraw/base/this_thread.h>
 #include <foredraw/c/checked_input.h>
+#include <foredraw/geometry/finite.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +23,6 @@ struct Owner {
   std::vector<foredraw_merged_draw> draws;
   std::vector<foredraw_merged_group> groups;
 };
-
-bool is_finite(const glm::vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
 
 glm::mat4 matrix_of(const float (&rows)[12]) {
   glm::mat4 matrix(1);

@@ -5,6 +5,7 @@
 #include <foredraw/analysis/moved_nodes.h>
 #include <foredraw/analysis/vertex_cache.h>
 #include <foredraw/base/counted.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/viewing/animation.h>
 #include <foredraw/viewing/posed_positions.h>
 
@@ -70,8 +71,7 @@ DrawFacts facts_of(const Draw& draw) {
     if (is_added[index] != 0) continue;
     is_added[index] = 1;
     const glm::vec3& point = decoded[index];
-    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
-      return {Box<glm::vec3>{}, facts.shaded};
+    if (!is_finite(point)) return {{}, facts.shaded};
     facts.box.add(point);
   }
   return facts;
@@ -94,13 +94,6 @@ Box<glm::vec3> box_in_world(const Box<glm::vec3>& box, const glm::mat4& world) {
     if (double{result.max[row]} < middle + half) result.max[row] = std::nextafter(result.max[row], beyond_all);
   }
   return result;
-}
-
-bool is_finite(const Box<glm::vec3>& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(box.min[axis]) || !std::isfinite(box.max[axis])) return false;
-  }
-  return true;
 }
 
 /// Why the set's draws stay as they are; empty: they should be merged.
@@ -247,7 +240,8 @@ MergeableScene mergeable_scene(const Scene& scene, std::span<const DrawId> draws
         placement.box = box_in_world(in.box, to_world);
       }
       if (why.empty()) {
-        if (!is_finite(placement.box)) why = "in the world it is too large for 32-bit floats";
+        if (!is_finite(placement.box.min) || !is_finite(placement.box.max))
+          why = "in the world it is too large for 32-bit floats";
       }
       if (!why.empty()) {
         result.left_alone.push_back({id, n, std::move(why)});

@@ -1,5 +1,7 @@
 #include "spatial_groups.h"
 
+#include <foredraw/geometry/finite.h>
+
 #include "group_merging.h"
 #include "group_tree.h"
 
@@ -15,10 +17,6 @@ namespace foredraw::processors::merge_instances {
 namespace {
 
 constexpr std::size_t chunk = 16384;  ///< instances that a task looks at: fixed, whatever the number of threads
-
-bool is_finite(const glm::vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
 
 Box<glm::vec3> scene_box(std::span<const PlacedBox> instances) {
   Box<glm::vec3> all;

@@ -3,6 +3,7 @@
 #include "lattices.h"
 
 #include <foredraw/geometry/box.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/scaled_texcoords.h>
 
@@ -34,7 +35,7 @@ using UvBox = Box<glm::dvec2>;
 std::optional<UvBox> box_of(std::span<const glm::vec2> coordinates) {
   UvBox box;
   for (const glm::vec2& uv : coordinates) {
-    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return std::nullopt;
+    if (!is_finite(uv)) return std::nullopt;
     box.add(glm::dvec2(uv));
   }
   return box;

@@ -1,7 +1,7 @@
 #include "touching_draws.h"
 
-#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/geometry/box.h>
+#include <foredraw/geometry/finite.h>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>

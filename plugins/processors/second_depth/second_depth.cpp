@@ -1,7 +1,6 @@
 #include "second_depth.h"
 
 #include <foredraw/analysis/analyses.h>
-#include <foredraw/analysis/mesh_facts.h>
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/scene/skin_weights.h>
 

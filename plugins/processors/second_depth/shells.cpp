@@ -1,6 +1,7 @@
 #include "shells.h"
 
 #include <foredraw/analysis/ray_tree.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/geometry/joined_sets.h>
 
 #include <glm/geometric.hpp>
@@ -18,8 +19,6 @@ struct Side {
   std::uint32_t low, high, triangle;
   std::int32_t way;  ///< 1: from low to high
 };
-
-bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 std::vector<Side> sides_of(std::span<const std::uint32_t> points, std::span<const std::uint32_t> indices) {
   std::vector<Side> sides;

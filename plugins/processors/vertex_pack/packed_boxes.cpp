@@ -1,5 +1,6 @@
 #include "packed_boxes.h"
 
+#include <foredraw/geometry/finite.h>
 #include <foredraw/geometry/joined_sets.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/viewing/posed_positions.h>
@@ -14,8 +15,6 @@
 namespace foredraw::processors::vertex_pack {
 
 namespace {
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void add_finite(Box<glm::dvec3>& box, const glm::dvec3& point) {
   if (is_finite(point)) box.add(point);

@@ -1,18 +1,16 @@
 #include "welded_mesh.h"
 
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/finite.h>
 #include <foredraw/geometry/joined_sets.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace foredraw::processors::wire_radius {
 
 namespace {
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void add_points(std::span<const glm::vec3> positions, WeldedMesh& mesh) {
   const std::vector<std::uint32_t> first = welded(positions);
