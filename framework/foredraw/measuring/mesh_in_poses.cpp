@@ -1,10 +1,10 @@
 #include <foredraw/measuring/mesh_in_poses.h>
 
 #include <foredraw/geometry/finite.h>
+#include <foredraw/geometry/triangle_area.h>
 #include <foredraw/scene/subject.h>
 #include <foredraw/viewing/posed_positions.h>
 
-#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
@@ -45,8 +45,7 @@ template <class PlaceOf>
 double area(std::span<const std::uint32_t> indices, const PlaceOf& place_of) {
   double sum = 0;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    const glm::dvec3 a = place_of(indices[i]);
-    sum += glm::length(glm::cross(place_of(indices[i + 1]) - a, place_of(indices[i + 2]) - a)) / 2;
+    sum += triangle_area(place_of(indices[i]), place_of(indices[i + 1]), place_of(indices[i + 2]));
   }
   return sum;
 }

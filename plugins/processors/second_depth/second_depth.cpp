@@ -2,9 +2,8 @@
 
 #include <foredraw/analysis/analyses.h>
 #include <foredraw/analysis/welded_positions.h>
+#include <foredraw/geometry/triangle_area.h>
 #include <foredraw/scene/skin_weights.h>
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +61,7 @@ struct JoinedVertices {
 };
 
 double area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  const double area = glm::length(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a))) / 2;
+  const double area = triangle_area(a, b, c);
   return std::isfinite(area) ? area : 0;
 }
 

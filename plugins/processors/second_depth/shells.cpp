@@ -3,6 +3,7 @@
 #include <foredraw/analysis/ray_tree.h>
 #include <foredraw/geometry/finite.h>
 #include <foredraw/geometry/joined_sets.h>
+#include <foredraw/geometry/triangle_area.h>
 
 #include <glm/geometric.hpp>
 
@@ -88,7 +89,7 @@ Kind kind_by_volume(std::span<const glm::vec3> positions, std::span<const std::u
     const auto corner = [&](std::size_t c) { return glm::dvec3(positions[indices[3 * std::size_t{t} + c]]) - origin; };
     const glm::dvec3 a = corner(0), b = corner(1), c = corner(2);
     volume += glm::dot(a, glm::cross(b, c)) / 6;
-    area += glm::length(glm::cross(b - a, c - a)) / 2;
+    area += triangle_area(a, b, c);
   }
   if (!(std::abs(volume) > flat * area * std::sqrt(area))) return Kind::flat;
   return volume > 0 ? Kind::closed : Kind::inside_out;

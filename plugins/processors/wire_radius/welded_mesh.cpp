@@ -3,8 +3,7 @@
 #include <foredraw/analysis/welded_positions.h>
 #include <foredraw/geometry/finite.h>
 #include <foredraw/geometry/joined_sets.h>
-
-#include <glm/geometric.hpp>
+#include <foredraw/geometry/triangle_area.h>
 
 #include <algorithm>
 
@@ -96,8 +95,7 @@ void add_neighbours(WeldedMesh& mesh) {
       mesh.shell[t] = mesh.shell[first];
     }
     const auto& [a, b, c] = mesh.triangles[t];
-    mesh.shell_area[mesh.shell[t]] +=
-        glm::length(glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a])) / 2;
+    mesh.shell_area[mesh.shell[t]] += triangle_area(mesh.points[a], mesh.points[b], mesh.points[c]);
   }
 }
 
