@@ -6,6 +6,7 @@
 #include <set>
 
 #include "clock_rules.h"
+#include "family_rules.h"
 #include "include_rules.h"
 #include "name_rules.h"
 #include "product_rules.h"
@@ -57,6 +58,21 @@ TEST_F(Architecture, includes_point_leftwards) {
 TEST_F(Architecture, who_is_handed_rows_names_no_product) {
   Breaches breaches;
   for (const TextFile& file : texts()) add(breaches, product_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
+TEST_F(Architecture, families_are_named_at_home) {
+  const std::vector<Family> families = families_in(text_of(root / "tests/architecture/families.md"));
+  EXPECT_GT(families.size(), 5u);
+  const std::vector<TextFile> all = texts();
+  Breaches breaches;
+  for (const Family& family : families) {
+    std::vector<std::string> files;
+    for (const TextFile& file : all) {
+      if (names_from_elsewhere(family, file.path, file.text)) files.push_back(file.path);
+    }
+    add(breaches, family_breaches(family, files));
+  }
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 

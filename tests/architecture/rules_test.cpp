@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "clock_rules.h"
+#include "family_rules.h"
 #include "include_rules.h"
 #include "name_rules.h"
 #include "product_rules.h"
@@ -238,6 +239,32 @@ TEST(TextRules, unfinished_work_and_machine_paths_are_found) {
                 .front()
                 .find("a.md:2: "),
             0u);
+}
+
+TEST(FamilyRules, the_table_says_what_names_a_family_and_where_its_home_is) {
+  const std::vector<Family> families = families_in(
+      "# Page\n\n| family | names | at home in | files elsewhere |\n|---|---|---|---:|\n"
+      "| second depth | second_depth seconddepth | plugins/processors/second_depth/ a/b/ | 12 |\n");
+  ASSERT_EQ(families.size(), 1u);
+  EXPECT_EQ(families[0].name, "second depth");
+  EXPECT_EQ(families[0].words, (std::vector<std::string>{"second_depth", "seconddepth"}));
+  EXPECT_EQ(families[0].homes, (std::vector<std::string>{"plugins/processors/second_depth/", "a/b/"}));
+  EXPECT_EQ(families[0].files_elsewhere, 12u);
+}
+
+TEST(FamilyRules, counts_sources_elsewhere) {
+  const Family wires{"wires", {"wire"}, {"framework/foredraw/wires/"}, 2};
+  EXPECT_TRUE(names_from_elsewhere(wires, "framework/foredraw/page/page.cpp", "struct ShownWires {};"));
+  EXPECT_TRUE(names_from_elsewhere(wires, "hosts/python/a.py", "wire"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "framework/foredraw/page/page.cpp", "struct Shown {};"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "framework/foredraw/wires/wires.cpp", "wire"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "framework/foredraw/runtime/wire_radius.h", "wire"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "tests/a.cpp", "wire"));
+  EXPECT_FALSE(names_from_elsewhere(wires, "plugins/a/README.md", "wire"));
+
+  EXPECT_TRUE(family_breaches(wires, {"a", "b"}).empty());
+  EXPECT_EQ(family_breaches(wires, {"a"}).size(), 1u);
+  EXPECT_EQ(family_breaches(wires, {"a", "b", "c"}).size(), 1u);
 }
 
 TEST(NameRules, plugins_carry_their_folders_name) {
