@@ -69,6 +69,9 @@ bool begins_with_one_of(std::span<const std::string_view> beginnings, std::strin
   return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view b) { return name.starts_with(b); });
 }
 
+/// Rooms of families that a technique may be made of, besides frames and what frames links.
+constexpr std::array<std::string_view, 5> rooms_of_families = {"collapses", "crowds", "instances", "packing", "shells"};
+
 struct Include {
   int line = 0;
   std::string target;
@@ -148,10 +151,10 @@ std::string refused_in_plugin(const std::vector<std::string>& place, const Inclu
     return "plugins and evaluators include the framework up to measuring only";
   }
   const bool is_plain = file.find("_plugin.") == std::string::npos && file.find("_product") == std::string::npos;
-  const bool is_plain_room = room == "frames" || room == "collapses" || reaches("frames", room);
+  const bool is_plain_room = room == "frames" || is_one_of(rooms_of_families, room) || reaches("frames", room);
   if (is_plain && !is_plain_room) {
-    return "a technique's plain files include the standard library, GLM, their own folder and the framework up to "
-           "frames and collapses, and behind its header what they are made of; what dresses it goes to its "
+    return "a technique's plain files include the standard library, GLM, their own folder, the framework up to frames "
+           "and rooms of families, and behind its header what they are made of; what dresses it goes to its "
            "_plugin.cpp";
   }
   return "";
