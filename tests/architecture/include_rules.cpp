@@ -28,13 +28,15 @@ std::vector<Room> rooms_in(const std::string& cmake) {
 
 namespace {
 
-/// The room of a file below framework/foredraw, or of a header that is included: "io_gltf" of io/gltf/read.cpp.
+/// The room of a file below framework/foredraw, or of a header that is included: "io_gltf" of io/gltf/read.cpp and of
+/// io/gltf/gate/private/gate.h. A folder that is no room belongs to the one that it is in.
 std::string room_of(std::vector<std::string> place) {
-  place.pop_back();
-  if (!place.empty() && place.back() == "private") place.pop_back();
-  std::string room;
-  for (const std::string& part : place) room += (room.empty() ? "" : "_") + part;
-  return room;
+  for (place.pop_back(); !place.empty(); place.pop_back()) {
+    std::string name;
+    for (const std::string& part : place) name += (name.empty() ? "" : "_") + part;
+    if (place.size() == 1 || std::ranges::find(rooms(), name, &Room::name) != rooms().end()) return name;
+  }
+  return {};
 }
 
 /// Whether `from` links `to`, directly or not.

@@ -23,6 +23,8 @@ TEST(IncludeRules, rooms_include_what_they_link) {
   EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<foredraw/base/random.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/scene/draw.h", "<foredraw/scene/traits.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/io/mesh/read.cpp", "<foredraw/io/gltf/private/document.h>"));
+  EXPECT_TRUE(may_include("framework/foredraw/io/gltf/gate/gate.cpp", "<foredraw/io/text/private/json_tree.h>"));
+  EXPECT_FALSE(may_include("framework/foredraw/io/gltf/gate/gate.cpp", "<foredraw/io/mesh/mesh_files.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/io/gltf/read.cpp", "<foredraw/pipeline/plan.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/io/gltf/read.cpp", "<foredraw/technique/run.h>"));
   EXPECT_FALSE(may_include("framework/foredraw/base/random.h", "<foredraw/scene/draw.h>"));
