@@ -8,7 +8,7 @@
 
 #include "cast_heights.h"
 
-#include <foredraw/scene/baked_heights.h>
+#include <foredraw/displaced/baked_heights.h>
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <foredraw/scene/baked_heights.h>
+#include <foredraw/displaced/baked_heights.h>
 
 #include <optional>
 

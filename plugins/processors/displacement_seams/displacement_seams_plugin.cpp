@@ -3,10 +3,10 @@
 #include "gutter.h"
 #include "seam_heights_product.h"
 
+#include <foredraw/displaced/displacement_stamp.h>
 #include <foredraw/displaced/map_seams.h>
 #include <foredraw/displaced/seam_table.h>
 #include <foredraw/image/texture_uv.h>
-#include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
 #include <foredraw/technique/plugin.h>
 

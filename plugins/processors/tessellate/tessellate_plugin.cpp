@@ -2,8 +2,8 @@
 
 #include "divided_draw.h"
 
+#include <foredraw/displaced/displacement_stamp.h>
 #include <foredraw/measuring/level_processor.h>
-#include <foredraw/scene/displacement_stamp.h>
 #include <foredraw/scene/own_material.h>
 #include <foredraw/viewing/self_crossings.h>
 

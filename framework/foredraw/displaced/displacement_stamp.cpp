@@ -1,4 +1,4 @@
-#include <foredraw/scene/displacement_stamp.h>
+#include <foredraw/displaced/displacement_stamp.h>
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include <foredraw/scene/tessellation_levels.h>
+#include <foredraw/displaced/tessellation_levels.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <foredraw/scene/baked_heights.h>
+#include <foredraw/displaced/baked_heights.h>
 
 #include <algorithm>
 

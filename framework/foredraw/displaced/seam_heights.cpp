@@ -1,4 +1,4 @@
-#include <foredraw/scene/seam_heights.h>
+#include <foredraw/displaced/seam_heights.h>
 
 #include <algorithm>
 
