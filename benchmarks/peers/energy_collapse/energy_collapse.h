@@ -2,7 +2,7 @@
 // A mesh made coarser edge by edge, by the energy of what is left. Hoppe: Progressive Meshes, SIGGRAPH 1996, section 4;
 // the fit of positions after Hoppe, DeRose, Duchamp, McDonald, Stuetzle: Mesh Optimization, SIGGRAPH 1993.
 
-#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/collapses/collapse_sequence.h>
 
 #include <glm/vec3.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Simplifiers answer with a sequence of collapses; the framework runs it to see that it may, and keeps it as a product.
 
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/collapses/joined_mesh.h>
-#include <foredraw/scene/collapse_sequence.h>
 #include <foredraw/technique/plugin.h>
 
 #include <functional>

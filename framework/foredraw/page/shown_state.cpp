@@ -3,7 +3,7 @@
 #include <foredraw/page/file_numbering.h>
 
 #include <foredraw/base/counted.h>
-#include <foredraw/scene/geomorphs.h>
+#include <foredraw/collapses/geomorphs.h>
 #include <foredraw/viewing/stretch.h>
 
 #include <fmt/format.h>

@@ -8,8 +8,8 @@
 #include "collapsing_mesh.h"
 
 #include <foredraw/collapses/attribute_rows.h>
+#include <foredraw/collapses/collapse_sequence.h>
 #include <foredraw/collapses/wedge_shares.h>
-#include <foredraw/scene/collapse_sequence.h>
 
 namespace foredraw::processors::quadric_collapse {
 

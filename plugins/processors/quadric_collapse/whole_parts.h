@@ -4,7 +4,7 @@
 
 #include "collapsing_mesh.h"
 
-#include <foredraw/scene/collapse_sequence.h>
+#include <foredraw/collapses/collapse_sequence.h>
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include <foredraw/scene/geomorphs.h>
+#include <foredraw/collapses/geomorphs.h>
 
 #include <algorithm>
 
