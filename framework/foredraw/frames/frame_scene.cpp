@@ -3,8 +3,8 @@
 #include <foredraw/geometry/finite.h>
 #include <foredraw/image/texture_uv.h>
 #include <foredraw/scene/walk.h>
-#include <foredraw/scene/wires.h>
 #include <foredraw/viewing/shown_scene.h>
+#include <foredraw/wires/wires.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

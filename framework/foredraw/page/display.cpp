@@ -5,11 +5,11 @@
 #include <foredraw/page/private/shown_wires.h>
 
 #include <foredraw/scene/order_table.h>
-#include <foredraw/scene/wires.h>
 #include <foredraw/viewing/bounding_sphere.h>
 #include <foredraw/viewing/drawn_orders.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
+#include <foredraw/wires/wires.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

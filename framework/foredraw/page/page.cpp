@@ -5,7 +5,7 @@
 #include <foredraw/page/private/page_files.h>
 #include <foredraw/page/private/page_sections.h>
 #include <foredraw/page/private/shown_attachments.h>
-#include <foredraw/viewing/wire_shader.h>
+#include <foredraw/wires/wire_shader.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

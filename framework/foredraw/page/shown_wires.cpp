@@ -1,6 +1,6 @@
 #include <foredraw/page/private/shown_wires.h>
 
-#include <foredraw/scene/wires.h>
+#include <foredraw/wires/wires.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include <foredraw/base/counted.h>
 #include <foredraw/scene/moves.h>
-#include <foredraw/viewing/wire_shader.h>
+#include <foredraw/wires/wire_shader.h>
 
 #include <fmt/format.h>
 

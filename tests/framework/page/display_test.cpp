@@ -8,10 +8,10 @@
 #include <foredraw/scene/levels.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/scene/reorder.h>
-#include <foredraw/scene/wires.h>
 #include <foredraw/technique/built_in_plugins.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
+#include <foredraw/wires/wires.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -8,7 +8,7 @@
 #include "support/staged.h"
 
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/scene/wires.h>
+#include <foredraw/wires/wires.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

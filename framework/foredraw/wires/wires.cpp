@@ -1,4 +1,4 @@
-#include <foredraw/scene/wires.h>
+#include <foredraw/wires/wires.h>
 
 #include <array>
 #include <string>

@@ -7,7 +7,7 @@
 #include <foredraw/gpu/storage_sets.h>
 #include <foredraw/runtime/wire_radius.h>
 #include <foredraw/viewing/coverage.h>
-#include <foredraw/viewing/wire_shader.h>
+#include <foredraw/wires/wire_shader.h>
 
 #include "support/compiled_shader.h"
 #include "support/thin_scenes.h"

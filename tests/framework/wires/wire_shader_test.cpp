@@ -1,4 +1,4 @@
-#include <foredraw/viewing/wire_shader.h>
+#include <foredraw/wires/wire_shader.h>
 
 #include "support/compiled_shader.h"
 

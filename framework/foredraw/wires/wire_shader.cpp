@@ -1,5 +1,5 @@
-#include <foredraw/viewing/private/wire_functions.h>
-#include <foredraw/viewing/wire_shader.h>
+#include <foredraw/wires/private/wire_functions.h>
+#include <foredraw/wires/wire_shader.h>
 
 #include <string_view>
 
