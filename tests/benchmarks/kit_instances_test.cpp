@@ -8,8 +8,8 @@
 #include "support/meshes.h"
 #include "support/products.h"
 
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/scene/merged_instances.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "support/meshes.h"
 
 #include <foredraw/analysis/vertex_cache.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/order_table.h>
 #include <foredraw/technique/plugin.h>
 

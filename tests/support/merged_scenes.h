@@ -6,7 +6,7 @@
 #include "support/merged_draws.h"
 
 #include <foredraw/base/random.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <array>
 #include <cstring>

@@ -3,7 +3,7 @@
 
 #include <foredraw/base/parallel.h>
 #include <foredraw/geometry/box.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <glm/mat4x4.hpp>
 

@@ -5,7 +5,7 @@
 #include "seen_boxes.h"
 
 #include <foredraw/base/parallel.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/scene.h>
 

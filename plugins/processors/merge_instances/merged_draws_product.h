@@ -2,7 +2,7 @@
 // Merged draws as a product: FOREDRAW_merge_instances, and files for engines. docs/guides/merge-instances.md tells what
 // the members mean.
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/product_row.h>
 
 namespace foredraw {

@@ -1,7 +1,7 @@
 #pragma once
 // Whether merged draws show what the nodes show that they stand for.
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <map>
 #include <optional>

@@ -2,7 +2,7 @@
 // The sequence of slots in a merged draw: any is as good for the GPU, so the one that hides most is free.
 
 #include <foredraw/base/parallel.h>
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 #include <foredraw/scene/scene.h>
 
 #include <span>

@@ -1,6 +1,6 @@
 #include "plugins/processors/gpu_instances/gpu_instances.h"
 
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include "plugins/processors/gpu_instances/instance_transform.h"
 #include "support/edit_product.h"

@@ -1,4 +1,4 @@
-#include <foredraw/scene/merged_instances.h>
+#include <foredraw/instances/merged_instances.h>
 
 #include <algorithm>
 
