@@ -1,6 +1,6 @@
 // Crowds sorted by compute shaders on Mesa's software driver, against the C header.
 
-#include <foredraw/displaced/crowd_shader.h>
+#include <foredraw/crowds/crowd_shader.h>
 #include <foredraw/runtime/crowd_select.h>
 
 #include "displaced_on_device.h"

@@ -1,4 +1,4 @@
-#include <foredraw/scene/crowd_levels.h>
+#include <foredraw/crowds/crowd_levels.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include <foredraw/displaced/crowd_shader.h>
+#include <foredraw/crowds/crowd_shader.h>
 
-#include <foredraw/displaced/private/shader_words.h>
+#include <foredraw/displaced/shader_words.h>
 
 #include <bit>
 #include <stdexcept>
