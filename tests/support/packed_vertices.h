@@ -3,7 +3,7 @@
 
 #include "support/meshes.h"
 
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 #include <plugins/processors/vertex_pack/layout_search.h>
 #include <plugins/processors/vertex_pack/vertex_pack.h>
 

@@ -1,6 +1,6 @@
 #include "layout_search.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 // Which layout of 128 bits is the best for vertices of a kind.
 
 #include <foredraw/geometry/box.h>
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

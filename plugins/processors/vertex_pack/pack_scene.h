@@ -2,8 +2,8 @@
 // All draws of a scene packed: those that are seen together by one lattice.
 
 #include <foredraw/analysis/analyses.h>
-#include <foredraw/analysis/packed_precision.h>
 #include <foredraw/base/parallel.h>
+#include <foredraw/packing/packed_precision.h>
 #include <foredraw/scene/poses.h>
 #include <foredraw/scene/subject.h>
 

@@ -2,7 +2,7 @@
 // runtime/packed_vertex.h as functions of a shader, with a layout's constants.
 
 #include <foredraw/base/shader_language.h>
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "schemas.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 #include <foredraw/scene/levels.h>
 #include <foredraw/scene/moves.h>
 

@@ -1,7 +1,7 @@
 // What becomes of packed vertices behind later stages.
 #include "support/packed_scenes.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "support/packed_vertices.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <gtest/gtest.h>
 

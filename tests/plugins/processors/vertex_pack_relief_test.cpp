@@ -4,7 +4,7 @@
 #include "support/displaced.h"
 #include "support/staged.h"
 
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 
 #include <gtest/gtest.h>
 

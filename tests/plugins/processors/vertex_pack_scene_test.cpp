@@ -4,7 +4,7 @@
 #include "support/other_units.h"
 #include "support/packed_scenes.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 #include <foredraw/viewing/pose_set.h>
 #include <foredraw/viewing/posed_positions.h>
 

@@ -4,7 +4,7 @@
 #include "support/packed_vertices.h"
 #include "support/vector_widths.h"
 
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <gtest/gtest.h>
 

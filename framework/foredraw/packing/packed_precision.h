@@ -2,7 +2,7 @@
 // What a layout of packed vertices promises, and what its rows keep.
 
 #include <foredraw/base/parallel.h>
-#include <foredraw/scene/packed_vertices.h>
+#include <foredraw/packing/packed_vertices.h>
 #include <foredraw/scene/scene.h>
 
 #include <span>

@@ -1,4 +1,4 @@
-#include <foredraw/analysis/packed_precision.h>
+#include <foredraw/packing/packed_precision.h>
 
 #include <foredraw/geometry/finite.h>
 #include <foredraw/scene/scaled_texcoords.h>
