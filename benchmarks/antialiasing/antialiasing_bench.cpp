@@ -20,7 +20,7 @@
 #include <foredraw/io/image/picture.h>
 #include <foredraw/pipeline/parse.h>
 #include <foredraw/pipeline/runner.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 #include <foredraw/technique/built_in_plugins.h>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "antialiasing.h"
 
 #include <foredraw/frames/picture_error.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "second_depth_product.h"
 
 #include <foredraw/scene/reorder.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 #include <foredraw/technique/plugin.h>
 
 #include <fmt/format.h>

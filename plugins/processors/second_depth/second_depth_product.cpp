@@ -5,7 +5,7 @@
 #include "second_depth_shader.h"
 
 #include <foredraw/scene/moves.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include <foredraw/io/gltf/gltf.h>
 #include <foredraw/io/side_files.h>
 #include <foredraw/report/inspection.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include "support/staged.h"
 
 #include <foredraw/scene/reorder.h>
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 #include <foredraw/technique/plugin.h>
 
 #include <gmock/gmock.h>

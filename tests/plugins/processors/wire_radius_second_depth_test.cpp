@@ -1,7 +1,7 @@
 // Draws that have wires and closed shells.
 #include "support/wire_scenes.h"
 
-#include <foredraw/scene/second_depth.h>
+#include <foredraw/shells/second_depth.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
