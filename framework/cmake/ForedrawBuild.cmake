@@ -57,7 +57,7 @@ foredraw_room(modules measuring platform c)
 foredraw_room(c_library modules io pipeline)
 
 # Folders of a room besides its own; they are parts of its library.
-set(foredraw_room_folders_io_gltf "")
+set(foredraw_room_folders_io_gltf gate patch codecs layout)
 
 # Where one of these packages is missing, or what compiles shaders, the room and what links it are left out.
 set(foredraw_room_needs_gpu Vulkan)

@@ -138,7 +138,8 @@ TEST(IncludeRules, name_the_line) {
 }
 
 TEST(ProductRules, names_of_products_are_found_where_rows_are_handed_round) {
-  EXPECT_EQ(product_breaches("framework/foredraw/io/gltf/patch.cpp", "a\n\"FOREDRAW_merge_instances\"\n").size(), 1u);
+  EXPECT_EQ(product_breaches("framework/foredraw/io/gltf/patch/patch.cpp", "a\n\"FOREDRAW_merge_instances\"\n").size(),
+            1u);
   EXPECT_EQ(product_breaches("hosts/cli/outputs.cpp", "DrawOrders::product").size(), 1u);
   EXPECT_TRUE(product_breaches("framework/foredraw/pipeline/changed_tables.cpp", "DrawOrders::product").empty());
   EXPECT_TRUE(product_breaches("plugins/processors/merge_instances/x.cpp", "MergedDraws").empty());

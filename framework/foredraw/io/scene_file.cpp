@@ -2,8 +2,8 @@
 
 #include <foredraw/base/counted.h>
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/io/gltf/private/stand_ins.h>
-#include <foredraw/io/gltf/private/write.h>
+#include <foredraw/io/gltf/patch/private/stand_ins.h>
+#include <foredraw/io/gltf/patch/private/write.h>
 #include <foredraw/io/imported_file.h>
 #include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/mesh/private/source.h>

@@ -1,6 +1,6 @@
 // Draco's buffers that are broken, claim too much, or do not hold what their accessors say.
+#include <foredraw/io/gltf/codecs/private/draco.h>
 #include <foredraw/io/gltf/gltf.h>
-#include <foredraw/io/gltf/private/draco.h>
 #include <foredraw/platform/memory.h>
 
 #include <gtest/gtest.h>

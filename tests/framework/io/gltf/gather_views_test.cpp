@@ -1,5 +1,5 @@
 // What goes out compressed is taken apart and put together by kind before, and filters are found that lose nothing.
-#include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/io/gltf/codecs/private/meshopt.h>
 #include <foredraw/scene/coded_values.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The codecs themselves: bounds that follow from the bitstreams, and filters beside those of the library.
-#include <foredraw/io/gltf/private/meshopt.h>
+#include <foredraw/io/gltf/codecs/private/meshopt.h>
 
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>

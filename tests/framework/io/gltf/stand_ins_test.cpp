@@ -1,5 +1,5 @@
 // What the replacement of a .gltf and its .bin leaves when it is cut short, and what becomes of that.
-#include <foredraw/io/gltf/private/stand_ins.h>
+#include <foredraw/io/gltf/patch/private/stand_ins.h>
 #include <foredraw/io/scene_file.h>
 
 #include "framework/io/gltf/edits.h"
