@@ -1,10 +1,12 @@
 #include <foredraw/page/private/shown_attachments.h>
 
 #include <foredraw/page/private/page_buffer.h>
-#include <foredraw/report/private/report_json.h>
 
 #include <foredraw/base/content_hash.h>
 #include <foredraw/io/image/picture.h>
+#include <foredraw/report/attachment_json.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +16,8 @@
 namespace foredraw {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// What one technique attached to one state of a file, of as many frames. `place`: 0 is the input, i + 1 branch i.
 struct State {
@@ -98,7 +102,7 @@ std::vector<Group> groups_of(const Comparison& comparison) {
 }
 
 Json json_of(const AttachmentRecord& attachment, EncodedPictures& pictures) {
-  Json json = foredraw::json_of(attachment);
+  Json json = Json::parse(to_json(attachment));
   if (const Film* film = std::get_if<Film>(attachment.content.get())) json["pictures"] = pictures.add(*film);
   return json;
 }

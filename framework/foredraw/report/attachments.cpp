@@ -1,4 +1,5 @@
 // What the record of a run tells of films and charts.
+#include <foredraw/report/attachment_json.h>
 #include <foredraw/report/private/report_json.h>
 
 namespace foredraw {
@@ -48,6 +49,10 @@ Json json_of(const AttachmentRecord& attachment) {
       },
       content);
   return json;
+}
+
+std::string to_json(const AttachmentRecord& attachment) {
+  return indented_text(json_of(attachment));
 }
 
 void leave_out_pictures(Report& report) {
