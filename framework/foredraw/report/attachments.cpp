@@ -51,9 +51,7 @@ Json json_of(const AttachmentRecord& attachment) {
   return json;
 }
 
-std::string to_json(const AttachmentRecord& attachment) {
-  return indented_text(json_of(attachment));
-}
+std::string to_json(const AttachmentRecord& attachment) { return indented_text(json_of(attachment)); }
 
 void leave_out_pictures(Report& report) {
   for (std::vector<StageRecord>* records : {&report.stages, &report.measures}) {
