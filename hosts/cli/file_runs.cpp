@@ -45,7 +45,7 @@ bool write_heat_maps(const FileJob& job, const std::string& input, const Plan& p
 /// Reads, plans and works; `files` is told of what is read, unless it is null; `written` puts the result somewhere,
 /// beside what the scene was where that is shown, and may fail.
 FileRun run_file(const FileJob& job, const std::string& command, const std::string& input,
-                 const std::shared_ptr<FilesRead>& files, Milestones* milestones, const Worker& work,
+                 const std::shared_ptr<FilesRead>& files, const Worker& work,
                  const std::function<bool(const Scene&, Result&, Diagnostics&)>& written) {
   FileRun run;
   Diagnostics diagnostics;
@@ -75,7 +75,7 @@ FileRun run_file(const FileJob& job, const std::string& command, const std::stri
   Analyses analyses(image_decoder(input, job.arguments.root, files));
   Result result = with_memory(input, "work on it", [&] {
     return work(*plan, std::move(file->scene),
-                {job.executor, analyses, job.arguments.cancel(), job.progress, milestones});
+                {job.executor, analyses, job.arguments.cancel(), job.progress});
   });
   if (job.is_cancelled()) return lost(interrupted);  // its stages stopped anywhere
   result.report.command = command;
@@ -192,8 +192,6 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
   }
   const Arguments& arguments = job.arguments;
   const auto read = job.lent ? std::make_shared<FilesRead>() : nullptr;
-  const auto milestones = job.cache != nullptr ? job.cache->milestones(job, input, read) : nullptr;
-  const auto all_read = [&] { return milestones ? joined(read->all(), milestones->read_before()) : read->all(); };
   std::string json;
   // The scene, the report and whatever else: all of it, or none and an explanation.
   const auto write = [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
@@ -221,11 +219,11 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     report.diagnostics = diagnostics.all();
     if (job.cache != nullptr && !result.failed) {
       json = to_json(report);
-      job.cache->keep(input, outputs, files, {all_read(), job.lent->all()}, scene, report, json);
+      job.cache->keep(input, outputs, files, {read->all(), job.lent->all()}, scene, report, json);
     }
     FileRun run;
     run.report = std::move(report);
-    if (read) run.read = contents_read(all_read());
+    if (read) run.read = contents_read(read->all());
     const std::string page = arguments.html.empty() ? "" : page_of(before, result.scene, run.report, job);
     if (job.is_cancelled()) return false;
     const bool is_written = write_with_texts(job, run, outputs, std::move(files), page, diagnostics) &&
@@ -233,21 +231,21 @@ FileRun optimize_file(const FileJob& job, const std::string& input, const std::v
     report = std::move(run.report);
     return is_written;
   };
-  FileRun run = run_file(job, "optimize", input, read, milestones.get(), foredraw::optimize,
+  FileRun run = run_file(job, "optimize", input, read, foredraw::optimize,
                          [&](const Scene& before, Result& result, Diagnostics& diagnostics) {
                            return with_memory(outputs.empty() ? input : outputs.front().path, "write it",
                                               [&] { return write(before, result, diagnostics); });
                          });
   if (read) {
-    run.read = contents_read(all_read());
-    run.sought = files_sought(all_read());
+    run.read = contents_read(read->all());
+    run.sought = files_sought(read->all());
   }
   if (!run.is_lost) run.json = std::move(json);
   return run;
 }
 
 FileRun measure_file(const FileJob& job, const std::string& input) {
-  return run_file(job, "measure", input, nullptr, nullptr, foredraw::measure,
+  return run_file(job, "measure", input, nullptr, foredraw::measure,
                   [](const Scene&, Result&, Diagnostics&) { return true; });
 }
 

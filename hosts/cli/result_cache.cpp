@@ -53,30 +53,13 @@ std::string read_by(const Arguments& arguments) {
 }
 
 /// Everything that decides what comes out, but for the file that is worked on and where it goes.
-std::string how(const Arguments& arguments, const std::string& read, const Pipeline& pipeline, const Registry& registry,
-                const Cache& cache) {
-  return "results 1\n" + done_by(pipeline, registry, cache) + read +
+std::string how(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry, const Cache& cache) {
+  return "results 1\n" + done_by(pipeline, registry, cache) + read_by(arguments) +
          fmt::format("compression {}\ncorners {}\nlevels {}\nproducts {}\n", arguments.compression, arguments.corners,
                      arguments.levels, arguments.products);
 }
 
 Stamp stamp_of(const std::string& text) { return content_hash(std::as_bytes(std::span(text))); }
-
-MilestoneKeys milestone_keys(const std::string& read, const Pipeline& pipeline, const Registry& registry,
-                             const Cache& cache) {
-  MilestoneKeys keys;
-  Pipeline part = pipeline;
-  std::erase_if(part.stages, [](const Stage& stage) { return !stage.enabled; });
-  const std::vector<Stage> stages = std::exchange(part.stages, {});
-  part.output = {};  // no stage sees it
-  keys.measures = stamp_of(fmt::format("measures before {}\n", stages.size()) + done_by(part, registry, cache));
-  part.measure.clear();
-  for (const Stage& stage : stages) {
-    part.stages.push_back(stage);
-    keys.stages.push_back(stamp_of("milestone 1\n" + done_by(part, registry, cache) + read));
-  }
-  return keys;
-}
 
 /// Whether what was written says by which names its files go, or where others lie.
 bool holds_names(const std::string& input, const std::vector<Output>& outputs,
@@ -111,11 +94,9 @@ std::unique_ptr<ResultCache> ResultCache::opened(const Arguments& arguments, con
                                                  const Registry& registry, Diagnostics& diagnostics) {
   auto cache = Cache::in(arguments.cache, diagnostics);
   if (!cache) return nullptr;
-  const std::string read = read_by(arguments);
-  std::string text = how(arguments, read, pipeline, registry, *cache);
-  MilestoneKeys keys = milestone_keys(read, pipeline, registry, *cache);
-  return std::unique_ptr<ResultCache>(new ResultCache(std::move(*cache), std::move(text), print_file(pipeline),
-                                                      std::move(keys), is_folder(arguments.inputs[0])));
+  std::string text = how(arguments, pipeline, registry, *cache);
+  return std::unique_ptr<ResultCache>(
+      new ResultCache(std::move(*cache), std::move(text), print_file(pipeline), is_folder(arguments.inputs[0])));
 }
 
 Work ResultCache::work_for(const std::string& input, const std::vector<Output>& outputs) const {
@@ -131,13 +112,6 @@ Work ResultCache::work_for(const std::string& input, const std::vector<Output>& 
              folder_of(input).lexically_relative(folder_of(output.path)).string() + '\n';
   }
   return {stamp_of(text), input, std::move(place)};
-}
-
-std::unique_ptr<KeptMilestones> ResultCache::milestones(const FileJob& job, const std::string& input,
-                                                        std::shared_ptr<const FilesRead> read) const {
-  return std::make_unique<KeptMilestones>(KeptMilestones::Surroundings{
-      cache_, keys_, input, std::move(read), job.lent, [this](const Diagnostics& damaged) { tell_now(damaged); },
-      [this](const std::string& why) { tell_once(why); }});
 }
 
 std::optional<FileRun> ResultCache::recalled(const FileJob& job, const std::string& input,

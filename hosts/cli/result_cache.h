@@ -3,7 +3,7 @@
 
 #include "file_runs.h"
 
-#include <foredraw/cache/kept_milestones.h>
+#include <foredraw/cache/results.h>
 
 #include <mutex>
 
@@ -19,22 +19,14 @@ class ResultCache {
   std::optional<FileRun> recalled(const FileJob& job, const std::string& input,
                                   const std::vector<Output>& outputs) const;
 
-  /// Who keeps what a run on the input comes to between stages. `read`: is told what the run reads for it.
-  std::unique_ptr<KeptMilestones> milestones(const FileJob& job, const std::string& input,
-                                             std::shared_ptr<const FilesRead> read) const;
-
   /// `files`: of each output those that it is written as. Where they can not be kept, that is told once.
   void keep(const std::string& input, const std::vector<Output>& outputs,
             const std::vector<std::vector<OutputFile>>& files, const WorkRead& read, const Scene& scene,
             const Report& report, const std::string& json) const;
 
  private:
-  ResultCache(Cache cache, std::string how, std::string pipeline, MilestoneKeys keys, bool is_of_folder)
-      : cache_(std::move(cache)),
-        how_(std::move(how)),
-        pipeline_(std::move(pipeline)),
-        keys_(std::move(keys)),
-        is_of_folder_(is_of_folder) {}
+  ResultCache(Cache cache, std::string how, std::string pipeline, bool is_of_folder)
+      : cache_(std::move(cache)), how_(std::move(how)), pipeline_(std::move(pipeline)), is_of_folder_(is_of_folder) {}
 
   Work work_for(const std::string& input, const std::vector<Output>& outputs) const;
   void tell_once(const std::string& why) const;
@@ -43,7 +35,6 @@ class ResultCache {
   Cache cache_;
   std::string how_;
   std::string pipeline_;
-  MilestoneKeys keys_;
   bool is_of_folder_ = false;  ///< whose files have a line each, and no text of their own
   mutable std::mutex at_the_terminal_;
   mutable bool has_told_ = false;

@@ -102,7 +102,6 @@ Json json_of(const StageRecord& stage) {
                          {"candidates", stage.candidates},
                          {"skipped", list_of(stage.skipped)},
                          {"notes", list_of(stage.notes)}};
-  if (stage.from_cache) json["cached"] = true;
   if (!stage.rounds.empty()) json["rounds"] = list_of(stage.rounds);
   if (stage.memory) json["memory"] = *stage.memory;
   if (!stage.attachments.empty()) json["attachments"] = list_of(stage.attachments);
