@@ -5,7 +5,7 @@
 
 #include <foredraw/io/imported_file.h>
 #include <foredraw/io/scene_kinds.h>
-#include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/io/scene_writers.h>
 #include <foredraw/pipeline/presets.h>
 
 #include <fmt/format.h>
@@ -38,12 +38,12 @@ class CommandLine {
     optimize_app
         .add_option(
             "-o,--output", arguments_.outputs,
-            fmt::format(
-                "Output file: .glb, .gltf, the input's own format, or - for standard output; sprites also as {}. "
-                "KIND:FILE writes extra data; the kinds are {}. May be given several times; all outputs are "
-                "written, or none. For a folder of inputs, give a folder; a file of sprites then holds those "
-                "of all inputs",
-                sprite_output_extensions(), kinds_text(registry.products())))
+            fmt::format("Output file: {}, or - for standard output; sprites as {}. "
+                        "KIND:FILE writes extra data; the kinds are {}. May be given several times; all outputs are "
+                        "written, or none. For a folder of inputs, give a folder; a file of sprites then holds those "
+                        "of all inputs",
+                        extensions_written(SceneType::meshes), extensions_written(SceneType::sprites),
+                        kinds_text(registry.products())))
         ->required()
         ->expected(1)
         ->take_all();

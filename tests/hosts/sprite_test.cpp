@@ -62,7 +62,7 @@ TEST_F(Sprites, OutputsHaveFilesOfTheirOwn) {
   EXPECT_THAT(refused("-o - -o -"), HasSubstr("is named for two outputs"));
   EXPECT_THAT(refused("-o in/list.json"), HasSubstr("in/list.json: error: is an input of this run"));
   EXPECT_THAT(refused("-o r.json --report r.json"), HasSubstr("is named for two outputs"));
-  EXPECT_THAT(refused("-o a.obj"), HasSubstr("can be written as one"));
+  EXPECT_THAT(refused("-o a.obj"), HasSubstr("cannot hold sprites"));
   const std::string model = (fs::path(FOREDRAW_SOURCE_DIR) / "benchmarks/corpus/static/spot.glb").string();
   const Ended mesh = run("optimize '" + model + "' -o a.html");
   EXPECT_EQ(mesh.code, 1);

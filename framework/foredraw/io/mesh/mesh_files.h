@@ -1,5 +1,5 @@
 #pragma once
-// Meshes in OBJ, PLY, OFF and STL, read into flat arrays and written back to their own kind.
+// Meshes in OBJ, PLY, OFF and STL, read into flat arrays, and written back to their own kind or made anew.
 
 #include <foredraw/base/diagnostics.h>
 #include <foredraw/io/reading/scene_input.h>
@@ -41,5 +41,10 @@ std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, co
 /// PLY the same without names, and colours; OFF and STL positions alone. nullopt, with an error, where none is shown.
 std::optional<OutputFile> encode_new_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
                                                Diagnostics& diagnostics);
+
+/// encode_mesh_file() for a scene that was read from a file of this kind and whose order alone was changed; any other
+/// scene as encode_new_mesh_file(), with a warning that names what the file does not hold.
+std::optional<OutputFile> encode_as_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
+                                              Diagnostics& diagnostics);
 
 }  // namespace foredraw

@@ -98,10 +98,10 @@ std::string winding_of(std::span<const Sheet> sheets) {
 
 bool is_sprite_output(const fs::path& path) { return writer_of(path) != nullptr; }
 
-std::string sprite_output_extensions() {
-  std::string text;
-  for (const Writer& writer : writers) text.append(text.empty() ? "" : ", ").append(writer.extension);
-  return text;
+std::vector<std::string_view> sprite_output_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const Writer& writer : writers) extensions.push_back(writer.extension);
+  return extensions;
 }
 
 std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const fs::path& target,
@@ -109,7 +109,7 @@ std::optional<OutputFile> encode_sprites(std::span<const Scene> scenes, const fs
   const Writer* writer = writer_of(target);
   if (writer == nullptr) {
     diagnostics.error({.file = target.string()}, "unknown-kind", "sprites cannot be written as this kind of file",
-                      "use " + sprite_output_extensions());
+                      fmt::format("use {}", fmt::join(sprite_output_extensions(), ", ")));
     return std::nullopt;
   }
   std::vector<Sheet> sheets;

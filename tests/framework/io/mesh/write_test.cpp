@@ -322,15 +322,16 @@ TEST(MeshWrite, AsGltfAMeshKeepsNamesMaterialsAndTriangles) {
   EXPECT_EQ(again->nodes.size(), 1u);
 }
 
-TEST(MeshWrite, TheExtensionHasToBeTheInputs) {
+TEST(MeshWrite, AnyMeshCanBeWrittenAsAnyKindOfMeshFile) {
   Diagnostics diagnostics;
   EXPECT_TRUE(can_write_scene("a/out.OBJ", "in.obj", diagnostics));
   EXPECT_TRUE(can_write_scene("out.glb", "in.stl", diagnostics));
+  EXPECT_TRUE(can_write_scene("out.ply", "in.obj", diagnostics));
+  EXPECT_TRUE(can_write_scene("out.obj", "in.glb", diagnostics));
+  EXPECT_TRUE(can_write_scene("out.stl", "-", diagnostics));
   EXPECT_TRUE(diagnostics.empty());
-  EXPECT_FALSE(can_write_scene("out.ply", "in.obj", diagnostics));
-  EXPECT_FALSE(can_write_scene("out.obj", "in.glb", diagnostics));
-  EXPECT_FALSE(can_write_scene("out.obj", "-", diagnostics));
   EXPECT_FALSE(can_write_scene("out.fbx", "in.fbx", diagnostics));
+  EXPECT_FALSE(can_write_scene("out.obj", "in.png", diagnostics));
 }
 
 }  // namespace
