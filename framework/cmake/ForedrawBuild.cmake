@@ -52,9 +52,10 @@ foredraw_room(report measuring io_text)
 foredraw_room(page report io_image)
 foredraw_room(pipeline report platform)
 foredraw_room(cache platform)
+foredraw_room(job pipeline io cache)
 foredraw_room(c)
 foredraw_room(modules measuring platform c)
-foredraw_room(c_library modules io pipeline)
+foredraw_room(c_library modules job)
 
 # Folders of a room besides its own; they are parts of its library.
 set(foredraw_room_folders_io_gltf gate patch codecs layout)

@@ -1,11 +1,12 @@
 // CLI11 is slow to compile, so it is included here alone.
 #include "arguments.h"
-#include "outputs.h"
 #include "session.h"
 
 #include <foredraw/io/imported_file.h>
 #include <foredraw/io/scene_kinds.h>
 #include <foredraw/io/scene_writers.h>
+#include <foredraw/job/outputs.h>
+#include <foredraw/pipeline/output_words.h>
 #include <foredraw/pipeline/presets.h>
 
 #include <fmt/format.h>
@@ -268,26 +269,13 @@ class CommandLine {
         "Evaluators to measure with, such as \"vertex-cache, overdraw-raster(views=162)\" (default: " + usual + ")");
   }
   void how_written(CLI::App& app) {
-    app.add_option("--levels", arguments_.levels,
-                   "How to write levels of detail that a stage made: keep, as FOREDRAW_levels; msft-lod, as nodes "
-                   "with MSFT_lod (default: the pipeline's, else keep)")
-        ->check(CLI::IsMember({"keep", "msft-lod"}));
-    app.add_option("--compression", arguments_.compression,
-                   "keep: what was read compressed is written compressed; none: nothing is; ext-meshopt: all is, by "
-                   "EXT_meshopt_compression, which most readers know; khr-meshopt: by KHR_meshopt_compression, which "
-                   "is shorter and newer; draco: by KHR_draco_mesh_compression, in the order that there is; "
-                   "draco-edgebreaker: by the same, which undoes all orders (default: the pipeline's, else keep)")
-        ->check(CLI::IsMember({"keep", "none", "ext-meshopt", "khr-meshopt", "draco", "draco-edgebreaker"}));
-    app.add_option(
-           "--corners", arguments_.corners,
-           "What --compression may do to the corners of triangles: keep: nothing; turn: a triangle may start at "
-           "another of its corners, which takes less than half of the bytes of indices and shows the same "
-           "picture (default: the pipeline's, else keep)")
-        ->check(CLI::IsMember({"keep", "turn"}));
-    app.add_option("--products", arguments_.products,
-                   "keep: what stages made besides triangles and vertices is written with the scene, as optional "
-                   "extensions; none: it is left out (default: keep)")
-        ->check(CLI::IsMember({"keep", "none"}));
+    for (const OptionSpec& spec : output_words().specs()) {
+      const auto take = [this, name = spec.name](const std::string& word) { arguments_.written_as[name] = word; };
+      app.add_option_function<std::string>(
+             "--" + spec.name, take,
+             fmt::format("{} (default: the pipeline's, else {})", spec.doc, to_text(spec.default_value)))
+          ->type_name(fmt::format("TEXT:{{{}}}", fmt::join(spec.choices, ",")));
+    }
   }
   void heat_maps(CLI::App& app, const std::string& when) {
     app.add_option("--heatmap", arguments_.heat_maps,

@@ -101,12 +101,15 @@ class ModuleCheck {
  private:
   /// Nothing where it can not be planned.
   std::optional<Result> run(const Pipeline& pipeline, const Scene& scene, int threads, Diagnostics& diagnostics) const {
-    const auto plan = foredraw::plan(pipeline, registry_, scene, diagnostics);
-    if (!plan) return std::nullopt;
-    Analyses analyses;
     const Executor executor(threads);
-    return pipeline.stages.empty() ? foredraw::measure(*plan, scene, {executor, analyses})
-                                   : foredraw::optimize(*plan, scene, {executor, analyses});
+    const JobSetup setup{.registry = registry_, .executor = executor};
+    Job job(setup, pipeline.stages.empty() ? JobKind::measure : JobKind::optimize, "");
+    job.take({}, scene);
+    if (!job.plan(pipeline) || !job.run()) {
+      for (const Diagnostic& one : job.diagnostics().all()) diagnostics.add(one);
+      return std::nullopt;
+    }
+    return Result{std::move(job.scene()), std::move(job.report()), job.status() == JobStatus::in_part};
   }
 
   std::string failure(const std::string& what) {

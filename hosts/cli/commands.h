@@ -29,11 +29,8 @@ struct Arguments {
   std::vector<std::string> fail_if;  ///< bounds that figures have to keep
   std::vector<std::string> fronts;   ///< two figures each
   std::string baseline;              ///< a stored report: what changed since is told, and figures are held against it
-  std::string compression;           ///< empty, as `corners` and `levels`: the pipeline's
-  std::string corners;
-  std::string products = "keep";
-  std::string levels;
-  std::string heat_maps;  ///< folder of pictures
+  Settings written_as;               ///< of output_words(), instead of the pipeline's
+  std::string heat_maps;             ///< folder of pictures
   std::string heat_map_view = "worst";
   std::string kind;
   std::string name;

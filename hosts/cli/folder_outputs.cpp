@@ -67,7 +67,7 @@ fs::path output_of(const fs::path& scene, const fs::path& folder) {
 FolderOutputs outputs_in(const std::vector<std::string>& words, const ProductRows& rows, Diagnostics& diagnostics) {
   FolderOutputs result;
   for (const std::string& word : words) {
-    const Output output = typed_output(word, rows);
+    const JobOutput output = typed_output(word, rows);
     if (!output.is_scene()) {
       diagnostics.error({.file = output.path}, "bad-arguments",
                         "holds the " + output.kind + " of one scene, but the input is a folder",

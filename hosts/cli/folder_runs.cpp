@@ -2,6 +2,7 @@
 #include "folder_outputs.h"
 
 #include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/job/pipelines.h>
 #include "scene_folder.h"
 
 #include <foredraw/base/counted.h>
@@ -53,7 +54,7 @@ Exit run_batch(const FileJob& job, const std::vector<std::string>& inputs,
   std::mutex at_the_line;
   std::size_t finished = 0;
   std::atomic<Exit> worst = done;
-  job.executor.for_each(inputs.size(), [&](std::size_t i) {
+  job.setup.executor.for_each(inputs.size(), [&](std::size_t i) {
     FileRun run = guarded(inputs[i], [&] { return run_one(job, i); });
     if (run.exit == interrupted) {
       worst = interrupted;
@@ -113,7 +114,7 @@ Exit optimize_folder(const FileJob& job) {
   const Arguments& arguments = job.arguments;
   Diagnostics diagnostics;
   const fs::path from = arguments.inputs[0];
-  const FolderOutputs wanted = outputs_in(arguments.outputs, job.registry.products(), diagnostics);
+  const FolderOutputs wanted = outputs_in(arguments.outputs, job.setup.registry.products(), diagnostics);
   const fs::path to = wanted.folder;
   std::error_code error;
   if (to == "-" || (fs::exists(to, error) && !is_folder(wanted.folder))) {
@@ -128,8 +129,8 @@ Exit optimize_folder(const FileJob& job) {
     diagnostics.error({}, "bad-arguments", "--html makes the page of one scene, but the input is a folder",
                       "use foredraw compare, which makes one page of several scenes");
   }
-  is_sound(job.pipeline, job.registry, job.lender, diagnostics);
-  const FolderScenes which = scenes_for(job.pipeline, job.registry);
+  is_sound(job.pipeline, job.setup.registry, *job.setup.lender, diagnostics);
+  const FolderScenes which = scenes_for(job.pipeline, job.setup.registry);
   const auto scenes = diagnostics.has_errors() ? std::nullopt : scenes_below(from, to, which, diagnostics);
   if (!scenes) return refuse(diagnostics);
   if (!wanted.gathered.empty() && std::ranges::none_of(*scenes, is_sprite_input)) {
@@ -148,7 +149,7 @@ Exit optimize_folder(const FileJob& job) {
   const auto written_of = wanted.folder.empty() ? std::vector<fs::path>() : *scenes;
   if (outputs_meet(written_of, from, wanted, diagnostics)) return refuse(diagnostics);
   std::vector<std::string> inputs;
-  std::vector<std::vector<Output>> outputs;
+  std::vector<std::vector<JobOutput>> outputs;
   fs::path made;
   for (const fs::path& scene : *scenes) {
     if (arguments.shard && !holds(*arguments.shard, scene)) continue;
@@ -173,7 +174,7 @@ Exit optimize_folder(const FileJob& job) {
 
   const Stopwatch watch;
   Spool spool(spool_folder(arguments.report));
-  Batch batch("optimize", job.registry, spool, [&](const StoredReport& report, Outcome outcome) {
+  Batch batch("optimize", job.setup.registry, spool, [&](const StoredReport& report, Outcome outcome) {
     tell_file(report, outcome);
     if (since) since->add(report, outcome);
   });
@@ -213,13 +214,13 @@ Exit optimize_folder(const FileJob& job) {
 Exit measure_folder(const FileJob& job) {
   Diagnostics diagnostics;
   const fs::path from = job.arguments.inputs[0];
-  const auto scenes = scenes_below(from, {}, scenes_for(job.pipeline, job.registry), diagnostics);
+  const auto scenes = scenes_below(from, {}, scenes_for(job.pipeline, job.setup.registry), diagnostics);
   if (!scenes) return refuse(diagnostics);
   std::vector<std::string> inputs;
   for (const fs::path& scene : *scenes) inputs.push_back((from / scene).string());
   const Stopwatch watch;
   Spool spool;
-  Batch batch("measure", job.registry, spool, tell_file);
+  Batch batch("measure", job.setup.registry, spool, tell_file);
   const auto run_one = [&](const FileJob& each, std::size_t i) { return measure_file(each, inputs[i]); };
   const Exit worst = run_batch(job, inputs, run_one, batch);
   if (worst == interrupted) return interrupted;

@@ -1,13 +1,12 @@
 // The commands that read a scene and run a pipeline on it.
 
 #include "file_runs.h"
-#include "result_cache.h"
 #include "scene_folder.h"
 #include "text_outputs.h"
 
 #include <foredraw/io/file_lender.h>
 #include <foredraw/io/sprite/sprite_files.h>
-#include <foredraw/pipeline/canonical.h>
+#include <foredraw/job/pipelines.h>
 
 #include <fmt/format.h>
 
@@ -18,7 +17,7 @@ namespace foredraw::cli {
 namespace {
 
 /// Record and scene would stand in each other's way.
-bool outputs_clash(const Arguments& arguments, const std::vector<Output>& outputs, Diagnostics& diagnostics) {
+bool outputs_clash(const Arguments& arguments, const std::vector<JobOutput>& outputs, Diagnostics& diagnostics) {
   if (arguments.json && std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
     diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
                       "use --report FILE for the record");
@@ -56,27 +55,22 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   const std::string& input = arguments.inputs[0];
   const auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return refuse(diagnostics);
-  const std::vector<Output> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
+  const std::vector<JobOutput> outputs = outputs_of(arguments.outputs, input, registry.products(), diagnostics);
   if (outputs_clash(arguments, outputs, diagnostics)) return refuse(diagnostics);
   if (!batch_options_fit(arguments, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
   SceneInput how = input_of(arguments, registry);
   if (!arguments.cache.empty() || !arguments.depfile.empty()) how.files = std::make_shared<FilesRead>();
   const FileLender lender(how);
-  FileJob job{arguments, *pipeline, registry, executor, lender};
-  job.lent = how.files;
+  FileJob job{arguments, *pipeline, setup_of(arguments, registry, executor, lender, how)};
   if (!arguments.depfile.empty()) job.pipeline_files = files_of(arguments, *pipeline, registry);
-  const auto cache =
-      arguments.cache.empty() ? nullptr : ResultCache::opened(arguments, *pipeline, registry, diagnostics);
+  const auto cache = cache_of(arguments, *pipeline, registry, how, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
-  job.cache = cache.get();
+  job.setup.cache = cache.get();
   if (is_folder(input)) return optimize_folder(job);
   std::vector<std::string> written = {arguments.report, arguments.html, arguments.depfile};
-  for (const Output& output : outputs) {
-    if (output.is_scene()) can_write_scene(output.path, input, diagnostics);
-    written.push_back(output.path);
-  }
-  if (diagnostics.has_errors()) return refuse(diagnostics);
+  for (const JobOutput& output : outputs) written.push_back(output.path);
+  if (!can_write(outputs, input, diagnostics)) return refuse(diagnostics);
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
   if (is_sprite_input(input) && !works_on_sprites(*pipeline, registry)) {
     diagnostics.warning({.file = input}, "no-sprites",
@@ -84,7 +78,7 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
     tell(diagnostics);
   }
 
-  job.progress = progress_line();
+  job.setup.progress = progress_line();
   const FileRun run = optimize_file(job, input, outputs);
   end_progress();
   if (run.exit == interrupted) return tell_interrupted("nothing was written");
@@ -100,15 +94,15 @@ Exit plan(const Arguments& arguments, const Registry& registry) {
   const auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return refuse(diagnostics);
   const std::string& input = arguments.inputs[0];
-  const auto file =
-      with_memory(input, "read it", [&] { return read_scene(input, diagnostics, input_of(arguments, registry)); });
-  if (!file) return refuse_file(diagnostics);
-  const FileLender lender(input_of(arguments, registry));
-  const auto planned = with_memory(
-      input, "plan for it", [&] { return foredraw::plan(*pipeline, registry, file->scene, diagnostics, &lender); });
-  if (!planned) return refuse(diagnostics);
-  tell(diagnostics);
-  return print(arguments.json ? to_json(*planned, file->scene) : to_text(*planned, file->scene));
+  const Executor executor(arguments.threads);
+  const SceneInput how = input_of(arguments, registry);
+  const FileLender lender(how);
+  const JobSetup setup = setup_of(arguments, registry, executor, lender, how);
+  Job job(setup, JobKind::optimize, input);
+  if (!with_memory(input, "read it", [&] { return job.read(); })) return refuse_file(job.diagnostics());
+  if (!with_memory(input, "plan for it", [&] { return job.plan(*pipeline); })) return refuse(job.diagnostics());
+  tell(job.diagnostics());
+  return print(arguments.json ? to_json(job.plan(), job.scene()) : to_text(job.plan(), job.scene()));
 }
 
 Exit measure(const Arguments& arguments, const Registry& registry) {
@@ -116,12 +110,13 @@ Exit measure(const Arguments& arguments, const Registry& registry) {
   const auto pipelines = pipelines_for(arguments, registry, {""}, diagnostics);
   if (!pipelines) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  const FileLender lender(input_of(arguments, registry));
+  const SceneInput how = input_of(arguments, registry);
+  const FileLender lender(how);
   const std::string& input = arguments.inputs[0];
-  FileJob job{arguments, pipelines->front().pipeline, registry, executor, lender};
+  FileJob job{arguments, pipelines->front().pipeline, setup_of(arguments, registry, executor, lender, how)};
   if (is_folder(input)) return measure_folder(job);
 
-  job.progress = progress_line();
+  job.setup.progress = progress_line();
   const FileRun run = measure_file(job, input);
   end_progress();
   if (run.exit == interrupted) return tell_interrupted();

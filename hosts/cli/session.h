@@ -3,9 +3,8 @@
 
 #include "commands.h"
 
-#include <foredraw/io/scene_file.h>
+#include <foredraw/job/job.h>
 #include <foredraw/pipeline/parse.h>
-#include <foredraw/pipeline/runner.h>
 #include <foredraw/platform/files.h>
 #include <foredraw/report/baseline.h>
 
@@ -31,9 +30,7 @@ Exit print(const std::string& text);
 /// The same of one that is long, piece by piece.
 Exit print_pieces(const std::function<void(const OutputFile::Put&)>& write);
 
-/// The pipelines of the texts, of a file with several all of them, with --with and --set put in. All measure alike:
-/// with what --with names, else as the first does, else with what shows the gains of their stages. An option is set
-/// wherever there is its stage; it is a mistake where there is none in any.
+/// The pipelines of the texts, of a file with several all of them, with what the arguments change of them (change()).
 std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments, const Registry& registry,
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics);
@@ -44,10 +41,6 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry&
 /// The files that the pipeline is read from, and those that its options name.
 std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
                                             const Registry& registry);
-
-/// Whether the pipeline is without mistakes that it would have on every scene: said once, and before the first of many
-/// files. `lender` as of plan().
-bool is_sound(const Pipeline& pipeline, const Registry& registry, const Lender& lender, Diagnostics& diagnostics);
 
 /// What a step that lacks memory is left by; main() tells it in one line.
 struct OutOfMemory {
@@ -67,15 +60,20 @@ auto with_memory(const std::string& file, const char* doing, Step step) {
 /// How the inputs of a command are read.
 SceneInput input_of(const Arguments& arguments, const Registry& registry);
 
+/// With what jobs of the command work. `how`: as the lender reads.
+JobSetup setup_of(const Arguments& arguments, const Registry& registry, const Executor& executor, const Lender& lender,
+                  SceneInput how);
+
+/// The cache that --cache names; nullptr: none is named or, with errors, it cannot be one.
+std::unique_ptr<ResultCache> cache_of(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry,
+                                      const SceneInput& how, Diagnostics& diagnostics);
+
 /// Progress on a terminal, nothing elsewhere.
 std::function<void(std::string_view, double)> progress_line();
 void end_progress();
 
 /// The folder, and those that it lies in, unless they are there.
 bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
-
-/// Whether the files can be put into their folders: who learns it after the work has lost it. Empty names are no files.
-bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostics);
 
 /// Whether two paths lead to the same place, there or not.
 bool is_same_file(const std::string& a, const std::string& b);

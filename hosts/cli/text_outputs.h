@@ -1,10 +1,9 @@
 #pragma once
 // Reports, pages and tables, which are written beside what the user has.
 
-#include "commands.h"
-#include "outputs.h"
-
 #include <foredraw/base/diagnostics.h>
+#include <foredraw/job/outputs.h>
+#include "commands.h"
 
 namespace foredraw::cli {
 
@@ -12,6 +11,7 @@ namespace foredraw::cli {
 /// none that is called as scenes, their buffers and images, and pipelines are: of these a folder may hold many, and a
 /// scene names more than were typed. Of scenes that are to be written, whether they leave each other's files alone, and
 /// files of sprites what is read.
-bool have_files_of_their_own(const Arguments& arguments, const std::vector<Output>& outputs, Diagnostics& diagnostics);
+bool have_files_of_their_own(const Arguments& arguments, const std::vector<JobOutput>& outputs,
+                             Diagnostics& diagnostics);
 
 }  // namespace foredraw::cli

@@ -1,6 +1,6 @@
 #include "workshop.h"
 
-#include "result_cache.h"
+#include <foredraw/job/pipelines.h>
 
 #include <utility>
 
@@ -11,9 +11,7 @@ Workshop::Workshop(const Arguments& arguments, const Registry& registry, const E
     : pipeline(std::move(read)),
       how(std::move(input)),
       lender(how),
-      job{arguments, pipeline, registry, executor, lender} {
-  job.lent = how.files;
-}
+      job{arguments, pipeline, setup_of(arguments, registry, executor, lender, how)} {}
 
 Workshop::~Workshop() = default;
 
@@ -26,11 +24,9 @@ std::unique_ptr<Workshop> Workshop::opened(const Arguments& arguments, const Reg
   std::unique_ptr<Workshop> workshop(new Workshop(arguments, registry, executor, std::move(*pipeline), how));
   if (!is_sound(workshop->pipeline, registry, workshop->lender, diagnostics)) return nullptr;
   workshop->job.pipeline_files = files_of(arguments, workshop->pipeline, registry);
-  if (!arguments.cache.empty()) {
-    workshop->cache = ResultCache::opened(arguments, workshop->pipeline, registry, diagnostics);
-    if (!workshop->cache) return nullptr;
-    workshop->job.cache = workshop->cache.get();
-  }
+  workshop->cache = cache_of(arguments, workshop->pipeline, registry, how, diagnostics);
+  if (diagnostics.has_errors()) return nullptr;
+  workshop->job.setup.cache = workshop->cache.get();
   return workshop;
 }
 

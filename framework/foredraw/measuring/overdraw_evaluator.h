@@ -64,6 +64,9 @@ void add_evaluator_rows(OptionTable<Options>& table) {
 /// Draws every subject of a scene through the service. std::invalid_argument where the views or poses have a mistake.
 std::unique_ptr<Evaluator> overdraw_evaluator(std::unique_ptr<OverdrawService> service, const OverdrawOptions& options);
 
+/// The options of an evaluator that overdraw_evaluator() made; nullptr: the technique is another one.
+const OverdrawOptions* overdraw_options_of(const Technique& technique);
+
 /// An evaluator and a service in one. `add_rows(table)` adds the rows of what Options has besides; `make(options)`
 /// makes the service. The card's metrics are joined to those that all evaluators of overdraw have.
 template <class Options, class AddRows, class Make>

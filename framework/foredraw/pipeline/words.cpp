@@ -40,27 +40,6 @@ OptionTable<FrameSet> frame_words() {
   return table;
 }
 
-OptionTable<OutputChoice> output_words() {
-  const auto words = [](std::initializer_list<const char*> list) {
-    std::vector<std::pair<std::string, std::string>> choices;
-    for (const char* word : list) choices.emplace_back(word, word);
-    return choices;
-  };
-  OptionTable<OutputChoice> table;
-  table.choice(
-      &OutputChoice::compression, "compression",
-      "How glTF is compressed: as it came, not at all, by EXT_meshopt_compression or KHR_meshopt_compression, by "
-      "KHR_draco_mesh_compression in the order that there is or, by edgebreaker, in its own",
-      words({"keep", "none", "ext-meshopt", "khr-meshopt", "draco", "draco-edgebreaker"}));
-  table.choice(&OutputChoice::corners, "corners",
-               "Whether compression may let a triangle start at another of its corners, which takes fewer bytes",
-               words({"keep", "turn"}));
-  table.choice(&OutputChoice::levels, "levels",
-               "How levels of detail are written: as FOREDRAW_levels, or as nodes with MSFT_lod",
-               words({"keep", "msft-lod"}));
-  return table;
-}
-
 OptionTable<Stage> stage_words() {
   OptionTable<Stage> table;
   table.row(&Stage::use, "use", "The plugin's name");

@@ -102,10 +102,11 @@ Pipeline any_pipeline() {
   if (*rc::gen::arbitrary<bool>()) pipeline.frames.angle = *rc::gen::inRange(10, 1000) / 7.0;
   if (*rc::gen::arbitrary<bool>()) pipeline.frames.seed = *rc::gen::inRange<std::int64_t>(0, 1000);
   if (*rc::gen::arbitrary<bool>()) pipeline.overdraw = any_stage();
-  pipeline.output.compression =
-      *rc::gen::element<std::string>("keep", "none", "ext-meshopt", "khr-meshopt", "draco", "draco-edgebreaker");
-  pipeline.output.corners = *rc::gen::element<std::string>("keep", "turn");
-  pipeline.output.levels = *rc::gen::element<std::string>("keep", "msft-lod");
+  pipeline.output.compression = *rc::gen::element(Compression::keep, Compression::none, Compression::ext,
+                                                  Compression::khr, Compression::draco, Compression::draco_edgebreaker);
+  pipeline.output.turns_corners = *rc::gen::arbitrary<bool>();
+  pipeline.output.levels = *rc::gen::element(LevelsAs::extension, LevelsAs::lod_nodes);
+  pipeline.output.has_products = *rc::gen::arbitrary<bool>();
   pipeline.seed = *rc::gen::arbitrary<std::int64_t>();
   return pipeline;
 }
@@ -235,7 +236,7 @@ TEST(SamePipeline, ComparesWhatDecidesWhatRuns) {
   EXPECT_FALSE(same_after([](Pipeline& p) { p.poses.clips = "Walk"; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.subjects.subject = SubjectUnit::mesh; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.frames.path = "around"; }));
-  EXPECT_FALSE(same_after([](Pipeline& p) { p.output.compression = "none"; }));
+  EXPECT_FALSE(same_after([](Pipeline& p) { p.output.compression = Compression::none; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.seed = 1; }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw.reset(); }));
   EXPECT_FALSE(same_after([](Pipeline& p) { p.overdraw->use = "y"; }));

@@ -1,15 +1,16 @@
-#include "outputs.h"
+#include <foredraw/job/outputs.h>
 
 #include <foredraw/io/scene_file.h>
 #include <foredraw/io/side_files.h>
 #include <foredraw/io/sprite/sprite_files.h>
+#include <foredraw/report/remap.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 
-namespace foredraw::cli {
+namespace foredraw {
 
 namespace {
 
@@ -40,14 +41,14 @@ std::optional<std::size_t> level_of(std::string_view kind) {
 
 }  // namespace
 
-Output typed_output(const std::string& word, const ProductRows& rows) {
+JobOutput typed_output(const std::string& word, const ProductRows& rows) {
   const std::size_t colon = word.find(':');
   const std::string kind = word.substr(0, colon);
   if (const auto level = level_of(kind); level && colon != std::string::npos) {
     return {kind, word.substr(colon + 1), nullptr, level};
   }
   if (colon == std::string::npos || !std::ranges::count(kinds_of(rows), kind)) return {{}, word};
-  Output output{kind, word.substr(colon + 1)};
+  JobOutput output{kind, word.substr(colon + 1)};
   for (const auto& row : rows) {
     if (row->card().name == kind) output.row = row;
   }
@@ -56,7 +57,7 @@ Output typed_output(const std::string& word, const ProductRows& rows) {
 
 namespace {
 
-bool has_kind_for(const Output& kind, const std::filesystem::path& path) {
+bool has_kind_for(const JobOutput& kind, const std::filesystem::path& path) {
   if (kind.row) return side_file_kind(*kind.row, path).has_value();
   if (kind.level) return is_scene_file(path);
   return kind.kind == sprites ? is_sprite_output(path) : path.extension() == ".json";
@@ -64,10 +65,10 @@ bool has_kind_for(const Output& kind, const std::filesystem::path& path) {
 
 /// A path without a kind that is no file of the scene itself: of the one kind that has such files. Sprites' are the
 /// scene's own.
-Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostics) {
-  std::vector<Output> fitting;
+JobOutput with_kind(JobOutput output, const ProductRows& rows, Diagnostics& diagnostics) {
+  std::vector<JobOutput> fitting;
   for (const std::string& kind : kinds_of(rows)) {
-    Output one = typed_output(kind + ':' + output.path, rows);
+    JobOutput one = typed_output(kind + ':' + output.path, rows);
     if (kind != sprites && has_kind_for(one, one.path)) fitting.push_back(std::move(one));
   }
   if (fitting.size() == 1) return fitting.front();
@@ -77,7 +78,7 @@ Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostic
                       fmt::format("there are {}", kinds_text(rows)));
   } else if (fitting.size() > 1) {
     std::vector<std::string> words;
-    for (const Output& one : fitting) words.push_back(fmt::format("-o {}:{}", one.kind, one.path));
+    for (const JobOutput& one : fitting) words.push_back(fmt::format("-o {}:{}", one.kind, one.path));
     diagnostics.error({.file = output.path}, "unknown-kind", "several kinds of output have this extension",
                       fmt::format("choose one: {}", fmt::join(words, ", ")));
   }
@@ -88,11 +89,11 @@ Output with_kind(Output output, const ProductRows& rows, Diagnostics& diagnostic
 
 std::string kinds_text(const ProductRows& rows) { return fmt::format("{}, levelN", fmt::join(kinds_of(rows), ", ")); }
 
-std::vector<Output> outputs_of(const std::vector<std::string>& words, const std::string& input, const ProductRows& rows,
-                               Diagnostics& diagnostics) {
-  std::vector<Output> outputs;
+std::vector<JobOutput> outputs_of(const std::vector<std::string>& words, const std::string& input,
+                                  const ProductRows& rows, Diagnostics& diagnostics) {
+  std::vector<JobOutput> outputs;
   for (const std::string& word : words) {
-    Output output = typed_output(word, rows);
+    JobOutput output = typed_output(word, rows);
     const bool is_of_sprites = input != "-" && is_sprite_input(input);
     const bool is_scenes =
         output.path == "-" || is_scene_file(output.path) || (is_of_sprites && is_sprite_output(output.path));
@@ -108,10 +109,55 @@ std::vector<Output> outputs_of(const std::vector<std::string>& words, const std:
   return outputs;
 }
 
-std::vector<std::filesystem::path> paths_written_for(const Output& output) {
+std::vector<std::filesystem::path> paths_written_for(const JobOutput& output) {
   if (output.row) return paths_of_side_file(*output.row, output.path);
-  return output.kind.empty() || output.level ? foredraw::paths_written_for(output.path)
+  return output.kind.empty() || output.level ? paths_written_for(std::filesystem::path(output.path))
                                              : std::vector<std::filesystem::path>{output.path};
 }
 
-}  // namespace foredraw::cli
+bool can_write(const std::vector<JobOutput>& outputs, const std::string& input, Diagnostics& diagnostics) {
+  bool good = true;
+  for (const JobOutput& output : outputs) {
+    if (output.is_scene()) good = can_write_scene(output.path, input, diagnostics) && good;
+  }
+  return good;
+}
+
+bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostics) {
+  std::error_code none;
+  for (const std::string& file : files) {
+    const auto folder = std::filesystem::path(file).parent_path();
+    if (folder.empty() || std::filesystem::is_directory(folder, none)) continue;
+    diagnostics.error({.file = file}, "no-such-folder",
+                      "cannot be written: there is no folder '" + folder.string() + "'",
+                      "create it, or name another folder");
+  }
+  return !diagnostics.has_errors();
+}
+
+std::optional<std::vector<OutputFile>> encode(const Scene& scene, const JobOutput& output,
+                                              const OutputSettings& settings, const ProductRows& rows,
+                                              Diagnostics& diagnostics) {
+  if (output.row) return encode_side_file(scene, *output.row, output.path, diagnostics);
+  if (output.kind == remap) {
+    const std::string text = remap_json(scene);
+    const auto bytes = std::as_bytes(std::span(text));
+    return std::vector<OutputFile>{{output.path, {bytes.begin(), bytes.end()}}};
+  }
+  const GltfOutput as{.compression = settings.compression,
+                      .turns_corners = settings.turns_corners,
+                      .levels = settings.levels,
+                      .products = rows};
+  const auto written = [&](const Scene& one) {
+    return output.level ? encode_level(one, *output.level, output.path, diagnostics, as)
+                        : encode_scene(one, output.path, diagnostics, as);
+  };
+  if (settings.has_products || scene.products.empty()) return written(scene);
+  Scene bare = scene;
+  for (const auto& row : rows) {
+    if (bare.products.has(row->card().name)) row->leave_out(bare);
+  }
+  return written(bare);
+}
+
+}  // namespace foredraw

@@ -1,4 +1,4 @@
-#include "result_cache.h"
+#include <foredraw/job/result_cache.h>
 
 #include <foredraw/cache/result_about.h>
 #include <foredraw/io/imported_file.h>
@@ -13,7 +13,7 @@
 #include <map>
 #include <utility>
 
-namespace foredraw::cli {
+namespace foredraw {
 
 namespace {
 
@@ -45,28 +45,20 @@ std::string done_by(const Pipeline& pipeline, const Registry& registry, const Ca
 }
 
 /// How scenes are read. What is imported comes by a program of its own, whose build counts as ours does.
-std::string read_by(const Arguments& arguments) {
-  const std::string& input = arguments.inputs[0];
-  const bool may_import = is_folder(input) || is_imported_file(input);
-  return fmt::format("strict {}\nroot {}\n{}", arguments.strict, arguments.root,
+std::string read_by(const SceneInput& how, const std::string& input, bool is_folder) {
+  const bool may_import = is_folder || is_imported_file(input);
+  return fmt::format("strict {}\nroot {}\n{}", how.strict, how.root.string(),
                      may_import ? "importer " + to_text(importer_stamp(import_limits())) + '\n' : "");
-}
-
-/// Everything that decides what comes out, but for the file that is worked on and where it goes.
-std::string how(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry, const Cache& cache) {
-  return "results 1\n" + done_by(pipeline, registry, cache) + read_by(arguments) +
-         fmt::format("compression {}\ncorners {}\nlevels {}\nproducts {}\n", arguments.compression, arguments.corners,
-                     arguments.levels, arguments.products);
 }
 
 Stamp stamp_of(const std::string& text) { return content_hash(std::as_bytes(std::span(text))); }
 
 /// Whether what was written says by which names its files go, or where others lie.
-bool holds_names(const std::string& input, const std::vector<Output>& outputs,
+bool holds_names(const std::string& input, const std::vector<JobOutput>& outputs,
                  const std::vector<std::vector<OutputFile>>& files, const Scene& scene) {
   const auto is_glb = [](const fs::path& path) { return extension_in_lower_case(path) == ".glb"; };
   return !is_glb(input) ||
-         std::ranges::any_of(outputs, [&](const Output& output) { return output.row || !is_glb(output.path); }) ||
+         std::ranges::any_of(outputs, [&](const JobOutput& output) { return output.row || !is_glb(output.path); }) ||
          std::ranges::any_of(files, [](const auto& of_one) { return of_one.size() != 1; }) ||
          std::ranges::any_of(scene.images, [](const Image& image) { return !image.uri.empty(); });
 }
@@ -90,23 +82,26 @@ std::string text_in(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
-std::unique_ptr<ResultCache> ResultCache::opened(const Arguments& arguments, const Pipeline& pipeline,
-                                                 const Registry& registry, Diagnostics& diagnostics) {
-  auto cache = Cache::in(arguments.cache, diagnostics);
+std::unique_ptr<ResultCache> ResultCache::opened(const fs::path& folder, const Pipeline& pipeline,
+                                                 const Registry& registry, const SceneInput& how,
+                                                 const std::string& input, Told told, Diagnostics& diagnostics) {
+  auto cache = Cache::in(folder, diagnostics);
   if (!cache) return nullptr;
-  std::string text = how(arguments, pipeline, registry, *cache);
+  std::error_code error;
+  const bool is_folder = fs::is_directory(input, error);
+  std::string key = "results 2\n" + done_by(pipeline, registry, *cache) + read_by(how, input, is_folder);
   return std::unique_ptr<ResultCache>(
-      new ResultCache(std::move(*cache), std::move(text), print_file(pipeline), is_folder(arguments.inputs[0])));
+      new ResultCache(std::move(*cache), std::move(key), print_file(pipeline), is_folder, std::move(told)));
 }
 
-Work ResultCache::work_for(const std::string& input, const std::vector<Output>& outputs) const {
+Work ResultCache::work_for(const std::string& input, const std::vector<JobOutput>& outputs) const {
   std::string text = how_ + "input " + extension_in_lower_case(input) + '\n';
   std::string place = fs::path(input).filename().string() + '\n';
   std::error_code error;
   const auto folder_of = [&](const fs::path& path) {
     return fs::absolute(path, error).lexically_normal().parent_path();
   };
-  for (const Output& output : outputs) {
+  for (const JobOutput& output : outputs) {
     text += "output " + output.kind + ' ' + extension_in_lower_case(output.path) + '\n';
     place += fs::path(output.path).filename().string() + '\n' +
              folder_of(input).lexically_relative(folder_of(output.path)).string() + '\n';
@@ -114,8 +109,7 @@ Work ResultCache::work_for(const std::string& input, const std::vector<Output>& 
   return {stamp_of(text), input, std::move(place)};
 }
 
-std::optional<FileRun> ResultCache::recalled(const FileJob& job, const std::string& input,
-                                             const std::vector<Output>& outputs) const {
+std::optional<Recalled> ResultCache::recalled(const std::string& input, const std::vector<JobOutput>& outputs) const {
   Diagnostics damaged;
   const auto found = find_result(cache_, work_for(input, outputs), damaged);
   tell_now(damaged);
@@ -138,7 +132,7 @@ std::optional<FileRun> ResultCache::recalled(const FileJob& job, const std::stri
         are_there && content && content->stamp == entry.stamp(i).stamp && content->bytes == entry.stamp(i).bytes;
     places.emplace_back(place, i);
   }
-  const auto damage = [&]() -> std::optional<FileRun> {
+  const auto damage = [&]() -> std::optional<Recalled> {
     Diagnostics told;
     tell_damaged(cache_.place_of(found->key), told);
     tell_now(told);
@@ -153,14 +147,7 @@ std::optional<FileRun> ResultCache::recalled(const FileJob& job, const std::stri
   if (!json || !text) return damage();
   if (text->empty() && !is_of_folder_) return std::nullopt;
 
-  FileRun run;
-  run.from_cache = true;
-  run.read = found->read;
-  run.sought = found->sought;
-  run.report.command = "optimize";
-  run.report.input.path = input;
-  run.json = text_in(*json);
-  run.text = with_names(text_in(*text), about->input, input);
+  Recalled run{text_in(*json), with_names(text_in(*text), about->input, input), {}, found->read, found->sought};
   std::map<std::string, std::string> renamed{{about->input, input}};
   bool is_renamed = about->input != input || about->pipeline != pipeline_;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -169,18 +156,11 @@ std::optional<FileRun> ResultCache::recalled(const FileJob& job, const std::stri
     is_renamed = is_renamed || about->outputs[i] != outputs[i].path;
   }
   if (is_renamed) run.json = readdressed(run.json, renamed, pipeline_);
-  Diagnostics diagnostics;
-  if (are_there) files.clear();
-  if (!write_with_texts(job, run, outputs, std::move(files), "", diagnostics)) {
-    run.is_lost = true;
-    run.exit = something_failed;
-    run.json.clear();
-    run.report.diagnostics = diagnostics.all();
-  }
+  if (!are_there) run.files = std::move(files);
   return run;
 }
 
-void ResultCache::keep(const std::string& input, const std::vector<Output>& outputs,
+void ResultCache::keep(const std::string& input, const std::vector<JobOutput>& outputs,
                        const std::vector<std::vector<OutputFile>>& files, const WorkRead& read, const Scene& scene,
                        const Report& report, const std::string& json) const {
   ResultAbout about{input, {}, pipeline_, {}};
@@ -202,20 +182,17 @@ void ResultCache::keep(const std::string& input, const std::vector<Output>& outp
 
 void ResultCache::tell_once(const std::string& why) const {
   if (why.empty()) return;
-  const std::lock_guard lock(at_the_terminal_);
-  if (std::exchange(has_told_, true)) return;
   Diagnostics diagnostics;
   diagnostics.warning({}, "cache-not-written", "results could not be put into the cache: " + why,
                       "outputs are not affected; make room, or choose a folder that you may write to");
-  end_progress();
-  tell(diagnostics);
+  const std::lock_guard lock(telling_);
+  if (!std::exchange(has_told_, true)) told_(diagnostics);
 }
 
 void ResultCache::tell_now(const Diagnostics& diagnostics) const {
   if (diagnostics.empty()) return;
-  const std::lock_guard lock(at_the_terminal_);
-  end_progress();
-  tell(diagnostics);
+  const std::lock_guard lock(telling_);
+  told_(diagnostics);
 }
 
-}  // namespace foredraw::cli
+}  // namespace foredraw
