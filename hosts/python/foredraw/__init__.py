@@ -50,7 +50,7 @@ from .meshes import (
 )
 from .one_draw import Clustered, cluster, order
 from .runs import Optimized, measure, optimize
-from .scenes import Scene, make, read, read_bytes, write
+from .scenes import Scene, make, read, read_bytes, write, write_bytes
 from .sprites import Trimmed, particle_trim, sprite_frames
 from .techniques import (
     HandedDraw,
@@ -141,4 +141,5 @@ __all__ = [
     "vertex_orderer",
     "weld",
     "write",
+    "write_bytes",
 ]

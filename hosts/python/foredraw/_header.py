@@ -369,6 +369,8 @@ PROTOTYPES = {
     "read": (c_int, [c_void_p, c_char_p, _pointer, _text]),
     "read_memory": (c_int, [c_void_p, c_void_p, c_uint64, c_char_p, _pointer, _text]),
     "write": (c_int, [c_void_p, c_void_p, c_char_p, _text]),
+    "write_as": (c_int, [c_void_p, c_void_p, c_char_p, c_char_p, _text]),
+    "write_memory": (c_int, [c_void_p, c_void_p, c_char_p, c_char_p, _text, _text]),
     "make_scene": (c_int, [c_void_p, POINTER(Draw), c_uint64, _pointer, _text]),
     "scene_draws": (c_uint64, [c_void_p]),
     "scene_draw": (c_int, [c_void_p, c_uint64, POINTER(Draw)]),
