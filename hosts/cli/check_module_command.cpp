@@ -87,7 +87,7 @@ std::vector<std::uint64_t> traces_of(const Result& result) {
 
 class ModuleCheck {
  public:
-  ModuleCheck(const Arguments& arguments, const Registry& registry)
+  ModuleCheck(const CheckModuleArguments& arguments, const Registry& registry)
       : registry_(registry), threads_(std::max(Executor(arguments.threads).threads(), 2)) {}
 
   bool has_failed() const { return has_failed_; }
@@ -201,7 +201,7 @@ class ModuleCheck {
 
 }  // namespace
 
-Exit check_module(const Arguments& arguments, const Registry& registry) {
+Exit check_module(const CheckModuleArguments& arguments, const Registry& registry) {
   ModuleCheck check(arguments, registry);
   std::string text;
   for (const Plugin* plugin : registry.all()) {

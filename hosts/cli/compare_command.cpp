@@ -84,7 +84,7 @@ struct Budget {
   std::optional<Baseline> stored;
 };
 
-std::optional<Budget> budget_of(const Arguments& arguments, std::size_t pipelines, Diagnostics& diagnostics) {
+std::optional<Budget> budget_of(const CompareArguments& arguments, std::size_t pipelines, Diagnostics& diagnostics) {
   Budget budget;
   bool needs_baseline = false;
   for (const std::string& text : arguments.fail_if) {
@@ -97,7 +97,7 @@ std::optional<Budget> budget_of(const Arguments& arguments, std::size_t pipeline
     diagnostics.error({}, "bad-arguments", "--fail-if names a baseline, but there is none",
                       "give --baseline a stored report, or run two pipelines, of which the first is the baseline");
   }
-  budget.stored = baseline_of(arguments, diagnostics);
+  budget.stored = baseline_of(arguments.baseline, diagnostics);
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(budget));
 }
 
@@ -113,7 +113,7 @@ Exit judged(const Budget& budget, std::span<const Comparison> comparisons) {
 }
 
 /// What changed since the baseline, of the first pipeline.
-std::optional<Since> since_of(const Arguments& arguments, const Budget& budget,
+std::optional<Since> since_of(const CompareArguments& arguments, const Budget& budget,
                               std::span<const Comparison> comparisons) {
   if (!budget.stored) return std::nullopt;
   Since since(arguments.baseline, *budget.stored);
@@ -128,7 +128,7 @@ std::optional<Since> since_of(const Arguments& arguments, const Budget& budget,
 }
 
 /// Every pipeline that takes part: those of the arguments, at every value of the sweeps.
-std::optional<std::vector<NamedPipeline>> contestants(const Arguments& arguments, const Registry& registry,
+std::optional<std::vector<NamedPipeline>> contestants(const CompareArguments& arguments, const Registry& registry,
                                                       Diagnostics& diagnostics) {
   const std::vector<std::string> texts =
       arguments.pipelines.empty() ? std::vector<std::string>{"@default"} : arguments.pipelines;
@@ -143,7 +143,7 @@ std::optional<std::vector<NamedPipeline>> contestants(const Arguments& arguments
 
 using Fronts = std::vector<std::pair<std::string, std::string>>;
 
-std::optional<Fronts> fronts_in(const Arguments& arguments, Diagnostics& diagnostics) {
+std::optional<Fronts> fronts_in(const CompareArguments& arguments, Diagnostics& diagnostics) {
   Fronts fronts;
   for (const std::string& text : arguments.fronts) {
     if (auto front = parse_front(text, diagnostics)) fronts.push_back(std::move(*front));
@@ -190,7 +190,7 @@ Exit unknown_fronts(std::span<const Comparison> comparisons) {
 
 }  // namespace
 
-Exit compare(const Arguments& arguments, const Registry& registry) {
+Exit compare(const CompareArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipelines = contestants(arguments, registry, diagnostics);
   const auto fronts = fronts_in(arguments, diagnostics);
@@ -201,13 +201,13 @@ Exit compare(const Arguments& arguments, const Registry& registry) {
   if (!inputs) return refuse(diagnostics);
   const auto budget = budget_of(arguments, pipelines->size(), diagnostics);
   if (!budget || !have_sources(*fronts, *budget, *pipelines, diagnostics) ||
-      !have_files_of_their_own(arguments, {}, diagnostics)) {
+      !have_files_of_their_own(files_read(arguments, arguments), {}, arguments, diagnostics)) {
     return refuse(diagnostics);
   }
   if (!have_folders({arguments.report, arguments.csv, arguments.html}, diagnostics)) return refuse_file(diagnostics);
 
   const Executor executor(arguments.threads);
-  const SceneInput how = input_of(arguments, registry);
+  const SceneInput how = input_of({}, arguments, registry);
   const FileLender lender(how);
   JobSetup setup = setup_of(arguments, registry, executor, lender, how);
   setup.progress = progress_line();

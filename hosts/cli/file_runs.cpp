@@ -61,7 +61,8 @@ FileRun lost(FileRun run, Exit exit, const Diagnostics& why) {
 bool is_made(Job& job, const FileJob& with, const std::string& input) {
   const auto has_views = [&] {
     Diagnostics why;
-    return with.arguments.heat_maps.empty() || are_views(with.arguments.heat_map_view, job.overdraw_options(), why) ||
+    const PictureArguments& pictures = with.pictures;
+    return pictures.heat_maps.empty() || are_views(pictures.heat_map_view, job.overdraw_options(), why) ||
            job.refuse(why);
   };
   return with_memory(input, "read it", [&] { return job.read(); }) &&
@@ -71,13 +72,11 @@ bool is_made(Job& job, const FileJob& with, const std::string& input) {
 
 /// Into the folder that was asked for, or, of several inputs, one of the input's own in it.
 void write_heat_maps(Job& job, const FileJob& with, FileRun& run) {
-  const Arguments& arguments = with.arguments;
-  if (arguments.heat_maps.empty()) return;
-  const std::string& input = run.report.input.path;
-  fs::path folder = arguments.heat_maps;
-  if (is_folder(arguments.inputs[0])) folder /= fs::path(input).lexically_relative(arguments.inputs[0]);
+  if (with.pictures.heat_maps.empty()) return;
+  fs::path folder = with.pictures.heat_maps;
+  if (!with.folder.empty()) folder /= fs::path(run.report.input.path).lexically_relative(with.folder);
   const auto files = heat_maps(job.input(), run.report.optimized ? &job.scene() : nullptr, job.overdraw_options(),
-                               arguments.heat_map_view, folder, with.setup.executor, job.analyses());
+                               with.pictures.heat_map_view, folder, with.setup.executor, job.analyses());
   Diagnostics diagnostics;
   if (!files.empty() && !(make_folder(folder, diagnostics) && write_files(files, diagnostics))) {
     run.exit = something_failed;
@@ -87,8 +86,7 @@ void write_heat_maps(Job& job, const FileJob& with, FileRun& run) {
 
 /// One pipeline beside the input.
 std::string page_of(Job& job, const FileJob& with) {
-  const std::string name = with.arguments.pipelines.empty() ? "@default" : with.arguments.pipelines.front();
-  const Comparison comparison{job.report().input, {{name, job.report()}}, {}};
+  const Comparison comparison{job.report().input, {{with.pipeline_name, job.report()}}, {}};
   const std::optional<Scene> after = job.scene();
   const Display shown = display(job.input(), {&after, 1}, 0, with.pipeline.subjects.subject);
   return page({&comparison, 1}, {&shown, 1}, program_name());
@@ -97,20 +95,19 @@ std::string page_of(Job& job, const FileJob& with) {
 /// The files of the outputs and, where the input is one file, its report, rules and page: all of them or none.
 bool write(const FileJob& with, const FileRun& run, const std::vector<JobOutput>& outputs,
            std::vector<std::vector<OutputFile>> files, const std::string& page, Diagnostics& diagnostics) {
-  const Arguments& arguments = with.arguments;
   std::vector<std::byte> standard;
   for (auto& of_one : files) {
     if (!of_one.empty() && of_one.front().path == "-") standard = std::move(std::exchange(of_one, {}).front().bytes);
   }
-  if (!is_folder(arguments.inputs[0])) {
+  if (with.folder.empty()) {
     std::vector<OutputFile> texts;
-    if (!arguments.report.empty()) {
-      texts.push_back({arguments.report, {}, [&](const OutputFile::Put& put) {
+    if (!with.texts.report.empty()) {
+      texts.push_back({with.texts.report, {}, [&](const OutputFile::Put& put) {
                          run.json.empty() ? write_json(run.report, put) : put(run.json);
                        }});
     }
-    if (!arguments.html.empty()) texts.push_back(text_file(arguments.html, page));
-    if (!arguments.depfile.empty()) texts.push_back(text_file(arguments.depfile, rules_of(with, run, outputs)));
+    if (!with.texts.html.empty()) texts.push_back(text_file(with.texts.html, page));
+    if (!with.texts.depfile.empty()) texts.push_back(text_file(with.texts.depfile, rules_of(with, run, outputs)));
     files.push_back(std::move(texts));
   }
   std::erase_if(files, [](const auto& of_one) { return of_one.empty(); });
@@ -137,7 +134,7 @@ FileRun optimize_file(const FileJob& with, const std::string& input, const std::
   const bool is_there = job.recall(outputs) || is_made(job, with, input);
   return with_memory(outputs.empty() ? input : outputs.front().path, "write it", [&] {
     if (!is_there || !(job.is_recalled() || job.encode(outputs))) return run_of(job);
-    const std::string page = with.arguments.html.empty() ? "" : page_of(job, with);
+    const std::string page = with.texts.html.empty() ? "" : page_of(job, with);
     FileRun run = run_of(job);
     if (with.is_cancelled()) return lost(std::move(run), interrupted, {});
     Diagnostics diagnostics;

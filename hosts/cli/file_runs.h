@@ -10,13 +10,16 @@ namespace foredraw::cli {
 
 /// What every file of a run is worked on with.
 struct FileJob {
-  const Arguments& arguments;
   const Pipeline& pipeline;
   JobSetup setup;
+  std::string folder = {};         ///< that the inputs lie in; empty: there is one input
+  std::string pipeline_name = {};  ///< for the page
+  TextArguments texts = {};        ///< of the one input
+  PictureArguments pictures = {};
   bool keeps_scenes = false;                               ///< for who writes several in one file
   std::vector<std::filesystem::path> pipeline_files = {};  ///< that the pipeline is, and names
 
-  bool is_cancelled() const { return arguments.is_cancelled(); }  ///< nothing more is written then
+  bool is_cancelled() const { return setup.cancel != nullptr && *setup.cancel; }  ///< nothing more is written then
 };
 
 struct FileRun {
@@ -45,7 +48,7 @@ bool is_folder(const std::string& path);
 
 /// Every scene of the folder that is the input, file by file on all threads; one that is lost does not end the run.
 /// Tells what there is to tell in the sequence of the files, then prints the table, to standard error where `optimize`.
-Exit optimize_folder(const FileJob& job);
-Exit measure_folder(const FileJob& job);
+Exit optimize_folder(const FileJob& job, const OptimizeArguments& arguments);
+Exit measure_folder(const FileJob& job, const MeasureArguments& arguments);
 
 }  // namespace foredraw::cli

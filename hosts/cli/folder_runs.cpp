@@ -110,8 +110,7 @@ bool is_folder(const std::string& path) {
   return fs::is_directory(path, error);
 }
 
-Exit optimize_folder(const FileJob& job) {
-  const Arguments& arguments = job.arguments;
+Exit optimize_folder(const FileJob& job, const OptimizeArguments& arguments) {
   Diagnostics diagnostics;
   const fs::path from = arguments.inputs[0];
   const FolderOutputs wanted = outputs_in(arguments.outputs, job.setup.registry.products(), diagnostics);
@@ -167,7 +166,7 @@ Exit optimize_folder(const FileJob& job) {
   written.insert(written.end(), {arguments.report, arguments.depfile});
   if (!have_folders(written, diagnostics)) return refuse_file(diagnostics);
 
-  const auto baseline = baseline_of(arguments, diagnostics);
+  const auto baseline = baseline_of(arguments.baseline, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
   std::optional<Since> since;
   if (baseline) since.emplace(arguments.baseline, *baseline, arguments.shard.has_value());
@@ -211,9 +210,9 @@ Exit optimize_folder(const FileJob& job) {
   return arguments.json ? std::max(worst, print_pieces(write)) : worst;
 }
 
-Exit measure_folder(const FileJob& job) {
+Exit measure_folder(const FileJob& job, const MeasureArguments& arguments) {
   Diagnostics diagnostics;
-  const fs::path from = job.arguments.inputs[0];
+  const fs::path from = arguments.inputs[0];
   const auto scenes = scenes_below(from, {}, scenes_for(job.pipeline, job.setup.registry), diagnostics);
   if (!scenes) return refuse(diagnostics);
   std::vector<std::string> inputs;
@@ -226,7 +225,7 @@ Exit measure_folder(const FileJob& job) {
   if (worst == interrupted) return interrupted;
   tell(diagnostics);  // of what was passed by
   const double seconds = watch.seconds();
-  if (!job.arguments.json) return std::max(worst, print(batch.to_text(seconds)));
+  if (!arguments.json) return std::max(worst, print(batch.to_text(seconds)));
   return std::max(worst, print_pieces([&](const OutputFile::Put& put) { batch.write_json(seconds, {}, put); }));
 }
 

@@ -17,16 +17,17 @@ namespace foredraw::cli {
 namespace {
 
 /// Record and scene would stand in each other's way.
-bool outputs_clash(const Arguments& arguments, const std::vector<JobOutput>& outputs, Diagnostics& diagnostics) {
+bool outputs_clash(const OptimizeArguments& arguments, const std::vector<JobOutput>& outputs,
+                   Diagnostics& diagnostics) {
   if (arguments.json && std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
     diagnostics.error({}, "bad-arguments", "--json and -o - both want standard output",
                       "use --report FILE for the record");
   }
-  return !have_files_of_their_own(arguments, outputs, diagnostics);
+  return !have_files_of_their_own(files_read(arguments, arguments), outputs, arguments, diagnostics);
 }
 
 /// Whether the options for many files and many runs can be used with the others.
-bool batch_options_fit(const Arguments& arguments, Diagnostics& diagnostics) {
+bool batch_options_fit(const OptimizeArguments& arguments, Diagnostics& diagnostics) {
   if (arguments.shard && !is_folder(arguments.inputs[0])) {
     diagnostics.error({.file = arguments.inputs[0]}, "bad-arguments", "is no folder, of which --shard takes a part",
                       "leave --shard out");
@@ -50,7 +51,7 @@ bool batch_options_fit(const Arguments& arguments, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Exit optimize(const Arguments& arguments, const Registry& registry) {
+Exit optimize(const OptimizeArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const std::string& input = arguments.inputs[0];
   const auto pipeline = one_pipeline(arguments, registry, diagnostics);
@@ -59,15 +60,20 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   if (outputs_clash(arguments, outputs, diagnostics)) return refuse(diagnostics);
   if (!batch_options_fit(arguments, diagnostics)) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  SceneInput how = input_of(arguments, registry);
+  SceneInput how = input_of(arguments, arguments, registry);
   if (!arguments.cache.empty() || !arguments.depfile.empty()) how.files = std::make_shared<FilesRead>();
   const FileLender lender(how);
-  FileJob job{arguments, *pipeline, setup_of(arguments, registry, executor, lender, how)};
+  FileJob job{*pipeline, setup_of(arguments, registry, executor, lender, how)};
+  job.setup.keeps_input = !arguments.heat_maps.empty() || !arguments.html.empty();
+  job.folder = is_folder(input) ? input : "";
+  job.pipeline_name = arguments.pipelines.empty() ? "@default" : arguments.pipelines.front();
+  job.texts = arguments;
+  job.pictures = arguments;
   if (!arguments.depfile.empty()) job.pipeline_files = files_of(arguments, *pipeline, registry);
-  const auto cache = cache_of(arguments, *pipeline, registry, how, diagnostics);
+  const auto cache = cache_of(arguments.cache, input, *pipeline, registry, how, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);
   job.setup.cache = cache.get();
-  if (is_folder(input)) return optimize_folder(job);
+  if (!job.folder.empty()) return optimize_folder(job, arguments);
   std::vector<std::string> written = {arguments.report, arguments.html, arguments.depfile};
   for (const JobOutput& output : outputs) written.push_back(output.path);
   if (!can_write(outputs, input, diagnostics)) return refuse(diagnostics);
@@ -89,13 +95,13 @@ Exit optimize(const Arguments& arguments, const Registry& registry) {
   return arguments.json ? std::max(run.exit, print(run.json.empty() ? to_json(run.report) : run.json)) : run.exit;
 }
 
-Exit plan(const Arguments& arguments, const Registry& registry) {
+Exit plan(const PlanArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipeline = one_pipeline(arguments, registry, diagnostics);
   if (!pipeline) return refuse(diagnostics);
   const std::string& input = arguments.inputs[0];
   const Executor executor(arguments.threads);
-  const SceneInput how = input_of(arguments, registry);
+  const SceneInput how = input_of(arguments, arguments, registry);
   const FileLender lender(how);
   const JobSetup setup = setup_of(arguments, registry, executor, lender, how);
   Job job(setup, JobKind::optimize, input);
@@ -105,16 +111,19 @@ Exit plan(const Arguments& arguments, const Registry& registry) {
   return print(arguments.json ? to_json(job.plan(), job.scene()) : to_text(job.plan(), job.scene()));
 }
 
-Exit measure(const Arguments& arguments, const Registry& registry) {
+Exit measure(const MeasureArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const auto pipelines = pipelines_for(arguments, registry, {""}, diagnostics);
   if (!pipelines) return refuse(diagnostics);
   const Executor executor(arguments.threads);
-  const SceneInput how = input_of(arguments, registry);
+  const SceneInput how = input_of(arguments, arguments, registry);
   const FileLender lender(how);
   const std::string& input = arguments.inputs[0];
-  FileJob job{arguments, pipelines->front().pipeline, setup_of(arguments, registry, executor, lender, how)};
-  if (is_folder(input)) return measure_folder(job);
+  FileJob job{pipelines->front().pipeline, setup_of(arguments, registry, executor, lender, how)};
+  job.setup.keeps_input = !arguments.heat_maps.empty();
+  job.folder = is_folder(input) ? input : "";
+  job.pictures = arguments;
+  if (!job.folder.empty()) return measure_folder(job, arguments);
 
   job.setup.progress = progress_line();
   const FileRun run = measure_file(job, input);

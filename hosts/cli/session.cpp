@@ -59,21 +59,20 @@ std::filesystem::path spool_folder(const std::string& report) {
   return folder.empty() ? "." : folder;
 }
 
-SceneInput input_of(const Arguments& arguments, const Registry& registry) {
-  return {registry.products(), arguments.strict, arguments.root, Executor(arguments.threads)};
+SceneInput input_of(const ReadingArguments& reading, const CommonArguments& arguments, const Registry& registry) {
+  return {registry.products(), reading.strict, reading.root, Executor(arguments.threads)};
 }
 
-JobSetup setup_of(const Arguments& arguments, const Registry& registry, const Executor& executor, const Lender& lender,
-                  SceneInput how) {
+JobSetup setup_of(const CommonArguments& arguments, const Registry& registry, const Executor& executor,
+                  const Lender& lender, SceneInput how) {
   return {.registry = registry,
           .executor = executor,
           .lender = &lender,
           .input = std::move(how),
-          .cancel = arguments.cancel(),
-          .keeps_input = !arguments.heat_maps.empty() || !arguments.html.empty()};
+          .cancel = arguments.cancel()};
 }
 
-std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments, const Registry& registry,
+std::optional<std::vector<NamedPipeline>> pipelines_for(const PipelineArguments& arguments, const Registry& registry,
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics) {
   std::vector<NamedPipeline> pipelines;
@@ -86,7 +85,8 @@ std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& argumen
   return change(pipelines, changes, registry, diagnostics) ? std::optional(std::move(pipelines)) : std::nullopt;
 }
 
-std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
+std::optional<Pipeline> one_pipeline(const PipelineArguments& arguments, const Registry& registry,
+                                     Diagnostics& diagnostics) {
   if (arguments.pipelines.size() > 1) {
     diagnostics.error({}, "bad-arguments", "--pipeline is given more than once", "use foredraw compare to run several");
     return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry&
   return only_one(pipelines_for(arguments, registry, {text}, diagnostics), text, diagnostics);
 }
 
-std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
+std::vector<std::filesystem::path> files_of(const PipelineArguments& arguments, const Pipeline& pipeline,
                                             const Registry& registry) {
   std::vector<std::filesystem::path> files = files_named_in(pipeline, registry);
   std::error_code error;
@@ -105,14 +105,14 @@ std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pi
   return files;
 }
 
-std::unique_ptr<ResultCache> cache_of(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry,
-                                      const SceneInput& how, Diagnostics& diagnostics) {
-  if (arguments.cache.empty()) return nullptr;
+std::unique_ptr<ResultCache> cache_of(const std::string& folder, const std::string& input, const Pipeline& pipeline,
+                                      const Registry& registry, const SceneInput& how, Diagnostics& diagnostics) {
+  if (folder.empty()) return nullptr;
   const auto told = [](const Diagnostics& wrong) {
     end_progress();
     tell(wrong);
   };
-  return ResultCache::opened(arguments.cache, pipeline, registry, how, arguments.inputs[0], told, diagnostics);
+  return ResultCache::opened(folder, pipeline, registry, how, input, told, diagnostics);
 }
 
 std::function<void(std::string_view, double)> progress_line() {
@@ -135,11 +135,11 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return place(a) == place(b);
 }
 
-std::optional<Baseline> baseline_of(const Arguments& arguments, Diagnostics& diagnostics) {
-  const auto bytes = arguments.baseline.empty() ? std::nullopt : read_file(arguments.baseline, diagnostics);
+std::optional<Baseline> baseline_of(const std::string& file, Diagnostics& diagnostics) {
+  const auto bytes = file.empty() ? std::nullopt : read_file(file, diagnostics);
   if (!bytes) return std::nullopt;
   const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-  return read_baseline(text, arguments.baseline, diagnostics);
+  return read_baseline(text, file, diagnostics);
 }
 
 std::string program_name() { return std::string("foredraw ") + FOREDRAW_VERSION; }

@@ -31,15 +31,16 @@ Exit print(const std::string& text);
 Exit print_pieces(const std::function<void(const OutputFile::Put&)>& write);
 
 /// The pipelines of the texts, of a file with several all of them, with what the arguments change of them (change()).
-std::optional<std::vector<NamedPipeline>> pipelines_for(const Arguments& arguments, const Registry& registry,
+std::optional<std::vector<NamedPipeline>> pipelines_for(const PipelineArguments& arguments, const Registry& registry,
                                                         const std::vector<std::string>& texts,
                                                         Diagnostics& diagnostics);
 
 /// The one that --pipeline names, or @default. Another one is a mistake, and so is one with branches.
-std::optional<Pipeline> one_pipeline(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics);
+std::optional<Pipeline> one_pipeline(const PipelineArguments& arguments, const Registry& registry,
+                                     Diagnostics& diagnostics);
 
 /// The files that the pipeline is read from, and those that its options name.
-std::vector<std::filesystem::path> files_of(const Arguments& arguments, const Pipeline& pipeline,
+std::vector<std::filesystem::path> files_of(const PipelineArguments& arguments, const Pipeline& pipeline,
                                             const Registry& registry);
 
 /// What a step that lacks memory is left by; main() tells it in one line.
@@ -58,15 +59,15 @@ auto with_memory(const std::string& file, const char* doing, Step step) {
 }
 
 /// How the inputs of a command are read.
-SceneInput input_of(const Arguments& arguments, const Registry& registry);
+SceneInput input_of(const ReadingArguments& reading, const CommonArguments& arguments, const Registry& registry);
 
-/// With what jobs of the command work. `how`: as the lender reads.
-JobSetup setup_of(const Arguments& arguments, const Registry& registry, const Executor& executor, const Lender& lender,
-                  SceneInput how);
+/// What the jobs of a command have in common. `how`: as the lender reads.
+JobSetup setup_of(const CommonArguments& arguments, const Registry& registry, const Executor& executor,
+                  const Lender& lender, SceneInput how);
 
-/// The cache that --cache names; nullptr: none is named or, with errors, it cannot be one.
-std::unique_ptr<ResultCache> cache_of(const Arguments& arguments, const Pipeline& pipeline, const Registry& registry,
-                                      const SceneInput& how, Diagnostics& diagnostics);
+/// The cache in the folder that --cache names; nullptr: none is named or, with errors, it cannot be one.
+std::unique_ptr<ResultCache> cache_of(const std::string& folder, const std::string& input, const Pipeline& pipeline,
+                                      const Registry& registry, const SceneInput& how, Diagnostics& diagnostics);
 
 /// Progress on a terminal, nothing elsewhere.
 std::function<void(std::string_view, double)> progress_line();
@@ -79,7 +80,7 @@ bool make_folder(const std::filesystem::path& folder, Diagnostics& diagnostics);
 bool is_same_file(const std::string& a, const std::string& b);
 
 /// What --baseline names. Nothing where it is not given, or, with an error, can not be read.
-std::optional<Baseline> baseline_of(const Arguments& arguments, Diagnostics& diagnostics);
+std::optional<Baseline> baseline_of(const std::string& file, Diagnostics& diagnostics);
 
 /// "foredraw 0.1.0".
 std::string program_name();

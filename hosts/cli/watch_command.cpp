@@ -9,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The folder that everything goes to; empty, with errors, where it can not be.
-std::string out_for(const Arguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
+std::string out_for(const WatchArguments& arguments, const Registry& registry, Diagnostics& diagnostics) {
   const std::string& from = arguments.inputs[0];
   if (!is_folder(from)) {
     std::error_code error;
@@ -18,12 +18,12 @@ std::string out_for(const Arguments& arguments, const Registry& registry, Diagno
                       "name the folder that you work in");
     return {};
   }
-  const FolderOutputs outputs = outputs_in(arguments.outputs, registry.products(), diagnostics);
+  const FolderOutputs outputs = outputs_in({arguments.output}, registry.products(), diagnostics);
   if (diagnostics.has_errors()) return {};
   std::error_code error;
   if (!outputs.gathered.empty() || outputs.folder == "-" ||
       (fs::exists(outputs.folder, error) && !is_folder(outputs.folder))) {
-    diagnostics.error({.file = arguments.outputs[0]}, "bad-arguments", "is not a folder, which watch writes to",
+    diagnostics.error({.file = arguments.output}, "bad-arguments", "is not a folder, which watch writes to",
                       "give -o the name of a folder; it is created if it does not exist");
   } else if (fs::equivalent(from, outputs.folder, error)) {
     diagnostics.error({.file = outputs.folder}, "bad-arguments", "is the input folder itself",
@@ -36,7 +36,7 @@ std::string out_for(const Arguments& arguments, const Registry& registry, Diagno
 
 }  // namespace
 
-Exit watch(const Arguments& arguments, const Registry& registry) {
+Exit watch(const WatchArguments& arguments, const Registry& registry) {
   Diagnostics diagnostics;
   const std::string out = out_for(arguments, registry, diagnostics);
   if (diagnostics.has_errors()) return refuse(diagnostics);

@@ -55,7 +55,7 @@ std::string gains_of(const StoredReport& report) {
 
 }  // namespace
 
-WatchedFolder::WatchedFolder(const Arguments& arguments, const Registry& registry, const std::string& out,
+WatchedFolder::WatchedFolder(const WatchArguments& arguments, const Registry& registry, const std::string& out,
                              std::unique_ptr<Workshop> workshop, const Executor& executor)
     : arguments_(arguments),
       registry_(registry),

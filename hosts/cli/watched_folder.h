@@ -17,7 +17,7 @@ namespace foredraw::cli {
 class WatchedFolder {
  public:
   /// `out` is there.
-  WatchedFolder(const Arguments& arguments, const Registry& registry, const std::string& out,
+  WatchedFolder(const WatchArguments& arguments, const Registry& registry, const std::string& out,
                 std::unique_ptr<Workshop> workshop, const Executor& executor);
 
   /// All files that are there at first, then each that changes, and those that depend on it. Returns when it is
@@ -48,7 +48,7 @@ class WatchedFolder {
   std::string name_of(const std::string& file) const;
   void say(const std::string& line) const;
 
-  const Arguments& arguments_;
+  const WatchArguments& arguments_;
   const Registry& registry_;
   const Executor& executor_;
   const Interruption& interruption_;

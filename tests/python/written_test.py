@@ -59,7 +59,3 @@ class Written(unittest.TestCase):
         with self.assertRaises(fd.Error):
             scene.write_bytes("ours.gltf")
         self.assertEqual(list(self.folder.iterdir()), [])
-
-
-if __name__ == "__main__":
-    unittest.main()
