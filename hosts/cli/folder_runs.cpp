@@ -27,13 +27,8 @@ bool gather(const std::vector<std::optional<Scene>>& kept, const std::vector<std
   for (const std::optional<Scene>& scene : kept) {
     if (scene && is_sprite_input(scene->name)) scenes.push_back(*scene);
   }
-  std::vector<OutputFile> files;
-  for (const std::string& target : gathered) {
-    auto file = encode_sprites(scenes, target, diagnostics);
-    if (!file) return false;
-    files.push_back(std::move(*file));
-  }
-  return write_files(files, diagnostics);
+  const auto files = encode_together(scenes, gathered, diagnostics);
+  return files && write_files(*files, diagnostics);
 }
 
 FileRun lost(const fs::path& input, const std::string& why, const std::string& hint) {

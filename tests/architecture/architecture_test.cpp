@@ -55,6 +55,12 @@ TEST_F(Architecture, includes_point_leftwards) {
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 
+TEST_F(Architecture, hosts_work_by_jobs) {
+  Breaches breaches;
+  for (const TextFile& file : texts()) add(breaches, host_breaches(file.path, file.text));
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
 TEST_F(Architecture, who_is_handed_rows_names_no_product) {
   Breaches breaches;
   for (const TextFile& file : texts()) add(breaches, product_breaches(file.path, file.text));

@@ -195,4 +195,15 @@ Breaches include_breaches(const std::string& path, const std::string& text) {
   return breaches;
 }
 
+Breaches host_breaches(const std::string& path, const std::string& text) {
+  Breaches breaches;
+  if (!is_cpp(path) || !(path.starts_with("hosts/") || path.starts_with("framework/foredraw/c/"))) return breaches;
+  for (const char* call : {"foredraw::plan(", "foredraw::optimize(", "foredraw::measure(", "contest(", "encode_scene(",
+                           "encode_level(", "encode_gltf(", "encode_sprites(", "GltfOutput"}) {
+    if (text.find(call) == std::string::npos) continue;
+    breaches.push_back(path + ": has " + call + ", but hosts plan, run and encode by the room job");
+  }
+  return breaches;
+}
+
 }  // namespace foredraw::architecture

@@ -26,4 +26,7 @@ const std::vector<Room>& rooms();                      ///< this tree's
 /// Tests, benchmarks and documents may include what they like.
 Breaches include_breaches(const std::string& path, const std::string& text);
 
+/// Calls in hosts/ and the C library that plan, run or encode: they go through the room job.
+Breaches host_breaches(const std::string& path, const std::string& text);
+
 }  // namespace foredraw::architecture

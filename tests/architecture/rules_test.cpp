@@ -67,6 +67,13 @@ TEST(IncludeRules, framework_headers_show_glm_alone) {
   EXPECT_FALSE(may_include("framework/foredraw/pipeline/plan.cpp", "<foredraw/io/text/private/json_tree.h>"));
 }
 
+TEST(HostRules, hosts_do_not_plan_or_encode) {
+  EXPECT_EQ(host_breaches("hosts/cli/x.cpp", "auto plan = foredraw::plan(pipeline);").size(), 1u);
+  EXPECT_EQ(host_breaches("framework/foredraw/c/library/x.cpp", "GltfOutput as; encode_scene(scene);").size(), 2u);
+  EXPECT_TRUE(host_breaches("hosts/cli/x.cpp", "job.plan(pipeline) && job.run()").empty());
+  EXPECT_TRUE(host_breaches("framework/foredraw/job/job.cpp", "foredraw::plan(pipeline)").empty());
+}
+
 TEST(IncludeRules, runtime_is_c) {
   EXPECT_TRUE(may_include("framework/foredraw/runtime/order_table.h", "<stdint.h>"));
   EXPECT_TRUE(may_include("framework/foredraw/runtime/split_coding.h", "<foredraw/runtime/range_coder.h>"));

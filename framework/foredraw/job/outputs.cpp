@@ -160,4 +160,16 @@ std::optional<std::vector<OutputFile>> encode(const Scene& scene, const JobOutpu
   return written(bare);
 }
 
+std::optional<std::vector<OutputFile>> encode_together(std::span<const Scene> scenes,
+                                                       const std::vector<std::string>& paths,
+                                                       Diagnostics& diagnostics) {
+  std::vector<OutputFile> files;
+  for (const std::string& path : paths) {
+    auto file = encode_sprites(scenes, path, diagnostics);
+    if (!file) return std::nullopt;
+    files.push_back(std::move(*file));
+  }
+  return files;
+}
+
 }  // namespace foredraw

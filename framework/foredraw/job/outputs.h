@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,5 +48,9 @@ bool have_folders(const std::vector<std::string>& files, Diagnostics& diagnostic
 std::optional<std::vector<OutputFile>> encode(const Scene& scene, const JobOutput& output,
                                               const OutputSettings& settings, const ProductRows& rows,
                                               Diagnostics& diagnostics);
+
+/// Files of sprites, each of which holds those of all the scenes.
+std::optional<std::vector<OutputFile>> encode_together(std::span<const Scene> scenes,
+                                                       const std::vector<std::string>& paths, Diagnostics& diagnostics);
 
 }  // namespace foredraw
