@@ -37,7 +37,7 @@ Files gltf_files(const Scene& scene, const std::string& path, Diagnostics& diagn
   const bool is_standard = path == "-";
   auto written = sprites_for_gltf(scene, path, diagnostics);
   if (!written) return std::nullopt;
-  const auto source = scene.source ? scene.source->for_gltf() : nullptr;
+  const auto source = source_for_gltf(scene);
   if (source) {
     Scene patched = *written;
     patched.source = source;

@@ -83,9 +83,6 @@ class SceneSource {
 
   /// Of the file and those beside it that a writer may write again; 0: not known.
   virtual std::uint64_t bytes() const { return 0; }
-
-  /// The source that a writer of glTF uses instead, for a file of another kind; null: this one.
-  virtual std::shared_ptr<const SceneSource> for_gltf() const { return nullptr; }
 };
 
 /// What a writer does with what a file lists: materials, textures, samplers, images, nodes and others. Stages ask for

@@ -103,6 +103,11 @@ std::optional<Scene> read_mesh_file(std::span<const std::byte> bytes, MeshKind k
   return faults.tell() ? std::move(scene) : std::nullopt;
 }
 
+std::shared_ptr<const SceneSource> source_for_gltf(const Scene& scene) {
+  const auto source = std::dynamic_pointer_cast<const MeshSource>(scene.source);
+  return source ? source->gltf : nullptr;
+}
+
 std::optional<OutputFile> encode_mesh_file(const Scene& scene, MeshKind kind, const std::filesystem::path& target,
                                            Diagnostics& diagnostics) {
   const auto source = std::dynamic_pointer_cast<const MeshSource>(scene.source);

@@ -17,7 +17,6 @@ class MeshSource final : public SceneSource {
   std::shared_ptr<const gltf::Source> gltf;  ///< what a glTF file is to hold besides the draws
 
   std::uint64_t bytes() const override { return file.size(); }
-  std::shared_ptr<const SceneSource> for_gltf() const override { return gltf; }
 
   std::string_view text() const {
     const auto bytes = file.view();
