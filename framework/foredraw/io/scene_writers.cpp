@@ -1,7 +1,7 @@
 #include <foredraw/io/scene_writers.h>
 
 #include <foredraw/base/counted.h>
-#include <foredraw/io/gltf/private/write.h>
+#include <foredraw/io/gltf/patch/private/write.h>
 #include <foredraw/io/mesh/mesh_files.h>
 #include <foredraw/io/sprite/sprite_files.h>
 #include <foredraw/io/text/private/file_kind.h>
