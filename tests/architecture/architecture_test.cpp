@@ -16,7 +16,7 @@
 #include "text_rules.h"
 #include "type_rules.h"
 
-namespace foredraw::architecture {
+namespace foredraw::architecture::architecture_test {
 namespace {
 
 const std::filesystem::path root = FOREDRAW_SOURCE_DIR;
@@ -152,4 +152,4 @@ TEST_F(Architecture, the_corpus_is_small_and_credited) {
 }
 
 }  // namespace
-}  // namespace foredraw::architecture
+}  // namespace foredraw::architecture::architecture_test

@@ -12,7 +12,7 @@
 #include "text_rules.h"
 #include "type_rules.h"
 
-namespace foredraw::architecture {
+namespace foredraw::architecture::rules_test {
 namespace {
 
 bool may_include(const std::string& path, const std::string& target) {
@@ -329,4 +329,4 @@ TEST(TypeRules, TypesOfOneNameAreTold) {
 }
 
 }  // namespace
-}  // namespace foredraw::architecture
+}  // namespace foredraw::architecture::rules_test

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::energy_collapse_test {
 namespace {
 
 using testing::TestMesh;
@@ -158,4 +158,4 @@ TEST(EnergyCollapse, TextureCoordinatesCountInWidthsOfTheTexture) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::energy_collapse_test

@@ -18,7 +18,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace foredraw::bench {
+namespace foredraw::bench::kit_instances_test {
 namespace {
 
 Scene through_file(const Scene& scene) {
@@ -172,4 +172,4 @@ TEST(KitInstances, what_is_instanced_is_merged_where_that_saves_more) {
 }
 
 }  // namespace
-}  // namespace foredraw::bench
+}  // namespace foredraw::bench::kit_instances_test

@@ -21,7 +21,7 @@
 #include <numeric>
 #include <set>
 
-namespace foredraw::bench {
+namespace foredraw::bench::merged_frames_test {
 namespace {
 
 constexpr int size = 512;
@@ -265,4 +265,4 @@ TEST_F(MergedFrames, wrong_slots_places_materials_and_corners_show) {
 }
 
 }  // namespace
-}  // namespace foredraw::bench
+}  // namespace foredraw::bench::merged_frames_test

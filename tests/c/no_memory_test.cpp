@@ -10,6 +10,7 @@
 #include <functional>
 #include <vector>
 
+namespace foredraw::no_memory_test {
 namespace {
 
 using foredraw::testing::held;
@@ -119,3 +120,4 @@ TEST(WithoutMemory, SpritesAndInstancesSayThatItRanOut) {
 }
 
 }  // namespace
+}  // namespace foredraw::no_memory_test

@@ -22,7 +22,7 @@
 #include <cstring>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::same_meshes_test {
 namespace {
 
 using testing::BumpySheet;
@@ -395,4 +395,4 @@ TEST(InstancesForC, RefuseWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::same_meshes_test

@@ -7,7 +7,7 @@
 
 #include <support/program.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::written_files_test {
 namespace {
 
 const std::string corpus = FOREDRAW_SOURCE_DIR "/benchmarks/corpus/";
@@ -127,4 +127,4 @@ TEST_F(WrittenFiles, WhatIsWrongIsSaidInTheWordsOfTheProgramAndNothingIsWritten)
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::written_files_test

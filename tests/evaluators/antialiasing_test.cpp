@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::antialiasing_test {
 namespace {
 
 using evaluators::antialiasing::Way;
@@ -169,4 +169,4 @@ TEST(Antialiasing, WithoutWiresNothingIsSaidOfThem) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::antialiasing_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::lod_walk_test {
 namespace {
 
 using evaluators::lod_walk::Method;
@@ -170,4 +170,4 @@ TEST(LodWalk, WrongWordsAreTold) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_walk_test

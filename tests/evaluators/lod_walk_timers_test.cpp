@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::lod_walk_timers_test {
 namespace {
 
 TEST(LodWalkTimers, FramesTakeWhatTheTimerSays) {
@@ -78,4 +78,4 @@ TEST(LodWalkTimers, VulkanDrawsOrSaysWhyNot) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_walk_timers_test

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::overdraw_embree_box_tree_test {
 namespace {
 
 TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
@@ -27,4 +27,4 @@ TEST(BoxTree, finds_the_boxes_that_a_ray_meets) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_embree_box_tree_test

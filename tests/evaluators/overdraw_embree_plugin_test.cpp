@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::overdraw_embree_plugin_test {
 namespace {
 
 using testing::find;
@@ -86,4 +86,4 @@ TEST(OverdrawEmbreePlugin, answers_for_measured_overdraw) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_embree_plugin_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::overdraw_raster_plugin_test {
 namespace {
 
 using testing::all_sides;
@@ -254,4 +254,4 @@ TEST(OverdrawRasterPlugin, a_view_set_that_can_not_be_made_is_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_raster_plugin_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::overdraw_raster_test {
 namespace {
 
 using testing::all_sides;
@@ -223,4 +223,4 @@ TEST(OverdrawRaster, the_same_counts_everywhere) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_raster_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace foredraw {
+namespace foredraw::overdraw_vulkan_plugin_test {
 namespace {
 
 using testing::find;
@@ -103,4 +103,4 @@ TEST_F(OverdrawVulkanPlugin, a_device_that_is_not_there_is_missed_when_it_is_to_
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_vulkan_plugin_test

@@ -13,7 +13,7 @@
 #include <memory>
 #include <string>
 
-namespace foredraw {
+namespace foredraw::overdraw_vulkan_test {
 namespace {
 
 using testing::all_sides;
@@ -379,4 +379,4 @@ TEST_F(OverdrawVulkan, pictures_too_large_for_the_device_are_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_vulkan_test

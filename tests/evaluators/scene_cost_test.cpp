@@ -13,7 +13,7 @@
 
 #include <map>
 
-namespace foredraw {
+namespace foredraw::scene_cost_test {
 namespace {
 
 using testing::draw_of;
@@ -239,4 +239,4 @@ TEST(SceneCost, threads_change_nothing_and_the_plugin_tells_the_figures) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::scene_cost_test

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::batch_nights_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ TEST_F(BatchNights, WhatChangedSinceTheLastRunIsToldWorstFirst) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::batch_nights_test

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::cli_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ TEST_F(CliFaults, TellsEveryMistakeOfAPipelineAtOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cli_faults_test

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::cli_outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -239,4 +239,4 @@ TEST_F(CliOutputs, WritesThroughALink) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::cli_outputs_test

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw {
+namespace foredraw::interruption_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST_F(Interrupted, OfAFolderWhatIsDoneStaysAndTheRestIsSaid) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::interruption_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::sprite_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ TEST_F(Sprites, ABadListDoesNotEndTheRun) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_test

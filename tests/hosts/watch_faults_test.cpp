@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw {
+namespace foredraw::watch_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ TEST_F(WatchFaults, WhatCanNotBeWatchedIsRefused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::watch_faults_test

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace foredraw::cli {
+namespace foredraw::cli::watching_parts_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -79,4 +79,4 @@ TEST_F(Settled, WhoAlwaysWritesDoesNotHoldUpTheOthers) {
 }
 
 }  // namespace
-}  // namespace foredraw::cli
+}  // namespace foredraw::cli::watching_parts_test

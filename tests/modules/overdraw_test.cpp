@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw::testing {
+namespace foredraw::testing::overdraw_test {
 namespace {
 
 OverdrawCount drawn(const OverdrawService& service, const Draw& draw, Run& run) {
@@ -93,4 +93,4 @@ TEST_F(AskingModules, GiveTheSameBytesApartAndInside) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::overdraw_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw::testing {
+namespace foredraw::testing::lod_methods_exact_test {
 namespace {
 
 Choice by_value(const std::vector<Ways>& objects, std::uint64_t budget) {
@@ -197,4 +197,4 @@ TEST(LodMethods, ObjectsWithoutWaysAndChoicesThatAreGone) {
 }
 
 }  // namespace
-}  // namespace foredraw::testing
+}  // namespace foredraw::testing::lod_methods_exact_test

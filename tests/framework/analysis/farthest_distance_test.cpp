@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::farthest_distance_test {
 namespace {
 
 using testing::TestMesh;
@@ -227,4 +227,4 @@ TEST(IsWithin, AnswersOnBothSidesOfTheTruth) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::farthest_distance_test

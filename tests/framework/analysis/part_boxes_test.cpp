@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::part_boxes_test {
 namespace {
 
 using Sliver = std::array<glm::vec3, 3>;
@@ -90,4 +90,4 @@ TEST(PartBoxes, OfAHubHoldFewOfItsPoints) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::part_boxes_test

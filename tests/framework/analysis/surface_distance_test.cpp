@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::surface_distance_test {
 namespace {
 
 using testing::TestMesh;
@@ -97,4 +97,4 @@ TEST(SurfaceDistance, IsTheSameAtAnyThreadCount) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::surface_distance_test

@@ -4,7 +4,7 @@
 #include <foredraw/cache/results.h>
 #include <foredraw/platform/files.h>
 
-namespace foredraw {
+namespace foredraw::results_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -171,4 +171,4 @@ TEST(ResultAbout, IsReadBack) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::results_test

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::geometry_test {
 namespace {
 
 TEST(Box, is_empty_until_something_is_added) {
@@ -61,4 +61,4 @@ TEST(JoinedSets, are_named_by_their_smallest_member) {
 TEST(TriangleArea, is_half_of_the_parallelogram) { EXPECT_EQ(triangle_area({1, 1, 1}, {4, 1, 1}, {1, 3, 1}), 3); }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::geometry_test

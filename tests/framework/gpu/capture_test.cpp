@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <array>
 
-namespace foredraw::gpu {
+namespace foredraw::gpu::capture_test {
 namespace {
 
 struct Output {
@@ -128,4 +128,4 @@ TEST_F(GpuCapture, patches_are_rasterised_beside_it_or_not_at_all) {
 }
 
 }  // namespace
-}  // namespace foredraw::gpu
+}  // namespace foredraw::gpu::capture_test

@@ -5,7 +5,7 @@
 #include <foredraw/job/pipelines.h>
 #include <foredraw/technique/built_in_plugins.h>
 
-namespace foredraw {
+namespace foredraw::job_test {
 namespace {
 
 class Jobs : public testing::InFolder {
@@ -110,4 +110,4 @@ TEST_F(Jobs, KnowHowTheirEvaluatorOfOverdrawLooks) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::job_test

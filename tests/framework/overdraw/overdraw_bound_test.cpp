@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::overdraw_bound_test {
 namespace {
 
 using testing::TestMesh;
@@ -116,4 +116,4 @@ TEST(OverdrawBound, DependsOnNoOrder) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::overdraw_bound_test

@@ -21,7 +21,7 @@
 #include <cstring>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::display_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -407,4 +407,4 @@ TEST(Display, OfALargeSubjectHoldsNoMoreThanItSays) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::display_test

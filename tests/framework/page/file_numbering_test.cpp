@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::file_numbering_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -81,4 +81,4 @@ TEST(NumbersInFile, OfTwoFromOneTriangleDoNotDependOnTheirOrder) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::file_numbering_test

@@ -12,7 +12,7 @@
 #include <array>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::heat_maps_test {
 namespace {
 
 using testing::TestMesh;
@@ -131,4 +131,4 @@ TEST(HeatMaps, a_view_that_there_is_not_is_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::heat_maps_test

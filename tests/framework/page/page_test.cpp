@@ -10,7 +10,7 @@
 
 #include <array>
 
-namespace foredraw {
+namespace foredraw::page_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -163,4 +163,4 @@ TEST(PageBuffer, IsBase64AndHoldsEqualNumbersOnce) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::page_test

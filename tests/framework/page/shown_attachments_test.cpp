@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::shown_attachments_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -178,4 +178,4 @@ TEST(ShownAttachments, AreDataThatNoNameEnds) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::shown_attachments_test

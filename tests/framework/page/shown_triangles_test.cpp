@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::shown_triangles_test {
 namespace {
 
 /// A sheet of so many squares each way.
@@ -93,4 +93,4 @@ TEST(ShownTriangles, OfPointsInOnePlaceStayFew) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::shown_triangles_test

@@ -6,7 +6,7 @@
 
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::parse_test {
 namespace {
 
 constexpr std::string_view props = R"toml(pipeline = 1
@@ -275,4 +275,4 @@ TEST(ParseStages, GoesByTheNameItIsGiven) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::parse_test

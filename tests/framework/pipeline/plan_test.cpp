@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::plan_test {
 namespace {
 
 Registry registry() {
@@ -213,4 +213,4 @@ TEST(Plan, RefusesPosesThatCanNotBeMadeAndTellsOfThoseThatThereAreNot) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::plan_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::print_test {
 namespace {
 
 /// Names and texts as people never write them, but files may hold them.
@@ -243,4 +243,4 @@ TEST(SamePipeline, ComparesWhatDecidesWhatRuns) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::print_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::set_option_test {
 namespace {
 
 Pipeline example() {
@@ -158,4 +158,4 @@ TEST(SetOption, DoesNotTurnAStageIntoAnother) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::set_option_test

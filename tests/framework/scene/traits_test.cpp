@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::traits_test {
 namespace {
 
 TEST(Traits, AddAndRemove) {
@@ -41,4 +41,4 @@ TEST(Traits, AreInNameOrder) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::traits_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::options_test {
 namespace {
 
 enum class Shape { round, square };
@@ -207,4 +207,4 @@ TEST(ViewRows, DefaultsAreTheViewSetsOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::options_test

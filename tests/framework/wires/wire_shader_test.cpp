@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::viewing_wire_shader_test::wires_wire_shader_test {
 namespace {
 
 TEST(WireShader, EveryStageCompilesInBothLanguages) {
@@ -29,4 +29,4 @@ TEST(WireShader, FunctionsCompileInShadersOfOnesOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::viewing_wire_shader_test::wires_wire_shader_test

@@ -11,7 +11,7 @@
 #include "support/mesh_reading.h"
 #include "support/meshes.h"
 
-namespace foredraw {
+namespace foredraw::mesh_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -197,4 +197,4 @@ TEST(HostileMeshes, LongLinesAndManyNamesTakeNoLongerThanTheirBytes) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::mesh_files_test

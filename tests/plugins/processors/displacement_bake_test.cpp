@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::displacement_bake_test {
 namespace {
 
 /// A sphere of about 16,000 triangles with waves.
@@ -267,4 +267,4 @@ TEST(CastHeights, OfNothingAndOfNoPlaceAreZero) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::displacement_bake_test

@@ -8,7 +8,7 @@
 
 #include <numeric>
 
-namespace foredraw::processors::displacement_seams {
+namespace foredraw::processors::displacement_seams::displacement_seams_parts_test {
 namespace {
 
 using testing::Map;
@@ -199,4 +199,4 @@ TEST(IntegerHeights, SettleByFewSingleStepsAndLetGoOfWhatIsReleased) {
 }
 
 }  // namespace
-}  // namespace foredraw::processors::displacement_seams
+}  // namespace foredraw::processors::displacement_seams::displacement_seams_parts_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <memory>
 
-namespace foredraw {
+namespace foredraw::embree_hidden_test {
 namespace {
 
 /// Every triangle blocks from both sides.
@@ -118,4 +118,4 @@ TEST(HiddenByEmbree, HardlyAnyRayGetsOutOfAHead) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::embree_hidden_test

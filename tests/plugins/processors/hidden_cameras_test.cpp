@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::hidden_cameras_test {
 namespace {
 
 using processors::hidden::SeenFrom;
@@ -117,4 +117,4 @@ TEST(HiddenCameras, FromAboveNobodyLooksUnder) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::hidden_cameras_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::hidden_scene_test {
 namespace {
 
 using processors::hidden::Moving;
@@ -207,4 +207,4 @@ TEST(HiddenScene, ACallerMayEndIt) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::hidden_scene_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::hidden_test {
 namespace {
 
 using processors::hidden::Unit;
@@ -250,4 +250,4 @@ TEST(HiddenCut, KeepsPlacesAndNumbers) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::hidden_test

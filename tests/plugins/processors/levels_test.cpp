@@ -18,7 +18,7 @@
 #include <map>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::levels_test {
 namespace {
 
 using ::testing::AllOf;
@@ -339,4 +339,4 @@ TEST_F(Levels, WithoutAnySequenceTheSceneStays) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::levels_test

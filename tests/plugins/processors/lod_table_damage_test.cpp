@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::lod_table_damage_test {
 namespace {
 
 using testing::GltfJson;
@@ -129,4 +129,4 @@ TEST(LodTable, WithoutARowOrWithoutCostsIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_table_damage_test

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace foredraw {
+namespace foredraw::lod_table_files_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST_F(LodTableFiles, TheJsonHasAnObjectForEachWay) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::lod_table_files_test

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace foredraw {
+namespace foredraw::merge_instances_damage_test {
 namespace {
 
 using namespace testing;
@@ -330,4 +330,4 @@ TEST(DamagedMergedInstances, nodes_that_were_hidden_or_are_moved_cost_the_merged
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_damage_test

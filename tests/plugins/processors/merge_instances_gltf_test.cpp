@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace foredraw {
+namespace foredraw::merge_instances_gltf_test {
 namespace {
 
 using namespace testing;
@@ -321,4 +321,4 @@ TEST(GltfMergedInstances, slots_of_a_draw_may_come_in_any_sequence) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_gltf_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw::processors::merge_instances {
+namespace foredraw::processors::merge_instances::merge_instances_groups_test {
 namespace {
 
 PlacedBox placed(const glm::vec3& middle, float half, std::uint32_t indices) {
@@ -177,4 +177,4 @@ TEST(MergeGroups, AHundredThousandAreTheSameOnTwoThreads) {
 }
 
 }  // namespace
-}  // namespace foredraw::processors::merge_instances
+}  // namespace foredraw::processors::merge_instances::merge_instances_groups_test

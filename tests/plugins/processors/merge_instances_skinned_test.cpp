@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::merge_instances_skinned_test {
 namespace {
 
 template <class T>
@@ -92,4 +92,4 @@ TEST(MergeInstancesOfSkins, StayWhereTheNodeHasNoSkinOrTurnsThemInsideOut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_skinned_test

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::merge_instances_slot_order_test {
 namespace {
 
 using testing::all_draws;
@@ -131,4 +131,4 @@ TEST(MergeSlotOrder, TheStageSortsWhereMeasuredOverdrawFalls) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_slot_order_test

@@ -12,7 +12,7 @@
 
 #include <foredraw/runtime/merge_instances.h>
 
-namespace foredraw {
+namespace foredraw::merge_instances_test {
 namespace {
 
 using testing::all_draws;
@@ -265,4 +265,4 @@ TEST(MergeInstances, IsTheSameAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::merge_instances_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::particle_trim_footprint_test {
 namespace {
 
 using processors::particle_trim::Box;
@@ -216,4 +216,4 @@ TEST(ShownCells, find_whatever_shows_in_a_triangle_outside_of_the_frame) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::particle_trim_footprint_test

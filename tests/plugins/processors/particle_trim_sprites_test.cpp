@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::particle_trim_sprites_test {
 namespace {
 
 struct Trimming {
@@ -291,4 +291,4 @@ TEST(ParticleTrim, frames_may_share_one_shape) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::particle_trim_sprites_test

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::particle_trim_test {
 namespace {
 
 using processors::particle_trim::Allowed;
@@ -282,4 +282,4 @@ TEST(StoredPolygon, holds_what_was_in_it_in_every_format) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::particle_trim_test

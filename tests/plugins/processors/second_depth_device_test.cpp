@@ -21,7 +21,7 @@
 
 #include <cstdint>
 
-namespace foredraw {
+namespace foredraw::second_depth_device_test {
 namespace {
 
 using testing::SmallCamera;
@@ -247,4 +247,4 @@ TEST_F(SecondDepthOnDevice, ResolvesItsOwnDepthsAsTheHeaderDoes) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_device_test

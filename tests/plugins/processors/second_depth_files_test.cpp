@@ -16,7 +16,7 @@
 
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::second_depth_files_test {
 namespace {
 
 using testing::GltfJson;
@@ -107,4 +107,4 @@ TEST(SecondDepthFiles, HaveTheShadersBeside) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_files_test

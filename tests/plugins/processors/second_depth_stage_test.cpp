@@ -17,7 +17,7 @@
 #include <array>
 #include <set>
 
-namespace foredraw {
+namespace foredraw::second_depth_stage_test {
 namespace {
 
 using testing::box;
@@ -281,4 +281,4 @@ TEST(SecondDepth, LeavesTheRangesOfOtherProductsWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_stage_test

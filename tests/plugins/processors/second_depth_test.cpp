@@ -14,7 +14,7 @@
 #include <limits>
 #include <numbers>
 
-namespace foredraw {
+namespace foredraw::second_depth_test {
 namespace {
 
 using processors::second_depth::Kind;
@@ -155,4 +155,4 @@ TEST(Shells, AreTheSameAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::second_depth_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace foredraw {
+namespace foredraw::sides_choices_test {
 namespace {
 
 using processors::sides::Choice, processors::sides::Plan, processors::sides::Side, processors::sides::Sided;
@@ -95,4 +95,4 @@ TEST(SidesChoices, VerticesHaveTheWeightThatTheyAreGiven) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_choices_test

@@ -19,7 +19,7 @@
 #include <cstring>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::sides_shapes_test {
 namespace {
 
 using processors::sides::Side;
@@ -250,4 +250,4 @@ TEST(SidesSurface, TellsWhereASurfaceEnds) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_shapes_test

@@ -17,7 +17,7 @@
 
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::sides_test {
 namespace {
 
 using processors::sides::Side;
@@ -215,4 +215,4 @@ TEST(SidesSurrounding, SkiesAndRoomsSurroundWhatIsInThem) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sides_test

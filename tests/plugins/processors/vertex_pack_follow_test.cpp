@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_follow_test {
 namespace {
 
 using testing::framed_scene;
@@ -47,4 +47,4 @@ TEST(PackedVerticesFollow, IsLeftOutWhereVerticesWereMadeAnew) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_follow_test

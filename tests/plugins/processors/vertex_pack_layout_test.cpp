@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_layout_test {
 namespace {
 
 using processors::vertex_pack::best_layout;
@@ -175,4 +175,4 @@ TEST(PackedLayoutSearch, TextureCoordinatesHaveALatticeOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_layout_test

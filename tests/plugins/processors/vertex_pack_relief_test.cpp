@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_relief_test {
 namespace {
 
 /// 8 by 4 texels that rise by 1000 a texel along u and by 3000 along v; heights from 2000 to 18000.
@@ -64,4 +64,4 @@ TEST(VertexPackRelief, SharesOutTheBits) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_relief_test

@@ -16,7 +16,7 @@
 #include <limits>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_scene_test {
 namespace {
 
 using testing::framed_scene;
@@ -316,4 +316,4 @@ TEST(VertexPackScene, ThePapersAnglesAreAMethod) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_scene_test

@@ -20,7 +20,7 @@
 #include <foredraw/gpu/storage_sets.h>
 #endif
 
-namespace foredraw {
+namespace foredraw::vertex_pack_shader_test {
 namespace {
 
 using processors::vertex_pack::packed_shader_head;
@@ -211,4 +211,4 @@ TEST_F(PackedOnDevice, DecodesAndEncodesToTheBitsOfTheHeader) {
 #endif
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_shader_test

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <limits>
 
-namespace foredraw {
+namespace foredraw::vertex_pack_test {
 namespace {
 
 using testing::degrees_between;
@@ -239,4 +239,4 @@ TEST(VertexPack, AxesKeepTheirDirectionExactly) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::vertex_pack_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::wire_radius_second_depth_test {
 namespace {
 
 using testing::triangles_of;
@@ -50,4 +50,4 @@ TEST(WireRadiusFiles, ShellsComeFirstAndWiresLastInEitherSequence) {
   }
 }
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_second_depth_test

@@ -15,7 +15,7 @@
 
 #include <numbers>
 
-namespace foredraw {
+namespace foredraw::wire_radius_stage_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -185,4 +185,4 @@ TEST(WireRadiusStage, SixteenBitsStaySixteen) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_stage_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace foredraw {
+namespace foredraw::wire_radius_whole_numbers_test {
 namespace {
 
 bench::KnownMesh antenna() {
@@ -77,4 +77,4 @@ TEST(WireRadiusFiles, WiresOfWholeNumbersAreInTheirSteps) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::wire_radius_whole_numbers_test

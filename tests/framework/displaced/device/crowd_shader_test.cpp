@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace foredraw {
+namespace foredraw::crowd_shader_test {
 namespace {
 
 using namespace testing;
@@ -122,4 +122,4 @@ TEST_F(DisplacedOnDevice, CrowdsAreSortedAsTheHeaderChooses) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::crowd_shader_test

@@ -24,7 +24,7 @@
 #include <limits>
 #include <map>
 
-namespace foredraw {
+namespace foredraw::tessellator_test {
 namespace {
 
 using enum TessellationSpacing;
@@ -256,4 +256,4 @@ TEST_F(OnTessellator, a_mesh_has_what_shaders_put_out_and_no_crack) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::tessellator_test

@@ -12,7 +12,7 @@
 
 #include <filesystem>
 
-namespace foredraw {
+namespace foredraw::gltf_animation_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -187,4 +187,4 @@ TEST(GltfAnimation, half_of_a_moved_joint_is_half_of_its_movement) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_animation_test

@@ -7,7 +7,7 @@
 
 #include "framework/io/gltf/compressed_scenes.h"
 
-namespace foredraw {
+namespace foredraw::compression_gate_test {
 namespace {
 
 using testing::Bytes;
@@ -203,4 +203,4 @@ TEST(GltfCompressionGate, every_byte_flipped_is_refused_or_read) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::compression_gate_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foredraw {
+namespace foredraw::gltf_displacement_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -154,4 +154,4 @@ TEST(GltfDisplacement, OfTheFirstAndOfACopyAreTheirOwn) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_displacement_test

@@ -9,7 +9,7 @@
 
 #include "support/draco_gltf.h"
 
-namespace foredraw {
+namespace foredraw::draco_gate_test {
 namespace {
 
 using testing::draco_compressed;
@@ -218,4 +218,4 @@ TEST(GltfDracoGate, an_index_beyond_the_vertices_is_refused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::draco_gate_test

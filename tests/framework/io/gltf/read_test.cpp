@@ -5,7 +5,7 @@
 
 #include "support/gltf_builder.h"
 
-namespace foredraw {
+namespace foredraw::gltf_read_test {
 namespace {
 
 using testing::GltfBuilder;
@@ -297,4 +297,4 @@ TEST(GltfRead, nodes_outside_of_the_scene_that_is_shown_are_not_shown) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::gltf_read_test

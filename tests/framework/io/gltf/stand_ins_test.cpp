@@ -6,7 +6,7 @@
 #include "support/gltf_builder.h"
 #include "support/program.h"
 
-namespace foredraw::gltf {
+namespace foredraw::gltf::stand_ins_test {
 namespace {
 
 using GltfStandIns = testing::InFolder;
@@ -48,4 +48,4 @@ TEST_F(GltfStandIns, NeverTakeTheNameOfOneThatIsInUse) {
 }
 
 }  // namespace
-}  // namespace foredraw::gltf
+}  // namespace foredraw::gltf::stand_ins_test

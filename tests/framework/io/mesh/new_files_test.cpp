@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace foredraw {
+namespace foredraw::new_files_test {
 namespace {
 
 template <class T>
@@ -142,4 +142,4 @@ TEST(NewMeshFiles, AreMadeOfAnyMeshWithAWarningOfWhatIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::new_files_test

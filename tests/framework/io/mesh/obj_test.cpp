@@ -3,7 +3,7 @@
 
 #include "support/mesh_reading.h"
 
-namespace foredraw {
+namespace foredraw::obj_test {
 namespace {
 
 using testing::read_mesh;
@@ -217,4 +217,4 @@ TEST(MeshObj, NumbersTooSmallAreZeroAndThoseTooLargeRefused) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::obj_test

@@ -9,7 +9,7 @@
 
 #include "support/mesh_reading.h"
 
-namespace foredraw {
+namespace foredraw::mesh_write_test {
 namespace {
 
 using testing::drawn;
@@ -335,4 +335,4 @@ TEST(MeshWrite, AnyMeshCanBeWrittenAsAnyKindOfMeshFile) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::mesh_write_test

@@ -15,7 +15,7 @@
 #include "support/program.h"
 #include "support/sprites.h"
 
-namespace foredraw {
+namespace foredraw::sprite_write_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -279,4 +279,4 @@ TEST_F(SpriteWrite, SeveralScenesAreWrittenOrNone) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::sprite_write_test

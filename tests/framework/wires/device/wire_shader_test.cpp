@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace foredraw {
+namespace foredraw::device_wire_shader_test {
 namespace {
 
 using testing::ThinMesh;
@@ -160,4 +160,4 @@ TEST_F(WiresOnDevice, BlendAsTheHeaderSays) {
 }
 
 }  // namespace
-}  // namespace foredraw
+}  // namespace foredraw::device_wire_shader_test
