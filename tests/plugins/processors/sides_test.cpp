@@ -4,6 +4,7 @@
 #include "plugins/processors/sides/side_search.h"
 #include "plugins/processors/sides/surrounding.h"
 #include "plugins/processors/sides/turned_vertices.h"
+#include "support/collapses.h"
 #include "support/meshes.h"
 
 #include <foredraw/analysis/closed_surfaces.h>
@@ -21,6 +22,7 @@ namespace foredraw::sides_test {
 namespace {
 
 using processors::sides::Side;
+using testing::moved;
 using testing::TestMesh;
 
 /// Outwards: a box has 12 triangles, an open one 10.
@@ -34,13 +36,8 @@ TestMesh box(float size = 1, bool is_open = false) {
   return mesh;
 }
 
-TestMesh turned(TestMesh mesh) {
+TestMesh inside_out(TestMesh mesh) {
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-  return mesh;
-}
-
-TestMesh moved(TestMesh mesh, glm::vec3 by) {
-  for (glm::vec3& at : mesh.positions) at += by;
   return mesh;
 }
 
@@ -91,10 +88,10 @@ TEST(SidesClosed, TellsBodiesFromSheets) {
     return static_cast<std::size_t>(std::ranges::count(is, true));
   };
   EXPECT_EQ(closed(box()), 12u);
-  EXPECT_EQ(closed(turned(box())), 0u);
+  EXPECT_EQ(closed(inside_out(box())), 0u);
   EXPECT_EQ(closed(box(1, true)), 0u);
   EXPECT_EQ(closed(moved(box(), {1000, 2000, -5000})), 12u);
-  EXPECT_EQ(closed(testing::joined(box(), moved(turned(box()), {5, 0, 0}))), 12u);
+  EXPECT_EQ(closed(testing::joined(box(), moved(inside_out(box()), {5, 0, 0}))), 12u);
   EXPECT_EQ(closed(testing::grid(3, 3)), 0u);
   TestMesh one_turned = box();
   std::swap(one_turned.indices[1], one_turned.indices[2]);
@@ -118,8 +115,8 @@ TEST(Sides, OfAnOpenBodyTheInsideIsSeen) {
 }
 
 TEST(Sides, WhatIsInsideOutIsTurned) {
-  EXPECT_EQ(count(wanted(double_sided({turned(box())})), processors::sides::back), 12u);
-  const std::vector<Side> two = wanted(double_sided({testing::joined(box(), moved(turned(box()), {5, 0, 0}))}));
+  EXPECT_EQ(count(wanted(double_sided({inside_out(box())})), processors::sides::back), 12u);
+  const std::vector<Side> two = wanted(double_sided({testing::joined(box(), moved(inside_out(box()), {5, 0, 0}))}));
   EXPECT_EQ(count(two, processors::sides::front), 12u);
   EXPECT_EQ(count(two, processors::sides::back), 12u);
 }
@@ -200,7 +197,7 @@ TEST(SidesSurrounding, SkiesAndRoomsSurroundWhatIsInThem) {
   const Executor executor(2);
   const Scene sky = placed({testing::sphere(24, 13, 100), box()}, {{0, 0, 0}, {10, 0, 0}});
   EXPECT_EQ(processors::sides::surrounding_draws(sky, executor), (std::vector<bool>{true, false}));
-  const Scene room = placed({turned(box(10)), box(), box()}, {{0, 0, 0}, {3, 0, 0}, {-3, 1, 0}});
+  const Scene room = placed({inside_out(box(10)), box(), box()}, {{0, 0, 0}, {3, 0, 0}, {-3, 1, 0}});
   EXPECT_EQ(processors::sides::surrounding_draws(room, executor),
             (std::vector<bool>{false, false, false}));  // its fronts are seen
   const Scene helmet = placed({testing::sphere(24, 13, 1.2f), box(0.7f)}, {{0, 0, 0}, {0, 0, 0}});
