@@ -111,7 +111,7 @@ static void at_the_ends(void) {
   CHECK(foredraw_lod_by_value(&none, 1, chosen, memory).cost == 0);
 }
 
-int main(void) {
+int lod_methods_test(void) {
   by_size_and_feedback();
   beside_each_other();
   at_the_ends();
