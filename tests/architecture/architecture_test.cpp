@@ -113,6 +113,14 @@ TEST_F(Architecture, plugins_carry_their_folders_name) {
   EXPECT_TRUE(breaches.empty()) << listed(breaches);
 }
 
+TEST_F(Architecture, tests_have_the_namespaces_of_their_files) {
+  Breaches breaches;
+  std::map<std::string, std::string> files;
+  for (const TextFile& file : texts()) add(breaches, test_namespace_breaches(file.path, file.text, files));
+  EXPECT_GT(files.size(), 400u);
+  EXPECT_TRUE(breaches.empty()) << listed(breaches);
+}
+
 TEST_F(Architecture, types_are_defined_once) {
   TypeFiles types;
   for (const TextFile& file : texts()) {

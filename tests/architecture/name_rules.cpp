@@ -73,6 +73,23 @@ Breaches plugin_name_breaches(const std::string& path, const std::string& text) 
   return breaches;
 }
 
+Breaches test_namespace_breaches(const std::string& path, const std::string& text,
+                                 std::map<std::string, std::string>& files) {
+  if (!path.starts_with("tests/") || !path.ends_with("_test.cpp")) return {};
+  const std::vector<std::string> parts = parts_of(path);
+  const std::string name = parts.back().substr(0, parts.back().size() - 4);
+  const std::regex own("(^|\n)namespace (\\w+::)*((" + parts[parts.size() - 2] + "_)?" + name + ") \\{");
+  std::smatch found;
+  if (!std::regex_search(text, found, own)) {
+    return {path + ": its tests are to lie in namespace foredraw::" + name +
+            ", so that it can be compiled as one with other tests"};
+  }
+  const auto [other, is_first] = files.emplace(found[3], path);
+  if (is_first) return {};
+  return {path + ": its namespace " + other->first + " is that of " + other->second +
+          ", too; put the folder before it"};
+}
+
 Breaches length_breaches(const std::string& path, const std::string& text, std::size_t limit) {
   if (!is_cpp(path) && !path.ends_with(".mjs") && !path.ends_with(".js")) return {};
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

@@ -203,6 +203,18 @@ TEST(NameRules, empty_names_are_refused) {
   }
 }
 
+TEST(NameRules, tests_without_a_namespace_of_their_own_are_found) {
+  std::map<std::string, std::string> files;
+  const std::string gltf = "tests/framework/io/gltf/levels_test.cpp",
+                    plugin = "tests/plugins/processors/levels_test.cpp";
+  EXPECT_EQ(test_namespace_breaches(plugin, "namespace foredraw {\nnamespace {\n", files).size(), 1u);
+  EXPECT_EQ(test_namespace_breaches(plugin, "namespace foredraw::quad_levels_test {\n", files).size(), 1u);
+  EXPECT_TRUE(test_namespace_breaches(plugin, "\nnamespace foredraw::levels_test {\n", files).empty());
+  EXPECT_EQ(test_namespace_breaches(gltf, "\nnamespace foredraw::levels_test {\n", files).size(), 1u);
+  EXPECT_TRUE(test_namespace_breaches(gltf, "\nnamespace foredraw::gltf_levels_test {\n", files).empty());
+  EXPECT_TRUE(test_namespace_breaches("tests/support/meshes.h", "namespace foredraw::testing {\n", files).empty());
+}
+
 TEST(NameRules, long_files_are_found) {
   const std::string text(301, '\n');
   EXPECT_EQ(length_breaches("a.cpp", text, 300).size(), 1u);
