@@ -124,17 +124,36 @@ if(FOREDRAW_SANITIZE)
   endif()
 endif()
 
-# ccache is told that it may keep what was compiled with precompiled headers. Where the whole build is one of few large
-# files, a test is, too: half of the time goes into headers. Files that call things as their neighbours do have the property
-# SKIP_UNITY_BUILD_INCLUSION.
-function(foredraw_compile_as_test name)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's
-  target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support)
+# Builds that have to be quick are of few large files, and compile headers once for many of them:
+# foredraw_add_precompiled_headers(foredraw_headers <vector> ...) makes a target that is compiled as those are that call
+# foredraw_use_precompiled_headers(target foredraw_headers). `dev` does neither: an include that a file lacks shows there.
+function(foredraw_add_precompiled_headers name)
+  file(CONFIGURE OUTPUT ${name}.cpp CONTENT "")
+  add_library(${name} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  target_precompile_headers(${name} PRIVATE ${ARGN})
+  foredraw_compile_with_sloppy_cache(${name})
+endfunction()
+
+function(foredraw_use_precompiled_headers name headers)
+  if(TARGET ${headers})
+    target_precompile_headers(${name} REUSE_FROM ${headers})
+    foredraw_compile_with_sloppy_cache(${name})
+  endif()
+endfunction()
+
+# ccache is told that it may keep what was compiled with precompiled headers.
+function(foredraw_compile_with_sloppy_cache name)
   if(CMAKE_CXX_COMPILER_LAUNCHER)
     set_target_properties(${name} PROPERTIES CXX_COMPILER_LAUNCHER
       "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${CMAKE_CXX_COMPILER_LAUNCHER}")
   endif()
+endfunction()
+
+function(foredraw_compile_as_test name)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's
+  target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support)
+  foredraw_compile_with_sloppy_cache(${name})
 endfunction()
 
 # A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...). LONG is a
@@ -144,9 +163,7 @@ function(foredraw_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   foredraw_compile_as_test(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
-  if(TARGET foredraw_test_headers)
-    target_precompile_headers(${name} REUSE_FROM foredraw_test_headers)
-  endif()
+  foredraw_use_precompiled_headers(${name} foredraw_test_headers)
   # By the names that the suites give: printed parameters hold addresses, which differ from build to build.
   set(discover ${name} DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES TEST_PREFIX "${name}.")
   if(ARG_LONG)
