@@ -149,6 +149,21 @@ function(foredraw_compile_with_sloppy_cache name)
   endif()
 endfunction()
 
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_UNITY_BUILD)
+  find_package(glm QUIET)
+  find_package(fmt QUIET)
+  if(glm_FOUND AND fmt_FOUND)
+    foredraw_add_precompiled_headers(foredraw_headers
+      <algorithm> <array> <atomic> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory> <mutex>
+      <numeric> <optional> <set> <span> <sstream> <string> <string_view> <tuple> <unordered_map> <utility> <variant> <vector>
+      <glm/common.hpp> <glm/geometric.hpp> <glm/gtc/quaternion.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp> <glm/vec2.hpp>
+      <glm/vec3.hpp> <glm/vec4.hpp> <fmt/format.h>)
+    set_target_properties(foredraw_headers PROPERTIES CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON)
+    target_compile_features(foredraw_headers PRIVATE cxx_std_20)
+    target_link_libraries(foredraw_headers PRIVATE foredraw_flags glm::glm fmt::fmt)
+  endif()
+endif()
+
 function(foredraw_compile_as_test name)
   set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's

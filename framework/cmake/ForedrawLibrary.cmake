@@ -36,6 +36,9 @@ function(foredraw_add_library name)
                         PRIVATE ${ARG_PRIVATE_LINK} ${compiled_in})
   target_include_directories(foredraw_${name} PUBLIC $<BUILD_INTERFACE:${foredraw_include_root}>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/foredraw>)
+  if(COMMAND foredraw_use_precompiled_headers)  # not outside of this tree
+    foredraw_use_precompiled_headers(foredraw_${name} foredraw_headers)
+  endif()
 endfunction()
 
 # JSON Schemas of extensions: those in the target's folder schemas/ become the header "schemas.h", whose function schemas()
