@@ -166,7 +166,7 @@ endif()
 
 function(foredraw_compile_as_test name)
   set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # most of their time is the compiler's
+  foredraw_compile_quickly(${name})
   target_link_libraries(${name} PRIVATE foredraw_flags foredraw_test_support)
   foredraw_compile_with_sloppy_cache(${name})
 endfunction()

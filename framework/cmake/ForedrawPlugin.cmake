@@ -96,7 +96,7 @@ function(_foredraw_add_plugin folder)
 
   foredraw_reaches(measuring "${FOREDRAW_FRAMEWORK}" dressed)
   if(dressed)
-    foredraw_add_library(${name}_plugin SOURCES ${dress} LINK foredraw::measuring foredraw::${name}
+    foredraw_add_library(${name}_plugin QUICK SOURCES ${dress} LINK foredraw::measuring foredraw::${name}
                          REQUIRES fmt PRIVATE_LINK fmt::fmt)
     foredraw_add_schemas(foredraw_${name}_plugin "${folder}")
     foredraw_install_component(${name}_plugin)
@@ -170,7 +170,7 @@ void @function@(Registry& registry) {
 
 }  // namespace foredraw
 ")
-  foredraw_add_library(${library} SOURCES "${generated}/${library}.cpp" LINK foredraw::technique ${targets} ${ARGN})
+  foredraw_add_library(${library} QUICK SOURCES "${generated}/${library}.cpp" LINK foredraw::technique ${targets} ${ARGN})
 endfunction()
 
 # Tests of the plugins that were added, a program for each kind: processors_test. Called from tests/.
