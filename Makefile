@@ -5,11 +5,14 @@ SEED ?= 1
 DEMO := build/demo
 FOREDRAW := build/release/hosts/cli/foredraw
 
-.PHONY: help demo build test long-test farm-test clang bench real-files city level-walk vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances asan tsan fuzz packages clean
+TESTING := test quick long-test asan tsan fuzz ci-core ci-platforms ci-pictures
+
+.PHONY: help demo build $(TESTING) $(TESTING:%=%-phases) farm-test clang same-bytes bench real-files city level-walk vertex-orders overdraw-error han-sander-2016 particle-trim back-sides simplifiers merge-instances packages clean
 help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
-	@echo 'make test     build everything, run the tests'
+	@echo 'make test     build everything, run the tests; make quick: those that take a minute together'
+	@echo 'make ci-core, make ci-platforms, make ci-pictures  the parts of continuous integration: docs/building.md'
 	@echo 'make long-test  the checks of minutes: millions of triangles, hundreds of views, slow plugins on the corpus, make fuzz'
 	@echo 'make farm-test  a folder in parts by Slurm and by GNU parallel, both installed first; Slurm is started by the test alone'
 	@echo 'make clang    build the program with clang, not optimised: whether the other compiler takes it'
@@ -40,18 +43,32 @@ build:
 	packages/install build
 	cmake --preset release && cmake --build --preset release --target foredraw
 
-test: TESTS = release-tests
-asan: TESTS = asan
-tsan: TESTS = tsan
-fuzz: TESTS = fuzz
-fuzz: MORE = fuzz
-test asan tsan fuzz:
-	packages/install build test import $(MORE)
-	cmake --preset $(TESTS) && cmake --build --preset $(TESTS) && ctest --preset $(TESTS)
+# These run in phases, which are in <target>-phases, and end with a table of the seconds of each.
+$(TESTING):
+	@.ci/timed $@ $(MAKE) --no-print-directory $@-phases
 
-long-test: fuzz
-	packages/install build test
-	cmake --preset release-tests && cmake --build --preset release-tests && ctest --preset long-test
+# $(call test_in_phases,preset,packages,test preset if it is another). SMOKE=1: without the cases of minutes.
+define test_in_phases
+	.ci/timed install packages/install build test import $(2)
+	.ci/timed configure cmake --preset $(1)
+	.ci/timed build cmake --build --preset $(1)
+	.ci/timed tests ctest --preset $(or $(3),$(1)) $(if $(SMOKE),-LE '^long$$') --output-junit $(CURDIR)/build/times/$@.xml
+endef
+
+test-phases:
+	$(call test_in_phases,release-tests)
+asan-phases tsan-phases: %-phases:
+	$(call test_in_phases,$*)
+fuzz-phases:
+	$(call test_in_phases,fuzz,fuzz)
+quick-phases ci-platforms-phases ci-pictures-phases: %-phases:
+	$(call test_in_phases,release-tests,,$*)
+long-test-phases: fuzz
+	$(call test_in_phases,release-tests,,long-test)
+ci-core-phases:
+	$(call test_in_phases,release-tests,,ci-core)
+	.ci/timed clang $(MAKE) --no-print-directory clang
+	.ci/timed same-bytes $(MAKE) --no-print-directory same-bytes
 
 farm-test:
 	packages/install build farm
@@ -62,6 +79,14 @@ farm-test:
 clang:
 	packages/install build clang
 	cmake --preset clang && cmake --build --preset clang --target foredraw
+
+# What both compilers' programs make of a model.
+same-bytes:
+	for build in release clang; do \
+	  build/$$build/hosts/cli/foredraw optimize benchmarks/corpus/static/spot.glb -o build/$$build/spot.glb \
+	    -p "weld, second-depth, quadric-collapse, levels, lookahead, vertex-fetch" --with vertex-cache | tail -1 || exit 1; \
+	done
+	cmp build/release/spot.glb build/clang/spot.glb
 
 bench:
 	packages/install build bench

@@ -171,19 +171,33 @@ function(foredraw_compile_as_test name)
   foredraw_compile_with_sloppy_cache(${name})
 endfunction()
 
-# A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...). LONG is a
-# filter of GoogleTest's: what it lets through is labelled "long" and belongs to `make long-test`, not to `make test`.
+# A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...). Each case has
+# one of ctest's labels: "long" if the filter LONG of GoogleTest lets it through, which belongs to `make long-test`, not to
+# `make test`; else "device" or "slow" by the filters in tests/CMakeLists.txt; else LABEL, which is "quick" if not given.
 function(foredraw_add_test name)
-  cmake_parse_arguments(ARG "" "LONG" "SOURCES;LINK;PROPERTIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "LONG;LABEL" "SOURCES;LINK;PROPERTIES" ${ARGN})
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL quick)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   foredraw_compile_as_test(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   foredraw_use_precompiled_headers(${name} foredraw_test_headers)
   # By the names that the suites give: printed parameters hold addresses, which differ from build to build.
   set(discover ${name} DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES TEST_PREFIX "${name}.")
-  if(ARG_LONG)
-    gtest_discover_tests(${discover} TEST_FILTER "${ARG_LONG}" PROPERTIES LABELS long TIMEOUT 3600 ${ARG_PROPERTIES})
-    list(APPEND discover TEST_FILTER "-${ARG_LONG}")
-  endif()
-  gtest_discover_tests(${discover} PROPERTIES TIMEOUT 600 ${ARG_PROPERTIES})
+  set(foredraw_long_cases "${ARG_LONG}")
+  set(labelled "")  # the end of a filter: without the cases that have a label
+  foreach(label long device slow)
+    set(cases "${foredraw_${label}_cases}")
+    if(cases)
+      gtest_discover_tests(${discover} TEST_FILTER "${cases}${labelled}"
+                           PROPERTIES LABELS ${label} TIMEOUT 3600 ${ARG_PROPERTIES})
+      if(labelled)
+        string(APPEND labelled ":${cases}")
+      else()
+        set(labelled "-${cases}")
+      endif()
+    endif()
+  endforeach()
+  gtest_discover_tests(${discover} TEST_FILTER "*${labelled}" PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 600 ${ARG_PROPERTIES})
 endfunction()

@@ -1,5 +1,5 @@
 # cmake -D BUILD=... -D SOURCE=... -D PREFIX=... -P install.cmake: installs the build, moves what was installed to PREFIX,
-# and looks whether any of it remembers a place of this machine.
+# and looks whether any of it remembers a place of this machine, or includes a file of ours that was not installed.
 file(REMOVE_RECURSE "${PREFIX}" "${PREFIX}.before")
 foreach(component runtime libraries development python)
   execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}.before" --component ${component}
@@ -20,6 +20,23 @@ foreach(script IN LISTS scripts)
 endforeach()
 if(count LESS 10)
   message(FATAL_ERROR "only ${count} scripts were installed")
+endif()
+
+file(GLOB_RECURSE sources "${PREFIX}/*.h" "${PREFIX}/*.cpp")
+list(LENGTH sources count)
+foreach(source IN LISTS sources)
+  get_filename_component(beside "${source}" DIRECTORY)
+  get_filename_component(above "${beside}" DIRECTORY)
+  file(STRINGS "${source}" includes REGEX "^#include (<(foredraw|plugins|evaluators|hosts)/|\")")
+  foreach(include IN LISTS includes)
+    string(REGEX REPLACE "^#include [<\"]([^>\"]+).*" "\\1" file "${include}")
+    if(NOT EXISTS "${PREFIX}/include/foredraw/${file}" AND NOT EXISTS "${beside}/${file}" AND NOT EXISTS "${above}/${file}")
+      message(FATAL_ERROR "${source} includes ${file}, which was not installed")
+    endif()
+  endforeach()
+endforeach()
+if(count LESS 100)
+  message(FATAL_ERROR "only ${count} headers and tests were installed")
 endif()
 
 execute_process(COMMAND "${PREFIX}/bin/foredraw" list COMMAND_ERROR_IS_FATAL ANY)

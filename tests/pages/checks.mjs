@@ -25,8 +25,15 @@ export function check_near(name, is, should_be, tolerance) {
   check(name, off <= tolerance, `${is}, should be ${should_be}`);
 }
 
+/** Those of --only=NAME,..., if there is such an argument: a group outside of them is left out with the groups in it. */
+const only = process.argv.find((word) => word.startsWith('--only='))?.slice('--only='.length).split(',');
+let depth = 0;
+
 /** A group of checks: what it throws is one more that fails, and the other groups go on. */
 export async function group(name, run) {
+  if (depth === 0 && only !== undefined && !only.includes(name)) return;
+  ++depth;
+  const began = performance.now();
   console.log(`-- ${name}`);
   const [made_before, held_before] = [made, held];
   try {
@@ -34,7 +41,9 @@ export async function group(name, run) {
   } catch (error) {
     check(`${name} comes to its end`, false, error.stack);
   }
-  console.log(`      ${held - held_before} of ${made - made_before} hold`);
+  --depth;
+  const seconds = ((performance.now() - began) / 1000).toFixed(1);
+  console.log(`      ${held - held_before} of ${made - made_before} hold, ${seconds} s`);
 }
 
 export function exit_code() {

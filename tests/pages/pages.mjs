@@ -1,4 +1,4 @@
-// The report page in a browser: node pages.mjs PROGRAM CORPUS OUTPUT_FOLDER PROGRAM_WITH_WALK
+// The report page in a browser: node pages.mjs PROGRAM CORPUS OUTPUT_FOLDER PROGRAM_WITH_WALK [--only=GROUP,...]
 // Makes pages with the program and looks at them, and with one that has the evaluator of walk.cpp. Pictures of them are
 // left in the folder.
 // Exit 77 where the program was built without the page's script, 1 where a check failed.
@@ -102,10 +102,8 @@ await on_page('viewer', made.html, async (page) => {
   await picture('viewer-heat.png');
 });
 
-await on_page(
-  'overdraw of rectangles',
-  program.compare('stacks', write_stacks(folder), ['tipsify']).html,
-  check_stacks,
+await group('overdraw of rectangles', () =>
+  on_page('stacks', program.compare('stacks', write_stacks(folder), ['tipsify']).html, check_stacks),
 );
 
 await on_page('overdraw of a model', made.html, (page) =>
