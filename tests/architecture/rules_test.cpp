@@ -324,7 +324,7 @@ TEST(RoomRules, the_page_shows_each_room_once) {
   EXPECT_EQ(room_breaches(picture + "| `base` | it |\n", rooms).size(), 1u);
   EXPECT_EQ(room_breaches(picture + "| `base`, `low` | it |\n| `low` | it |\n", rooms).size(), 1u);
   EXPECT_EQ(room_breaches(picture + "| `base`, `low`, `attic` | it |\n", rooms).size(), 1u);
-  EXPECT_EQ(room_breaches("## Rooms\n\n```\n 0  base\n```\n| `base`, `low` | it |\n", rooms).size(), 1u);
+  EXPECT_EQ(room_breaches("\n## Rooms\n\n```\n 0  base\n```\n| `base`, `low` | it |\n", rooms).size(), 1u);
 }
 
 TEST(TypeRules, TypesOfOneNameAreTold) {
