@@ -149,18 +149,23 @@ function(foredraw_compile_with_sloppy_cache name)
   endif()
 endfunction()
 
+# Of our libraries: those that link fmt, whose definitions its header asks for, and the others.
 if(PROJECT_IS_TOP_LEVEL AND CMAKE_UNITY_BUILD)
   find_package(glm QUIET)
   find_package(fmt QUIET)
   if(glm_FOUND AND fmt_FOUND)
-    foredraw_add_precompiled_headers(foredraw_headers
-      <algorithm> <array> <atomic> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory> <mutex>
-      <numeric> <optional> <set> <span> <sstream> <string> <string_view> <tuple> <unordered_map> <utility> <variant> <vector>
-      <glm/common.hpp> <glm/geometric.hpp> <glm/gtc/quaternion.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp> <glm/vec2.hpp>
-      <glm/vec3.hpp> <glm/vec4.hpp> <fmt/format.h>)
-    set_target_properties(foredraw_headers PROPERTIES CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON)
-    target_compile_features(foredraw_headers PRIVATE cxx_std_20)
-    target_link_libraries(foredraw_headers PRIVATE foredraw_flags glm::glm fmt::fmt)
+    set(headers <algorithm> <array> <atomic> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory>
+                <mutex> <numeric> <optional> <set> <span> <sstream> <string> <string_view> <tuple> <unordered_map> <utility> <variant>
+                <vector> <glm/common.hpp> <glm/geometric.hpp> <glm/gtc/quaternion.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp>
+                <glm/vec2.hpp> <glm/vec3.hpp> <glm/vec4.hpp>)
+    foredraw_add_precompiled_headers(foredraw_headers ${headers})
+    foredraw_add_precompiled_headers(foredraw_headers_with_fmt ${headers} <fmt/format.h>)
+    target_link_libraries(foredraw_headers_with_fmt PRIVATE fmt::fmt)
+    foreach(target foredraw_headers foredraw_headers_with_fmt)
+      set_target_properties(${target} PROPERTIES CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON)
+      target_compile_features(${target} PRIVATE cxx_std_20)
+      target_link_libraries(${target} PRIVATE foredraw_flags glm::glm)
+    endforeach()
   endif()
 endif()
 

@@ -46,7 +46,11 @@ function(foredraw_add_library name)
     foredraw_compile_quickly(foredraw_${name})
   endif()
   if(COMMAND foredraw_use_precompiled_headers)  # not outside of this tree
-    foredraw_use_precompiled_headers(foredraw_${name} foredraw_headers)
+    set(headers foredraw_headers)
+    if(fmt::fmt IN_LIST ARG_PRIVATE_LINK)
+      set(headers foredraw_headers_with_fmt)
+    endif()
+    foredraw_use_precompiled_headers(foredraw_${name} ${headers})
   endif()
 endfunction()
 
