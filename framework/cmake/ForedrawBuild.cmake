@@ -178,12 +178,9 @@ endfunction()
 
 # A GoogleTest program and its tests, found when ctest starts: foredraw_add_test(tipsify SOURCES ... LINK ...). Each case has
 # one of ctest's labels: "long" if the filter LONG of GoogleTest lets it through, which belongs to `make long-test`, not to
-# `make test`; else "device" or "slow" by the filters in tests/CMakeLists.txt; else LABEL, which is "quick" if not given.
+# `make test`; else "device" or "slow" by the filters in tests/CMakeLists.txt; else the foredraw_label of the folder, or "quick".
 function(foredraw_add_test name)
-  cmake_parse_arguments(ARG "" "LONG;LABEL" "SOURCES;LINK;PROPERTIES" ${ARGN})
-  if(NOT ARG_LABEL)
-    set(ARG_LABEL quick)
-  endif()
+  cmake_parse_arguments(ARG "" "LONG" "SOURCES;LINK;PROPERTIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   foredraw_compile_as_test(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
@@ -204,5 +201,8 @@ function(foredraw_add_test name)
       endif()
     endif()
   endforeach()
-  gtest_discover_tests(${discover} TEST_FILTER "*${labelled}" PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 600 ${ARG_PROPERTIES})
+  if(NOT foredraw_label)
+    set(foredraw_label quick)
+  endif()
+  gtest_discover_tests(${discover} TEST_FILTER "*${labelled}" PROPERTIES LABELS ${foredraw_label} TIMEOUT 600 ${ARG_PROPERTIES})
 endfunction()
