@@ -1,4 +1,4 @@
-#include <foredraw/overdraw/private/corners.h>
+#include <foredraw/overdraw/corners.h>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "foredraw/overdraw/corners.cpp"

@@ -1,7 +1,7 @@
 #pragma once
 // The fragments of a part in one view, triangle by triangle: whoever counts or keeps them says what becomes of each.
 
-#include <foredraw/overdraw/private/corners.h>
+#include <foredraw/overdraw/corners.h>
 #include <foredraw/viewing/camera.h>
 #include <foredraw/viewing/raster_part.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Triangles of any size: row by row.
 
+#include <foredraw/overdraw/corners.h>
 #include <foredraw/overdraw/fragments.h>
-#include <foredraw/overdraw/private/corners.h>
 
 namespace foredraw {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Which triangles a view draws at all.
 
-#include <foredraw/overdraw/private/corners.h>
+#include <foredraw/overdraw/corners.h>
 
 #include <span>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Triangles of a few pixels: a stamp of pixels at a time.
 
+#include <foredraw/overdraw/corners.h>
 #include <foredraw/overdraw/fragments.h>
-#include <foredraw/overdraw/private/corners.h>
 
 namespace foredraw {
 
