@@ -7,7 +7,7 @@ real_files.py PROGRAM FOLDER... [--files LIST [--root FOLDER]] [--pipeline @defa
 LIST names files, one a line, in place of folders. A model may name files of its folder in the command line and below,
 or of --root. Nothing below the folders is changed.
 
-With --validator, a folder in which tests/validator/install has run, the Khronos validator says of each glTF whether the
+With --validator, a folder with package.json of tests/validator in which tests/npm_ci has run, the Khronos validator says of each glTF whether the
 output has errors that the input has not. With --viewer, a folder in which viewer/install has run, three.js says which
 files show, and whether so many of the outputs, drawn by the seed, give the same pictures as their inputs. Pictures that
 differ are kept in FOLDER.
