@@ -40,7 +40,7 @@ struct Content {
   glm::dvec2 uv_extent() const { return uvs ? (most_uv - least_uv) * uv_widths : glm::dvec2(0); }
 };
 
-bool is_finite(const VertexStream& stream, std::size_t count, std::size_t components) {
+bool has_finite_values(const VertexStream& stream, std::size_t count, std::size_t components) {
   for (std::size_t v = 0; v < count; ++v) {
     for (std::size_t c = 0; c < components; ++c) {
       if (!std::isfinite(decode_component(stream, v, c))) return false;
@@ -54,9 +54,9 @@ void add_level(Content& content, const VertexStreams& vertices) {
   const VertexStream* uvs = stream_of(vertices, "TEXCOORD_0", 2);
   if (positions == nullptr) {
     content.why_not = "it has no positions";
-  } else if (!is_finite(*positions, vertices.count, 3)) {
+  } else if (!has_finite_values(*positions, vertices.count, 3)) {
     content.why_not = "it has a position that is not finite";
-  } else if (uvs != nullptr && !is_finite(*uvs, vertices.count, 2)) {
+  } else if (uvs != nullptr && !has_finite_values(*uvs, vertices.count, 2)) {
     content.why_not = "it has a texture coordinate that is not finite";
   }
   if (!content.why_not.empty()) return;
