@@ -9,10 +9,10 @@ namespace {
 
 /// How far pictures and samples go: a hundred thousand views show no more than a thousand, but take a device minutes.
 struct Pictures {
-  double views, pixels, points, frames;
+  double views, pixels, points, frames, samples;
 };
-constexpr Pictures some_pictures{100, 512, 2000, 6};
-constexpr Pictures largest_pictures{1000, 4096, 100'000, 300};
+constexpr Pictures some_pictures{30, 128, 500, 4, 64};
+constexpr Pictures largest_pictures{1000, 4096, 100'000, 300, 65'536};
 
 bool is_size(const OptionSpec& option) {
   return option.unit == "pixels" && (option.name == "size" || option.name == "width" || option.name == "height");
@@ -22,12 +22,15 @@ double most_of(const OptionSpec& option, const Pictures& pictures) {
   if (option.unit == "views") return std::min(option.most, pictures.views);
   if (option.unit == "points") return std::min(option.most, pictures.points);
   if (option.unit == "frames") return std::min(option.most, pictures.frames);
+  if (option.unit == "samples") return std::min(option.most, pictures.samples);
   return is_size(option) ? std::min(option.most, pictures.pixels) : option.most;
 }
 
 std::optional<OptionValue> extreme(const OptionSpec& option, bool most, const Pictures& pictures = some_pictures) {
   // The least error takes the most views, and leaves the other options of views unused.
   if (option.name == "error" && !most) return std::nullopt;
+  // Pictures of each object take seconds: the defaults ask for them.
+  if (option.name == "accuracy" && !most) return std::string("errors");
   const double bound = most ? most_of(option, pictures) : option.least;
   if (option.type == OptionType::boolean) return most;
   if (option.type == OptionType::choice) return most ? option.choices.back() : option.choices.front();
@@ -64,6 +67,7 @@ Settings few_pictures(const Plugin& plugin) {
   for (const OptionSpec& option : plugin.options) {
     if (option.unit == "views") settings[option.name] = std::int64_t{12};
     if (option.unit == "points") settings[option.name] = std::int64_t{100};
+    if (option.unit == "samples") settings[option.name] = static_cast<std::int64_t>(option.least);
     if (option.unit == "frames") settings[option.name] = std::int64_t{3};
     if (is_size(option)) settings[option.name] = std::int64_t{48};
   }
@@ -83,7 +87,7 @@ std::vector<Settings> settings_of(const Plugin& plugin) {
 }
 
 bool is_of_pictures(const OptionSpec& option) {
-  return option.unit == "views" || option.unit == "frames" || is_size(option);
+  return option.unit == "views" || option.unit == "frames" || option.unit == "samples" || is_size(option);
 }
 
 Settings with_the_largest(const Plugin& plugin, const OptionSpec& option) {

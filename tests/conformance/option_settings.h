@@ -15,7 +15,7 @@ Settings few_pictures(const Plugin& plugin);
 /// samples go as far as takes seconds.
 std::vector<Settings> settings_of(const Plugin& plugin);
 
-/// Whether it says how many pictures are made, or how large.
+/// True if it says how many pictures are made, how large, or of how many samples.
 bool is_of_pictures(const OptionSpec& option);
 
 /// Everything at its least, but that one at its most, as far as takes minutes.

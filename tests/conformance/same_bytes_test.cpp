@@ -22,6 +22,8 @@ TEST_P(EveryPlugin, GivesTheSameTwiceAndAtAnyThreadCount) {
 TEST(Conformance, PicturesAndCurvesAreTheSameAtAnyThreadCount) {
   Settings settings = few_pictures(*registry().find("lod-walk"));
   settings["replay"] = true;
+  settings["accuracy"] = std::string("errors");
+  settings["renderings"] = false;
   const Pipeline pipeline = pipeline_for(*registry().find("lod-walk"), settings);
   const Result one = run(pipeline, 1).result;
   for (const bool is_film : {false, true}) {
