@@ -2,6 +2,7 @@
 
 #include "session.h"
 
+#include <foredraw/io/scene_file.h>
 #include <foredraw/pipeline/presets.h>
 #include <foredraw/pipeline/schema.h>
 #include <foredraw/report/inspection.h>

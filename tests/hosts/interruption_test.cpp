@@ -39,7 +39,8 @@ class Interrupted : public testing::InFolder {
   }
 };
 
-constexpr const char* slow = " -p 'hidden(views=1000, size=2048)' --with vertex-cache";
+constexpr const char* slow =
+    " -p 'tipsify, occlusion-order(quality=high, k=255), vertex-fetch' --products none --with vertex-cache";
 constexpr const char* many_views = " --with 'overdraw-raster(count=100000)'";
 
 TEST_F(Interrupted, OptimizeWritesNothing) {

@@ -3,6 +3,7 @@
 
 #include <foredraw/runtime/lod_benefit.h>
 #include <foredraw/runtime/lod_methods.h>
+#include <foredraw/runtime/lod_select.h>
 
 #include <stdlib.h>
 

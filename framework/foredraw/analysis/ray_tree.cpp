@@ -68,7 +68,7 @@ RayTree::RayTree(std::span<const glm::vec3> positions, std::span<const std::uint
     if (blocks[t] == Blocks::neither) continue;
     Triangle triangle{{}, static_cast<std::uint32_t>(t), blocks[t]};
     for (std::size_t c = 0; c < 3; ++c) triangle.corners[c] = positions[indices[3 * t + c]];
-    if (!is_finite(triangle.corners)) continue;
+    if (!std::ranges::all_of(triangle.corners, [](const glm::vec3& corner) { return is_finite(corner); })) continue;
     triangles.push_back(triangle);
     BoxTree::Box& box = boxes.emplace_back();
     for (const glm::vec3& corner : triangle.corners) box.add(corner);

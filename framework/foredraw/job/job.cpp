@@ -3,6 +3,7 @@
 #include <foredraw/io/image/images.h>
 #include <foredraw/io/scene_file.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace foredraw {

@@ -7,6 +7,7 @@
 #include <foredraw/scene/product_row.h>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>

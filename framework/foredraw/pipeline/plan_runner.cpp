@@ -75,8 +75,8 @@ void PlanRunner::count_steps() {
 }
 
 void PlanRunner::measure_input() {
-  book_measures(measured(result_.scene, "measuring the input: "), *plan_, SceneState::input,
-                result_.scene.draws.size(), result_.report);
+  book_measures(measured(result_.scene, "measuring the input: "), *plan_, SceneState::input, result_.scene.draws.size(),
+                result_.report);
   for (const Diagnostic& one : diagnostics_.all()) told_of_input_.insert(words_of(one));
 }
 

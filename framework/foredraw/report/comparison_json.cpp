@@ -6,6 +6,8 @@ namespace foredraw {
 
 namespace {
 
+using foredraw::json_of;
+
 Json json_of(const Figure* figure) { return figure == nullptr ? Json(nullptr) : json_of(figure->value()); }
 
 Json json_of(const Branch& branch) {

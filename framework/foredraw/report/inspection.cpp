@@ -10,7 +10,6 @@
 #include <foredraw/scene/vertex_groups.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace foredraw {
 

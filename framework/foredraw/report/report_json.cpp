@@ -7,6 +7,8 @@ namespace foredraw {
 
 namespace {
 
+using foredraw::json_of;
+
 Json json_of(const SkipRecord& skip);
 Json json_of(const NoteRecord& note);
 Json json_of(const StageRecord& stage);

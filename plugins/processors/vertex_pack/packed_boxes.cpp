@@ -17,7 +17,7 @@ namespace foredraw::processors::vertex_pack {
 namespace {
 
 void add_finite(Box<glm::dvec3>& box, const glm::dvec3& point) {
-  if (is_finite(point)) box.add(point);
+  if (foredraw::is_finite(point)) box.add(point);
 }
 
 /// Levels that have vertices of their own, as scenes of one level.

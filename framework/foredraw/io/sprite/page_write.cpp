@@ -3,6 +3,7 @@
 
 #include <foredraw/base/counted.h>
 #include <foredraw/base/printable.h>
+#include <foredraw/geometry/box.h>
 #include <foredraw/io/image/private/encode.h>
 
 #include <fmt/format.h>
@@ -79,17 +80,10 @@ std::string corner_path(const std::vector<glm::dvec2>& points) {
   return path;
 }
 
-struct Box {
-  glm::dvec2 least{0}, most{0};
-};
-
-/// Of the frame and what is drawn, in texels of the whole sprite.
-Box bounds_of(const DrawnSprite& sprite) {
-  Box box{glm::dvec2(sprite.frame.offset), glm::dvec2(sprite.frame.offset + sprite.frame.size())};
-  for (const glm::dvec2& point : sprite.points) {
-    box.least = glm::min(box.least, point);
-    box.most = glm::max(box.most, point);
-  }
+/// Bounds of the frame and of its points, in texels of the whole sprite.
+Box<glm::dvec2> bounds_of(const DrawnSprite& sprite) {
+  Box<glm::dvec2> box{glm::dvec2(sprite.frame.offset), glm::dvec2(sprite.frame.offset + sprite.frame.size())};
+  for (const glm::dvec2& point : sprite.points) box.add(point);
   return box;
 }
 

@@ -33,11 +33,6 @@ const Writer* writer_of(const fs::path& path) {
   return nullptr;
 }
 
-std::string utf8(const fs::path& path) {
-  const std::u8string text = path.generic_u8string();
-  return {text.begin(), text.end()};
-}
-
 bool spares(const Scene& scene, const fs::path& file, Diagnostics& diagnostics) {
   const auto* source = dynamic_cast<const SpriteSource*>(scene.source.get());
   if (source == nullptr) return true;
@@ -73,7 +68,9 @@ namespace sprites {
 std::string image_beside(const Sheet& sheet, std::size_t image, const fs::path& target) {
   if (sheet.source == nullptr || image >= sheet.source->image_files.size()) return sheet.scene->images[image].name;
   const fs::path file = fs::absolute(sheet.source->image_files[image]).lexically_normal();
-  return utf8(file.lexically_relative(fs::absolute(target).lexically_normal().parent_path()));
+  const std::u8string text =
+      file.lexically_relative(fs::absolute(target).lexically_normal().parent_path()).generic_u8string();
+  return {text.begin(), text.end()};
 }
 
 std::string winding_of(std::span<const Sheet> sheets) {

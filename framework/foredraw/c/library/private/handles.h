@@ -49,7 +49,7 @@ class Cancellable {
   std::atomic<bool> is_cancelled_ = false;
 };
 
-/// With what a job works that is made by the call. Both outlive it.
+/// The setup of a job that the call runs. The call and the lender outlive it.
 JobSetup setup_for(Cancellable& call, const Lender& lender);
 
 /// A scene, the file that it was first read from, and what was decoded of it for callers.
