@@ -12,7 +12,7 @@ help:
 	@echo 'make demo     build the program, make one model cheaper to draw, show the figures (MODEL=file.glb for yours)'
 	@echo 'make build    build the program: $(FOREDRAW)'
 	@echo 'make test     build everything, run the tests; make quick: those for use between edits'
-	@echo 'make ci-core, make ci-platforms, make ci-pictures  the parts of continuous integration: docs/building.md'
+	@echo 'make ci-core, make ci-platforms, make ci-pictures  the parts of continuous integration: docs/guides/building.md'
 	@echo 'make long-test  the checks of minutes: millions of triangles, hundreds of views, slow plugins on the corpus, make fuzz'
 	@echo 'make farm-test  a folder in parts by Slurm and by GNU parallel, both installed first; Slurm is started by the test alone'
 	@echo 'make clang    build the program with clang, not optimised: whether the other compiler takes it'

@@ -21,7 +21,7 @@ namespace {
 
 using namespace foredraw::bench;
 
-/// Of the process: on a machine that does other things besides, a second of the clock says nothing.
+/// Processor seconds of this process: elapsed time says nothing on a machine with other work.
 double seconds_worked() {
   std::timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);

@@ -18,7 +18,7 @@ class Calibrate : public testing::InFolder {
   testing::Ended run(const std::string& arguments) const { return testing::run_program(folder_, arguments); }
 };
 
-/// What costs more is the machine's affair, and which form foretells better.
+/// Costs, and which form predicts them better, depend on the machine.
 TEST_F(Calibrate, WritesCostsThatATableIsMadeOf) {
   const testing::Ended measured = run("calibrate --rounds 1 -o machine.txt");
   ASSERT_EQ(measured.code, 0) << measured.err;

@@ -149,7 +149,7 @@ TEST(ClosestPoints, OfAnySize) {
   }
 }
 
-/// Where floats are a thousandth of the surface apart.
+/// The mesh lies where neighbouring floats are a thousandth of the surface apart.
 TEST(ClosestPoints, FarFromTheOriginTheyAreFound) {
   TestMesh far = testing::sphere(200, 100);
   for (glm::vec3& at : far.positions) at += glm::vec3(8192, -8192, 8192);
